@@ -1,0 +1,1 @@
+"""Files, terminal, pictures: everything of dynamic-splines that touches the world."""

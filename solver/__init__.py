@@ -1,0 +1,1 @@
+"""Quaternion splines through frames, soft constraints and their optimisation: the mathematics, no files."""
