@@ -1,1 +1,78 @@
-"""The figures, stages and clips that ship, and the one place that knows how to find them."""
+"""The figures, stages and clips that ship, and the one place that knows how to find them.
+
+Everything is read as text through `importlib.resources`, so a checkout, an editable install and a wheel behave alike.
+A figure is an MJCF file of this folder and a clip a TOML file in `clips`; `stage.xml` is what surrounds a figure.
+"""
+
+import difflib
+import re
+from collections.abc import Iterable
+from importlib.resources import files
+from importlib.resources.abc import Traversable
+
+STAGE = "stage"
+
+
+class UnknownName(KeyError):
+    """No figure or clip of this name ships; the message says which do."""
+
+    def __init__(self, kind: str, name: str, known: Iterable[str]) -> None:
+        names = sorted(known)
+        close = difflib.get_close_matches(name, names, n=1)
+        guess = f"; did you mean {close[0]!r}?" if close else "."
+        listing = f"{kind.capitalize()}s: {', '.join(names)}" if names else f"No {kind} ships."
+        self.message = f"no {kind} {name!r}{guess} {listing}"
+        super().__init__(self.message)
+
+    def __str__(self) -> str:
+        """The message as it is: a KeyError would show it in quotes."""
+        return self.message
+
+
+def figures() -> dict[str, str]:
+    """The names of the figures, each with one line that describes it: the first of the file's opening comment."""
+    found = {name: entry for name, entry in _entries(files(__name__), ".xml").items() if name != STAGE}
+    return {name: _first_xml_comment(entry.read_text(encoding="utf-8")) for name, entry in found.items()}
+
+
+def clips() -> dict[str, str]:
+    """The names of the clips, each with one line that describes it: the first comment of the file."""
+    found = _entries(files(__name__) / "clips", ".toml")
+    return {name: _first_toml_comment(entry.read_text(encoding="utf-8")) for name, entry in found.items()}
+
+
+def figure_text(name: str) -> str:
+    """The MJCF text of a figure; no floor, no light, no sky: those are the stage's."""
+    if name not in figures():
+        raise UnknownName("figure", name, figures())
+    return (files(__name__) / f"{name}.xml").read_text(encoding="utf-8")
+
+
+def clip_text(name: str) -> str:
+    """The TOML text of a clip."""
+    if name not in clips():
+        raise UnknownName("clip", name, clips())
+    return (files(__name__) / "clips" / f"{name}.toml").read_text(encoding="utf-8")
+
+
+def stage_text() -> str:
+    """The MJCF text of the stage: sky, floor, lights and the quality of the picture."""
+    return (files(__name__) / f"{STAGE}.xml").read_text(encoding="utf-8")
+
+
+def _entries(folder: Traversable, suffix: str) -> dict[str, Traversable]:
+    """The files of a folder that end in `suffix`, by their name without it, in order; none if there is no folder."""
+    if not folder.is_dir():
+        return {}
+    found = sorted((entry for entry in folder.iterdir() if entry.name.endswith(suffix)), key=lambda entry: entry.name)
+    return {entry.name.removesuffix(suffix): entry for entry in found}
+
+
+def _first_xml_comment(text: str) -> str:
+    opening = re.search(r"<!--\s*(.*?)\s*(?:\n|-->)", text)
+    return opening.group(1) if opening else ""
+
+
+def _first_toml_comment(text: str) -> str:
+    lines = (line.strip() for line in text.splitlines())
+    return next((line.lstrip("# ") for line in lines if line.startswith("#")), "")

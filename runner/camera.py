@@ -1,0 +1,173 @@
+"""A camera that follows the figure smoothly: where it looks from, for every image of the video.
+
+x is forward, y left, z up. MuJoCo's free camera is meant: it looks along the azimuth (0 along +x, 90 along +y) and the
+elevation (negative is downward) at a point at a distance. Pure numpy; `stage` turns a `View` into MuJoCo's camera.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class View:
+    """One camera setting.
+
+    lookat     (3,) point in the middle of the image [m]
+    distance   from that point [m]
+    azimuth    [degrees]
+    elevation  [degrees]
+    fixed      a camera of the model to look through instead; the other entries are then unused
+    """
+
+    lookat: tuple[float, float, float]
+    distance: float
+    azimuth: float
+    elevation: float
+    fixed: str | None = None
+
+
+# Azimuth and elevation [degrees]. "side" stands at the figure's right, so forward goes from left to right.
+ANGLES: dict[str, tuple[float, float]] = {
+    "side": (90.0, -8.0),
+    "front": (180.0, -8.0),
+    "three_quarter": (130.0, -12.0),
+    "back": (0.0, -10.0),
+}
+
+SMOOTHING_SECONDS = 0.5
+MARGIN = 1.06
+
+
+def plan(
+    root_path: ArrayLike,
+    fps: float,
+    aspect: float,
+    view: str = "side",
+    *,
+    fovy: float = 45.0,
+    height: float = 1.8,
+    cameras: Collection[str] = (),
+) -> tuple[View, ...]:
+    """One setting an image, following the root along the floor without its jolts, at one distance that fits them all.
+
+    root_path  (T, 3) the root's positions [m]; or (n, T, 3) for figures that share the camera, which follows their mean
+    fps        images a second
+    aspect     width / height of the image
+    view       "side", "front", "three_quarter", "back", or one of `cameras`
+    fovy       the camera's vertical field of view [degrees]: the model's `visual/global/fovy`
+    height     of the figure [m]
+    cameras    names of the model's own cameras
+    """
+    paths = _paths(root_path)
+    if view in cameras:
+        return (_through(view),) * paths.shape[1]
+    azimuth, elevation = _angles(view, cameras)
+    lookat = np.empty(paths.shape[1:])
+    lookat[:, :2] = smoothed(paths.mean(axis=0)[:, :2], fps)
+    lookat[:, 2] = _middle(paths, height)
+    distance = _distance(_corners(paths, height) - lookat[:, None], aspect, azimuth, elevation, fovy)
+    return tuple(View((float(x), float(y), float(z)), distance, azimuth, elevation) for x, y, z in lookat)
+
+
+def still(
+    root_path: ArrayLike,
+    aspect: float,
+    view: str = "side",
+    *,
+    fovy: float = 45.0,
+    height: float = 1.8,
+    cameras: Collection[str] = (),
+) -> View:
+    """The one setting from which the figure is in the image wherever on its path it stands. Arguments as in `plan`."""
+    paths = _paths(root_path)
+    if view in cameras:
+        return _through(view)
+    azimuth, elevation = _angles(view, cameras)
+    low, high = paths.min(axis=(0, 1)), paths.max(axis=(0, 1))
+    lookat = np.array([*(low[:2] + high[:2]) / 2, _middle(paths, height)])
+    distance = _distance(_corners(paths, height) - lookat, aspect, azimuth, elevation, fovy)
+    return View((float(lookat[0]), float(lookat[1]), float(lookat[2])), distance, azimuth, elevation)
+
+
+def smoothed(path: Array, fps: float, seconds: float = SMOOTHING_SECONDS) -> Array:
+    """A path through a Gaussian of this width (its standard deviation is half of it).
+
+    Beyond its ends the path goes on as its own point reflection, so a uniform motion comes out unchanged and the first
+    and last points stay where they are.
+
+    path  (T, d)
+    """
+    sigma = seconds / 2 * fps
+    reach = int(np.ceil(3 * sigma))
+    if len(path) < 2 or reach < 1:
+        return path.copy()
+    kernel = np.exp(-0.5 * (np.arange(-reach, reach + 1) / sigma) ** 2)
+    kernel /= kernel.sum()
+    padded = np.pad(path, ((reach, reach), (0, 0)), mode="reflect", reflect_type="odd")
+    return np.stack([np.convolve(column, kernel, mode="valid") for column in padded.T], axis=1)
+
+
+def axes(azimuth: float, elevation: float) -> Array:
+    """(3, 3) rows: the camera's right, up and forward directions in the world. Angles in degrees."""
+    a, e = np.radians(azimuth), np.radians(elevation)
+    right = np.array([np.sin(a), -np.cos(a), 0.0])
+    forward = np.array([np.cos(a) * np.cos(e), np.sin(a) * np.cos(e), np.sin(e)])
+    return np.stack([right, np.cross(right, forward), forward])
+
+
+def _paths(root_path: ArrayLike) -> Array:
+    """(n, T, 3) from (T, 3) or (n, T, 3)."""
+    paths = np.asarray(root_path, dtype=np.float64)
+    if paths.ndim == 2:
+        paths = paths[None]
+    if paths.ndim != 3 or paths.shape[2] != 3 or paths.size == 0:
+        raise ValueError(f"a root path is (T, 3) or (n, T, 3) with T >= 1, not {np.shape(root_path)}")
+    return paths
+
+
+def _angles(view: str, cameras: Collection[str]) -> tuple[float, float]:
+    if view not in ANGLES:
+        raise ValueError(f"no view '{view}'; views: {', '.join([*ANGLES, *cameras])}")
+    return ANGLES[view]
+
+
+def _through(name: str) -> View:
+    return View((0.0, 0.0, 0.0), 1.0, 0.0, 0.0, fixed=name)
+
+
+def _vertical(paths: Array, height: float) -> tuple[float, float]:
+    """Lowest and highest point to show [m]: from under the feet to over the head, and never far below the floor."""
+    low, high = float(paths[..., 2].min()), float(paths[..., 2].max())
+    return max(low - 0.58 * height, min(-0.05, low - 0.15 * height)), high + 0.53 * height
+
+
+def _middle(paths: Array, height: float) -> float:
+    return sum(_vertical(paths, height)) / 2
+
+
+def _corners(paths: Array, height: float) -> Array:
+    """(T, 8 n, 3) corners of a box round every figure: an arm's reach to each side, from lowest to highest point."""
+    low, high = _vertical(paths, height)
+    reach = 0.4 * height
+    boxes = [
+        np.stack([paths[..., 0] + x, paths[..., 1] + y, np.full(paths.shape[:2], z)], axis=-1)
+        for x in (-reach, reach)
+        for y in (-0.5 * reach, 0.5 * reach)
+        for z in (low, high)
+    ]
+    return np.concatenate(boxes).swapaxes(0, 1)
+
+
+def _distance(offsets: Array, aspect: float, azimuth: float, elevation: float, fovy: float) -> float:
+    """The shortest distance [m] at which all offsets (..., 3) from the look-at point are within the image."""
+    right, up, forward = np.moveaxis(offsets @ axes(azimuth, elevation).T, -1, 0)
+    tan = np.tan(np.radians(fovy) / 2)
+    needed = np.maximum(np.abs(right) / (tan * aspect), np.abs(up) / tan) * MARGIN - forward
+    return float(needed.max())

@@ -1,0 +1,76 @@
+"""Pictures beside each other, and words on a picture. An image is (H, W, 3), uint8; sizes never change."""
+
+from __future__ import annotations
+
+import functools
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image, ImageDraw, ImageFont
+
+Picture = NDArray[np.uint8]
+Place = Literal["top left", "top", "top right", "bottom left", "bottom", "bottom right"]
+
+_PAPER = (250, 251, 252)
+_INK = (24, 30, 38)
+_OPACITY = 0.72
+_SUPERSAMPLING = 4
+
+
+def side_by_side(left: Picture, right: Picture) -> Picture:
+    """Two pictures of equal height as one, (H, Wl + Wr, 3), with a fine line where they meet."""
+    if left.shape[0] != right.shape[0]:
+        raise ValueError(f"pictures side by side need one height, not {left.shape[0]} and {right.shape[0]}")
+    both = np.concatenate([left, right], axis=1)
+    seam = left.shape[1]
+    half = 1 if both.shape[1] >= 200 else 0
+    both[:, seam - half : seam + half] = _PAPER
+    return both
+
+
+def caption(image: Picture, text: str, *, place: Place = "top", size: int | None = None) -> Picture:
+    """The picture with a word in a pill, such as "before" or "0.80 s".
+
+    size  height of the letters [pixels]; by default a thirtieth of the picture's height. Text too long for the picture
+          is set smaller.
+    """
+    height, width = image.shape[:2]
+    if not text.strip() or min(height, width) < 24:
+        return image.copy()
+    margin = max(2, round(height / 40))
+    letters = size if size is not None else max(9, round(height / 30))
+    pill = _pill(text, letters)
+    while letters > 6 and (pill.shape[1] > width - 2 * margin or pill.shape[0] > height - 2 * margin):
+        letters -= 1
+        pill = _pill(text, letters)
+    pill = pill[: height - 2 * margin, : width - 2 * margin]
+    rows, columns = pill.shape[:2]
+    top = margin if place.startswith("top") else height - margin - rows
+    across = place.partition(" ")[2]
+    left = {"left": margin, "right": width - margin - columns}.get(across, (width - columns) // 2)
+    out = image.copy()
+    under = out[top : top + rows, left : left + columns].astype(np.float32)
+    alpha = pill[..., 3:]
+    out[top : top + rows, left : left + columns] = np.rint(under * (1 - alpha) + pill[..., :3] * alpha).astype(np.uint8)
+    return out
+
+
+@functools.lru_cache(maxsize=64)
+def _pill(text: str, letters: int) -> NDArray[np.float32]:
+    """(h, w, 4) rounded plate with its text: colour 0..255, alpha 0..1, edges smooth."""
+    font = ImageFont.load_default(letters)
+    left, _, right, _ = font.getbbox(text)
+    # The plate's height comes from letters that reach up and down, so plates of different words are alike.
+    _, top, _, bottom = font.getbbox("Ahgy0")
+    pad_x, pad_y = round(0.7 * letters), round(0.38 * letters)
+    width, height = round(right - left) + 2 * pad_x, round(bottom - top) + 2 * pad_y
+    big = Image.new("L", (width * _SUPERSAMPLING, height * _SUPERSAMPLING), 0)
+    ImageDraw.Draw(big).rounded_rectangle((0, 0, big.width - 1, big.height - 1), radius=big.height // 2, fill=255)
+    plate = np.asarray(big.resize((width, height), Image.Resampling.BOX), dtype=np.float32)[..., None] / 255
+    ink = Image.new("L", (width, height), 0)
+    ImageDraw.Draw(ink).text((pad_x - left, pad_y - top), text, fill=255, font=font)
+    cover = np.asarray(ink, dtype=np.float32)[..., None] / 255
+    alpha = np.maximum(plate * _OPACITY, cover)
+    colour = np.asarray(_PAPER, np.float32) * cover + np.asarray(_INK, np.float32) * (1 - cover)
+    return np.concatenate([colour, alpha], axis=-1).astype(np.float32)

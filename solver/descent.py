@@ -1,0 +1,58 @@
+"""Steps 3 and 4 of the paper's figure 5 on one timeline: move its variable frames to the nearest minimum of E."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from .frame import Timeline
+from .objective import Discretised, Evaluation, Objective
+from .optimiser import Minimum, minimise
+from .preconditioner import Preconditioner
+from .quaternion import Array
+
+
+class Descent:
+    """The minimisation of E over one timeline's unknowns, in preconditioned variables."""
+
+    def __init__(self, objective: Objective, timeline: Timeline) -> None:
+        self.problem: Discretised = objective.on(timeline)
+        self.start = self.problem.unknowns.start
+        self.preconditioner = Preconditioner(self.problem)
+        self.last: Evaluation | None = None
+
+    def x(self, z: Array) -> Array:
+        """The unknowns that z stands for."""
+        return self.start + self.preconditioner.to_x(z)
+
+    def __call__(self, z: Array) -> tuple[float, Array]:
+        self.last = self.problem(self.x(z))
+        return self.last.value, self.preconditioner.gradient(self.last.gradient)
+
+    def run(
+        self,
+        *,
+        method: str = "lbfgs",
+        max_evaluations: int = 300,
+        tolerance: float = 1e-6,
+        improved: Callable[[int, Evaluation, Array], None] | None = None,
+    ) -> Minimum:
+        """The Minimum, its x in the unknowns of the timeline; `improved` gets (evaluation, Evaluation, x)."""
+
+        def relay(count: int, _value: float, z: Array) -> None:
+            assert self.last is not None
+            if improved is not None:
+                improved(count, self.last, self.x(z))
+
+        found = minimise(
+            self, 0 * self.start, method=method, max_evaluations=max_evaluations, tolerance=tolerance, improved=relay
+        )
+        return Minimum(self.x(found.x), found.value, found.evaluations, found.stop)
+
+
+def optimised(
+    objective: Objective, timeline: Timeline, *, max_evaluations: int = 300, tolerance: float = 1e-7
+) -> Timeline:
+    """The timeline with its variable frames at the nearest minimum of E."""
+    descent = Descent(objective, timeline)
+    found = descent.run(max_evaluations=max_evaluations, tolerance=tolerance)
+    return timeline.with_rows(descent.problem.unknowns.rows(found.x))

@@ -1,0 +1,155 @@
+"""The Euler-Lagrange residual of a path (eqs. 8, 10, 11, 24), its deviation per segment, and the weak form.
+
+Strong form: R(t) = g₀ − dg₁/dt + d²g₂/dt² from any penalty's sample gradients; for the paper's quaternion objective also
+in closed form, which is *half* of R. Inside a cubic span q'''' = 0; at a knot q''' jumps, so nothing is ever differenced across one.
+
+Weak form (beyond the paper): a variable frame inserted at τ on the curve has the gradient g = ∫ (g₀φ + g₁φ' + g₂φ'') dt
+for its cardinal function φ. No strong derivative is needed, the jumps at the knots are in it, and it goes to zero.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .kinematics import Samples
+from .objective import Objective
+from .quadrature import gauss_nodes
+from .quaternion import Array
+from .spline import Path, Spline
+
+NODES = 8
+DIFFERENCE = 1e-6
+
+
+def covariant_residual(path: Path, t: Array, unit_weight: float) -> Array:
+    """X + Y'' + Z of eq. 10 for f = f₂ + λ f₁ on one quaternion, λ = unit_weight: (S, 4). Half of eq. 24's left side."""
+    q, q_d, q_dd, q_ddd = (path.at(t, order) for order in range(4))
+
+    def inner(a: Array, b: Array) -> Array:
+        return np.sum(a * b, axis=1, keepdims=True)
+
+    b = inner(q, q)
+    b_d, b_dd = 2 * inner(q, q_d), 2 * (inner(q_d, q_d) + inner(q, q_dd))
+    a = inner(q, q_dd)
+    a_d = inner(q_d, q_dd) + inner(q, q_ddd)
+    a_dd = inner(q_dd, q_dd) + 2 * inner(q_d, q_ddd)
+    big_t = a / b
+    t_d = (a_d - big_t * b_d) / b
+    t_dd = (a_dd - 2 * t_d * b_d - big_t * b_dd) / b
+    x = q * big_t**2 - q_dd * big_t
+    y_dd = -(q_dd * big_t + 2 * q_d * t_d + q * t_dd)
+    return x + y_dd + 2 * unit_weight * (b - 1) * q
+
+
+def tangential(residual: Array, q: Array) -> Array:
+    """The part of a residual (S, 4) that the rotation feels: off q (S, 4)."""
+    along = np.sum(residual * q, axis=1, keepdims=True) / np.sum(q * q, axis=1, keepdims=True)
+    return residual - along * q
+
+
+@dataclass(frozen=True)
+class Residual:
+    """R at Gauss nodes inside every knot span: t (P, n) [s], weights (P, n) [s], value (P, n, N)."""
+
+    t: Array
+    weights: Array
+    value: Array
+
+    @property
+    def size(self) -> Array:
+        """|R| (P, n)."""
+        return np.linalg.norm(self.value, axis=2)
+
+    def deviation(self) -> Array:
+        """∫ |R| dt over every span between neighbouring frames, (P,)."""
+        return np.sum(self.weights * self.size, axis=1)
+
+    def shares(self, count: int = 10) -> Array:
+        """∫ |R| dt over equal parts of the clip (figure 10), (count,)."""
+        first, last = self.t.min(), self.t.max()
+        part = np.clip(((self.t - first) / (last - first) * count).astype(int), 0, count - 1)
+        return np.bincount(part.ravel(), (self.weights * self.size).ravel(), count)
+
+
+def residual(objective: Objective, path: Path) -> Residual:
+    """The strong residual of any objective, by differentiating g₁ and g₂ as polynomials inside each span."""
+    edges = np.asarray(path.spline.times)
+    t, w = gauss_nodes(edges, NODES)
+    samples = objective.samples(path, t)
+    g0, g1, g2 = (g.reshape(edges.size - 1, NODES, -1) for g in objective.sample_gradients(samples))
+    derive = _differentiation_matrix(np.polynomial.legendre.leggauss(NODES)[0])
+    rate = (2 / np.diff(edges))[:, None, None]
+    value = g0 - rate * (derive @ g1) + rate**2 * (derive @ (derive @ g2))
+    return Residual(t.reshape(-1, NODES), w.reshape(-1, NODES), value)
+
+
+def _differentiation_matrix(x: Array) -> Array:
+    """D with (D f)(x_i) = f'(x_i) for polynomials through the nodes x; barycentric (Berrut & Trefethen, SIAM Rev. 2004)."""
+    gaps = x[:, None] - x[None, :] + np.eye(x.size)
+    w = 1 / np.prod(gaps, axis=1)
+    matrix = w[None, :] / w[:, None] / gaps
+    np.fill_diagonal(matrix, 0)
+    np.fill_diagonal(matrix, -matrix.sum(axis=1))
+    return matrix
+
+
+def sample_hessians(objective: Objective, samples: Samples) -> Array:
+    """∂²f/∂(y, y', y'')² at every sample, (S, 3N, 3N), by differencing the exact gradients; for ranking, not for E."""
+    base = [samples.y, samples.y_d, samples.y_dd]
+    width = samples.y.shape[1]
+    out = np.empty((samples.count, 3 * width, 3 * width))
+    for order in range(3):
+        typical = np.sqrt(np.mean(base[order] ** 2)) + 1e-3
+        h = DIFFERENCE * max(typical, 1.0)
+        for column in range(width):
+            sides = []
+            for sign in (1, -1):
+                moved = list(base)
+                moved[order] = base[order].copy()
+                moved[order][:, column] += sign * h
+                sides.append(np.hstack(objective.sample_gradients(Samples(samples.figure, *moved))))
+            out[:, order * width + column] = (sides[0] - sides[1]) / (2 * h)
+    return (out + out.transpose(0, 2, 1)) / 2
+
+
+@dataclass(frozen=True)
+class WeakForm:
+    """Sample gradients and second derivatives of f along a path, to try variable frames anywhere on it."""
+
+    path: Path
+    t: Array
+    weights: Array
+    gradients: tuple[Array, Array, Array]
+    hessians: Array
+
+    @classmethod
+    def of(cls, objective: Objective, path: Path, points: int = 6) -> WeakForm:
+        times = np.asarray(path.spline.times)
+        halves = np.sort(np.concatenate([times, (times[1:] + times[:-1]) / 2]))
+        t, w = gauss_nodes(halves, points)
+        samples = objective.samples(path, t)
+        return cls(path, t, w, objective.sample_gradients(samples), sample_hessians(objective, samples))
+
+    def decrement(self, tau: float) -> float:
+        """½ gᵀH⁻¹g of a variable frame inserted at τ, its own block: how much E would fall; good for ranking."""
+        times = np.sort(np.append(self.path.spline.times, tau))
+        spline = Spline(times, self.path.spline.ends)
+        unit = np.zeros((spline.size, 1))
+        unit[np.searchsorted(times, tau)] = 1
+        coefficients = spline.coefficients(unit)
+        phi = [np.asarray(spline.basis(self.t, order) @ coefficients) for order in range(3)]
+        g = sum(p.T @ (self.weights[:, None] * part) for p, part in zip(phi, self.gradients, strict=True))
+        width = self.gradients[0].shape[1]
+        by_order = np.concatenate([np.repeat(p, width, axis=1) for p in phi], axis=1)
+        weighted = self.hessians * (self.weights[:, None] * by_order)[:, :, None] * by_order[:, None, :]
+        total = weighted.sum(axis=0).reshape(3, width, 3, width).sum(axis=(0, 2))
+        return newton_decrement(np.asarray(g).ravel(), total)
+
+
+def newton_decrement(gradient: Array, hessian: Array) -> float:
+    """½ gᵀ|H|⁻¹g, with |H| from the eigenvalues' absolute values, small ones raised to 10⁻⁶ of the largest."""
+    eigenvalues, vectors = np.linalg.eigh(hessian)
+    size = np.maximum(np.abs(eigenvalues), 1e-6 * max(np.abs(eigenvalues).max(), 1e-300))
+    return float(0.5 * np.sum((vectors.T @ gradient) ** 2 / size))

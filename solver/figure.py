@@ -1,0 +1,323 @@
+"""Figure: an MjModel as a tree of links, one joint each, and the state that a spline runs through.
+
+MuJoCo's qpos and the state have the same columns. They differ in what a quaternion means:
+
+    coordinates "world"   every quaternion is its body's orientation in the world (§5 and appendix A of the paper);
+                          for figures of free and ball joints only
+    coordinates "joint"   qpos itself: the rotation of a ball joint is relative to the parent; hinges and slides welcome
+
+A body with several joints becomes as many links, the first ones without mass; bodies welded to a link add to its mass.
+Link 0 is the world.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import IntEnum
+
+import mujoco
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import quaternion as quat
+from .quaternion import Array
+
+Index = NDArray[np.intp]
+
+
+class FigureError(ValueError):
+    """A model that cannot be a figure in the coordinates asked for."""
+
+
+class JointKind(IntEnum):
+    """MuJoCo's joint types, by its own numbers."""
+
+    FREE = int(mujoco.mjtJoint.mjJNT_FREE)
+    BALL = int(mujoco.mjtJoint.mjJNT_BALL)
+    SLIDE = int(mujoco.mjtJoint.mjJNT_SLIDE)
+    HINGE = int(mujoco.mjtJoint.mjJNT_HINGE)
+
+
+@dataclass(frozen=True)
+class Link:
+    """One joint and what moves rigidly with it.
+
+    parent        index of the parent link (0: the world)
+    joint         MuJoCo's joint id
+    body          MuJoCo's body id
+    turn          (4,) wxyz, orientation of the joint's frame at rest in the parent link
+    offset        (3,) [m] the joint's anchor in the parent link
+    anchor        (3,) [m] the same anchor in this link (zero unless the joint sits off the body's origin)
+    axis          (3,) of a hinge or slide, in this link
+    mass, centre, inertia    [kg], (3,) [m], (3, 3) [kg m²] about the centre, link axes; of all bodies welded to it
+    """
+
+    name: str
+    kind: JointKind
+    parent: int
+    joint: int
+    body: int
+    qpos: int
+    dof: int
+    turn: Array
+    offset: Array
+    anchor: Array
+    axis: Array
+    reference: float
+    armature: float
+    mass: float
+    centre: Array
+    inertia: Array
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A jointed figure: links, the columns of its state, and the two ways between state and qpos.
+
+    model        the MuJoCo model, source of every number
+    coordinates  "world" or "joint"
+    """
+
+    model: mujoco.MjModel
+    coordinates: str = "auto"
+    links: tuple[Link, ...] = field(init=False)
+    body_link: Index = field(init=False)
+    body_offset: Array = field(init=False)
+    body_turn: Array = field(init=False)
+    tables: Tables = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        kinds = {int(k) for k in self.model.jnt_type}
+        rotations_only = kinds <= {JointKind.FREE, JointKind.BALL}
+        wanted = self.coordinates
+        if wanted == "auto":
+            object.__setattr__(self, "coordinates", "world" if rotations_only else "joint")
+        elif wanted not in ("world", "joint"):
+            raise FigureError(f"coordinates = {wanted!r}: not one of 'auto', 'world', 'joint'")
+        elif wanted == "world" and not rotations_only:
+            raise FigureError("world coordinates need a figure of free and ball joints only; use coordinates = 'joint'")
+        if self.model.njnt == 0:
+            raise FigureError("the model has no joints: nothing can move")
+        links, body_link, body_offset, body_turn = _links(self.model)
+        object.__setattr__(self, "links", links)
+        object.__setattr__(self, "body_link", body_link)
+        object.__setattr__(self, "body_offset", body_offset)
+        object.__setattr__(self, "body_turn", body_turn)
+        object.__setattr__(self, "tables", Tables.of(self))
+
+    @property
+    def width(self) -> int:
+        """N = nq, the number of entries of a state."""
+        return int(self.model.nq)
+
+    @property
+    def is_world(self) -> bool:
+        return self.coordinates == "world"
+
+    def to_state(self, qpos: ArrayLike) -> Array:
+        """State (..., N) of MuJoCo configurations qpos (..., nq); quaternions become unit."""
+        state = np.array(qpos, float)
+        for link in self.links[1:]:
+            columns = quaternion_columns(link)
+            if columns is None:
+                continue
+            relative = quat.normalised(state[..., columns])
+            if self.is_world and link.kind is JointKind.BALL:
+                relative = quat.product(self._joint_base(state, link), relative)
+            state[..., columns] = relative
+        return state
+
+    def to_qpos(self, state: ArrayLike) -> Array:
+        """MuJoCo configurations (..., nq), unit quaternions, of states (..., N) with quaternions of any length."""
+        state = np.asarray(state, float)
+        qpos = state.copy()
+        for link in self.links[1:]:
+            columns = quaternion_columns(link)
+            if columns is None:
+                continue
+            own = state[..., columns]
+            if self.is_world and link.kind is JointKind.BALL:
+                own = quat.product(quat.inverse(self._joint_base(state, link)), own)
+            qpos[..., columns] = quat.normalised(own)
+        return qpos
+
+    def _joint_base(self, state: Array, link: Link) -> Array:
+        """World orientation of a ball joint at rest, in world coordinates: Q_parent ⊗ turn."""
+        parent = self.links[link.parent]
+        columns = quaternion_columns(parent)
+        if columns is None:
+            return link.turn
+        return quat.product(state[..., columns], link.turn)
+
+    def link_named(self, name: str) -> int | None:
+        """Index of the link that a joint or a body of this name moves, or None."""
+        for kind in (mujoco.mjtObj.mjOBJ_JOINT, mujoco.mjtObj.mjOBJ_BODY):
+            found = mujoco.mj_name2id(self.model, kind, name)
+            if found >= 0 and kind == mujoco.mjtObj.mjOBJ_JOINT:
+                return next(i for i, link in enumerate(self.links) if link.joint == found)
+            if found > 0:
+                return int(self.body_link[found])
+        return None
+
+    def point_on_link(self, body: int, position: ArrayLike) -> tuple[int, Array]:
+        """A point given in a body's frame (3,) [m], as (link, position in the link's frame)."""
+        offset = quat.rotated(self.body_turn[body], np.asarray(position, float))
+        return int(self.body_link[body]), self.body_offset[body] + offset
+
+
+def quaternion_columns(link: Link) -> slice | None:
+    """The state's columns of a link's quaternion, or None for hinges, slides and the world."""
+    if link.kind is JointKind.FREE and link.joint >= 0:
+        return slice(link.qpos + 3, link.qpos + 7)
+    if link.kind is JointKind.BALL:
+        return slice(link.qpos, link.qpos + 4)
+    return None
+
+
+WORLD_LINK = Link(
+    "world", JointKind.FREE, 0, -1, 0, -1, -1,
+    np.array([1.0, 0, 0, 0]), np.zeros(3), np.zeros(3), np.zeros(3), 0.0, 0.0, 0.0, np.zeros(3), np.zeros((3, 3)),
+)  # fmt: skip
+
+
+def _links(model: mujoco.MjModel) -> tuple[tuple[Link, ...], Index, Array, Array]:
+    """Links in MuJoCo's depth-first order, and each body's link with its place in it."""
+    rows: list[dict] = [WORLD_LINK.__dict__]
+    body_link = np.zeros(model.nbody, np.intp)
+    body_offset = np.zeros((model.nbody, 3))
+    body_turn = np.zeros((model.nbody, 4))
+    body_turn[0, 0] = 1.0
+    loads: list[list[tuple[float, Array, Array]]] = [[]]
+    for body in range(1, model.nbody):
+        parent = int(model.body_parentid[body])
+        link = int(body_link[parent])
+        offset = body_offset[parent] + quat.rotated(body_turn[parent], model.body_pos[body])
+        turn = quat.normalised(quat.product(body_turn[parent], model.body_quat[body]))
+        for joint in range(model.body_jntadr[body], model.body_jntadr[body] + model.body_jntnum[body]):
+            kind = JointKind(int(model.jnt_type[joint]))
+            place = np.zeros(3) if kind is JointKind.FREE else np.array(model.jnt_pos[joint])
+            rows.append(
+                {
+                    "name": model.joint(joint).name or model.body(body).name or f"joint {joint}",
+                    "kind": kind,
+                    "parent": link,
+                    "joint": joint,
+                    "body": body,
+                    "qpos": int(model.jnt_qposadr[joint]),
+                    "dof": int(model.jnt_dofadr[joint]),
+                    "turn": turn,
+                    "offset": offset + quat.rotated(turn, place),
+                    "anchor": place,
+                    "axis": np.array(model.jnt_axis[joint]),
+                    "reference": float(model.qpos0[model.jnt_qposadr[joint]]),
+                    "armature": float(model.dof_armature[model.jnt_dofadr[joint]]),
+                }
+            )
+            loads.append([])
+            link, offset, turn = len(rows) - 1, np.zeros(3), np.array([1.0, 0, 0, 0])
+        body_link[body], body_offset[body], body_turn[body] = link, offset, turn
+        centre = offset + quat.rotated(turn, model.body_ipos[body])
+        axes = quat.product(turn, model.body_iquat[body])
+        matrix = np.stack([quat.rotated(axes, e) for e in np.eye(3)], axis=1)
+        loads[link].append(
+            (float(model.body_mass[body]), centre, matrix @ np.diag(model.body_inertia[body]) @ matrix.T)
+        )
+    links = [WORLD_LINK]
+    for row, load in zip(rows[1:], loads[1:], strict=True):
+        mass, centre, inertia = _composite(load)
+        links.append(Link(**row, mass=mass, centre=centre, inertia=inertia))
+    return tuple(links), body_link, body_offset, body_turn
+
+
+def _composite(load: list[tuple[float, Array, Array]]) -> tuple[float, Array, Array]:
+    """Mass, centre of mass and inertia of bodies welded together (parallel axes)."""
+    mass = sum(part[0] for part in load)
+    if mass == 0:
+        return 0.0, np.zeros(3), np.zeros((3, 3))
+    centre = sum((m * c for m, c, _ in load), np.zeros(3)) / mass
+    inertia = np.zeros((3, 3))
+    for m, c, tensor in load:
+        d = c - centre
+        inertia += tensor + m * (d @ d * np.eye(3) - np.outer(d, d))
+    return mass, centre, inertia
+
+
+@dataclass(frozen=True)
+class Tables:
+    """The links' constants as arrays for the batched sweeps; vectors are (3, L), L links with the world first.
+
+    quaternion_columns  (4, n) state columns of the n quaternion blocks, in the order of `quaternion_links` (n,)
+    free_links, position_columns   links with a free joint (f,) and their columns of position (3, f)
+    linear_columns      columns of the hinges and slides
+    path                (L, L) 1 where a link lies on the way from the root to another (row: the other), itself included
+    """
+
+    quaternion_columns: Index
+    quaternion_links: Index
+    free_links: Index
+    position_columns: Index
+    hinge_columns: Index
+    hinge_links: Index
+    slide_columns: Index
+    slide_links: Index
+    parents: Index
+    path: Array
+    offset: Array
+    anchor: Array
+    axis: Array
+    turn: Array
+    reference: Array
+    levels: tuple[Index, ...]
+    mass: Array
+    centre: Array
+    inertia: Array
+    armature: Array
+    has_anchors: bool
+    has_turns: bool
+
+    @classmethod
+    def of(cls, figure: Figure) -> Tables:
+        links = figure.links
+        count = len(links)
+        parents = np.array([link.parent for link in links], np.intp)
+        depth = np.zeros(count, int)
+        path = np.eye(count)
+        path[0] = 0
+        for i in range(1, count):
+            depth[i] = depth[parents[i]] + 1
+            path[i] += path[parents[i]]
+
+        def of_kind(*kinds: JointKind) -> Index:
+            return np.array([i for i, link in enumerate(links) if i and link.kind in kinds], np.intp)
+
+        def columns(indices: Index, start: int, size: int, free_shift: int = 0) -> Index:
+            firsts = [links[i].qpos + (free_shift if links[i].kind is JointKind.FREE else 0) + start for i in indices]
+            return (np.array(firsts, np.intp)[None, :] + np.arange(size)[:, None]).reshape(size, len(indices))
+
+        balls = of_kind(JointKind.FREE, JointKind.BALL)
+        free, hinges, slides = of_kind(JointKind.FREE), of_kind(JointKind.HINGE), of_kind(JointKind.SLIDE)
+        turns = np.array([link.turn for link in links])
+        return cls(
+            quaternion_columns=columns(balls, 0, 4, free_shift=3),
+            quaternion_links=balls,
+            free_links=free,
+            position_columns=columns(free, 0, 3),
+            hinge_columns=columns(hinges, 0, 1)[0],
+            hinge_links=hinges,
+            slide_columns=columns(slides, 0, 1)[0],
+            slide_links=slides,
+            parents=parents,
+            path=path,
+            offset=np.array([np.zeros(3) if link.kind is JointKind.FREE else link.offset for link in links]).T,
+            anchor=np.array([link.anchor for link in links]).T,
+            axis=np.array([link.axis for link in links]).T,
+            turn=turns.T,
+            reference=np.array([link.reference for link in links]),
+            levels=tuple(np.flatnonzero(depth == k) for k in range(1, depth.max() + 1)),
+            mass=np.array([link.mass for link in links]),
+            centre=np.array([link.centre for link in links]).T,
+            inertia=np.moveaxis(np.array([link.inertia for link in links]), 0, -1),
+            armature=np.array([link.armature for link in links]),
+            has_anchors=any(np.any(link.anchor) for link in links),
+            has_turns=bool(np.any(turns[:, 1:])),
+        )

@@ -1,0 +1,152 @@
+"""Frame: the state of a figure at one time, with the entries that are fixed. Timeline: frames in order of time.
+
+A keyframe has every entry fixed, a partial keyframe some, a variable frame none (§2 of the paper). One type serves all.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .quaternion import Array
+
+Mask = NDArray[np.bool_]
+
+
+class TimelineError(ValueError):
+    """Frames that make no timeline: too few, out of order, or with entries that are no numbers."""
+
+
+def frozen(values: ArrayLike) -> Array:
+    """A read-only float copy."""
+    array = np.array(values, float)
+    array.setflags(write=False)
+    return array
+
+
+def frozen_mask(values: ArrayLike) -> Mask:
+    """A read-only boolean copy."""
+    array = np.array(values, bool)
+    array.setflags(write=False)
+    return array
+
+
+@dataclass(frozen=True)
+class Frame:
+    """The state of the figure at one time.
+
+    time   [s]
+    state  (N,)  a figure's state: metres, radians and quaternions wxyz of any length > 0
+    fixed  (N,)  which entries the animator set. A fixed entry of a joint means the rotation *relative to the parent*,
+                 whatever coordinates the state is in; quaternions are fixed whole or not at all
+    """
+
+    time: float
+    state: Array
+    fixed: Mask
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "time", float(self.time))
+        object.__setattr__(self, "state", frozen(self.state))
+        object.__setattr__(self, "fixed", frozen_mask(self.fixed))
+        if self.state.ndim != 1 or self.state.shape != self.fixed.shape:
+            raise TimelineError(f"state {self.state.shape} and fixed {self.fixed.shape} must be vectors of one length")
+        if not np.isfinite(self.time) or not np.all(np.isfinite(self.state)):
+            raise TimelineError(f"the frame at t = {self.time:g} s holds entries that are not finite numbers")
+
+    @classmethod
+    def key(cls, time: float, state: ArrayLike, fixed: ArrayLike | None = None) -> Frame:
+        """A keyframe; with `fixed`, a partial one."""
+        state = np.asarray(state, float)
+        return cls(time, state, np.ones(state.shape, bool) if fixed is None else np.asarray(fixed, bool))
+
+    @classmethod
+    def variable(cls, time: float, state: ArrayLike) -> Frame:
+        """A variable frame: nothing fixed."""
+        state = np.asarray(state, float)
+        return cls(time, state, np.zeros(state.shape, bool))
+
+    @property
+    def is_variable(self) -> bool:
+        return not self.fixed.any()
+
+    @property
+    def is_key(self) -> bool:
+        return bool(self.fixed.all())
+
+
+@dataclass(frozen=True)
+class Timeline:
+    """Frames in order of time, and what holds at the two ends of the clip.
+
+    ends       "free": both end slopes are unknowns; "clamped": they are `end_slope`; "periodic": the last frame repeats
+               the first and the curve is C² across the seam
+    end_slope  (2, N)  y' at the first and the last frame [state/s]; a starting value where the slopes are free
+    """
+
+    frames: tuple[Frame, ...]
+    end_slope: Array
+    ends: str = "free"
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "frames", tuple(self.frames))
+        if len(self.frames) < 2:
+            raise TimelineError(f"a timeline needs at least 2 frames, not {len(self.frames)}")
+        times = [frame.time for frame in self.frames]
+        for i, (a, b) in enumerate(zip(times, times[1:], strict=False)):
+            if not b > a:
+                raise TimelineError(
+                    f"frame {i + 2} is at t = {b:g} s, not after frame {i + 1} at t = {a:g} s; times must rise"
+                )
+        widths = {frame.state.size for frame in self.frames}
+        if len(widths) > 1:
+            raise TimelineError(f"the frames' states have different lengths: {sorted(widths)}")
+        object.__setattr__(self, "end_slope", frozen(self.end_slope))
+        if self.end_slope.shape != (2, self.width):
+            raise TimelineError(f"end_slope has shape {self.end_slope.shape}, not (2, {self.width})")
+        if self.ends not in ("free", "clamped", "periodic"):
+            raise TimelineError(f"ends = {self.ends!r}: not one of 'free', 'clamped', 'periodic'")
+
+    @property
+    def width(self) -> int:
+        """N, the number of entries of a state."""
+        return self.frames[0].state.size
+
+    @property
+    def times(self) -> Array:
+        """(M,) [s]"""
+        return frozen([frame.time for frame in self.frames])
+
+    @property
+    def states(self) -> Array:
+        """(M, N)"""
+        return frozen([frame.state for frame in self.frames])
+
+    @property
+    def fixed(self) -> Mask:
+        """(M, N)"""
+        return frozen_mask([frame.fixed for frame in self.frames])
+
+    @property
+    def rows(self) -> Array:
+        """(M + 2, N): the frames' states and below them what the two ends say; a spline is linear in these."""
+        last = np.zeros((2, self.width)) if self.ends == "periodic" else self.end_slope
+        return frozen(np.vstack([self.states, last]))
+
+    @property
+    def variable_count(self) -> int:
+        return sum(frame.is_variable for frame in self.frames)
+
+    def with_rows(self, rows: ArrayLike) -> Timeline:
+        """The same times and masks with other states and end slopes, rows (M + 2, N)."""
+        rows = np.asarray(rows, float)
+        frames = tuple(replace(frame, state=row) for frame, row in zip(self.frames, rows, strict=False))
+        slope = self.end_slope if self.ends == "periodic" else rows[len(frames) :]
+        return Timeline(frames, slope, self.ends)
+
+    def inserted(self, variable: Iterable[Frame]) -> Timeline:
+        """With more frames, each at a time of its own."""
+        return Timeline(tuple(sorted((*self.frames, *variable), key=lambda f: f.time)), self.end_slope, self.ends)

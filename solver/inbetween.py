@@ -1,0 +1,180 @@
+"""The verb: keyframes and soft constraints in, motion out. The five steps of the paper's figure 5.
+
+1  keyframes, whole or partial, and penalties           raw_timeline, Objective
+2  variable frames between them                         subdivision.evenly
+3  a C² spline through all frames                       spline.Spline
+4  move the variable frames to lower E                  descent.Descent
+5  split where the path is badly approximated           subdivision.CRITERIA; back to 3
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from .descent import Descent
+from .figure import Figure
+from .frame import Frame, Timeline
+from .objective import Evaluation, Objective
+from .optimiser import Stop
+from .penalty import Penalty
+from .quadrature import Quadrature
+from .quaternion import Array
+from .spline import Path
+from .subdivision import CRITERIA, evenly, midpoints, path_of, split
+from .unknowns import raw_timeline
+
+
+@dataclass(frozen=True)
+class Settings:
+    """How the search goes.
+
+    variable         variable frames in every segment between keyframes to begin with
+    frames           budget of variable frames in all; None: two more a segment than `variable`
+    criterion        which segments are split: "weak", "residual", "objective", "resolution"
+    threshold        a segment is split if its criterion exceeds this; weak: share of the present E
+    batch            share of the segments that are split in one round, at most
+    method           optimiser by name
+    max_evaluations  budget of evaluations in each round
+    tolerance        relative progress at which a round ends
+    renormalise      divide each term by its integral over the raw spline (eq. 7)
+    """
+
+    variable: int = 1
+    frames: int | None = None
+    criterion: str = "weak"
+    threshold: float = 1e-4
+    batch: float = 0.25
+    method: str = "lbfgs"
+    max_evaluations: int = 250
+    tolerance: float = 1e-5
+    renormalise: bool = True
+    quadrature: Quadrature = field(default_factory=Quadrature)
+
+
+@dataclass(frozen=True)
+class Improvement:
+    """An evaluation that lowered E: its number in all, the round, E, its parts by term, and the path."""
+
+    evaluation: int
+    round: int
+    value: float
+    parts: dict[str, float]
+    path: Path
+
+
+@dataclass(frozen=True)
+class Motion:
+    """What came out: the best timeline and its path, the raw one to compare with, and how it went.
+
+    trace  (evaluation, round, E, parts) of every evaluation that lowered E
+    """
+
+    figure: Figure
+    objective: Objective
+    timeline: Timeline
+    raw: Timeline
+    trace: tuple[tuple[int, int, float, dict[str, float]], ...]
+    evaluations: int
+    stop: Stop
+
+    @property
+    def path(self) -> Path:
+        return path_of(self.timeline)
+
+    def at(self, t: Array | float) -> Array:
+        """MuJoCo configurations at times t (S,): (S, nq), quaternions unit."""
+        return self.figure.to_qpos(self.path.at(np.atleast_1d(np.asarray(t, float))))
+
+
+def inbetween(
+    figure: Figure,
+    keys: Sequence[Frame],
+    penalties: Sequence[tuple[Penalty, float]],
+    settings: Settings | None = None,
+    *,
+    ends: str = "free",
+    end_slope: Array | None = None,
+    improved: Callable[[Improvement], None] | None = None,
+) -> Motion:
+    """Smooth motion through keyframes that keeps to soft constraints.
+
+    keys       keyframes holding *qpos* (nq,) and the mask of what is fixed, at least two, in order of time
+    penalties  soft constraints with their weights α
+    ends       "free", "clamped" (with end_slope (2, N), in the figure's coordinates) or "periodic"
+    improved   gets every evaluation that lowers E; raise optimiser.StopSearch in it to stop and keep the best path
+
+    The keyframes are met exactly whenever the search is stopped. Raises TimelineError for frames that make no clip.
+    """
+    settings = settings or Settings()
+    if settings.criterion not in CRITERIA:
+        raise ValueError(f"no subdivision criterion '{settings.criterion}'; there are: {', '.join(CRITERIA)}")
+    raw = raw_timeline(figure, list(keys), ends, end_slope)
+    objective = Objective.of(figure, penalties, quadrature=settings.quadrature)
+    if settings.renormalise:
+        objective = objective.renormalised(path_of(raw))
+    loop = _Loop(objective, settings, improved)
+    try:
+        timeline = loop.run(evenly(raw, settings.variable), len(keys) - 1)
+    except KeyboardInterrupt:
+        timeline, loop.stop = loop.best, Stop.ASKED
+    return Motion(figure, objective, timeline or raw, raw, tuple(loop.trace), loop.evaluations, loop.stop)
+
+
+class _Loop:
+    """Rounds of descent and subdivision, with the best timeline kept."""
+
+    def __init__(self, objective: Objective, settings: Settings, improved: Callable | None) -> None:
+        self.objective, self.settings, self.improved = objective, settings, improved
+        self.trace: list[tuple[int, int, float, dict[str, float]]] = []
+        self.evaluations, self.round = 0, 0
+        self.best: Timeline | None = None
+        self.stop = Stop.CONVERGED
+
+    def run(self, timeline: Timeline, segments: int) -> Timeline:
+        budget = self.settings.frames
+        budget = timeline.variable_count + 2 * segments if budget is None else budget
+        while True:
+            timeline = self.descend(timeline)
+            if self.stop is Stop.ASKED or timeline.variable_count >= budget:
+                return timeline
+            chosen = self.chosen(timeline, budget - timeline.variable_count)
+            if not chosen.size:
+                return timeline
+            timeline = split(timeline, chosen)
+            self.round += 1
+
+    def descend(self, timeline: Timeline) -> Timeline:
+        descent = Descent(self.objective, timeline)
+        before = self.evaluations
+
+        def report(count: int, evaluation: Evaluation, x: Array) -> None:
+            rows = descent.problem.unknowns.rows(x)
+            self.best = timeline.with_rows(rows)
+            self.evaluations = before + count
+            self.trace.append((before + count, self.round, evaluation.value, evaluation.parts))
+            if self.improved is not None:
+                path = Path(descent.problem.spline, rows)
+                self.improved(Improvement(before + count, self.round, evaluation.value, evaluation.parts, path))
+
+        found = descent.run(
+            method=self.settings.method,
+            max_evaluations=self.settings.max_evaluations,
+            tolerance=self.settings.tolerance,
+            improved=report,
+        )
+        self.evaluations = before + found.evaluations
+        self.stop = found.stop
+        return timeline.with_rows(descent.problem.unknowns.rows(found.x))
+
+    def chosen(self, timeline: Timeline, room: int) -> Array:
+        """The middles of the segments to split next, the most needy ones."""
+        scores = CRITERIA[self.settings.criterion](self.objective, timeline)
+        threshold = self.settings.threshold
+        if self.settings.criterion == "weak":
+            threshold *= self.trace[-1][2] if self.trace else 0.0
+        most = min(room, max(1, round(self.settings.batch * scores.size)))
+        order = np.argsort(scores)[::-1][:most]
+        return np.sort(midpoints(timeline)[order[scores[order] > threshold]])

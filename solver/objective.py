@@ -1,0 +1,133 @@
+"""The objective E(Y) = Σ_j α_j ∫ f_j dt (eq. 1), renormalised by the raw spline's integrals (eq. 7), and its gradient.
+
+Equation 7 read pointwise divides by zero at every keyframe; here each term is divided by its own integral over the raw
+spline, once, and the factors stay through all rounds of subdivision.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from .figure import Figure
+from .frame import Timeline
+from .kinematics import Cotangent, Samples
+from .penalty import Penalty
+from .quadrature import Quadrature
+from .quaternion import Array
+from .spline import Path, Sampling, Spline
+from .unknowns import Unknowns
+
+SMALL_SHARE = 0.01
+
+
+@dataclass(frozen=True)
+class Term:
+    """One soft constraint with its weight α_j, and the factor α_j / ∫ f_j,raw that multiplies f_j."""
+
+    penalty: Penalty
+    weight: float
+    factor: float
+
+
+@dataclass(frozen=True)
+class Objective:
+    """E as a functional of paths: what is penalised, how strongly, and how the integral is summed."""
+
+    figure: Figure
+    terms: tuple[Term, ...]
+    quadrature: Quadrature = Quadrature()
+
+    @classmethod
+    def of(
+        cls,
+        figure: Figure,
+        penalties: Sequence[tuple[Penalty, float]],
+        *,
+        quadrature: Quadrature | None = None,
+    ) -> Objective:
+        """Penalties with their weights, not renormalised: eq. 1."""
+        terms = tuple(Term(penalty, float(weight), float(weight)) for penalty, weight in penalties)
+        return cls(figure, terms, quadrature or Quadrature())
+
+    def renormalised(self, raw: Path) -> Objective:
+        """Eq. 7: every term divided by its integral over the raw path.
+
+        A term that is (nearly) zero there is divided by its value for a violation of 1 cm (1°) over 1 % of the clip.
+        """
+        integrals = self.integrals(raw)
+        first, last = raw.span
+        terms = []
+        for term, integral in zip(self.terms, integrals, strict=True):
+            least = term.penalty.reference * SMALL_SHARE * (last - first)
+            terms.append(replace(term, factor=term.weight / max(float(integral), least)))
+        return replace(self, terms=tuple(terms))
+
+    def integrals(self, path: Path) -> Array:
+        """∫ f_j dt of every term, without weight or factor."""
+        t, w = self.quadrature.nodes(path.spline.times)
+        samples = self.samples(path, t)
+        return np.array([w @ term.penalty.evaluate(samples) for term in self.terms])
+
+    def samples(self, path: Path, t: Array) -> Samples:
+        """The figure's motion at times t (S,) along a path."""
+        coefficients = path.spline.coefficients(path.rows)
+        return Samples(self.figure, *(path.spline.basis(t, order) @ coefficients for order in range(3)))
+
+    def value(self, path: Path) -> float:
+        """E of a path."""
+        return float(sum(term.factor * v for term, v in zip(self.terms, self.integrals(path), strict=True)))
+
+    def density(self, samples: Samples) -> Array:
+        """Σ_j factor_j f_j at every sample, (S,)."""
+        return np.sum([term.factor * term.penalty.evaluate(samples) for term in self.terms], axis=0)
+
+    def sample_gradients(self, samples: Samples) -> tuple[Array, Array, Array]:
+        """g₀ = ∂f/∂y, g₁ = ∂f/∂y', g₂ = ∂f/∂y'' of f = Σ_j factor_j f_j, each (S, N)."""
+        cotangent = Cotangent(samples)
+        for term in self.terms:
+            term.penalty.evaluate(samples, cotangent, np.full(samples.count, term.factor))
+        return cotangent.gradients()
+
+    def on(self, timeline: Timeline) -> Discretised:
+        """E as a function of the timeline's unknowns."""
+        return Discretised(self, timeline)
+
+
+@dataclass(frozen=True)
+class Evaluation:
+    """E at one x: value, gradient (n,), and the terms' parts by name."""
+
+    value: float
+    gradient: Array
+    parts: dict[str, float]
+
+
+class Discretised:
+    """E(x) for one timeline: the spline factorised, the samples placed, the unknowns laid out, once."""
+
+    def __init__(self, objective: Objective, timeline: Timeline) -> None:
+        self.objective = objective
+        self.timeline = timeline
+        self.spline = Spline(timeline.times, timeline.ends)
+        self.unknowns = Unknowns.of(objective.figure, timeline)
+        t, self.weights = objective.quadrature.nodes(self.spline.times)
+        self.sampling = Sampling.of(self.spline, t)
+
+    def path(self, x: Array) -> Path:
+        """The curve that x stands for."""
+        return Path(self.spline, self.unknowns.rows(x))
+
+    def __call__(self, x: Array) -> Evaluation:
+        """E and dE/dx at x (n,)."""
+        samples = Samples(self.objective.figure, *self.sampling.samples(self.unknowns.rows(x)))
+        cotangent = Cotangent(samples)
+        parts: dict[str, float] = {}
+        for term in self.objective.terms:
+            values = term.penalty.evaluate(samples, cotangent, term.factor * self.weights)
+            part = term.factor * float(self.weights @ values)
+            parts[term.penalty.name] = parts.get(term.penalty.name, 0.0) + part
+        rows = self.sampling.pulled_back(cotangent.gradients())
+        return Evaluation(sum(parts.values()), self.unknowns.pulled_back(rows), parts)

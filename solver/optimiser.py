@@ -1,0 +1,136 @@
+"""minimise(fun, x0) -> Minimum: unconstrained minimisation by NLopt, the only file that knows it.
+
+The best x seen is kept whatever happens: a spent budget, a failed line search, the caller's or the user's stop.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import Enum
+
+import nlopt
+import numpy as np
+
+from .quaternion import Array
+
+METHODS = {
+    "lbfgs": ("LD_LBFGS", "limited-memory BFGS"),
+    "slsqp": ("LD_SLSQP", "sequential quadratic programming, as in the paper; dense, O(n³) an iteration"),
+    "ccsaq": ("LD_CCSAQ", "conservative convex separable approximations; robust and slower"),
+    "tnewton": ("LD_TNEWTON_PRECOND_RESTART", "truncated Newton, preconditioned, with restarts"),
+    "var2": ("LD_VAR2", "shifted limited-memory variable metric"),
+}
+
+
+class Stop(Enum):
+    """Why a minimisation ended, and what the caller can do about it."""
+
+    CONVERGED = "progress per evaluation fell below the tolerance"
+    BUDGET = "the evaluation budget is spent; raise max_evaluations to go on"
+    ASKED = "stopped as asked; the best path so far is kept"
+    STUCK = "the optimiser found no further descent; the best path so far is kept"
+
+
+@dataclass(frozen=True)
+class Minimum:
+    """The best point seen: x (n,), its value, how many evaluations it took and why the search ended."""
+
+    x: Array
+    value: float
+    evaluations: int
+    stop: Stop
+
+
+class StopSearch(Exception):
+    """Raise inside a callback to end the search and keep the best x."""
+
+
+def algorithm(method: str) -> int:
+    """NLopt's number of a method by our name or NLopt's own (with or without LD_)."""
+    name = METHODS.get(method.lower(), (method.upper(),))[0]
+    number = getattr(nlopt, name, getattr(nlopt, f"LD_{name}", None))
+    if number is None or not name.removeprefix("LD_").isidentifier():
+        raise ValueError(f"no optimiser '{method}'; there are: {', '.join(METHODS)} (or any LD_ name of NLopt)")
+    return int(number)
+
+
+def minimise(
+    fun: Callable[[Array], tuple[float, Array]],
+    x0: Array,
+    *,
+    method: str = "lbfgs",
+    max_evaluations: int = 300,
+    tolerance: float = 1e-6,
+    improved: Callable[[int, float, Array], None] | None = None,
+) -> Minimum:
+    """Minimises fun(x) -> (value, gradient) from x0 (n,).
+
+    tolerance  stop when the value changes by less than this share in a step
+    improved   called with (evaluation, value, x) whenever the value falls below all earlier ones; may raise StopSearch
+
+    KeyboardInterrupt ends the search like StopSearch. Values that are not finite count as infinitely bad.
+    """
+    search = _Search(fun, np.array(x0, float), max_evaluations, improved)
+    if search.best_x.size == 0:
+        search.evaluate(search.best_x)
+        return search.minimum(Stop.CONVERGED)
+    optimiser = nlopt.opt(algorithm(method), search.best_x.size)
+    optimiser.set_min_objective(search.objective)
+    optimiser.set_ftol_rel(tolerance)
+    optimiser.set_xtol_rel(1e-12)
+    optimiser.set_maxeval(max_evaluations)
+    try:
+        optimiser.optimize(np.array(x0, float))
+        result = optimiser.last_optimize_result()
+        stop = Stop.BUDGET if result == nlopt.MAXEVAL_REACHED else Stop.CONVERGED
+    except (KeyboardInterrupt, StopSearch, nlopt.ForcedStop):
+        stop = Stop.ASKED if search.asked else Stop.BUDGET
+    except (nlopt.RoundoffLimited, RuntimeError):
+        if search.failure is not None:
+            raise search.failure from None
+        stop = Stop.STUCK
+    if search.failure is not None:
+        raise search.failure
+    return search.minimum(stop)
+
+
+class _Search:
+    """The objective as NLopt calls it, with the best point kept beside it."""
+
+    def __init__(self, fun: Callable, x0: Array, budget: int, improved: Callable | None) -> None:
+        self.fun, self.improved, self.budget = fun, improved, budget
+        self.best_x, self.best = x0.copy(), np.inf
+        self.count = 0
+        self.asked = True
+        self.failure: Exception | None = None
+
+    def minimum(self, stop: Stop) -> Minimum:
+        return Minimum(self.best_x, float(self.best), self.count, stop)
+
+    def objective(self, x: Array, gradient: Array) -> float:
+        if self.count >= self.budget:
+            self.asked = False
+            raise nlopt.ForcedStop
+        try:
+            value, slope = self.evaluate(x)
+        except (KeyboardInterrupt, StopSearch):
+            raise nlopt.ForcedStop from None
+        except Exception as error:
+            self.failure = error
+            raise nlopt.ForcedStop from None
+        if gradient.size:
+            gradient[:] = slope
+        return value
+
+    def evaluate(self, x: Array) -> tuple[float, Array]:
+        self.count += 1
+        point = np.array(x)
+        value, slope = self.fun(point)
+        if not (np.isfinite(value) and np.all(np.isfinite(slope))):
+            return 1e300, np.zeros_like(point)
+        if value < self.best:
+            self.best, self.best_x = value, point
+            if self.improved is not None:
+                self.improved(self.count, value, point)
+        return value, slope

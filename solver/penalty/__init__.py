@@ -1,0 +1,13 @@
+"""The soft constraints: one concept a file."""
+
+from .bend import Bend as Bend
+from .bend import BendLimits as BendLimits
+from .contact import Contact as Contact
+from .contact import Point as Point
+from .contact import body_points as body_points
+from .contact import site_points as site_points
+from .covariant import CovariantAcceleration as CovariantAcceleration
+from .penalty import Penalty as Penalty
+from .root import RootAcceleration as RootAcceleration
+from .torque import Torque as Torque
+from .unit import UnitMagnitude as UnitMagnitude

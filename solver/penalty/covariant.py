@@ -1,0 +1,76 @@
+"""Covariant acceleration: what the rotation itself feels of q''.
+
+The paper's form (eq. 9): f₂ = |q'' − T q|², T = (q''·q)/(q·q): the acceleration of the rotation only while |q| = 1.
+The intrinsic form is exact for q = ρu with any ρ(t) > 0: with s = (q·q')/b and P the projection off q,
+w = P(q'' − 2 s q') and f₂* = |w|²/b = |ω'|²/4.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..kinematics import Cotangent, Samples, dot
+from ..quaternion import Array
+
+
+def covariant_acceleration(q: Array, q_dd: Array) -> Array:
+    """q'' without its component along q: the acceleration felt on the unit sphere (eq. 9).
+
+    q     (..., 4)  quaternion, wxyz, any length > 0
+    q_dd  (..., 4)  its second time derivative [1/s²]
+    """
+    along = np.sum(q_dd * q, axis=-1, keepdims=True) / np.sum(q * q, axis=-1, keepdims=True)
+    return q_dd - along * q
+
+
+@dataclass(frozen=True)
+class CovariantAcceleration:
+    """Σ over quaternion blocks of f₂* ("intrinsic") or f₂ ("paper") [rad²/s⁴ / 4], and of θ''²/4 over hinges."""
+
+    form: str = "intrinsic"
+    name: str = "covariant"
+
+    def __post_init__(self) -> None:
+        if self.form not in ("intrinsic", "paper"):
+            raise ValueError(f"covariant acceleration: form = {self.form!r} is not one of 'intrinsic', 'paper'")
+
+    @property
+    def reference(self) -> float:
+        return 0.25
+
+    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+        values = (
+            self._intrinsic(samples, into, scale) if self.form == "intrinsic" else self._paper(samples, into, scale)
+        )
+        hinges = samples.figure.tables.hinge_columns
+        if hinges.size:
+            theta_dd = samples.y_dd[:, hinges]
+            values = values + 0.25 * np.sum(theta_dd**2, axis=1)
+            if into is not None:
+                into.room("y_dd")[:, hinges] += 0.5 * np.reshape(scale, (-1, 1)) * theta_dd
+        return values
+
+    def _paper(self, samples: Samples, into: Cotangent | None, scale: Array | float) -> Array:
+        q, q_dd = samples.q, samples.q_dd
+        along = dot(q_dd, q) / dot(q, q)
+        w = q_dd - along * q
+        if into is not None:
+            into.add("q", (2 * scale * along) * (along * q - q_dd))
+            into.add("q_dd", (2 * scale) * w)
+        return dot(w, w).sum(axis=0)
+
+    def _intrinsic(self, samples: Samples, into: Cotangent | None, scale: Array | float) -> Array:
+        q, q_d, q_dd = samples.q, samples.q_d, samples.q_dd
+        b = dot(q, q)
+        s, along = dot(q, q_d) / b, dot(q, q_dd) / b
+        w = q_dd - (along - 2 * s * s) * q - 2 * s * q_d
+        values = dot(w, w) / b
+        if into is not None:
+            c = -2 * dot(w, q_d) / b
+            k = 2 * scale / b
+            into.add("q_dd", k * w)
+            into.add("q_d", (-2 * s * k) * w + (c * k) * q)
+            into.add("q", ((2 * s * s - along) * k) * w + (c * k) * q_d - (2 * c * s * k + k * values) * q)
+        return values.sum(axis=0)

@@ -1,0 +1,29 @@
+"""Acceleration of the root, and of slides: |T''|²."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..kinematics import Cotangent, Samples
+from ..quaternion import Array
+
+
+@dataclass(frozen=True)
+class RootAcceleration:
+    """Σ of the squared accelerations of free roots' positions and of slides [m²/s⁴]."""
+
+    name: str = "root"
+
+    @property
+    def reference(self) -> float:
+        return 1.0
+
+    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+        tables = samples.figure.tables
+        columns = np.concatenate([tables.position_columns.ravel(), tables.slide_columns])
+        accelerations = samples.y_dd[:, columns]
+        if into is not None:
+            into.room("y_dd")[:, columns] += 2 * np.reshape(scale, (-1, 1)) * accelerations
+        return np.sum(accelerations**2, axis=1)

@@ -1,0 +1,68 @@
+"""Joint torques by inverse dynamics (appendix A): without contact forces those of a stance leg are a regulariser."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..dynamics import InverseDynamics
+from ..figure import JointKind
+from ..kinematics import Cotangent, Samples, cross, dot
+from ..quaternion import Array
+
+
+@dataclass(frozen=True)
+class Torque:
+    """Σ of squared torques of ball joints and hinges and forces of slides [N² m²]; the free roots' wrench is left out."""
+
+    name: str = "torque"
+
+    @property
+    def reference(self) -> float:
+        return 1.0
+
+    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+        tables, links = samples.figure.tables, samples.links
+        inverse = InverseDynamics(samples)
+        kinds = np.array([link.kind for link in samples.figure.links])
+        balls = np.flatnonzero(kinds == JointKind.BALL)
+        moment = inverse.moment[:, balls]
+        motors = [(tables.hinge_links, tables.hinge_columns, inverse.moment)]
+        motors += [(tables.slide_links, tables.slide_columns, inverse.force)]
+        armature = tables.armature[balls][:, None]
+        loaded = bool(np.any(armature))
+        if loaded:
+            parents = tables.parents[balls]
+            spin = links.omega[:, balls] - links.omega[:, parents]
+            reflected = links.alpha[:, balls] - links.alpha[:, parents] - cross(links.omega[:, balls], spin)
+            moment = moment + armature * reflected
+        values = dot(moment, moment).sum(axis=0)
+        moment_bar, force_bar = np.zeros_like(inverse.moment), np.zeros_like(inverse.force)
+        moment_bar[:, balls] = 2 * scale * moment
+        for (indices, columns, source), target in zip(motors, (moment_bar, force_bar), strict=True):
+            if not indices.size:
+                continue
+            axis = (links.rotation[:, :, indices] * tables.axis[None, :, indices, None]).sum(axis=1)
+            own = tables.armature[indices]
+            effort = dot(axis, source[:, indices]) + own[:, None] * samples.columns(columns, 2)
+            values = values + np.sum(effort**2, axis=0)
+            target[:, indices] = 2 * scale * effort * axis
+            if into is not None:
+                into.room("y_dd")[:, columns] += (2 * scale * effort * own[:, None]).T
+                into.room("turn")[:, indices] += cross(axis, 2 * scale * effort * source[:, indices])
+        if into is not None:
+            inverse.pull_back(into, moment_bar, force_bar if tables.slide_links.size else None)
+            if loaded:
+                _reflected_pulled_back(into, balls, parents, armature * moment_bar[:, balls], spin)
+        return values
+
+
+def _reflected_pulled_back(into: Cotangent, own: Array, parents: Array, gradient: Array, spin: Array) -> None:
+    """Gradient of α_c − α_p − ω_c × (ω_c − ω_p)."""
+    omega = into.samples.links.omega[:, own]
+    by_spin = cross(omega, gradient)
+    into.room("alpha")[:, own] += gradient
+    into.room("omega")[:, own] += by_spin - cross(spin, gradient)
+    np.add.at(into.room("alpha"), (slice(None), parents), -gradient)
+    np.add.at(into.room("omega"), (slice(None), parents), -by_spin)

@@ -1,0 +1,41 @@
+"""Unit magnitude of the state's quaternions: f₁ = (1 − q·q)² (eq. 9), or the paper's |1 − q·q|, made smooth."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..kinematics import Cotangent, Samples, dot
+from ..quaternion import Array
+
+
+@dataclass(frozen=True)
+class UnitMagnitude:
+    """Σ over quaternion blocks of (1 − b)², b = q·q; with form "absolute", of √((1 − b)² + ε²) − ε.
+
+    epsilon  the absolute form's rounding of the corner at b = 1
+    """
+
+    form: str = "square"
+    epsilon: float = 1e-3
+    name: str = "unit"
+
+    def __post_init__(self) -> None:
+        if self.form not in ("square", "absolute"):
+            raise ValueError(f"unit magnitude: form = {self.form!r} is not one of 'square', 'absolute'")
+
+    @property
+    def reference(self) -> float:
+        return 4e-4 if self.form == "square" else 2e-2
+
+    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+        excess = dot(samples.q, samples.q) - 1
+        if self.form == "square":
+            values, slope = excess**2, 2 * excess
+        else:
+            root = np.sqrt(excess**2 + self.epsilon**2)
+            values, slope = root - self.epsilon, excess / root
+        if into is not None:
+            into.add("q", (2 * scale * slope) * samples.q)
+        return values.sum(axis=0)

@@ -1,0 +1,109 @@
+"""Quaternion algebra on arrays (..., 4): wxyz, any length > 0, nothing normalised behind the caller's back.
+
+Formulas: W. R. Hamilton's product; logarithm and exponential as in J. Solà, "Quaternion kinematics for the error-state
+Kalman filter" (2017), §2; derivatives of the inverse are eqs. 14-17 of the paper.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Array = NDArray[np.float64]
+
+
+def product(p: ArrayLike, q: ArrayLike) -> Array:
+    """Hamilton product p ⊗ q, (..., 4) with (..., 4)."""
+    p, q = np.asarray(p, float), np.asarray(q, float)
+    pw, px, py, pz = np.moveaxis(p, -1, 0)
+    qw, qx, qy, qz = np.moveaxis(q, -1, 0)
+    return np.stack(
+        [
+            pw * qw - px * qx - py * qy - pz * qz,
+            pw * qx + px * qw + py * qz - pz * qy,
+            pw * qy - px * qz + py * qw + pz * qx,
+            pw * qz + px * qy - py * qx + pz * qw,
+        ],
+        axis=-1,
+    )
+
+
+def conjugate(q: ArrayLike) -> Array:
+    """The quaternion with its vector part negated, (..., 4)."""
+    return np.asarray(q, float) * np.array([1.0, -1.0, -1.0, -1.0])
+
+
+def inverse(q: ArrayLike) -> Array:
+    """q⁻¹ = conjugate / (q·q), exact off unit length (eq. 14)."""
+    q = np.asarray(q, float)
+    return conjugate(q) / np.sum(q * q, axis=-1, keepdims=True)
+
+
+def normalised(q: ArrayLike) -> Array:
+    """q / |q|, (..., 4); a zero quaternion gives NaN."""
+    q = np.asarray(q, float)
+    return q / np.linalg.norm(q, axis=-1, keepdims=True)
+
+
+def rotated(q: ArrayLike, v: ArrayLike) -> Array:
+    """The vector part of q ⊗ v ⊗ q⁻¹: v (..., 3) turned by q (..., 4) of any length."""
+    v = np.asarray(v, float)
+    padded = np.concatenate([np.zeros((*v.shape[:-1], 1)), v], axis=-1)
+    return product(product(q, padded), inverse(q))[..., 1:]
+
+
+def from_rotation_vector(v: ArrayLike) -> Array:
+    """exp(v/2): the unit quaternion that turns by |v| [rad] about v, (..., 3) -> (..., 4)."""
+    v = np.asarray(v, float)
+    half = 0.5 * np.linalg.norm(v, axis=-1, keepdims=True)
+    return np.concatenate([np.cos(half), 0.5 * np.sinc(half / np.pi) * v], axis=-1)
+
+
+def rotation_vector(q: ArrayLike) -> Array:
+    """2 log(q / |q|), of length at most π [rad]: (..., 4) -> (..., 3)."""
+    q = normalised(q)
+    q = np.where(q[..., :1] < 0, -q, q)
+    vector = np.linalg.norm(q[..., 1:], axis=-1, keepdims=True)
+    angle = 2 * np.arctan2(vector, q[..., :1])
+    tiny = vector < 1e-9
+    return q[..., 1:] * np.where(tiny, 2.0, angle / np.where(tiny, 1.0, vector))
+
+
+def angle_between(p: ArrayLike, q: ArrayLike) -> Array:
+    """The angle [rad] of the rotation from p to q, in [0, π]; p and q (..., 4) of any length."""
+    return np.linalg.norm(rotation_vector(product(inverse(p), q)), axis=-1)
+
+
+def aligned(track: ArrayLike) -> Array:
+    """A track (T, ..., 4) with the sign of every quaternion chosen so that it lies on its predecessor's hemisphere."""
+    q = np.array(track, float)
+    dots = np.sum(q[1:] * q[:-1], axis=-1, keepdims=True)
+    q[1:] *= np.cumprod(np.where(dots < 0, -1.0, 1.0), axis=0)
+    return q
+
+
+def angular_velocity(q: ArrayLike, q_d: ArrayLike) -> Array:
+    """ω = 2 vec(q' q⁻¹) [rad/s], world axes (eq. 19); (..., 3), exact for any |q|."""
+    return 2 * product(q_d, inverse(q))[..., 1:]
+
+
+def inverse_derivatives(q: ArrayLike, q_d: ArrayLike, q_dd: ArrayLike) -> tuple[Array, Array]:
+    """(q⁻¹)' and (q⁻¹)'', each (..., 4) (eqs. 15-17)."""
+    q, q_d, q_dd = (np.asarray(a, float) for a in (q, q_d, q_dd))
+    b = np.sum(q * q, axis=-1, keepdims=True)
+    b_d = 2 * np.sum(q * q_d, axis=-1, keepdims=True)
+    b_dd = 2 * np.sum(q * q_dd + q_d * q_d, axis=-1, keepdims=True)
+    first = conjugate(q_d) / b - conjugate(q) * b_d / b**2
+    second = conjugate(q_dd) / b - 2 * conjugate(q_d) * b_d / b**2 + conjugate(q) * (2 * b_d**2 / b**3 - b_dd / b**2)
+    return first, second
+
+
+def angular_acceleration(q: ArrayLike, q_d: ArrayLike, q_dd: ArrayLike) -> Array:
+    """ω' = 2 vec(q'' q⁻¹ + q' (q⁻¹)') [rad/s²], world axes (eq. 20); (..., 3), exact for any |q|."""
+    inverse_d, _ = inverse_derivatives(q, q_d, q_dd)
+    return 2 * (product(q_dd, inverse(q)) + product(q_d, inverse_d))[..., 1:]
+
+
+def right_matrix(q: ArrayLike) -> Array:
+    """The (4, 4) matrix of p -> p ⊗ q for one quaternion q (4,)."""
+    return product(np.eye(4), np.asarray(q, float)).T

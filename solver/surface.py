@@ -1,0 +1,120 @@
+"""Surfaces that contact points stay out of: the scene's planes and boxes, and how deep a sphere is in them (eq. 12).
+
+A plane's depth is the paper's distance below the floor. A point inside a box has a way out through every face; the
+distances to the faces are joined smoothly as d = (Σ_i (κ_i d_i)⁻²)^(-1/2): zero on the boundary, positive inside and
+led by the nearest face. The face that looks up has κ = 1, the others κ = 4: the way out of a step that a foot can
+take is on top of it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import mujoco
+import numpy as np
+
+from .quaternion import Array
+
+SIDEWAYS = 4.0
+
+
+class Surface(Protocol):
+    """Something solid and fixed in the world."""
+
+    @property
+    def name(self) -> str: ...
+
+    def depth(self, points: Array, radius: Array) -> tuple[Array, Array]:
+        """How deep spheres are inside, and the gradient.
+
+        points  (3, n, S) centres [m];  radius  (n,) [m]
+        Returns the depth (n, S) [m], 0 outside, and its gradient (3, n, S).
+        """
+        ...
+
+    def height(self, points: Array) -> Array:
+        """Signed height of points (3, ...) over the surface [m], infinite where the surface is not below them."""
+        ...
+
+
+@dataclass(frozen=True)
+class Plane:
+    """The half space under an infinite plane through `point` (3,) [m] with the unit `normal` (3,)."""
+
+    name: str
+    point: Array
+    normal: Array
+
+    def depth(self, points: Array, radius: Array) -> tuple[Array, Array]:
+        below = radius[:, None] - self.height(points)
+        inside = below > 0
+        return np.where(inside, below, 0.0), np.where(inside, -self.normal[:, None, None], 0.0)
+
+    def height(self, points: Array) -> Array:
+        return np.tensordot(self.normal, points, 1) - self.normal @ self.point
+
+
+@dataclass(frozen=True)
+class Box:
+    """A solid box: centre (3,) [m], axes (3, 3) by columns, half sizes (3,) [m]; buried: no way out through the bottom."""
+
+    name: str
+    centre: Array
+    axes: Array
+    half: Array
+    buried: bool = True
+
+    def depth(self, points: Array, radius: Array) -> tuple[Array, Array]:
+        local = np.tensordot(self.axes.T, points - self.centre[:, None, None], 1)
+        grown = self.half[:, None, None] + radius[:, None]
+        inside = np.all(np.abs(local) < grown, axis=0)
+        depth, gradient = np.zeros(inside.shape), np.zeros(points.shape)
+        if not inside.any():
+            return depth, gradient
+        where = local[:, inside]
+        room = np.broadcast_to(grown, local.shape)[:, inside]
+        up = self.axes[2]
+        total, slope = np.zeros(where.shape[1]), np.zeros(where.shape)
+        for axis in range(3):
+            for sign in (1.0, -1.0):
+                rise = sign * up[axis]
+                if rise < -0.7 and self.buried:
+                    continue
+                kappa = 1.0 if rise > 0.7 else SIDEWAYS
+                distance = kappa * (room[axis] - sign * where[axis])
+                total += distance**-2
+                slope[axis] -= sign * kappa * distance**-3
+        value = total**-0.5
+        depth[inside] = value
+        gradient[:, inside] = self.axes @ (slope * value**3)
+        return depth, gradient
+
+    def height(self, points: Array) -> Array:
+        local = np.tensordot(self.axes.T, points - self.centre.reshape(3, *[1] * (points.ndim - 1)), 1)
+        top = int(np.argmax(np.abs(self.axes[2])))
+        over = np.all(np.abs(np.delete(local, top, 0)) <= np.delete(self.half, top)[:, None], axis=0)
+        return np.where(over, local[top] * np.sign(self.axes[2, top]) - self.half[top], np.inf)
+
+
+def static_surfaces(model: mujoco.MjModel) -> tuple[Surface, ...]:
+    """Every plane and box welded to the world, whatever its contype."""
+    data = mujoco.MjData(model)
+    mujoco.mj_kinematics(model, data)
+    ids = [g for g in range(model.ngeom) if model.body_weldid[model.geom_bodyid[g]] == 0]
+    planes = [_plane(model, data, g) for g in ids if model.geom_type[g] == mujoco.mjtGeom.mjGEOM_PLANE]
+    floor = max((p.point[2] for p in planes if p.normal[2] > 0.99), default=-np.inf)
+    boxes = [_box(model, data, g, floor) for g in ids if model.geom_type[g] == mujoco.mjtGeom.mjGEOM_BOX]
+    return (*planes, *boxes)
+
+
+def _plane(model: mujoco.MjModel, data: mujoco.MjData, geom: int) -> Plane:
+    normal = data.geom_xmat[geom].reshape(3, 3)[:, 2].copy()
+    return Plane(model.geom(geom).name or f"geom {geom}", data.geom_xpos[geom].copy(), normal)
+
+
+def _box(model: mujoco.MjModel, data: mujoco.MjData, geom: int, floor: float) -> Box:
+    axes = data.geom_xmat[geom].reshape(3, 3).copy()
+    centre, half = data.geom_xpos[geom].copy(), np.array(model.geom_size[geom])
+    bottom = centre[2] - np.abs(axes[2]) @ half
+    return Box(model.geom(geom).name or f"geom {geom}", centre, axes, half, bool(bottom <= floor + 0.01))

@@ -1,0 +1,240 @@
+"""Unknowns: the decision vector x of a timeline, and the affine map from x to the rows that the spline runs through.
+
+x holds the entries that nobody fixed, and nothing else, so the keyframes are met for *every* x (§2 of the paper). A fixed
+joint of a partial keyframe is a relative rotation: in world coordinates its row is Q_parent ⊗ q, linear in the unknown
+Q_parent. A loop's last frame repeats the first. All of this is Y = constant + A x with a sparse A.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy import sparse
+
+from . import quaternion as quat
+from .figure import Figure, JointKind, Link, quaternion_columns
+from .frame import Frame, Timeline, TimelineError
+from .quaternion import Array
+from .spline import natural_spline
+
+
+@dataclass(frozen=True)
+class Unknowns:
+    """The map x -> rows (M + 2, N), and back for gradients.
+
+    constant  (M + 2, N) rows for x = 0
+    matrix    ((M + 2) N, n) sparse
+    start     (n,) the x of the timeline itself
+    whole     (r,) rows of which every entry is an unknown of its own: variable frames and free end slopes
+    blocks    (r, N) where these rows' entries stand in x
+    row_of    (n,) a row that each unknown belongs to
+    """
+
+    constant: Array
+    matrix: sparse.csr_matrix
+    transposed: sparse.csr_matrix
+    start: Array
+    whole: Array
+    blocks: Array
+    row_of: Array
+
+    @property
+    def size(self) -> int:
+        """n"""
+        return self.start.size
+
+    def rows(self, x: Array) -> Array:
+        """(M + 2, N)"""
+        return self.constant + (self.matrix @ x).reshape(self.constant.shape)
+
+    def pulled_back(self, gradient: Array) -> Array:
+        """dE/dx (n,) from dE/dY (M + 2, N)."""
+        return self.transposed @ gradient.ravel()
+
+    @classmethod
+    def of(cls, figure: Figure, timeline: Timeline) -> Unknowns:
+        width, rows = figure.width, timeline.rows
+        builder = _Builder(rows)
+        whole: list[int] = []
+        first: list[int] = []
+        last = len(timeline.frames) - 1
+        for i, frame in enumerate(timeline.frames):
+            if timeline.ends == "periodic" and i == last:
+                builder.repeat(0, last, np.sign(_sameness(figure, rows[0], rows[last])))
+            elif frame.is_variable:
+                whole.append(i)
+                first.append(builder.free(i, np.arange(width)))
+            elif not frame.is_key:
+                _partial(figure, frame, i, builder)
+        if timeline.ends == "free":
+            for i in (last + 1, last + 2):
+                whole.append(i)
+                first.append(builder.free(i, np.arange(width)))
+        constant, matrix, start = builder.finished()
+        blocks = np.array(first, np.intp)[:, None] + np.arange(width)
+        row_of = np.array(builder.row_of, np.intp)
+        return cls(constant, matrix, matrix.T.tocsr(), start, np.array(whole, np.intp), blocks, row_of)
+
+
+class _Builder:
+    """Collects the sparse entries row by row; entries nobody speaks of stay constant."""
+
+    def __init__(self, rows: Array) -> None:
+        self.constant = np.array(rows)
+        self.width = rows.shape[1]
+        self.start: list[float] = []
+        self.row_of: list[int] = []
+        self.of_row: dict[int, list[tuple[int, int, float]]] = {}
+
+    def _put(self, row: int, column: int, unknown: int, value: float) -> None:
+        self.of_row.setdefault(row, []).append((column, unknown, value))
+
+    def free(self, row: int, columns: Array) -> int:
+        """Makes entries of a row unknowns; the first one's place in x."""
+        first = len(self.start)
+        for column in columns:
+            self._put(row, int(column), len(self.start), 1.0)
+            self.start.append(float(self.constant[row, column]))
+            self.row_of.append(row)
+            self.constant[row, column] = 0.0
+        return first
+
+    def turned(self, row: int, parent: slice, child: slice, relative: Array) -> bool:
+        """child = parent ⊗ relative, if the parent's entries are unknowns; else says False."""
+        own = [e for e in self.of_row.get(row, []) if parent.start <= e[0] < parent.stop]
+        if not own:
+            return False
+        matrix = quat.right_matrix(relative)
+        for column, unknown, value in own:
+            for i in range(4):
+                self._put(row, child.start + i, unknown, matrix[i, column - parent.start] * value)
+        self.constant[row, child] = matrix @ self.constant[row, parent]
+        return True
+
+    def repeat(self, source: int, row: int, signs: Array) -> None:
+        self.constant[row] = self.constant[source] * signs
+        for column, unknown, value in self.of_row.get(source, []):
+            self._put(row, column, unknown, value * signs[column])
+
+    def finished(self) -> tuple[Array, sparse.csr_matrix, Array]:
+        triples = [(row * self.width + c, u, v) for row, entries in self.of_row.items() for c, u, v in entries]
+        i, j, v = (np.array(part) for part in zip(*triples, strict=True)) if triples else (np.zeros(0, int),) * 3
+        shape = (self.constant.size, len(self.start))
+        return self.constant, sparse.csr_matrix((np.asarray(v, float), (i, j)), shape=shape), np.array(self.start)
+
+
+def _sameness(figure: Figure, first: Array, last: Array) -> Array:
+    """+1, or −1 in the columns of quaternions that come back on the other hemisphere."""
+    signs = np.ones(first.size)
+    for columns in figure.tables.quaternion_columns.T:
+        if first[columns] @ last[columns] < 0:
+            signs[columns] = -1.0
+    return signs
+
+
+def _partial(figure: Figure, frame: Frame, row: int, builder: _Builder) -> None:
+    """The unknowns of a partial keyframe, parents before children."""
+    for link in figure.links[1:]:
+        columns = quaternion_columns(link)
+        if columns is None:
+            if not frame.fixed[link.qpos]:
+                builder.free(row, np.array([link.qpos]))
+            continue
+        if link.kind is JointKind.FREE:
+            position = np.arange(link.qpos, link.qpos + 3)
+            builder.free(row, position[~frame.fixed[position]])
+        if not frame.fixed[columns].all():
+            builder.free(row, np.arange(columns.start, columns.stop))
+        elif figure.is_world and link.kind is JointKind.BALL:
+            parent = quaternion_columns(figure.links[link.parent])
+            if parent is not None:
+                own = quat.product(quat.inverse(frame.state[parent]), frame.state[columns])
+                builder.turned(row, parent, columns, own)
+
+
+def raw_timeline(figure: Figure, keys: list[Frame], ends: str = "free", end_slope: Array | None = None) -> Timeline:
+    """The keyframes' timeline in the figure's coordinates, and the natural spline's end slopes (method of §2).
+
+    keys hold *qpos* and the fixed mask. Quaternions are laid on their predecessors' hemispheres. An entry that a partial
+    keyframe leaves out starts on the natural spline of its neighbours, one left out everywhere at the rest pose.
+    """
+    plain = Timeline(tuple(keys), np.zeros((2, figure.width)))
+    for number, frame in enumerate(keys, start=1):
+        _check_masks(figure, frame, number)
+    states = np.array(plain.states)
+    rest = np.array(figure.model.qpos0)
+    fixed = plain.fixed
+    for link in figure.links[1:]:
+        if link.kind is JointKind.FREE:
+            for column in range(link.qpos, link.qpos + 3):
+                _filled(plain.times, states, fixed, slice(column, column + 1), rest)
+        columns = quaternion_columns(link)
+        if columns is None:
+            _filled(plain.times, states, fixed, slice(link.qpos, link.qpos + 1), rest)
+            continue
+        known = fixed[:, columns].all(axis=1)
+        base = _bases(figure, states, link)
+        states[known, columns] = quat.product(base[known], quat.normalised(states[known, columns]))
+        states[~known, columns] = quat.product(base[~known], rest[columns])
+        if known.any():
+            states[known, columns] = quat.aligned(states[known, columns])
+            _filled(plain.times, states, fixed, columns, states[0])
+            states[:, columns] = quat.normalised(states[:, columns])
+        states[:, columns] = quat.aligned(states[:, columns])
+    frames = tuple(replace(frame, state=state) for frame, state in zip(keys, states, strict=True))
+    if ends == "periodic":
+        _check_loop(figure, frames)
+    curve = natural_spline(plain.times, states) if ends != "periodic" else None
+    slope = np.zeros((2, figure.width)) if curve is None else curve(plain.times[[0, -1]], 1)
+    if ends == "clamped":
+        if end_slope is None:
+            raise TimelineError("clamped ends need end_slope (2, N)")
+        slope = np.asarray(end_slope, float)
+    return Timeline(frames, slope, ends)
+
+
+def _bases(figure: Figure, states: Array, link: Link) -> Array:
+    """(K, 4): what a joint's relative rotation is multiplied onto from the left in the figure's coordinates."""
+    identity = np.tile([1.0, 0, 0, 0], (len(states), 1))
+    if not figure.is_world or link.kind is JointKind.FREE:
+        return identity
+    parent = quaternion_columns(figure.links[link.parent])
+    return quat.product(identity if parent is None else states[:, parent], link.turn)
+
+
+def _filled(times: Array, states: Array, fixed: Array, columns: slice, rest: Array) -> None:
+    """Fills the columns at frames that leave them out, from the natural spline of the others, held beyond its ends."""
+    known = fixed[:, columns].all(axis=1)
+    if known.all():
+        return
+    if not known.any():
+        states[:, columns] = rest[columns]
+    elif known.sum() == 1:
+        states[~known, columns] = states[known, columns]
+    else:
+        t = times[known]
+        curve = natural_spline(t, states[known, columns])
+        states[~known, columns] = curve(np.clip(times[~known], t[0], t[-1]))
+
+
+def _check_masks(figure: Figure, frame: Frame, number: int) -> None:
+    for link in figure.links[1:]:
+        columns = quaternion_columns(link)
+        if columns is None:
+            continue
+        mask = frame.fixed[columns]
+        if mask.any() and not mask.all():
+            raise TimelineError(f"keyframe {number}: the quaternion of '{link.name}' is fixed whole or not at all")
+        if mask.all() and not np.linalg.norm(frame.state[columns]) > 1e-9:
+            raise TimelineError(f"keyframe {number}: the quaternion of '{link.name}' is zero")
+
+
+def _check_loop(figure: Figure, frames: tuple[Frame, ...]) -> None:
+    first, last = frames[0], frames[-1]
+    signs = _sameness(figure, first.state, last.state)
+    apart = np.abs(first.state * signs - last.state)[first.fixed & last.fixed]
+    if apart.size and apart.max() > 1e-9:
+        raise TimelineError(
+            f"periodic ends: the last keyframe differs from the first by up to {apart.max():.3g}; they must agree"
+        )

@@ -1,0 +1,57 @@
+"""Figures and keyframes that many tests share, small enough to read."""
+
+from __future__ import annotations
+
+import mujoco
+import numpy as np
+import pytest
+
+from solver.figure import Figure
+
+BALL_TREE = """
+<mujoco><option gravity="0 0 -9.81"/>
+<worldbody><body name="trunk" pos="0 0 1"><freejoint name="root"/>
+  <geom type="capsule" size=".1" fromto="0 0 0 .05 0 .4"/>
+  <body name="arm" pos="0.02 .2 .4" quat=".9 .1 -.2 .3"><joint name="shoulder" type="ball"/>
+    <geom type="box" size=".05 .06 .2" pos="0 .03 -.2" euler="10 20 30"/>
+    <body name="forearm" pos="0 .01 -.4"><joint name="elbow" type="ball"/>
+      <geom type="capsule" size=".04" fromto="0 0 0 .02 0 -.3"/></body></body>
+  <body name="leg" pos="0 -.1 -.1"><joint name="hip" type="ball" pos=".01 .02 .03"/>
+    <geom type="capsule" size=".06" fromto="0 0 0 0 0 -.5"/>
+    <body name="pack" pos=".1 0 -.2"><geom type="sphere" size=".07"/></body></body>
+</body></worldbody></mujoco>"""
+
+EVERY_JOINT = """
+<mujoco><compiler autolimits="true"/><option gravity="0 0 -9.81"/>
+<worldbody><body name="trunk" pos="0 0 1"><freejoint name="root"/>
+  <geom type="capsule" size=".1" fromto="0 0 0 .05 0 .4"/>
+  <body name="arm" pos="0 .2 .4" quat=".9 .1 -.2 .3">
+    <joint name="yaw" type="hinge" axis="0 0 1" pos=".02 0 .01"/><joint name="pitch" type="hinge" axis="0 1 .2" ref="20"/>
+    <geom type="box" size=".05 .06 .2" pos="0 .03 -.2"/>
+    <body name="piston" pos="0 0 -.4"><joint name="reach" type="slide" axis="0 .3 -1" ref=".02"/>
+      <geom type="capsule" size=".04" fromto="0 0 0 .02 0 -.3"/>
+      <body name="wrist" pos="0 0 -.3"><joint name="wrist" type="ball" armature=".02"/>
+        <geom type="box" size=".03 .05 .06" pos="0 0 -.06"/></body></body></body>
+</body>
+<body name="post" pos="1 0 0" quat=".8 .1 .5 0"><joint name="swing" type="ball" pos="0 0 .1"/>
+  <geom type="capsule" size=".04" fromto="0 0 0 .02 0 -.3"/>
+  <body name="tip" pos="0 0 -.3"><joint name="turn" type="hinge" axis="1 0 0" armature=".01"/>
+    <geom type="box" size=".03 .05 .06" pos="0 .02 -.06"/></body></body>
+</worldbody></mujoco>"""
+
+FIGURES = {
+    "ball tree, world": (BALL_TREE, "world"),
+    "ball tree, joint": (BALL_TREE, "joint"),
+    "every joint": (EVERY_JOINT, "joint"),
+}
+
+
+@pytest.fixture(params=FIGURES)
+def figure(request: pytest.FixtureRequest) -> Figure:
+    text, coordinates = FIGURES[request.param]
+    return Figure(mujoco.MjModel.from_xml_string(text), coordinates)
+
+
+@pytest.fixture
+def rng() -> np.random.Generator:
+    return np.random.default_rng(7)

@@ -1,0 +1,327 @@
+"""The files that ship: found from anywhere, true to their source, and built as the solver relies on."""
+
+import mujoco
+import numpy as np
+import pytest
+
+import models
+
+BODIES = [
+    "pelvis",
+    "chest",
+    "left_upper_arm",
+    "left_forearm",
+    "right_upper_arm",
+    "right_forearm",
+    "left_thigh",
+    "left_shin",
+    "left_foot",
+    "right_thigh",
+    "right_shin",
+    "right_foot",
+]
+JOINTS = [
+    "root",
+    "spine",
+    "left_shoulder",
+    "left_elbow",
+    "right_shoulder",
+    "right_elbow",
+    "left_hip",
+    "left_knee",
+    "left_ankle",
+    "right_hip",
+    "right_knee",
+    "right_ankle",
+]
+SITES = {f"{side}_{place}" for side in ("left", "right") for place in ("heel", "toe", "wrist")} | {"head_top"}
+MIRROR = np.array([1.0, -1.0, 1.0])
+
+# De Leva (1996), Table 4, males: length [m], mass [% of the body], centre of mass [% of the length, from the upper or
+# hind end], radii of gyration about the sagittal, transverse and longitudinal axes [% of the length].
+DE_LEVA = {
+    "head": (0.2429, 6.94, 50.02, (30.3, 31.5, 26.1)),
+    "upper trunk": (0.1707, 15.96, 29.99, (71.6, 45.4, 65.9)),
+    "middle trunk": (0.2155, 16.33, 45.02, (48.2, 38.3, 46.8)),
+    "lower trunk": (0.1457, 11.17, 61.15, (61.5, 55.1, 58.7)),
+    "upper arm": (0.2817, 2.71, 57.72, (28.5, 26.9, 15.8)),
+    "forearm": (0.2689, 1.62, 45.74, (27.6, 26.5, 12.1)),
+    "hand": (0.0862, 0.61, 79.00, (62.8, 51.3, 40.1)),
+    "thigh": (0.4222, 14.16, 40.95, (32.9, 32.9, 14.9)),
+    "shank": (0.4403, 4.33, 43.95, (25.1, 24.6, 10.2)),
+    "foot": (0.2581, 1.37, 44.15, (25.7, 24.5, 12.4)),
+}
+BODY_MASS = 73.0
+LENGTH_SCALE = 0.98
+SUPRASTERNALE_TO_CERVICALE = 0.6033 - 0.5319  # two lengths of the trunk in the same table
+
+Part = tuple[float, float, np.ndarray]
+
+
+@pytest.fixture(scope="module")
+def human() -> mujoco.MjModel:
+    return mujoco.MjModel.from_xml_string(models.figure_text("human"))
+
+
+@pytest.fixture(scope="module")
+def standing(human: mujoco.MjModel) -> mujoco.MjData:
+    data = mujoco.MjData(human)
+    mujoco.mj_forward(human, data)
+    return data
+
+
+def support(model: mujoco.MjModel, data: mujoco.MjData, geom: int, direction: np.ndarray) -> float:
+    """The largest p . direction over the points p of a geom in world axes; direction of length 1."""
+    size = model.geom_size[geom]
+    local = data.geom_xmat[geom].reshape(3, 3).T @ direction
+    kind = model.geom_type[geom]
+    if kind == mujoco.mjtGeom.mjGEOM_SPHERE:
+        reach = size[0]
+    elif kind == mujoco.mjtGeom.mjGEOM_CAPSULE:
+        reach = size[0] + size[1] * abs(local[2])
+    elif kind == mujoco.mjtGeom.mjGEOM_ELLIPSOID:
+        reach = np.linalg.norm(size * local)
+    else:
+        assert kind == mujoco.mjtGeom.mjGEOM_BOX, "a shape that the support points do not know"
+        reach = size @ abs(local)
+    return float(data.geom_xpos[geom] @ direction + reach)
+
+
+def hanging(segment: str, top: float, *, palm_inward: bool = False) -> Part:
+    """Mass, height of the centre of mass and inertia of a segment of the table whose upper end is at height `top`."""
+    length, mass, centre, radii = DE_LEVA[segment]
+    length, mass = length * LENGTH_SCALE, mass / 100 * BODY_MASS
+    inertia = mass * (np.array(radii) / 100 * length) ** 2
+    return mass, top - centre / 100 * length, inertia[[1, 0, 2]] if palm_inward else inertia
+
+
+def joined(*parts: Part) -> tuple[float, np.ndarray, np.ndarray]:
+    """Mass, centre of mass and principal inertia of parts on one vertical line, by the parallel-axis theorem."""
+    mass = sum(part[0] for part in parts)
+    height = sum(part[0] * part[1] for part in parts) / mass
+    inertia = sum(part[2] + part[0] * (part[1] - height) ** 2 * np.array([1, 1, 0]) for part in parts)
+    return mass, np.array([0, 0, height]), np.asarray(inertia)
+
+
+def source_of(body: str) -> tuple[float, np.ndarray, np.ndarray]:
+    """What the table says of a body: mass, centre of mass in the body's axes, inertia about x, y, z."""
+    if body == "chest":
+        xiphion = LENGTH_SCALE * DE_LEVA["middle trunk"][0]
+        suprasternale = xiphion + LENGTH_SCALE * DE_LEVA["upper trunk"][0]
+        vertex = suprasternale + LENGTH_SCALE * (SUPRASTERNALE_TO_CERVICALE + DE_LEVA["head"][0])
+        return joined(hanging("middle trunk", xiphion), hanging("upper trunk", suprasternale), hanging("head", vertex))
+    if body == "forearm":
+        wrist = -LENGTH_SCALE * DE_LEVA["forearm"][0]
+        return joined(hanging("forearm", 0.0), hanging("hand", wrist, palm_inward=True))
+    if body == "foot":
+        length, _, centre, _ = DE_LEVA["foot"]
+        mass, _, inertia = hanging("foot", 0.0)
+        return mass, np.array([-0.060 + centre / 100 * length * LENGTH_SCALE, 0, -0.045]), inertia[[2, 1, 0]]
+    if body == "pelvis":
+        return joined(hanging("lower trunk", LENGTH_SCALE * DE_LEVA["lower trunk"][0]))
+    return joined(hanging({"upper_arm": "upper arm", "thigh": "thigh", "shin": "shank"}[body], 0.0))
+
+
+def test_every_figure_compiles_alone_and_is_described_in_one_line() -> None:
+    assert {"human", "spinner"} <= set(models.figures())
+    for name, description in models.figures().items():
+        assert description and "\n" not in description
+        assert mujoco.MjModel.from_xml_string(models.figure_text(name)).nbody > 1
+
+
+def test_the_stage_is_not_a_figure() -> None:
+    assert "stage" not in models.figures()
+
+
+def test_every_clip_that_is_listed_can_be_read() -> None:
+    for name, description in models.clips().items():
+        assert description
+        assert models.clip_text(name)
+
+
+def test_an_unknown_figure_is_answered_with_a_guess_and_the_list() -> None:
+    with pytest.raises(models.UnknownName) as caught:
+        models.figure_text("humam")
+    assert str(caught.value) == "no figure 'humam'; did you mean 'human'? Figures: human, spinner"
+
+
+def test_an_unknown_name_that_resembles_nothing_gets_the_list_only() -> None:
+    with pytest.raises(models.UnknownName, match=r"^no figure 'xyz'\. Figures: human, spinner$"):
+        models.figure_text("xyz")
+
+
+def test_the_stage_cannot_be_asked_for_as_a_figure() -> None:
+    with pytest.raises(models.UnknownName):
+        models.figure_text("stage")
+
+
+def test_an_unknown_clip_is_a_key_error() -> None:
+    with pytest.raises(KeyError, match="no clip 'no such clip'"):
+        models.clip_text("no such clip")
+
+
+def test_nothing_ships_says_so() -> None:
+    assert str(models.UnknownName("clip", "run", [])) == "no clip 'run'. No clip ships."
+
+
+def test_the_human_has_12_bodies_and_39_degrees_of_freedom(human: mujoco.MjModel) -> None:
+    assert [human.body(i).name for i in range(1, human.nbody)] == BODIES
+    assert [human.joint(i).name for i in range(human.njnt)] == JOINTS
+    assert (human.nq, human.nv) == (51, 39)
+    assert human.jnt_type[0] == mujoco.mjtJoint.mjJNT_FREE
+    assert (human.jnt_type[1:] == mujoco.mjtJoint.mjJNT_BALL).all()
+
+
+def test_body_axes_are_parallel_to_the_world_at_rest(human: mujoco.MjModel, standing: mujoco.MjData) -> None:
+    np.testing.assert_array_equal(standing.xquat, np.tile([1.0, 0, 0, 0], (human.nbody, 1)))
+
+
+def test_every_body_has_its_origin_at_its_joint(human: mujoco.MjModel) -> None:
+    np.testing.assert_array_equal(human.jnt_pos, 0.0)
+
+
+def test_nothing_but_inertia_acts_in_the_joints_and_nothing_collides(human: mujoco.MjModel) -> None:
+    for quiet in (human.dof_damping, human.dof_armature, human.jnt_stiffness, human.geom_contype):
+        np.testing.assert_array_equal(quiet, 0)
+    np.testing.assert_array_equal(human.geom_conaffinity, 0)
+
+
+def test_ball_joints_have_a_range_that_rest_and_a_run_stay_within(human: mujoco.MjModel) -> None:
+    assert human.jnt_limited[1:].all()
+    np.testing.assert_array_equal(human.jnt_range[1:, 0], 0.0)
+    assert (human.jnt_range[1:, 1] >= np.deg2rad(60) - 1e-9).all()
+    assert (human.jnt_range[1:, 1] < np.pi).all()
+
+
+def test_the_human_stands_on_the_floor(human: mujoco.MjModel, standing: mujoco.MjData) -> None:
+    down = np.array([0.0, 0, -1])
+    depth = [support(human, standing, geom, down) for geom in range(human.ngeom)]
+    assert max(depth) == pytest.approx(0.0, abs=1e-12)
+    for side in ("left", "right"):
+        for part in ("heel", "toe"):
+            assert standing.site(f"{side}_{part}").xpos[2] == pytest.approx(0.0, abs=1e-12)
+            assert support(human, standing, human.geom(f"{side}_{part}_sole").id, down) == pytest.approx(0, abs=1e-12)
+
+
+def test_the_human_is_about_as_tall_and_as_heavy_as_the_men_of_the_table(
+    human: mujoco.MjModel, standing: mujoco.MjData
+) -> None:
+    assert human.body_mass.sum() == pytest.approx(BODY_MASS, abs=1e-3)
+    assert standing.site("head_top").xpos[2] == pytest.approx(1.76, abs=0.01)
+
+
+def test_left_mirrors_right(human: mujoco.MjModel) -> None:
+    for name in BODIES:
+        if name.startswith("left_"):
+            left, right = human.body(name), human.body(name.replace("left_", "right_"))
+            np.testing.assert_array_equal(left.mass, right.mass)
+            np.testing.assert_array_equal(left.inertia, right.inertia)
+            np.testing.assert_array_equal(left.pos * MIRROR, right.pos)
+            np.testing.assert_array_equal(left.ipos * MIRROR, right.ipos)
+
+
+def test_the_geoms_of_a_foot_mirror_the_other_foot(human: mujoco.MjModel) -> None:
+    lefts = [g for g in range(human.ngeom) if human.body(human.geom_bodyid[g]).name == "left_foot"]
+    for geom in lefts:
+        other = human.geom(human.geom(geom).name.replace("left_", "right_"))
+        np.testing.assert_allclose(human.geom_pos[geom] * MIRROR, other.pos, atol=1e-12)
+        np.testing.assert_array_equal(human.geom_size[geom], other.size)
+
+
+def test_inertias_satisfy_the_triangle_inequality(human: mujoco.MjModel) -> None:
+    principal = np.sort(human.body_inertia[1:], axis=1)
+    assert (principal[:, 0] > 0).all()
+    assert (principal[:, 0] + principal[:, 1] > principal[:, 2]).all()
+
+
+@pytest.mark.parametrize("name", BODIES)
+def test_masses_and_inertias_are_those_of_the_table(human: mujoco.MjModel, name: str) -> None:
+    body = human.body(name)
+    mass, centre, inertia = source_of(name.removeprefix("left_").removeprefix("right_"))
+    axes = np.zeros(9)
+    mujoco.mju_quat2Mat(axes, body.iquat)
+    about_body_axes = axes.reshape(3, 3) @ np.diag(body.inertia) @ axes.reshape(3, 3).T
+    assert body.mass[0] == pytest.approx(mass, abs=1e-4)
+    np.testing.assert_allclose(body.ipos, centre, atol=1e-5)
+    np.testing.assert_allclose(about_body_axes, np.diag(inertia), atol=1e-6)
+
+
+def test_segment_lengths_are_the_scaled_lengths_of_the_table(human: mujoco.MjModel) -> None:
+    drops = {"left_forearm": "upper arm", "left_shin": "thigh", "left_foot": "shank", "chest": "lower trunk"}
+    for body, segment in drops.items():
+        assert abs(human.body(body).pos[2]) == pytest.approx(LENGTH_SCALE * DE_LEVA[segment][0], abs=1e-3)
+
+
+def test_the_sites_exist_and_are_hidden(human: mujoco.MjModel) -> None:
+    assert {human.site(i).name for i in range(human.nsite)} == SITES
+    np.testing.assert_array_equal(human.site_group, 4)
+
+
+@pytest.mark.parametrize("side", ["left", "right"])
+def test_however_a_foot_is_turned_its_lowest_point_is_on_one_of_four_spheres(human: mujoco.MjModel, side: str) -> None:
+    data = mujoco.MjData(human)
+    rng = np.random.default_rng(7)
+    foot = human.body(f"{side}_foot").id
+    ankle = human.joint(f"{side}_ankle").qposadr[0]
+    geoms = [geom for geom in range(human.ngeom) if human.geom_bodyid[geom] == foot]
+    sole = [human.geom(f"{side}_{part}_sole").id for part in ("heel", "toe")]
+    down = np.array([0.0, 0, -1])
+    for _ in range(1000):
+        axis = rng.normal(size=3)
+        turn = np.zeros(4)
+        mujoco.mju_axisAngle2Quat(turn, axis / np.linalg.norm(axis), rng.uniform(0, np.deg2rad(60)))
+        data.qpos[:] = human.qpos0
+        data.qpos[ankle : ankle + 4] = turn
+        mujoco.mj_kinematics(human, data)
+        of_foot = max(support(human, data, geom, down) for geom in geoms)
+        of_sole = max(support(human, data, geom, down) for geom in sole)
+        assert of_foot == pytest.approx(of_sole, abs=1e-4)
+
+
+def test_heel_and_toe_soles_are_lateral_capsules_of_one_radius_with_their_sites_below(
+    human: mujoco.MjModel, standing: mujoco.MjData
+) -> None:
+    for side in ("left", "right"):
+        for part in ("heel", "toe"):
+            sole = human.geom(f"{side}_{part}_sole")
+            assert sole.type == mujoco.mjtGeom.mjGEOM_CAPSULE
+            assert sole.size[0] == 0.024
+            centre = standing.geom(sole.id).xpos
+            lateral = standing.geom(sole.id).xmat.reshape(3, 3)[:, 2]
+            np.testing.assert_allclose(np.abs(lateral), [0, 1, 0], atol=1e-12)
+            np.testing.assert_allclose(standing.site(f"{side}_{part}").xpos, centre - [0, 0, 0.024], atol=1e-12)
+
+
+def test_the_spinner_only_turns() -> None:
+    spinner = mujoco.MjModel.from_xml_string(models.figure_text("spinner"))
+    assert (spinner.nq, spinner.nv, spinner.njnt) == (4, 3, 1)
+    assert spinner.joint("spin").type[0] == mujoco.mjtJoint.mjJNT_BALL
+    assert spinner.body("body").id == spinner.jnt_bodyid[0]
+
+
+@pytest.mark.parametrize("name", ["human", "spinner"])
+def test_a_stage_goes_around_a_figure_without_renaming_or_renumbering_it(name: str) -> None:
+    alone = mujoco.MjModel.from_xml_string(models.figure_text(name))
+    figure = mujoco.MjSpec.from_string(models.figure_text(name))
+    stage = mujoco.MjSpec.from_string(models.stage_text())
+    figure.attach(stage, frame=figure.worldbody.add_frame(), prefix="stage/")
+    figure.visual, figure.stat = stage.visual, stage.stat
+    both = figure.compile()
+    assert [both.body(i).name for i in range(both.nbody)] == [alone.body(i).name for i in range(alone.nbody)]
+    np.testing.assert_array_equal(both.qpos0, alone.qpos0)
+    np.testing.assert_allclose(both.body_inertia, alone.body_inertia, rtol=1e-12)
+    assert both.geom("stage/floor").type == mujoco.mjtGeom.mjGEOM_PLANE
+    assert {both.mat(i).name for i in range(both.nmat)} >= {"stage/floor", "stage/step"}
+    assert both.nlight == 2
+    assert (both.vis.global_.offwidth, both.vis.global_.offheight) == (3840, 2160)
+    assert (both.vis.quality.shadowsize, both.vis.quality.offsamples) == (4096, 4)
+
+
+def test_a_staged_figure_written_as_text_is_the_same_figure() -> None:
+    figure = mujoco.MjSpec.from_string(models.figure_text("human"))
+    figure.attach(mujoco.MjSpec.from_string(models.stage_text()), frame=figure.worldbody.add_frame(), prefix="stage/")
+    both = figure.compile()
+    again = mujoco.MjModel.from_xml_string(figure.to_xml())
+    assert [again.body(i).name for i in range(again.nbody)] == [both.body(i).name for i in range(both.nbody)]
+    np.testing.assert_allclose(again.body_pos, both.body_pos, atol=1e-9)
+    np.testing.assert_allclose(again.body_inertia, both.body_inertia, rtol=1e-5)
