@@ -193,8 +193,8 @@ def _paint(path: Path, waiting: Path, palette: av.VideoFrame, rate: Fraction) ->
     with av.open(str(waiting)) as source, av.open(str(path), "w", format="gif") as container:
         kept = source.streams.video[0]
         graph = av.filter.Graph()
-        size = {"width": kept.width, "height": kept.height}
-        pictures = graph.add_buffer(**size, format=av.VideoFormat("bgr0"), time_base=1 / rate)
+        bgr0 = av.VideoFormat("bgr0")
+        pictures = graph.add_buffer(width=kept.width, height=kept.height, format=bgr0, time_base=1 / rate)
         colours = graph.add_buffer(width=16, height=16, format=palette.format, time_base=1 / rate)
         reduced = graph.add("paletteuse", "dither=sierra2_4a:diff_mode=rectangle")
         end = graph.add("buffersink")
@@ -222,7 +222,7 @@ def _drain(graph: av.filter.Graph, stream: VideoStream, container: OutputContain
     while True:
         try:
             picture = graph.vpull()
-        except (av.BlockingIOError, av.EOFError):
+        except (BlockingIOError, EOFError):
             return
         container.mux(stream.encode(picture))
 

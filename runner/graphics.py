@@ -69,7 +69,7 @@ def choose() -> Graphics:
     forced = os.environ.get(OVERRIDE, "").strip().lower()
     if forced:
         return _forced(forced)
-    if "mujoco" in sys.modules:
+    if _imported():
         return _after_import(_imported_backend())
     wish = os.environ.get("MUJOCO_GL", "").strip().lower()
     if wish in _SWITCHED_OFF:
@@ -92,10 +92,10 @@ def _forced(name: str) -> Graphics:
         raise GraphicsError(f"{OVERRIDE}={name}: no such renderer; renderers: {', '.join(_NAMES)}")
     asked = f"{OVERRIDE}={name}"
     if name == "rays":
-        if "mujoco" not in sys.modules:
+        if not _imported():
             os.environ.pop("MUJOCO_GL", None)
         return Graphics("rays", _line("rays", asked))
-    if "mujoco" in sys.modules:
+    if _imported():
         backends = [backend for backend in [_imported_backend()] if _kind_of(backend) == name]
     else:
         backends = [_DISPLAY if name == "display" else name]
@@ -138,6 +138,10 @@ def _kind_of(backend: str) -> Kind:
 def _candidates() -> tuple[str, ...]:
     """Values of MUJOCO_GL worth a try without the user's wish, fastest first."""
     return ("egl", "osmesa", "glfw") if sys.platform == "linux" else ("",)
+
+
+def _imported() -> bool:
+    return "mujoco" in sys.modules
 
 
 def _imported_backend() -> str:

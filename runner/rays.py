@@ -10,7 +10,6 @@ averaged over the area a pixel covers. Other textures are reduced to their mean 
 
 from __future__ import annotations
 
-import copy
 import os
 import sys
 from collections.abc import Sequence
@@ -26,19 +25,21 @@ from numpy.typing import NDArray
 from .camera import View
 from .camera import axes as camera_axes
 from .ghost import Ghost
-from .shading import Light, Materials, Sky, lights
+from .shading import Light, Materials, Silhouette, Sky, lights
 
 Picture = NDArray[np.uint8]
 Array = NDArray[np.float64]
 Floats = NDArray[np.float32]
 Ints = NDArray[np.int32]
 Bools = NDArray[np.bool_]
+Indices = NDArray[np.intp]
 
 SCENE = -1
 SKY = -2
 _VISIBLE_GROUPS = np.array([1, 1, 1, 0, 0, 0], np.uint8)  # what MuJoCo's own renderer shows unless told otherwise
 _HAZE_START, _HAZE_LENGTH = 9.0, 28.0  # [m]
 _BAND = 40_000  # rays at a time: few enough for the processor's cache
+_JUST_SEEN, _SEEN = 0.05, 0.15  # sums of differences in red, green and blue that deserve smoothing
 _LIFT = 2e-4  # how far above a surface its shadow rays start, as a share of the distance
 # Places in a pixel at which its edge is sampled: eight queens, so no two share a row or a column.
 _SAMPLES = (np.array([[0, 3], [1, 6], [2, 1], [3, 5], [4, 0], [5, 7], [6, 2], [7, 4]]) + 0.5) / 8
@@ -73,7 +74,7 @@ class Hits:
     distance: Array
     normal: Array
 
-    def part(self, index: Bools | NDArray[np.intp]) -> Hits:
+    def part(self, index: Bools | Indices) -> Hits:
         return Hits(self.layer[index], self.geom[index], self.distance[index], self.normal[index])
 
 
@@ -88,14 +89,16 @@ class Worlds:
 class Rays:
     """Draws figures in the scene of one model."""
 
-    def __init__(self, model: mujoco.MjModel, width: int, height: int, *, threads: int = 0) -> None:
+    def __init__(self, spec: mujoco.MjSpec, width: int, height: int, *, threads: int = 0) -> None:
         """width, height in pixels; threads 0 for one a core."""
+        model = spec.compile()
         self.model, self.width, self.height = model, width, height
         self.data = mujoco.MjData(model)
         self.pose(model.qpos0)
         dynamic = np.flatnonzero(model.body_weldid[model.geom_bodyid] != 0)
         self.visible = dynamic[_VISIBLE_GROUPS[model.geom_group[dynamic]] > 0]
-        static = _only_static(model, dynamic)
+        static = _without_figures(spec, model)
+        self.still = np.flatnonzero(model.body_weldid[model.geom_bodyid] == 0).astype(np.int32)
         self._pairs = [
             Worlds(batch.Batch(static, nsim=1, nthread=1), batch.Batch(model, nsim=1, nthread=1))
             for _ in range(threads or _cores())
@@ -119,7 +122,7 @@ class Rays:
             lit = np.concatenate([band[2] for band in bands])
             hits = _joined([band[1] for band in bands])
             glassy = any(figure.opacity < 1 for figure in figures)
-            edge = np.flatnonzero(_edges(hits, lit, colour if glassy else None, self._flat, width))
+            edge = np.flatnonzero(_edges(hits, lit, colour, glassy, self._flat, width))
             parts = np.array_split(edge, max(1, len(edge) * len(_SAMPLES) // _BAND))
             colour[edge] = np.concatenate(list(pool.map(lambda part: self._smooth(shot, part), parts)))
         return np.rint(np.clip(colour, 0, 1) * 255).astype(np.uint8).reshape(height, width, 3)
@@ -132,7 +135,7 @@ class Rays:
         finally:
             self._free.put(worlds)
 
-    def _smooth(self, shot: _Shot, pixels: NDArray[np.intp]) -> Floats:
+    def _smooth(self, shot: _Shot, pixels: Indices) -> Floats:
         """(n, 3) the mean colours of these pixels over the samples in each."""
         down, across = np.divmod(pixels, self.width)
         x, y = across + _SAMPLES[:, :1], down + _SAMPLES[:, 1:]
@@ -165,13 +168,15 @@ class _Shot:
     def __init__(self, rays: Rays, eye: Eye, figures: Sequence[Ghost]) -> None:
         self._rays, self._eye, self._figures = rays, eye, figures
         model, data = rays.model, rays.data
-        self._boxes: list[tuple[float, float, float, float]] = []
+        self._masks: list[Bools] = []
         self._spheres: list[Array] = []
+        self._silhouettes: list[dict[int, Silhouette]] = []
         for figure in figures:
             rays.pose(figure.qpos)
             centres, radii = data.geom_xpos[rays.visible], model.geom_rbound[rays.visible]
-            self._boxes.append(self._on_screen(centres, radii))
+            self._masks.append(self._on_screen(centres, radii))
             self._spheres.append(_around(centres, radii))
+            self._silhouettes.append(_silhouettes(centres, radii, lights(model, data)))
         rays.pose(figures[0].qpos if figures else model.qpos0)
         self._lights = lights(model, data)
         self._tables = [rays.materials.tinted(figure.shade) for figure in figures]
@@ -183,7 +188,7 @@ class _Shot:
         """
         directions, footprint = self._directions(x, y)
         solid = self._cast_scene(directions, worlds)
-        sheets: list[tuple[NDArray[np.intp], Hits]] = []
+        sheets: list[tuple[Indices, Hits]] = []
         for index, figure in enumerate(self._figures):
             where, hits = self._cast_figure(index, directions, x, y, worlds)
             if figure.opacity == 1.0:
@@ -209,14 +214,12 @@ class _Shot:
         distance, geom, normal = worlds.scene.ray(
             self._eye.position, directions, geomgroup=_VISIBLE_GROUPS, normal=True
         )
-        return _hits(SCENE, distance[0], geom[0], normal[0], directions)
+        met = np.append(self._rays.still, np.int32(-1))[geom[0]]
+        return _hits(SCENE, distance[0], met, normal[0], directions)
 
-    def _cast_figure(
-        self, index: int, directions: Array, x: Array, y: Array, worlds: Worlds
-    ) -> tuple[NDArray[np.intp], Hits]:
+    def _cast_figure(self, index: int, directions: Array, x: Array, y: Array, worlds: Worlds) -> tuple[Indices, Hits]:
         """The rays that meet a figure, and what they meet."""
-        left, top, right, bottom = self._boxes[index]
-        where = np.flatnonzero((x >= left) & (x <= right) & (y >= top) & (y <= bottom))
+        where = np.flatnonzero(self._masks[index][y.astype(np.int32), x.astype(np.int32)])
         rays = directions[where]
         worlds.figure.qpos = self._figures[index].qpos
         distance, geom, normal = worlds.figure.ray(
@@ -229,7 +232,7 @@ class _Shot:
         self,
         colour: Floats,
         solid: Hits,
-        sheets: list[tuple[NDArray[np.intp], Hits]],
+        sheets: list[tuple[Indices, Hits]],
         directions: Array,
         footprint: float,
         worlds: Worlds,
@@ -273,10 +276,10 @@ class _Shot:
         energy = (headlight.ambient * sky + headlight.diffuse * ahead) * np.float32(bool(headlight.active))
         gloss = np.zeros_like(base)
         gleam, sharpness = self._rays.materials.gloss(met.geom)
-        for light in self._lights:
+        for number, light in enumerate(self._lights):
             towards = light.towards(point).astype(np.float32)
             slope = np.maximum(np.einsum("ij,ij->i", normal, towards), 0)
-            reached = self._reached(light, met, point, slope, worlds)
+            reached = self._reached(number, met, point, slope, worlds)
             lit[ground] *= reached
             energy += light.ambient + light.diffuse * (slope * reached)[:, None]
             if light.specular.any():
@@ -301,16 +304,24 @@ class _Shot:
                 base[on] *= pattern.colour(point[on], rays[on], met.distance[on] * footprint)
         return base
 
-    def _reached(self, light: Light, met: Hits, point: Array, slope: Floats, worlds: Worlds) -> Floats:
+    def _reached(self, number: int, met: Hits, point: Array, slope: Floats, worlds: Worlds) -> Floats:
         """(n,) 1 where the light arrives, 0 in shadow, between the two in a translucent figure's shadow."""
+        light = self._lights[number]
         reached = light.strength(point)
         if not light.casts_shadow:
             return reached
         start = point + met.normal * (_LIFT * met.distance)[:, None]
-        self._darken(reached, light, start, slope, self._rays.materials.obstacles, worlds.scene, True, 1.0)
-        for figure, sphere in zip(self._figures, self._spheres, strict=True):
+        lit = np.flatnonzero(slope > 0)
+        near = np.zeros(len(lit), bool)
+        for sphere in self._rays.materials.obstacles:
+            near |= light.passes(start[lit], sphere[:3], sphere[3])
+        self._darken(reached, light, start, lit[near], worlds.scene, True, 1.0)
+        for figure, sphere, outlines in zip(self._figures, self._spheres, self._silhouettes, strict=True):
+            near = light.passes(start[lit], sphere[:3], sphere[3])
+            if number in outlines:
+                near[near] = outlines[number].covers(start[lit[near]])
             worlds.figure.qpos = figure.qpos
-            self._darken(reached, light, start, slope, sphere[None], worlds.figure, False, figure.opacity)
+            self._darken(reached, light, start, lit[near], worlds.figure, False, figure.opacity)
         return reached
 
     def _darken(
@@ -318,44 +329,49 @@ class _Shot:
         reached: Floats,
         light: Light,
         start: Array,
-        slope: Floats,
-        spheres: Array,
+        rays: Indices,
         world: batch.Batch,
         static: bool,
         opacity: float,
     ) -> None:
-        """Take the light from the points behind something that lies within these spheres (k, 4)."""
-        lit = np.flatnonzero((slope > 0) & (reached > 0))
-        near = np.zeros(len(lit), bool)
-        for sphere in spheres:
-            near |= light.passes(start[lit], sphere[:3], sphere[3])
-        lit = lit[near]
-        if not len(lit):
+        """Take the light from those of the points, numbered by `rays`, that have something in the way to it."""
+        rays = rays[reached[rays] > 0]
+        if not len(rays):
             return
-        towards = light.towards(start[lit])
-        distance = world.ray(start[lit], towards, geomgroup=_VISIBLE_GROUPS, flg_static=static)[0][0]
-        blocked = (distance >= 0) & (distance < light.range_from(start[lit]))
-        reached[lit[blocked]] *= np.float32(1 - opacity)
+        towards = light.towards(start[rays])
+        distance = world.ray(start[rays], towards, geomgroup=_VISIBLE_GROUPS, flg_static=static)[0][0]
+        blocked = (distance >= 0) & (distance < light.range_from(start[rays]))
+        reached[rays[blocked]] *= np.float32(1 - opacity)
 
-    def _on_screen(self, centres: Array, radii: Array) -> tuple[float, float, float, float]:
-        """Left, top, right, bottom [pixels] of a rectangle that holds these spheres."""
-        width, height = self._rays.width, self._rays.height
+    def _on_screen(self, centres: Array, radii: Array) -> Bools:
+        """(H, W) the pixels that these spheres can touch, and some more."""
+        height, width = self._rays.height, self._rays.width
         right, up, forward = self._eye.axes @ (centres - self._eye.position).T
         near, far = forward - radii, forward + radii
         if (near < 0.05).any():
-            return 0.0, 0.0, float(width), float(height)
+            return np.ones((height, width), bool)
         scale = height / 2 / self._eye.tangent
 
-        def extreme(offset: Array, sign: int) -> float:
+        def extreme(offset: Array, sign: int) -> Array:
             edge = sign * offset + radii
-            return sign * scale * float(np.maximum(edge / near, edge / far).max())
+            return sign * scale * np.maximum(edge / near, edge / far)
 
-        return (
-            width / 2 + extreme(right, -1),
-            height / 2 - extreme(up, 1),
-            width / 2 + extreme(right, 1),
-            height / 2 - extreme(up, -1),
-        )
+        left, last = (width / 2 + extreme(right, sign) for sign in (-1, 1))
+        bottom, top = (height / 2 - extreme(up, sign) for sign in (-1, 1))
+        mask = np.zeros((height, width), bool)
+        corners = np.stack([np.floor(left), np.ceil(last), np.floor(top), np.ceil(bottom)], axis=1)
+        for x0, x1, y0, y1 in np.maximum(corners, 0).astype(int):
+            mask[y0:y1, x0:x1] = True
+        return mask
+
+
+def _silhouettes(centres: Array, radii: Array, lamps: Sequence[Light]) -> dict[int, Silhouette]:
+    """By number of the light, for those that shine in parallel and cast shadows."""
+    return {
+        number: Silhouette.of(centres, radii, lamp.direction)
+        for number, lamp in enumerate(lamps)
+        if lamp.directional and lamp.casts_shadow and len(radii)
+    }
 
 
 def _shine(normal: Floats, halfway: Floats, sharpness: Floats) -> Floats:
@@ -378,12 +394,16 @@ def _joined(parts: Sequence[Hits]) -> Hits:
     )
 
 
-def _only_static(model: mujoco.MjModel, dynamic: NDArray[np.intp]) -> mujoco.MjModel:
-    """The model with all that moves invisible: rays pass through what is wholly transparent."""
-    scene = copy.copy(model)
-    scene.geom_matid[dynamic] = -1
-    scene.geom_rgba[dynamic, 3] = 0
-    return scene
+def _without_figures(spec: mujoco.MjSpec, model: mujoco.MjModel) -> mujoco.MjModel:
+    """The model with nothing in it that moves, so that rays do not have to pass by it."""
+    scene = spec.copy()
+    for key in list(scene.keys):
+        scene.delete(key)
+    moving = np.flatnonzero((model.body_weldid != 0) & (model.body_weldid[model.body_parentid] == 0))
+    bodies = list(scene.bodies)
+    for body in moving:
+        scene.delete(bodies[body])
+    return scene.compile()
 
 
 def _around(centres: Array, radii: Array) -> Array:
@@ -406,16 +426,17 @@ def _hits(layer: int, distance: Array, geom: Ints, normal: Array, directions: Ar
     )
 
 
-def _overwrite(hits: Hits, where: NDArray[np.intp], nearer: Hits) -> None:
+def _overwrite(hits: Hits, where: Indices, nearer: Hits) -> None:
     hits.layer[where], hits.geom[where] = nearer.layer, nearer.geom
     hits.distance[where], hits.normal[where] = nearer.distance, nearer.normal
 
 
-def _edges(hits: Hits, lit: Floats, colour: Floats | None, flat: Bools, width: int) -> Bools:
-    """(n,) pixels beside another thing, another side of a thing, or the rim of a shadow or of a translucent figure.
+def _edges(hits: Hits, lit: Floats, colour: Floats, glassy: bool, flat: Bools, width: int) -> Bools:
+    """(n,) pixels that can be seen to lie beside another thing, another side of a thing, or the rim of a shadow.
 
     lit     (n,)         how much light arrives
-    colour  (n, 3)       to be compared too, or None
+    colour  (n, 3)
+    glassy  whether there is something translucent, which only the colours tell
     flat    (ngeom + 1)  geoms without creases
     """
     key = (hits.layer + 2) * len(flat) + hits.geom + 1
@@ -425,11 +446,11 @@ def _edges(hits: Hits, lit: Floats, colour: Floats | None, flat: Bools, width: i
     for step, inside in ((1, column < width - 1), (width, np.arange(len(key)) < len(key) - width)):
         differs = np.zeros(len(key), bool)
         differs[:-step] = (key[:-step] != key[step:]) | (lit[:-step] != lit[step:])
-        if colour is not None:
-            differs[:-step] |= np.abs(colour[:-step] - colour[step:]) @ np.ones(3, np.float32) > 0.15
         start = creased[inside[creased]]
         differs[start] |= np.einsum("ij,ij->i", hits.normal[start], hits.normal[start + step]) < 0.8
         differs &= inside
-        edge |= differs
-        edge[step:] |= differs[:-step]
+        near = np.flatnonzero(inside if glassy else differs)
+        contrast = np.abs(colour[near] - colour[near + step]).sum(axis=1)
+        marked = near[contrast > np.where(differs[near], _JUST_SEEN, _SEEN)]
+        edge[marked] = edge[marked + step] = True
     return edge

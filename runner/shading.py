@@ -115,7 +115,7 @@ class Materials:
 
     def tinted(self, shade: float) -> Floats:
         """(ngeom + 1, 3) the colours, blended towards white."""
-        return self.colours + np.float32(shade) * (1 - self.colours)
+        return (self.colours + shade * (1 - self.colours)).astype(np.float32)
 
     def gloss(self, geom: NDArray[np.int32]) -> tuple[Floats, Floats]:
         """(n,) strength and (n,) sharpness of the shine."""
@@ -132,7 +132,7 @@ def _texels(model: mujoco.MjModel, texture: int) -> Floats:
     channels, start = int(model.tex_nchannel[texture]), int(model.tex_adr[texture])
     texels = model.tex_data[start : start + height * width * channels].reshape(height, width, channels)
     colours = texels[..., :3] if channels >= 3 else np.repeat(texels[..., :1], 3, axis=2)
-    return colours.astype(np.float32) / 255
+    return (colours / 255).astype(np.float32)
 
 
 def _pattern(model: mujoco.MjModel, data: mujoco.MjData, geom: int, material: int, texels: Floats) -> Pattern:
@@ -204,6 +204,43 @@ class Light:
         along = np.einsum("ij,ij->i", offset, towards)
         aside = np.einsum("ij,ij->i", offset, offset) - along**2
         return (aside < radius**2) & (along > -radius)
+
+
+@dataclass(frozen=True)
+class Silhouette:
+    """Where spheres are when one looks along a direction: a mask that is never too small.
+
+    origin  (3,)    its corner [m]
+    axes    (2, 3)  its sides, one unit long per cell
+    mask    (k, k)
+    """
+
+    origin: Array
+    axes: Array
+    mask: Bools
+
+    @classmethod
+    def of(cls, centres: Array, radii: Array, direction: Array, cells: int = 192) -> Silhouette:
+        """centres (n, 3), radii (n,) [m], direction (3,) unit."""
+        side = np.cross(direction, np.eye(3)[np.argmin(np.abs(direction))])
+        axes = np.stack([side, np.cross(direction, side)]) / np.linalg.norm(side)
+        flat = centres @ axes.T
+        low, high = (flat - radii[:, None]).min(axis=0), (flat + radii[:, None]).max(axis=0)
+        cell = (high - low).max() / cells + 1e-9
+        mask = np.zeros((cells, cells), bool)
+        first = np.floor((flat - radii[:, None] - low) / cell).astype(int)
+        last = np.ceil((flat + radii[:, None] - low) / cell).astype(int)
+        for (u0, v0), (u1, v1) in zip(first, last, strict=True):
+            mask[u0:u1, v0:v1] = True
+        return cls(low @ axes, axes / cell, mask)
+
+    def covers(self, point: Array) -> Bools:
+        """(n,) which points lie in the mask."""
+        u, v = np.floor((point - self.origin) @ self.axes.T).astype(np.int32).T
+        inside = np.flatnonzero((u >= 0) & (v >= 0) & (u < len(self.mask)) & (v < len(self.mask)))
+        covered = np.zeros(len(point), bool)
+        covered[inside] = self.mask[u[inside], v[inside]]
+        return covered
 
 
 def lights(model: mujoco.MjModel, data: mujoco.MjData) -> list[Light]:

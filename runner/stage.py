@@ -39,13 +39,14 @@ class Stage:
         """mjcf_text  the model; width, height  of the pictures [pixels]."""
         if width < 1 or height < 1:
             raise ValueError(f"a picture of {width}x{height} pixels; both must be at least 1")
-        self.model = mujoco.MjModel.from_xml_string(mjcf_text)
+        spec = mujoco.MjSpec.from_string(mjcf_text)
+        self.model = spec.compile()
         self.width, self.height = width, height
         self._gl: _OpenGL | None = None
         if graphics.kind == "rays":
             from .rays import Rays  # only here: it needs a MuJoCo that has `mujoco.batch`
 
-            self._painter: Painter = Rays(self.model, width, height)
+            self._painter: Painter = Rays(spec, width, height)
         else:
             self._painter = self._gl = _OpenGL(self.model, width, height)
 

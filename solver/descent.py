@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from .frame import Timeline
 from .objective import Discretised, Evaluation, Objective
-from .optimiser import Minimum, minimise
+from .optimiser import Minimum, Stop, minimise
 from .preconditioner import Preconditioner
 from .quaternion import Array
 
@@ -52,7 +52,9 @@ class Descent:
 def optimised(
     objective: Objective, timeline: Timeline, *, max_evaluations: int = 300, tolerance: float = 1e-7
 ) -> Timeline:
-    """The timeline with its variable frames at the nearest minimum of E."""
+    """The timeline with its variable frames at the nearest minimum of E. Ctrl-C goes on to the caller."""
     descent = Descent(objective, timeline)
     found = descent.run(max_evaluations=max_evaluations, tolerance=tolerance)
+    if found.stop is Stop.ASKED:
+        raise KeyboardInterrupt
     return timeline.with_rows(descent.problem.unknowns.rows(found.x))

@@ -105,7 +105,8 @@ def body_forces(samples: Samples) -> BodyForces:
 def generalised_forces(samples: Samples) -> Array:
     """(S, nv): MuJoCo's qfrc_inverse without contacts, limits and passive forces.
 
-    Free joints: force in the world, moment in the body's axes; ball joints: body axes; hinges and slides along the axis.
+    Free joints: force in the world, moment in the body's axes; ball joints: body axes; hinges and slides: along the
+    axis.
     """
     figure, links = samples.figure, samples.links
     inverse = InverseDynamics(samples)

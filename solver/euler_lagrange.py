@@ -1,7 +1,8 @@
 """The Euler-Lagrange residual of a path (eqs. 8, 10, 11, 24), its deviation per segment, and the weak form.
 
-Strong form: R(t) = g₀ − dg₁/dt + d²g₂/dt² from any penalty's sample gradients; for the paper's quaternion objective also
-in closed form, which is *half* of R. Inside a cubic span q'''' = 0; at a knot q''' jumps, so nothing is ever differenced across one.
+Strong form: R(t) = g₀ − dg₁/dt + d²g₂/dt² from any penalty's sample gradients; for the paper's quaternion objective
+also in closed form, which is *half* of R. Inside a cubic span q'''' = 0; at a knot q''' jumps, so nothing is ever
+differenced across one.
 
 Weak form (beyond the paper): a variable frame inserted at τ on the curve has the gradient g = ∫ (g₀φ + g₁φ' + g₂φ'') dt
 for its cardinal function φ. No strong derivative is needed, the jumps at the knots are in it, and it goes to zero.
@@ -24,7 +25,7 @@ DIFFERENCE = 1e-6
 
 
 def covariant_residual(path: Path, t: Array, unit_weight: float) -> Array:
-    """X + Y'' + Z of eq. 10 for f = f₂ + λ f₁ on one quaternion, λ = unit_weight: (S, 4). Half of eq. 24's left side."""
+    """X + Y'' + Z of eq. 10 for f = f₂ + λ f₁ on one quaternion, λ = unit_weight: (S, 4). Half of eq. 24's left."""
     q, q_d, q_dd, q_ddd = (path.at(t, order) for order in range(4))
 
     def inner(a: Array, b: Array) -> Array:
@@ -70,7 +71,7 @@ class Residual:
         """∫ |R| dt over equal parts of the clip (figure 10), (count,)."""
         first, last = self.t.min(), self.t.max()
         part = np.clip(((self.t - first) / (last - first) * count).astype(int), 0, count - 1)
-        return np.bincount(part.ravel(), (self.weights * self.size).ravel(), count)
+        return np.asarray(np.bincount(part.ravel(), (self.weights * self.size).ravel(), count), float)
 
 
 def residual(objective: Objective, path: Path) -> Residual:
@@ -86,7 +87,7 @@ def residual(objective: Objective, path: Path) -> Residual:
 
 
 def _differentiation_matrix(x: Array) -> Array:
-    """D with (D f)(x_i) = f'(x_i) for polynomials through the nodes x; barycentric (Berrut & Trefethen, SIAM Rev. 2004)."""
+    """D with (D f)(x_i) = f'(x_i) for polynomials through the nodes x (Berrut & Trefethen, SIAM Review 2004)."""
     gaps = x[:, None] - x[None, :] + np.eye(x.size)
     w = 1 / np.prod(gaps, axis=1)
     matrix = w[None, :] / w[:, None] / gaps
@@ -100,17 +101,15 @@ def sample_hessians(objective: Objective, samples: Samples) -> Array:
     base = [samples.y, samples.y_d, samples.y_dd]
     width = samples.y.shape[1]
     out = np.empty((samples.count, 3 * width, 3 * width))
+    here = np.hstack(objective.sample_gradients(samples))
     for order in range(3):
-        typical = np.sqrt(np.mean(base[order] ** 2)) + 1e-3
-        h = DIFFERENCE * max(typical, 1.0)
+        h = DIFFERENCE * max(np.sqrt(np.mean(base[order] ** 2)), 1.0)
         for column in range(width):
-            sides = []
-            for sign in (1, -1):
-                moved = list(base)
-                moved[order] = base[order].copy()
-                moved[order][:, column] += sign * h
-                sides.append(np.hstack(objective.sample_gradients(Samples(samples.figure, *moved))))
-            out[:, order * width + column] = (sides[0] - sides[1]) / (2 * h)
+            moved = list(base)
+            moved[order] = base[order].copy()
+            moved[order][:, column] += h
+            there = np.hstack(objective.sample_gradients(Samples(samples.figure, *moved, t=samples.t)))
+            out[:, order * width + column] = (there - here) / h
     return (out + out.transpose(0, 2, 1)) / 2
 
 
@@ -125,27 +124,40 @@ class WeakForm:
     hessians: Array
 
     @classmethod
-    def of(cls, objective: Objective, path: Path, points: int = 6) -> WeakForm:
+    def of(cls, objective: Objective, path: Path, points: int = 3) -> WeakForm:
         times = np.asarray(path.spline.times)
         halves = np.sort(np.concatenate([times, (times[1:] + times[:-1]) / 2]))
         t, w = gauss_nodes(halves, points)
         samples = objective.samples(path, t)
         return cls(path, t, w, objective.sample_gradients(samples), sample_hessians(objective, samples))
 
-    def decrement(self, tau: float) -> float:
-        """½ gᵀH⁻¹g of a variable frame inserted at τ, its own block: how much E would fall; good for ranking."""
+    def decrements(self, candidates: Array) -> Array:
+        """½ gᵀH⁻¹g of a variable frame inserted at each of the times (C,), its own block: how much E would fall.
+
+        Good for ranking; 1.3-5.8 times too small for the one frame, and 0.55-1.4 times the whole gap when summed over
+        the middles of all segments.
+        """
+        phi = np.array([self._cardinal(float(tau)) for tau in candidates])
+        width = self.gradients[0].shape[1]
+        weighted = phi * self.weights
+        gradient = sum(weighted[:, k] @ self.gradients[k] for k in range(3))
+        hessian = np.zeros((len(phi), width * width))
+        blocks = self.hessians.reshape(self.t.size, 3, width, 3, width)
+        for a in range(3):
+            for b in range(3):
+                flat = np.ascontiguousarray(blocks[:, a, :, b]).reshape(self.t.size, -1)
+                hessian += (weighted[:, a] * phi[:, b]) @ flat
+        pairs = zip(np.asarray(gradient), hessian.reshape(-1, width, width), strict=True)
+        return np.array([newton_decrement(g, h) for g, h in pairs])
+
+    def _cardinal(self, tau: float) -> Array:
+        """φ, φ', φ'' (3, S) of a variable frame inserted at τ."""
         times = np.sort(np.append(self.path.spline.times, tau))
         spline = Spline(times, self.path.spline.ends)
         unit = np.zeros((spline.size, 1))
         unit[np.searchsorted(times, tau)] = 1
         coefficients = spline.coefficients(unit)
-        phi = [np.asarray(spline.basis(self.t, order) @ coefficients) for order in range(3)]
-        g = sum(p.T @ (self.weights[:, None] * part) for p, part in zip(phi, self.gradients, strict=True))
-        width = self.gradients[0].shape[1]
-        by_order = np.concatenate([np.repeat(p, width, axis=1) for p in phi], axis=1)
-        weighted = self.hessians * (self.weights[:, None] * by_order)[:, :, None] * by_order[:, None, :]
-        total = weighted.sum(axis=0).reshape(3, width, 3, width).sum(axis=(0, 2))
-        return newton_decrement(np.asarray(g).ravel(), total)
+        return np.array([(spline.basis(self.t, order) @ coefficients)[:, 0] for order in range(3)])
 
 
 def newton_decrement(gradient: Array, hessian: Array) -> float:

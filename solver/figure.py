@@ -17,12 +17,10 @@ from enum import IntEnum
 
 import mujoco
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from . import quaternion as quat
-from .quaternion import Array
-
-Index = NDArray[np.intp]
+from .quaternion import Array, Index
 
 
 class FigureError(ValueError):
@@ -248,7 +246,7 @@ class Tables:
 
     quaternion_columns  (4, n) state columns of the n quaternion blocks, in the order of `quaternion_links` (n,)
     free_links, position_columns   links with a free joint (f,) and their columns of position (3, f)
-    linear_columns      columns of the hinges and slides
+    hinge_columns, slide_columns   (h,), (s,) columns of the hinges and slides, in the order of their links
     path                (L, L) 1 where a link lies on the way from the root to another (row: the other), itself included
     """
 

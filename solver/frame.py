@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -84,7 +85,9 @@ class Timeline:
 
     ends       "free": both end slopes are unknowns; "clamped": they are `end_slope`; "periodic": the last frame repeats
                the first and the curve is C² across the seam
-    end_slope  (2, N)  y' at the first and the last frame [state/s]; a starting value where the slopes are free
+    end_slope  (2, N)  y' at the first and the last frame [state/s]; a starting value where the slopes are free. Of a
+               periodic clip the jumps of y' and y'' from the end to the start: zero, but for quaternions that come
+               back as −q
     """
 
     frames: tuple[Frame, ...]
@@ -96,7 +99,7 @@ class Timeline:
         if len(self.frames) < 2:
             raise TimelineError(f"a timeline needs at least 2 frames, not {len(self.frames)}")
         times = [frame.time for frame in self.frames]
-        for i, (a, b) in enumerate(zip(times, times[1:], strict=False)):
+        for i, (a, b) in enumerate(pairwise(times)):
             if not b > a:
                 raise TimelineError(
                     f"frame {i + 2} is at t = {b:g} s, not after frame {i + 1} at t = {a:g} s; times must rise"
@@ -133,8 +136,7 @@ class Timeline:
     @property
     def rows(self) -> Array:
         """(M + 2, N): the frames' states and below them what the two ends say; a spline is linear in these."""
-        last = np.zeros((2, self.width)) if self.ends == "periodic" else self.end_slope
-        return frozen(np.vstack([self.states, last]))
+        return frozen(np.vstack([self.states, self.end_slope]))
 
     @property
     def variable_count(self) -> int:
@@ -143,9 +145,10 @@ class Timeline:
     def with_rows(self, rows: ArrayLike) -> Timeline:
         """The same times and masks with other states and end slopes, rows (M + 2, N)."""
         rows = np.asarray(rows, float)
-        frames = tuple(replace(frame, state=row) for frame, row in zip(self.frames, rows, strict=False))
-        slope = self.end_slope if self.ends == "periodic" else rows[len(frames) :]
-        return Timeline(frames, slope, self.ends)
+        if rows.shape != self.rows.shape:
+            raise TimelineError(f"rows have shape {rows.shape}, not {self.rows.shape} as the timeline's")
+        frames = tuple(replace(frame, state=row) for frame, row in zip(self.frames, rows[:-2], strict=True))
+        return Timeline(frames, rows[-2:], self.ends)
 
     def inserted(self, variable: Iterable[Frame]) -> Timeline:
         """With more frames, each at a time of its own."""

@@ -154,6 +154,9 @@ class _Loop:
             rows = descent.problem.unknowns.rows(x)
             self.best = timeline.with_rows(rows)
             self.evaluations = before + count
+            # a new round sums E over other samples: its first evaluations need not lie below the last round's
+            if self.trace and evaluation.value >= self.trace[-1][2]:
+                return
             self.trace.append((before + count, self.round, evaluation.value, evaluation.parts))
             if self.improved is not None:
                 path = Path(descent.problem.spline, rows)

@@ -16,8 +16,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .figure import Figure
-from .quaternion import Array
+from .figure import Figure, Tables
+from .quaternion import Array, Index
 
 
 def cross(a: Array, b: Array) -> Array:
@@ -53,6 +53,12 @@ def turned_back(rotation: Array, vectors: Array) -> Array:
 def gathered(weights: Array, vectors: Array) -> Array:
     """Linear combinations over the link axis: (m, n) with (3, n, S) -> (3, m, S)."""
     return np.matmul(weights, vectors)
+
+
+def add_at(room: Array, links: Index, vectors: Array) -> None:
+    """room[:, links] += vectors, where a link may come up more than once: (3, L, S) with (n,) and (3, n, S)."""
+    for i, link in enumerate(links):
+        room[:, link] += vectors[:, i]
 
 
 def hamilton(p: Array, q: Array) -> Array:
@@ -93,19 +99,23 @@ class Samples:
     """y, y', y'' of a figure at S times, and everything the penalties derive from them, computed once when asked for.
 
     y, y_d, y_dd  (S, N) state and its derivatives [1/s, 1/s²]
+    t             (S,) times [s], for penalties that hold for a part of the clip; zeros where nobody says
     q, q_d, q_dd  (4, n, S) the state's quaternion blocks
     """
 
-    def __init__(self, figure: Figure, y: ArrayLike, y_d: ArrayLike, y_dd: ArrayLike) -> None:
+    def __init__(
+        self, figure: Figure, y: ArrayLike, y_d: ArrayLike, y_dd: ArrayLike, t: ArrayLike | None = None
+    ) -> None:
         self.figure = figure
         self.y, self.y_d, self.y_dd = np.asarray(y, float), np.asarray(y_d, float), np.asarray(y_dd, float)
+        self.t = np.zeros(len(self.y)) if t is None else np.asarray(t, float)
 
     @property
     def count(self) -> int:
         """S"""
         return self.y.shape[0]
 
-    def columns(self, indices: Array, order: int = 0) -> Array:
+    def columns(self, indices: Index, order: int = 0) -> Array:
         """Chosen columns of y, y' or y'', component first: indices (...) -> (..., S)."""
         return np.ascontiguousarray((self.y, self.y_d, self.y_dd)[order].T)[indices]
 
@@ -179,7 +189,7 @@ class LinkMotion:
 
     @cached_property
     def hang(self) -> Array | None:
-        """R · anchor, from the link's origin to its joint's anchor, or None if every joint sits at its body's origin."""
+        """R · anchor, from the link's origin to its joint's anchor, or None if all joints sit at bodies' origins."""
         tables = self.figure.tables
         return turned(self.rotation, tables.anchor) if tables.has_anchors else None
 
@@ -270,7 +280,7 @@ def _world_quaternions(samples: Samples) -> tuple[Array, Array, Array]:
     return out
 
 
-def _base(tables, quaternions: Array, level: Array) -> Array:
+def _base(tables: Tables, quaternions: Array, level: Index) -> Array:
     """Q_parent ⊗ turn for the links of one level."""
     parent = quaternions[:, tables.parents[level]]
     return hamilton(parent, tables.turn[:, level][:, :, None]) if tables.has_turns else parent
@@ -373,10 +383,13 @@ def _origins_pulled_back(cotangent: Cotangent) -> None:
         return
     samples, tables = cotangent.samples, cotangent.samples.figure.tables
     links = samples.links
-    own = tuple(
-        None if (g := cotangent.get(name)) is None else gathered(np.ascontiguousarray(tables.path.T), g)
-        for name in names
-    )
+    beyond = np.ascontiguousarray(tables.path.T)
+
+    def carried(name: str) -> Array | None:
+        g = cotangent.get(name)
+        return None if g is None else gathered(beyond, g)
+
+    own = (carried("x"), carried("x_d"), carried("x_dd"))
     for name, g in zip(("y", "y_d", "y_dd"), own, strict=True):
         if g is not None and tables.free_links.size:
             room = cotangent.room(name)
@@ -389,13 +402,13 @@ def _origins_pulled_back(cotangent: Cotangent) -> None:
     _scatter(cotangent, tables.parents, attached_pulled_back(at_parent, links.step, own))
     if links.hang is not None:
         every = np.arange(len(samples.figure.links))
-        minus = tuple(None if g is None else -g for g in own)
-        _scatter(cotangent, every, attached_pulled_back((omega, alpha), links.hang, minus))  # type: ignore[arg-type]
+        x, x_d, x_dd = (None if g is None else -g for g in own)
+        _scatter(cotangent, every, attached_pulled_back((omega, alpha), links.hang, (x, x_d, x_dd)))
     if tables.slide_links.size:
         _slides_pulled_back(cotangent, own)
 
 
-def _scatter(cotangent: Cotangent, owners: Array, parts: tuple[Array | None, Array | None, Array | None]) -> None:
+def _scatter(cotangent: Cotangent, owners: Index, parts: tuple[Array | None, Array | None, Array | None]) -> None:
     """Adds gradients of vectors to those of the links they turn with."""
     count = len(cotangent.samples.figure.links)
     incidence = np.zeros((count, owners.size))
@@ -475,7 +488,7 @@ def _products_pulled_back(cotangent: Cotangent, gradients: list[Array]) -> list[
         back = conjugated(tables.turn[:, level][:, :, None])
         for grad, parent, own in zip(grads, up, down, strict=True):
             parent = hamilton(parent, back) if tables.has_turns else parent
-            np.add.at(grad, (slice(None), tables.parents[level]), parent)
+            add_at(grad, tables.parents[level], parent)
             grad[:, level] = own
     _hinges_pulled_back(cotangent, [grad[:, tables.hinge_links] for grad in grads])
     return [grad[:, tables.quaternion_links] for grad in grads]

@@ -7,7 +7,7 @@ spline, once, and the factors stay through all rounds of subdivision.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -38,7 +38,7 @@ class Objective:
 
     figure: Figure
     terms: tuple[Term, ...]
-    quadrature: Quadrature = Quadrature()
+    quadrature: Quadrature = field(default_factory=Quadrature)
 
     @classmethod
     def of(
@@ -74,7 +74,7 @@ class Objective:
     def samples(self, path: Path, t: Array) -> Samples:
         """The figure's motion at times t (S,) along a path."""
         coefficients = path.spline.coefficients(path.rows)
-        return Samples(self.figure, *(path.spline.basis(t, order) @ coefficients for order in range(3)))
+        return Samples(self.figure, *(path.spline.basis(t, order) @ coefficients for order in range(3)), t=t)
 
     def value(self, path: Path) -> float:
         """E of a path."""
@@ -122,7 +122,8 @@ class Discretised:
 
     def __call__(self, x: Array) -> Evaluation:
         """E and dE/dx at x (n,)."""
-        samples = Samples(self.objective.figure, *self.sampling.samples(self.unknowns.rows(x)))
+        y, y_d, y_dd = self.sampling.samples(self.unknowns.rows(x))
+        samples = Samples(self.objective.figure, y, y_d, y_dd, self.sampling.t)
         cotangent = Cotangent(samples)
         parts: dict[str, float] = {}
         for term in self.objective.terms:

@@ -49,8 +49,8 @@ class StopSearch(Exception):
 def algorithm(method: str) -> int:
     """NLopt's number of a method by our name or NLopt's own (with or without LD_)."""
     name = METHODS.get(method.lower(), (method.upper(),))[0]
-    number = getattr(nlopt, name, getattr(nlopt, f"LD_{name}", None))
-    if number is None or not name.removeprefix("LD_").isidentifier():
+    number = getattr(nlopt, f"LD_{name.removeprefix('LD_')}", None)
+    if number is None:
         raise ValueError(f"no optimiser '{method}'; there are: {', '.join(METHODS)} (or any LD_ name of NLopt)")
     return int(number)
 
@@ -73,7 +73,10 @@ def minimise(
     """
     search = _Search(fun, np.array(x0, float), max_evaluations, improved)
     if search.best_x.size == 0:
-        search.evaluate(search.best_x)
+        try:
+            search.evaluate(search.best_x)
+        except (KeyboardInterrupt, StopSearch):
+            return search.minimum(Stop.ASKED)
         return search.minimum(Stop.CONVERGED)
     optimiser = nlopt.opt(algorithm(method), search.best_x.size)
     optimiser.set_min_objective(search.objective)

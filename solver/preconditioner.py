@@ -1,16 +1,17 @@
 """Change of variables by the flat acceleration energy: x = x₀ + P z with P = L⁻ᵀ, L Lᵀ = ∫ φ''φ''ᵀ + ε ∫ φφᵀ.
 
-In z the acceleration energy of a flat space is a sphere, so a quasi-Newton method starts with the right metric. The same
-factor serves every column; entries of partial keyframes are scaled by their own diagonal.
+In z the acceleration energy of a flat space is a sphere, so a quasi-Newton method starts with the right metric. The
+same factor serves every column; entries of partial keyframes are scaled by their own diagonal.
 """
 
 from __future__ import annotations
 
 import numpy as np
-from scipy import linalg
+from scipy import linalg, sparse
 
 from .objective import Discretised
 from .quaternion import Array
+from .spline import Spline
 
 SHARE_OF_POSITION = 0.3
 
@@ -38,7 +39,7 @@ class Preconditioner:
         """P z, (n,)."""
         x = self.scale * z
         if self.blocks.size:
-            block = linalg.solve_triangular(self.factor, z[self.blocks], lower=True, trans="T", check_finite=False)
+            block = linalg.solve_triangular(self.factor, z[self.blocks], lower=True, trans=1, check_finite=False)
             x[self.blocks] = block
         return x
 
@@ -50,7 +51,7 @@ class Preconditioner:
         return out
 
 
-def _mass(spline, basis, weights: Array) -> Array:
+def _mass(spline: Spline, basis: sparse.csr_matrix, weights: Array) -> Array:
     """∫ φ φᵀ dt of the cardinal functions' derivatives, (M + 2, M + 2)."""
     inner = (basis.T @ basis.multiply(weights[:, None])).toarray()
     return spline.coefficients_transposed(spline.coefficients_transposed(inner).T)

@@ -1,7 +1,8 @@
 """Sample times and weights of the integral E (eq. 1).
 
-"uniform" is the paper's: equal cells over the whole clip, sampled at their middles. "gauss" puts a few Gauss-Legendre points
-in every knot span, so that spans of very different length are all resolved and E does not depend on where samples fall.
+"uniform" is the paper's: equal cells over the whole clip, sampled at their middles. "gauss" puts a few Gauss-Legendre
+points in every knot span, so that spans of very different length are all resolved and E does not depend on where
+samples fall.
 """
 
 from __future__ import annotations

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 Array = NDArray[np.float64]
+Index = NDArray[np.intp]
 
 
 def product(p: ArrayLike, q: ArrayLike) -> Array:

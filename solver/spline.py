@@ -1,8 +1,8 @@
 """The C² cubic B-spline through a timeline's frames (eqs. 2-6): linear in the frames, so every sample is a fixed linear
 map of them, and a gradient with respect to samples pulls back to frames by the transposed map.
 
-M frames and M knots span M + 2 cubic B-splines; the two rows that eq. 5 leaves open are the end slopes (free or clamped)
-or the two conditions of a periodic curve. The collocation matrix is banded: factorised once, O(M) a solve.
+M frames and M knots span M + 2 cubic B-splines; the two rows that eq. 5 leaves open are the end slopes (free or
+clamped) or the two conditions of a periodic curve. The collocation matrix is banded: factorised once, O(M) a solve.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from scipy import sparse
 from scipy.interpolate import CubicSpline
 from scipy.sparse.linalg import splu
 
-from .quaternion import Array
+from .quaternion import Array, Index
 
 DEGREE = 3
 
@@ -25,7 +25,7 @@ class Spline:
     """Cubic B-splines with one knot at each of M rising times [s], and the map from rows (M + 2, N) to their curve.
 
     Rows are the states at the times and, below them, the slopes at the first and the last time; with ends "periodic"
-    these two rows are the jumps of y' and y'' from end to start (zero for a loop).
+    these two rows are the jumps of y' and y'' from end to start (zero for a loop; see `opposite_jumps`).
     """
 
     def __init__(self, times: ArrayLike, ends: str = "free") -> None:
@@ -66,12 +66,22 @@ class Spline:
         """Φ⁻ᵀ: the gradient with respect to coefficients pulled back to rows, (M + 2, N) -> (M + 2, N)."""
         return self._collocation.solve(np.ascontiguousarray(gradient), trans="T")
 
+    def opposite_jumps(self) -> Array:
+        """(2, M): the jumps, as a map of the states, with which a periodic spline's column comes back as its negative.
+
+        So does a quaternion after a full turn: smooth across the seam are then −q' and −q'', not q' and q''.
+        """
+        first, last = self.times[[0, -1]]
+        sums = sparse.vstack([self.basis(last, k) + self.basis(first, k) for k in (1, 2)])
+        by_rows = self.coefficients_transposed(sums.toarray().T).T
+        return np.negative(np.linalg.solve(by_rows[:, -2:], by_rows[:, :-2]), dtype=float)
+
     def evaluate(self, rows: Array, t: ArrayLike, order: int = 0) -> Array:
         """y, y', y'' or y''' at t (S,): (S, N)."""
         return self.basis(t, order) @ self.coefficients(rows)
 
 
-def _basis_values(knots: Array, span: Array, t: Array, order: int) -> Array:
+def _basis_values(knots: Array, span: Index, t: Array, order: int) -> Array:
     """(S, 4): the order-th derivatives at t of the four cubic B-splines that live on each t's span.
 
     The triangular scheme of de Boor (A Practical Guide to Splines, ch. X): lower-degree B-splines, then differences.
@@ -122,7 +132,7 @@ class Sampling:
 
 @dataclass(frozen=True)
 class Path:
-    """A curve of states over time: a spline and its rows (M + 2, N). Immutable; every iterate of the optimiser is one."""
+    """A curve of states over time: a spline and its rows (M + 2, N). Every iterate of the optimiser is one."""
 
     spline: Spline
     rows: Array
@@ -137,8 +147,6 @@ class Path:
         return float(self.spline.times[0]), float(self.spline.times[-1])
 
 
-def natural_spline(times: ArrayLike, values: ArrayLike, periodic: bool = False) -> CubicSpline:
-    """The interpolating C² cubic with y'' = 0 at both ends (or periodic): the paper's raw spline, componentwise."""
-    return CubicSpline(
-        np.asarray(times, float), np.asarray(values, float), bc_type="periodic" if periodic else "natural"
-    )
+def natural_spline(times: ArrayLike, values: ArrayLike) -> CubicSpline:
+    """The interpolating C² cubic with y'' = 0 at both ends: the paper's raw spline, componentwise."""
+    return CubicSpline(np.asarray(times, float), np.asarray(values, float), bc_type="natural")

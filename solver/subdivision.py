@@ -7,6 +7,7 @@ Criteria give every segment between neighbouring frames one number; the largest 
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import pairwise
 
 import numpy as np
 
@@ -32,8 +33,7 @@ def by_residual(objective: Objective, timeline: Timeline) -> Array:
 
 def by_weak_form(objective: Objective, timeline: Timeline) -> Array:
     """The decrease of E that a variable frame in the middle of every segment promises."""
-    weak = WeakForm.of(objective, path_of(timeline))
-    return np.array([weak.decrement(tau) for tau in midpoints(timeline)])
+    return WeakForm.of(objective, path_of(timeline)).decrements(midpoints(timeline))
 
 
 def by_objective(objective: Objective, timeline: Timeline) -> Array:
@@ -73,5 +73,5 @@ def split(timeline: Timeline, times: Array) -> Timeline:
 def evenly(timeline: Timeline, count: int) -> Timeline:
     """With `count` variable frames at equal distances inside every segment."""
     times = timeline.times
-    inner = [np.linspace(a, b, count + 2)[1:-1] for a, b in zip(times[:-1], times[1:], strict=True)]
+    inner = [np.linspace(a, b, count + 2)[1:-1] for a, b in pairwise(times)]
     return split(timeline, np.concatenate(inner)) if count else timeline

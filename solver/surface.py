@@ -57,7 +57,7 @@ class Plane:
 
 @dataclass(frozen=True)
 class Box:
-    """A solid box: centre (3,) [m], axes (3, 3) by columns, half sizes (3,) [m]; buried: no way out through the bottom."""
+    """A solid box: centre (3,) [m], axes (3, 3) by columns, half sizes (3,) [m]; buried: no way out downwards."""
 
     name: str
     centre: Array
@@ -91,9 +91,10 @@ class Box:
         return depth, gradient
 
     def height(self, points: Array) -> Array:
-        local = np.tensordot(self.axes.T, points - self.centre.reshape(3, *[1] * (points.ndim - 1)), 1)
+        single = [1] * (points.ndim - 1)
+        local = np.tensordot(self.axes.T, points - self.centre.reshape(3, *single), 1)
         top = int(np.argmax(np.abs(self.axes[2])))
-        over = np.all(np.abs(np.delete(local, top, 0)) <= np.delete(self.half, top)[:, None], axis=0)
+        over = np.all(np.abs(np.delete(local, top, 0)) <= np.delete(self.half, top).reshape(2, *single), axis=0)
         return np.where(over, local[top] * np.sign(self.axes[2, top]) - self.half[top], np.inf)
 
 

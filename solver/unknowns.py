@@ -1,12 +1,13 @@
 """Unknowns: the decision vector x of a timeline, and the affine map from x to the rows that the spline runs through.
 
-x holds the entries that nobody fixed, and nothing else, so the keyframes are met for *every* x (§2 of the paper). A fixed
-joint of a partial keyframe is a relative rotation: in world coordinates its row is Q_parent ⊗ q, linear in the unknown
-Q_parent. A loop's last frame repeats the first. All of this is Y = constant + A x with a sparse A.
+x holds the entries that nobody fixed, and nothing else, so the keyframes are met for *every* x (§2 of the paper). A
+fixed joint of a partial keyframe is a relative rotation: in world coordinates its row is Q_parent ⊗ q, linear in the
+unknown Q_parent. A loop's last frame repeats the first. All of this is Y = constant + A x with a sparse A.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -14,9 +15,9 @@ from scipy import sparse
 
 from . import quaternion as quat
 from .figure import Figure, JointKind, Link, quaternion_columns
-from .frame import Frame, Timeline, TimelineError
-from .quaternion import Array
-from .spline import natural_spline
+from .frame import Frame, Mask, Timeline, TimelineError
+from .quaternion import Array, Index
+from .spline import Spline, natural_spline
 
 
 @dataclass(frozen=True)
@@ -35,9 +36,9 @@ class Unknowns:
     matrix: sparse.csr_matrix
     transposed: sparse.csr_matrix
     start: Array
-    whole: Array
-    blocks: Array
-    row_of: Array
+    whole: Index
+    blocks: Index
+    row_of: Index
 
     @property
     def size(self) -> int:
@@ -61,7 +62,9 @@ class Unknowns:
         last = len(timeline.frames) - 1
         for i, frame in enumerate(timeline.frames):
             if timeline.ends == "periodic" and i == last:
-                builder.repeat(0, last, np.sign(_sameness(figure, rows[0], rows[last])))
+                signs = _sameness(figure, rows[0], rows[last])
+                builder.repeat(0, last, signs)
+                builder.close(np.flatnonzero(signs < 0), Spline(timeline.times, "periodic").opposite_jumps)
             elif frame.is_variable:
                 whole.append(i)
                 first.append(builder.free(i, np.arange(width)))
@@ -90,7 +93,7 @@ class _Builder:
     def _put(self, row: int, column: int, unknown: int, value: float) -> None:
         self.of_row.setdefault(row, []).append((column, unknown, value))
 
-    def free(self, row: int, columns: Array) -> int:
+    def free(self, row: int, columns: Index) -> int:
         """Makes entries of a row unknowns; the first one's place in x."""
         first = len(self.start)
         for column in columns:
@@ -100,22 +103,35 @@ class _Builder:
             self.constant[row, column] = 0.0
         return first
 
-    def turned(self, row: int, parent: slice, child: slice, relative: Array) -> bool:
-        """child = parent ⊗ relative, if the parent's entries are unknowns; else says False."""
+    def turned(self, row: int, parent: slice, child: slice, relative: Array) -> None:
+        """child = parent ⊗ relative, if the parent's entries are unknowns."""
         own = [e for e in self.of_row.get(row, []) if parent.start <= e[0] < parent.stop]
         if not own:
-            return False
+            return
         matrix = quat.right_matrix(relative)
         for column, unknown, value in own:
             for i in range(4):
                 self._put(row, child.start + i, unknown, matrix[i, column - parent.start] * value)
         self.constant[row, child] = matrix @ self.constant[row, parent]
-        return True
 
     def repeat(self, source: int, row: int, signs: Array) -> None:
+        """Makes a row equal to an earlier one, up to the columns' signs."""
         self.constant[row] = self.constant[source] * signs
         for column, unknown, value in self.of_row.get(source, []):
             self._put(row, column, unknown, value * signs[column])
+
+    def close(self, columns: Index, opposite_jumps: Callable[[], Array]) -> None:
+        """Lays the seam's jumps for the columns that come back with the other sign."""
+        if not columns.size:
+            return
+        jumps = opposite_jumps()
+        count = jumps.shape[1]
+        self.constant[np.ix_([count, count + 1], columns)] = jumps @ self.constant[:count, columns]
+        for row in range(count):
+            for column, unknown, value in self.of_row.get(row, []):
+                if column in columns:
+                    self._put(count, column, unknown, value * jumps[0, row])
+                    self._put(count + 1, column, unknown, value * jumps[1, row])
 
     def finished(self) -> tuple[Array, sparse.csr_matrix, Array]:
         triples = [(row * self.width + c, u, v) for row, entries in self.of_row.items() for c, u, v in entries]
@@ -156,12 +172,15 @@ def _partial(figure: Figure, frame: Frame, row: int, builder: _Builder) -> None:
 def raw_timeline(figure: Figure, keys: list[Frame], ends: str = "free", end_slope: Array | None = None) -> Timeline:
     """The keyframes' timeline in the figure's coordinates, and the natural spline's end slopes (method of §2).
 
-    keys hold *qpos* and the fixed mask. Quaternions are laid on their predecessors' hemispheres. An entry that a partial
-    keyframe leaves out starts on the natural spline of its neighbours, one left out everywhere at the rest pose.
+    keys hold *qpos* and the fixed mask. Quaternions are laid on their predecessors' hemispheres. An entry that a
+    partial keyframe leaves out starts on the natural spline of its neighbours, one left out everywhere at the rest
+    pose. The first and the last keyframe of a loop are one: what either fixes is fixed in both.
     """
-    plain = Timeline(tuple(keys), np.zeros((2, figure.width)))
     for number, frame in enumerate(keys, start=1):
         _check_masks(figure, frame, number)
+    if ends == "periodic" and len(keys) > 1:
+        keys = _closed(figure, keys)
+    plain = Timeline(tuple(keys), np.zeros((2, figure.width)))
     states = np.array(plain.states)
     rest = np.array(figure.model.qpos0)
     fixed = plain.fixed
@@ -182,16 +201,51 @@ def raw_timeline(figure: Figure, keys: list[Frame], ends: str = "free", end_slop
             _filled(plain.times, states, fixed, columns, states[0])
             states[:, columns] = quat.normalised(states[:, columns])
         states[:, columns] = quat.aligned(states[:, columns])
-    frames = tuple(replace(frame, state=state) for frame, state in zip(keys, states, strict=True))
     if ends == "periodic":
-        _check_loop(figure, frames)
-    curve = natural_spline(plain.times, states) if ends != "periodic" else None
-    slope = np.zeros((2, figure.width)) if curve is None else curve(plain.times[[0, -1]], 1)
-    if ends == "clamped":
-        if end_slope is None:
-            raise TimelineError("clamped ends need end_slope (2, N)")
-        slope = np.asarray(end_slope, float)
-    return Timeline(frames, slope, ends)
+        states[-1] = states[0] * _sameness(figure, states[0], states[-2])
+    frames = tuple(replace(frame, state=state) for frame, state in zip(keys, states, strict=True))
+    return Timeline(frames, _end_slope(figure, keys, states, ends, end_slope), ends)
+
+
+def _end_slope(figure: Figure, keys: list[Frame], states: Array, ends: str, given: Array | None) -> Array:
+    """(2, N): the rows below the frames' states, for any ends."""
+    times = np.array([frame.time for frame in keys])
+    if ends == "periodic":
+        back = np.flatnonzero(_sameness(figure, states[0], states[-1]) < 0)
+        jumps = np.zeros((2, figure.width))
+        if back.size:
+            jumps[:, back] = Spline(times, ends).opposite_jumps() @ states[:, back]
+        return jumps
+    if ends != "clamped":
+        return natural_spline(times, states)(times[[0, -1]], 1)
+    shape = None if given is None else np.shape(given)
+    if given is None or shape != (2, figure.width):
+        raise TimelineError(f"clamped ends need end_slope of shape (2, {figure.width}), not {shape}")
+    # a quaternion that was laid on the other hemisphere takes its slope along
+    rest = np.array(figure.model.qpos0)
+    as_given = [figure.to_state(np.where(keys[i].fixed, keys[i].state, rest)) for i in (0, -1)]
+    signs = [_sameness(figure, a, b) for a, b in zip(as_given, states[[0, -1]], strict=True)]
+    return np.asarray(given, float) * signs
+
+
+def _closed(figure: Figure, keys: list[Frame]) -> list[Frame]:
+    """The keyframes of a loop: the first and the last with the entries that either fixes."""
+    first, last = keys[0], keys[-1]
+    a, b = (np.array(frame.state) for frame in (first, last))
+    both = first.fixed & last.fixed
+    for columns in figure.tables.quaternion_columns.T:
+        if both[columns].all():
+            a[columns], b[columns] = quat.normalised(a[columns]), quat.normalised(b[columns])
+    apart = np.abs(a * _sameness(figure, a, b) - b) * both
+    if apart.max() > 1e-9:
+        link = next(link for link in reversed(figure.links) if link.qpos <= np.argmax(apart))
+        raise TimelineError(
+            f"periodic ends: the last keyframe (t = {last.time:g} s) differs from the first at '{link.name}' by "
+            f"{apart.max():.3g}; they must agree, or leave it free in one of them"
+        )
+    state = np.where(first.fixed, a, b)
+    fixed = first.fixed | last.fixed
+    return [replace(first, state=state, fixed=fixed), *keys[1:-1], replace(last, state=state, fixed=fixed)]
 
 
 def _bases(figure: Figure, states: Array, link: Link) -> Array:
@@ -203,7 +257,7 @@ def _bases(figure: Figure, states: Array, link: Link) -> Array:
     return quat.product(identity if parent is None else states[:, parent], link.turn)
 
 
-def _filled(times: Array, states: Array, fixed: Array, columns: slice, rest: Array) -> None:
+def _filled(times: Array, states: Array, fixed: Mask, columns: slice, rest: Array) -> None:
     """Fills the columns at frames that leave them out, from the natural spline of the others, held beyond its ends."""
     known = fixed[:, columns].all(axis=1)
     if known.all():
@@ -219,22 +273,15 @@ def _filled(times: Array, states: Array, fixed: Array, columns: slice, rest: Arr
 
 
 def _check_masks(figure: Figure, frame: Frame, number: int) -> None:
+    place = f"keyframe {number} (t = {frame.time:g} s)"
+    if frame.state.size != figure.width:
+        raise TimelineError(f"{place}: {frame.state.size} entries, the figure's qpos has {figure.width}")
     for link in figure.links[1:]:
         columns = quaternion_columns(link)
         if columns is None:
             continue
         mask = frame.fixed[columns]
         if mask.any() and not mask.all():
-            raise TimelineError(f"keyframe {number}: the quaternion of '{link.name}' is fixed whole or not at all")
+            raise TimelineError(f"{place}: the quaternion of '{link.name}' is fixed whole or not at all")
         if mask.all() and not np.linalg.norm(frame.state[columns]) > 1e-9:
-            raise TimelineError(f"keyframe {number}: the quaternion of '{link.name}' is zero")
-
-
-def _check_loop(figure: Figure, frames: tuple[Frame, ...]) -> None:
-    first, last = frames[0], frames[-1]
-    signs = _sameness(figure, first.state, last.state)
-    apart = np.abs(first.state * signs - last.state)[first.fixed & last.fixed]
-    if apart.size and apart.max() > 1e-9:
-        raise TimelineError(
-            f"periodic ends: the last keyframe differs from the first by up to {apart.max():.3g}; they must agree"
-        )
+            raise TimelineError(f"{place}: the quaternion of '{link.name}' is zero")

@@ -1,7 +1,8 @@
 """Knees and elbows: not backward, and neither sideways nor twisted beyond a bound (§5 of the paper).
 
 With u the child's long axis and v its hinge axis, both seen in the parent (Rᵀ_parent R_child e): flexion is the angle
-of u in the parent's sagittal plane, sideways bend the angle of u out of it, twist the angle of v about u.
+of u in the parent's sagittal plane, sideways bend the angle of u out of it, twist the angle of v about u (too large by
+1/cos of the sideways bend).
 """
 
 from __future__ import annotations
@@ -10,8 +11,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..kinematics import Cotangent, Samples, applied, cross, dot, turned, turned_back
-from ..quaternion import Array
+from ..kinematics import Cotangent, Samples, add_at, applied, cross, dot, turned, turned_back
+from ..quaternion import Array, Index
+
+Seen = tuple[Index, Index, tuple[Array, ...]]
 
 
 @dataclass(frozen=True)
@@ -51,7 +54,7 @@ class BendLimits:
         """(3, n, S) [rad]: flexion, sideways bend and twist of every joint."""
         return self._seen(samples)[0]
 
-    def _seen(self, samples: Samples) -> tuple[Array, tuple[Array, ...]]:
+    def _seen(self, samples: Samples) -> tuple[Array, Seen]:
         links = samples.links
         own = np.array([joint.link for joint in self.joints], np.intp)
         parents = samples.figure.tables.parents[own]
@@ -64,13 +67,13 @@ class BendLimits:
         child, parent = links.rotation[:, :, own], links.rotation[:, :, parents]
         v = turned_back(parent, turned(child, back[0]))
         u = turned_back(parent, turned(child, back[1]))
-        l, d, f = (a[:, :, None] for a in (lateral, down, forward))
-        x, z, y = dot(u, f), dot(u, d), dot(u, l)
-        flexion, sideways = np.arctan2(x, z), np.arcsin(np.clip(y, -1, 1))
+        side, d, f = (a[:, :, None] for a in (lateral, down, forward))
+        x, z, y = dot(u, f), dot(u, d), dot(u, side)
         planar = np.maximum(np.hypot(x, z), 1e-9)
+        flexion, sideways = np.arctan2(x, z), np.arctan2(y, planar)
         normal = (x * d - z * f) / planar
-        twist = np.arctan2(dot(v, normal), dot(v, l))
-        return np.stack([flexion, sideways, twist]), (own, parents, u, v, l, d, f, planar, normal)
+        twist = np.arctan2(dot(v, normal), dot(v, side))
+        return np.stack([flexion, sideways, twist]), (own, parents, (u, v, side, d, f, planar, normal))
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         if not self.joints:
@@ -83,23 +86,21 @@ class BendLimits:
             self._pull_back(samples, into, seen, (2 * scale * low, 2 * scale * side, 2 * scale * turn))
         return np.sum(low**2 + side**2 + turn**2, axis=0)
 
-    def _pull_back(
-        self, samples: Samples, into: Cotangent, seen: tuple[Array, ...], gradient: tuple[Array, ...]
-    ) -> None:
-        own, parents, u, v, l, d, f, planar, normal = seen
+    def _pull_back(self, samples: Samples, into: Cotangent, seen: Seen, gradient: tuple[Array, ...]) -> None:
+        own, parents, (u, v, side, d, f, planar, normal) = seen
         flexion_bar, sideways_bar, twist_bar = gradient
-        x, z, y = dot(u, f), dot(u, d), dot(u, l)
-        p, q = dot(v, normal), dot(v, l)
+        x, z = dot(u, f), dot(u, d)
+        p, q = dot(v, normal), dot(v, side)
         both = np.maximum(p**2 + q**2, 1e-18)
         p_bar, q_bar = twist_bar * q / both, -twist_bar * p / both
-        v_bar = p_bar * normal + q_bar * l
+        v_bar = p_bar * normal + q_bar * side
         # the normal turns in the sagittal plane as the limb flexes: d normal / d flexion = (z d + x f) / |(x, z)|
         flexion_bar = flexion_bar + p_bar * dot(v, z * d + x * f) / planar
-        u_bar = flexion_bar * (z * f - x * d) / planar**2 + sideways_bar / np.sqrt(np.maximum(1 - y**2, 1e-12)) * l
+        u_bar = flexion_bar * (z * f - x * d) / planar**2 + sideways_bar / planar * side
         torque = applied(samples.links.rotation[:, :, parents], cross(u, u_bar) + cross(v, v_bar))
         room = into.room("turn")
-        np.add.at(room, (slice(None), own), torque)
-        np.add.at(room, (slice(None), parents), -torque)
+        add_at(room, own, torque)
+        add_at(room, parents, -torque)
 
 
 def _matrices(quaternions: Array) -> Array:

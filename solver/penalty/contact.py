@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import mujoco
 import numpy as np
@@ -15,7 +16,7 @@ import numpy as np
 from .. import quaternion as quat
 from ..figure import Figure
 from ..kinematics import Cotangent, Samples, cross, turned
-from ..quaternion import Array
+from ..quaternion import Array, Index
 from ..surface import Surface
 
 
@@ -42,32 +43,59 @@ class Contact:
     def reference(self) -> float:
         return 1e-4
 
-    def centres(self, samples: Samples) -> tuple[Array, Array, Array]:
-        """Centres (3, n, S) [m], the vectors to them from their links' origins, and the links' indices (n,)."""
+    @cached_property
+    def _arrays(self) -> tuple[Index, Array, Array]:
+        """Links (n,), positions (3, n) and radii (n,) of the points, margin included."""
         links = np.array([point.link for point in self.points], np.intp)
-        arm = turned(samples.links.rotation[:, :, links], np.array([point.position for point in self.points]).T)
+        positions = np.array([point.position for point in self.points]).reshape(-1, 3).T
+        return links, positions, np.array([point.radius for point in self.points]) + self.margin
+
+    @cached_property
+    def _bounds(self) -> tuple[Index, Array, Array, Index]:
+        """Spheres round each link's points: links (m,), centres (3, m) and radii (m,), and every point's sphere (n,)."""
+        links, positions, radius = self._arrays
+        carriers, owner = np.unique(links, return_inverse=True)
+        middles = np.array([positions[:, owner == k].mean(axis=1) for k in range(carriers.size)]).T
+        far = np.linalg.norm(positions - middles[:, owner], axis=0) + radius
+        return carriers, middles, np.array([far[owner == k].max() for k in range(carriers.size)]), owner
+
+    def centres(self, samples: Samples) -> tuple[Array, Array, Index]:
+        """Centres (3, n, S) [m], the vectors to them from their links' origins, and the links' indices (n,)."""
+        links, positions, _ = self._arrays
+        arm = turned(samples.links.rotation[:, :, links], positions)
         return samples.links.x[:, links] + arm, arm, links
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         values = np.zeros(samples.count)
         if not self.points or not self.surfaces:
             return values
-        centres, arm, links = self.centres(samples)
-        radius = np.array([point.radius for point in self.points]) + self.margin
-        force = None
+        links, positions, radius = self._arrays
+        carriers, middles, reach, owner = self._bounds
+        around = samples.links.x[:, carriers] + turned(samples.links.rotation[:, :, carriers], middles)
+        scale = np.broadcast_to(scale, values.shape)
         for surface in self.surfaces:
-            depth, gradient = surface.depth(centres, radius)
-            if not depth.any():
+            near = surface.depth(around, reach)[0] > 0
+            point, at = np.nonzero(near[owner])
+            if not point.size:
                 continue
-            values += np.sum(depth**2, axis=0)
-            push = (2 * depth) * gradient
-            force = push if force is None else force + push
-        if into is not None and force is not None:
-            force *= scale
-            x_bar, turn_bar = into.room("x"), into.room("turn")
-            np.add.at(x_bar, (slice(None), links), force)
-            np.add.at(turn_bar, (slice(None), links), cross(arm, force))
+            link = links[point]
+            arm = turned(samples.links.rotation[:, :, link, at][..., None], positions[:, point])[..., 0]
+            centres = samples.links.x[:, link, at] + arm
+            depth, gradient = surface.depth(centres[..., None], radius[point])
+            depth, gradient = depth[:, 0], gradient[..., 0]
+            values += np.bincount(at, depth**2, samples.count)
+            if into is not None:
+                force = (2 * scale[at] * depth) * gradient
+                for name, part in (("x", force), ("turn", cross(arm, force))):
+                    _added(into.room(name), link, at, part)
         return values
+
+
+def _added(room: Array, link: Index, at: Index, part: Array) -> None:
+    """room[:, link, at] += part, with repeated (link, at) pairs."""
+    flat = link * room.shape[2] + at
+    for own, values in zip(room, part, strict=True):
+        own += np.bincount(flat, values, own.size).reshape(own.shape)
 
 
 def site_points(figure: Figure, names: Sequence[str]) -> tuple[Point, ...]:
@@ -94,7 +122,23 @@ def body_points(figure: Figure, spacing: float = 0.12) -> tuple[Point, ...]:
         for offset, radius in _cover(int(model.geom_type[geom]), np.array(model.geom_size[geom]), spacing):
             link, position = figure.point_on_link(body, model.geom_pos[geom] + axes @ offset)
             points.append(Point(model.geom(geom).name or f"geom {geom}", link, position, radius))
-    return tuple(points)
+    return _outermost(points)
+
+
+def _outermost(points: list[Point], directions: int = 600) -> tuple[Point, ...]:
+    """The spheres that lie on the convex hull of their link's spheres: those that reach farthest some way.
+
+    Nothing else of the link can touch a plane; `directions` spread over the sphere are tried.
+    """
+    turn = np.pi * (1 + np.sqrt(5)) * np.arange(directions)
+    z = 1 - (2 * np.arange(directions) + 1) / directions
+    ways = np.stack([np.sqrt(1 - z**2) * np.cos(turn), np.sqrt(1 - z**2) * np.sin(turn), z])
+    kept: set[int] = set()
+    for link in {point.link for point in points}:
+        own = [i for i, point in enumerate(points) if point.link == link]
+        support = np.array([points[i].position @ ways + points[i].radius for i in own])
+        kept |= {own[k] for k in np.unique(support.argmax(axis=0))}
+    return tuple(points[i] for i in sorted(kept))
 
 
 def _cover(kind: int, size: Array, spacing: float) -> list[tuple[Array, float]]:
@@ -107,7 +151,7 @@ def _cover(kind: int, size: Array, spacing: float) -> list[tuple[Array, float]]:
         return [(np.array([0, 0, z]), float(size[0])) for z in np.linspace(-size[1], size[1], count)]
     if kind == geom.mjGEOM_CYLINDER:
         ring = [np.array([np.cos(a), np.sin(a), 0]) * size[0] for a in np.arange(8) * np.pi / 4]
-        return [(p + [0, 0, z], 0.0) for p in ring for z in (-size[1], size[1])]
+        return [(p + np.array([0, 0, z]), 0.0) for p in ring for z in (-size[1], size[1])]
     if kind == geom.mjGEOM_BOX:
         signs = np.array(np.meshgrid([-1, 1], [-1, 1], [-1, 1])).reshape(3, -1).T
         return [(s * size, 0.0) for s in signs]

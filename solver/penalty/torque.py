@@ -8,13 +8,13 @@ import numpy as np
 
 from ..dynamics import InverseDynamics
 from ..figure import JointKind
-from ..kinematics import Cotangent, Samples, cross, dot
-from ..quaternion import Array
+from ..kinematics import Cotangent, Samples, add_at, cross, dot
+from ..quaternion import Array, Index
 
 
 @dataclass(frozen=True)
 class Torque:
-    """Σ of squared torques of ball joints and hinges and forces of slides [N² m²]; the free roots' wrench is left out."""
+    """Σ of squared torques of ball joints and hinges and forces of slides [N² m²]; not of the free roots' wrench."""
 
     name: str = "torque"
 
@@ -31,9 +31,8 @@ class Torque:
         motors = [(tables.hinge_links, tables.hinge_columns, inverse.moment)]
         motors += [(tables.slide_links, tables.slide_columns, inverse.force)]
         armature = tables.armature[balls][:, None]
-        loaded = bool(np.any(armature))
-        if loaded:
-            parents = tables.parents[balls]
+        parents, spin = tables.parents[balls], None
+        if np.any(armature):
             spin = links.omega[:, balls] - links.omega[:, parents]
             reflected = links.alpha[:, balls] - links.alpha[:, parents] - cross(links.omega[:, balls], spin)
             moment = moment + armature * reflected
@@ -53,16 +52,16 @@ class Torque:
                 into.room("turn")[:, indices] += cross(axis, 2 * scale * effort * source[:, indices])
         if into is not None:
             inverse.pull_back(into, moment_bar, force_bar if tables.slide_links.size else None)
-            if loaded:
+            if spin is not None:
                 _reflected_pulled_back(into, balls, parents, armature * moment_bar[:, balls], spin)
         return values
 
 
-def _reflected_pulled_back(into: Cotangent, own: Array, parents: Array, gradient: Array, spin: Array) -> None:
+def _reflected_pulled_back(into: Cotangent, own: Index, parents: Index, gradient: Array, spin: Array) -> None:
     """Gradient of α_c − α_p − ω_c × (ω_c − ω_p)."""
     omega = into.samples.links.omega[:, own]
     by_spin = cross(omega, gradient)
     into.room("alpha")[:, own] += gradient
     into.room("omega")[:, own] += by_spin - cross(spin, gradient)
-    np.add.at(into.room("alpha"), (slice(None), parents), -gradient)
-    np.add.at(into.room("omega"), (slice(None), parents), -by_spin)
+    add_at(into.room("alpha"), parents, -gradient)
+    add_at(into.room("omega"), parents, -by_spin)

@@ -1,0 +1,211 @@
+"""MOTION.npz: a solved clip as plain arrays, no pickles; everything `report`, `plot` and `render` need to run again.
+
+    fps, time (T,)                      time[i] = t0 + i / fps
+    qpos (T, nq), qvel, qacc (T, nv)    unit and sign-continuous quaternions; MuJoCo's conventions
+    raw_qpos, raw_qvel, raw_qacc        the same of the raw spline
+    key_time (K,), key_qpos (K, nq), key_fixed (K, nq)
+    frame_time (M,), frame_state (M, N), frame_fixed (M, N), end_slope (2, N), and raw_* of the same
+    joint_names, body_names, mjcf, clip, trace, report, name, coordinates, ends, format_version
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import tempfile
+import zipfile
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import mujoco
+import numpy as np
+
+from solver import quaternion as quat
+from solver.dynamics import velocities
+from solver.figure import Figure
+from solver.frame import Frame, Timeline
+from solver.kinematics import Samples
+from solver.quaternion import Array
+from solver.spline import Path as Curve
+from solver.subdivision import path_of
+
+from .errors import UserError
+
+FORMAT_VERSION = 1
+NEEDED = (
+    "format_version", "fps", "time", "qpos", "qvel", "qacc", "raw_qpos", "raw_qvel", "raw_qacc", "key_time", "key_qpos",
+    "key_fixed", "frame_time", "frame_state", "frame_fixed", "end_slope", "raw_frame_time", "raw_frame_state",
+    "raw_frame_fixed", "raw_end_slope", "mjcf", "clip", "trace", "report", "name", "coordinates", "ends",
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Sampled:
+    """A motion at equal times: time (T,) [s], qpos (T, nq), qvel and qacc (T, nv)."""
+
+    time: Array
+    qpos: Array
+    qvel: Array
+    qacc: Array
+
+
+@dataclass(frozen=True)
+class Saved:
+    """A solved clip: both timelines, the figure they are for, and what the solve reported."""
+
+    name: str
+    text: str
+    mjcf: str
+    figure: Figure
+    fps: float
+    keys: tuple[Frame, ...]
+    timeline: Timeline
+    raw: Timeline
+    trace: list[Any]
+    report: dict[str, Any]
+
+
+def sampled(figure: Figure, timeline: Timeline, fps: float) -> Sampled:
+    """A timeline's motion at t0 + i / fps, i = 0 … floor(duration · fps)."""
+    first, last = float(timeline.times[0]), float(timeline.times[-1])
+    count = int(np.floor((last - first) * fps + 1e-9)) + 1
+    time = first + np.arange(count) / fps
+    samples = samples_at(figure, path_of(timeline), time)
+    return Sampled(time, continuous(figure, figure.to_qpos(samples.y)), *velocities(samples))
+
+
+def samples_at(figure: Figure, path: Curve, time: Array) -> Samples:
+    """The figure's motion along a path."""
+    return Samples(figure, *(path.at(time, order) for order in range(3)), t=time)
+
+
+def continuous(figure: Figure, qpos: Array) -> Array:
+    """qpos (T, nq) with every quaternion on its predecessor's hemisphere."""
+    out = qpos.copy()
+    for columns in figure.tables.quaternion_columns.T:
+        out[:, columns] = quat.aligned(out[:, columns])
+    return out
+
+
+def key_configurations(figure: Figure, timeline: Timeline, times: Array) -> Array:
+    """qpos (K, nq) of the motion at the keyframes, with the path's signs."""
+    path = path_of(timeline)
+    return figure.to_qpos(path.at(times))
+
+
+def save(saved: Saved, target: Path) -> None:
+    """Writes MOTION.npz whole or not at all."""
+    figure, model = saved.figure, saved.figure.model
+    after, raw = (sampled(figure, timeline, saved.fps) for timeline in (saved.timeline, saved.raw))
+    key_time = np.array([key.time for key in saved.keys])
+    arrays = {
+        "format_version": FORMAT_VERSION,
+        "fps": saved.fps,
+        "time": after.time,
+        "qpos": after.qpos,
+        "qvel": after.qvel,
+        "qacc": after.qacc,
+        "raw_qpos": raw.qpos,
+        "raw_qvel": raw.qvel,
+        "raw_qacc": raw.qacc,
+        "key_time": key_time,
+        "key_qpos": key_configurations(figure, saved.timeline, key_time),
+        "key_fixed": np.array([key.fixed for key in saved.keys]),
+        "joint_names": np.array([model.joint(i).name for i in range(model.njnt)]),
+        "body_names": np.array([model.body(i).name for i in range(model.nbody)]),
+        "mjcf": saved.mjcf,
+        "clip": saved.text,
+        "trace": json.dumps(saved.trace),
+        "report": json.dumps(saved.report),
+        "name": saved.name,
+        "coordinates": figure.coordinates,
+        "ends": saved.timeline.ends,
+    }
+    for prefix, timeline in (("", saved.timeline), ("raw_", saved.raw)):
+        arrays[f"{prefix}frame_time"] = timeline.times
+        arrays[f"{prefix}frame_state"] = timeline.states
+        arrays[f"{prefix}frame_fixed"] = timeline.fixed
+        arrays[f"{prefix}end_slope"] = timeline.end_slope
+    with Replacement(target) as temporary, temporary.open("wb") as stream:
+        np.savez_compressed(stream, allow_pickle=False, **arrays)
+
+
+class Replacement:
+    """A temporary file beside the target that takes its place when the block ends well, and is removed otherwise."""
+
+    def __init__(self, target: Path) -> None:
+        self.target = target
+
+    def __enter__(self) -> Path:
+        try:
+            handle, name = tempfile.mkstemp(dir=self.target.parent, prefix=".", suffix=self.target.suffix)
+        except OSError as error:
+            raise UserError(f"cannot write '{self.target}': {error.strerror}") from None
+        os.close(handle)
+        self.temporary = Path(name)
+        return self.temporary
+
+    def __exit__(self, kind: object, value: object, trace: object) -> None:
+        if kind is None:
+            self.temporary.chmod(0o644)
+            self.temporary.replace(self.target)
+        else:
+            self.temporary.unlink(missing_ok=True)
+
+
+def check_target(target: Path) -> None:
+    """Raises UserError unless a file can be put there."""
+    if target.is_dir():
+        raise UserError(f"cannot write '{target}': it is a folder")
+    if not target.parent.is_dir():
+        raise UserError(f"cannot write '{target}': no folder '{target.parent}'")
+    if not os.access(target.parent, os.W_OK):
+        raise UserError(f"cannot write '{target}': the folder is not writable")
+
+
+def is_motion(source: str) -> bool:
+    """Whether a command's argument names a motion file rather than a clip."""
+    return Path(source).suffix == ".npz"
+
+
+def load(source: Path) -> Saved:
+    """Reads MOTION.npz; raises UserError if it is missing, cut short, or another kind of file."""
+    if not source.is_file():
+        raise UserError(f"no file '{source}'")
+    try:
+        with np.load(source, allow_pickle=False) as archive:
+            data = {name: archive[name] for name in archive.files}
+    except (OSError, ValueError, EOFError, zipfile.BadZipFile, KeyError) as error:
+        raise UserError(f"{source}: not a readable motion file: {' '.join(str(error).split())}") from None
+    missing = [name for name in NEEDED if name not in data]
+    if missing:
+        raise UserError(f"{source}: not a motion of dynsplines: it has no '{missing[0]}'")
+    if int(data["format_version"]) > FORMAT_VERSION:
+        raise UserError(f"{source}: format {int(data['format_version'])} is newer than this program's {FORMAT_VERSION}")
+    try:
+        return _restored(data)
+    except (ValueError, KeyError, IndexError, TypeError) as error:
+        raise UserError(f"{source}: its arrays do not fit together: {' '.join(str(error).split())}") from None
+
+
+def _restored(data: dict[str, Any]) -> Saved:
+    figure = Figure(mujoco.MjModel.from_xml_string(str(data["mjcf"])), str(data["coordinates"]))
+    keys = tuple(Frame.key(*row) for row in zip(data["key_time"], data["key_qpos"], data["key_fixed"], strict=True))
+    ends = str(data["ends"])
+    timelines = []
+    for prefix in ("", "raw_"):
+        rows = zip(*(data[f"{prefix}frame_{part}"] for part in ("time", "state", "fixed")), strict=True)
+        timelines.append(Timeline(tuple(Frame(*row) for row in rows), data[f"{prefix}end_slope"], ends))
+    return Saved(
+        name=str(data["name"]),
+        text=str(data["clip"]),
+        mjcf=str(data["mjcf"]),
+        figure=figure,
+        fps=float(data["fps"]),
+        keys=keys,
+        timeline=timelines[0],
+        raw=timelines[1],
+        trace=json.loads(str(data["trace"])),
+        report=json.loads(str(data["report"])),
+    )

@@ -1,0 +1,87 @@
+"""How deep a motion's geoms are in the scene, judged by MuJoCo's own geometry (`mj_geomDistance`), not by the solver's.
+
+Most geoms are far from everything at most times; a bound from bounding spheres picks the pairs that are worth asking.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import mujoco
+import numpy as np
+
+from solver.quaternion import Array
+
+NEAR = 0.02
+
+
+@dataclass(frozen=True)
+class Penetration:
+    """Per moving geom: the deepest penetration [m] (0 if it never touches), when [s] and into what.
+
+    lowest  {geom name: (T,)} signed distance [m] to the nearest surface for chosen geoms, capped at `NEAR`
+    """
+
+    names: tuple[str, ...]
+    depth: Array
+    time: Array
+    into: tuple[str, ...]
+    over_time: Array
+
+    @property
+    def deepest(self) -> float:
+        """[m] over all geoms."""
+        return float(self.depth.max(initial=0.0))
+
+    def worst(self) -> str:
+        """The deepest one in words."""
+        if not self.names or self.deepest == 0:
+            return "nothing"
+        i = int(np.argmax(self.depth))
+        return f"{self.names[i]} in {self.into[i]} at {self.time[i]:.3f} s"
+
+
+def moving_geoms(model: mujoco.MjModel) -> list[int]:
+    """Geoms of bodies that move."""
+    return [g for g in range(model.ngeom) if model.body_weldid[model.geom_bodyid[g]] != 0]
+
+
+def solid_geoms(model: mujoco.MjModel) -> list[int]:
+    """Static planes and boxes: the surfaces."""
+    kinds = {int(mujoco.mjtGeom.mjGEOM_PLANE), int(mujoco.mjtGeom.mjGEOM_BOX)}
+    return [g for g in range(model.ngeom) if model.body_weldid[model.geom_bodyid[g]] == 0 and int(model.geom_type[g]) in kinds]
+
+
+def geom_name(model: mujoco.MjModel, geom: int) -> str:
+    """A geom's name, or its number where it has none."""
+    return model.geom(geom).name or f"geom {geom}"
+
+
+def penetration(model: mujoco.MjModel, time: Array, qpos: Array) -> Penetration:
+    """The deepest penetration of every moving geom in every static plane and box along qpos (T, nq)."""
+    data = mujoco.MjData(model)
+    movers, solids = np.array(moving_geoms(model), int), solid_geoms(model)
+    depth, when = np.zeros(movers.size), np.full(movers.size, time[0])
+    into = [""] * movers.size
+    over_time = np.zeros(time.size)
+    reach = model.geom_rbound[movers]
+    for i, q in enumerate(qpos):
+        data.qpos[:] = q
+        mujoco.mj_kinematics(model, data)
+        for solid in solids:
+            gap = _gap(model, data, solid, data.geom_xpos[movers]) - reach
+            for k in np.flatnonzero(gap < 0):
+                distance = mujoco.mj_geomDistance(model, data, int(movers[k]), solid, NEAR, None)
+                over_time[i] = max(over_time[i], -distance)
+                if -distance > depth[k]:
+                    depth[k], when[k], into[k] = -distance, time[i], geom_name(model, solid)
+    names = tuple(geom_name(model, int(g)) for g in movers)
+    return Penetration(names, depth, when, tuple(into), over_time)
+
+
+def _gap(model: mujoco.MjModel, data: mujoco.MjData, solid: int, points: Array) -> Array:
+    """Distance of points (n, 3) from a plane or box, negative inside a plane's half space, 0 inside a box."""
+    local = (points - data.geom_xpos[solid]) @ data.geom_xmat[solid].reshape(3, 3)
+    if model.geom_type[solid] == mujoco.mjtGeom.mjGEOM_PLANE:
+        return local[:, 2]
+    return np.linalg.norm(np.maximum(np.abs(local) - model.geom_size[solid], 0), axis=1)

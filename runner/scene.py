@@ -1,0 +1,95 @@
+"""Figure and stage become one MJCF text: sky, light and floor where the model brings none of its own, and a step."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+from dataclasses import dataclass
+from pathlib import Path
+
+import mujoco
+
+import models
+
+from .errors import UserError, unknown
+
+PREFIX = "stage_"
+
+
+@dataclass(frozen=True)
+class Step:
+    """A box to step on: its front face at x, its top at `height`; all in metres."""
+
+    x: float
+    height: float
+    length: float = 3.0
+    width: float = 2.4
+    y: float = 0.0
+
+
+def figure_spec(figure: str, folder: Path | None = None) -> mujoco.MjSpec:
+    """A shipped figure by name, or the model of an MJCF file (relative to `folder`)."""
+    if figure in models.figures():
+        return mujoco.MjSpec.from_string(models.figure_text(figure))
+    path = (folder or Path()) / figure
+    if not path.is_file():
+        if Path(figure).suffix or "/" in figure:
+            raise UserError(f"no file '{figure}'; a figure is a path to MJCF or one of: {', '.join(models.figures())}")
+        raise UserError(unknown("figure", figure, models.figures()))
+    try:
+        return mujoco.MjSpec.from_file(str(path))
+    except ValueError as error:
+        raise UserError(f"{figure}: MuJoCo cannot read it: {_first_line(error)}") from None
+
+
+def compose(spec: mujoco.MjSpec, step: Step | None = None) -> str:
+    """The complete MJCF text of a figure on its stage; from it alone the model is compiled from now on."""
+    files = [mesh.file for mesh in spec.meshes if mesh.file] + [field.file for field in spec.hfields if field.file]
+    files += [texture.file for texture in spec.textures if texture.file]
+    if files:
+        raise UserError(f"the model refers to the file '{files[0]}': models with mesh or image files are not supported")
+    has_floor = any(geom.type == mujoco.mjtGeom.mjGEOM_PLANE for geom in spec.geoms)
+    has_sky = any(texture.type == mujoco.mjtTexture.mjTEXTURE_SKYBOX for texture in spec.textures)
+    has_light = bool(spec.lights)
+    stage = mujoco.MjSpec.from_string(models.stage_text())
+    for unwanted, present in ((stage.geoms, has_floor), (stage.lights, has_light)):
+        for element in list(unwanted) if present else []:
+            stage.delete(element)
+    if has_sky:
+        for texture in list(stage.textures):
+            if texture.type == mujoco.mjtTexture.mjTEXTURE_SKYBOX:
+                stage.delete(texture)
+    if not has_light:
+        spec.visual, spec.stat = stage.visual, stage.stat
+    spec.visual.global_.offwidth = stage.visual.global_.offwidth
+    spec.visual.global_.offheight = stage.visual.global_.offheight
+    spec.attach(stage, frame=spec.worldbody.add_frame(), prefix=PREFIX)
+    if not has_floor:
+        spec.geom(PREFIX + "floor").name = "floor"
+    if step is not None:
+        _add_step(spec, step)
+    try:
+        spec.compile()
+    except ValueError as error:
+        raise UserError(f"MuJoCo cannot compile the model with its stage: {_first_line(error)}") from None
+    with contextlib.redirect_stdout(io.StringIO()):
+        return spec.to_xml()
+
+
+def _add_step(spec: mujoco.MjSpec, step: Step) -> None:
+    if any(geom.name == "step" for geom in spec.geoms):
+        raise UserError("the scene asks for a step, but the model already has a geom named 'step'")
+    half = [step.length / 2, step.width / 2, step.height / 2]
+    spec.worldbody.add_geom(
+        name="step",
+        type=mujoco.mjtGeom.mjGEOM_BOX,
+        size=half,
+        pos=[step.x + half[0], step.y, half[2]],
+        material=PREFIX + "step",
+        contype=0,
+        conaffinity=0,
+    )
+
+
+def _first_line(error: Exception) -> str:
+    return " ".join(str(error).split())

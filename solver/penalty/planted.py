@@ -1,0 +1,87 @@
+"""Planted points: a sole point that two neighbouring keyframes put on the same spot of a surface stays there in between.
+
+The keyframes are the only input. This goes beyond the paper, which leaves skidding to future work (§6).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..figure import Figure
+from ..frame import Timeline
+from ..kinematics import Cotangent, Samples, cross
+from ..quaternion import Array
+from ..surface import Surface
+from .contact import Contact, Point
+
+NEAR_SURFACE = 0.012
+SAME_SPOT = 0.05
+
+
+@dataclass(frozen=True)
+class Stance:
+    """One point at rest: from its spot (3,) [m] at time `first` [s] to `landed` at `last`, the same spot but for drift."""
+
+    point: Point
+    first: float
+    last: float
+    spot: Array
+    landed: Array
+
+    def place(self, t: Array) -> Array:
+        """Where the point should be at times t (S,): (3, S)."""
+        share = (t - self.first) / (self.last - self.first)
+        return self.spot[:, None] + (self.landed - self.spot)[:, None] * share
+
+
+@dataclass(frozen=True)
+class Planted:
+    """Σ over stances of the squared distance [m²] of the point from its spot, while the stance lasts."""
+
+    stances: tuple[Stance, ...]
+    name: str = "planted"
+
+    @property
+    def reference(self) -> float:
+        return 1e-4
+
+    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+        values = np.zeros(samples.count)
+        if not self.stances:
+            return values
+        centres, arm, links = Contact(tuple(stance.point for stance in self.stances), ()).centres(samples)
+        scale = np.broadcast_to(scale, samples.t.shape)
+        for i, stance in enumerate(self.stances):
+            during = np.flatnonzero((samples.t >= stance.first) & (samples.t <= stance.last))
+            if not during.size:
+                continue
+            away = centres[:, i, during] - stance.place(samples.t[during])
+            values[during] += np.sum(away**2, axis=0)
+            if into is not None:
+                force = 2 * scale[during] * away
+                into.room("x")[:, links[i], during] += force
+                into.room("turn")[:, links[i], during] += cross(arm[:, i, during], force)
+        return values
+
+
+def stances(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]) -> tuple[Stance, ...]:
+    """The stances that a timeline of keyframes implies: a point within 12 mm of a surface in two neighbouring ones,
+    on spots less than 5 cm apart."""
+    if not points or not surfaces:
+        return ()
+    states = keys.states
+    samples = Samples(figure, states, 0 * states, 0 * states)
+    centres, _, _ = Contact(tuple(points), ()).centres(samples)
+    radius = np.array([point.radius for point in points])[:, None]
+    height = np.min([surface.height(centres) for surface in surfaces], axis=0) - radius
+    low = np.abs(height) < NEAR_SURFACE
+    found = []
+    for k, (first, last) in enumerate(zip(keys.times[:-1], keys.times[1:], strict=True)):
+        for i, point in enumerate(points):
+            spot, landed = centres[:, i, k], centres[:, i, k + 1]
+            if low[i, k] and low[i, k + 1] and np.linalg.norm(landed - spot) < SAME_SPOT:
+                found.append(Stance(point, float(first), float(last), spot.copy(), landed.copy()))
+    return tuple(found)

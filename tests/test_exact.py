@@ -1,0 +1,234 @@
+"""The solver against the exact covariant interpolation, and the Euler-Lagrange formulas against independent ones."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import cast
+
+import mujoco
+import numpy as np
+import pytest
+from exact_path import ExactPath, exact_path
+from scipy.spatial.transform import Rotation
+
+from solver import euler_lagrange
+from solver.descent import optimised
+from solver.displacement import displacement
+from solver.euler_lagrange import WeakForm, covariant_residual, residual, tangential
+from solver.figure import Figure
+from solver.frame import Frame, Timeline
+from solver.inbetween import Motion, Settings, inbetween
+from solver.objective import Objective
+from solver.penalty import CovariantAcceleration, UnitMagnitude
+from solver.quadrature import gauss_nodes
+from solver.quaternion import Array
+from solver.spline import Path
+from solver.subdivision import evenly, midpoints, path_of, split
+
+ONE_BALL = '<mujoco><worldbody><body><joint type="ball"/><geom size=".1"/></body></worldbody></mujoco>'
+EVEN = np.arange(7.0)
+UNEVEN = np.cumsum([0, 1.0, 0.6, 1.5, 0.8, 1.2, 0.7])
+PAPER = ((CovariantAcceleration(form="paper"), 5 / 7), (UnitMagnitude(), 2 / 7))
+INTRINSIC = ((CovariantAcceleration(), 5 / 7), (UnitMagnitude(), 2 / 7))
+
+
+@cache
+def one_ball() -> Figure:
+    return Figure(mujoco.MjModel.from_xml_string(ONE_BALL))
+
+
+def orientations(seed: int) -> Array:
+    """Seven unit quaternions, steps of 20-90° about random axes, (7, 4)."""
+    rng = np.random.default_rng(seed)
+    turn, out = Rotation.identity(), []
+    for _ in range(7):
+        out.append(turn.as_quat()[[3, 0, 1, 2]])
+        axis = rng.normal(size=3)
+        turn = turn * Rotation.from_rotvec(axis / np.linalg.norm(axis) * np.radians(rng.uniform(20, 90)))
+    return np.array(out)
+
+
+@cache
+def exact(seed: int, even: bool = True) -> ExactPath:
+    return exact_path(EVEN if even else UNEVEN, orientations(seed))
+
+
+@cache
+def motion(seed: int, variable: int, paper: bool = False, even: bool = True) -> Motion:
+    times = EVEN if even else UNEVEN
+    keys = [Frame.key(float(t), q) for t, q in zip(times, orientations(seed), strict=True)]
+    settings = Settings(variable=variable, frames=0, tolerance=1e-10, max_evaluations=600)
+    return inbetween(one_ball(), keys, PAPER if paper else INTRINSIC, settings)
+
+
+def energy(path: Path) -> float:
+    """¼∫|ω'|² of the normalised path, its quaternion differentiated here: independent of the penalty."""
+    t, w = gauss_nodes(np.unique(np.concatenate([path.spline.times, np.linspace(*path.span, 301)])), 5)
+    q, q_d, q_dd = (path.at(t, order) for order in range(3))
+    b, s = np.sum(q * q, axis=1, keepdims=True), np.sum(q * q_d, axis=1, keepdims=True)
+    unit = q / np.sqrt(b)
+    rate = q_dd / np.sqrt(b) - 2 * s * q_d / b**1.5
+    rate -= np.sum(rate * unit, axis=1, keepdims=True) * unit
+    return float(w @ np.sum(rate**2, axis=1))
+
+
+def ratio(seed: int, variable: int, even: bool = True) -> float:
+    return energy(motion(seed, variable, even=even).path) / exact(seed, even).energy
+
+
+@pytest.mark.parametrize("even", [True, False])
+@pytest.mark.parametrize("seed", range(3))
+def test_the_oracle_obeys_its_equation_and_meets_the_keyframes(seed: int, even: bool) -> None:
+    faults = exact(seed, even).faults()
+    assert faults.equation < 1e-5
+    assert max(faults.keyframes, faults.continuity, faults.ends) < 1e-11
+
+
+def test_the_oracle_finds_a_turn_about_one_axis_to_be_the_natural_cubic_of_the_angle() -> None:
+    angles = np.array([0, 0.7, 1.9, 1.1, 0.2])
+    keys = np.stack([np.cos(angles / 2), 0 * angles, np.sin(angles / 2), 0 * angles], axis=1)
+    path = exact_path(np.arange(5.0), keys)
+    bend = np.linalg.solve(
+        np.diag([2 / 3] * 3) + np.diag([1 / 6] * 2, 1) + np.diag([1 / 6] * 2, -1), np.diff(angles, 2)
+    )
+    curvature = np.concatenate([[0], bend, [0]])
+    expected = np.sum(curvature[:-1] ** 2 + curvature[:-1] * curvature[1:] + curvature[1:] ** 2) / 12
+    assert path.energy == pytest.approx(expected, rel=1e-10)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_three_variable_frames_come_within_a_two_thousandth_of_the_exact_energy(seed: int) -> None:
+    assert 1 - 1e-9 <= ratio(seed, 3) <= 1.0005
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_fifteen_variable_frames_come_within_a_millionth_of_the_exact_energy(seed: int) -> None:
+    assert 1 - 1e-9 <= ratio(seed, 15) <= 1 + 1e-6
+
+
+@pytest.mark.parametrize("seed", range(2))
+def test_the_exact_energy_is_reached_with_uneven_times_too(seed: int) -> None:
+    assert 1 - 1e-9 <= ratio(seed, 3, even=False) <= 1.0005
+    assert ratio(seed, 3, even=False) < ratio(seed, 1, even=False)
+
+
+def test_the_path_itself_comes_close_to_the_exact_one() -> None:
+    t = np.linspace(0, 6, 601)
+    found = motion(0, 15).path.at(t)
+    found /= np.linalg.norm(found, axis=1, keepdims=True)
+    np.testing.assert_allclose(found, exact(0).at(t), atol=1e-4)
+
+
+def paper_objective(unit_weight: float) -> Objective:
+    return Objective.of(one_ball(), [(CovariantAcceleration(form="paper"), 1.0), (UnitMagnitude(), unit_weight)])
+
+
+@pytest.mark.parametrize(("nodes", "close"), [(8, 1e-3), (16, 1e-7)])
+def test_the_closed_form_is_half_the_residual_of_the_sample_gradients(
+    nodes: int, close: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(euler_lagrange, "NODES", nodes)
+    path = motion(1, 1, paper=True).path
+    generic = residual(paper_objective(3.0), path)
+    closed = covariant_residual(path, generic.t.ravel(), 3.0).reshape(generic.value.shape)
+    np.testing.assert_allclose(closed, generic.value / 2, atol=close * abs(generic.value).max())
+
+
+def density(q: np.ndarray, q_dd: np.ndarray, unit_weight: float) -> np.ndarray:
+    """Eq. 25's integrand, real or complex, (S,)."""
+    b, a = np.sum(q * q, axis=-1), np.sum(q * q_dd, axis=-1)
+    return np.sum(q_dd * q_dd, axis=-1) - a**2 / b + unit_weight * (b - 1) ** 2
+
+
+def density_gradients(path: Path, t: Array, unit_weight: float) -> tuple[Array, Array]:
+    """∂f/∂q and ∂f/∂q'' at t (S,) by complex steps, (S, 4) both."""
+    q, q_dd = path.at(t), path.at(t, 2)
+    step = 1e-30j * np.eye(4)[:, None, :]
+    first = density(q + step, np.broadcast_to(q_dd, (4, *q.shape)), unit_weight).imag / 1e-30
+    second = density(np.broadcast_to(q, (4, *q.shape)), q_dd + step, unit_weight).imag / 1e-30
+    return first.T, second.T
+
+
+def test_the_closed_form_agrees_with_differences_of_equation_24_inside_every_span() -> None:
+    path = motion(2, 1, paper=True).path
+    times, weight = path.spline.times, 3.0
+    h = 0.02 * np.diff(times).min()
+    t = ((times[:-1] + times[1:])[:, None] / 2 + np.diff(times)[:, None] * [-0.3, 0.1, 0.35]).ravel()
+    second_difference = np.array([-1 / 560, 8 / 315, -1 / 5, 8 / 5, -205 / 72, 8 / 5, -1 / 5, 8 / 315, -1 / 560])
+    offsets = h * np.arange(-4, 5)
+    moving = sum(c * density_gradients(path, t + d, weight)[1] for c, d in zip(second_difference, offsets, strict=True))
+    expected = density_gradients(path, t, weight)[0] + np.asarray(moving) / h**2
+    np.testing.assert_allclose(2 * covariant_residual(path, t, weight), expected, atol=1e-7 * abs(expected).max())
+
+
+def test_on_the_exact_path_the_tangential_residual_vanishes_and_the_radial_one_does_not() -> None:
+    path = exact(1)
+    t = np.linspace(0.05, 5.95, 40)
+    without = covariant_residual(cast(Path, path), t, 3.0)
+    whole = without + path.at(t, 4)
+    off_sphere = tangential(whole, path.at(t))
+    assert abs(off_sphere).max() < 1e-8
+    assert np.linalg.norm(whole, axis=1).mean() > 0.1
+    assert np.linalg.norm(tangential(without, path.at(t)), axis=1).mean() > 1e-3
+
+
+def through_exact(seed: int, variable: int) -> Timeline:
+    """The spline through samples of the exact path, `variable` in every segment, with the exact end slopes."""
+    path = exact(seed)
+    times = np.linspace(0, 6, 6 * (variable + 1) + 1)
+    frames = [
+        Frame(float(t), q, np.full(4, i % (variable + 1) == 0))
+        for i, (t, q) in enumerate(zip(times, path.at(times), strict=True))
+    ]
+    return Timeline(tuple(frames), path.at(np.array([0.0, 6.0]), 1))
+
+
+def test_what_the_weak_form_still_promises_falls_as_the_fourth_power_for_samples_of_the_exact_path() -> None:
+    objective = motion(0, 1).objective
+    left = []
+    for variable in (1, 3, 7):
+        timeline = through_exact(0, variable)
+        weak = WeakForm.of(objective, path_of(timeline))
+        left.append(weak.decrements(midpoints(timeline)).sum())
+    assert left[0] > 8 * left[1] > 64 * left[2] > 0
+
+
+@pytest.mark.parametrize("variable", [1, 3])
+def test_the_promise_of_one_frame_is_positive_and_within_a_factor_of_what_it_brings(variable: int) -> None:
+    found = motion(3, variable)
+    before = found.objective.value(found.path)
+    weak = WeakForm.of(found.objective, found.path)
+    for tau in midpoints(found.timeline)[1::5]:
+        better = optimised(
+            found.objective, split(found.timeline, np.array([tau])), tolerance=1e-13, max_evaluations=600
+        )
+        true = before - found.objective.value(path_of(better))
+        assert weak.decrements(np.array([tau]))[0] > 0
+        assert 0.5 * weak.decrements(np.array([tau]))[0] <= true <= 10 * weak.decrements(np.array([tau]))[0]
+
+
+@pytest.mark.parametrize(("seed", "variable"), [(0, 1), (1, 1), (2, 1), (0, 3), (1, 3)])
+def test_the_promises_of_all_midpoints_add_up_to_about_the_whole_gap(seed: int, variable: int) -> None:
+    found = motion(seed, variable)
+    weak = WeakForm.of(found.objective, found.path)
+    promised = weak.decrements(midpoints(found.timeline)).sum()
+    gap = found.objective.value(found.path) - found.objective.value(motion(seed, 15).path)
+    assert 0.3 <= promised / gap <= 3
+
+
+def test_the_distance_to_the_local_optimum_shrinks_as_variable_frames_are_added() -> None:
+    objective = motion(0, 1).objective
+    timelines = [motion(0, 1).raw, motion(0, 1).timeline, motion(0, 3).timeline]
+    found = [displacement(objective, timeline) for timeline in timelines]
+    total = [d.distance.sum() for d in found]
+    assert total[0] > 3 * total[1] > 9 * total[2] > 0
+    for d in found:
+        assert np.all(d.found > -1e-9)
+        assert np.all(d.gap >= 0.9 * d.found)
+
+
+def test_a_local_solve_leaves_the_path_alone_where_variable_frames_were_only_inserted() -> None:
+    timeline = motion(0, 7).timeline
+    objective = motion(0, 1).objective
+    same = displacement(objective, evenly(timeline, 0)).distance
+    assert same.sum() < 1e-3

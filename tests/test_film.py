@@ -1,0 +1,213 @@
+"""Images become files that play, show the colours that were drawn, and appear only when they are complete."""
+
+import os
+from collections.abc import Iterator
+from pathlib import Path
+from typing import cast
+
+import av
+import imageio.v3 as iio
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from runner.film import FilmError, check_target, write
+
+RED = (200, 60, 40)
+ENDINGS = (".mp4", ".webm", ".gif", ".png")
+
+
+def images(count: int = 6, height: int = 48, width: int = 64) -> Iterator[np.ndarray]:
+    """A red ground with a bright square that moves."""
+    for index in range(count):
+        image = np.full((height, width, 3), RED, np.uint8)
+        image[4:12, 4 + 3 * index : 12 + 3 * index] = (240, 240, 90)
+        yield image
+
+
+def decoded(path: Path) -> list[av.VideoFrame]:
+    with av.open(str(path)) as container:
+        return list(container.decode(video=0))
+
+
+def bt709_to_rgb(picture: av.VideoFrame) -> np.ndarray:
+    """(3,) the colour near the lower right corner, by the formula of BT.709 for limited range."""
+    planes = picture.to_ndarray(format="yuv420p")
+    height, width = picture.height, picture.width
+    chroma = planes[height:].reshape(2, height // 2, width // 2)
+    y = (float(planes[height - 6, width - 6]) - 16) / 219
+    u, v = (chroma[:, height // 2 - 3, width // 2 - 3].astype(float) - 128) / 224
+    red, blue = y + 1.5748 * v, y + 1.8556 * u
+    return 255 * np.array([red, (y - 0.2126 * red - 0.0722 * blue) / 0.7152, blue])
+
+
+@pytest.mark.parametrize("ending", [".mp4", ".webm"])
+def test_a_video_shows_the_colour_that_was_drawn(tmp_path: Path, ending: str):
+    write(tmp_path / f"a{ending}", images(), 30)
+    np.testing.assert_allclose(bt709_to_rgb(decoded(tmp_path / f"a{ending}")[3]), RED, atol=4)
+
+
+@pytest.mark.parametrize("ending", [".mp4", ".webm"])
+def test_a_video_says_that_it_is_bt709_of_limited_range(tmp_path: Path, ending: str):
+    write(tmp_path / f"a{ending}", images(), 30)
+    with av.open(str(tmp_path / f"a{ending}")) as container:
+        context = container.streams.video[0].codec_context
+        assert context.pix_fmt == "yuv420p"
+        tags = (context.colorspace, context.color_primaries, context.color_trc, context.color_range)
+        assert [int(tag) for tag in tags] == [1, 1, 1, 1]
+
+
+@pytest.mark.parametrize("ending", [".mp4", ".webm", ".gif"])
+def test_every_image_arrives_at_its_time(tmp_path: Path, ending: str):
+    write(tmp_path / f"a{ending}", images(9), 25)
+    pictures = decoded(tmp_path / f"a{ending}")
+    assert len(pictures) == 9
+    assert (pictures[0].width, pictures[0].height) == (64, 48)
+    assert pictures[8].time == pytest.approx(8 / 25, abs=0.002)
+
+
+@pytest.mark.parametrize("ending", ENDINGS)
+def test_equal_images_give_equal_bytes(tmp_path: Path, ending: str):
+    write(tmp_path / f"a{ending}", images(), 30)
+    write(tmp_path / f"b{ending}", images(), 30)
+    assert (tmp_path / f"a{ending}").read_bytes() == (tmp_path / f"b{ending}").read_bytes()
+
+
+def test_the_index_of_an_mp4_stands_before_its_pictures(tmp_path: Path):
+    write(tmp_path / "a.mp4", images(), 30)
+    content = (tmp_path / "a.mp4").read_bytes()
+    assert content.index(b"moov") < content.index(b"mdat")
+
+
+def test_a_gif_keeps_its_colours_and_repeats(tmp_path: Path):
+    write(tmp_path / "a.gif", images(), 20)
+    assert b"NETSCAPE2.0" in (tmp_path / "a.gif").read_bytes()
+    picture = iio.imread(tmp_path / "a.gif", plugin="pillow", index=2)
+    np.testing.assert_allclose(picture[-4, -4, :3].astype(int), RED, atol=3)
+
+
+def test_a_gif_faster_than_browsers_play_leaves_images_out(tmp_path: Path):
+    write(tmp_path / "a.gif", images(12), 60)
+    pictures = decoded(tmp_path / "a.gif")
+    assert len(pictures) == 6
+    assert pictures[3].time == pytest.approx(0.1, abs=0.011)
+
+
+@pytest.mark.parametrize("count", [None, 100])
+def test_a_contact_sheet_has_twelve_pictures_from_first_to_last(tmp_path: Path, count: int | None):
+    steps = (np.full((10, 16, 3), index, np.uint8) for index in range(100))
+    write(tmp_path / "a.png", steps, 30, count=count)
+    sheet = iio.imread(tmp_path / "a.png")[..., 0]
+    shown = [int(value) for value in np.unique(sheet) if value < 100]
+    assert len(shown) == 12
+    assert (shown[0], shown[-1]) == (0, 99)
+    assert max(np.diff(shown)) - min(np.diff(shown)) <= 5
+
+
+def test_a_contact_sheet_of_few_images_shows_them_all(tmp_path: Path):
+    write(tmp_path / "a.png", images(3), 30)
+    sheet = iio.imread(tmp_path / "a.png")
+    assert sheet.shape[0] * sheet.shape[1] > 3 * 48 * 64
+    assert (sheet[0, 0] == 255).all()
+
+
+def test_a_sheet_of_one_image_is_the_image(tmp_path: Path):
+    (image,) = images(1)
+    write(tmp_path / "a.png", [image], 30)
+    assert (iio.imread(tmp_path / "a.png") == image).all()
+
+
+@pytest.mark.parametrize("ending", ENDINGS)
+@pytest.mark.parametrize("error", [RuntimeError, KeyboardInterrupt])
+def test_a_broken_off_clip_leaves_what_was_there(tmp_path: Path, ending: str, error: type[BaseException]):
+    def broken() -> Iterator[np.ndarray]:
+        yield from images(3)
+        raise error("stopped")
+
+    target = tmp_path / f"a{ending}"
+    target.write_bytes(b"the old film")
+    with pytest.raises(error, match="stopped"):
+        write(target, broken(), 30)
+    assert target.read_bytes() == b"the old film"
+    assert [entry.name for entry in tmp_path.iterdir()] == [target.name]
+
+
+@pytest.mark.parametrize("ending", ENDINGS)
+def test_images_stream_through(tmp_path: Path, ending: str):
+    alive: list[int] = []
+
+    class Tracked(np.ndarray):
+        def __array_finalize__(self, parent: object) -> None:
+            alive.append(1)
+
+        def __del__(self) -> None:
+            alive.pop()
+
+    peak = 0
+
+    def watched() -> Iterator[np.ndarray]:
+        nonlocal peak
+        for image in images(40):
+            yield image.view(Tracked)
+            del image
+            peak = max(peak, len(alive))
+
+    write(tmp_path / f"a{ending}", watched(), 30, count=40)
+    assert peak < 20
+
+
+def test_an_unknown_ending_lists_those_there_are(tmp_path: Path):
+    with pytest.raises(FilmError, match=r"run\.avi: no way to write '\.avi'; endings: \.mp4, \.webm, \.gif, \.png"):
+        check_target(tmp_path / "run.avi", 64, 48)
+
+
+def test_a_directory_that_does_not_exist_is_named(tmp_path: Path):
+    with pytest.raises(FilmError, match=r"nowhere does not exist"):
+        check_target(tmp_path / "nowhere" / "run.mp4", 64, 48)
+
+
+def test_a_target_that_is_a_directory_is_refused(tmp_path: Path):
+    (tmp_path / "run.mp4").mkdir()
+    with pytest.raises(FilmError, match="is a directory"):
+        check_target(tmp_path / "run.mp4", 64, 48)
+
+
+def test_a_directory_without_permission_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(os, "access", lambda path, mode: False)
+    with pytest.raises(FilmError, match="cannot be written to"):
+        check_target(tmp_path / "run.mp4", 64, 48)
+
+
+@pytest.mark.parametrize("ending", [".mp4", ".webm"])
+def test_an_odd_size_is_refused_with_the_next_even_one(tmp_path: Path, ending: str):
+    with pytest.raises(FilmError, match=r"641x359 pixels; .* take 642x360, or write \.gif"):
+        check_target(tmp_path / f"run{ending}", 641, 359)
+
+
+def test_a_gif_may_have_an_odd_size(tmp_path: Path):
+    write(tmp_path / "a.gif", images(3, height=31, width=47), 20)
+    assert (decoded(tmp_path / "a.gif")[0].width, decoded(tmp_path / "a.gif")[0].height) == (47, 31)
+
+
+def test_no_images_are_an_error_and_leave_no_file(tmp_path: Path):
+    with pytest.raises(FilmError, match="no images"):
+        write(tmp_path / "a.mp4", [], 30)
+    assert not list(tmp_path.iterdir())
+
+
+def test_images_that_change_size_are_refused(tmp_path: Path):
+    mixed = [np.zeros((48, 64, 3), np.uint8), np.zeros((32, 64, 3), np.uint8)]
+    with pytest.raises(FilmError, match="from 64x48 to 64x32"):
+        write(tmp_path / "a.mp4", mixed, 30)
+    assert not list(tmp_path.iterdir())
+
+
+def test_images_of_another_type_are_refused(tmp_path: Path):
+    with pytest.raises(FilmError, match="uint8"):
+        write(tmp_path / "a.mp4", cast(list[NDArray[np.uint8]], [np.zeros((48, 64, 3))]), 30)
+
+
+@pytest.mark.parametrize("fps", [0.0, -1.0, float("nan"), float("inf")])
+def test_a_rate_must_be_positive(tmp_path: Path, fps: float):
+    with pytest.raises(FilmError, match="positive"):
+        write(tmp_path / "a.mp4", images(), fps)

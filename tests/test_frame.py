@@ -1,0 +1,129 @@
+"""Frames and timelines: what they refuse, and that nobody can change them."""
+
+import numpy as np
+import pytest
+
+from solver.frame import Frame, Timeline, TimelineError
+
+SLOPE = np.arange(6.0).reshape(2, 3)
+
+
+def three_frames() -> tuple[Frame, ...]:
+    return (
+        Frame.key(0.0, [1, 2, 3]),
+        Frame.key(0.5, [4, 5, 6], [True, False, False]),
+        Frame.variable(1.25, [7, 8, 9]),
+    )
+
+
+def test_frames_know_whether_they_are_whole_partial_or_variable():
+    whole, partial, variable = three_frames()
+    assert (whole.is_key, whole.is_variable) == (True, False)
+    assert (partial.is_key, partial.is_variable) == (False, False)
+    assert (variable.is_key, variable.is_variable) == (False, True)
+
+
+def test_a_timeline_gives_times_states_masks_and_rows_as_arrays():
+    timeline = Timeline(three_frames(), SLOPE)
+    np.testing.assert_array_equal(timeline.times, [0, 0.5, 1.25])
+    np.testing.assert_array_equal(timeline.states, [[1, 2, 3], [4, 5, 6], [7, 8, 9]])
+    np.testing.assert_array_equal(timeline.fixed, [[1, 1, 1], [1, 0, 0], [0, 0, 0]])
+    np.testing.assert_array_equal(timeline.rows, [[1, 2, 3], [4, 5, 6], [7, 8, 9], [0, 1, 2], [3, 4, 5]])
+    assert timeline.width == 3
+    assert timeline.variable_count == 1
+
+
+@pytest.mark.parametrize(
+    ("times", "text"),
+    [
+        ([0.0], "at least 2 frames, not 1"),
+        ([], "at least 2 frames, not 0"),
+        ([0.0, 2.0, 1.0], "frame 3 is at t = 1 s, not after frame 2 at t = 2 s"),
+        ([0.0, 1.0, 1.0], "frame 3 is at t = 1 s, not after frame 2 at t = 1 s"),
+    ],
+)
+def test_too_few_frames_or_times_that_do_not_rise_are_refused(times, text):
+    with pytest.raises(TimelineError, match=text):
+        Timeline(tuple(Frame.key(t, [1, 2, 3]) for t in times), SLOPE)
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
+def test_entries_and_times_that_are_no_numbers_are_refused(bad):
+    with pytest.raises(TimelineError, match=r"t = 0\.5 s holds entries that are not finite"):
+        Frame.key(0.5, [1, bad, 3])
+    with pytest.raises(TimelineError, match="not finite"):
+        Frame.key(bad, [1, 2, 3])
+
+
+@pytest.mark.parametrize(
+    ("state", "fixed"), [([1, 2, 3], [True, False]), ([[1, 2]], [[True, True]]), (1.0, True), ([1.0], True)]
+)
+def test_a_state_and_a_mask_that_are_no_vectors_of_one_length_are_refused(state, fixed):
+    with pytest.raises(TimelineError, match="must be vectors of one length"):
+        Frame(0.0, np.array(state), np.array(fixed))
+
+
+def test_frames_of_different_widths_are_refused():
+    with pytest.raises(TimelineError, match=r"different lengths: \[2, 3\]"):
+        Timeline((Frame.key(0, [1, 2]), Frame.key(1, [1, 2, 3])), SLOPE)
+
+
+def test_an_end_slope_of_the_wrong_shape_is_refused():
+    with pytest.raises(TimelineError, match=r"\(2, 2\), not \(2, 3\)"):
+        Timeline(three_frames(), SLOPE[:, :2])
+
+
+def test_unknown_ends_are_refused_and_the_known_ones_named():
+    with pytest.raises(TimelineError, match="'loop': not one of 'free', 'clamped', 'periodic'"):
+        Timeline(three_frames(), SLOPE, "loop")
+
+
+def test_no_array_of_a_frame_or_a_timeline_can_be_written_to():
+    timeline = Timeline(three_frames(), SLOPE)
+    frame = timeline.frames[0]
+    arrays = [frame.state, frame.fixed, timeline.end_slope, timeline.times, timeline.states, timeline.fixed]
+    for array in [*arrays, timeline.rows]:
+        with pytest.raises(ValueError, match="read-only"):
+            array[...] = 0
+
+
+def test_a_frame_does_not_follow_the_array_it_was_made_from():
+    state, mask = np.array([1.0, 2, 3]), np.array([True, False, True])
+    frame = Frame.key(0, state, mask)
+    state[:], mask[:] = 9, False
+    np.testing.assert_array_equal(frame.state, [1, 2, 3])
+    np.testing.assert_array_equal(frame.fixed, [True, False, True])
+
+
+@pytest.mark.parametrize("ends", ["free", "clamped", "periodic"])
+def test_with_rows_puts_in_what_rows_gives_out_and_keeps_times_and_masks(ends):
+    timeline = Timeline(three_frames(), SLOPE, ends)
+    moved = timeline.with_rows(timeline.rows + 10)
+    np.testing.assert_array_equal(moved.rows, timeline.rows + 10)
+    np.testing.assert_array_equal(moved.times, timeline.times)
+    np.testing.assert_array_equal(moved.fixed, timeline.fixed)
+    assert moved.ends == ends
+    np.testing.assert_array_equal(moved.with_rows(timeline.rows).rows, timeline.rows)
+
+
+def test_rows_of_the_wrong_shape_are_refused():
+    timeline = Timeline(three_frames(), SLOPE)
+    with pytest.raises(TimelineError, match=r"\(3, 3\), not \(5, 3\)"):
+        timeline.with_rows(timeline.states)
+
+
+def test_inserted_frames_fall_in_order_of_time_and_the_old_timeline_stays():
+    timeline = Timeline(three_frames(), SLOPE, "clamped")
+    more = timeline.inserted([Frame.variable(1.0, [0, 0, 0]), Frame.variable(0.25, [1, 1, 1])])
+    np.testing.assert_array_equal(more.times, [0, 0.25, 0.5, 1.0, 1.25])
+    np.testing.assert_array_equal(more.states[[0, 2, 4]], timeline.states)
+    np.testing.assert_array_equal(more.states[[1, 3]], [[1, 1, 1], [0, 0, 0]])
+    np.testing.assert_array_equal(more.end_slope, SLOPE)
+    assert more.ends == "clamped"
+    assert (more.variable_count, timeline.variable_count) == (3, 1)
+    assert len(timeline.frames) == 3
+
+
+def test_a_frame_inserted_at_the_time_of_another_is_refused():
+    with pytest.raises(TimelineError, match="times must rise"):
+        Timeline(three_frames(), SLOPE).inserted([Frame.variable(0.5, [0, 0, 0])])

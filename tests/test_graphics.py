@@ -1,0 +1,131 @@
+"""A renderer is chosen by trying it in a child process, and a bad setting never gets as far as `import mujoco`."""
+
+import os
+import subprocess
+import sys
+
+import pytest
+
+from runner import graphics
+
+SHOW = """
+import os
+from runner.graphics import choose
+found = choose()
+print(found.kind)
+print(found.line)
+print(os.environ.get("MUJOCO_GL", "unset"))
+import mujoco
+"""
+
+
+def choose_in_a_fresh_process(code: str = SHOW, **settings: str) -> list[str]:
+    """The lines a new interpreter prints with these settings in its environment."""
+    names = ("MUJOCO_GL", "PYOPENGL_PLATFORM", graphics.OVERRIDE)
+    environment = {name: value for name, value in os.environ.items() if name not in names}
+    done = subprocess.run(
+        [sys.executable, "-c", code], env={**environment, **settings}, capture_output=True, text=True, timeout=120
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout.splitlines()
+
+
+def no_backend_works(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(graphics, "_works", lambda backend: False)
+
+
+def before_mujoco_is_imported(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(graphics, "_imported", lambda: False)
+    monkeypatch.delenv(graphics.OVERRIDE, raising=False)
+
+
+def test_mujoco_imports_after_a_choice_without_any_setting():
+    kind, line, _ = choose_in_a_fresh_process()
+    assert kind in ("egl", "osmesa", "display", "rays")
+    assert line.startswith("renderer: ")
+
+
+def test_a_mujoco_gl_that_does_not_exist_is_named_and_removed():
+    _, line, left = choose_in_a_fresh_process(MUJOCO_GL="nonsense")
+    assert "MUJOCO_GL=nonsense does not work here" in line
+    assert left != "nonsense"
+
+
+def test_a_mujoco_gl_whose_platform_clashes_is_removed_before_it_can_raise():
+    kind, _, left = choose_in_a_fresh_process(MUJOCO_GL="egl", PYOPENGL_PLATFORM="glx")
+    assert kind != "egl"
+    assert left != "egl"
+
+
+def test_graphics_switched_off_by_the_user_means_rays():
+    assert choose_in_a_fresh_process(MUJOCO_GL="disable")[0] == "rays"
+
+
+def test_rays_can_be_forced_even_when_mujoco_gl_is_broken():
+    kind, line, left = choose_in_a_fresh_process(MUJOCO_GL="nonsense", DYNSPLINES_RENDERER="rays")
+    assert (kind, left) == ("rays", "unset")
+    assert "DYNSPLINES_RENDERER=rays" in line
+
+
+def test_after_mujoco_is_imported_only_its_own_backend_counts():
+    code = "import os, mujoco\nos.environ['MUJOCO_GL'] = 'nonsense'\n" + SHOW
+    assert choose_in_a_fresh_process(code, MUJOCO_GL="disable")[0] == "rays"
+
+
+def test_an_unknown_forced_renderer_lists_those_there_are(monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setenv(graphics.OVERRIDE, "vulkan")
+    with pytest.raises(graphics.GraphicsError, match="no such renderer; renderers: egl, osmesa, display, rays"):
+        graphics.choose()
+
+
+def test_a_forced_renderer_that_does_not_work_is_an_error(monkeypatch: pytest.MonkeyPatch):
+    before_mujoco_is_imported(monkeypatch)
+    no_backend_works(monkeypatch)
+    monkeypatch.setenv(graphics.OVERRIDE, "egl")
+    with pytest.raises(graphics.GraphicsError, match="egl does not work here"):
+        graphics.choose()
+
+
+def test_without_any_gl_library_rays_are_chosen_and_the_packages_are_named(monkeypatch: pytest.MonkeyPatch):
+    before_mujoco_is_imported(monkeypatch)
+    no_backend_works(monkeypatch)
+    monkeypatch.setattr(sys, "platform", "linux")
+    monkeypatch.setenv("MUJOCO_GL", "osmesa")
+    found = graphics.choose()
+    assert found.kind == "rays"
+    assert "MUJOCO_GL=osmesa does not work here" in found.line
+    assert "libosmesa6" in found.line
+    assert "MUJOCO_GL" not in os.environ
+
+
+def test_the_fastest_backend_that_works_is_taken(monkeypatch: pytest.MonkeyPatch):
+    before_mujoco_is_imported(monkeypatch)
+    monkeypatch.setattr(sys, "platform", "linux")
+    monkeypatch.setattr(graphics, "_works", lambda backend: backend in ("osmesa", "glfw"))
+    monkeypatch.setenv("MUJOCO_GL", "")
+    assert graphics.choose() == graphics.Graphics("osmesa", "renderer: OSMesa")
+    assert os.environ["MUJOCO_GL"] == "osmesa"
+
+
+def test_a_driver_that_aborts_only_takes_the_child_with_it(monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(graphics, "_PROBE", "import os; print('drawn', flush=True); os.abort()")
+    assert not graphics._draws.__wrapped__("egl")
+
+
+def test_a_driver_that_hangs_is_given_up(monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(graphics, "_PROBE", "import time; time.sleep(60)")
+    monkeypatch.setattr(graphics, "PROBE_SECONDS", 0.3)
+    assert not graphics._draws.__wrapped__("egl")
+
+
+def test_a_driver_that_draws_nothing_does_not_pass(monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(graphics, "_PROBE", "print('blank')")
+    assert not graphics._draws.__wrapped__("egl")
+
+
+def test_nothing_is_launched_when_the_libraries_are_absent(monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(sys, "platform", "linux")
+    monkeypatch.setattr(graphics, "_opens", lambda *names: False)
+    monkeypatch.setattr(graphics, "_draws", lambda backend: pytest.fail("a process was launched"))
+    assert not graphics._works("egl")
+    assert not graphics._works("osmesa")

@@ -1,0 +1,135 @@
+"""Quaternion algebra against SciPy's rotations, finite differences and the axioms of the group."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation
+
+from solver import quaternion as quat
+
+component = st.floats(-2, 2, allow_nan=False).map(lambda x: round(x, 6))
+quaternions = st.tuples(*[component] * 4).map(np.array).filter(lambda q: np.linalg.norm(q) > 0.1)
+vectors = st.tuples(*[component] * 3).map(np.array)
+
+
+def scipy_rotation(q: np.ndarray) -> Rotation:
+    return Rotation.from_quat(np.roll(q, -1, axis=-1))
+
+
+@given(quaternions, quaternions, quaternions)
+def test_the_product_is_associative(p, q, r):
+    np.testing.assert_allclose(
+        quat.product(quat.product(p, q), r), quat.product(p, quat.product(q, r)), atol=1e-12, rtol=0
+    )
+
+
+@given(quaternions)
+def test_a_quaternion_times_its_inverse_is_the_identity_on_both_sides(q):
+    one = [1, 0, 0, 0]
+    np.testing.assert_allclose(quat.product(q, quat.inverse(q)), one, atol=1e-13)
+    np.testing.assert_allclose(quat.product(quat.inverse(q), q), one, atol=1e-13)
+    np.testing.assert_array_equal(quat.product(q, one), q)
+    np.testing.assert_array_equal(quat.product(one, q), q)
+
+
+@given(quaternions, quaternions)
+def test_lengths_multiply_and_the_conjugate_turns_the_order_round(p, q):
+    product = quat.product(p, q)
+    np.testing.assert_allclose(np.linalg.norm(product), np.linalg.norm(p) * np.linalg.norm(q), rtol=1e-13)
+    np.testing.assert_allclose(quat.conjugate(product), quat.product(quat.conjugate(q), quat.conjugate(p)), atol=1e-14)
+
+
+@given(quaternions, quaternions, vectors)
+def test_rotations_compose_and_turn_vectors_as_scipys_do(p, q, v):
+    np.testing.assert_allclose(quat.rotated(q, v), scipy_rotation(q).apply(v), atol=1e-12)
+    np.testing.assert_allclose(
+        quat.rotated(quat.product(p, q), v), (scipy_rotation(p) * scipy_rotation(q)).apply(v), atol=1e-12
+    )
+
+
+@given(quaternions, quaternions)
+def test_right_matrix_is_the_product_from_the_right(p, q):
+    np.testing.assert_allclose(quat.right_matrix(q) @ p, quat.product(p, q), atol=1e-14)
+
+
+@given(quaternions)
+def test_exponential_and_logarithm_are_inverse_and_agree_with_scipy(q):
+    log = quat.rotation_vector(q)
+    assert np.linalg.norm(log) <= np.pi + 1e-12
+    back = quat.from_rotation_vector(log)
+    unit = quat.normalised(q)
+    np.testing.assert_allclose(back * np.sign(back @ unit), unit, atol=1e-12)
+    if np.linalg.norm(log) < 3.1:
+        np.testing.assert_allclose(log, scipy_rotation(q).as_rotvec(), atol=1e-12)
+
+
+@pytest.mark.parametrize("angle", [0.0, 1e-320, 1e-170, 1e-12, 1.9e-9, 2.1e-9, 1e-6, 1e-3, 3.0])
+def test_small_angles_keep_their_relative_accuracy_through_exponential_and_logarithm(angle):
+    v = angle * np.array([0.6, 0.0, -0.8])
+    np.testing.assert_allclose(quat.rotation_vector(quat.from_rotation_vector(v)), v, rtol=1e-13, atol=5e-324)
+
+
+@pytest.mark.parametrize("gap", [1e-3, 1e-9, 1e-14, 0.0, -1e-14, -1e-9, -1e-3])
+def test_angles_about_pi_come_back_as_the_same_rotation_by_the_short_way(gap):
+    v = (np.pi - gap) * np.array([0.0, 1.0, 0.0])
+    log = quat.rotation_vector(quat.from_rotation_vector(v))
+    np.testing.assert_allclose(np.linalg.norm(log), np.pi - abs(gap), rtol=1e-13)
+    np.testing.assert_allclose(np.abs(log[1]), np.pi - abs(gap), rtol=1e-13)
+
+
+@given(quaternions, st.floats(0, np.pi), vectors.filter(lambda v: np.linalg.norm(v) > 0.1))
+def test_angle_between_is_the_angle_of_the_rotation_between_whatever_length_and_sign(q, angle, axis):
+    turned = quat.product(q, quat.from_rotation_vector(angle * axis / np.linalg.norm(axis)))
+    np.testing.assert_allclose(quat.angle_between(q, -3 * turned), angle, atol=1e-7)
+
+
+def test_an_aligned_track_has_neighbours_on_one_hemisphere_and_the_same_rotations(rng):
+    track = rng.normal(size=(40, 3, 4))
+    aligned = quat.aligned(track)
+    assert np.all(np.sum(aligned[1:] * aligned[:-1], axis=-1) >= 0)
+    np.testing.assert_array_equal(np.abs(aligned), np.abs(track))
+    np.testing.assert_array_equal(aligned[0], track[0])
+    signs = aligned / track
+    np.testing.assert_array_equal(signs, np.broadcast_to(signs[..., :1], signs.shape))
+    assert (signs < 0).any()
+
+
+def curve(rng: np.random.Generator):
+    """A quaternion curve of polynomials and its first two derivatives at t."""
+    c = rng.normal(size=(4, 5)) + np.array([[2.0, 0, 0, 0, 0]] * 4)
+    parts = [np.polynomial.Polynomial(row) for row in c]
+
+    def at(t: float, order: int = 0) -> np.ndarray:
+        return np.array([(p.deriv(order) if order else p)(t) for p in parts])
+
+    return at
+
+
+def test_the_derivatives_of_the_inverse_are_those_of_finite_differences(rng):
+    at, h = curve(rng), 1e-4
+    first, second = quat.inverse_derivatives(at(0.1), at(0.1, 1), at(0.1, 2))
+    before, here, after = (quat.inverse(at(0.1 + k * h)) for k in (-1, 0, 1))
+    np.testing.assert_allclose(first, (after - before) / (2 * h), atol=1e-6)
+    np.testing.assert_allclose(second, (after - 2 * here + before) / h**2, atol=1e-5)
+
+
+def test_angular_velocity_and_acceleration_are_those_of_the_rotation_matrices(rng):
+    at, h = curve(rng), 1e-4
+    omega = quat.angular_velocity(at(0.1), at(0.1, 1))
+    alpha = quat.angular_acceleration(at(0.1), at(0.1, 1), at(0.1, 2))
+    before, here, after = (scipy_rotation(at(0.1 + k * h)) for k in (-1, 0, 1))
+    forth, back = (after * here.inv()).as_rotvec(), (before * here.inv()).as_rotvec()
+    np.testing.assert_allclose(omega, (forth - back) / (2 * h), rtol=1e-5, atol=1e-5)
+    np.testing.assert_allclose(alpha, (forth + back) / h**2, rtol=1e-4, atol=1e-4)
+
+
+@given(st.integers(0, 1000), st.floats(0.3, 3), st.floats(-3, 3), st.floats(-3, 3))
+def test_angular_velocity_and_acceleration_do_not_feel_the_quaternions_length(seed, rho, rho_d, rho_dd):
+    q, q_d, q_dd = np.random.default_rng(seed).normal(size=(3, 4)) + np.array([1.0, 0, 0, 0])
+    if np.linalg.norm(q) < 0.2:
+        return
+    scaled = rho * q, rho_d * q + rho * q_d, rho_dd * q + 2 * rho_d * q_d + rho * q_dd
+    omega, alpha = quat.angular_velocity(q, q_d), quat.angular_acceleration(q, q_d, q_dd)
+    np.testing.assert_allclose(quat.angular_velocity(*scaled[:2]), omega, atol=1e-10, rtol=1e-10)
+    np.testing.assert_allclose(quat.angular_acceleration(*scaled), alpha, atol=1e-8, rtol=1e-9)

@@ -1,0 +1,153 @@
+"""The spline against SciPy's, its exactness under insertion, its transpose and its cost."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.interpolate import BSpline, CubicSpline
+
+from solver.spline import Path, Sampling, Spline, natural_spline
+
+TIMES = np.array([-0.3, 0.2, 0.25, 1.4, 2.0, 3.7])
+ENDS = ["free", "clamped", "periodic"]
+
+
+def inside(times: np.ndarray, count: int = 41) -> np.ndarray:
+    return np.linspace(times[0], times[-1], count)
+
+
+@pytest.mark.parametrize("order", [0, 1, 2, 3])
+@pytest.mark.parametrize("times", [TIMES, TIMES[:3], TIMES[:2]], ids=len)
+def test_free_and_clamped_splines_are_scipys_clamped_cubic(rng, order, times):
+    rows = rng.normal(size=(times.size + 2, 3))
+    expected = CubicSpline(times, rows[:-2], bc_type=((1, rows[-2]), (1, rows[-1])))
+    for ends in ("free", "clamped"):
+        np.testing.assert_allclose(
+            Spline(times, ends).evaluate(rows, inside(times), order),
+            expected(inside(times), order),
+            rtol=1e-9,
+            atol=1e-9 * 10 ** (2 * order),
+        )
+
+
+def test_the_natural_splines_end_slopes_give_the_natural_spline(rng):
+    states = rng.normal(size=(TIMES.size, 2))
+    natural = CubicSpline(TIMES, states, bc_type="natural")
+    slopes = natural_spline(TIMES, states)(TIMES[[0, -1]], 1)
+    path = Path(Spline(TIMES), np.vstack([states, slopes]))
+    np.testing.assert_allclose(path.at(inside(TIMES)), natural(inside(TIMES)), atol=1e-12)
+    np.testing.assert_allclose(path.at(TIMES[[0, -1]], 2), 0, atol=1e-10)
+    assert path.span == (TIMES[0], TIMES[-1])
+
+
+@pytest.mark.parametrize("order", [0, 1, 2, 3])
+def test_a_periodic_spline_is_scipys(rng, order):
+    states = rng.normal(size=(TIMES.size, 2))
+    states[-1] = states[0]
+    rows = np.vstack([states, np.zeros((2, 2))])
+    t = inside(TIMES)[:-1]  # at the end SciPy gives the third derivative of the start
+    expected = CubicSpline(TIMES, states, bc_type="periodic")(t, order)
+    got = Spline(TIMES, "periodic").evaluate(rows, t, order)
+    np.testing.assert_allclose(got, expected, rtol=1e-9, atol=1e-9 * 10 ** (2 * order))
+
+
+def test_the_last_two_rows_of_a_periodic_spline_are_the_jumps_at_the_seam(rng):
+    rows = rng.normal(size=(TIMES.size + 2, 2))
+    spline = Spline(TIMES, "periodic")
+    for order in (1, 2):
+        first, last = spline.evaluate(rows, TIMES[[0, -1]], order)
+        np.testing.assert_allclose(last - first, rows[TIMES.size + order - 1], atol=1e-10)
+
+
+@pytest.mark.parametrize("times", [TIMES, TIMES[:2]], ids=len)
+def test_opposite_jumps_make_a_spline_that_comes_back_as_its_negative_smooth(rng, times):
+    states = rng.normal(size=(times.size, 2))
+    states[-1] = -states[0]
+    spline = Spline(times, "periodic")
+    rows = np.vstack([states, spline.opposite_jumps() @ states])
+    np.testing.assert_allclose(spline.evaluate(rows, times), states, atol=1e-12)
+    twice = CubicSpline(
+        np.concatenate([times, times[1:] + times[-1] - times[0]]),
+        np.vstack([states, -states[1:]]),
+        bc_type="periodic",
+    )
+    for order in range(3):
+        np.testing.assert_allclose(
+            spline.evaluate(rows, inside(times), order), twice(inside(times), order), atol=1e-9 * 10**order, rtol=1e-9
+        )
+
+
+def test_the_basis_is_scipys_design_matrix_and_its_derivatives():
+    spline = Spline(TIMES)
+    t = np.concatenate([inside(TIMES), TIMES])
+    np.testing.assert_allclose(
+        spline.basis(t, 0).toarray(), BSpline.design_matrix(t, spline.knots, 3).toarray(), atol=1e-14
+    )
+    each = BSpline(spline.knots, np.eye(spline.size), 3)
+    for order in (1, 2, 3):
+        expected = each.derivative(order)(np.minimum(t, TIMES[-1] - 1e-13 * (order == 3)))
+        np.testing.assert_allclose(spline.basis(t, order).toarray(), expected, rtol=1e-10, atol=1e-10 * 30**order)
+
+
+def test_the_basis_sums_to_one_and_its_derivatives_to_zero():
+    spline = Spline(TIMES)
+    np.testing.assert_allclose(spline.basis(inside(TIMES), 0).sum(axis=1), 1, atol=1e-14)
+    for order in (1, 2, 3):
+        size = abs(spline.basis(inside(TIMES), order)).max()
+        np.testing.assert_allclose(spline.basis(inside(TIMES), order).sum(axis=1), 0, atol=1e-13 * size)
+
+
+@settings(deadline=None, max_examples=50)
+@given(st.sampled_from(ENDS), st.floats(0.002, 0.998), st.integers(0, 10**6))
+def test_a_frame_inserted_on_the_curve_leaves_the_curve_unchanged(ends, share, seed):
+    rows = np.random.default_rng(seed).normal(size=(TIMES.size + 2, 2))
+    tau = TIMES[0] + share * (TIMES[-1] - TIMES[0])
+    if np.abs(TIMES - tau).min() < 1e-4:
+        return
+    before = Path(Spline(TIMES, ends), rows)
+    times = np.sort(np.append(TIMES, tau))
+    place = int(np.searchsorted(TIMES, tau))
+    after = Path(Spline(times, ends), np.insert(rows, place, before.at(tau)[0], axis=0))
+    for order in range(3):
+        size = np.abs(before.at(inside(TIMES), order)).max()
+        np.testing.assert_allclose(
+            after.at(inside(TIMES), order), before.at(inside(TIMES), order), atol=1e-9 * size, rtol=0
+        )
+
+
+@pytest.mark.parametrize("ends", ENDS)
+def test_pulled_back_is_the_transpose_of_samples(rng, ends):
+    sampling = Sampling.of(Spline(TIMES, ends), rng.uniform(TIMES[0], TIMES[-1], 30))
+    rows = rng.normal(size=(TIMES.size + 2, 3))
+    gradients = [rng.normal(size=(30, 3)) for _ in range(3)]
+    forth = sum(np.sum(g * s) for g, s in zip(gradients, sampling.samples(rows), strict=True))
+    np.testing.assert_allclose(np.sum(sampling.pulled_back(gradients) * rows), forth, rtol=1e-11)
+
+
+@pytest.mark.parametrize("ends", ENDS)
+def test_the_transposed_solve_is_the_transpose_of_the_solve(rng, ends):
+    spline = Spline(TIMES, ends)
+    a, b = rng.normal(size=(2, spline.size, 2))
+    np.testing.assert_allclose(
+        np.sum(a * spline.coefficients(b)), np.sum(spline.coefficients_transposed(a) * b), rtol=1e-11
+    )
+
+
+def test_cost_grows_linearly_with_the_number_of_frames():
+    def entries(count: int) -> tuple[int, int]:
+        spline = Spline(np.arange(count, dtype=float))
+        factor = spline._collocation
+        return factor.L.nnz + factor.U.nnz, spline.basis(np.linspace(0, count - 1, 5 * count), 2).nnz
+
+    few, many = entries(100), entries(1000)
+    assert many[0] < 11 * few[0]
+    assert many[0] < 10 * 1002
+    assert few[1] == 4 * 500
+    assert many[1] == 4 * 5000
+
+
+def test_a_samplings_times_may_repeat_and_touch_both_ends(rng):
+    rows = rng.normal(size=(TIMES.size + 2, 2))
+    spline = Spline(TIMES)
+    t = np.array([TIMES[-1], TIMES[0], TIMES[2], TIMES[2]])
+    np.testing.assert_allclose(Sampling.of(spline, t).samples(rows)[0], rows[[5, 0, 2, 2]], atol=1e-12)
