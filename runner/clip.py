@@ -144,6 +144,7 @@ class Clip:
     penalties: tuple[tuple[Penalty, float], ...]
     settings: Settings
     ends: str
+    end_slope: Array | None
     surfaces: tuple[Surface, ...]
     points: tuple[Point, ...]
     bends: tuple[Bend, ...]
@@ -226,7 +227,8 @@ def _clip(
     builder = _Penalties(figure, timeline, surfaces, notes, place)
     penalties = builder.all(entries)
     return Clip(
-        name, text, mjcf, figure, fps, tuple(keys), penalties, settings, solve.ends, surfaces,
+        name, text, mjcf, figure, fps, tuple(keys), penalties, settings, solve.ends,
+        np.zeros((2, figure.width)) if solve.ends == "clamped" else None, surfaces,
         builder.points, builder.bends, tuple(notes),
     )  # fmt: skip
 
@@ -450,7 +452,8 @@ def _plain(name: str, mjcf: str, time: Array, qpos: Array, fps: float | None, pl
     figure = _figure(mjcf, "auto", place)
     if time.ndim != 1 or qpos.shape != (time.size, figure.width):
         raise UserError(
-            f"{place}: time {time.shape} and qpos {qpos.shape} do not fit the figure; wanted (K,) and (K, {figure.width})"
+            f"{place}: time {time.shape} and qpos {qpos.shape} do not fit the figure: "
+            f"they should be (K,) and (K, {figure.width})"
         )
     try:
         keys = [Frame.key(t, q) for t, q in zip(time, qpos, strict=True)]

@@ -1,11 +1,11 @@
 """MOTION.npz: a solved clip as plain arrays, no pickles; everything `report`, `plot` and `render` need to run again.
 
-    fps, time (T,)                      time[i] = t0 + i / fps
-    qpos (T, nq), qvel, qacc (T, nv)    unit and sign-continuous quaternions; MuJoCo's conventions
-    raw_qpos, raw_qvel, raw_qacc        the same of the raw spline
-    key_time (K,), key_qpos (K, nq), key_fixed (K, nq)
-    frame_time (M,), frame_state (M, N), frame_fixed (M, N), end_slope (2, N), and raw_* of the same
-    joint_names, body_names, mjcf, clip, trace, report, name, coordinates, ends, format_version
+fps, time (T,)                      time[i] = t0 + i / fps
+qpos (T, nq), qvel, qacc (T, nv)    unit and sign-continuous quaternions; MuJoCo's conventions
+raw_qpos, raw_qvel, raw_qacc        the same of the raw spline
+key_time (K,), key_qpos (K, nq), key_fixed (K, nq)
+frame_time (M,), frame_state (M, N), frame_fixed (M, N), end_slope (2, N), and raw_* of the same
+joint_names, body_names, mjcf, clip, trace, report, name, coordinates, ends, format_version
 """
 
 from __future__ import annotations

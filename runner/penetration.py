@@ -49,7 +49,11 @@ def moving_geoms(model: mujoco.MjModel) -> list[int]:
 def solid_geoms(model: mujoco.MjModel) -> list[int]:
     """Static planes and boxes: the surfaces."""
     kinds = {int(mujoco.mjtGeom.mjGEOM_PLANE), int(mujoco.mjtGeom.mjGEOM_BOX)}
-    return [g for g in range(model.ngeom) if model.body_weldid[model.geom_bodyid[g]] == 0 and int(model.geom_type[g]) in kinds]
+    return [
+        g
+        for g in range(model.ngeom)
+        if model.body_weldid[model.geom_bodyid[g]] == 0 and int(model.geom_type[g]) in kinds
+    ]
 
 
 def geom_name(model: mujoco.MjModel, geom: int) -> str:

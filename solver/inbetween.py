@@ -46,7 +46,7 @@ class Settings:
     frames: int | None = None
     criterion: str = "weak"
     threshold: float = 1e-4
-    batch: float = 0.25
+    batch: float = 0.5
     method: str = "lbfgs"
     max_evaluations: int = 250
     tolerance: float = 1e-5

@@ -22,6 +22,9 @@ METHODS = {
     "var2": ("LD_VAR2", "shifted limited-memory variable metric"),
 }
 
+# NLopt's line searches answer a forced stop with a failure; that error is its own class in 2.11 and no RuntimeError
+FAILURES = (nlopt.RoundoffLimited, RuntimeError, getattr(nlopt, "runtime_error", RuntimeError))
+
 
 class Stop(Enum):
     """Why a minimisation ended, and what the caller can do about it."""
@@ -87,15 +90,13 @@ def minimise(
         optimiser.optimize(np.array(x0, float))
         result = optimiser.last_optimize_result()
         stop = Stop.BUDGET if result == nlopt.MAXEVAL_REACHED else Stop.CONVERGED
-    except (KeyboardInterrupt, StopSearch, nlopt.ForcedStop):
-        stop = Stop.ASKED if search.asked else Stop.BUDGET
-    except (nlopt.RoundoffLimited, RuntimeError):
-        if search.failure is not None:
-            raise search.failure from None
+    except (KeyboardInterrupt, nlopt.ForcedStop):
+        stop = Stop.ASKED
+    except FAILURES:
         stop = Stop.STUCK
     if search.failure is not None:
         raise search.failure
-    return search.minimum(stop)
+    return search.minimum(search.forced or stop)
 
 
 class _Search:
@@ -105,26 +106,26 @@ class _Search:
         self.fun, self.improved, self.budget = fun, improved, budget
         self.best_x, self.best = x0.copy(), np.inf
         self.count = 0
-        self.asked = True
+        self.forced: Stop | None = None
         self.failure: Exception | None = None
 
     def minimum(self, stop: Stop) -> Minimum:
         return Minimum(self.best_x, float(self.best), self.count, stop)
 
     def objective(self, x: Array, gradient: Array) -> float:
-        if self.count >= self.budget:
-            self.asked = False
-            raise nlopt.ForcedStop
         try:
-            value, slope = self.evaluate(x)
+            if self.count >= self.budget:
+                self.forced = Stop.BUDGET
+            if self.forced is None and self.failure is None:
+                value, slope = self.evaluate(x)
+                if gradient.size:
+                    gradient[:] = slope
+                return value
         except (KeyboardInterrupt, StopSearch):
-            raise nlopt.ForcedStop from None
+            self.forced = Stop.ASKED
         except Exception as error:
             self.failure = error
-            raise nlopt.ForcedStop from None
-        if gradient.size:
-            gradient[:] = slope
-        return value
+        raise nlopt.ForcedStop
 
     def evaluate(self, x: Array) -> tuple[float, Array]:
         self.count += 1

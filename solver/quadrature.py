@@ -39,7 +39,7 @@ class Quadrature:
         """Sample times (S,) [s] and weights (S,) [s] for a spline with knots at `times`."""
         if self.kind == "uniform":
             length = times[-1] - times[0]
-            count = max(self.points, int(np.ceil(LEAST_PER_SPAN * length / np.diff(times).min())))
+            count = max(self.points, int(np.ceil(LEAST_PER_SPAN * length / np.diff(times).min() - 1e-9)))
             return times[0] + length * (np.arange(count) + 0.5) / count, np.full(count, length / count)
         return gauss_nodes(self.panels(times), self.points)
 

@@ -4,14 +4,15 @@ A path of least ¼∫|ω'|² through unit quaternions obeys, for the body's angu
 
     ω''' + ω × ω'' = 0   between keyframes,   ω and ω' continuous at keyframes,   ω' = 0 at both ends
 
-(method of L. Noakes, G. Heinzinger, B. Paden, "Cubic splines on curved spaces", IMA J. Math. Control Inf. 6, 1989). It is
-solved here by multiple shooting: every segment starts with its own ω, ω', ω'', is integrated by its Taylor series, and
-Newton's method, with exact derivatives by complex steps, closes the gaps.
+(L. Noakes, G. Heinzinger, B. Paden, "Cubic splines on curved spaces", IMA J. Math. Control Inf. 6, 1989). It is solved
+here by multiple shooting: every segment starts with its own ω, ω', ω'' and is integrated by its Taylor series; Newton's
+method closes the gaps, its derivatives exact by complex steps.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 from math import factorial
 
 import numpy as np
@@ -134,7 +135,7 @@ class ExactPath:
     def _equation_fault(self) -> float:
         """ω and its derivatives from a Chebyshev fit of 2 vec(Q⁻¹Q'), with Q' from a fit of the sampled Q."""
         worst = 0.0
-        for a, b in zip(self.times[:-1], self.times[1:], strict=True):
+        for a, b in pairwise(self.times):
             t = (a + b) / 2 - (b - a) / 2 * np.cos((np.arange(28) + 0.5) * np.pi / 28)
             q = self.at(t)
             fits = [np.polynomial.Chebyshev.fit(t, column, 22, domain=[a, b]) for column in q.T]
@@ -158,7 +159,7 @@ def exact_path(times: Array, keys: Array) -> ExactPath:
     for _ in range(60):
         if np.linalg.norm(gap) < CLOSED:
             break
-        step = np.linalg.solve(_jacobian(times, keys, states), -gap).reshape(states.shape)
+        step = np.asarray(np.linalg.solve(_jacobian(times, keys, states), -gap), float).reshape(states.shape)
         found = _shortened(times, keys, states, step)
         if found is None:
             raise ArithmeticError(f"multiple shooting is stuck with a gap of {np.linalg.norm(gap):.2g}")
@@ -181,7 +182,7 @@ def _start(times: Array, keys: Array) -> Array:
     """(ω, ω', ω'') (K − 1, 9) of parabolas fitted to the body's angular velocity along the natural cubic."""
     curve = CubicSpline(times, keys, bc_type="natural")
     rows = []
-    for a, b in zip(times[:-1], times[1:], strict=True):
+    for a, b in pairwise(times):
         t = np.linspace(a, b, 9)
         q, q_d = curve(t), curve(t, 1)
         omega = 2 * (_product(_conjugate(q), q_d) / np.sum(q * q, axis=1, keepdims=True))[:, 1:]
@@ -212,6 +213,10 @@ def _jacobian(times: Array, keys: Array, states: Array) -> Array:
     for segment in range(count):
         for entry in range(9):
             own, own_q, own_end = states.astype(complex), q[entry].real + 0j, end[entry].real + 0j
-            own[segment], own_q[segment], own_end[segment] = moved[entry, segment], q[entry, segment], end[entry, segment]
-            columns.append(_closing(keys, own, own_q, own_end).imag / TINY)
+            own[segment], own_q[segment], own_end[segment] = (
+                moved[entry, segment],
+                q[entry, segment],
+                end[entry, segment],
+            )
+            columns.append(np.imag(_closing(keys, own, own_q, own_end)) / TINY)
     return np.stack(columns, axis=1)

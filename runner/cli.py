@@ -1,0 +1,261 @@
+"""The command `dynsplines`. Everything heavy is imported inside the command that needs it."""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+if TYPE_CHECKING:
+    from .graphics import Graphics
+    from .motion import Saved
+    from .progress import Teller
+    from .show import Look
+
+app = typer.Typer(
+    help="Sparse keyframes of an articulated figure into smooth motion that keeps its feet out of the floor.",
+    no_args_is_help=True,
+    add_completion=False,
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+)
+
+Source = Annotated[
+    str, typer.Argument(metavar="CLIP|MOTION.npz", help="a shipped clip, a .toml or .xml file, or a saved motion")
+]
+ClipSource = Annotated[str, typer.Argument(metavar="CLIP", help="a shipped clip, or a .toml or .xml file")]
+Model = Annotated[str | None, typer.Option("--model", help="a figure, instead of a clip; with --keys")]
+Keys = Annotated[str | None, typer.Option("--keys", help=".npz with time (K,) and qpos (K, nq); with --model")]
+Output = Annotated[Path | None, typer.Option("-o", "--output", help="the file to write")]
+AsJson = Annotated[bool, typer.Option("--json", help="print JSON")]
+
+
+def main() -> None:
+    """The command, with bad input told in one line and exit code 2."""
+    from .errors import UserError
+
+    try:
+        app()
+    except UserError as error:
+        print(f"dynsplines: {error}", file=sys.stderr)
+        sys.exit(2)
+    except KeyboardInterrupt:
+        print("dynsplines: stopped", file=sys.stderr)
+        sys.exit(130)
+
+
+@app.command()
+def render(
+    source: Source = "",
+    output: Output = None,
+    only: Annotated[str, typer.Option(help="before, after or keys (the keyframes, without solving)")] = "",
+    ghosts: Annotated[bool, typer.Option("--ghosts", help="the paper's figure 6: keyframes darkest")] = False,
+    size: Annotated[str, typer.Option(help="of the whole picture, pixels")] = "1280x720",
+    fps: Annotated[float | None, typer.Option(help="images a second [default: the clip's, 30]")] = None,
+    camera: Annotated[str, typer.Option(help="side, front, three_quarter, back, or a camera of the model")] = "side",
+    slow: Annotated[float, typer.Option(help="how many times slower than life")] = 1.0,
+    model: Model = None,
+    keys: Keys = None,
+) -> None:
+    """Solve a clip (or take a saved motion) and render before | after; .mp4 .webm .gif .png by the ending."""
+    from .errors import UserError
+
+    width, height = _size(size)
+    if only not in ("", "before", "after", "keys"):
+        raise UserError(f"--only {only}: not one of before, after, keys")
+    if fps is not None and not 0 < fps <= 1000:
+        raise UserError(f"--fps {fps:g}: give a number of images a second above 0")
+    if not 0.01 <= slow <= 1000:
+        raise UserError(f"--slow {slow:g}: give how many times slower, such as 4")
+    name = _name(source, keys)
+    target = output or Path(f"{name}.png" if ghosts else f"{name}.mp4")
+    _film_target(target, width, height, halves=not only and not (ghosts and target.suffix.lower() == ".png"))
+    from .graphics import GraphicsError, choose
+
+    try:
+        graphics = choose()
+    except GraphicsError as error:
+        raise UserError(str(error)) from None
+    from .progress import Teller
+    from .show import Look
+
+    with Teller() as teller:
+        teller.say(graphics.line)
+        saved = _saved(source, model, keys, teller, solve=only not in ("keys", "before"), with_report=False)
+        look = Look(width, height, fps or saved.fps, only, ghosts, camera, slow)
+        _film(saved, look, graphics, target, teller)
+        teller.say(f"wrote {target}")
+
+
+@app.command()
+def solve(
+    source: ClipSource = "",
+    output: Output = None,
+    fps: Annotated[float | None, typer.Option(help="samples a second in the file [default: the clip's, 30]")] = None,
+    as_json: AsJson = False,
+    model: Model = None,
+    keys: Keys = None,
+) -> None:
+    """Solve a clip and save the motion as arrays (.npz)."""
+    from . import motion
+    from .errors import UserError
+    from .progress import Teller
+
+    target = output or Path(f"{_name(source, keys)}.npz")
+    if target.suffix != ".npz":
+        raise UserError(f"{target}: a motion file ends in .npz")
+    if fps is not None and not 0 < fps <= 100000:
+        raise UserError(f"--fps {fps:g}: give a number of samples a second above 0")
+    motion.check_target(target)
+    with Teller() as teller:
+        saved = _saved(source, model, keys, teller, with_report=True, fps=fps)
+        motion.save(saved, target)
+        teller.say(f"wrote {target}")
+    if as_json:
+        print(json.dumps(_plain(saved.report), indent=2))
+
+
+@app.command()
+def report(source: Source = "", as_json: AsJson = False, model: Model = None, keys: Keys = None) -> None:
+    """Measure before and after on a 1 kHz grid: penetration, knees, skate, torques, what is left to gain."""
+    from rich.console import Console
+
+    from .progress import Teller
+    from .report import tables
+
+    with Teller() as teller:
+        saved = _saved(source, model, keys, teller, with_report=True)
+    if as_json:
+        print(json.dumps(_plain(saved.report), indent=2))
+    else:
+        console = Console(highlight=False)
+        console.print(tables(saved.report), markup=False)
+
+
+@app.command()
+def plot(source: Source = "", output: Output = None, model: Model = None, keys: Keys = None) -> None:
+    """Charts: foot height, unit magnitude, Euler-Lagrange deviation, penalties per evaluation (.png .svg .pdf)."""
+    import numpy as np
+
+    from . import chart, motion
+    from .progress import Teller
+
+    target = output or Path(f"{_name(source, keys)}.png")
+    chart.check_target(target)
+    motion.check_target(target)
+    with Teller() as teller:
+        saved = _saved(source, model, keys, teller, with_report=True)
+        chart.draw(saved.name, saved.report, saved.trace, np.array([key.time for key in saved.keys]), target)
+        teller.say(f"wrote {target}")
+
+
+@app.command()
+def paper(seeds: Annotated[int, typer.Option(help="sets of keyframes", min=1)] = 20, as_json: AsJson = False) -> None:
+    """Reproduce the paper's claims on fixed sets: claim | paper | here."""
+    from rich.console import Console
+
+    from . import paper as study
+    from .progress import Teller
+
+    with Teller() as teller:
+        claims = study.run(seeds, teller)
+    if as_json:
+        print(json.dumps(study.as_json(claims), indent=2))
+    else:
+        Console(highlight=False).print(study.table(claims))
+
+
+@app.command()
+def clips() -> None:
+    """The clips that ship."""
+    import models
+
+    for name, line in models.clips().items():
+        print(f"{name:16} {line}")
+
+
+@app.command(name="models")
+def list_models() -> None:
+    """The figures that ship."""
+    import models
+
+    for name, line in models.figures().items():
+        print(f"{name:16} {line}")
+
+
+def _name(source: str, keys: str | None) -> str:
+    """What a command's output is called after."""
+    from .errors import UserError
+
+    if not source and keys is None:
+        raise UserError("name a clip (see `dynsplines clips`), a file, or --model with --keys")
+    return Path(keys if keys is not None else source).stem
+
+
+def _size(text: str) -> tuple[int, int]:
+    from .errors import UserError
+
+    parts = text.lower().split("x")
+    if len(parts) != 2 or not all(part.isdigit() for part in parts):
+        raise UserError(f"--size {text}: give WIDTHxHEIGHT in pixels, such as 1280x720")
+    width, height = int(parts[0]), int(parts[1])
+    if not (16 <= width <= 3840 and 16 <= height <= 2160):
+        raise UserError(f"--size {text}: from 16x16 to 3840x2160")
+    return width, height
+
+
+def _film_target(target: Path, width: int, height: int, *, halves: bool) -> None:
+    from .errors import UserError
+    from .film import FilmError, check_target
+
+    try:
+        check_target(target, width, height)
+    except FilmError as error:
+        raise UserError(str(error)) from None
+    if halves and width % 2:
+        raise UserError(f"--size {width}x{height}: two halves side by side need an even width")
+
+
+def _saved(
+    source: str,
+    model: str | None,
+    keys: str | None,
+    teller: Teller,
+    *,
+    with_report: bool,
+    solve: bool = True,
+    fps: float | None = None,
+) -> Saved:
+    """The motion that a command is about: a file as it is, or a clip solved now."""
+    from . import clip, motion, work
+
+    if motion.is_motion(source) and keys is None:
+        return motion.load(Path(source))
+    problem = clip.load(source, model=model, keys=keys, fps=fps)
+    return (work.solve(problem, teller) if solve else work.unsolved(problem)).saved(with_report)
+
+
+def _film(saved: Saved, look: Look, graphics: Graphics, target: Path, teller: Teller) -> None:
+    from . import film, show
+    from .errors import UserError
+
+    still = target.suffix.lower() == ".png"
+    try:
+        if look.ghosts and still:
+            film.write(target, [show.figure_six(saved, look, graphics)], look.fps)
+            return
+        count = show.image_count(saved, look, still_keys=still)
+        images = show.images(saved, look, graphics, still_keys=still)
+        film.write(target, teller.over(images, "rendering", count), look.fps, count=count)
+    except (film.FilmError, ValueError) as error:
+        raise UserError(str(error)) from None
+    except OSError as error:
+        raise UserError(f"cannot write '{target}': {error.strerror or error}") from None
+
+
+def _plain(report: dict) -> dict:
+    """The report without the charts' long curves."""
+    return {key: value for key, value in report.items() if key != "curves"}

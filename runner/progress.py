@@ -1,0 +1,64 @@
+"""Live progress of long work: a bar on a terminal, plain lines elsewhere, always on stderr."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterable, Iterator
+from types import TracebackType
+from typing import Self, TypeVar
+
+from rich.console import Console
+from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
+Item = TypeVar("Item")
+QUIET_SECONDS = 2.0
+
+
+class Teller:
+    """Says how far work has come.
+
+    with Teller() as tell:
+        tell.say("renderer: EGL")
+        tell.step("solving", 0.3, "E 2.41")
+        for image in tell.over(images, "rendering", 80): ...
+    """
+
+    def __init__(self, console: Console | None = None) -> None:
+        self.console = console or Console(stderr=True, highlight=False)
+        self._bars: Progress | None = None
+        self._tasks: dict[str, object] = {}
+        self._last = 0.0
+
+    def __enter__(self) -> Self:
+        if self.console.is_terminal:
+            columns = (TextColumn("{task.description}"), BarColumn(), TextColumn("{task.fields[note]}"))
+            self._bars = Progress(*columns, TimeElapsedColumn(), console=self.console)
+            self._bars.start()
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        if self._bars is not None:
+            self._bars.stop()
+
+    def say(self, line: str) -> None:
+        """One line that stays."""
+        self.console.print(line, markup=False)
+
+    def step(self, work: str, share: float | None, note: str = "", *, force: bool = False) -> None:
+        """`work` has come to `share` (0 to 1, None: nobody knows)."""
+        if self._bars is not None:
+            if work not in self._tasks:
+                self._tasks[work] = self._bars.add_task(work, total=None if share is None else 1.0, note="")
+            self._bars.update(self._tasks[work], completed=share, note=note)  # type: ignore[arg-type]
+        elif force or time.monotonic() - self._last > QUIET_SECONDS:
+            self._last = time.monotonic()
+            done = "" if share is None else f" {share:4.0%}"
+            self.say(f"{work}{done} {note}".rstrip())
+
+    def over(self, items: Iterable[Item], work: str, count: int) -> Iterator[Item]:
+        """The items, told one by one."""
+        for i, item in enumerate(items):
+            yield item
+            self.step(work, (i + 1) / max(count, 1), f"{i + 1} of {count}", force=i + 1 == count)

@@ -1,0 +1,373 @@
+"""What a motion is like, before and after, on a 1 kHz grid: *between* the samples that the optimiser saw.
+
+Everything here is a plain dict, so that it goes into JSON, into the motion file and on to the screen alike.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from rich.console import Group
+from rich.table import Table
+
+from solver.displacement import displacement
+from solver.dynamics import InverseDynamics, generalised_forces
+from solver.euler_lagrange import residual
+from solver.figure import JointKind
+from solver.frame import Timeline
+from solver.inbetween import Motion
+from solver.kinematics import Samples, turned
+from solver.objective import Objective
+from solver.penalty import BendLimits, Contact, stances
+from solver.quadrature import gauss_nodes
+from solver.quaternion import Array
+from solver.subdivision import path_of
+from solver.surface import Box
+
+from .clip import Clip
+from .motion import continuous, samples_at
+from .penetration import penetration
+
+RATE = 1000.0
+RESTING = 0.01
+
+
+@dataclass(frozen=True)
+class Grid:
+    """One motion on the fine grid: times (T,) [s], samples, qpos (T, nq)."""
+
+    time: Array
+    samples: Samples
+    qpos: Array
+
+    @classmethod
+    def of(cls, clip: Clip, timeline: Timeline, rate: float = RATE) -> Grid:
+        first, last = float(timeline.times[0]), float(timeline.times[-1])
+        time = np.linspace(first, last, max(2, round((last - first) * rate) + 1))
+        samples = samples_at(clip.figure, path_of(timeline), time)
+        return cls(time, samples, continuous(clip.figure, clip.figure.to_qpos(samples.y)))
+
+
+def report(clip: Clip, motion: Motion, seconds: float) -> dict[str, Any]:
+    """The whole report of a solved clip; `seconds` is what the solve took."""
+    before, after = Grid.of(clip, motion.raw), Grid.of(clip, motion.timeline)
+    sides = {
+        "before": _side(clip, motion.objective, motion.raw, before),
+        "after": _side(clip, motion.objective, motion.timeline, after),
+    }
+    drift = np.linalg.norm(_centre_of_mass(after.samples) - _centre_of_mass(before.samples), axis=0)
+    sides["after"]["centre of mass off before, m"] = {
+        "largest": float(drift.max()),
+        "away from trouble": float(drift[_far_from_trouble(clip, before)].max(initial=0.0)),
+    }
+    return {
+        "clip": clip.name,
+        "duration, s": float(before.time[-1] - before.time[0]),
+        "keyframes": len(clip.keys),
+        "partial keyframes": sum(not key.is_key for key in clip.keys),
+        "variable frames": motion.timeline.variable_count,
+        "evaluations": motion.evaluations,
+        "seconds": seconds,
+        "stopped because": motion.stop.value,
+        "segments": _segments(clip, motion),
+        **sides,
+    }
+
+
+def _side(clip: Clip, objective: Objective, timeline: Timeline, grid: Grid) -> dict[str, Any]:
+    model = clip.figure.model
+    deep = penetration(model, grid.time, grid.qpos)
+    order = [int(i) for i in np.argsort(-deep.depth, kind="stable") if deep.depth[i] > 0]
+    parts = objective.integrals(path_of(timeline))
+    names = [term.penalty.name for term in objective.terms]
+    return {
+        "objective": float(sum(t.factor * v for t, v in zip(objective.terms, parts, strict=True))),
+        "terms": {n: float(t.factor * v) for n, t, v in zip(names, objective.terms, parts, strict=True)},
+        "penetration, m": {
+            "deepest": deep.deepest,
+            "where": deep.worst(),
+            "geoms": {deep.names[i]: float(deep.depth[i]) for i in order},
+            "points": _point_depths(clip, grid),
+        },
+        "bends, degrees": _bend_report(clip, grid),
+        "skate": _skate(clip, grid),
+        "stances": _stance_report(clip, timeline),
+        "edge clearance, m": _edge_clearance(clip, grid),
+        "unit deviation": _unit_deviation(grid),
+        "keyframe error": _keyframe_error(clip, timeline),
+        "angular acceleration, rad/s²": _peak_acceleration(grid),
+        "torque, N m": _torque(grid),
+    }
+
+
+def _heights(clip: Clip, grid: Grid) -> Array:
+    """(n, T) height of the contact points over the surface below them [m]."""
+    centres, _, _ = Contact(clip.points, ()).centres(grid.samples)
+    return np.min([surface.height(centres) for surface in clip.surfaces], axis=0)
+
+
+def _point_depths(clip: Clip, grid: Grid) -> dict[str, float]:
+    if not clip.points or not clip.surfaces:
+        return {}
+    centres, _, _ = Contact(clip.points, ()).centres(grid.samples)
+    still = np.zeros(len(clip.points))
+    depth = np.max([surface.depth(centres, still)[0] for surface in clip.surfaces], axis=0)
+    return {point.name: float(d) for point, d in zip(clip.points, depth.max(axis=1), strict=True)}
+
+
+def _bend_report(clip: Clip, grid: Grid) -> dict[str, dict[str, float]]:
+    if not clip.bends:
+        return {}
+    flexion, sideways, twist = np.degrees(BendLimits(clip.bends).angles(grid.samples))
+    return {
+        bend.name: {
+            "backward": float(max(0.0, -flexion[i].min())),
+            "sideways": float(np.abs(sideways[i]).max()),
+            "twist": float(np.abs(twist[i]).max()),
+        }
+        for i, bend in enumerate(clip.bends)
+    }
+
+
+def _skate(clip: Clip, grid: Grid) -> dict[str, dict[str, float]]:
+    """Horizontal path of each contact point while within 1 cm of its surface, and its mean speed there."""
+    if not clip.points or not clip.surfaces:
+        return {}
+    centres, _, _ = Contact(clip.points, ()).centres(grid.samples)
+    low = np.abs(_heights(clip, grid)) < RESTING
+    steps = np.linalg.norm(np.diff(centres[:2], axis=2), axis=0)
+    together = low[:, 1:] & low[:, :-1]
+    pace = np.diff(grid.time)
+    out = {}
+    for i, point in enumerate(clip.points):
+        length, rest = float(steps[i, together[i]].sum()), float(pace[together[i]].sum())
+        out[point.name] = {"path, m": length, "speed, m/s": length / rest if rest > 0 else 0.0, "rest, s": rest}
+    return out
+
+
+def _stance_report(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
+    """Every foot that two neighbouring keyframes plant: its lowest point in between, and how far it slides."""
+    keys = _key_timeline(clip, timeline)
+    found = stances(clip.figure, keys, clip.points, clip.surfaces)
+    groups: dict[tuple[float, float, int], list[Any]] = {}
+    for stance in found:
+        groups.setdefault((stance.first, stance.last, stance.point.link), []).append(stance)
+    out = []
+    for (first, last, link), group in groups.items():
+        time = np.linspace(first, last, max(2, round((last - first) * RATE)))
+        samples = samples_at(clip.figure, path_of(timeline), time)
+        own = Contact(tuple(point for point in clip.points if point.link == link), ())
+        height = np.min([surface.height(own.centres(samples)[0]) for surface in clip.surfaces], axis=0).min(axis=0)
+        centres, _, _ = Contact(tuple(stance.point for stance in group), ()).centres(samples)
+        slide = max(
+            float(np.linalg.norm((centres[:, i] - stance.place(time))[:2], axis=0).max())
+            for i, stance in enumerate(group)
+        )
+        names = " and ".join(stance.point.name for stance in group)
+        lift = float(height.max())
+        out.append({"points": names, "from, s": first, "to, s": last, "lift, m": lift, "slide, m": slide})
+    return out
+
+
+def _key_timeline(clip: Clip, timeline: Timeline) -> Timeline:
+    """The keyframes alone, partial ones as the motion fills them."""
+    times = np.array([key.time for key in clip.keys])
+    at = np.searchsorted(timeline.times, times - 1e-9)
+    return Timeline(tuple(timeline.frames[i] for i in at), np.zeros((2, timeline.width)))
+
+
+def _edge_clearance(clip: Clip, grid: Grid) -> dict[str, float]:
+    """Height of a foot's lowest contact point over a box's top when the foot's middle crosses the box's front edge."""
+    out: dict[str, float] = {}
+    for box in (surface for surface in clip.surfaces if isinstance(surface, Box)):
+        edge = box.centre[0] - np.abs(box.axes[0]) @ box.half
+        top = box.centre[2] + np.abs(box.axes[2]) @ box.half
+        for link in sorted({point.link for point in clip.points}):
+            points = tuple(point for point in clip.points if point.link == link)
+            centres, _, _ = Contact(points, ()).centres(grid.samples)
+            middle = centres[0].mean(axis=0)
+            for i in np.flatnonzero((middle[:-1] < edge) & (middle[1:] >= edge)):
+                name = f"{clip.figure.links[link].name} over {box.name} at {grid.time[i]:.2f} s"
+                out[name] = float(centres[2, :, i].min() - top)
+    return out
+
+
+def _unit_deviation(grid: Grid) -> dict[str, float]:
+    length = np.linalg.norm(grid.samples.q, axis=0)
+    if not length.size:
+        return {"shortest": 1.0, "longest": 1.0, "largest": 0.0}
+    return {
+        "shortest": float(length.min()),
+        "longest": float(length.max()),
+        "largest": float(np.abs(length - 1).max()),
+    }
+
+
+def _keyframe_error(clip: Clip, timeline: Timeline) -> float:
+    """Largest error of a fixed entry at its key time: the spline evaluated there and turned into qpos."""
+    figure = clip.figure
+    times = np.array([key.time for key in clip.keys])
+    reached = figure.to_qpos(path_of(timeline).at(times))
+    worst = 0.0
+    for key, qpos in zip(clip.keys, reached, strict=True):
+        wanted = key.state.copy()
+        for columns in figure.tables.quaternion_columns.T:
+            wanted[columns] /= np.linalg.norm(wanted[columns])
+            if wanted[columns] @ qpos[columns] < 0:
+                wanted[columns] *= -1
+        worst = max(worst, float(np.abs(wanted - qpos)[key.fixed].max(initial=0.0)))
+    return worst
+
+
+def _peak_acceleration(grid: Grid) -> dict[str, Any]:
+    """Largest angular acceleration of a joint: of a link relative to its parent."""
+    links, figure = grid.samples.links, grid.samples.figure
+    relative = np.linalg.norm(links.alpha - links.alpha[:, figure.tables.parents], axis=0)
+    kinds = np.array([link.kind in (JointKind.BALL, JointKind.HINGE) and i > 0 for i, link in enumerate(figure.links)])
+    if not kinds.any():
+        return {"peak": 0.0, "joint": "", "at, s": 0.0}
+    relative[~kinds] = 0
+    link, at = np.unravel_index(relative.argmax(), relative.shape)
+    return {"peak": float(relative.max()), "joint": figure.links[int(link)].name, "at, s": float(grid.time[at])}
+
+
+def _torque(grid: Grid) -> dict[str, Any]:
+    """Joint torques by inverse dynamics, and the wrench that the ground would have to supply at the roots."""
+    figure = grid.samples.figure
+    forces = generalised_forces(grid.samples)
+    roots = np.zeros(figure.model.nv, bool)
+    for link in figure.links[1:]:
+        if link.kind is JointKind.FREE:
+            roots[link.dof : link.dof + 6] = True
+    joints = np.linalg.norm(forces[:, ~roots], axis=1)
+    moment = np.linalg.norm(InverseDynamics(grid.samples).moment, axis=0)
+    moment[[i for i, link in enumerate(figure.links) if link.kind is JointKind.FREE]] = 0
+    link = int(moment.max(axis=1).argmax())
+    root = np.linalg.norm(forces[:, roots], axis=1)
+    return {
+        "root mean square": float(np.sqrt(np.mean(joints**2))),
+        "peak of one joint": float(moment.max(initial=0.0)),
+        "joint": figure.links[link].name,
+        "peak root wrench": float(root.max(initial=0.0)),
+    }
+
+
+def _centre_of_mass(samples: Samples) -> Array:
+    """(3, T) [m] of the whole figure."""
+    tables = samples.figure.tables
+    centres = samples.links.x + turned(samples.links.rotation, tables.centre)
+    return np.einsum("l,cls->cs", tables.mass, centres) / max(float(tables.mass.sum()), 1e-12)
+
+
+def _far_from_trouble(clip: Clip, before: Grid, margin: float = 0.25) -> Array:
+    """Times at least `margin` [s] away from any at which the raw motion is in a box."""
+    boxes = [surface for surface in clip.surfaces if isinstance(surface, Box)]
+    inside = np.zeros(before.time.size, bool)
+    if boxes and clip.points:
+        centres, _, _ = Contact(clip.points, ()).centres(before.samples)
+        for box in boxes:
+            inside |= (box.depth(centres, np.zeros(len(clip.points)))[0] > 0).any(axis=0)
+    bad = before.time[inside]
+    if not bad.size:
+        return np.ones(before.time.size, bool)
+    return np.abs(before.time[:, None] - bad[None, :]).min(axis=1) > margin
+
+
+def _segments(clip: Clip, motion: Motion) -> list[dict[str, float]]:
+    """Per segment between keyframes: EL deviation before and after, δ and what a local solve says is left (appendix C)."""
+    left = displacement(motion.objective, motion.timeline)
+    after = residual(motion.objective, path_of(motion.timeline)).deviation()
+    before = residual(motion.objective, path_of(motion.raw)).deviation()
+    times = np.array([key.time for key in clip.keys])
+    own = np.clip(np.searchsorted(times, motion.timeline.times[:-1] + 1e-9) - 1, 0, times.size - 2)
+    sums = {
+        "deviation after": after,
+        "delta": left.distance,
+        "delta · EL": left.gap,
+        "left": left.found,
+    }
+    rows = []
+    for i in range(times.size - 1):
+        row = {"from, s": float(times[i]), "to, s": float(times[i + 1]), "deviation before": float(before[i])}
+        row |= {name: float(values[own == i].sum()) for name, values in sums.items()}
+        row["variable frames"] = float((own == i).sum() - 1)
+        rows.append(row)
+    return rows
+
+
+def objective_density(objective: Objective, timeline: Timeline, edges: Array) -> Array:
+    """∫ f dt over parts of the clip between edges [s]."""
+    t, w = gauss_nodes(edges, 16)
+    density = objective.density(objective.samples(path_of(timeline), t))
+    return (w * density).reshape(edges.size - 1, -1).sum(axis=1)
+
+
+def tables(data: dict[str, Any]) -> Group:
+    """The report for a screen."""
+    before, after = data["before"], data["after"]
+    head = (
+        f"{data['clip']}: {data['duration, s']:.2f} s, {data['keyframes']} keyframes "
+        f"({data['partial keyframes']} partial), {data['variable frames']} variable frames; "
+        f"{data['evaluations']} evaluations in {data['seconds']:.2f} s; {data['stopped because']}"
+    )
+    main = Table("measure", "before", "after", title="on a 1 kHz grid", title_justify="left")
+    for name, one, two in _lines(before, after):
+        main.add_row(name, one, two)
+    segments = Table("segment, s", "EL before", "EL after", "δ", "δ · EL", "left", "variable", title="segments")
+    for row in data["segments"]:
+        segments.add_row(
+            f"{row['from, s']:.2f} - {row['to, s']:.2f}",
+            *(f"{row[key]:.3g}" for key in ("deviation before", "deviation after", "delta", "delta · EL", "left")),
+            f"{row['variable frames']:.0f}",
+        )
+    return Group(head, main, segments)
+
+
+def _lines(before: dict[str, Any], after: dict[str, Any]) -> list[tuple[str, str, str]]:
+    sides = (before, after)
+
+    def row(name: str, *values: str) -> tuple[str, str, str]:
+        return (name, values[0], values[1])
+
+    def millimetres(value: float) -> str:
+        return f"{1000 * value:.1f} mm"
+
+    lines = [row("objective", *(f"{s['objective']:.4g}" for s in sides))]
+    for name in after["terms"]:
+        lines.append(row(f"  {name}", *(f"{s['terms'].get(name, 0):.4g}" for s in sides)))
+    deepest = [s["penetration, m"] for s in sides]
+    lines.append(
+        row("deepest penetration of any geom", *(f"{millimetres(d['deepest'])}, {d['where']}" for d in deepest))
+    )
+    for name in after["penetration, m"]["points"]:
+        lines.append(row(f"  {name}", *(millimetres(d["points"][name]) for d in deepest)))
+    for name in after["bends, degrees"]:
+        angles = [s["bends, degrees"][name] for s in sides]
+        shown = [f"{a['backward']:.1f}° / {a['sideways']:.1f}° / {a['twist']:.1f}°" for a in angles]
+        lines.append(row(f"{name}: backward / sideways / twist", *shown))
+    for name in after["skate"]:
+        skates = [s["skate"][name] for s in sides]
+        lines.append(
+            row(f"skate of {name}", *(f"{millimetres(k['path, m'])}, {k['speed, m/s']:.3f} m/s" for k in skates))
+        )
+    for one, two in zip(before["stances"], after["stances"], strict=False):
+        name = f"{two['points']} planted {two['from, s']:.2f} - {two['to, s']:.2f} s: lift / slide"
+        lines.append(row(name, *(f"{millimetres(s['lift, m'])} / {millimetres(s['slide, m'])}" for s in (one, two))))
+    for name, value in after["edge clearance, m"].items():
+        lines.append(row(f"clearance of {name}", "", millimetres(value)))
+    units = [s["unit deviation"] for s in sides]
+    lines.append(row("length of quaternions", *(f"{u['shortest']:.4f} - {u['longest']:.4f}" for u in units)))
+    lines.append(row("keyframe error", *(f"{s['keyframe error']:.1e}" for s in sides)))
+    peaks = [s["angular acceleration, rad/s²"] for s in sides]
+    lines.append(row("peak angular acceleration", *(f"{p['peak']:.0f} rad/s², {p['joint']}" for p in peaks)))
+    torques = [s["torque, N m"] for s in sides]
+    lines.append(row("joint torque, root mean square", *(f"{t['root mean square']:.0f} N m" for t in torques)))
+    lines.append(row("  peak of one joint", *(f"{t['peak of one joint']:.0f} N m, {t['joint']}" for t in torques)))
+    lines.append(row("peak root wrench (the ground's to supply)", *(f"{t['peak root wrench']:.0f}" for t in torques)))
+    drift = after.get("centre of mass off before, m")
+    if drift:
+        lines.append(row("centre of mass off before, largest", "", millimetres(drift["largest"])))
+        lines.append(row("  away from where before is in a box", "", millimetres(drift["away from trouble"])))
+    return lines

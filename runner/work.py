@@ -1,0 +1,73 @@
+"""The main job between clip and picture: solve a clip, report on it, keep the result."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass
+
+from solver.inbetween import Improvement, Motion, inbetween
+from solver.objective import Objective
+from solver.optimiser import Stop, StopSearch
+from solver.unknowns import raw_timeline
+
+from .clip import Clip
+from .curves import curves
+from .motion import Saved
+from .progress import Teller
+from .report import report
+
+
+@dataclass(frozen=True)
+class Solved:
+    """A solved clip and how long the solve took [s]."""
+
+    clip: Clip
+    motion: Motion
+    seconds: float
+
+    def saved(self, with_report: bool = True) -> Saved:
+        """What goes into a motion file; the report takes some seconds."""
+        clip, motion = self.clip, self.motion
+        data = {}
+        if with_report:
+            data = report(clip, motion, self.seconds)
+            data["curves"] = curves(clip, motion)
+        trace = [list(entry) for entry in motion.trace]
+        return Saved(
+            clip.name, clip.text, clip.mjcf, clip.figure, clip.fps, clip.keys, motion.timeline, motion.raw, trace, data
+        )
+
+
+def solve(clip: Clip, teller: Teller, *, stop_after: int | None = None) -> Solved:
+    """Solves a clip, telling every improvement. Ctrl-C stops and keeps the best path.
+
+    stop_after  evaluations after which to stop and keep the best path
+    """
+    for note in clip.notes:
+        teller.say(f"note: {note}")
+
+    def improved(improvement: Improvement) -> None:
+        note = f"evaluation {improvement.evaluation}, objective {improvement.value:.4g}"
+        teller.step("solving", None, note)
+        if stop_after is not None and improvement.evaluation >= stop_after:
+            raise StopSearch
+
+    begin = time.perf_counter()
+    settings = clip.settings
+    found = inbetween(
+        clip.figure, clip.keys, clip.penalties, settings, ends=clip.ends, end_slope=clip.end_slope, improved=improved
+    )
+    seconds = time.perf_counter() - begin
+    if found.trace:
+        note = f"evaluation {found.evaluations}, objective {found.trace[0][2]:.4g} -> {found.trace[-1][2]:.4g}"
+        teller.step("solving", 1.0, note, force=True)
+    if found.stop is Stop.ASKED:
+        teller.say("stopped; the best path so far is kept")
+    return Solved(clip, found, seconds)
+
+
+def unsolved(clip: Clip) -> Solved:
+    """A clip as its raw spline, for looking at keyframes."""
+    raw = raw_timeline(clip.figure, list(clip.keys), clip.ends, clip.end_slope)
+    objective = Objective.of(clip.figure, clip.penalties, quadrature=clip.settings.quadrature)
+    return Solved(clip, Motion(clip.figure, objective, raw, raw, (), 0, Stop.CONVERGED), 0.0)

@@ -1,0 +1,168 @@
+"""The objective: renormalisation, its gradient in x over whole clips, and the quadrature under it."""
+
+import mujoco
+import numpy as np
+import pytest
+from taylor import taylor_slope
+from test_unknowns import TIMES, mask_without, random_keys
+
+from solver.figure import Figure
+from solver.frame import Frame, Timeline
+from solver.kinematics import Samples
+from solver.objective import SMALL_SHARE, Objective
+from solver.penalty import (
+    Bend,
+    BendLimits,
+    Contact,
+    CovariantAcceleration,
+    Penalty,
+    Point,
+    RootAcceleration,
+    Torque,
+    UnitMagnitude,
+)
+from solver.quadrature import Quadrature, gauss_nodes
+from solver.subdivision import evenly, path_of
+from solver.surface import Box, Plane
+from solver.unknowns import raw_timeline
+
+SURFACES = (
+    Plane("floor", np.zeros(3), np.array([0.0, 0, 1])),
+    Box("step", np.array([0.3, 0.2, 0.1]), np.eye(3), np.array([0.9, 0.8, 0.5])),
+)
+
+
+def every_penalty(figure: Figure) -> list[tuple[Penalty, float]]:
+    balls = [i for i, link in enumerate(figure.links) if i and link.kind is link.kind.BALL]
+    joints = tuple(Bend(f"{i}", i, np.array([0.0, 1, 0]), np.array([0.0, 0, -1])) for i in balls)
+    points = tuple(Point(f"{i}", i, np.array([0.05, 0.1, -0.2]), 0.1) for i in range(1, len(figure.links)))
+    return [
+        (CovariantAcceleration(), 2.0),
+        (CovariantAcceleration("paper"), 0.5),
+        (UnitMagnitude(), 5.0),
+        (UnitMagnitude("absolute", 0.1), 1.0),
+        (RootAcceleration(), 1.5),
+        (Torque(), 0.3),
+        (BendLimits(joints), 2.5),
+        (Contact(points, SURFACES), 4.0),
+    ]
+
+
+def clip(figure: Figure, rng: np.random.Generator, ends: str = "free") -> Timeline:
+    joint = figure.links[2].name
+    keys = random_keys(figure, rng, {1: mask_without(figure, joint, "root x"), 2: mask_without(figure, "root turn")})
+    if ends == "periodic":
+        keys[-1] = Frame.key(TIMES[-1], keys[0].state)
+    slope = rng.normal(size=(2, figure.width)) if ends == "clamped" else None
+    return raw_timeline(figure, keys, ends, slope)
+
+
+def test_the_renormalised_raw_spline_costs_the_sum_of_the_weights(figure, rng):
+    raw = path_of(clip(figure, rng))
+    penalties = every_penalty(figure)
+    objective = Objective.of(figure, penalties)
+    assert np.all(objective.integrals(raw) > [p.reference * SMALL_SHARE * 1.3 for p, _ in penalties])
+    renormalised = objective.renormalised(raw)
+    np.testing.assert_allclose(renormalised.value(raw), sum(weight for _, weight in penalties), rtol=1e-12)
+    np.testing.assert_allclose([t.weight for t in renormalised.terms], [weight for _, weight in penalties])
+
+
+def test_a_term_that_starts_at_zero_is_divided_by_its_reference_over_a_hundredth_of_the_clip(figure, rng):
+    floor = Plane("deep", np.array([0.0, 0, -50]), np.array([0.0, 0, 1]))
+    contact = Contact((Point("p", 1, np.zeros(3)),), (floor,))
+    raw = path_of(clip(figure, rng))
+    (term,) = Objective.of(figure, [(contact, 3.0)]).renormalised(raw).terms
+    np.testing.assert_allclose(term.factor, 3.0 / (1e-4 * 0.01 * (TIMES[-1] - TIMES[0])), rtol=1e-12)
+
+
+def test_without_renormalisation_it_is_the_weighted_sum_of_integrals(figure, rng):
+    raw, penalties = path_of(clip(figure, rng)), every_penalty(figure)
+    objective = Objective.of(figure, penalties)
+    expected = np.dot([weight for _, weight in penalties], objective.integrals(raw))
+    np.testing.assert_allclose(objective.value(raw), expected, rtol=1e-12)
+    t, w = Quadrature().nodes(raw.spline.times)
+    np.testing.assert_allclose(w @ objective.density(objective.samples(raw, t)), expected, rtol=1e-12)
+
+
+@pytest.mark.parametrize("ends", ["free", "clamped", "periodic"])
+@pytest.mark.parametrize("kind", ["gauss", "uniform"])
+def test_the_gradient_of_a_whole_clip_with_partial_keyframes_has_taylor_slope_two(figure, rng, ends, kind):
+    timeline = clip(figure, rng, ends)
+    objective = Objective.of(figure, every_penalty(figure), quadrature=Quadrature(kind)).renormalised(path_of(timeline))
+    problem = objective.on(evenly(timeline, 1))
+    x = problem.unknowns.start + 0.02 * rng.normal(size=problem.unknowns.size)
+    assert taylor_slope(lambda z: problem(z).value, x, problem(x).gradient, rng) > 1.9
+
+
+def test_the_parts_add_up_to_the_value_and_the_value_is_that_of_the_path(figure, rng):
+    timeline = clip(figure, rng)
+    objective = Objective.of(figure, every_penalty(figure)).renormalised(path_of(timeline))
+    problem = objective.on(timeline)
+    found = problem(problem.unknowns.start)
+    np.testing.assert_allclose(sum(found.parts.values()), found.value, rtol=1e-14)
+    np.testing.assert_allclose(objective.value(problem.path(problem.unknowns.start)), found.value, rtol=1e-10)
+    np.testing.assert_allclose(found.parts["covariant"], 2.5, rtol=1e-10)  # two terms of one name
+    assert set(found.parts) == {"covariant", "unit", "root", "torque", "bend", "contact"}
+
+
+def test_sample_gradients_are_those_of_the_density(figure, rng):
+    objective = Objective.of(figure, every_penalty(figure)[:6])
+    samples = objective.samples(path_of(clip(figure, rng)), np.array([0.1, 0.7, 1.2]))
+    point = np.stack([samples.y, samples.y_d, samples.y_dd])
+
+    def value(p: np.ndarray) -> float:
+        return float(objective.density(Samples(figure, *p)).sum())
+
+    assert taylor_slope(value, point, np.stack(objective.sample_gradients(samples)), rng) > 1.95
+
+
+def test_gauss_and_uniform_sums_agree_when_fine(figure, rng):
+    path = path_of(clip(figure, rng))
+    penalties = every_penalty(figure)[:6]
+    gauss, uniform, coarse = (
+        Objective.of(figure, penalties, quadrature=q).integrals(path)
+        for q in (Quadrature("gauss", 16), Quadrature("uniform", 4000), Quadrature())
+    )
+    np.testing.assert_allclose(uniform, gauss, rtol=1e-4)
+    np.testing.assert_allclose(coarse, gauss, rtol=0.05)
+
+
+def test_gauss_points_integrate_polynomials_exactly_and_uniform_ones_straight_lines():
+    times = np.array([0.0, 0.5, 0.6, 2.0])
+    t, w = Quadrature("gauss", 3).nodes(times)
+    assert t.size == 9
+    np.testing.assert_allclose([w @ t**k for k in range(6)], [2 ** (k + 1) / (k + 1) for k in range(6)], rtol=1e-13)
+    t, w = Quadrature("uniform", 7).nodes(times)
+    assert t.size == 80  # four samples on the shortest span
+    np.testing.assert_allclose([w.sum(), w @ t], [2, 2], rtol=1e-13)
+    assert Quadrature("uniform", 200).nodes(times)[0].size == 200
+
+
+def test_long_spans_are_cut_into_equal_panels():
+    quadrature = Quadrature(points=2, longest=0.5)
+    np.testing.assert_allclose(quadrature.panels(np.array([0.0, 0.5, 1.7])), [0, 0.5, 0.9, 1.3, 1.7])
+    t, w = quadrature.nodes(np.array([0.0, 0.5, 1.7]))
+    np.testing.assert_allclose(w.sum(), 1.7)
+    np.testing.assert_array_equal((t, w), gauss_nodes(quadrature.panels(np.array([0.0, 0.5, 1.7])), 2))
+
+
+def test_a_quadrature_that_makes_no_sense_is_refused():
+    with pytest.raises(ValueError, match="'simpson' is not one of 'gauss', 'uniform'"):
+        Quadrature("simpson")
+    with pytest.raises(ValueError, match="must be positive"):
+        Quadrature(points=0)
+    with pytest.raises(ValueError, match="must be positive"):
+        Quadrature(longest=0.0)
+
+
+def test_a_figure_of_one_hinge_has_the_energy_of_its_cubic():
+    figure = Figure(
+        mujoco.MjModel.from_xml_string(
+            '<mujoco><worldbody><body><joint axis="0 1 0"/><geom size=".1"/></body></worldbody></mujoco>'
+        )
+    )
+    keys = [Frame.key(t, [angle]) for t, angle in ((0.0, 0.0), (1.0, 1.0), (3.0, 0.5))]
+    raw = path_of(raw_timeline(figure, keys))
+    second = raw.at([1.0], 2)[0, 0]
+    expected = 0.25 * second**2 * (1 + 2) / 3  # a natural cubic's y'' is a hat
+    np.testing.assert_allclose(Objective.of(figure, [(CovariantAcceleration(), 1.0)]).value(raw), expected, rtol=1e-12)

@@ -1,0 +1,168 @@
+"""Every method finds its minimum, and the best x is kept however the search ends."""
+
+import numpy as np
+import pytest
+
+from solver.optimiser import METHODS, Minimum, Stop, StopSearch, algorithm, minimise
+
+
+def rosenbrock(x: np.ndarray) -> tuple[float, np.ndarray]:
+    a, b = 1 - x[0], x[1] - x[0] ** 2
+    return a**2 + 10 * b**2, np.array([-2 * a - 40 * x[0] * b, 20 * b])
+
+
+def bowl(x: np.ndarray) -> tuple[float, np.ndarray]:
+    stiffness = np.arange(1.0, x.size + 1)
+    away = x - 1 / stiffness
+    return 3 + float(stiffness @ away**2), 2 * stiffness * away
+
+
+START = np.array([-1.2, 1.0])
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_every_method_reaches_the_minimum_of_a_bowl(method):
+    found = minimise(bowl, np.zeros(12), method=method, max_evaluations=2000, tolerance=1e-12)
+    np.testing.assert_allclose(found.x, 1 / np.arange(1.0, 13), atol=1e-3)
+    np.testing.assert_allclose(found.value, 3, atol=1e-6)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_every_method_goes_down_a_bent_valley(method):
+    found = minimise(rosenbrock, START, method=method, max_evaluations=5000, tolerance=1e-12)
+    assert found.value < 1e-4
+    np.testing.assert_allclose(found.x, [1, 1], atol=0.05)
+
+
+@pytest.mark.parametrize("name", ["LD_MMA", "mma", "ld_lbfgs", "LBFGS"])
+def test_nlopts_own_names_will_do(name):
+    assert isinstance(algorithm(name), int)
+    assert algorithm("LBFGS") == algorithm("LD_LBFGS") == algorithm("lbfgs")
+
+
+@pytest.mark.parametrize("name", ["newton", "", "LD_", "success", "GN_DIRECT", "opt", "num_algorithms"])
+def test_an_unknown_method_is_refused_and_the_known_ones_listed(name):
+    with pytest.raises(ValueError, match=f"no optimiser '{name}'; there are: lbfgs, slsqp, ccsaq, tnewton, var2"):
+        minimise(bowl, np.zeros(2), method=name)
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("budget", [1, 2, 5])
+def test_the_budget_holds_and_the_best_x_within_it_is_kept(method, budget):
+    seen: list[tuple[float, np.ndarray]] = []
+
+    def fun(x: np.ndarray) -> tuple[float, np.ndarray]:
+        value, slope = rosenbrock(x)
+        seen.append((value, x.copy()))
+        return value, slope
+
+    found = minimise(fun, START, method=method, max_evaluations=budget, tolerance=1e-15)
+    assert found.evaluations == len(seen) == budget
+    assert found.stop is Stop.BUDGET
+    best = min(seen, key=lambda pair: pair[0])
+    assert found.value == best[0]
+    np.testing.assert_array_equal(found.x, best[1])
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("error", [StopSearch, KeyboardInterrupt])
+@pytest.mark.parametrize("place", ["fun", "improved"])
+def test_a_stop_asked_for_anywhere_keeps_the_best_x(method, error, place):
+    values: list[float] = []
+
+    def fun(x: np.ndarray) -> tuple[float, np.ndarray]:
+        if place == "fun" and len(values) == 3:
+            raise error
+        value, slope = rosenbrock(x)
+        values.append(value)
+        return value, slope
+
+    def improved(_count: int, _value: float, _x: np.ndarray) -> None:
+        if place == "improved" and len(values) >= 3:
+            raise error
+
+    found = minimise(fun, START, method=method, improved=improved)
+    assert found.stop is Stop.ASKED
+    assert found.value == min(values)
+    assert rosenbrock(found.x)[0] == found.value
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("place", ["fun", "improved"])
+def test_an_error_of_the_caller_comes_out_as_it_went_in(method, place):
+    error = ZeroDivisionError("mine")
+
+    def fail(*_: object) -> tuple[float, np.ndarray]:
+        raise error
+
+    with pytest.raises(ZeroDivisionError) as caught:
+        if place == "fun":
+            minimise(fail, START, method=method)
+        else:
+            minimise(rosenbrock, START, method=method, improved=fail)
+    assert caught.value is error
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
+def test_values_that_are_no_numbers_never_become_the_best(method, bad):
+    def fun(x: np.ndarray) -> tuple[float, np.ndarray]:
+        value, slope = rosenbrock(x)
+        return (bad, slope) if x[0] > -0.5 else (value, slope)
+
+    found = minimise(fun, START, method=method, max_evaluations=200)
+    assert np.isfinite(found.value)
+    assert found.value <= rosenbrock(START)[0]
+    assert found.x[0] <= -0.5
+
+
+def test_a_gradient_that_is_no_number_counts_as_infinitely_bad():
+    found = minimise(lambda x: (float(x @ x), np.full(2, np.nan)), START, max_evaluations=20)
+    assert found.value == np.inf
+    np.testing.assert_array_equal(found.x, START)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_improved_gets_strictly_falling_values_each_at_its_evaluation(method):
+    told: list[tuple[int, float]] = []
+    all_values: list[float] = []
+
+    def fun(x: np.ndarray) -> tuple[float, np.ndarray]:
+        value, slope = rosenbrock(x)
+        all_values.append(value)
+        return value, slope
+
+    found = minimise(
+        fun, START, method=method, max_evaluations=60, improved=lambda n, value, x: told.append((n, value))
+    )
+    counts, values = zip(*told, strict=True)
+    assert np.all(np.diff(values) < 0)
+    assert all(all_values[n - 1] == value for n, value in told)
+    assert counts[0] == 1
+    assert values[-1] == found.value == min(all_values)
+    assert len(values) > 3
+
+
+def test_the_callers_x_is_neither_changed_nor_handed_out_again():
+    start, kept = START.copy(), []
+    minimise(rosenbrock, start, improved=lambda n, value, x: kept.append(x), max_evaluations=30)
+    np.testing.assert_array_equal(start, START)
+    assert [rosenbrock(x)[0] for x in kept] == sorted((rosenbrock(x)[0] for x in kept), reverse=True)
+
+
+def test_nothing_to_choose_is_one_evaluation():
+    empty = np.zeros(0)
+    found = minimise(lambda x: (5.0, x), empty)
+    assert (found.value, found.evaluations, found.stop) == (5.0, 1, Stop.CONVERGED)
+
+    def stop(*_: object) -> None:
+        raise StopSearch
+
+    assert minimise(lambda x: (5.0, x), empty, improved=stop).stop is Stop.ASKED
+
+
+def test_a_minimum_is_a_value_and_every_stop_gives_advice():
+    found = minimise(bowl, np.zeros(3))
+    assert isinstance(found, Minimum)
+    assert found.stop is Stop.CONVERGED
+    assert all(len(stop.value) > 20 for stop in Stop)

@@ -1,0 +1,121 @@
+"""The paper's claims are measured to the end, judged by what was measured, and shown."""
+
+from __future__ import annotations
+
+import json
+import math
+from io import StringIO
+
+import numpy as np
+import pytest
+from rich.console import Console
+
+from runner import paper
+from runner.paper import Case, Claim, Discrete, Penetration, as_json, clip_claim, run, table
+from solver.quaternion import angle_between
+
+STEPS: list[tuple[str, int, int]] = []
+
+
+@pytest.fixture(scope="module")
+def claims() -> list[Claim]:
+    STEPS.clear()
+    return run(seeds=2, progress=lambda *step: STEPS.append(step))
+
+
+def by_text(claims: list[Claim], text: str) -> Claim:
+    (found,) = [claim for claim in claims if text in claim.text]
+    return found
+
+
+def test_every_claim_has_finite_numbers_for_every_set_and_a_verdict(claims: list[Claim]) -> None:
+    assert len(claims) > 20
+    for claim in claims:
+        assert claim.numbers
+        assert all(len(values) == 2 and all(map(math.isfinite, values)) for values in claim.numbers.values())
+        assert claim.verdict in ("reproduced", "not reproduced")
+        assert claim.verdict == ("reproduced" if claim.reproduced else "not reproduced")
+        assert claim.place and claim.text and claim.paper and claim.here and claim.criterion
+
+
+def test_no_two_claims_say_the_same(claims: list[Claim]) -> None:
+    assert len({claim.text for claim in claims}) == len(claims)
+
+
+def test_progress_counts_up_to_the_end(claims: list[Claim]) -> None:
+    assert claims
+    done = [step[1] for step in STEPS]
+    assert done == list(range(len(done)))
+    assert STEPS[-1] == ("done", STEPS[-1][2], STEPS[-1][2])
+
+
+def test_what_holds_for_every_path_is_reproduced(claims: list[Claim]) -> None:
+    for text in ("Keyframes are met", "E falls", "as the objective sees it", "10 : 1, 3 variable frames"):
+        assert by_text(claims, text).reproduced
+
+
+def test_the_papers_own_weights_are_not_said_to_reach_the_papers_unit_deviation(claims: list[Claim]) -> None:
+    claim = by_text(claims, "α_unit : α_cov = 2 : 5")
+    assert not claim.reproduced
+    assert max(claim.numbers["deviation, 2:5, 1 frame"]) > 0.002
+
+
+def test_the_table_shows_every_claim_with_its_verdict(claims: list[Claim]) -> None:
+    out = StringIO()
+    Console(file=out, width=400).print(table(claims))
+    assert out.getvalue().count("reproduced") >= len(claims)
+    for claim in claims:
+        assert claim.text in out.getvalue()
+
+
+def test_claims_become_json_with_their_verdicts(claims: list[Claim]) -> None:
+    entries = json.loads(as_json(claims))
+    assert [entry["verdict"] for entry in entries] == [claim.verdict for claim in claims]
+    assert entries[0]["numbers"] == claims[0].numbers
+
+
+def test_without_a_set_there_is_nothing_to_measure() -> None:
+    with pytest.raises(ValueError, match="seeds = 0"):
+        run(seeds=0)
+
+
+def test_a_console_gets_a_bar_of_progress(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(paper, "STUDIES", paper.STUDIES[:1])
+    out = StringIO()
+    found = run(seeds=1, console=Console(file=out, force_terminal=True, width=100))
+    assert len(found) == 4
+    assert "set 1" in out.getvalue()
+
+
+def test_keyframes_are_fixed_sets_of_moderate_steps() -> None:
+    track = Case(3).track
+    np.testing.assert_array_equal(track, Case(3).track)
+    steps = np.degrees(angle_between(track[:-1], track[1:]))
+    assert np.all((steps >= 20) & (steps <= 90))
+
+
+def test_both_discrete_peers_find_the_same_unit_samples_through_the_keyframes() -> None:
+    problem = Discrete(Case(0).track, 5)
+    dense, exact = problem.by_slsqp(), problem.by_newton()
+    np.testing.assert_allclose(dense, exact, atol=2e-3)
+    for x in (dense, exact):
+        assert abs(problem.length(x)).max() < 1e-5
+        np.testing.assert_array_equal(problem.whole(x)[::5], Case(0).track)
+    assert problem(exact)[0] == pytest.approx(problem(dense)[0], rel=1e-4)
+
+
+def test_the_discrete_peers_derivatives_are_exact(rng: np.random.Generator) -> None:
+    problem = Discrete(Case(1).track, 3)
+    x = problem.start[problem.free].ravel() + 0.05 * rng.normal(size=4 * problem.free.size)
+    direction = rng.normal(size=x.size)
+    h = 1e-5
+    (above, slope_above), (below, slope_below) = problem(x + h * direction), problem(x - h * direction)
+    assert (above - below) / (2 * h) == pytest.approx(problem(x)[1] @ direction, rel=1e-7)
+    turned = problem.hessian(x) @ direction
+    np.testing.assert_allclose((slope_above - slope_below) / (2 * h), turned, rtol=1e-5, atol=1e-5 * abs(turned).max())
+
+
+def test_the_clip_claim_follows_from_the_two_depths() -> None:
+    assert clip_claim(Penetration("run", 0.06, 0.004)).reproduced
+    assert not clip_claim(Penetration("run", 0.06, 0.02)).reproduced
+    assert not clip_claim(Penetration("run", 0.002, 0.0)).reproduced

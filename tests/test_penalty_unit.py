@@ -1,0 +1,77 @@
+"""The unit-magnitude penalty: values by hand, the gradient by Taylor. Also the Taylor test of any penalty."""
+
+import numpy as np
+import pytest
+from taylor import taylor_slope
+from test_kinematics import random_samples
+
+from solver.kinematics import Cotangent, Samples
+from solver.penalty import Penalty, UnitMagnitude
+
+
+def penalty_slope(penalty: Penalty, samples: Samples, rng: np.random.Generator) -> float:
+    """The Taylor slope of Σ_s scale_s f(y_s, y'_s, y''_s) along a random direction of all three."""
+    scale = rng.uniform(0.5, 2, samples.count)
+    cotangent = Cotangent(samples)
+    values = penalty.evaluate(samples, cotangent, scale)
+    np.testing.assert_array_equal(values, penalty.evaluate(samples))
+    gradients = cotangent.gradients()
+
+    def value(point: np.ndarray) -> float:
+        return float(scale @ penalty.evaluate(Samples(samples.figure, *point)))
+
+    return taylor_slope(value, np.stack([samples.y, samples.y_d, samples.y_dd]), np.stack(gradients), rng)
+
+
+def scaled_like(samples: Samples, rng: np.random.Generator) -> Samples:
+    """The same rotations at every moment, by quaternions q -> ρ(t) q with ρ, ρ', ρ'' of their own."""
+    y, y_d, y_dd = samples.y.copy(), samples.y_d.copy(), samples.y_dd.copy()
+    for columns in samples.figure.tables.quaternion_columns.T:
+        rho, rho_d, rho_dd = rng.uniform(0.5, 2, (samples.count, 1)), *rng.normal(size=(2, samples.count, 1))
+        q, q_d, q_dd = (a[:, columns] for a in (samples.y, samples.y_d, samples.y_dd))
+        y[:, columns] = rho * q
+        y_d[:, columns] = rho_d * q + rho * q_d
+        y_dd[:, columns] = rho_dd * q + 2 * rho_d * q_d + rho * q_dd
+    return Samples(samples.figure, y, y_d, y_dd)
+
+
+@pytest.mark.parametrize("form", ["square", "absolute"])
+def test_the_gradient_has_taylor_slope_two(figure, rng, form):
+    assert penalty_slope(UnitMagnitude(form, epsilon=0.1), random_samples(figure, rng), rng) > 1.95
+
+
+def test_the_square_is_the_sum_of_squared_excess_lengths(figure, rng):
+    samples = random_samples(figure, rng)
+    expected = sum((samples.y[:, c] ** 2).sum(axis=1) - 1 for c in figure.tables.quaternion_columns.T[:1]) ** 2
+    for columns in figure.tables.quaternion_columns.T[1:]:
+        expected = expected + ((samples.y[:, columns] ** 2).sum(axis=1) - 1) ** 2
+    np.testing.assert_allclose(UnitMagnitude().evaluate(samples), expected, rtol=1e-12)
+
+
+def test_the_absolute_form_is_the_papers_up_to_its_rounding(figure, rng):
+    samples = random_samples(figure, rng)
+    papers = sum(abs((samples.y[:, c] ** 2).sum(axis=1) - 1) for c in figure.tables.quaternion_columns.T)
+    values = UnitMagnitude("absolute", epsilon=1e-6).evaluate(samples)
+    np.testing.assert_allclose(values, papers, atol=1e-5)
+    assert np.all(values <= papers)
+
+
+@pytest.mark.parametrize("form", ["square", "absolute"])
+def test_unit_quaternions_cost_nothing_and_have_no_gradient(figure, rng, form):
+    y = figure.to_state(rng.normal(size=(4, figure.width)))
+    samples = Samples(figure, y, 0 * y, 0 * y)
+    cotangent = Cotangent(samples)
+    np.testing.assert_allclose(UnitMagnitude(form).evaluate(samples, cotangent), 0, atol=1e-20)
+    np.testing.assert_allclose(np.concatenate(cotangent.gradients()), 0, atol=1e-11)
+
+
+@pytest.mark.parametrize("form", ["square", "absolute"])
+def test_the_reference_is_the_penalty_of_one_percent(form):
+    penalty, excess = UnitMagnitude(form, epsilon=1e-9), 1.01**2 - 1
+    expected = excess**2 if form == "square" else excess
+    np.testing.assert_allclose(penalty.reference, expected, rtol=0.02)
+
+
+def test_an_unknown_form_is_refused():
+    with pytest.raises(ValueError, match="'cubic' is not one of 'square', 'absolute'"):
+        UnitMagnitude("cubic")

@@ -1,0 +1,154 @@
+"""Depths in planes and boxes against mj_geomDistance, their gradients, and every face from both sides."""
+
+import mujoco
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation
+from taylor import taylor_slope
+
+from solver.surface import Box, Plane, static_surfaces
+
+SCENE = """
+<mujoco><worldbody>
+  <geom name="floor" type="plane" size="0 0 1" pos="0 0 -.1"/>
+  <geom name="ramp" type="plane" size="5 5 1" pos="1 2 .3" euler="20 30 10"/>
+  <body name="platform" pos="0 0 .5" quat=".9 .1 .2 .1">
+    <geom name="crate" type="box" size=".5 .6 .4" pos=".2 .1 .3" euler="10 0 20"/></body>
+  <geom name="step" type="box" size="1 1 .2" pos="4 0 .1"/>
+  <geom name="sunk" type="box" size="1 1 .2" pos="4 0 -.5"/>
+  <body name="ball" pos="0 0 3"><freejoint/><geom name="ball" type="sphere" size=".15"/>
+    <geom type="box" size=".1 .1 .1"/></body>
+</worldbody></mujoco>"""
+
+
+@pytest.fixture(scope="module")
+def scene() -> tuple[mujoco.MjModel, dict]:
+    model = mujoco.MjModel.from_xml_string(SCENE)
+    return model, {surface.name: surface for surface in static_surfaces(model)}
+
+
+def mujoco_depth(model: mujoco.MjModel, name: str, centre: np.ndarray) -> float:
+    """How deep the ball at this place is in the named geom, by MuJoCo; 0 outside."""
+    data = mujoco.MjData(model)
+    data.qpos[:3] = centre
+    mujoco.mj_forward(model, data)
+    distance = mujoco.mj_geomDistance(model, data, model.geom("ball").id, model.geom(name).id, 10, None)
+    return max(-distance, 0.0)
+
+
+def depth_at(surface, centre: np.ndarray, radius: float = 0.15) -> float:
+    return float(surface.depth(np.reshape(centre, (3, 1, 1)), np.array([radius]))[0][0, 0])
+
+
+def test_planes_and_boxes_of_the_world_are_found_and_nothing_that_moves(scene):
+    _, surfaces = scene
+    assert sorted(surfaces) == ["crate", "floor", "ramp", "step", "sunk"]
+    assert {name for name, s in surfaces.items() if isinstance(s, Plane)} == {"floor", "ramp"}
+    assert (surfaces["crate"].buried, surfaces["step"].buried, surfaces["sunk"].buried) == (False, True, True)
+
+
+def test_a_scene_without_a_floor_buries_no_box():
+    model = mujoco.MjModel.from_xml_string(
+        '<mujoco><worldbody><geom type="box" size="1 1 1" pos="0 0 -9"/></worldbody></mujoco>'
+    )
+    (box,) = static_surfaces(model)
+    assert isinstance(box, Box)
+    assert not box.buried
+    assert box.name == "geom 0"
+
+
+@pytest.mark.parametrize("name", ["floor", "ramp"])
+@pytest.mark.parametrize("height", [-0.7, -0.01, 0.1, 0.149, 0.151, 0.9])
+def test_depth_in_a_plane_is_mujocos(scene, name, height, rng):
+    model, surfaces = scene
+    plane = surfaces[name]
+    along = np.cross(plane.normal, rng.normal(size=3))
+    centre = plane.point + along + height * plane.normal
+    np.testing.assert_allclose(depth_at(plane, centre), mujoco_depth(model, name, centre), atol=1e-9)
+    assert (depth_at(plane, centre) > 0) == (height < 0.15)
+
+
+@pytest.mark.parametrize("name", ["crate", "step"])
+@pytest.mark.parametrize("axis", [0, 1, 2])
+@pytest.mark.parametrize("sign", [1, -1])
+def test_shallow_depth_in_a_box_is_mujocos_up_to_the_faces_factor_and_zero_outside(scene, name, axis, sign):
+    model, surfaces = scene
+    box = surfaces[name]
+    normal = sign * box.axes[:, axis]
+    face = box.centre + box.half[axis] * normal
+    factor = 1.0 if normal[2] > 0.7 else 4.0
+    for gap in (1e-9, 1e-3, 0.5):
+        outside = face + (0.15 + gap) * normal
+        depth, gradient = box.depth(outside[:, None, None], np.array([0.15]))
+        assert not depth.any()
+        assert not gradient.any()
+    for way in (1e-6, 1e-3, 0.01):
+        inside = face + (0.15 - way) * normal
+        depth, gradient = box.depth(inside[:, None, None], np.array([0.15]))
+        if box.buried and normal[2] < -0.7:
+            assert depth[0, 0] > 0.1  # no way out through the floor
+            assert gradient[:, 0, 0] @ normal > 0
+            continue
+        by_mujoco = mujoco_depth(model, name, inside)
+        np.testing.assert_allclose(by_mujoco, way, atol=1e-6)
+        np.testing.assert_allclose(depth[0, 0], factor * by_mujoco, rtol=0.01, atol=5e-6)
+        np.testing.assert_allclose(gradient[:, 0, 0], -factor * normal, atol=0.05 * factor)
+
+
+@pytest.mark.parametrize("buried", [True, False])
+def test_the_gradients_of_depth_have_taylor_slope_two(buried, rng):
+    axes = Rotation.from_euler("xyz", [0.2, -0.1, 1.0]).as_matrix()
+    box = Box("b", np.array([0.1, 0.2, 0.3]), axes, np.array([0.5, 0.7, 0.4]), buried)
+    plane = Plane("p", np.array([0.1, 0.2, 0.9]), np.array([0.6, 0, 0.8]))
+    radius = np.array([0.0, 0.1, 0.05])
+    local = rng.uniform(-0.7, 0.7, size=(3, 3, 4)) * box.half[:, None, None]
+    points = box.centre[:, None, None] + np.tensordot(axes, local, 1)
+    weights = rng.normal(size=(3, 4))
+    for surface in (box, plane):
+        depth, gradient = surface.depth(points, radius)
+        assert np.all(depth > 0)
+
+        def value(p: np.ndarray, surface=surface) -> float:
+            return float(np.sum(weights * surface.depth(p, radius)[0]))
+
+        assert taylor_slope(value, points, weights * gradient, rng) > 1.95
+
+
+@settings(deadline=None, max_examples=60)
+@given(st.tuples(*[st.floats(-0.95, 0.95)] * 3), st.booleans())
+def test_inside_a_box_the_depth_is_below_every_way_out_and_the_gradient_leads_out(share, buried):
+    box = Box("b", np.zeros(3), np.eye(3), np.array([0.5, 0.7, 0.4]), buried)
+    point = np.array(share) * box.half
+    depth, gradient = box.depth(point[:, None, None], np.zeros(1))
+    ways = [4 * (h - s * p) for h, p in zip(box.half, point, strict=True) for s in (1, -1)]
+    ways[4] /= 4
+    if buried:
+        ways.pop()
+    assert 0 < depth[0, 0] < min(ways)
+    assert depth[0, 0] > min(ways) / np.sqrt(len(ways)) - 1e-12
+    nearest = int(np.argmin(ways))
+    outward = np.eye(3)[nearest // 2] * (1 if nearest % 2 == 0 else -1)
+    if sorted(ways)[1] > 2 * min(ways):
+        assert gradient[:, 0, 0] @ outward < 0
+
+
+def test_a_box_counts_as_up_the_face_that_looks_up_however_it_lies():
+    axes = Rotation.from_euler("x", 90, degrees=True).as_matrix()
+    box = Box("b", np.zeros(3), axes, np.array([1.0, 0.3, 1.0]), buried=False)
+    np.testing.assert_allclose(depth_at(box, np.array([0, 0, 0.29]), 0.0), 0.01, rtol=1e-2)
+    np.testing.assert_allclose(depth_at(box, np.array([0, 0, -0.29]), 0.0), 0.04, rtol=1e-2)
+    np.testing.assert_allclose(box.height(np.array([0, 0, 1.0])), 0.7, atol=1e-12)
+
+
+@pytest.mark.parametrize("shape", [(), (2,), (3,), (4,), (2, 5), (1, 1)])
+def test_heights_are_over_the_surface_and_infinite_beside_it(rng, shape):
+    plane = Plane("p", np.array([0.0, 0, 0.5]), np.array([0.0, 0, 1]))
+    box = Box("b", np.array([1.0, 0, 0.25]), np.eye(3), np.array([0.5, 0.25, 0.25]))
+    points = rng.uniform(-1, 1.5, size=(3, *shape))
+    np.testing.assert_allclose(plane.height(points), points[2] - 0.5, atol=1e-14)
+    over = (np.abs(points[0] - 1) <= 0.5) & (np.abs(points[1]) <= 0.25)
+    np.testing.assert_allclose(box.height(points), np.where(over, points[2] - 0.5, np.inf), atol=1e-14)
+    middle = np.broadcast_to(np.reshape([1.0, 0.1, 0.7], (3, *[1] * len(shape))), (3, *shape))
+    np.testing.assert_allclose(box.height(middle), np.full(shape, 0.2), atol=1e-12)
