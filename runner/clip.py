@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import tomllib
 import zipfile
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Annotated, Any, Literal
@@ -202,6 +203,13 @@ def from_text(
     figure = _figure(mjcf, table.solve.coordinates, place)
     keys = [_key(figure, row, f"{place}: keyframe {i} (t = {row.time:g} s)") for i, row in enumerate(table.keyframe, 1)]
     return _clip(name, text, mjcf, figure, fps or table.fps, keys, table.penalty, table.solve, place)
+
+
+def with_keys(clip: Clip, keys: Sequence[Frame]) -> Clip:
+    """The same clip through other keyframes; what was found from the old ones is found again."""
+    table = ClipTable.model_validate(tomllib.loads(clip.text)) if clip.text else None
+    entries, solve = ([], SolveTable()) if table is None else (table.penalty, table.solve)
+    return _clip(clip.name, clip.text, clip.mjcf, clip.figure, clip.fps, list(keys), entries, solve, clip.name)
 
 
 def _clip(

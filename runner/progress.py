@@ -11,7 +11,7 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
 Item = TypeVar("Item")
-QUIET_SECONDS = 2.0
+QUIET_SECONDS = 5.0
 
 
 class Teller:

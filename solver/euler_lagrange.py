@@ -69,9 +69,10 @@ class Residual:
 
     def shares(self, count: int = 10) -> Array:
         """∫ |R| dt over equal parts of the clip (figure 10), (count,)."""
-        first, last = self.t.min(), self.t.max()
-        part = np.clip(((self.t - first) / (last - first) * count).astype(int), 0, count - 1)
-        return np.asarray(np.bincount(part.ravel(), (self.weights * self.size).ravel(), count), float)
+        # a node stands for a cell as wide as its weight; cells that reach over an edge of a part are divided there
+        edges = np.concatenate([[0.0], np.cumsum(self.weights)])
+        total = np.concatenate([[0.0], np.cumsum(self.weights * self.size)])
+        return np.diff(np.interp(np.linspace(0, edges[-1], count + 1), edges, total))
 
 
 def residual(objective: Objective, path: Path) -> Residual:

@@ -13,6 +13,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from .descent import Descent
 from .figure import Figure
@@ -84,7 +85,7 @@ class Motion:
     def path(self) -> Path:
         return path_of(self.timeline)
 
-    def at(self, t: Array | float) -> Array:
+    def at(self, t: ArrayLike) -> Array:
         """MuJoCo configurations at times t (S,): (S, nq), quaternions unit."""
         return self.figure.to_qpos(self.path.at(np.atleast_1d(np.asarray(t, float))))
 

@@ -22,8 +22,13 @@ METHODS = {
     "var2": ("LD_VAR2", "shifted limited-memory variable metric"),
 }
 
-# NLopt's line searches answer a forced stop with a failure; that error is its own class in 2.11 and no RuntimeError
+# NLopt's general failure is a class of its own in 2.11 and no RuntimeError
 FAILURES = (nlopt.RoundoffLimited, RuntimeError, getattr(nlopt, "runtime_error", RuntimeError))
+
+INFINITELY_BAD = 1e300
+
+
+DAMPINGS = (1.0, 1e-2, 1e-4)
 
 
 class Stop(Enum):
@@ -81,22 +86,39 @@ def minimise(
         except (KeyboardInterrupt, StopSearch):
             return search.minimum(Stop.ASKED)
         return search.minimum(Stop.CONVERGED)
-    optimiser = nlopt.opt(algorithm(method), search.best_x.size)
+    stop = Stop.STUCK
+    for damping in DAMPINGS:
+        stop = _attempt(search, algorithm(method), tolerance, damping)
+        if search.failure is not None:
+            raise search.failure
+        if stop is not Stop.STUCK:
+            break
+    return search.minimum(stop)
+
+
+def _attempt(search: _Search, number: int, tolerance: float, damping: float) -> Stop:
+    """One run of NLopt from the best point, on the objective divided by its value there and multiplied by `damping`.
+
+    Some of NLopt's line searches give up where a first step of the gradient's length overshoots; a smaller one passes.
+    """
+    optimiser = nlopt.opt(number, search.best_x.size)
     optimiser.set_min_objective(search.objective)
+    search.halt, search.forced = optimiser.force_stop, None
+    search.damping = damping
     optimiser.set_ftol_rel(tolerance)
     optimiser.set_xtol_rel(1e-12)
-    optimiser.set_maxeval(max_evaluations)
+    optimiser.set_maxeval(max(search.budget - search.count, 1))
     try:
-        optimiser.optimize(np.array(x0, float))
+        optimiser.optimize(search.best_x.copy())
         result = optimiser.last_optimize_result()
         stop = Stop.BUDGET if result == nlopt.MAXEVAL_REACHED else Stop.CONVERGED
     except (KeyboardInterrupt, nlopt.ForcedStop):
         stop = Stop.ASKED
     except FAILURES:
         stop = Stop.STUCK
-    if search.failure is not None:
-        raise search.failure
-    return search.minimum(search.forced or stop)
+    finally:
+        search.halt = lambda: None  # else the two hold each other, past the garbage collector's sight
+    return search.forced or stop
 
 
 class _Search:
@@ -106,33 +128,46 @@ class _Search:
         self.fun, self.improved, self.budget = fun, improved, budget
         self.best_x, self.best = x0.copy(), np.inf
         self.count = 0
+        self.halt: Callable[[], None] = lambda: None
         self.forced: Stop | None = None
+        self.damping = 1.0
+        self.unit: float | None = None
         self.failure: Exception | None = None
 
     def minimum(self, stop: Stop) -> Minimum:
         return Minimum(self.best_x, float(self.best), self.count, stop)
 
     def objective(self, x: Array, gradient: Array) -> float:
+        """What NLopt calls. Never raises: some of its line searches call again with the exception still pending."""
         try:
             if self.count >= self.budget:
                 self.forced = Stop.BUDGET
             if self.forced is None and self.failure is None:
                 value, slope = self.evaluate(x)
+                scale = self.scale(value)
                 if gradient.size:
-                    gradient[:] = slope
-                return value
+                    gradient[:] = scale * slope
+                return scale * value
         except (KeyboardInterrupt, StopSearch):
             self.forced = Stop.ASKED
         except Exception as error:
             self.failure = error
-        raise nlopt.ForcedStop
+        self.halt()
+        gradient[:] = 0
+        return INFINITELY_BAD
+
+    def scale(self, value: float) -> float:
+        """What NLopt's objective is multiplied by: one over the first value, and the damping."""
+        if self.unit is None:
+            self.unit = abs(value) if 0 < abs(value) < INFINITELY_BAD else 1.0
+        return self.damping / self.unit
 
     def evaluate(self, x: Array) -> tuple[float, Array]:
         self.count += 1
         point = np.array(x)
         value, slope = self.fun(point)
         if not (np.isfinite(value) and np.all(np.isfinite(slope))):
-            return 1e300, np.zeros_like(point)
+            return INFINITELY_BAD, np.zeros_like(point)
         if value < self.best:
             self.best, self.best_x = value, point
             if self.improved is not None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from itertools import pairwise
 from typing import cast
 
 import mujoco
@@ -132,6 +133,17 @@ def test_the_closed_form_is_half_the_residual_of_the_sample_gradients(
     generic = residual(paper_objective(3.0), path)
     closed = covariant_residual(path, generic.t.ravel(), 3.0).reshape(generic.value.shape)
     np.testing.assert_allclose(closed, generic.value / 2, atol=close * abs(generic.value).max())
+
+
+def test_the_shares_of_tenths_are_the_integrals_over_tenths() -> None:
+    path = motion(1, 1, paper=True).raw
+    found = residual(paper_objective(3.0), path_of(path))
+    cuts = np.linspace(0, 6, 11)
+    t, w = gauss_nodes(np.union1d(cuts, EVEN), 10)
+    size = np.linalg.norm(2 * covariant_residual(path_of(path), t, 3.0), axis=1)
+    expected = [np.sum((w * size)[(t > a) & (t < b)]) for a, b in pairwise(cuts)]
+    np.testing.assert_allclose(found.shares(10), expected, atol=0.03 * max(expected))
+    assert found.shares(10).sum() == pytest.approx(found.deviation().sum())
 
 
 def density(q: np.ndarray, q_dd: np.ndarray, unit_weight: float) -> np.ndarray:

@@ -18,6 +18,7 @@ LIMB = """
   <body name="lower" pos="0 0 -.4" quat="{quat}"><joint name="joint" type="ball"/><geom size=".1"/></body></body>
 </worldbody></mujoco>"""
 DOWN = np.array([0.0, 0, -1])
+TEN = float(np.radians(10))
 KNEE, ELBOW = np.array([0.0, 1, 0]), np.array([0.0, -1, 0])
 
 
@@ -36,8 +37,8 @@ def bent(figure: Figure, lateral: np.ndarray, angles: np.ndarray, rng: np.random
     return Samples(figure, y, 0 * y, 0 * y)
 
 
-def limits(lateral: np.ndarray, **bounds: float) -> BendLimits:
-    return BendLimits((Bend("joint", 2, lateral, DOWN),), **bounds)
+def limits(lateral: np.ndarray, *, least: float = 0.0, sideways: float = TEN, twist: float = TEN) -> BendLimits:
+    return BendLimits((Bend("joint", 2, lateral, DOWN),), least, sideways, twist)
 
 
 @pytest.mark.parametrize("coordinates", ["world", "joint"])

@@ -33,7 +33,9 @@ def some_points(figure: Figure, rng: np.random.Generator) -> tuple[Point, ...]:
     return tuple(Point(f"p{n}", i, 0.3 * rng.normal(size=3), rng.uniform(0, 0.2)) for n, i in enumerate(indices))
 
 
-@pytest.mark.parametrize("surfaces", [(FLOOR,), (SLOPE,), (BLOCK,), (STEP,), (FLOOR, BLOCK)], ids=lambda each: "+".join(s.name for s in each))
+@pytest.mark.parametrize(
+    "surfaces", [(FLOOR,), (SLOPE,), (BLOCK,), (STEP,), (FLOOR, BLOCK)], ids=lambda each: "+".join(s.name for s in each)
+)
 def test_the_gradient_has_taylor_slope_two(figure, rng, surfaces):
     samples = random_samples(figure, rng, 8)
     samples.y[:, 2] = -0.3
@@ -82,8 +84,6 @@ def test_it_does_not_feel_the_quaternions_length(figure, rng):
 def test_a_figure_outside_costs_exactly_nothing_and_has_no_gradient(figure, rng, surface):
     samples = random_samples(figure, rng)
     samples.y[:, 2] = 50
-    if not figure.is_world:
-        samples = Samples(figure, samples.y, samples.y_d, samples.y_dd)
     points = tuple(p for p in some_points(figure, rng) if figure.tables.path[p.link, 1])
     cotangent = Cotangent(samples)
     assert not Contact(points, (surface,)).evaluate(samples, cotangent).any()

@@ -1,4 +1,4 @@
-"""Covariant acceleration against angular acceleration, the gauge q -> ρ(t) q, and the paper's form on the unit sphere."""
+"""Covariant acceleration against angular acceleration, the gauge q -> ρ(t) q, the paper's form on the sphere."""
 
 import numpy as np
 import pytest
@@ -27,9 +27,7 @@ def test_the_gradient_has_taylor_slope_two(figure, rng, form):
 
 def test_the_intrinsic_form_is_a_quarter_of_the_squared_angular_acceleration(figure, rng):
     samples = random_samples(figure, rng)
-    np.testing.assert_allclose(
-        CovariantAcceleration().evaluate(samples), angular_accelerations(samples), rtol=1e-11
-    )
+    np.testing.assert_allclose(CovariantAcceleration().evaluate(samples), angular_accelerations(samples), rtol=1e-11)
 
 
 def test_the_intrinsic_form_does_not_feel_the_quaternions_length(figure, rng):
@@ -48,7 +46,11 @@ def test_the_gradient_of_the_intrinsic_form_is_across_the_gauge(figure, rng):
         q, q_d, q_dd = (a[:, columns] for a in (samples.y, samples.y_d, samples.y_dd))
         h0, h1, h2 = (g[:, columns] for g in (g0, g1, g2))
         size = np.abs(h2).max() * np.abs(q_dd).max()
-        along = np.sum(h2 * q, axis=1), np.sum(h1 * q + 2 * h2 * q_d, axis=1), np.sum(h0 * q + h1 * q_d + h2 * q_dd, axis=1)
+        along = (
+            np.sum(h2 * q, axis=1),
+            np.sum(h1 * q + 2 * h2 * q_d, axis=1),
+            np.sum(h0 * q + h1 * q_d + h2 * q_dd, axis=1),
+        )
         np.testing.assert_allclose(np.stack(along), 0, atol=1e-11 * size)
 
 

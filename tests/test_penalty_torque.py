@@ -37,9 +37,7 @@ def test_the_gradient_has_taylor_slope_two(figure, rng, armature):
 
 def test_it_does_not_feel_the_quaternions_length(figure, rng):
     samples = random_samples(figure, rng)
-    np.testing.assert_allclose(
-        Torque().evaluate(scaled_like(samples, rng)), Torque().evaluate(samples), rtol=1e-9
-    )
+    np.testing.assert_allclose(Torque().evaluate(scaled_like(samples, rng)), Torque().evaluate(samples), rtol=1e-9)
 
 
 def test_a_pendulum_held_out_level_bears_its_weight_times_its_arm():

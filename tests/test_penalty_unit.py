@@ -18,7 +18,7 @@ def penalty_slope(penalty: Penalty, samples: Samples, rng: np.random.Generator) 
     gradients = cotangent.gradients()
 
     def value(point: np.ndarray) -> float:
-        return float(scale @ penalty.evaluate(Samples(samples.figure, *point)))
+        return float(scale @ penalty.evaluate(Samples(samples.figure, *point, t=samples.t)))
 
     return taylor_slope(value, np.stack([samples.y, samples.y_d, samples.y_dd]), np.stack(gradients), rng)
 
@@ -32,7 +32,7 @@ def scaled_like(samples: Samples, rng: np.random.Generator) -> Samples:
         y[:, columns] = rho * q
         y_d[:, columns] = rho_d * q + rho * q_d
         y_dd[:, columns] = rho_dd * q + 2 * rho_d * q_d + rho * q_dd
-    return Samples(samples.figure, y, y_d, y_dd)
+    return Samples(samples.figure, y, y_d, y_dd, samples.t)
 
 
 @pytest.mark.parametrize("form", ["square", "absolute"])

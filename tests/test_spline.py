@@ -1,5 +1,7 @@
 """The spline against SciPy's, its exactness under insertion, its transpose and its cost."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -20,7 +22,8 @@ def inside(times: np.ndarray, count: int = 41) -> np.ndarray:
 @pytest.mark.parametrize("times", [TIMES, TIMES[:3], TIMES[:2]], ids=len)
 def test_free_and_clamped_splines_are_scipys_clamped_cubic(rng, order, times):
     rows = rng.normal(size=(times.size + 2, 3))
-    expected = CubicSpline(times, rows[:-2], bc_type=((1, rows[-2]), (1, rows[-1])))
+    slopes: Any = ((1, rows[-2]), (1, rows[-1]))
+    expected = CubicSpline(times, rows[:-2], bc_type=slopes)
     for ends in ("free", "clamped"):
         np.testing.assert_allclose(
             Spline(times, ends).evaluate(rows, inside(times), order),

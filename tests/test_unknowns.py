@@ -140,7 +140,8 @@ BALLS = Figure(
     mujoco.MjModel.from_xml_string(
         """<mujoco><worldbody><body><freejoint name="root"/><geom size=".1"/>
         <body pos="0 0 -.1" quat=".9 .1 -.2 .3"><joint name="hip" type="ball"/><geom size=".1"/>
-        <body pos="0 0 -.4"><joint name="knee" type="ball"/><geom size=".1"/></body></body></body></worldbody></mujoco>"""
+        <body pos="0 0 -.4"><joint name="knee" type="ball"/><geom size=".1"/></body></body></body>
+        </worldbody></mujoco>"""
     )
 )
 
@@ -225,7 +226,9 @@ def test_a_half_fixed_quaternion_is_refused_by_place_and_name(figure, rng):
     mask = np.ones(figure.width, bool)
     mask[4] = False
     keys = random_keys(figure, rng, {1: mask})
-    with pytest.raises(TimelineError, match=r"keyframe 2 \(t = 0\.4 s\): the quaternion of 'root' is fixed whole or not"):
+    with pytest.raises(
+        TimelineError, match=r"keyframe 2 \(t = 0\.4 s\): the quaternion of 'root' is fixed whole or not"
+    ):
         raw_timeline(figure, keys)
 
 

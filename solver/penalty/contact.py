@@ -52,7 +52,7 @@ class Contact:
 
     @cached_property
     def _bounds(self) -> tuple[Index, Array, Array, Index]:
-        """Spheres round each link's points: links (m,), centres (3, m) and radii (m,), and every point's sphere (n,)."""
+        """Spheres round each link's points: links (m,), centres (3, m), radii (m,), and every point's sphere (n,)."""
         links, positions, radius = self._arrays
         carriers, owner = np.unique(links, return_inverse=True)
         middles = np.array([positions[:, owner == k].mean(axis=1) for k in range(carriers.size)]).T

@@ -1,4 +1,4 @@
-"""Planted points: a sole point that two neighbouring keyframes put on the same spot of a surface stays there in between.
+"""Planted points: a point of the sole that two neighbouring keyframes put on the same spot stays there in between.
 
 The keyframes are the only input. This goes beyond the paper, which leaves skidding to future work (§6).
 """
@@ -23,7 +23,7 @@ SAME_SPOT = 0.05
 
 @dataclass(frozen=True)
 class Stance:
-    """One point at rest: from its spot (3,) [m] at time `first` [s] to `landed` at `last`, the same spot but for drift."""
+    """One point at rest: from its spot (3,) [m] at time `first` [s] to `landed` at `last`, the same but for drift."""
 
     point: Point
     first: float

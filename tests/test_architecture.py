@@ -1,0 +1,95 @@
+"""The house rules, read off the source: imports run one way, third parties stay in their file, no I/O in the solver."""
+
+import ast
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parent.parent
+HOUSE = ("runner", "models", "solver")
+FILES = sorted(path.relative_to(ROOT) for folder in HOUSE for path in (ROOT / folder).rglob("*.py"))
+SOLVER = [path for path in FILES if path.parts[0] == "solver"]
+
+MAY_IMPORT = {"runner": {"runner", "solver", "models"}, "solver": {"solver"}, "models": {"models"}}
+ONLY_IN = {
+    "nlopt": {"solver/optimiser.py"},
+    "imageio": {"runner/film.py"},
+    "tomllib": {"runner/clip.py"},
+    "typer": {"runner/cli.py"},
+}
+SCIPY_IN_SOLVER = {"solver/spline.py", "solver/unknowns.py", "solver/preconditioner.py"}
+NO_WORLD = {"os", "sys", "io", "pathlib", "time", "datetime", "shutil", "tempfile", "subprocess", "logging", "random"}
+
+
+def tree(path: Path) -> ast.Module:
+    return ast.parse((ROOT / path).read_text(encoding="utf-8"))
+
+
+def imports(path: Path) -> set[str]:
+    """Dotted names of all that a file imports, relative ones resolved; a name imported from a module counts too."""
+    names: set[str] = set()
+    package = path.parent.parts
+    for node in ast.walk(tree(path)):
+        if isinstance(node, ast.Import):
+            names |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            above = package[: len(package) - node.level + 1] if node.level else ()
+            base = ".".join([*above, *([node.module] if node.module else [])])
+            names |= {base} | {f"{base}.{alias.name}" for alias in node.names}
+    return names
+
+
+def packages(path: Path) -> set[str]:
+    return {name.split(".")[0] for name in imports(path)}
+
+
+def test_there_is_something_to_read():
+    assert {"solver/inbetween.py", "solver/penalty/unit.py", "models/__init__.py"} <= {p.as_posix() for p in FILES}
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.as_posix())
+def test_imports_run_from_the_runner_to_solver_and_models_and_never_back(path):
+    assert packages(path) & set(HOUSE) <= MAY_IMPORT[path.parts[0]]
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.as_posix())
+def test_third_parties_stay_in_the_file_that_knows_them(path):
+    for package, homes in ONLY_IN.items():
+        assert package not in packages(path) or path.as_posix() in homes
+    if path.parts[0] == "solver":
+        assert "scipy" not in packages(path) or path.as_posix() in SCIPY_IN_SOLVER
+
+
+@pytest.mark.parametrize("path", SOLVER, ids=lambda path: path.as_posix())
+def test_the_solver_knows_no_files_no_clock_and_no_terminal(path):
+    assert not packages(path) & NO_WORLD
+    called = {n.func.id for n in ast.walk(tree(path)) if isinstance(n, ast.Call) and isinstance(n.func, ast.Name)}
+    assert not called & {"open", "print", "input", "exec", "eval", "hasattr"}
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.as_posix())
+def test_every_file_says_what_it_is(path):
+    assert len(ast.get_docstring(tree(path)) or "") > 20
+
+
+def test_imports_inside_the_solver_make_no_circle():
+    below = {p.with_suffix("").as_posix().replace("/", ".").removesuffix(".__init__"): imports(p) for p in SOLVER}
+    below = {name: {other for other in names if other in below and other != name} for name, names in below.items()}
+    done: set[str] = set()
+    while len(done) < len(below):
+        ready = {name for name, needs in below.items() if name not in done and needs <= done}
+        assert ready, f"a circle among {sorted(set(below) - done)}"
+        done |= ready
+
+
+def test_the_foundations_of_the_solver_rest_on_nothing_above_them():
+    def within(name: str) -> set[str]:
+        return {other for other in imports(Path(f"solver/{name}.py")) if other.startswith("solver.")}
+
+    assert not within("quaternion")
+    assert {name.split(".")[1] for name in within("frame")} == {"quaternion"}
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.as_posix())
+def test_no_module_is_named_for_a_drawer(path):
+    assert path.stem not in {"utils", "util", "helpers", "misc", "common"}
