@@ -52,6 +52,7 @@ DEFAULT_WEIGHTS = {"covariant": 1.0, "root": 1.0, "unit": 1.0, "contact": 10.0, 
 KNEES, ELBOWS = ("knee", "shin"), ("elbow", "forearm", "farm")
 SOLES = ("heel", "toe")
 LONGEST_PANEL = 0.05
+BEND_BOUND = 8.0  # degrees; 10° with room for a soft constraint
 
 Number = Annotated[float, Field(allow_inf_nan=False)]
 Axis = Number | Literal["free"]
@@ -394,7 +395,7 @@ class _Penalties:
                 if name not in known:
                     raise UserError(f"{self.place}: penalty 'bend': {unknown('joint', name, known)}")
             self.bends = tuple(known[name] for name in entry.joints)
-        sideways, twist = entry.sideways or 10.0, entry.twist or 10.0
+        sideways, twist = entry.sideways or BEND_BOUND, entry.twist or BEND_BOUND
         least, sideways, twist = np.radians([entry.least or 0.0, sideways, twist])
         return BendLimits(self.bends, float(least), float(sideways), float(twist))
 

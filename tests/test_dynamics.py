@@ -34,9 +34,10 @@ def test_net_forces_on_the_bodies_add_up_to_the_root_wrench_of_mj_inverse(figure
     tables = figure.tables
     root = tables.free_links[0]
     inside = tables.path[:, root] > 0
-    moment = np.cross(
-        (forces.centre - samples.links.x[:, root : root + 1])[:, inside], forces.force[:, inside], axis=0
-    ) + (forces.torque[:, inside])
+    moment = (
+        np.cross((forces.centre - samples.links.x[:, root : root + 1])[:, inside], forces.force[:, inside], axis=0)
+        + (forces.torque[:, inside])
+    )
     expected = mujoco_forces(samples)[:, :6]
     scale = np.abs(expected).max()
     np.testing.assert_allclose(forces.force[:, inside].sum(axis=1).T, expected[:, :3], atol=1e-11 * scale)

@@ -33,9 +33,7 @@ def test_link_positions_and_orientations_are_those_of_mj_kinematics(figure, rng)
                 samples.links.rotation[:, :, link_index, i].ravel(), data.xmat[link.body], atol=1e-12
             )
             if link.kind != link.kind.SLIDE:  # MuJoCo gives a slide's anchor before the displacement
-                np.testing.assert_allclose(
-                    samples.links.anchor[:, link_index, i], data.xanchor[link.joint], atol=1e-12
-                )
+                np.testing.assert_allclose(samples.links.anchor[:, link_index, i], data.xanchor[link.joint], atol=1e-12)
 
 
 def test_state_and_qpos_are_inverse_to_each_other(figure, rng):
