@@ -2,22 +2,30 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
+import os
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from .clip import Clip
     from .graphics import Graphics
     from .motion import Saved
     from .progress import Teller
     from .show import Look
 
+UsageError = typer.BadParameter.__mro__[1]  # typer brings its own or click's; both have it here
+
+MOST_IMAGES = 100_000
+
 app = typer.Typer(
     help="Sparse keyframes of an articulated figure into smooth motion that keeps its feet out of the floor.",
-    no_args_is_help=True,
     add_completion=False,
     rich_markup_mode=None,
     pretty_exceptions_enable=False,
@@ -35,16 +43,31 @@ AsJson = Annotated[bool, typer.Option("--json", help="print JSON")]
 
 def main() -> None:
     """The command, with bad input told in one line and exit code 2."""
-    from .errors import UserError
+    from .errors import UserError, one_line
 
     try:
-        app()
+        sys.exit(app(sys.argv[1:] or ["--help"], prog_name="dynsplines", standalone_mode=False))
     except UserError as error:
-        print(f"dynsplines: {error}", file=sys.stderr)
-        sys.exit(2)
-    except KeyboardInterrupt:
-        print("dynsplines: stopped", file=sys.stderr)
-        sys.exit(130)
+        _end(2, one_line(error))
+    except UsageError as error:
+        context = getattr(error, "ctx", None)
+        _end(
+            2, one_line(f"{error.format_message()} (see `{context.command_path if context else 'dynsplines'} --help`)")
+        )
+    except (KeyboardInterrupt, typer.Abort):
+        _end(130, "stopped")
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or Python complains while it shuts down
+        sys.exit(1)
+    except OSError as error:
+        _end(2, one_line(f"'{error.filename}': {error.strerror}" if error.filename else error.strerror or error))
+    except MemoryError:
+        _end(2, "not enough memory for this")
+
+
+def _end(code: int, line: str) -> NoReturn:
+    print(f"dynsplines: {line}", file=sys.stderr)
+    sys.exit(code)
 
 
 @app.command()
@@ -66,11 +89,11 @@ def render(
     width, height = _size(size)
     if only not in ("", "before", "after", "keys"):
         raise UserError(f"--only {only}: not one of before, after, keys")
-    if fps is not None and not 0 < fps <= 1000:
-        raise UserError(f"--fps {fps:g}: give a number of images a second above 0")
+    if fps is not None and not 0.01 <= fps <= 1000:
+        raise UserError(f"--fps {fps:g}: give a number of images a second, 0.01 to 1000")
     if not 0.01 <= slow <= 1000:
-        raise UserError(f"--slow {slow:g}: give how many times slower, such as 4")
-    name = _name(source, keys)
+        raise UserError(f"--slow {slow:g}: give how many times slower, 0.01 to 1000, such as 4")
+    name = _name(source, model, keys)
     target = output or Path(f"{name}.png" if ghosts else f"{name}.mp4")
     _film_target(target, width, height, halves=not only and not (ghosts and target.suffix.lower() == ".png"))
     from .graphics import GraphicsError, choose
@@ -83,9 +106,12 @@ def render(
     from .show import Look
 
     with Teller() as teller:
+        found = _found(source, model, keys)
+        _check_camera(found, camera)
+        look = Look(width, height, fps or found.fps, only, ghosts, camera, slow)
+        _check_length(found, look)
         teller.say(graphics.line)
-        saved = _saved(source, model, keys, teller, solve=only not in ("keys", "before"), with_report=False)
-        look = Look(width, height, fps or saved.fps, only, ghosts, camera, slow)
+        saved = _saved(found, teller, solve=only not in ("keys", "before"), with_report=False)
         _film(saved, look, graphics, target, teller)
         teller.say(f"wrote {target}")
 
@@ -104,14 +130,18 @@ def solve(
     from .errors import UserError
     from .progress import Teller
 
-    target = output or Path(f"{_name(source, keys)}.npz")
+    target = output or Path(f"{_name(source, model, keys)}.npz")
     if target.suffix != ".npz":
-        raise UserError(f"{target}: a motion file ends in .npz")
-    if fps is not None and not 0 < fps <= 100000:
-        raise UserError(f"--fps {fps:g}: give a number of samples a second above 0")
+        raise UserError(f"{target}: a motion file's name ends in .npz")
+    if fps is not None and not 0.01 <= fps <= 100_000:
+        raise UserError(f"--fps {fps:g}: give a number of samples a second, 0.01 to 100000")
     motion.check_target(target)
     with Teller() as teller:
-        saved = _saved(source, model, keys, teller, with_report=True, fps=fps)
+        found = _found(source, model, keys, fps)
+        if isinstance(found, motion.Saved):
+            raise UserError(f"{source}: a motion is solved already; report, plot and render take it")
+        motion.sample_count(found.keys[-1].time - found.keys[0].time, found.fps)
+        saved = _saved(found, teller, with_report=True)
         motion.save(saved, target)
         teller.say(f"wrote {target}")
     if as_json:
@@ -126,13 +156,15 @@ def report(source: Source = "", as_json: AsJson = False, model: Model = None, ke
     from .progress import Teller
     from .report import tables
 
+    _name(source, model, keys)
     with Teller() as teller:
-        saved = _saved(source, model, keys, teller, with_report=True)
+        saved = _saved(_found(source, model, keys), teller, with_report=True)
     if as_json:
         print(json.dumps(_plain(saved.report), indent=2))
-    else:
-        console = Console(highlight=False)
-        console.print(tables(saved.report), markup=False)
+        return
+    with _whole(source):
+        shown = tables(saved.report)
+    Console(highlight=False).print(shown, markup=False)
 
 
 @app.command()
@@ -143,12 +175,13 @@ def plot(source: Source = "", output: Output = None, model: Model = None, keys: 
     from . import chart, motion
     from .progress import Teller
 
-    target = output or Path(f"{_name(source, keys)}.png")
+    target = output or Path(f"{_name(source, model, keys)}.png")
     chart.check_target(target)
     motion.check_target(target)
     with Teller() as teller:
-        saved = _saved(source, model, keys, teller, with_report=True)
-        chart.draw(saved.name, saved.report, saved.trace, np.array([key.time for key in saved.keys]), target)
+        saved = _saved(_found(source, model, keys), teller, with_report=True)
+        with _whole(source):
+            chart.draw(saved.name, saved.report, saved.trace, np.array([key.time for key in saved.keys]), target)
         teller.say(f"wrote {target}")
 
 
@@ -186,20 +219,31 @@ def list_models() -> None:
         print(f"{name:16} {line}")
 
 
-def _name(source: str, keys: str | None) -> str:
+def _name(source: str, model: str | None, keys: str | None) -> str:
     """What a command's output is called after."""
     from .errors import UserError
 
-    if not source and keys is None:
+    if not source and keys is None and model is None:
         raise UserError("name a clip (see `dynsplines clips`), a file, or --model with --keys")
-    return Path(keys if keys is not None else source).stem
+    return Path(source if keys is None else keys).stem or "motion"
+
+
+@contextlib.contextmanager
+def _whole(source: str) -> Iterator[None]:
+    """A motion file from elsewhere can hold a report that is none."""
+    from .errors import UserError
+
+    try:
+        yield
+    except (KeyError, TypeError, ValueError, IndexError, AttributeError) as error:
+        raise UserError(f"{source}: its report is not complete: {type(error).__name__} {error}") from None
 
 
 def _size(text: str) -> tuple[int, int]:
     from .errors import UserError
 
     parts = text.lower().split("x")
-    if len(parts) != 2 or not all(part.isdigit() for part in parts):
+    if len(parts) != 2 or not all(part.isascii() and part.isdigit() and len(part) < 10 for part in parts):
         raise UserError(f"--size {text}: give WIDTHxHEIGHT in pixels, such as 1280x720")
     width, height = int(parts[0]), int(parts[1])
     if not (16 <= width <= 3840 and 16 <= height <= 2160):
@@ -219,23 +263,42 @@ def _film_target(target: Path, width: int, height: int, *, halves: bool) -> None
         raise UserError(f"--size {width}x{height}: two halves side by side need an even width")
 
 
-def _saved(
-    source: str,
-    model: str | None,
-    keys: str | None,
-    teller: Teller,
-    *,
-    with_report: bool,
-    solve: bool = True,
-    fps: float | None = None,
-) -> Saved:
-    """The motion that a command is about: a file as it is, or a clip solved now."""
-    from . import clip, motion, work
+def _found(source: str, model: str | None, keys: str | None, fps: float | None = None) -> Clip | Saved:
+    """What a command is about: a saved motion, or a clip to solve."""
+    from . import clip, motion
 
-    if motion.is_motion(source) and keys is None:
+    if motion.is_motion(source) and keys is None and model is None:
         return motion.load(Path(source))
-    problem = clip.load(source, model=model, keys=keys, fps=fps)
-    return (work.solve(problem, teller) if solve else work.unsolved(problem)).saved(with_report)
+    return clip.load(source, model=model, keys=keys, fps=fps)
+
+
+def _saved(found: Clip | Saved, teller: Teller, *, with_report: bool, solve: bool = True) -> Saved:
+    """A saved motion as it is, or a clip solved now."""
+    from . import motion, work
+
+    if isinstance(found, motion.Saved):
+        return found
+    return (work.solve(found, teller) if solve else work.unsolved(found)).saved(with_report)
+
+
+def _check_camera(found: Clip | Saved, camera: str) -> None:
+    """Raises UserError for a camera that is not there, before anything long begins."""
+    from .camera import ANGLES
+    from .errors import UserError, unknown
+
+    model = found.figure.model
+    known = [*ANGLES, *(name for i in range(model.ncam) if (name := model.camera(i).name))]
+    if camera not in known:
+        raise UserError(f"--camera: {unknown('camera', camera, known)}")
+
+
+def _check_length(found: Clip | Saved, look: Look) -> None:
+    """Raises UserError for more images than anybody waits for."""
+    from .errors import UserError
+
+    count = (found.keys[-1].time - found.keys[0].time) * look.fps * look.slow
+    if count > MOST_IMAGES:
+        raise UserError(f"{count:.0f} images; over {MOST_IMAGES}: lower --fps or --slow")
 
 
 def _film(saved: Saved, look: Look, graphics: Graphics, target: Path, teller: Teller) -> None:

@@ -7,15 +7,15 @@ What a keyframe leaves out is free. A [[penalty]] entry changes or adds to the d
 from __future__ import annotations
 
 import tomllib
-import zipfile
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
 import mujoco
 import numpy as np
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import BaseModel, ConfigDict, Field, Strict, ValidationError
 
 import models
 from solver import quaternion as quat
@@ -45,7 +45,8 @@ from solver.surface import Surface, static_surfaces
 from solver.unknowns import raw_timeline
 
 from .errors import UserError, unknown
-from .scene import Step, compose, figure_spec
+from .motion import read_arrays
+from .scene import Step, check_files, compose, figure_spec, first_line, quietly
 
 KINDS = ("covariant", "root", "unit", "contact", "clearance", "planted", "bend", "torque")
 DEFAULT_WEIGHTS = {"covariant": 1.0, "root": 1.0, "unit": 1.0, "contact": 10.0, "bend": 10.0}
@@ -54,7 +55,22 @@ SOLES = ("heel", "toe")
 LONGEST_PANEL = 0.05
 BEND_BOUND = 8.0  # degrees; 10° with room for a soft constraint
 
-Number = Annotated[float, Field(allow_inf_nan=False)]
+SHORTEST = 0.001  # [s] between neighbouring keyframes
+LONGEST = 600.0  # [s] from the first keyframe to the last
+LARGEST = 1e6  # of any number of a configuration
+OPTIONS = {
+    "covariant": {"form"},
+    "unit": {"form"},
+    "contact": {"points", "margin"},
+    "clearance": {"margin"},
+    "bend": {"joints", "least", "sideways", "twist"},
+}
+
+Real = Annotated[float, Strict(), Field(allow_inf_nan=False)]
+Number = Annotated[Real, Field(ge=-LARGEST, le=LARGEST)]
+Whole = Annotated[int, Strict()]
+Length = Annotated[Real, Field(gt=0, le=1000)]
+Angle = Annotated[Real, Field(gt=0, le=360)]
 Axis = Number | Literal["free"]
 
 
@@ -65,7 +81,7 @@ class _Table(BaseModel):
 class RotationTable(_Table):
     rotvec: tuple[Number, Number, Number] | None = None
     euler: list[Number] | None = None
-    order: str = "xyz"
+    order: str | None = None
     quat: tuple[Number, Number, Number, Number] | None = None
 
 
@@ -82,9 +98,9 @@ class KeyframeTable(_Table):
 
 class StepTable(_Table):
     x: Number
-    height: Annotated[float, Field(gt=0, allow_inf_nan=False)]
-    length: Annotated[float, Field(gt=0, allow_inf_nan=False)] = 3.0
-    width: Annotated[float, Field(gt=0, allow_inf_nan=False)] = 2.4
+    height: Length
+    length: Length = 3.0
+    width: Length = 2.4
     y: Number = 0.0
 
 
@@ -94,33 +110,33 @@ class SceneTable(_Table):
 
 class PenaltyTable(_Table):
     kind: str
-    weight: Annotated[float, Field(ge=0, allow_inf_nan=False)] = 1.0
+    weight: Annotated[Real, Field(ge=0, le=1e9)] = 1.0
     form: str | None = None
     points: list[str] | None = None
     joints: list[str] | None = None
-    margin: Annotated[float, Field(ge=0, le=0.1)] | None = None
-    least: Number | None = None
-    sideways: Annotated[float, Field(gt=0)] | None = None
-    twist: Annotated[float, Field(gt=0)] | None = None
+    margin: Annotated[Real, Field(ge=0, le=0.1)] | None = None
+    least: Annotated[Real, Field(ge=-360, le=360)] | None = None
+    sideways: Angle | None = None
+    twist: Angle | None = None
 
 
 class SolveTable(_Table):
     coordinates: Literal["auto", "world", "joint"] = "auto"
     ends: Literal["free", "clamped", "periodic"] = "free"
-    variable: Annotated[int, Field(ge=0, le=50)] | None = None
-    frames: Annotated[int, Field(ge=0)] | None = None
+    variable: Annotated[Whole, Field(ge=0, le=50)] | None = None
+    frames: Annotated[Whole, Field(ge=0, le=100_000)] | None = None
     criterion: str | None = None
-    threshold: Annotated[float, Field(ge=0)] | None = None
+    threshold: Annotated[Real, Field(ge=0)] | None = None
     optimiser: str | None = None
-    evaluations: Annotated[int, Field(ge=1)] | None = None
-    tolerance: Annotated[float, Field(gt=0)] | None = None
+    evaluations: Annotated[Whole, Field(ge=1, le=1_000_000)] | None = None
+    tolerance: Annotated[Real, Field(gt=0, le=1)] | None = None
     quadrature: Literal["gauss", "uniform"] = "gauss"
-    samples: Annotated[int, Field(ge=1)] | None = None
+    samples: Annotated[Whole, Field(ge=1, le=10_000)] | None = None
 
 
 class ClipTable(_Table):
     figure: str
-    fps: Annotated[float, Field(gt=0, le=1000, allow_inf_nan=False)] = 30.0
+    fps: Annotated[Real, Field(ge=0.01, le=1000)] = 30.0
     scene: SceneTable = SceneTable()
     solve: SolveTable = SolveTable()
     penalty: list[PenaltyTable] = []
@@ -161,6 +177,8 @@ def load(source: str, *, model: str | None = None, keys: str | None = None, fps:
     if keys is not None or model is not None:
         if keys is None or model is None:
             raise UserError("--model and --keys go together")
+        if source:
+            raise UserError(f"give a clip or --model with --keys, not both ('{source}' and '{model}')")
         return _from_arrays(model, Path(keys), fps)
     if source in models.clips():
         return from_text(models.clip_text(source), name=source, fps=fps)
@@ -171,14 +189,16 @@ def load(source: str, *, model: str | None = None, keys: str | None = None, fps:
         if path.suffix:
             raise UserError(f"no file '{source}'; clips that ship: {', '.join(models.clips()) or 'none'}")
         raise UserError(unknown("clip", source, models.clips()))
-    if path.suffix == ".xml":
+    if path.suffix.lower() == ".xml":
         return _from_mjcf(path, fps)
-    if path.suffix != ".toml":
+    if path.suffix.lower() != ".toml":
         raise UserError(f"'{source}': a clip is a .toml file, an MJCF .xml with keyframes, or a shipped name")
     try:
-        text = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        raise UserError(f"{source}: cannot be read: {error}") from None
+        text = path.read_text(encoding="utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise UserError(f"{source}: not UTF-8 text (byte {error.start + 1})") from None
+    except OSError as error:
+        raise UserError(f"{source}: cannot be read: {error.strerror}") from None
     return from_text(text, name=path.stem, place=path.name, folder=path.parent, fps=fps)
 
 
@@ -191,6 +211,9 @@ def from_text(
         raw = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise UserError(f"{place}: not valid TOML: {error}") from None
+    except RecursionError:
+        raise UserError(f"{place}: not valid TOML: nested too deeply") from None
+    _check_filled(raw, place)
     try:
         table = ClipTable.model_validate(raw)
     except ValidationError as error:
@@ -202,7 +225,8 @@ def from_text(
     except UserError as error:
         raise UserError(f"{place}: {error}") from None
     figure = _figure(mjcf, table.solve.coordinates, place)
-    keys = [_key(figure, row, f"{place}: keyframe {i} (t = {row.time:g} s)") for i, row in enumerate(table.keyframe, 1)]
+    _check_times([row.time for row in table.keyframe], place)
+    keys = [_key(figure, row, f"{place}: {_called(i, row.time)}") for i, row in enumerate(table.keyframe, 1)]
     return _clip(name, text, mjcf, figure, fps or table.fps, keys, table.penalty, table.solve, place)
 
 
@@ -228,9 +252,7 @@ def _clip(
         timeline = raw_timeline(figure, keys, solve.ends, np.zeros((2, figure.width)))
         settings = _settings(solve)
     except (TimelineError, ValueError) as error:
-        raise UserError(
-            f"{place}: {str(error).replace('frame ', 'keyframe ', 1) if 'key' not in str(error) else error}"
-        ) from None
+        raise UserError(f"{place}: {error}") from None
     surfaces = static_surfaces(figure.model)
     notes: list[str] = []
     builder = _Penalties(figure, timeline, surfaces, notes, place)
@@ -249,14 +271,43 @@ def _figure(mjcf: str, coordinates: str, place: str) -> Figure:
         raise UserError(f"{place}: {error}") from None
 
 
+def _check_filled(raw: dict[str, Any], place: str) -> None:
+    """An empty clip is told as one, not by the first key that it lacks."""
+    if not raw:
+        raise UserError(f"{place}: the clip is empty; it needs a figure and two [[keyframe]] tables")
+    if raw.get("keyframe", []) == []:
+        raise UserError(f"{place}: no keyframes; a clip needs at least two [[keyframe]] tables")
+
+
+def _called(number: int, time: float) -> str:
+    return f"keyframe {number} (t = {time:g} s)"
+
+
+def _check_times(times: Sequence[float], place: str) -> None:
+    """Two keyframes or more, in order, apart, and no longer than a report can look at every millisecond of."""
+    if len(times) < 2:
+        raise UserError(f"{place}: {len(times) or 'no'} keyframe{'s' if not times else ''}; a clip needs at least two")
+    for i, (a, b) in enumerate(pairwise(times), 1):
+        if not b > a:
+            raise UserError(f"{place}: {_called(i + 1, b)} is not after {_called(i, a)}; times must rise")
+        if b - a < SHORTEST:
+            raise UserError(f"{place}: {_called(i + 1, b)} is less than {SHORTEST:g} s after keyframe {i}")
+    if times[-1] - times[0] > LONGEST:
+        raise UserError(
+            f"{place}: from the first to the last keyframe are {times[-1] - times[0]:g} s, over {LONGEST:g} s"
+        )
+
+
 def _settings(solve: SolveTable) -> Settings:
+    if solve.quadrature == "gauss" and (solve.samples or 0) > 64:
+        raise ValueError(f"solve: samples must be at most 64 a panel with quadrature = 'gauss', not {solve.samples}")
     settings = Settings(quadrature=Quadrature("gauss", 5, LONGEST_PANEL))
     if solve.quadrature == "uniform":
         settings = replace(settings, quadrature=Quadrature("uniform", solve.samples or 100))
     elif solve.samples is not None:
         settings = replace(settings, quadrature=Quadrature("gauss", solve.samples, LONGEST_PANEL))
     if solve.criterion is not None and solve.criterion not in CRITERIA:
-        raise ValueError(unknown("criterion", solve.criterion, CRITERIA).replace("Criterions", "Criteria"))
+        raise ValueError(f"solve: {unknown('criterion', solve.criterion, CRITERIA)}")
     if solve.optimiser is not None:
         algorithm(solve.optimiser)
     chosen = {
@@ -300,14 +351,15 @@ def _set_joint(qpos: Array, fixed: Array, link: Any, value: RotationTable | floa
     columns = quaternion_columns(link)
     if columns is None:
         if isinstance(value, RotationTable):
-            raise UserError(f"{place}: a {link.kind.name.lower()} joint takes a number, not a rotation")
+            unit = "degrees" if link.kind is JointKind.HINGE else "metres"
+            raise UserError(f"{place}: a {link.kind.name.lower()} joint takes a number ({unit}), not a rotation")
         qpos[link.qpos] = np.radians(value) if link.kind is JointKind.HINGE else value
         fixed[link.qpos] = True
         return
-    if not isinstance(value, RotationTable):
-        raise UserError(f"{place}: a {link.kind.name.lower()} joint takes a rotation {{rotvec|euler|quat = ...}}")
     if link.kind is JointKind.FREE:
         raise UserError(f"{place}: a free joint is placed by root.position and root.rotation")
+    if not isinstance(value, RotationTable):
+        raise UserError(f"{place}: a ball joint takes a rotation, {_ROTATION}, not a number")
     qpos[columns] = _rotation(value, place)
     fixed[columns] = True
 
@@ -317,15 +369,19 @@ def _rotation(table: RotationTable, place: str) -> Array:
     given = [name for name in ("rotvec", "euler", "quat") if getattr(table, name) is not None]
     if len(given) != 1:
         raise UserError(f"{place}: give exactly one of rotvec, euler, quat, not {' and '.join(given) or 'none'}")
+    if table.order is not None and table.euler is None:
+        raise UserError(f"{place}: order goes with euler, not with {given[0]}")
     if table.rotvec is not None:
         return quat.from_rotation_vector(np.radians(table.rotvec))
     if table.quat is not None:
         if np.linalg.norm(table.quat) < 1e-6:
             raise UserError(f"{place}: the quaternion is zero")
         return quat.normalised(table.quat)
-    order, angles = table.order.lower(), table.euler or []
+    order, angles = "xyz" if table.order is None else table.order, table.euler or []
     if not order or set(order) - set("xyz") or len(order) != len(angles):
-        raise UserError(f"{place}: order = '{table.order}' must name one of x, y, z for each of {len(angles)} angles")
+        raise UserError(
+            f"{place}: euler has {len(angles)} angles and order = '{order}'; order names an axis x, y or z for each"
+        )
     out = np.array([1.0, 0, 0, 0])
     for letter, angle in zip(order, np.radians(angles), strict=True):
         out = quat.product(out, quat.from_rotation_vector(angle * np.eye(3)["xyz".index(letter)]))
@@ -352,13 +408,20 @@ class _Penalties:
 
     def all(self, entries: list[PenaltyTable]) -> tuple[tuple[Penalty, float], ...]:
         chosen = {kind: PenaltyTable(kind=kind, weight=weight) for kind, weight in DEFAULT_WEIGHTS.items()}
-        for entry in entries:
+        seen: dict[str, int] = {}
+        for i, entry in enumerate(entries, 1):
+            place = f"{self.place}: penalty {i}"
             if entry.kind not in KINDS:
-                raise UserError(
-                    f"{self.place}: {unknown('penalty', entry.kind, KINDS).replace('Penaltys', 'Penalties')}"
-                )
+                raise UserError(f"{place}: {unknown('penalty', entry.kind, KINDS)}")
+            if entry.kind in seen:
+                raise UserError(f"{place}: kind '{entry.kind}' is given already by penalty {seen[entry.kind]}")
+            for option in sorted(entry.model_fields_set - {"kind", "weight"} - OPTIONS.get(entry.kind, set())):
+                takes = ", ".join(["weight", *sorted(OPTIONS.get(entry.kind, ()))])
+                raise UserError(f"{place}: '{option}' is not for kind '{entry.kind}', which takes: {takes}")
+            seen[entry.kind] = i
             chosen[entry.kind] = entry
-        return tuple((self.one(entry), entry.weight) for entry in chosen.values() if entry.weight > 0)
+        built = [(self.one(entry), entry.weight) for entry in chosen.values()]
+        return tuple((penalty, weight) for penalty, weight in built if weight > 0)
 
     def one(self, entry: PenaltyTable) -> Penalty:
         try:
@@ -425,26 +488,33 @@ def _principal(direction: Array) -> Array:
 
 def _from_mjcf(path: Path, fps: float | None) -> Clip:
     """An MJCF file whose <keyframe> elements, with their times, are the keyframes."""
-    mjcf = _composed(str(path), path.name)
-    model = mujoco.MjModel.from_xml_string(mjcf)
+    try:
+        spec = figure_spec(str(path))
+        check_files(spec)
+        with quietly():
+            model = spec.compile()
+    except UserError as error:
+        raise UserError(_placed(error, path.name)) from None
+    except ValueError as error:
+        raise UserError(f"{path.name}: MuJoCo cannot compile it: {first_line(error)}") from None
     if model.nkey == 0:
         raise UserError(f"{path.name}: the model has no <keyframe> elements to go through")
-    return _plain(path.stem, mjcf, np.array(model.key_time), np.array(model.key_qpos), fps, path.name)
+    time, qpos = np.array(model.key_time), np.array(model.key_qpos)
+    for row, key in zip(qpos, spec.keys, strict=True):
+        if len(key.qpos) == model.nq:
+            row[:] = key.qpos  # as written: MuJoCo turns a zero quaternion into no rotation
+    return _plain(path.stem, _composed(str(path), path.name), time, qpos, fps, path.name)
 
 
 def _from_arrays(model: str, keys: Path, fps: float | None) -> Clip:
     """A figure and an .npz with time (K,) and qpos (K, nq), or key_time and key_qpos, which win."""
-    try:
-        with np.load(keys, allow_pickle=False) as archive:
-            arrays = {name: archive[name] for name in archive.files}
-    except FileNotFoundError:
-        raise UserError(f"no file '{keys}'") from None
-    except (OSError, ValueError, zipfile.BadZipFile, EOFError) as error:
-        raise UserError(f"{keys.name}: not a readable .npz of arrays: {error}") from None
+    arrays = read_arrays(keys)
     names = ("key_time", "key_qpos") if {"key_time", "key_qpos"} <= arrays.keys() else ("time", "qpos")
     for name in names:
         if name not in arrays:
             raise UserError(f"{keys.name}: no array '{name}'; it holds: {', '.join(arrays) or 'nothing'}")
+        if arrays[name].dtype.kind not in "fiu":
+            raise UserError(f"{keys.name}: '{name}' holds {arrays[name].dtype.name}, not numbers")
     time, qpos = (np.asarray(arrays[name], float) for name in names)
     return _plain(keys.stem, _composed(model, model), time, qpos, fps, keys.name)
 
@@ -453,7 +523,12 @@ def _composed(figure: str, place: str) -> str:
     try:
         return compose(figure_spec(figure))
     except UserError as error:
-        raise UserError(str(error) if str(error).startswith(place) else f"{place}: {error}") from None
+        raise UserError(_placed(error, place)) from None
+
+
+def _placed(error: UserError, place: str) -> str:
+    """An error that names its place, once."""
+    return str(error) if place in str(error) else f"{place}: {error}"
 
 
 def _plain(name: str, mjcf: str, time: Array, qpos: Array, fps: float | None, place: str) -> Clip:
@@ -464,52 +539,88 @@ def _plain(name: str, mjcf: str, time: Array, qpos: Array, fps: float | None, pl
             f"{place}: time {time.shape} and qpos {qpos.shape} do not fit the figure: "
             f"they should be (K,) and (K, {figure.width})"
         )
-    try:
-        keys = [Frame.key(t, q) for t, q in zip(time, qpos, strict=True)]
-    except TimelineError as error:
-        raise UserError(f"{place}: {error}") from None
+    for i, row in enumerate(np.column_stack([time, qpos]), 1):
+        if not np.all(np.abs(row) <= LARGEST):
+            what = "is too large" if np.all(np.isfinite(row)) else "is not a finite number"
+            raise UserError(f"{place}: {_called(i, row[0])}: an entry {what}")
+    _check_times(time.tolist(), place)
+    keys = [Frame.key(t, q) for t, q in zip(time, qpos, strict=True)]
     return _clip(name, "", mjcf, figure, fps or 30.0, keys, [], SolveTable(), place)
 
 
 def _spoken(error: ValidationError, raw: dict[str, Any]) -> str:
     """The first complaint of a validation, in the clip file's own words."""
-    first = error.errors()[0]
-    place, fields = _located(first["loc"], raw)
-    where = f"{place}: " if place else ""
-    key = _last_name(first["loc"])
-    if first["type"] == "extra_forbidden":
-        return where + unknown("key", key, fields)
-    if first["type"] == "missing":
-        return f"{where}'{key}' is missing"
-    given = first.get("input")
-    shown = f" (given: {given!r})" if not isinstance(given, dict) else ""
-    return f"{where}{key}: {first['msg'][:1].lower()}{first['msg'][1:]}{shown}"
+    complaints = error.errors()
+    first = next((c for c in complaints if c["type"] == "finite_number"), complaints[0])
+    names, words, given = _walked(first["loc"], raw)
+    place = "".join(f"{word}: " for word in words)
+    key = ".".join(names)
+    kind = first["type"]
+    if kind == "extra_forbidden":
+        inside = f"{'.'.join(names[:-1])}: " if names[:-1] else ""
+        return place + inside + unknown("key", names[-1], _schema(words, names[:-1]).model_fields)
+    if kind == "missing" and isinstance(first["loc"][-1], str):
+        return f"{place}'{key}' is missing"
+    if kind == "finite_number":
+        return f"{place}{key or 'number'} must be a finite number, not {given}"
+    for start, bound in (("greater_than_equal", "at least"), ("greater_than", "above"), ("less_than", "at most")):
+        if kind.startswith(start):
+            limit = next(iter(first.get("ctx", {}).values()))
+            return f"{place}{key} must be {bound} {limit:g}, not {given}"
+    return (
+        f"{place}{key + ' ' if key else ''}must be {_EXPECTED.get(_role(words, names), 'a table')}, not {_shown(given)}"
+    )
 
 
-def _last_name(location: tuple[int | str, ...]) -> str:
-    """The key of a location that a user would know: no type names of alternatives, no indices."""
-    names = [str(part) for part in location if isinstance(part, str) and part.islower() and "[" not in part]
-    plain = [name for name in names if name not in ("float", "free", "literal", "tuple")]
-    return plain[-1] if plain else str(location[-1] if location else "clip")
+def _walked(location: tuple[int | str, ...], raw: Any) -> tuple[list[str], list[str], Any]:
+    """The keys of a complaint's location, the numbered tables around it, and what stands there.
 
-
-def _located(location: tuple[int | str, ...], raw: dict[str, Any]) -> tuple[str, list[str]]:
-    """Where in the clip file a complaint is, and which keys exist there."""
-    schema: Any = ClipTable
+    pydantic's locations also hold the names of alternatives, which no user knows: a key is what the file has there.
+    """
+    names: list[str] = []
     words: list[str] = []
-    for i, part in enumerate(location[:-1]):
-        if isinstance(part, int) and i and location[i - 1] in ("keyframe", "penalty"):
-            entry = raw.get(str(location[i - 1]), [])[part]
-            time = entry.get("time") if isinstance(entry, dict) else None
-            words[-1] += f" {part + 1}" + (f" (t = {time:g} s)" if isinstance(time, int | float) else "")
-        elif isinstance(part, str) and part in _TABLES:
-            schema = _TABLES[part]
-            words.append(part)
-        elif isinstance(part, str) and part in ("RotationTable",):
-            schema = RotationTable
-        elif isinstance(part, str) and part.islower() and "[" not in part and part not in ("float", "free"):
-            words.append(part)
-    return ": ".join(words), list(schema.model_fields)
+    here = raw
+    for i, part in enumerate(location):
+        if isinstance(here, list) and isinstance(part, int) and part < len(here):
+            here = here[part]
+            if i == 1:
+                time = here.get("time") if isinstance(here, dict) else None
+                known = isinstance(time, int | float) and not isinstance(time, bool)
+                words.append(f"{names.pop()} {part + 1}" + (f" (t = {time:g} s)" if known else ""))
+        elif isinstance(here, dict) and part in here:
+            names.append(str(part))
+            here = here[part]
+        elif isinstance(here, dict) and i == len(location) - 1:
+            names.append(str(part))
+    return names, words, here
+
+
+def _role(words: list[str], names: list[str]) -> str:
+    """What kind of entry a key is: joints have names of their own."""
+    if names[:1] == ["joints"] and words[0].startswith("penalty"):
+        return "bent joints"
+    if len(names) == 2 and names[0] == "joints":
+        return "joint"
+    return names[-1] if names else ""
+
+
+def _schema(words: list[str], names: list[str]) -> type[_Table]:
+    """The table that an unknown key stands in."""
+    if len(names) == 2 and names[0] == "joints":
+        return RotationTable
+    if names:
+        return _TABLES[names[-1]]
+    return _TABLES[words[0].split()[0]] if words else ClipTable
+
+
+def _shown(value: Any) -> str:
+    """A value of the file as a message shows it: short."""
+    if isinstance(value, dict):
+        return "a table"
+    if isinstance(value, bool):
+        return str(value).lower()
+    text = repr(value) if isinstance(value, str | int | float | list) else str(value)
+    return text if len(text) <= 60 else text[:57] + "..."
 
 
 _TABLES: dict[str, type[_Table]] = {
@@ -520,4 +631,26 @@ _TABLES: dict[str, type[_Table]] = {
     "solve": SolveTable,
     "root": RootTable,
     "rotation": RotationTable,
+}
+
+_ROTATION = "{rotvec = [x, y, z]}, {euler = [...], order = ...} or {quat = [w, x, y, z]}"
+_NUMBERS = ("time", "fps", "x", "y", "height", "length", "width", "weight", "margin", "least", "sideways", "twist")
+_WHOLE = ("variable", "frames", "evaluations", "samples")
+_EXPECTED = {
+    **dict.fromkeys((*_NUMBERS, "threshold", "tolerance"), "a number"),
+    **dict.fromkeys(_WHOLE, "a whole number"),
+    **dict.fromkeys(("kind", "form", "criterion", "optimiser", "order"), "a word in quotes"),
+    **dict.fromkeys(("points", "bent joints"), "a list of names"),
+    "figure": "the name of a figure or a path in quotes",
+    "keyframe": "[[keyframe]] tables",
+    "penalty": "[[penalty]] tables",
+    "position": '[x, y, z] in metres, each a number or "free"',
+    "rotation": f'{_ROTATION} or "free"',
+    "joint": f'{_ROTATION}, a number or "free"',
+    "rotvec": "three angles [x, y, z] in degrees",
+    "euler": "a list of angles in degrees",
+    "quat": "four numbers [w, x, y, z]",
+    "coordinates": "'auto', 'world' or 'joint'",
+    "ends": "'free', 'clamped' or 'periodic'",
+    "quadrature": "'gauss' or 'uniform'",
 }

@@ -33,11 +33,13 @@ from solver.subdivision import path_of
 from .errors import UserError
 
 FORMAT_VERSION = 1
+MOST_SAMPLES = 1_000_000
 NEEDED = (
     "format_version", "fps", "time", "qpos", "qvel", "qacc", "raw_qpos", "raw_qvel", "raw_qacc", "key_time", "key_qpos",
     "key_fixed", "frame_time", "frame_state", "frame_fixed", "end_slope", "raw_frame_time", "raw_frame_state",
     "raw_frame_fixed", "raw_end_slope", "mjcf", "clip", "trace", "report", "name", "coordinates", "ends",
 )  # fmt: skip
+TEXTS = ("mjcf", "clip", "trace", "report", "name", "coordinates", "ends")
 
 
 @dataclass(frozen=True)
@@ -69,10 +71,18 @@ class Saved:
 def sampled(figure: Figure, timeline: Timeline, fps: float) -> Sampled:
     """A timeline's motion at t0 + i / fps, i = 0 … floor(duration · fps)."""
     first, last = float(timeline.times[0]), float(timeline.times[-1])
-    count = int(np.floor((last - first) * fps + 1e-9)) + 1
+    count = sample_count(last - first, fps)
     time = first + np.arange(count) / fps
     samples = samples_at(figure, path_of(timeline), time)
     return Sampled(time, continuous(figure, figure.to_qpos(samples.y)), *velocities(samples))
+
+
+def sample_count(duration: float, fps: float) -> int:
+    """floor(duration · fps) + 1; raises UserError for more than memory is made for."""
+    count = int(np.floor(duration * fps + 1e-9)) + 1
+    if count > MOST_SAMPLES:
+        raise UserError(f"{duration:g} s at {fps:g} samples a second are over {MOST_SAMPLES:,}; lower the rate")
+    return count
 
 
 def samples_at(figure: Figure, path: Curve, time: Array) -> Samples:
@@ -156,6 +166,10 @@ class Replacement:
 
 def check_target(target: Path) -> None:
     """Raises UserError unless a file can be put there."""
+    try:
+        target.exists()
+    except OSError as error:
+        raise UserError(f"cannot write '{target}': {error.strerror}") from None
     if target.is_dir():
         raise UserError(f"cannot write '{target}': it is a folder")
     if not target.parent.is_dir():
@@ -166,27 +180,77 @@ def check_target(target: Path) -> None:
 
 def is_motion(source: str) -> bool:
     """Whether a command's argument names a motion file rather than a clip."""
-    return Path(source).suffix == ".npz"
+    return Path(source).suffix.lower() == ".npz"
 
 
 def load(source: Path) -> Saved:
     """Reads MOTION.npz; raises UserError if it is missing, cut short, or another kind of file."""
-    if not source.is_file():
-        raise UserError(f"no file '{source}'")
-    try:
-        with np.load(source, allow_pickle=False) as archive:
-            data = {name: archive[name] for name in archive.files}
-    except (OSError, ValueError, EOFError, zipfile.BadZipFile, KeyError) as error:
-        raise UserError(f"{source}: not a readable motion file: {' '.join(str(error).split())}") from None
+    data = read_arrays(source)
     missing = [name for name in NEEDED if name not in data]
     if missing:
         raise UserError(f"{source}: not a motion of dynsplines: it has no '{missing[0]}'")
-    if int(data["format_version"]) > FORMAT_VERSION:
-        raise UserError(f"{source}: format {int(data['format_version'])} is newer than this program's {FORMAT_VERSION}")
+    for name in NEEDED:
+        if data[name].dtype.kind not in ("U" if name in TEXTS else "fiub"):
+            raise UserError(f"{source}: not a motion of dynsplines: '{name}' holds {data[name].dtype.name}")
+    version = data["format_version"]
+    if version.shape != () or version.dtype.kind not in "iu" or data["fps"].shape != ():
+        raise UserError(f"{source}: not a motion of dynsplines: its format_version or fps is no single number")
+    if not 1 <= int(version) <= FORMAT_VERSION:
+        raise UserError(f"{source}: format {int(version)} is not this program's {FORMAT_VERSION}; is it newer?")
     try:
-        return _restored(data)
+        saved = _restored(data)
+        _check(saved, data)
     except (ValueError, KeyError, IndexError, TypeError) as error:
         raise UserError(f"{source}: its arrays do not fit together: {' '.join(str(error).split())}") from None
+    return saved
+
+
+def read_arrays(source: Path) -> dict[str, Any]:
+    """The arrays of an .npz by name; raises UserError if it is missing, damaged, or holds pickled objects."""
+    if not source.is_file():
+        raise UserError(f"'{source}' is a folder, not a file" if source.is_dir() else f"no file '{source}'")
+    with source.open("rb") as stream:
+        if not zipfile.is_zipfile(stream):
+            raise UserError(f"{source}: not an .npz file, or cut short")
+        stream.seek(0)
+        try:
+            with np.load(stream, allow_pickle=False) as archive:
+                data = {name: archive[name] for name in archive.files}
+        except Exception as error:  # a damaged zip raises nearly anything
+            if "allow_pickle" in str(error):
+                raise UserError(f"{source}: it holds pickled objects, which are never loaded") from None
+            raise UserError(f"{source}: not a readable .npz file: {' '.join(str(error).split())}") from None
+    foreign = [name for name, array in data.items() if not isinstance(array, np.ndarray)]
+    if foreign:
+        raise UserError(f"{source}: '{foreign[0]}' in it is no array")
+    return data
+
+
+def _check(saved: Saved, data: dict[str, Any]) -> None:
+    """Raises ValueError if a motion's parts contradict each other: a file from elsewhere, or changed by hand."""
+    model, times, keys = saved.figure.model, data["time"].size, data["key_time"].size
+    shapes = {"time": (times,), "key_time": (keys,)}
+    shapes |= {f"{prefix}qpos": (times, model.nq) for prefix in ("", "raw_")}
+    shapes |= {f"{prefix}{part}": (times, model.nv) for prefix in ("", "raw_") for part in ("qvel", "qacc")}
+    shapes |= {name: (keys, model.nq) for name in ("key_qpos", "key_fixed")}
+    for name, shape in shapes.items():
+        if data[name].shape != shape:
+            raise ValueError(f"'{name}' is {data[name].shape}, not {shape}")
+    for name, array in data.items():
+        if array.dtype.kind == "f" and not np.all(np.isfinite(array)):
+            raise ValueError(f"'{name}' holds entries that are not finite numbers")
+    if not saved.fps > 0:
+        raise ValueError(f"fps is {saved.fps:g}")
+    for timeline in (saved.timeline, saved.raw):
+        if timeline.width != model.nq:
+            raise ValueError(f"frames of {timeline.width} entries, the model has {model.nq}")
+        for columns in saved.figure.tables.quaternion_columns.T:
+            if np.any(np.linalg.norm(timeline.states[:, columns], axis=1) < 1e-6):
+                raise ValueError("a frame has a quaternion that is zero")
+        if not all(np.any(np.abs(timeline.times - key.time) < 1e-9) for key in saved.keys):
+            raise ValueError("a keyframe has no frame")
+    if not isinstance(saved.trace, list) or not isinstance(saved.report, dict):
+        raise ValueError("trace and report are not a list and a table")
 
 
 def _restored(data: dict[str, Any]) -> Saved:

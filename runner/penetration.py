@@ -19,7 +19,7 @@ NEAR = 0.02
 class Penetration:
     """Per moving geom: the deepest penetration [m] (0 if it never touches), when [s] and into what.
 
-    lowest  {geom name: (T,)} signed distance [m] to the nearest surface for chosen geoms, capped at `NEAR`
+    over_time  (T,) the deepest penetration of any geom [m]
     """
 
     names: tuple[str, ...]
@@ -81,6 +81,23 @@ def penetration(model: mujoco.MjModel, time: Array, qpos: Array) -> Penetration:
                     depth[k], when[k], into[k] = -distance, time[i], geom_name(model, solid)
     names = tuple(geom_name(model, int(g)) for g in movers)
     return Penetration(names, depth, when, tuple(into), over_time)
+
+
+def lowest(model: mujoco.MjModel, qpos: Array, body: int, reach: float = 1.0) -> Array:
+    """(T,) signed distance [m] of a body's nearest geom to the nearest surface, at most `reach`."""
+    data = mujoco.MjData(model)
+    own = [g for g in moving_geoms(model) if model.geom_bodyid[g] == body]
+    out = np.full(len(qpos), reach)
+    for i, q in enumerate(qpos):
+        data.qpos[:] = q
+        mujoco.mj_kinematics(model, data)
+        for solid in solid_geoms(model):
+            gap = _gap(model, data, solid, data.geom_xpos[own]) - model.geom_rbound[own]
+            for k in np.argsort(gap):
+                if gap[k] >= out[i]:
+                    break
+                out[i] = min(out[i], mujoco.mj_geomDistance(model, data, own[int(k)], solid, reach, None))
+    return out
 
 
 def _gap(model: mujoco.MjModel, data: mujoco.MjData, solid: int, points: Array) -> Array:

@@ -44,7 +44,7 @@ class Teller:
 
     def say(self, line: str) -> None:
         """One line that stays."""
-        self.console.print(line, markup=False)
+        self.console.print(line, markup=False, soft_wrap=True)
 
     def step(self, work: str, share: float | None, note: str = "", *, force: bool = False) -> None:
         """`work` has come to `share` (0 to 1, None: nobody knows)."""

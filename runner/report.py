@@ -28,7 +28,7 @@ from solver.surface import Box
 
 from .clip import Clip
 from .motion import continuous, samples_at
-from .penetration import penetration
+from .penetration import lowest, penetration
 
 RATE = 1000.0
 RESTING = 0.01
@@ -148,7 +148,7 @@ def _skate(clip: Clip, grid: Grid) -> dict[str, dict[str, float]]:
 
 
 def _stance_report(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
-    """Every foot that two neighbouring keyframes plant: its lowest point in between, and how far it slides."""
+    """Every foot that two neighbouring keyframes plant: how high its lowest geom rises, and how far it slides."""
     keys = _key_timeline(clip, timeline)
     found = stances(clip.figure, keys, clip.points, clip.surfaces)
     groups: dict[tuple[float, float, int], list[Any]] = {}
@@ -158,8 +158,7 @@ def _stance_report(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
     for (first, last, link), group in groups.items():
         time = np.linspace(first, last, max(2, round((last - first) * RATE)))
         samples = samples_at(clip.figure, path_of(timeline), time)
-        own = Contact(tuple(point for point in clip.points if point.link == link), ())
-        height = np.min([surface.height(own.centres(samples)[0]) for surface in clip.surfaces], axis=0).min(axis=0)
+        height = lowest(clip.figure.model, clip.figure.to_qpos(samples.y), clip.figure.links[link].body)
         centres, _, _ = Contact(tuple(stance.point for stance in group), ()).centres(samples)
         slide = max(
             float(np.linalg.norm((centres[:, i] - stance.place(time))[:2], axis=0).max())
@@ -272,7 +271,9 @@ def _far_from_trouble(clip: Clip, before: Grid, margin: float = 0.25) -> Array:
     bad = before.time[inside]
     if not bad.size:
         return np.ones(before.time.size, bool)
-    return np.abs(before.time[:, None] - bad[None, :]).min(axis=1) > margin
+    after = np.searchsorted(bad, before.time)
+    gaps = np.abs([before.time - bad[np.maximum(after - 1, 0)], before.time - bad[np.minimum(after, bad.size - 1)]])
+    return gaps.min(axis=0) > margin
 
 
 def _segments(clip: Clip, motion: Motion) -> list[dict[str, float]]:

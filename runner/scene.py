@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import io
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -27,6 +28,18 @@ class Step:
     y: float = 0.0
 
 
+@contextlib.contextmanager
+def quietly() -> Iterator[None]:
+    """MuJoCo's warnings dropped: it would print them and leave a log in the user's folder."""
+    before = mujoco.get_mju_user_warning()
+    mujoco.set_mju_user_warning(lambda _: None)
+    try:
+        with contextlib.redirect_stdout(io.StringIO()):
+            yield
+    finally:
+        mujoco.set_mju_user_warning(before)
+
+
 def figure_spec(figure: str, folder: Path | None = None) -> mujoco.MjSpec:
     """A shipped figure by name, or the model of an MJCF file (relative to `folder`)."""
     if figure in models.figures():
@@ -37,17 +50,29 @@ def figure_spec(figure: str, folder: Path | None = None) -> mujoco.MjSpec:
             raise UserError(f"no file '{figure}'; a figure is a path to MJCF or one of: {', '.join(models.figures())}")
         raise UserError(unknown("figure", figure, models.figures()))
     try:
-        return mujoco.MjSpec.from_file(str(path))
+        with quietly():
+            return mujoco.MjSpec.from_file(str(path))
     except ValueError as error:
-        raise UserError(f"{figure}: MuJoCo cannot read it: {_first_line(error)}") from None
+        raise UserError(f"{figure}: MuJoCo cannot read it: {first_line(error)}") from None
+
+
+def check_files(spec: mujoco.MjSpec) -> None:
+    """Raises UserError for a model that is not all in its text: it must live on in the motion file."""
+    files = [mesh.file for mesh in spec.meshes if mesh.file] + [field.file for field in spec.hfields if field.file]
+    files += [file for texture in spec.textures for file in (texture.file, *texture.cubefiles) if file]
+    files += [skin.file for skin in spec.skins if skin.file]
+    if files:
+        raise UserError(f"the model refers to the file '{files[0]}': models with mesh or image files are not supported")
 
 
 def compose(spec: mujoco.MjSpec, step: Step | None = None) -> str:
-    """The complete MJCF text of a figure on its stage; from it alone the model is compiled from now on."""
-    files = [mesh.file for mesh in spec.meshes if mesh.file] + [field.file for field in spec.hfields if field.file]
-    files += [texture.file for texture in spec.textures if texture.file]
-    if files:
-        raise UserError(f"the model refers to the file '{files[0]}': models with mesh or image files are not supported")
+    """The complete MJCF text of a figure on its stage; from it alone the model is compiled from now on.
+
+    Without the model's own <keyframe> elements: MuJoCo writes them with few digits and leaves out some.
+    """
+    check_files(spec)
+    for key in list(spec.keys):
+        spec.delete(key)
     has_floor = any(geom.type == mujoco.mjtGeom.mjGEOM_PLANE for geom in spec.geoms)
     has_sky = any(texture.type == mujoco.mjtTexture.mjTEXTURE_SKYBOX for texture in spec.textures)
     has_light = bool(spec.lights)
@@ -63,17 +88,17 @@ def compose(spec: mujoco.MjSpec, step: Step | None = None) -> str:
         spec.visual, spec.stat = stage.visual, stage.stat
     spec.visual.global_.offwidth = stage.visual.global_.offwidth
     spec.visual.global_.offheight = stage.visual.global_.offheight
-    spec.attach(stage, frame=spec.worldbody.add_frame(), prefix=PREFIX)
-    if not has_floor:
-        spec.geom(PREFIX + "floor").name = "floor"
-    if step is not None:
-        _add_step(spec, step)
     try:
-        spec.compile()
+        with quietly():
+            spec.attach(stage, frame=spec.worldbody.add_frame(), prefix=PREFIX)
+            if not has_floor and all(geom.name != "floor" for geom in spec.geoms):
+                spec.geom(PREFIX + "floor").name = "floor"
+            if step is not None:
+                _add_step(spec, step)
+            spec.compile()
+            return spec.to_xml()
     except ValueError as error:
-        raise UserError(f"MuJoCo cannot compile the model with its stage: {_first_line(error)}") from None
-    with contextlib.redirect_stdout(io.StringIO()):
-        return spec.to_xml()
+        raise UserError(f"MuJoCo cannot compile the model with its stage: {first_line(error)}") from None
 
 
 def _add_step(spec: mujoco.MjSpec, step: Step) -> None:
@@ -91,5 +116,6 @@ def _add_step(spec: mujoco.MjSpec, step: Step) -> None:
     )
 
 
-def _first_line(error: Exception) -> str:
+def first_line(error: Exception) -> str:
+    """An error of several lines as one."""
     return " ".join(str(error).split())

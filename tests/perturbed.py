@@ -15,15 +15,23 @@ from solver.figure import JointKind
 from solver.quaternion import Array
 
 TOUCH = 0.005
+REACH = 0.05
 
 
 def nearest(model: mujoco.MjModel, qpos: Array) -> float:
-    """Signed distance [m] of the figure's nearest geom to the scene, at most 0.05."""
+    """Signed distance [m] of the figure's nearest geom to the scene, at most `REACH`."""
     data = mujoco.MjData(model)
     data.qpos[:] = qpos
     mujoco.mj_kinematics(model, data)
-    pairs = [(g, s) for g in moving_geoms(model) for s in solid_geoms(model)]
-    return min(mujoco.mj_geomDistance(model, data, g, s, 0.05, None) for g, s in pairs)
+    least = REACH
+    for geom in moving_geoms(model):
+        for solid in solid_geoms(model):
+            away = np.maximum(np.abs(data.geom_xpos[geom] - data.geom_xpos[solid]) - model.geom_size[solid], 0)
+            if model.geom_type[solid] == mujoco.mjtGeom.mjGEOM_PLANE:
+                away = away[2:]
+            if np.linalg.norm(away) < model.geom_rbound[geom] + least:
+                least = min(least, mujoco.mj_geomDistance(model, data, geom, solid, REACH, None))
+    return least
 
 
 def lifted(model: mujoco.MjModel, qpos: Array, *, drop: bool) -> Array:
@@ -31,12 +39,12 @@ def lifted(model: mujoco.MjModel, qpos: Array, *, drop: bool) -> Array:
     out = np.array(qpos)
     while nearest(model, out) < 0:
         out[2] += 0.02
-    while drop and nearest(model, out) >= 0.049:
+    while drop and nearest(model, out) >= REACH:
         out[2] -= 0.02
     low, high = out[2] - 0.08, out[2]
     if not drop and nearest(model, out - 0.02 * np.eye(out.size)[2]) >= 0:
         return out
-    for _ in range(20):
+    for _ in range(16):
         out[2] = (low + high) / 2
         low, high = (low, out[2]) if nearest(model, out) >= 0 else (out[2], high)
     out[2] = high
