@@ -33,9 +33,10 @@ class View:
     fixed: str | None = None
 
 
-# Azimuth and elevation [degrees]. "side" stands at the figure's right, so forward goes from left to right.
+# Azimuth and elevation [degrees]. "side" stands at the figure's right, so forward goes from left to right; "left" on its other side.
 ANGLES: dict[str, tuple[float, float]] = {
     "side": (90.0, -8.0),
+    "left": (-90.0, -8.0),
     "front": (180.0, -8.0),
     "three_quarter": (130.0, -12.0),
     "back": (0.0, -10.0),
@@ -60,7 +61,7 @@ def plan(
     root_path  (T, 3) the root's positions [m]; or (n, T, 3) for figures that share the camera, which follows their mean
     fps        images a second
     aspect     width / height of the image
-    view       "side", "front", "three_quarter", "back", or one of `cameras`
+    view       "side", "left", "front", "three_quarter", "back", or one of `cameras`
     fovy       the camera's vertical field of view [degrees]: the model's `visual/global/fovy`
     height     of the figure [m]
     cameras    names of the model's own cameras

@@ -78,8 +78,9 @@ def render(
     ghosts: Annotated[bool, typer.Option("--ghosts", help="the paper's figure 6: keyframes darkest")] = False,
     size: Annotated[str, typer.Option(help="of the whole picture, pixels")] = "1280x720",
     fps: Annotated[float | None, typer.Option(help="images a second [default: the clip's, 30]")] = None,
-    camera: Annotated[str, typer.Option(help="side, front, three_quarter, back, or a camera of the model")] = "side",
+    camera: Annotated[str, typer.Option(help="side, left, front, three_quarter, back, or a camera of the model")] = "side",
     slow: Annotated[float, typer.Option(help="how many times slower than life")] = 1.0,
+    at: Annotated[float | None, typer.Option(help="only the image at this time, seconds")] = None,
     model: Model = None,
     keys: Keys = None,
 ) -> None:
@@ -94,7 +95,7 @@ def render(
     if not 0.01 <= slow <= 1000:
         raise UserError(f"--slow {slow:g}: give how many times slower, 0.01 to 1000, such as 4")
     name = _name(source, model, keys)
-    target = output or Path(f"{name}.png" if ghosts else f"{name}.mp4")
+    target = output or Path(f"{name}.png" if ghosts or at is not None else f"{name}.mp4")
     _film_target(target, width, height, halves=not only and not (ghosts and target.suffix.lower() == ".png"))
     from .graphics import GraphicsError, choose
 
@@ -108,7 +109,7 @@ def render(
     with Teller() as teller:
         found = _found(source, model, keys)
         _check_camera(found, camera)
-        look = Look(width, height, fps or found.fps, only, ghosts, camera, slow)
+        look = Look(width, height, fps or found.fps, only, ghosts, camera, slow, at)
         _check_length(found, look)
         teller.say(graphics.line)
         saved = _saved(found, teller, solve=only not in ("keys", "before"), with_report=False)
@@ -293,10 +294,13 @@ def _check_camera(found: Clip | Saved, camera: str) -> None:
 
 
 def _check_length(found: Clip | Saved, look: Look) -> None:
-    """Raises UserError for more images than anybody waits for."""
+    """Raises UserError for more images than anybody waits for, or one at a time that the clip does not have."""
     from .errors import UserError
 
-    count = (found.keys[-1].time - found.keys[0].time) * look.fps * look.slow
+    first, last = found.keys[0].time, found.keys[-1].time
+    if look.at is not None and not first <= look.at <= last:
+        raise UserError(f"--at {look.at:g}: the clip runs from {first:g} to {last:g} s")
+    count = (last - first) * look.fps * look.slow
     if count > MOST_IMAGES:
         raise UserError(f"{count:.0f} images; over {MOST_IMAGES}: lower --fps or --slow")
 

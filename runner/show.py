@@ -29,6 +29,7 @@ class Look:
     only    "" for before | after side by side, else "before", "after" or "keys"
     ghosts  draw the keyframes, darkest, beside the moving figure; in a still, also variable frames and in-betweens
     slow    how many times slower than life
+    at      only the image nearest to this time [s]
     """
 
     width: int = 1280
@@ -38,6 +39,7 @@ class Look:
     ghosts: bool = False
     camera: str = "side"
     slow: float = 1.0
+    at: float | None = None
 
 
 def root_path(saved: Saved, qpos: Array) -> Array:
@@ -59,7 +61,7 @@ def image_count(saved: Saved, look: Look, *, still_keys: bool = False) -> int:
     """How many images `images` will give."""
     if look.only == "keys":
         return len(saved.keys) * (1 if still_keys else max(1, round(KEY_SECONDS * look.fps)))
-    return len(sampled(saved.figure, saved.raw, look.fps * look.slow).time)
+    return 1 if look.at is not None else len(sampled(saved.figure, saved.raw, look.fps * look.slow).time)
 
 
 def images(saved: Saved, look: Look, graphics: Graphics, *, still_keys: bool = False) -> Iterator[Picture]:
@@ -99,8 +101,10 @@ def _moving(saved: Saved, look: Look, graphics: Graphics) -> Iterator[Picture]:
             fovy=stage.fovy, height=figure_height(saved), cameras=stage.cameras,
         )  # fmt: skip
         ghosts = _key_ghosts(saved) if look.ghosts else ()
-        for i, view in enumerate(views):
-            halves = []
+        time = next(iter(runs.values())).time
+        chosen = range(len(time)) if look.at is None else [int(np.abs(time - look.at).argmin())]
+        for i in chosen:
+            view, halves = views[i], []
             for name, run in runs.items():
                 picture = stage.picture(run.qpos[i], view, ghosts=ghosts)
                 picture = layout.caption(picture, name)

@@ -41,6 +41,8 @@ class Stage:
             raise ValueError(f"a picture of {width}x{height} pixels; both must be at least 1")
         spec = mujoco.MjSpec.from_string(mjcf_text)
         self.model = spec.compile()
+        flat = self.model.geom_type == int(mujoco.mjtGeom.mjGEOM_PLANE)
+        self.model.geom_castshadow[flat] = 0  # a floor's own shadow is only specks of rounding on it
         self.width, self.height = width, height
         self._gl: _OpenGL | None = None
         if graphics.kind == "rays":
