@@ -28,7 +28,12 @@ def check_target(target: Path) -> None:
 
 def draw(name: str, report: dict[str, Any], trace: list[Any], key_times: np.ndarray, target: Path) -> None:
     """Four charts in one picture, written whole or not at all."""
-    style = {"axes.spines.top": False, "axes.spines.right": False, "axes.edgecolor": INK, "font.size": 9}
+    style: dict[Any, Any] = {
+        "axes.spines.top": False,
+        "axes.spines.right": False,
+        "axes.edgecolor": INK,
+        "font.size": 9,
+    }
     with plt.rc_context(style):
         figure, axes = plt.subplots(2, 2, figsize=(12, 7.2), layout="constrained")
         figure.suptitle(f"{name}: before and after", color=INK, fontsize=12, x=0.01, ha="left")

@@ -7,7 +7,7 @@ import json
 import os
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, NoReturn
+from typing import TYPE_CHECKING, Annotated, NoReturn, cast
 
 import typer
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from .progress import Teller
     from .show import Look
 
-UsageError = typer.BadParameter.__mro__[1]  # typer brings its own or click's; both have it here
+UsageError = cast("type[typer.BadParameter]", typer.BadParameter.__mro__[1])  # typer's own, or click's
 
 MOST_IMAGES = 100_000
 
@@ -50,7 +50,7 @@ def main() -> None:
     except UserError as error:
         _end(2, one_line(error))
     except UsageError as error:
-        context = getattr(error, "ctx", None)
+        context = error.ctx
         _end(
             2, one_line(f"{error.format_message()} (see `{context.command_path if context else 'dynsplines'} --help`)")
         )
@@ -78,7 +78,9 @@ def render(
     ghosts: Annotated[bool, typer.Option("--ghosts", help="the paper's figure 6: keyframes darkest")] = False,
     size: Annotated[str, typer.Option(help="of the whole picture, pixels")] = "1280x720",
     fps: Annotated[float | None, typer.Option(help="images a second [default: the clip's, 30]")] = None,
-    camera: Annotated[str, typer.Option(help="side, left, front, three_quarter, back, or a camera of the model")] = "side",
+    camera: Annotated[
+        str, typer.Option(help="side, left, front, three_quarter, back, or a camera of the model")
+    ] = "side",
     slow: Annotated[float, typer.Option(help="how many times slower than life")] = 1.0,
     at: Annotated[float | None, typer.Option(help="only the image at this time, seconds")] = None,
     model: Model = None,
@@ -191,15 +193,19 @@ def paper(seeds: Annotated[int, typer.Option(help="sets of keyframes", min=1)] =
     """Reproduce the paper's claims on fixed sets: claim | paper | here."""
     from rich.console import Console
 
+    from . import claim, clip, work
     from . import paper as study
     from .progress import Teller
+    from .report import report as measured
 
     with Teller() as teller:
         claims = study.run(seeds, teller)
+        solved = work.solve(clip.load("run_and_step"), teller)
+        claims += study.clip_claims(measured(solved.clip, solved.motion, solved.seconds))
     if as_json:
-        print(json.dumps(study.as_json(claims), indent=2))
+        print(json.dumps(claim.as_json(claims), indent=2))
     else:
-        Console(highlight=False).print(study.table(claims))
+        Console(highlight=False).print(claim.table(claims))
 
 
 @app.command()

@@ -232,7 +232,7 @@ def _check(saved: Saved, data: dict[str, Any]) -> None:
     shapes = {"time": (times,), "key_time": (keys,)}
     shapes |= {f"{prefix}qpos": (times, model.nq) for prefix in ("", "raw_")}
     shapes |= {f"{prefix}{part}": (times, model.nv) for prefix in ("", "raw_") for part in ("qvel", "qacc")}
-    shapes |= {name: (keys, model.nq) for name in ("key_qpos", "key_fixed")}
+    shapes |= dict.fromkeys(("key_qpos", "key_fixed"), (keys, model.nq))
     for name, shape in shapes.items():
         if data[name].shape != shape:
             raise ValueError(f"'{name}' is {data[name].shape}, not {shape}")

@@ -277,7 +277,7 @@ def _far_from_trouble(clip: Clip, before: Grid, margin: float = 0.25) -> Array:
 
 
 def _segments(clip: Clip, motion: Motion) -> list[dict[str, float]]:
-    """Per segment between keyframes: EL deviation before and after, δ and what a local solve says is left (appendix C)."""
+    """Per segment between keyframes: EL deviation before and after, δ and what a local solve says is left (app. C)."""
     left = displacement(motion.objective, motion.timeline)
     after = residual(motion.objective, path_of(motion.timeline)).deviation()
     before = residual(motion.objective, path_of(motion.raw)).deviation()

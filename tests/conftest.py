@@ -2,10 +2,19 @@
 
 from __future__ import annotations
 
+import io
+from pathlib import Path
+
 import mujoco
 import numpy as np
 import pytest
+import tiny
+from rich.console import Console
 
+from runner import clip, motion, work
+from runner.motion import Saved
+from runner.progress import Teller
+from runner.work import Solved
 from solver.figure import Figure
 
 BALL_TREE = """
@@ -55,3 +64,24 @@ def figure(request: pytest.FixtureRequest) -> Figure:
 @pytest.fixture
 def rng() -> np.random.Generator:
     return np.random.default_rng(7)
+
+
+@pytest.fixture(scope="session")
+def solved(tmp_path_factory: pytest.TempPathFactory) -> Solved:
+    """The tiny clip, solved."""
+    path = tiny.written(tmp_path_factory.mktemp("tiny"))
+    return work.solve(clip.load(str(path)), Teller(Console(file=io.StringIO())))
+
+
+@pytest.fixture(scope="session")
+def saved(solved: Solved) -> Saved:
+    """What goes into a motion file of it, report and all."""
+    return solved.saved()
+
+
+@pytest.fixture(scope="session")
+def motion_file(saved: Saved, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Its motion file; to be read only."""
+    path = tmp_path_factory.mktemp("motion") / "tiny.npz"
+    motion.save(saved, path)
+    return path

@@ -1,0 +1,309 @@
+"""A clip file, an MJCF with keyframes or two files of arrays become a problem: figure, keyframes, soft constraints."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import mujoco
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+from tiny import CLIP, FIGURE, HINGE, changed, written
+
+import models
+from runner import clip
+from runner.clip import Clip
+from runner.errors import UserError
+from solver.penalty import Bend, Contact, CovariantAcceleration, RootAcceleration, UnitMagnitude
+
+KNEE = "joints.left_knee = {rotvec = [0, 0, 0]}"
+TWO_KEYS = '<keyframe><key time="0" qpos="0 0"/><key time="0.5" qpos="0.1 0.2"/></keyframe>'
+
+
+def loaded(folder: Path, text: str = CLIP) -> Clip:
+    return clip.load(str(written(folder, text)))
+
+
+def rotation_of(key: np.ndarray, start: int) -> Rotation:
+    return Rotation.from_quat(key[start : start + 4], scalar_first=True)
+
+
+def assert_same(found: Rotation, wanted: Rotation) -> None:
+    assert (found.inv() * wanted).magnitude() < 1e-12
+
+
+@pytest.mark.parametrize("place", ["root.rotation", "joints.left_knee"])
+@pytest.mark.parametrize(
+    ("entry", "wanted"),
+    [
+        ("{rotvec = [10, -20, 30.5]}", Rotation.from_rotvec([10, -20, 30.5], degrees=True)),
+        ("{rotvec = [0, 0, 0]}", Rotation.identity()),
+        ("{rotvec = [0, 350, 0]}", Rotation.from_rotvec([0, 350, 0], degrees=True)),
+        ("{euler = [0, -40, 5]}", Rotation.from_euler("XYZ", [0, -40, 5], degrees=True)),
+        ('{euler = [10, -40, 5], order = "xyz"}', Rotation.from_euler("XYZ", [10, -40, 5], degrees=True)),
+        ('{euler = [10, -40, 5], order = "zyx"}', Rotation.from_euler("ZYX", [10, -40, 5], degrees=True)),
+        ('{euler = [10, -40, 5], order = "zxz"}', Rotation.from_euler("ZXZ", [10, -40, 5], degrees=True)),
+        ('{euler = [25], order = "y"}', Rotation.from_euler("Y", 25, degrees=True)),
+        ("{quat = [1, 2, -3, 4]}", Rotation.from_quat([1, 2, -3, 4], scalar_first=True)),
+        ("{quat = [-0.1, 0, 0, 0.2]}", Rotation.from_quat([-0.1, 0, 0, 0.2], scalar_first=True)),
+    ],
+)
+def test_every_way_to_write_a_rotation_means_what_scipy_means(tmp_path, place, entry, wanted):
+    text = changed(f"{place} = {{rotvec = [0, 0, 0]}}", f"{place} = {entry}")
+    key = loaded(tmp_path, text).keys[0]
+    start = 3 if place.startswith("root") else 7
+    assert_same(rotation_of(key.state, start), wanted)
+    assert key.fixed[start : start + 4].all()
+
+
+def test_a_joints_rotation_is_relative_to_the_parent_at_rest(tmp_path):
+    text = changed("root.rotation = {rotvec = [0, 0, 0]}", "root.rotation = {rotvec = [5, 60, -20]}")
+    problem = loaded(tmp_path, changed(KNEE, "joints.left_knee = {rotvec = [10, 30, 0]}", text))
+    model = problem.figure.model
+    data = mujoco.MjData(model)
+    data.qpos[:] = problem.keys[0].state
+    mujoco.mj_kinematics(model, data)
+    pelvis, shin = (Rotation.from_quat(data.xquat[i], scalar_first=True) for i in (1, 2))
+    assert_same(pelvis, Rotation.from_rotvec([5, 60, -20], degrees=True))
+    at_rest = Rotation.from_euler("Z", 30, degrees=True)
+    assert_same(shin, pelvis * at_rest * Rotation.from_rotvec([10, 30, 0], degrees=True))
+
+
+def test_what_a_keyframe_leaves_out_is_free(tmp_path):
+    first, second, third = loaded(tmp_path).keys
+    assert first.is_key and third.is_key
+    assert second.fixed.tolist() == [True, True, False] + 4 * [False] + 4 * [True]
+    np.testing.assert_array_equal(second.state[:2], [0.1, 0])
+
+
+@pytest.mark.parametrize("free", ['root.position = "free"', 'root.position = ["free", "free", "free"]', ""])
+def test_a_whole_position_or_a_joint_can_be_free(tmp_path, free):
+    text = changed('root.position = [0.1, 0, "free"]', free)
+    text = changed("joints.left_knee = {rotvec = [0, 40, 0]}", 'joints.left_knee = "free"', text)
+    assert loaded(tmp_path, text).keys[1].is_variable
+
+
+def test_hinges_are_degrees_and_slides_metres(tmp_path):
+    text = 'figure = "hinge.xml"\n'
+    for i, (swing, slide) in enumerate([(0, 0), (90, 0.25)]):
+        text += f"[[keyframe]]\ntime = {i}\njoints.swing = {swing}\njoints.slide = {slide}\n"
+    problem = loaded(tmp_path, text)
+    np.testing.assert_allclose(problem.keys[1].state, [0.25, np.pi / 2])
+    assert problem.keys[1].is_key
+    assert problem.figure.coordinates == "joint"
+
+
+def test_free_and_ball_joints_are_solved_in_world_coordinates_unless_told(tmp_path):
+    assert loaded(tmp_path).figure.is_world
+    assert not loaded(tmp_path, changed("[solve]", '[solve]\ncoordinates = "joint"')).figure.is_world
+
+
+def test_a_figure_is_found_beside_its_clip_wherever_the_command_runs(tmp_path, monkeypatch):
+    path = written(tmp_path)
+    (tmp_path / "elsewhere").mkdir()
+    monkeypatch.chdir(tmp_path / "elsewhere")
+    assert clip.load(str(path)).figure.model.nq == 11
+    assert clip.load("../tiny.toml").name == "tiny"
+
+
+def test_a_shipped_clip_comes_by_its_name():
+    name = next(iter(models.clips()))
+    problem = clip.load(name)
+    assert problem.name == name
+    assert problem.figure.model.nq == 51
+    assert {point.name for point in problem.points} >= {"left_heel", "right_toe"}
+
+
+def by_name(problem: Clip) -> dict[str, tuple[object, float]]:
+    return {penalty.name: (penalty, weight) for penalty, weight in problem.penalties}
+
+
+def test_without_penalties_in_the_file_the_defaults_are_the_papers(tmp_path):
+    found = by_name(loaded(tmp_path))
+    kinds = {type(penalty) for penalty, _ in found.values()}
+    assert {CovariantAcceleration, RootAcceleration, UnitMagnitude} < kinds
+    assert {weight for penalty, weight in found.values() if type(penalty) in (RootAcceleration, UnitMagnitude)} == {1.0}
+    assert next(p for p, _ in found.values() if isinstance(p, CovariantAcceleration)).form == "intrinsic"
+
+
+def test_a_penalty_in_the_file_changes_adds_or_takes_away_a_default(tmp_path):
+    entries = '[[penalty]]\nkind = "unit"\nweight = 7\n[[penalty]]\nkind = "torque"\n[[penalty]]\nkind="root"\nweight=0\n'
+    plain, told = by_name(loaded(tmp_path)), by_name(loaded(tmp_path, CLIP + entries))
+    unit = next(name for name, (penalty, _) in plain.items() if isinstance(penalty, UnitMagnitude))
+    root = next(name for name, (penalty, _) in plain.items() if isinstance(penalty, RootAcceleration))
+    assert told[unit][1] == 7
+    assert set(told) - set(plain) == {"torque"}
+    assert set(plain) - set(told) == {root}
+
+
+def test_settings_in_the_file_reach_the_solver(tmp_path):
+    entries = 'variable = 3\nframes = 9\ncriterion = "residual"\nthreshold = 0.5\noptimiser = "slsqp"\ntolerance = 1e-3\n'
+    text = changed("evaluations = 8\nframes = 2\n", entries + 'evaluations = 77\nends = "clamped"\n')
+    problem = loaded(tmp_path, text)
+    s = problem.settings
+    assert (s.variable, s.frames, s.criterion, s.threshold) == (3, 9, "residual", 0.5)
+    assert (s.method, s.tolerance, s.max_evaluations, problem.ends) == ("slsqp", 1e-3, 77, "clamped")
+    assert problem.end_slope is not None
+    assert problem.fps == 20
+    assert clip.load(str(tmp_path / "tiny.toml"), fps=12.5).fps == 12.5
+
+
+def test_every_static_plane_and_box_is_a_surface_whatever_it_collides_with(tmp_path):
+    extra = """<geom name="wall" type="box" size=".1 .1 .1" contype="0" conaffinity="0"/>
+      <geom name="ground" type="plane" size="1 1 1"/><geom name="ball" type="sphere" size=".1"/>
+      <body><geom name="welded" type="box" size=".1 .1 .1"/></body>"""
+    written(tmp_path)
+    (tmp_path / "tiny.xml").write_text(FIGURE.replace("<camera", extra + "<camera"), encoding="utf-8")
+    text = CLIP + "[scene]\nstep = {x = 1, height = 0.3}\n"
+    (tmp_path / "tiny.toml").write_text(text, encoding="utf-8")
+    problem = clip.load(str(tmp_path / "tiny.toml"))
+    assert {surface.name for surface in problem.surfaces} == {"wall", "ground", "welded", "step"}
+
+
+@pytest.mark.parametrize("name", ["left_toe", "R_HEEL_2", "mytoes"])
+def test_sites_named_heel_or_toe_are_contact_points(tmp_path, name):
+    written(tmp_path)
+    (tmp_path / "tiny.xml").write_text(FIGURE.replace("left_toe", name), encoding="utf-8")
+    problem = clip.load(str(tmp_path / "tiny.toml"))
+    assert [point.name for point in problem.points] == [name]
+    assert not [note for note in problem.notes if "heel" in note]
+
+
+@pytest.mark.parametrize(
+    ("joint", "body", "lateral"),
+    [
+        ("left_knee", "x", 1),
+        ("x", "RightShin", 1),
+        ("elbow_l", "x", -1),
+        ("x", "left_forearm", -1),
+        ("x", "r_farm", -1),
+    ],
+)
+def test_knees_and_elbows_are_found_by_joint_or_body(tmp_path, joint, body, lateral):
+    written(tmp_path, CLIP.replace("left_knee", joint))
+    figure = FIGURE.replace('"left_knee"', f'"{joint}"').replace('"left_shin"', f'"{body}"')
+    (tmp_path / "tiny.xml").write_text(figure, encoding="utf-8")
+    (bend,) = clip.load(str(tmp_path / "tiny.toml")).bends
+    assert isinstance(bend, Bend)
+    assert bend.name == joint
+    np.testing.assert_array_equal(bend.axis, [0, lateral, 0])
+
+
+def test_what_was_looked_for_and_not_found_is_one_line_each(tmp_path):
+    written(tmp_path, CLIP.replace("left_knee", "hip"))
+    figure = FIGURE.replace("left_knee", "hip").replace("left_shin", "thigh").replace("left_toe", "tip")
+    (tmp_path / "tiny.xml").write_text(figure, encoding="utf-8")
+    notes = clip.load(str(tmp_path / "tiny.toml")).notes
+    assert len(notes) == 2
+    assert all("\n" not in note for note in notes)
+    assert "heel or toe" in notes[0]
+    assert "knee" in notes[1]
+
+
+def test_a_site_named_by_the_clip_must_be_there(tmp_path):
+    entry = '[[penalty]]\nkind = "contact"\npoints = ["left_to"]\n'
+    for weight in (1, 0):
+        with pytest.raises(UserError, match="no site 'left_to'; did you mean 'left_toe'"):
+            loaded(tmp_path, CLIP + entry + f"weight = {weight}\n")
+    problem = loaded(tmp_path, CLIP + entry.replace("left_to", "left_toe"))
+    (contact,) = [penalty for penalty, _ in problem.penalties if isinstance(penalty, Contact)]
+    assert [point.name for point in contact.points] == ["left_toe"]
+
+
+def test_other_keyframes_make_another_problem_of_the_same_clip(tmp_path):
+    problem = loaded(tmp_path)
+    other = clip.with_keys(problem, problem.keys[:2])
+    assert len(other.keys) == 2
+    assert other.mjcf == problem.mjcf
+    assert [p.name for p, _ in other.penalties] == [p.name for p, _ in problem.penalties]
+
+
+def mjcf(folder: Path, keys: str) -> str:
+    path = folder / "keys.xml"
+    path.write_text(HINGE.format(keys=keys), encoding="utf-8")
+    return str(path)
+
+
+def test_an_mjcf_with_keyframes_is_a_clip(tmp_path):
+    problem = clip.load(mjcf(tmp_path, TWO_KEYS))
+    assert problem.name == "keys"
+    assert [key.time for key in problem.keys] == [0, 0.5]
+    np.testing.assert_array_equal([key.state for key in problem.keys], [[0, 0], [0.1, 0.2]])
+    assert all(key.is_key for key in problem.keys)
+    assert problem.fps == 30
+
+
+def test_keyframes_of_an_mjcf_keep_their_order_and_all_their_digits(tmp_path):
+    keys = (
+        '<keyframe><key name="z"/><key time="0.123456789012" qpos="0.123456789012 0"/>'
+        '<key name="a" time="1"/></keyframe>'
+    )
+    problem = clip.load(mjcf(tmp_path, keys))
+    assert [key.time for key in problem.keys] == [0, 0.123456789012, 1]
+    assert problem.keys[1].state[0] == 0.123456789012
+
+
+def test_a_zero_quaternion_in_an_mjcf_is_an_error(tmp_path):
+    path = tmp_path / "zero.xml"
+    keys = '<keyframe><key time="0" qpos="0 0 1 0 0 0 0 1 0 0 0"/><key time="1"/></keyframe></mujoco>'
+    path.write_text(FIGURE.replace("</mujoco>", keys), encoding="utf-8")
+    with pytest.raises(UserError, match=r"zero.xml: keyframe 1 .*'root' is zero"):
+        clip.load(str(path))
+
+
+def arrays(folder: Path, **content: object) -> Clip:
+    written(folder)
+    np.savez(folder / "keys.npz", allow_pickle=True, **content)
+    return clip.load("", model=str(folder / "hinge.xml"), keys=str(folder / "keys.npz"))
+
+
+def test_a_figure_and_arrays_are_a_clip(tmp_path):
+    time, qpos = np.array([0.0, 0.3, 1.0]), np.array([[0, 0], [0.1, 1], [0, 2]])
+    problem = arrays(tmp_path, time=time, qpos=qpos)
+    np.testing.assert_array_equal([key.time for key in problem.keys], time)
+    np.testing.assert_array_equal([key.state for key in problem.keys], qpos)
+    assert problem.name == "keys"
+
+
+def test_keyframes_of_a_motion_file_win_over_its_samples(tmp_path):
+    qpos = np.array([[0, 0], [0.1, 1.0]])
+    problem = arrays(
+        tmp_path, time=np.arange(5.0), qpos=np.zeros((5, 2)), key_time=np.array([1.0, 2.0]), key_qpos=qpos
+    )
+    assert [key.time for key in problem.keys] == [1, 2]
+    np.testing.assert_array_equal(problem.keys[1].state, qpos[1])
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        ({"qpos": np.zeros((3, 2))}, "no array 'time'; it holds: qpos"),
+        ({"time": np.arange(3.0), "qpos": np.zeros((3, 3))}, r"\(K, 2\)"),
+        ({"time": np.arange(3.0), "qpos": np.zeros(3)}, r"\(K, 2\)"),
+        ({"time": np.array(1.0), "qpos": np.array(1.0)}, r"\(K, 2\)"),
+        ({"time": np.array(["a", "b"]), "qpos": np.zeros((2, 2))}, "'time' holds str"),
+        ({"time": np.arange(2.0), "qpos": np.zeros((2, 2), complex)}, "'qpos' holds complex"),
+        ({"time": np.arange(2.0), "qpos": np.array([[0, 0], [0, np.nan]])}, r"keyframe 2 \(t = 1 s\)"),
+        ({"time": np.array([0, np.inf]), "qpos": np.zeros((2, 2))}, "keyframe 2"),
+        ({"time": np.arange(2.0), "qpos": np.full((2, 2), 1e9)}, "keyframe 1 .* too large"),
+        ({"time": np.zeros(1), "qpos": np.zeros((1, 2))}, "1 keyframe; a clip needs at least two"),
+        ({"time": np.zeros(0), "qpos": np.zeros((0, 2))}, "no keyframes"),
+        ({"time": np.array([0, 1.0, 1.0]), "qpos": np.zeros((3, 2))}, r"keyframe 3 .* not after keyframe 2"),
+        ({"time": np.array([{}, {}], object), "qpos": np.zeros((2, 2))}, "pickled"),
+    ],
+    ids=range(13),
+)
+def test_arrays_that_are_no_keyframes_are_refused_in_one_line(tmp_path, content, words):
+    with pytest.raises(UserError, match=words) as caught:
+        arrays(tmp_path, **content)
+    assert "keys.npz" in str(caught.value)
+    assert "\n" not in str(caught.value)
+
+
+def test_a_zero_quaternion_in_arrays_names_its_keyframe(tmp_path):
+    written(tmp_path)
+    qpos = np.tile([0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0], (2, 1)).astype(float)
+    qpos[1, 7] = 0
+    np.savez(tmp_path / "keys.npz", time=np.arange(2.0), qpos=qpos)
+    with pytest.raises(UserError, match=r"keyframe 2 .*'left_knee' is zero"):
+        clip.load("", model=str(tmp_path / "tiny.xml"), keys=str(tmp_path / "keys.npz"))

@@ -1,0 +1,295 @@
+"""MOTION.npz: plain arrays in MuJoCo's conventions, from which everything can be made again, written whole or not."""
+
+from __future__ import annotations
+
+import json
+import os
+import zipfile
+from pathlib import Path
+
+import mujoco
+import numpy as np
+import pytest
+
+from runner import motion
+from runner.errors import UserError
+from runner.motion import Replacement, Saved, check_target, load, sampled, samples_at, save
+from runner.work import Solved
+from solver.dynamics import generalised_forces
+from solver.subdivision import path_of
+
+
+@pytest.fixture(scope="module")
+def arrays(motion_file: Path) -> dict[str, np.ndarray]:
+    with np.load(motion_file, allow_pickle=False) as archive:
+        return {name: archive[name] for name in archive.files}
+
+
+def differentiated(model: mujoco.MjModel, qpos: np.ndarray, dt: float) -> np.ndarray:
+    """Central differences of configurations, by MuJoCo."""
+    out = np.empty((len(qpos) - 2, model.nv))
+    for i in range(1, len(qpos) - 1):
+        mujoco.mj_differentiatePos(model, out[i - 1], 2 * dt, qpos[i - 1], qpos[i + 1])
+    return out
+
+
+def changed(source: Path, target: Path, **changes: object) -> Path:
+    """A motion file with some arrays replaced (None: left out)."""
+    with np.load(source, allow_pickle=False) as archive:
+        data = {name: archive[name] for name in archive.files} | changes
+    np.savez(target, allow_pickle=True, **{name: value for name, value in data.items() if value is not None})
+    return target
+
+
+def test_times_are_equal_steps_from_the_first_keyframe_to_the_last(arrays):
+    assert len(arrays["time"]) == int(np.floor(0.41 * 20)) + 1 == 9
+    np.testing.assert_allclose(arrays["time"], np.arange(9) / 20, rtol=0, atol=1e-12)
+
+
+@pytest.mark.parametrize(("duration", "fps", "count"), [(0.3, 10, 4), (0.7, 10, 8), (0.29, 10, 3), (2.2, 30, 67)])
+def test_a_last_sample_on_the_last_keyframe_is_not_lost_to_rounding(duration, fps, count):
+    assert motion.sample_count(duration, fps) == count
+
+
+def test_more_samples_than_memory_is_made_for_are_refused():
+    with pytest.raises(UserError, match="lower the rate"):
+        motion.sample_count(600.0, 1e5)
+
+
+def test_shapes_and_names_fit_the_model(arrays, saved):
+    model = saved.figure.model
+    assert (model.nq, model.nv) == (11, 9)
+    for prefix in ("", "raw_"):
+        assert arrays[f"{prefix}qpos"].shape == (9, 11)
+        assert arrays[f"{prefix}qvel"].shape == arrays[f"{prefix}qacc"].shape == (9, 9)
+    assert arrays["key_qpos"].shape == arrays["key_fixed"].shape == (3, 11)
+    assert arrays["key_fixed"].dtype == bool
+    assert arrays["joint_names"].tolist() == ["root", "left_knee"]
+    assert arrays["body_names"].tolist() == ["world", "pelvis", "left_shin"]
+    assert arrays["fps"] == 20
+    assert arrays["format_version"] == 1
+    assert {array.dtype.kind for array in arrays.values()} <= set("fiubU")
+
+
+def test_quaternions_are_unit_and_never_jump_to_the_other_sign(arrays):
+    for name in ("qpos", "raw_qpos"):
+        for columns in (slice(3, 7), slice(7, 11)):
+            q = arrays[name][:, columns]
+            np.testing.assert_allclose(np.linalg.norm(q, axis=1), 1, atol=1e-12)
+            assert np.all(np.sum(q[1:] * q[:-1], axis=1) > 0)
+
+
+def test_velocities_and_accelerations_are_mujocos(saved: Saved):
+    model = saved.figure.model
+    dt = 1e-4
+    for timeline in (saved.timeline, saved.raw):
+        fine = sampled(saved.figure, timeline, 1 / dt)
+        velocity = differentiated(model, fine.qpos, dt)
+        np.testing.assert_allclose(fine.qvel[1:-1], velocity, atol=1e-4 * np.abs(velocity).max())
+        slope = (fine.qvel[2:] - fine.qvel[:-2]) / (2 * dt)
+        np.testing.assert_allclose(fine.qacc[1:-1], slope, atol=1e-3 * np.abs(slope).max())
+
+
+def test_mujocos_inverse_dynamics_of_the_samples_obey_newtons_law(saved: Saved):
+    model = mujoco.MjModel.from_xml_string(saved.mjcf)
+    model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONTACT)
+    data = mujoco.MjData(model)
+    run = sampled(saved.figure, saved.timeline, 1000.0)
+    force, centre = np.empty((len(run.time), 3)), np.empty((len(run.time), 3))
+    for i in range(len(run.time)):
+        data.qpos[:], data.qvel[:], data.qacc[:] = run.qpos[i], run.qvel[i], run.qacc[i]
+        mujoco.mj_inverse(model, data)
+        force[i], centre[i] = data.qfrc_inverse[:3], data.subtree_com[0]
+    mass = model.body_subtreemass[0]
+    acceleration = (centre[2:] - 2 * centre[1:-1] + centre[:-2]) / 0.001**2
+    np.testing.assert_allclose(force[1:-1], mass * (acceleration + [0, 0, 9.81]), atol=1e-3 * mass * 9.81)
+
+
+def test_mujocos_inverse_dynamics_of_the_samples_are_the_solvers(saved: Saved, arrays):
+    model = mujoco.MjModel.from_xml_string(saved.mjcf)
+    model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONTACT)
+    data = mujoco.MjData(model)
+    ours = generalised_forces(samples_at(saved.figure, path_of(saved.timeline), arrays["time"]))
+    for i, force in enumerate(ours):
+        data.qpos[:], data.qvel[:], data.qacc[:] = arrays["qpos"][i], arrays["qvel"][i], arrays["qacc"][i]
+        mujoco.mj_inverse(model, data)
+        np.testing.assert_allclose(data.qfrc_inverse, force, atol=1e-8 * np.abs(ours).max())
+
+
+def test_keyframes_are_met_with_the_paths_own_sign(arrays, solved: Solved):
+    wanted = np.array([key.state for key in solved.clip.keys])
+    reached, fixed = arrays["key_qpos"], arrays["key_fixed"]
+    np.testing.assert_array_equal(fixed, [key.fixed for key in solved.clip.keys])
+    for columns in (slice(3, 7), slice(7, 11)):
+        np.testing.assert_allclose(np.linalg.norm(reached[:, columns], axis=1), 1, atol=1e-12)
+        signs = np.sign(np.sum(wanted[:, columns] * reached[:, columns], axis=1))
+        wanted[:, columns] *= signs[:, None]
+    np.testing.assert_allclose(reached[fixed], wanted[fixed], atol=1e-9)
+    on_path = motion.continuous(solved.clip.figure, sampled(solved.clip.figure, solved.motion.timeline, 1000.0).qpos)
+    np.testing.assert_allclose(reached[1], on_path[200], atol=1e-9)
+    np.testing.assert_allclose(reached[0], arrays["qpos"][0], atol=1e-12)
+
+
+def test_the_model_in_the_file_compiles_by_itself_and_has_this_nq(arrays):
+    model = mujoco.MjModel.from_xml_string(str(arrays["mjcf"]))
+    assert model.nq == arrays["qpos"].shape[1]
+    assert model.nv == arrays["qvel"].shape[1]
+    assert model.geom("floor").id >= 0
+
+
+def test_clip_trace_and_report_are_text_that_reads_back(arrays, solved: Solved):
+    assert str(arrays["clip"]) == solved.clip.text
+    trace = json.loads(str(arrays["trace"]))
+    assert [entry[0] for entry in trace] == [entry[0] for entry in solved.motion.trace]
+    assert trace[-1][2] < trace[0][2]
+    assert json.loads(str(arrays["report"]))["keyframes"] == 3
+
+
+def test_frames_in_the_file_rebuild_the_path_exactly(motion_file: Path, solved: Solved):
+    again = load(motion_file)
+    times = np.linspace(0, 0.41, 300)
+    for order in range(3):
+        for ours, theirs in ((again.timeline, solved.motion.timeline), (again.raw, solved.motion.raw)):
+            np.testing.assert_array_equal(path_of(ours).at(times, order), path_of(theirs).at(times, order))
+    assert again.fps == solved.clip.fps
+    assert again.figure.coordinates == "world"
+    assert len(again.keys) == 3
+
+
+def test_a_loaded_motion_saves_to_the_same_arrays(motion_file: Path, tmp_path: Path, arrays):
+    save(load(motion_file), tmp_path / "again.npz")
+    with np.load(tmp_path / "again.npz") as again:
+        assert set(again.files) == set(arrays)
+        for name in set(arrays) - {"key_qpos"}:
+            np.testing.assert_array_equal(again[name], arrays[name], err_msg=name)
+        np.testing.assert_allclose(again["key_qpos"], arrays["key_qpos"], atol=1e-12)
+
+
+def test_samples_follow_the_figure_along_the_path(saved: Saved):
+    model, time = saved.figure.model, np.array([0.05, 0.3])
+    samples = samples_at(saved.figure, path_of(saved.timeline), time)
+    data = mujoco.MjData(model)
+    for i, qpos in enumerate(saved.figure.to_qpos(samples.y)):
+        data.qpos[:] = qpos
+        mujoco.mj_kinematics(model, data)
+        np.testing.assert_allclose(samples.links.x[:, 1, i], data.xpos[1], atol=1e-9)
+
+
+@pytest.mark.parametrize("error", [RuntimeError, KeyboardInterrupt])
+def test_a_file_that_breaks_off_leaves_what_was_there(tmp_path: Path, error: type[BaseException]):
+    target = tmp_path / "kept.npz"
+    target.write_bytes(b"before")
+    with pytest.raises(error), Replacement(target) as temporary:
+        temporary.write_bytes(b"half")
+        raise error
+    assert target.read_bytes() == b"before"
+    assert os.listdir(tmp_path) == ["kept.npz"]
+
+
+def test_saving_breaks_off_without_a_trace(saved: Saved, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    def full(*_: object, **__: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    (tmp_path / "m.npz").write_bytes(b"before")
+    monkeypatch.setattr(np, "savez_compressed", full)
+    with pytest.raises(OSError, match="No space"):
+        save(saved, tmp_path / "m.npz")
+    assert os.listdir(tmp_path) == ["m.npz"]
+    assert (tmp_path / "m.npz").read_bytes() == b"before"
+
+
+def test_a_target_that_cannot_be_written_is_told_before_the_work(tmp_path: Path):
+    with pytest.raises(UserError, match="it is a folder"):
+        check_target(tmp_path)
+    with pytest.raises(UserError, match="no folder"):
+        check_target(tmp_path / "none" / "x.npz")
+    with pytest.raises(UserError, match="cannot write"):
+        check_target(tmp_path / ("x" * 300 + ".npz"))
+    check_target(tmp_path / "x.npz")
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"qacc": None}, "no 'qacc'"),
+        ({"format_version": 2}, "format 2"),
+        ({"format_version": "one"}, "format_version"),
+        ({"format_version": np.ones(3, int)}, "format_version"),
+        ({"fps": 0.0}, "fps is 0"),
+        ({"fps": np.nan}, "'fps'"),
+        ({"qpos": np.zeros((2, 11))}, "'qpos'"),
+        ({"qpos": np.full((9, 11), np.nan)}, "'qpos'"),
+        ({"qvel": np.zeros((9, 11))}, "'qvel'"),
+        ({"time": np.arange(4.0)}, "fit together"),
+        ({"key_time": np.arange(2.0)}, "fit together"),
+        ({"key_time": np.array([0.0, 0.25, 0.41])}, "a keyframe has no frame"),
+        ({"key_fixed": np.ones((3, 3), bool)}, "fit together"),
+        ({"frame_state": np.zeros((5, 11))}, "zero"),
+        ({"frame_state": np.zeros((5, 3))}, "fit together"),
+        ({"frame_state": np.zeros((5, 11), complex)}, "complex"),
+        ({"frame_time": np.arange(5.0)[::-1].copy()}, "fit together"),
+        ({"end_slope": np.zeros((2, 3))}, "end_slope"),
+        ({"mjcf": "<mujoco"}, "fit together"),
+        ({"mjcf": 3}, "mjcf"),
+        ({"coordinates": "polar"}, "polar"),
+        ({"ends": "loose"}, "loose"),
+        ({"trace": "{"}, "fit together"),
+        ({"report": "[1]"}, "fit together"),
+        ({"report": np.array([{}], object)}, "pickled"),
+    ],
+    ids=lambda value: " ".join(value) if isinstance(value, dict) else "",
+)
+def test_a_motion_whose_parts_contradict_each_other_is_refused_in_one_line(motion_file, tmp_path, changes, words):
+    with pytest.raises(UserError, match=words) as caught:
+        load(changed(motion_file, tmp_path / "odd.npz", **changes))
+    assert str(caught.value).startswith(str(tmp_path / "odd.npz"))
+    assert "\n" not in str(caught.value)
+
+
+def foreign(folder: Path, motion_file: Path) -> dict[str, Path]:
+    """Files that are called .npz and hold something else."""
+    whole = motion_file.read_bytes()
+    contents = {
+        "empty": b"",
+        "random": np.random.default_rng(0).bytes(3000),
+        "a start": whole[:10],
+        "a half": whole[: len(whole) // 2],
+        "all but the end": whole[:-5],
+        "a hole": whole[:3000] + b"x" * 60 + whole[3060:],
+    }
+    for name, content in contents.items():
+        (folder / f"{name}.npz").write_bytes(content)
+    with zipfile.ZipFile(folder / "zip.npz", "w") as archive:
+        archive.writestr("a.txt", "hello")
+    with zipfile.ZipFile(folder / "nothing.npz", "w"):
+        pass
+    with (folder / "one array.npz").open("wb") as stream:
+        np.save(stream, np.ones(3))
+    np.savez(folder / "others.npz", a=np.ones(3))
+    np.savez(folder / "objects.npz", allow_pickle=True, a=np.array([{}], object))
+    (folder / "folder.npz").mkdir()
+    return {path.stem: path for path in folder.iterdir()}
+
+
+def test_files_that_are_no_motion_are_refused_in_one_line(motion_file: Path, tmp_path: Path):
+    files = foreign(tmp_path, motion_file)
+    assert len(files) == 12
+    for path in (*files.values(), tmp_path / "missing.npz"):
+        with pytest.raises(UserError) as caught:
+            load(path)
+        assert path.name in str(caught.value)
+        assert "\n" not in str(caught.value)
+
+
+def test_no_flipped_byte_raises_anything_but_a_user_error(motion_file: Path, tmp_path: Path):
+    whole, rng, refused = motion_file.read_bytes(), np.random.default_rng(1), 0
+    for _ in range(40):
+        spoilt = bytearray(whole)
+        for place in rng.integers(len(whole), size=3):
+            spoilt[place] ^= int(rng.integers(1, 256))
+        (tmp_path / "s.npz").write_bytes(spoilt)
+        try:
+            load(tmp_path / "s.npz")
+        except UserError:
+            refused += 1
+    assert refused > 20

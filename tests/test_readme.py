@@ -1,0 +1,47 @@
+"""The README's own example, clip and pictures."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from runner import clip
+from solver.inbetween import inbetween
+
+README = (Path(__file__).parent.parent / "README.md").read_text(encoding="utf-8")
+
+
+def blocks(language: str) -> list[str]:
+    return re.findall(rf"```{language}\n(.*?)```", README, flags=re.S)
+
+
+def test_the_python_example_runs(capsys: pytest.CaptureFixture[str]) -> None:
+    (example,) = blocks("python")
+    exec(compile(example, "README.md", "exec"), {})
+    assert capsys.readouterr().out.startswith("(66, 51)")
+
+
+def test_the_example_clip_solves() -> None:
+    (text,) = blocks("toml")
+    assert len(text.splitlines()) <= 12
+    problem = clip.from_text(text, name="readme")
+    motion = inbetween(problem.figure, problem.keys, problem.penalties, problem.settings)
+    assert motion.trace[-1][2] < motion.trace[0][2]
+
+
+def test_every_picture_and_linked_file_is_there() -> None:
+    root = Path(__file__).parent.parent
+    for target in re.findall(r"\]\(([^)]+)\)", README):
+        assert (root / target).exists(), target
+
+
+def test_every_command_of_the_table_exists() -> None:
+    from typer.main import get_command
+
+    from runner.cli import app
+
+    names = set(get_command(app).commands)  # type: ignore[attr-defined]
+    for command in re.findall(r"`dynsplines (\w+)", README):
+        assert command in names, command

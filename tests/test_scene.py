@@ -1,0 +1,150 @@
+"""Figure and stage become one MJCF text, which needs nothing else and moves as the figure did."""
+
+from __future__ import annotations
+
+import os
+
+import mujoco
+import numpy as np
+import pytest
+from tiny import FIGURE, HINGE
+
+import models
+from runner.errors import UserError
+from runner.scene import Step, compose, figure_spec, quietly
+
+OWN_STAGE = """<worldbody>
+  <light name="lamp" pos="0 0 3"/><geom name="ground" type="plane" size="1 1 1" contype="1"/>"""
+
+
+def spec_of(text: str) -> mujoco.MjSpec:
+    return mujoco.MjSpec.from_string(text)
+
+
+def composed(text: str, step: Step | None = None) -> mujoco.MjModel:
+    return mujoco.MjModel.from_xml_string(compose(spec_of(text), step))
+
+
+def names(model: mujoco.MjModel, kind: str) -> set[str]:
+    count = {"geom": model.ngeom, "light": model.nlight, "camera": model.ncam}[kind]
+    return {getattr(model, kind)(i).name for i in range(count)}
+
+
+def test_a_bare_figure_gets_floor_light_and_sky():
+    model = composed(FIGURE)
+    assert names(model, "geom") == {"trunk", "shin", "floor"}
+    assert model.nlight > 0
+    assert int(mujoco.mjtTexture.mjTEXTURE_SKYBOX) in model.tex_type
+    floor = model.geom("floor")
+    assert floor.type[0] == mujoco.mjtGeom.mjGEOM_PLANE
+    assert floor.contype[0] == floor.conaffinity[0] == 0
+
+
+def test_a_model_that_brings_floor_and_light_keeps_its_own():
+    model = composed(FIGURE.replace("<worldbody>", OWN_STAGE, 1))
+    assert names(model, "geom") == {"trunk", "shin", "ground"}
+    assert names(model, "light") == {"lamp"}
+    assert model.geom("ground").contype[0] == 1
+
+
+def test_a_stage_changes_nothing_about_how_a_figure_moves():
+    bare, staged = mujoco.MjModel.from_xml_string(FIGURE), composed(FIGURE, Step(1.0, 0.2))
+    assert (bare.nq, bare.nv, bare.nbody) == (staged.nq, staged.nv, staged.nbody)
+    np.testing.assert_allclose(staged.body_mass, bare.body_mass, rtol=1e-6)
+    np.testing.assert_allclose(staged.opt.gravity, bare.opt.gravity)
+    rng = np.random.default_rng(0)
+    places = []
+    qpos = rng.normal(size=bare.nq)
+    for model in (bare, staged):
+        data = mujoco.MjData(model)
+        data.qpos[:] = qpos
+        mujoco.mj_kinematics(model, data)
+        places.append(data.xipos.copy())
+    np.testing.assert_allclose(places[0], places[1], atol=1e-6)
+
+
+def test_a_step_has_its_front_at_x_and_its_top_at_its_height():
+    geom = composed(FIGURE, Step(x=2.9, height=0.35, length=1.0, width=2.0, y=0.5)).geom("step")
+    np.testing.assert_allclose(geom.pos - geom.size, [2.9, -0.5, 0.0], atol=1e-6)
+    np.testing.assert_allclose(geom.pos + geom.size, [3.9, 1.5, 0.35], atol=1e-6)
+
+
+def test_a_second_step_is_refused():
+    text = FIGURE.replace("<worldbody>", '<worldbody><geom name="step" type="box" size="1 1 1"/>', 1)
+    with pytest.raises(UserError, match="already has a geom named 'step'"):
+        compose(spec_of(text), Step(1.0, 0.2))
+
+
+def test_a_figure_with_a_geom_called_floor_that_is_none_still_gets_one():
+    model = composed(FIGURE.replace('"trunk"', '"floor"'))
+    assert names(model, "geom") == {"floor", "shin", "stage_floor"}
+
+
+def test_a_figure_whose_names_are_the_stages_is_refused_in_one_line():
+    text = FIGURE.replace("<worldbody>", '<asset><material name="stage_step"/></asset><worldbody>', 1)
+    with pytest.raises(UserError, match="repeated name 'stage_step'") as caught:
+        compose(spec_of(text))
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    "asset",
+    [
+        '<mesh name="m" file="m.obj"/>',
+        '<texture name="t" type="2d" file="t.png"/>',
+        '<hfield name="h" file="h.png" size="1 1 1 1"/>',
+        '<texture name="t" type="cube" fileup="u.png"/>',
+    ],
+)
+def test_a_model_that_needs_other_files_is_refused(asset):
+    with pytest.raises(UserError, match=r"refers to the file '\w\.\w+'"):
+        compose(spec_of(FIGURE.replace("<worldbody>", f"<asset>{asset}</asset><worldbody>", 1)))
+
+
+def test_keyframes_of_the_model_do_not_come_along():
+    keys = '<keyframe><key time="0" qpos="0 0"/><key time="1" qpos="1 1"/></keyframe>'
+    assert mujoco.MjModel.from_xml_string(HINGE.format(keys=keys)).nkey == 2
+    assert composed(HINGE.format(keys=keys)).nkey == 0
+
+
+def test_a_model_that_cannot_be_compiled_is_refused_in_one_line():
+    massless = '<mujoco><worldbody><body name="a"><joint/></body></worldbody></mujoco>'
+    with pytest.raises(UserError, match="mass and inertia") as caught:
+        compose(spec_of(massless))
+    assert "\n" not in str(caught.value)
+
+
+def test_shipped_figures_come_by_name_and_others_by_path(tmp_path):
+    for name in models.figures():
+        assert figure_spec(name).compile().njnt > 0
+    (tmp_path / "own.xml").write_text(FIGURE, encoding="utf-8")
+    assert figure_spec("own.xml", tmp_path).compile().nq == 11
+
+
+@pytest.mark.parametrize(
+    ("figure", "words"),
+    [("humn", "did you mean 'human'"), ("none.xml", "no file 'none.xml'"), (".", "no figure"), ("", "no figure")],
+)
+def test_a_figure_that_is_not_there_is_told_with_those_that_are(tmp_path, figure, words):
+    with pytest.raises(UserError, match=words) as caught:
+        figure_spec(figure, tmp_path)
+    assert "human" in str(caught.value)
+
+
+@pytest.mark.parametrize("text", ["<mujoco", "", "<html/>", "\xff\x00"])
+def test_a_file_that_is_no_mjcf_is_told_in_one_line(tmp_path, text):
+    (tmp_path / "bad.xml").write_bytes(text.encode("latin-1"))
+    with pytest.raises(UserError, match=r"bad\.xml: MuJoCo cannot read it") as caught:
+        figure_spec("bad.xml", tmp_path)
+    assert "\n" not in str(caught.value)
+
+
+def test_mujocos_warnings_leave_no_log_and_no_words(tmp_path, monkeypatch, capfd):
+    monkeypatch.chdir(tmp_path)
+    keys = '<keyframe><key time="0" qpos="nan 0"/></keyframe>'
+    (tmp_path / "odd.xml").write_text(HINGE.format(keys=keys), encoding="utf-8")
+    compose(figure_spec("odd.xml"))
+    with quietly():
+        print("hidden")
+    assert os.listdir(tmp_path) == ["odd.xml"]
+    assert capfd.readouterr() == ("", "")
