@@ -33,7 +33,8 @@ class View:
     fixed: str | None = None
 
 
-# Azimuth and elevation [degrees]. "side" stands at the figure's right, so forward goes from left to right; "left" on its other side.
+# Azimuth and elevation [degrees]. "side" stands at the figure's right, so forward goes from left to right; "left" on
+# its other side.
 ANGLES: dict[str, tuple[float, float]] = {
     "side": (90.0, -8.0),
     "left": (-90.0, -8.0),

@@ -36,15 +36,17 @@ def draw(name: str, report: dict[str, Any], trace: list[Any], key_times: np.ndar
     }
     with plt.rc_context(style):
         figure, axes = plt.subplots(2, 2, figsize=(12, 7.2), layout="constrained")
-        figure.suptitle(f"{name}: before and after", color=INK, fontsize=12, x=0.01, ha="left")
-        curves = report["curves"]
-        _heights(axes[0, 0], curves, key_times)
-        _lengths(axes[0, 1], curves, key_times)
-        _tenths(axes[1, 0], curves)
-        _penalties(axes[1, 1], trace)
-        with Replacement(target) as temporary:
-            figure.savefig(temporary, dpi=120, format=target.suffix[1:].lower())
-        plt.close(figure)
+        try:
+            figure.suptitle(f"{name}: before and after", color=INK, fontsize=12, x=0.01, ha="left", parse_math=False)
+            curves = report["curves"]
+            _heights(axes[0, 0], curves, key_times)
+            _lengths(axes[0, 1], curves, key_times)
+            _tenths(axes[1, 0], curves)
+            _penalties(axes[1, 1], trace)
+            with Replacement(target) as temporary:
+                figure.savefig(temporary, dpi=120, format=target.suffix[1:].lower())
+        finally:
+            plt.close(figure)
 
 
 def _heights(axes: Axes, curves: dict[str, Any], key_times: np.ndarray) -> None:
@@ -61,7 +63,7 @@ def _heights(axes: Axes, curves: dict[str, Any], key_times: np.ndarray) -> None:
     axes.set(xlabel="time [s]", ylabel="height [cm]")
     if axes.get_legend_handles_labels()[0]:
         low, high = axes.get_ylim()
-        axes.set_ylim(max(low, -40), min(high, 40))
+        axes.set_ylim(max(low, -40), min(high, 40) if low < 30 else high)
         axes.legend(frameon=False)
 
 
@@ -78,10 +80,14 @@ def _lengths(axes: Axes, curves: dict[str, Any], key_times: np.ndarray) -> None:
 
 def _tenths(axes: Axes, curves: dict[str, Any]) -> None:
     axes.set_title("Euler-Lagrange deviation over tenths of the clip", loc="left")
+    highest = 0.0
     for shift, (side, colour) in zip((-0.2, 0.2), (("before", BEFORE), ("after", AFTER)), strict=True):
         values = curves[side]["EL over tenths"]
+        highest = max(highest, *values)
         axes.bar(np.arange(1, len(values) + 1) + shift, values, width=0.4, color=colour, label=side)
-    axes.set(xlabel="tenth", ylabel="∫ |EL| dt", yscale="log", xticks=range(1, 11))
+    axes.set(xlabel="tenth", ylabel="∫ |EL| dt", xticks=range(1, 11))
+    if highest > 0:
+        axes.set_yscale("log")
     axes.legend(frameon=False)
 
 
@@ -93,7 +99,9 @@ def _penalties(axes: Axes, trace: list[Any]) -> None:
         for name in trace[-1][3]:
             axes.plot(evaluations, [max(entry[3].get(name, 0.0), 1e-9) for entry in trace], lw=1.1, label=name)
         highest = max(entry[2] for entry in trace)
-        axes.set(xlabel="evaluation", ylabel="weighted share", yscale="log", ylim=(1e-4, 2 * highest))
+        axes.set(xlabel="evaluation", ylabel="weighted share")
+        if highest > 0:
+            axes.set(yscale="log", ylim=(2e-5 * highest, 2 * highest))
         axes.legend(frameon=False, ncols=2, fontsize=8)
 
 

@@ -46,7 +46,7 @@ def main() -> None:
     from .errors import UserError, one_line
 
     try:
-        sys.exit(app(sys.argv[1:] or ["--help"], prog_name="dynsplines", standalone_mode=False))
+        code = app(sys.argv[1:] or ["--help"], prog_name="dynsplines", standalone_mode=False)
     except UserError as error:
         _end(2, one_line(error))
     except UsageError as error:
@@ -63,6 +63,9 @@ def main() -> None:
         _end(2, one_line(f"'{error.filename}': {error.strerror}" if error.filename else error.strerror or error))
     except MemoryError:
         _end(2, "not enough memory for this")
+    if code == 130:  # typer's own answer to Ctrl-C
+        _end(130, "stopped")
+    sys.exit(code)
 
 
 def _end(code: int, line: str) -> NoReturn:
@@ -111,6 +114,7 @@ def render(
     with Teller() as teller:
         found = _found(source, model, keys)
         _check_camera(found, camera)
+        _check_at(found, at)
         look = Look(width, height, fps or found.fps, only, ghosts, camera, slow, at)
         _check_length(found, look)
         teller.say(graphics.line)
@@ -297,6 +301,15 @@ def _check_camera(found: Clip | Saved, camera: str) -> None:
     known = [*ANGLES, *(name for i in range(model.ncam) if (name := model.camera(i).name))]
     if camera not in known:
         raise UserError(f"--camera: {unknown('camera', camera, known)}")
+
+
+def _check_at(found: Clip | Saved, at: float | None) -> None:
+    """Raises UserError for a time outside the clip."""
+    from .errors import UserError
+
+    first, last = found.keys[0].time, found.keys[-1].time
+    if at is not None and not first <= at <= last:
+        raise UserError(f"--at {at:g}: the clip goes from {first:g} to {last:g} s")
 
 
 def _check_length(found: Clip | Saved, look: Look) -> None:

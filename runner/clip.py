@@ -53,6 +53,8 @@ DEFAULT_WEIGHTS = {"covariant": 1.0, "root": 1.0, "unit": 1.0, "contact": 10.0, 
 KNEES, ELBOWS = ("knee", "shin"), ("elbow", "forearm", "farm")
 SOLES = ("heel", "toe")
 LONGEST_PANEL = 0.05
+POINTS = 4
+TOLERANCE = 3e-5
 BEND_BOUND = 8.0  # degrees; 10° with room for a soft constraint
 
 SHORTEST = 0.001  # [s] between neighbouring keyframes
@@ -301,7 +303,7 @@ def _check_times(times: Sequence[float], place: str) -> None:
 def _settings(solve: SolveTable) -> Settings:
     if solve.quadrature == "gauss" and (solve.samples or 0) > 64:
         raise ValueError(f"solve: samples must be at most 64 a panel with quadrature = 'gauss', not {solve.samples}")
-    settings = Settings(quadrature=Quadrature("gauss", 5, LONGEST_PANEL))
+    settings = Settings(tolerance=TOLERANCE, quadrature=Quadrature("gauss", POINTS, LONGEST_PANEL))
     if solve.quadrature == "uniform":
         settings = replace(settings, quadrature=Quadrature("uniform", solve.samples or 100))
     elif solve.samples is not None:
@@ -491,6 +493,7 @@ def _from_mjcf(path: Path, fps: float | None) -> Clip:
     try:
         spec = figure_spec(str(path))
         check_files(spec)
+        written = [np.array(key.qpos) for key in spec.keys]
         with quietly():
             model = spec.compile()
     except UserError as error:
@@ -500,9 +503,12 @@ def _from_mjcf(path: Path, fps: float | None) -> Clip:
     if model.nkey == 0:
         raise UserError(f"{path.name}: the model has no <keyframe> elements to go through")
     time, qpos = np.array(model.key_time), np.array(model.key_qpos)
-    for row, key in zip(qpos, spec.keys, strict=True):
-        if len(key.qpos) == model.nq:
-            row[:] = key.qpos  # as written: MuJoCo turns a zero quaternion into no rotation
+    for i, own in enumerate(written):
+        if own.size not in (0, model.nq):
+            at = _called(i + 1, time[i])
+            raise UserError(f"{path.name}: {at}: qpos has {own.size} numbers, not the figure's {model.nq}")
+        if own.size:
+            qpos[i] = own  # as written: MuJoCo turns a zero quaternion into no rotation
     return _plain(path.stem, _composed(str(path), path.name), time, qpos, fps, path.name)
 
 

@@ -16,7 +16,7 @@ from solver.displacement import displacement
 from solver.dynamics import InverseDynamics, generalised_forces
 from solver.euler_lagrange import residual
 from solver.figure import JointKind
-from solver.frame import Timeline
+from solver.frame import Mask, Timeline
 from solver.inbetween import Motion
 from solver.kinematics import Samples, turned
 from solver.objective import Objective
@@ -260,7 +260,7 @@ def _centre_of_mass(samples: Samples) -> Array:
     return np.einsum("l,cls->cs", tables.mass, centres) / max(float(tables.mass.sum()), 1e-12)
 
 
-def _far_from_trouble(clip: Clip, before: Grid, margin: float = 0.25) -> Array:
+def _far_from_trouble(clip: Clip, before: Grid, margin: float = 0.25) -> Mask:
     """Times at least `margin` [s] away from any at which the raw motion is in a box."""
     boxes = [surface for surface in clip.surfaces if isinstance(surface, Box)]
     inside = np.zeros(before.time.size, bool)

@@ -22,6 +22,7 @@ from .spline import Path, Spline
 
 NODES = 8
 DIFFERENCE = 1e-6
+BATCH = 1000
 
 
 def covariant_residual(path: Path, t: Array, unit_weight: float) -> Array:
@@ -98,19 +99,25 @@ def _differentiation_matrix(x: Array) -> Array:
 
 
 def sample_hessians(objective: Objective, samples: Samples) -> Array:
-    """∂²f/∂(y, y', y'')² at every sample, (S, 3N, 3N), by differencing the exact gradients; for ranking, not for E."""
+    """∂²f/∂(y, y', y'')² at every sample, (S, 3N, 3N), by differencing the exact gradients; for ranking, not for E.
+
+    Columns are moved several at a time, on copies of the samples, to keep the batches long.
+    """
     base = [samples.y, samples.y_d, samples.y_dd]
-    width = samples.y.shape[1]
-    out = np.empty((samples.count, 3 * width, 3 * width))
+    count, width = base[0].shape
+    out = np.empty((count, 3 * width, 3 * width))
     here = np.hstack(objective.sample_gradients(samples))
+    together = max(1, BATCH // count)
     for order in range(3):
         h = DIFFERENCE * max(np.sqrt(np.mean(base[order] ** 2)), 1.0)
-        for column in range(width):
-            moved = list(base)
-            moved[order] = base[order].copy()
-            moved[order][:, column] += h
-            there = np.hstack(objective.sample_gradients(Samples(samples.figure, *moved, t=samples.t)))
-            out[:, order * width + column] = (there - here) / h
+        for first in range(0, width, together):
+            columns = np.arange(first, min(first + together, width))
+            moved = [np.tile(part, (columns.size, 1)) for part in base]
+            for k, column in enumerate(columns):
+                moved[order][k * count : (k + 1) * count, column] += h
+            stacked = Samples(samples.figure, *moved, t=np.tile(samples.t, columns.size))
+            there = np.hstack(objective.sample_gradients(stacked)).reshape(columns.size, count, -1)
+            out[:, order * width + columns] = (there - here).transpose(1, 0, 2) / h
     return (out + out.transpose(0, 2, 1)) / 2
 
 

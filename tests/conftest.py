@@ -35,7 +35,8 @@ EVERY_JOINT = """
 <worldbody><body name="trunk" pos="0 0 1"><freejoint name="root"/>
   <geom type="capsule" size=".1" fromto="0 0 0 .05 0 .4"/>
   <body name="arm" pos="0 .2 .4" quat=".9 .1 -.2 .3">
-    <joint name="yaw" type="hinge" axis="0 0 1" pos=".02 0 .01"/><joint name="pitch" type="hinge" axis="0 1 .2" ref="20"/>
+    <joint name="yaw" type="hinge" axis="0 0 1" pos=".02 0 .01"/>
+    <joint name="pitch" type="hinge" axis="0 1 .2" ref="20"/>
     <geom type="box" size=".05 .06 .2" pos="0 .03 -.2"/>
     <body name="piston" pos="0 0 -.4"><joint name="reach" type="slide" axis="0 .3 -1" ref=".02"/>
       <geom type="capsule" size=".04" fromto="0 0 0 .02 0 -.3"/>

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import mujoco
 import numpy as np
@@ -28,8 +29,8 @@ def rotation_of(key: np.ndarray, start: int) -> Rotation:
     return Rotation.from_quat(key[start : start + 4], scalar_first=True)
 
 
-def assert_same(found: Rotation, wanted: Rotation) -> None:
-    assert (found.inv() * wanted).magnitude() < 1e-12
+def assert_same(found: Rotation, wanted: Rotation, tolerance: float = 1e-12) -> None:
+    assert (found.inv() * wanted).magnitude() < tolerance
 
 
 @pytest.mark.parametrize("place", ["root.rotation", "joints.left_knee"])
@@ -66,7 +67,8 @@ def test_a_joints_rotation_is_relative_to_the_parent_at_rest(tmp_path):
     pelvis, shin = (Rotation.from_quat(data.xquat[i], scalar_first=True) for i in (1, 2))
     assert_same(pelvis, Rotation.from_rotvec([5, 60, -20], degrees=True))
     at_rest = Rotation.from_euler("Z", 30, degrees=True)
-    assert_same(shin, pelvis * at_rest * Rotation.from_rotvec([10, 30, 0], degrees=True))
+    wanted = pelvis * at_rest * Rotation.from_rotvec([10, 30, 0], degrees=True)
+    assert_same(shin, wanted, 1e-6)  # MuJoCo writes a model with seven digits
 
 
 def test_what_a_keyframe_leaves_out_is_free(tmp_path):
@@ -127,7 +129,9 @@ def test_without_penalties_in_the_file_the_defaults_are_the_papers(tmp_path):
 
 
 def test_a_penalty_in_the_file_changes_adds_or_takes_away_a_default(tmp_path):
-    entries = '[[penalty]]\nkind = "unit"\nweight = 7\n[[penalty]]\nkind = "torque"\n[[penalty]]\nkind="root"\nweight=0\n'
+    entries = (
+        '[[penalty]]\nkind = "unit"\nweight = 7\n[[penalty]]\nkind = "torque"\n[[penalty]]\nkind="root"\nweight=0\n'
+    )
     plain, told = by_name(loaded(tmp_path)), by_name(loaded(tmp_path, CLIP + entries))
     unit = next(name for name, (penalty, _) in plain.items() if isinstance(penalty, UnitMagnitude))
     root = next(name for name, (penalty, _) in plain.items() if isinstance(penalty, RootAcceleration))
@@ -137,7 +141,9 @@ def test_a_penalty_in_the_file_changes_adds_or_takes_away_a_default(tmp_path):
 
 
 def test_settings_in_the_file_reach_the_solver(tmp_path):
-    entries = 'variable = 3\nframes = 9\ncriterion = "residual"\nthreshold = 0.5\noptimiser = "slsqp"\ntolerance = 1e-3\n'
+    entries = (
+        'variable = 3\nframes = 9\ncriterion = "residual"\nthreshold = 0.5\noptimiser = "slsqp"\ntolerance = 1e-3\n'
+    )
     text = changed("evaluations = 8\nframes = 2\n", entries + 'evaluations = 77\nends = "clamped"\n')
     problem = loaded(tmp_path, text)
     s = problem.settings
@@ -186,7 +192,7 @@ def test_knees_and_elbows_are_found_by_joint_or_body(tmp_path, joint, body, late
     (bend,) = clip.load(str(tmp_path / "tiny.toml")).bends
     assert isinstance(bend, Bend)
     assert bend.name == joint
-    np.testing.assert_array_equal(bend.axis, [0, lateral, 0])
+    np.testing.assert_array_equal(bend.lateral, [0, lateral, 0])
 
 
 def test_what_was_looked_for_and_not_found_is_one_line_each(tmp_path):
@@ -251,7 +257,7 @@ def test_a_zero_quaternion_in_an_mjcf_is_an_error(tmp_path):
         clip.load(str(path))
 
 
-def arrays(folder: Path, **content: object) -> Clip:
+def arrays(folder: Path, **content: Any) -> Clip:
     written(folder)
     np.savez(folder / "keys.npz", allow_pickle=True, **content)
     return clip.load("", model=str(folder / "hinge.xml"), keys=str(folder / "keys.npz"))
@@ -267,9 +273,7 @@ def test_a_figure_and_arrays_are_a_clip(tmp_path):
 
 def test_keyframes_of_a_motion_file_win_over_its_samples(tmp_path):
     qpos = np.array([[0, 0], [0.1, 1.0]])
-    problem = arrays(
-        tmp_path, time=np.arange(5.0), qpos=np.zeros((5, 2)), key_time=np.array([1.0, 2.0]), key_qpos=qpos
-    )
+    problem = arrays(tmp_path, time=np.arange(5.0), qpos=np.zeros((5, 2)), key_time=np.array([1.0, 2.0]), key_qpos=qpos)
     assert [key.time for key in problem.keys] == [1, 2]
     np.testing.assert_array_equal(problem.keys[1].state, qpos[1])
 

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import os
-
 import mujoco
 import numpy as np
 import pytest
-from tiny import FIGURE, HINGE
+from tiny import FIGURE, HINGE, names
 
 import models
 from runner.errors import UserError
@@ -25,14 +23,14 @@ def composed(text: str, step: Step | None = None) -> mujoco.MjModel:
     return mujoco.MjModel.from_xml_string(compose(spec_of(text), step))
 
 
-def names(model: mujoco.MjModel, kind: str) -> set[str]:
+def named(model: mujoco.MjModel, kind: str) -> set[str]:
     count = {"geom": model.ngeom, "light": model.nlight, "camera": model.ncam}[kind]
     return {getattr(model, kind)(i).name for i in range(count)}
 
 
 def test_a_bare_figure_gets_floor_light_and_sky():
     model = composed(FIGURE)
-    assert names(model, "geom") == {"trunk", "shin", "floor"}
+    assert named(model, "geom") == {"trunk", "shin", "floor"}
     assert model.nlight > 0
     assert int(mujoco.mjtTexture.mjTEXTURE_SKYBOX) in model.tex_type
     floor = model.geom("floor")
@@ -42,8 +40,8 @@ def test_a_bare_figure_gets_floor_light_and_sky():
 
 def test_a_model_that_brings_floor_and_light_keeps_its_own():
     model = composed(FIGURE.replace("<worldbody>", OWN_STAGE, 1))
-    assert names(model, "geom") == {"trunk", "shin", "ground"}
-    assert names(model, "light") == {"lamp"}
+    assert named(model, "geom") == {"trunk", "shin", "ground"}
+    assert named(model, "light") == {"lamp"}
     assert model.geom("ground").contype[0] == 1
 
 
@@ -77,7 +75,7 @@ def test_a_second_step_is_refused():
 
 def test_a_figure_with_a_geom_called_floor_that_is_none_still_gets_one():
     model = composed(FIGURE.replace('"trunk"', '"floor"'))
-    assert names(model, "geom") == {"floor", "shin", "stage_floor"}
+    assert named(model, "geom") == {"floor", "shin", "stage_floor"}
 
 
 def test_a_figure_whose_names_are_the_stages_is_refused_in_one_line():
@@ -146,5 +144,5 @@ def test_mujocos_warnings_leave_no_log_and_no_words(tmp_path, monkeypatch, capfd
     compose(figure_spec("odd.xml"))
     with quietly():
         print("hidden")
-    assert os.listdir(tmp_path) == ["odd.xml"]
+    assert names(tmp_path) == ["odd.xml"]
     assert capfd.readouterr() == ("", "")

@@ -73,3 +73,8 @@ def changed(old: str, new: str, text: str = CLIP) -> str:
     """The clip with the first occurrence of a piece of it replaced."""
     assert old in text, f"{old!r} is not in the clip"
     return text.replace(old, new, 1)
+
+
+def names(folder: Path) -> list[str]:
+    """What lies in a folder."""
+    return sorted(path.name for path in folder.iterdir())

@@ -1,0 +1,563 @@
+"""The command as a user meets it: what it writes, what it says where, and one clear line for every mistake."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import nlopt
+import numpy as np
+import pytest
+from PIL import Image
+from tiny import CLIP, FIGURE, HINGE, changed, names, written
+
+import models
+from runner import cli, work
+
+KNEE = "joints.left_knee = {rotvec = [0, 0, 0]}"
+SMALL = ("--size", "32x32")
+
+
+@dataclass(frozen=True)
+class Done:
+    """How a command ended."""
+
+    code: int
+    out: str
+    err: str
+
+
+Command = Callable[..., Done]
+
+
+@pytest.fixture
+def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Command:
+    """Runs the command in an empty folder with the tiny clip in it."""
+    monkeypatch.setenv("DYNSPLINES_RENDERER", "rays")
+    monkeypatch.setenv("MUJOCO_GL", "disable")  # so that it is put back
+    monkeypatch.chdir(tmp_path)
+    written(tmp_path)
+
+    def run(*words: object) -> Done:
+        monkeypatch.setattr(sys, "argv", ["dynsplines", *map(str, words)])
+        with pytest.raises(SystemExit) as ended:
+            cli.main()
+        code = ended.value.code
+        assert code is None or isinstance(code, int)
+        said = capsys.readouterr()
+        return Done(code or 0, str(said.out), str(said.err))
+
+    return run
+
+
+@pytest.fixture
+def solving_forbidden(monkeypatch: pytest.MonkeyPatch) -> None:
+    def never(*_: object, **__: object) -> None:
+        raise AssertionError("solved again")
+
+    for name in ("inbetween", "solve"):
+        monkeypatch.setattr(work, name, never)
+    monkeypatch.setattr(nlopt.opt, "optimize", never)
+
+
+def assert_refused(done: Done, *words: str) -> None:
+    """One line on stderr, code 2, nothing on stdout."""
+    assert done.code == 2
+    assert done.out == ""
+    (line,) = done.err.splitlines()
+    assert line.startswith("dynsplines: ")
+    assert "Traceback" not in line
+    for word in words:
+        assert word in line
+    assert not re.search(r"\bframe\b", line), "a user has keyframes"
+
+
+def size_of(path: Path) -> tuple[int, int]:
+    with Image.open(path) as image:
+        return image.size
+
+
+@contextlib.contextmanager
+def nothing_written(folder: Path) -> Iterator[None]:
+    before = {path: path.read_bytes() if path.is_file() else b"" for path in folder.rglob("*")}
+    yield
+    assert {path: path.read_bytes() if path.is_file() else b"" for path in folder.rglob("*")} == before
+
+
+# what works
+
+
+def test_solve_writes_a_motion_named_after_its_clip(run, tmp_path):
+    done = run("solve", "tiny.toml")
+    assert (done.code, done.out) == (0, "")
+    assert done.err.splitlines()[-1] == "wrote tiny.npz"
+    assert any(line.startswith("solving") and "objective" in line for line in done.err.splitlines())
+    with np.load(tmp_path / "tiny.npz") as data:
+        assert (float(data["fps"]), data["qpos"].shape) == (20, (9, 11))
+
+
+def test_solve_with_json_has_nothing_but_json_on_stdout(run, tmp_path):
+    done = run("solve", "tiny.toml", "-o", "m.npz", "--fps", 100, "--json")
+    assert done.code == 0
+    data = json.loads(done.out)
+    assert data["keyframes"] == 3
+    assert "curves" not in data
+    assert "solving" in done.err
+    with np.load(tmp_path / "m.npz") as saved:
+        assert len(saved["time"]) == 42
+
+
+def test_a_clip_is_also_an_mjcf_or_a_figure_with_arrays(run, tmp_path):
+    keys = '<keyframe><key time="0" qpos="0 0"/><key time="0.5" qpos="0.1 0.2"/></keyframe>'
+    (tmp_path / "keys.xml").write_text(HINGE.format(keys=keys), encoding="utf-8")
+    assert run("solve", "keys.xml").code == 0
+    np.savez(tmp_path / "poses.npz", time=np.array([0.0, 0.5]), qpos=np.array([[0, 0], [0.1, 0.2]]))
+    assert run("solve", "--model", "hinge.xml", "--keys", "poses.npz", "-o", "out.npz").code == 0
+    with np.load("keys.npz") as one, np.load("out.npz") as two:
+        np.testing.assert_array_equal(one["qpos"], two["qpos"])
+
+
+@pytest.mark.parametrize("name", ["UPPER.TOML", "bom.toml", "crlf.toml"])
+def test_clips_from_other_editors_are_read(run, tmp_path, name):
+    text = CLIP.replace("\n", "\r\n") if name == "crlf.toml" else CLIP
+    (tmp_path / name).write_bytes(text.encode("utf-8-sig" if name == "bom.toml" else "utf-8"))
+    assert run("solve", name, "-o", "m.npz").code == 0
+
+
+def test_report_of_a_motion_does_not_solve(run, motion_file, solving_forbidden):
+    done = run("report", motion_file)
+    assert (done.code, done.err) == (0, "")
+    assert "deepest penetration" in done.out
+    strict = json.loads(run("report", motion_file, "--json").out, parse_constant=lambda name: pytest.fail(name))
+    assert strict["keyframes"] == 3
+
+
+def test_plot_of_a_motion_does_not_solve(run, motion_file, solving_forbidden, tmp_path):
+    done = run("plot", motion_file)
+    assert (done.code, done.out, done.err) == (0, "", "wrote tiny.png\n")
+    assert size_of(tmp_path / "tiny.png") == (1440, 864)
+
+
+@pytest.mark.parametrize("only", ["", "before", "after", "keys"])
+def test_render_of_a_motion_does_not_solve(run, motion_file, solving_forbidden, tmp_path, only):
+    done = run("render", motion_file, *SMALL, *(["--only", only] if only else []), "--fps", 5)
+    assert (done.code, done.out) == (0, "")
+    assert done.err.splitlines()[0].startswith("renderer: ")
+    assert done.err.splitlines()[-1] == "wrote tiny.mp4"
+    assert (tmp_path / "tiny.mp4").read_bytes()[4:8] == b"ftyp"
+
+
+@pytest.mark.parametrize(
+    ("ending", "magic"), [("gif", b"GIF8"), ("webm", b"\x1aE\xdf\xa3"), ("png", b"\x89PNG"), ("mp4", b"")]
+)
+def test_the_ending_says_what_is_rendered(run, motion_file, tmp_path, ending, magic):
+    assert run("render", motion_file, "-o", f"film.{ending}", *SMALL, "--fps", 5).code == 0
+    assert (tmp_path / f"film.{ending}").read_bytes().startswith(magic)
+
+
+def test_ghosts_make_a_still_of_the_size_asked_for(run, motion_file, tmp_path):
+    assert run("render", motion_file, "--ghosts", "--size", "48x40", "--camera", "high").code == 0
+    assert size_of(tmp_path / "tiny.png") == (48, 40)
+
+
+def test_render_of_a_clip_solves_it_unless_only_the_keyframes_are_wanted(run, monkeypatch):
+    solved: list[str] = []
+    solve = work.solve
+    monkeypatch.setattr(work, "solve", lambda clip, teller: solved.append(clip.name) or solve(clip, teller))
+    for only in ("keys", "before"):
+        assert run("render", "tiny.toml", *SMALL, "--only", only, "--fps", 5).code == 0
+    assert solved == []
+    assert run("render", "tiny.toml", *SMALL, "--fps", 5, "--slow", 2).code == 0
+    assert solved == ["tiny"]
+
+
+def test_clips_and_models_are_listed_with_what_they_are(run):
+    for command, found in (("clips", models.clips()), ("models", models.figures())):
+        done = run(command)
+        assert (done.code, done.err) == (0, "")
+        assert [line.split()[0] for line in done.out.splitlines()] == list(found)
+        assert all(line in done.out for line in found.values())
+
+
+@pytest.mark.parametrize("words", [(), ("--help",), ("render", "--help")])
+def test_help_is_help(run, words):
+    done = run(*words)
+    assert (done.code, done.err) == (0, "")
+    assert "Usage: dynsplines" in done.out
+
+
+def test_help_is_quick_because_it_imports_nothing_heavy():
+    script = (
+        "import sys; from runner import cli; sys.argv = ['dynsplines', '--help']\n"
+        "try: cli.main()\nexcept SystemExit: pass\n"
+        "print(sorted({'mujoco', 'numpy', 'scipy', 'nlopt', 'matplotlib', 'pydantic', 'av', 'PIL'} & set(sys.modules)))"
+    )
+    done = subprocess.run([sys.executable, "-c", script], check=True, capture_output=True, text=True)
+    assert done.stdout.splitlines()[-1] == "[]"
+
+
+# mistakes in the clip
+
+KEY_2 = "keyframe 2 (t = 0.2 s)"
+BAD_CLIPS = {
+    "an empty file": ("", ["the clip is empty"]),
+    "only a comment": ("# nothing\n", ["the clip is empty"]),
+    "no keyframes": ('figure = "tiny.xml"\n', ["no keyframes"]),
+    "an empty list of keyframes": ('figure = "tiny.xml"\nkeyframe = []\n', ["no keyframes"]),
+    "one keyframe": (CLIP.split("[[keyframe]]\ntime = 0.2")[0], ["1 keyframe", "at least two"]),
+    "keyframes that are a number": ('figure = "tiny.xml"\nkeyframe = 3\n', ["[[keyframe]] tables", "not 3"]),
+    "keyframes that are numbers": ('figure = "tiny.xml"\nkeyframe = [3, 4]\n', ["keyframe 1: must be a table"]),
+    "one [keyframe]": ('figure = "tiny.xml"\n[keyframe]\ntime = 3\n', ["[[keyframe]] tables"]),
+    "no figure": (changed('figure = "tiny.xml"', ""), ["'figure' is missing"]),
+    "an unknown figure": (changed("tiny.xml", "humn"), ["no figure 'humn'", "did you mean 'human'?"]),
+    "a figure that is no file": (changed("tiny.xml", "no/such.xml"), ["no file 'no/such.xml'"]),
+    "a figure that is a folder": (changed("tiny.xml", "."), ["no figure '.'"]),
+    "a figure that is a number": (changed('"tiny.xml"', "3"), ["figure must be", "not 3"]),
+    "a figure over two lines": (changed("tiny.xml", r"a\nb"), [r"'a\nb'"]),
+    "an unknown joint": (changed("joints.left_knee = {rotvec = [0, 40", "joints.left_kne = {rotvec = [0, 40"),
+        [KEY_2, "no joint 'left_kne'", "did you mean 'left_knee'?"]),
+    "an unknown penalty": (CLIP + '[[penalty]]\nkind = "contct"\n', ["penalty 1", "did you mean 'contact'?"]),
+    "a penalty without a kind": (CLIP + "[[penalty]]\nweight = 1\n", ["penalty 1", "'kind' is missing"]),
+    "a penalty twice": (CLIP + 2 * '[[penalty]]\nkind = "unit"\n', ["penalty 2", "'unit'", "already by penalty 1"]),
+    "one [penalty]": (CLIP + '[penalty]\nkind = "unit"\n', ["[[penalty]] tables"]),
+    "a weight that is text": (CLIP + '[[penalty]]\nkind = "unit"\nweight = "1"\n', ["penalty 1: weight", "not '1'"]),
+    "a weight that is true": (CLIP + '[[penalty]]\nkind = "unit"\nweight = true\n', ["penalty 1: weight", "not true"]),
+    "a negative weight": (CLIP + '[[penalty]]\nkind = "unit"\nweight = -1\n', ["penalty 1: weight", "at least 0"]),
+    "a weight that is nan": (CLIP + '[[penalty]]\nkind = "unit"\nweight = nan\n', ["weight", "finite", "nan"]),
+    "an enormous weight": (CLIP + '[[penalty]]\nkind = "unit"\nweight = 1e300\n', ["weight", "at most"]),
+    "an unknown form": (CLIP + '[[penalty]]\nkind = "unit"\nform = "sqare"\n', ["'unit'", "'sqare'", "'square'"]),
+    "an option of another kind": (CLIP + '[[penalty]]\nkind = "root"\nform = "x"\n', ["penalty 1: 'form' is not for"]),
+    "an unknown site": (CLIP + '[[penalty]]\nkind = "contact"\npoints = ["left_to"]\n', ["no site", "'left_toe'?"]),
+    "sites that are one word": (CLIP + '[[penalty]]\nkind = "contact"\npoints = "a"\n', ["points", "a list of names"]),
+    "an unknown joint of bend": (CLIP + '[[penalty]]\nkind = "bend"\njoints = ["left_kne"]\n', ["'left_knee'?"]),
+    "joints of bend in a table": (CLIP + '[[penalty]]\nkind = "bend"\njoints = {a = 1}\n', ["a list of names"]),
+    "an unknown key": ("fsp = 3\n" + CLIP, ["no key 'fsp'", "did you mean 'fps'?"]),
+    "an unknown key of scene": (CLIP + "[scene]\nstpe = {x = 1, height = 1}\n", ["scene: no key 'stpe'", "'step'?"]),
+    "an unknown key of step": (
+        CLIP + "[scene]\nstep = {x = 1, height = 1, hieght = 1}\n", ["scene.step: no key 'hieght'", "'height'?"]),
+    "an unknown key of solve": (changed("evaluations", "evalutions"), ["solve: no key 'evalutions'", "'evaluations'?"]),
+    "an unknown key of penalty": (CLIP + '[[penalty]]\nkind = "unit"\nwieght = 1\n', ["penalty 1", "'weight'?"]),
+    "an unknown key of keyframe": (changed("time = 0.2", "time = 0.2\nrot = 1"), [KEY_2, "no key 'rot'", "'root'?"]),
+    "an unknown key of root": (changed("root.position = [0.1", "root.postion = [0.1"), [KEY_2, "root: no key"]),
+    "an unknown key of rotation": (changed("{rotvec = [0, 40", "{rotvek = [0, 40"), [KEY_2, "left_knee", "'rotvec'?"]),
+    "an unknown key of root.rotation": (changed("{rotvec", "{rotvek"), ["keyframe 1", "root.rotation", "'rotvec'?"]),
+    "a step without a height": (CLIP + "[scene]\nstep = {x = 1}\n", ["scene.step.height", "missing"]),
+    "a step that is a number": (CLIP + "[scene]\nstep = 3\n", ["scene.step must be a table"]),
+    "a step below the floor": (CLIP + "[scene]\nstep = {x = 1, height = -1}\n", ["scene.step.height", "above 0"]),
+    "a step at infinity": (CLIP + "[scene]\nstep = {x = inf, height = 1}\n", ["scene.step.x", "finite"]),
+    "a scene that is a number": ("scene = 3\n" + CLIP, ["scene must be a table"]),
+    "fps of zero": (changed("fps = 20", "fps = 0"), ["fps must be at least"]),
+    "negative fps": (changed("fps = 20", "fps = -1"), ["fps must be at least"]),
+    "fps in quotes": (changed("fps = 20", 'fps = "20"'), ["fps must be a number, not '20'"]),
+    "fps that are true": (changed("fps = 20", "fps = true"), ["fps must be a number, not true"]),
+    "fps that are nan": (changed("fps = 20", "fps = nan"), ["fps must be a finite number"]),
+    "no evaluations": (changed("evaluations = 8", "evaluations = 0"), ["solve.evaluations must be at least 1"]),
+    "half an evaluation": (changed("evaluations = 8", "evaluations = 0.5"), ["solve.evaluations", "whole number"]),
+    "too many evaluations": (changed("evaluations = 8", f"evaluations = {10**20}"), ["evaluations", "at most"]),
+    "an unknown optimiser": (changed("frames = 2", 'optimiser = "lbfgss"'), ["lbfgss", "lbfgs"]),
+    "an unknown criterion": (changed("frames = 2", 'criterion = "weka"'), ["did you mean 'weak'?"]),
+    "unknown ends": (changed("frames = 2", 'ends = "periodc"'), ["solve.ends", "'periodic'"]),
+    "too many samples": (changed("frames = 2", "samples = 5000"), ["samples"]),
+    "time missing": (changed("time = 0.2", ""), ["keyframe 2: 'time' is missing"]),
+    "time in quotes": (changed("time = 0.2", 'time = "0.2"'), ["keyframe 2: time must be a number, not '0.2'"]),
+    "a time that is true": (changed("time = 0.2", "time = true"), ["keyframe 2: time must be a number, not true"]),
+    "a time that is nan": (changed("time = 0.2", "time = nan"), ["keyframe 2", "finite"]),
+    "a time at infinity": (changed("time = 0.2", "time = inf"), ["keyframe 2", "finite"]),
+    "a time too far": (changed("time = 0.41", "time = 601"), ["601 s", "over 600 s"]),
+    "times out of order": (changed("time = 0.2", "time = 0.5"),
+        ["keyframe 3 (t = 0.41 s) is not after keyframe 2 (t = 0.5 s)"]),
+    "a time repeated": (changed("time = 0.41", "time = 0.2"), ["keyframe 3 (t = 0.2 s) is not after keyframe 2"]),
+    "times too near": (changed("time = 0.2", "time = 1e-12"), ["keyframe 2", "less than 0.001 s after keyframe 1"]),
+    "two coordinates": (changed('[0.1, 0, "free"]', "[0.1, 0]"), [KEY_2, "root.position must be [x, y, z]"]),
+    "a coordinate in quotes": (changed('[0.1, 0, "free"]', '[0.1, 0, "1"]'), [KEY_2, "root.position", "not '1'"]),
+    "a coordinate that is true": (changed('[0.1, 0, "free"]', "[0.1, 0, true]"), [KEY_2, "root.position", "true"]),
+    "a coordinate that is nan": (changed('[0.1, 0, "free"]', "[0.1, 0, nan]"), [KEY_2, "root.position", "finite"]),
+    "a coordinate too large": (changed('[0.1, 0, "free"]', "[0.1, 0, 1e300]"), [KEY_2, "root.position", "at most"]),
+    "a misspelt free": (changed('"free"', '"fre"'), [KEY_2, "root.position", "not 'fre'"]),
+    "two angles": (changed("[0, 40, 0]", "[0, 40]"), [KEY_2, "joints.left_knee.rotvec must be three", "[0, 40]"]),
+    "four angles": (changed("[0, 40, 0]", "[0, 40, 0, 0]"), [KEY_2, "joints.left_knee.rotvec must be three"]),
+    "an angle in quotes": (changed("[0, 40, 0]", '[0, "40", 0]'), [KEY_2, "joints.left_knee.rotvec", "not '40'"]),
+    "an angle that is inf": (changed("[0, 40, 0]", "[0, inf, 0]"), [KEY_2, "joints.left_knee.rotvec", "finite"]),
+    "an enormous angle": (changed("[0, 40, 0]", "[0, 1e308, 0]"), [KEY_2, "joints.left_knee.rotvec", "at most"]),
+    "a zero quaternion": (changed("{rotvec = [0, 40, 0]}", "{quat = [0, 0, 0, 0]}"), [KEY_2, "quaternion is zero"]),
+    "a zero quaternion of the root": (changed("{rotvec", "{quat = [0, 0, 0, 0]}#"), ["keyframe 1", "root.rotation"]),
+    "a quaternion of three": (changed("{rotvec = [0, 40, 0]}", "{quat = [1, 0, 0]}"), [KEY_2, "[w, x, y, z]"]),
+    "an enormous quaternion": (changed("{rotvec = [0, 40, 0]}", "{quat = [1e200, 0, 0, 0]}"), [KEY_2, "at most"]),
+    "an unknown axis": (changed("{rotvec = [0, 40, 0]}", '{euler = [1, 2, 3], order = "xyw"}'), [KEY_2, "xyw"]),
+    "angles for no axis": (changed("{rotvec = [0, 40, 0]}", "{euler = [1, 2]}"), [KEY_2, "2 angles"]),
+    "no angles": (changed("{rotvec = [0, 40, 0]}", '{euler = [], order = ""}'), [KEY_2, "0 angles"]),
+    "an order of nothing": (changed("{rotvec = [0, 40, 0]}", '{rotvec = [0, 4, 0], order = "x"}'), [KEY_2, "order"]),
+    "two rotations in one": (changed("[0, 40, 0]}", "[0, 40, 0], quat = [1, 0, 0, 0]}"), [KEY_2, "exactly one"]),
+    "an empty rotation": (changed("{rotvec = [0, 40, 0]}", "{}"), [KEY_2, "exactly one"]),
+    "a number for a ball": (changed("{rotvec = [0, 40, 0]}", "40"), [KEY_2, "joints.left_knee", "not a number"]),
+    "a word for a ball": (changed("{rotvec = [0, 40, 0]}", '"fre"'), [KEY_2, "joints.left_knee", "'fre'"]),
+    "true for a ball": (changed("{rotvec = [0, 40, 0]}", "true"), [KEY_2, "joints.left_knee", "true"]),
+    "a list for a ball": (changed("{rotvec = [0, 40, 0]}", "[0, 40, 0]"), [KEY_2, "joints.left_knee"]),
+    "the root among the joints": (changed("joints.left_knee", "joints.root"), ["keyframe 1", "root.position"]),
+    "joints that are a number": (changed(KNEE, "joints = 3"), ["keyframe 1", "joints must be a table"]),
+    "a root that is a number": (changed("root.position = [0, 0, 1]\nroot.rotation = {rotvec = [0, 0, 0]}", "root = 3"),
+        ["keyframe 1", "root must be a table"]),
+    "a joint of two lines": (changed("joints.left_knee", r'joints."a\nb"'), [r"'a\nb'"]),
+    "a rotation for a hinge": (
+        'figure = "hinge.xml"\n[[keyframe]]\ntime = 0\njoints.swing = {rotvec = [0, 0, 0]}\n[[keyframe]]\ntime = 1\n',
+        ["keyframe 1", "joints.swing", "hinge", "number (degrees)"]),
+    "a root for a figure that has none": (
+        'figure = "hinge.xml"\n[[keyframe]]\ntime = 0\nroot.position = [0, 0, 0]\n[[keyframe]]\ntime = 1\n',
+        ["keyframe 1", "no free joint"]),
+    "world coordinates of hinges": (
+        'figure = "hinge.xml"\nsolve.coordinates = "world"\n[[keyframe]]\ntime = 0\n[[keyframe]]\ntime = 1\n',
+        ["free and ball joints only"]),
+    "malformed TOML": ("figure = = 3\n", ["not valid TOML", "line 1"]),
+    "an open string": ('figure = "tiny.xml\n', ["not valid TOML", "line 1"]),
+    "a key twice": ("fps = 3\n" + CLIP, ["not valid TOML"]),
+    "lists nested too deeply": ("a = " + 5000 * "[" + 5000 * "]" + "\n", ["not valid TOML", "too deeply"]),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("mistake", BAD_CLIPS)
+def test_a_mistake_in_a_clip_is_one_line_that_says_where(run, tmp_path, mistake):
+    text, words = BAD_CLIPS[mistake]
+    (tmp_path / "bad.toml").write_text(text, encoding="utf-8")
+    with nothing_written(tmp_path):
+        assert_refused(run("solve", "bad.toml"), "bad.toml: ", *words)
+
+
+def test_text_that_is_not_utf_8_is_told_as_such(run, tmp_path):
+    (tmp_path / "bad.toml").write_bytes(CLIP.replace("Three", "Dr\u00e9i").encode("latin-1"))
+    with nothing_written(tmp_path):
+        assert_refused(run("solve", "bad.toml"), "bad.toml", "not UTF-8", "byte 5")
+
+
+TWO_KEYS = '<keyframe><key time="0" qpos="0 0"/><key time="0.5" qpos="0.1 0.2"/></keyframe>'
+BAD_FIGURES = {
+    "malformed": ("<mujoco", "MuJoCo cannot read it"),
+    "empty": ("", "MuJoCo cannot read it"),
+    "a page": ("<html></html>", "MuJoCo cannot read it"),
+    "without keyframes": (HINGE.format(keys=""), "no <keyframe> elements"),
+    "with one keyframe": (HINGE.format(keys='<keyframe><key time="0"/></keyframe>'), "1 keyframe"),
+    "without times": (HINGE.format(keys='<keyframe><key/><key qpos="1 1"/></keyframe>'), "times must rise"),
+    "with keyframes of another figure": (
+        HINGE.format(keys='<keyframe><key time="0" qpos="1 2 3"/><key time="1"/></keyframe>'), "invalid qpos size"),
+    "with a keyframe that is too short": (
+        HINGE.format(keys='<keyframe><key time="0"/><key time="1" qpos="0"/></keyframe>'),
+        "keyframe 2 (t = 1 s): qpos has 1 numbers, not the figure's 2"),
+    "with a keyframe that is nan": (HINGE.format(keys=TWO_KEYS.replace("0.2", "nan")), "keyframe 2 (t = 0.5 s)"),
+    "without joints": (
+        '<mujoco><worldbody><geom size="1"/></worldbody><keyframe><key/><key time="1"/></keyframe></mujoco>',
+        "no joints"),
+    "with a mesh": (
+        HINGE.format(keys=TWO_KEYS).replace("<worldbody>", '<asset><mesh name="m" file="m.obj"/></asset><worldbody>'),
+        "m.obj"),
+    "that includes another": ('<mujoco><include file="none.xml"/></mujoco>', "none.xml"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("mistake", BAD_FIGURES)
+def test_a_mistake_in_an_mjcf_is_one_line(run, tmp_path, mistake):
+    text, words = BAD_FIGURES[mistake]
+    (tmp_path / "bad.xml").write_text(text, encoding="utf-8")
+    with nothing_written(tmp_path):
+        assert_refused_whatever_mujoco_says(run("solve", "bad.xml"), "bad.xml", words)
+
+
+def assert_refused_whatever_mujoco_says(done: Done, *words: str) -> None:
+    assert (done.code, done.out) == (2, "")
+    (line,) = done.err.splitlines()
+    assert all(word in line for word in words)
+
+
+@pytest.mark.parametrize("figure", ["<mujoco", FIGURE.replace("freejoint", "freejiont")])
+def test_a_broken_figure_of_a_clip_names_the_clip_and_the_figure(run, tmp_path, figure):
+    (tmp_path / "tiny.xml").write_text(figure, encoding="utf-8")
+    with nothing_written(tmp_path):
+        assert_refused_whatever_mujoco_says(run("solve", "tiny.toml"), "tiny.toml: tiny.xml: MuJoCo cannot read it")
+
+
+# mistakes on the command line
+
+MOTION = "MOTION"
+BAD_WORDS = [
+    (["render"], ["name a clip"]),
+    (["solve"], ["name a clip"]),
+    (["report"], ["name a clip"]),
+    (["plot"], ["name a clip"]),
+    (["solve", ""], ["name a clip"]),
+    (["rendr"], ["rendr", "render"]),
+    (["render", "--foo"], ["--foo", "dynsplines render --help"]),
+    (["render", "tiny.toml", "more"], ["more"]),
+    (["solve", "tiny.toml", "-o"], ["-o"]),
+    (["solve", "run_and_stp"], ["no clip 'run_and_stp'", "did you mean 'run_and_step'?"]),
+    (["solve", "none.toml"], ["no file 'none.toml'"]),
+    (["solve", "none.xml"], ["no file 'none.xml'"]),
+    (["report", "none.npz"], ["no file 'none.npz'"]),
+    (["solve", "."], ["'.' is a folder"]),
+    (["report", "folder"], ["'folder' is a folder"]),
+    (["report", "folder.npz"], ["'folder.npz' is a folder"]),
+    (["solve", "tiny.txt"], ["tiny.txt", ".toml"]),
+    (["solve", "a\nb"], [r"a\nb"]),
+    (["solve", "x" * 5000], ["name too long"]),
+    (["solve", MOTION, "-o", "again.npz"], ["solved already"]),
+    (["solve", "tiny.toml", "-o", "m.txt"], ["m.txt", ".npz"]),
+    (["solve", "tiny.toml", "-o", "m"], ["m: ", ".npz"]),
+    (["solve", "tiny.toml", "-o", "folder.npz"], ["it is a folder"]),
+    (["solve", "tiny.toml", "-o", "none/m.npz"], ["no folder 'none'"]),
+    (["solve", "tiny.toml", "-o", "x" * 300 + ".npz"], ["cannot write"]),
+    (["plot", MOTION, "-o", "p.jpg"], [".png, .svg, .pdf"]),
+    (["plot", MOTION, "-o", "none/p.png"], ["no folder 'none'"]),
+    (["plot", "tiny.toml", "-o", "folder"], ["folder", "endings"]),
+    (["render", MOTION, "-o", "film.avi"], [".avi", ".mp4"]),
+    (["render", MOTION, "-o", "film"], [".mp4"]),
+    (["render", MOTION, "-o", "none/film.mp4"], ["does not exist"]),
+    (["render", MOTION, "--size", "33x32"], ["33x32", "34x32"]),
+    (["render", MOTION, "--size", "33x32", "-o", "f.gif"], ["even width"]),
+    (["render", MOTION, "--size", "32x33"], ["32x34"]),
+    *((["render", MOTION, "--size", size], ["--size"]) for size in ("0x0", "big", "1280", "1280x", "-1x-1", "²x²", "")),
+    (["render", MOTION, "--size", "99999x99999"], ["3840x2160"]),
+    *((["render", MOTION, *SMALL, "--fps", fps], ["--fps"]) for fps in ("0", "-1", "nan", "inf", "1e9", "many")),
+    *((["solve", "tiny.toml", "--fps", fps], ["--fps"]) for fps in ("0", "-1", "nan", "inf", "1e9", "many")),
+    *((["render", MOTION, *SMALL, "--slow", slow], ["--slow"]) for slow in ("0", "-1", "nan", "inf", "slow")),
+    (["render", MOTION, *SMALL, "--fps", "1000", "--slow", "1000"], ["images", "lower"]),
+    *((["render", MOTION, *SMALL, "--at", at], ["--at"]) for at in ("-1", "0.5", "nan", "inf", "soon")),
+    (["render", MOTION, *SMALL, "--only", "all"], ["before, after, keys"]),
+    (["render", MOTION, *SMALL, "--camera", "sidee"], ["no camera 'sidee'", "did you mean 'side'?", "high"]),
+    (["render", MOTION, *SMALL, "--camera", ""], ["no camera ''"]),
+    (["render", MOTION, *SMALL, "--camera", "sidee", "--ghosts"], ["no camera 'sidee'"]),
+    (["solve", "--model", "tiny.xml"], ["--model and --keys go together"]),
+    (["solve", "--keys", "poses.npz"], ["--model and --keys go together"]),
+    (["report", MOTION, "--model", "tiny.xml"], ["--model and --keys go together"]),
+    (["solve", "tiny.toml", "--model", "tiny.xml", "--keys", "poses.npz"], ["not both"]),
+    (["solve", "--model", "none.xml", "--keys", "poses.npz"], ["no file 'none.xml'"]),
+    (["solve", "--model", "humn", "--keys", "poses.npz"], ["did you mean 'human'?"]),
+    (["solve", "--model", "tiny.xml", "--keys", "none.npz"], ["no file 'none.npz'"]),
+    (["report", "--model", "tiny.xml", "--keys", "folder"], ["'folder' is a folder"]),
+    (["solve", "--model", "tiny.xml", "--keys", "tiny.toml"], ["not an .npz file"]),
+    (["solve", "--model", "tiny.xml", "--keys", "poses.npz"], ["poses.npz", "(K, 11)"]),
+    (["paper", "--seeds", "0"], ["--seeds"]),
+    (["paper", "--seeds", "many"], ["--seeds"]),
+]
+
+
+@pytest.mark.parametrize(("words", "told"), BAD_WORDS, ids=lambda v: " ".join(v)[:60] if isinstance(v, list) else "")
+def test_a_mistake_on_the_command_line_is_one_line_and_writes_nothing(
+    run, tmp_path, motion_file, monkeypatch, words, told
+):
+    (tmp_path / "folder").mkdir()
+    (tmp_path / "folder.npz").mkdir()
+    (tmp_path / "tiny.txt").write_text("hello", encoding="utf-8")
+    np.savez(tmp_path / "poses.npz", time=np.arange(2.0), qpos=np.zeros((2, 2)))
+    monkeypatch.setattr(work, "solve", lambda *_: pytest.fail("solved before it looked"))
+    with nothing_written(tmp_path):
+        assert_refused(run(*(motion_file if word == MOTION else word for word in words)), *told)
+
+
+def test_a_camera_is_looked_for_before_solving(run, monkeypatch, tmp_path):
+    monkeypatch.setattr(work, "solve", lambda *_: pytest.fail("solved first"))
+    with nothing_written(tmp_path):
+        assert_refused(run("render", "tiny.toml", *SMALL, "--camera", "hihg"), "did you mean 'high'?")
+
+
+@pytest.mark.parametrize("command", ["report", "plot", "render"])
+@pytest.mark.parametrize("content", [b"", b"nonsense" * 300, None])
+def test_a_file_that_is_no_motion_is_one_line(run, tmp_path, motion_file, command, content):
+    (tmp_path / "m.npz").write_bytes(motion_file.read_bytes()[:-9] if content is None else content)
+    with nothing_written(tmp_path):
+        assert_refused(run(command, "m.npz"), "m.npz")
+
+
+@pytest.mark.parametrize("command", ["report", "plot"])
+@pytest.mark.parametrize("content", ["{}", '{"before": {}, "curves": {}}', '{"before": 1, "after": 2, "curves": 3}'])
+def test_a_motion_with_half_a_report_is_one_line(run, tmp_path, motion_file, command, content):
+    with np.load(motion_file) as data:
+        np.savez(tmp_path / "m.npz", **{**data, "report": content})
+    with nothing_written(tmp_path):
+        assert_refused(run(command, "m.npz"), "m.npz", "its report is not complete")
+
+
+@pytest.mark.parametrize("command", ["solve", "plot", "render"])
+def test_what_was_there_before_survives_a_failure(run, tmp_path, monkeypatch, command):
+    target = tmp_path / {"solve": "m.npz", "plot": "m.png", "render": "m.mp4"}[command]
+    target.write_bytes(b"before")
+
+    def full(*_: object, **__: object) -> None:
+        raise OSError(28, "No space left on device", "disk")
+
+    monkeypatch.setattr(np, "savez_compressed", full)
+    monkeypatch.setattr("matplotlib.figure.Figure.savefig", full)
+    monkeypatch.setattr("av.open", full)
+    with nothing_written(tmp_path):
+        done = run(command, "tiny.toml", "-o", target.name, *(SMALL if command == "render" else ()))
+    assert done.code == 2
+    assert done.out == ""
+    assert "No space left on device" in done.err.splitlines()[-1]
+    assert "Traceback" not in done.err
+
+
+def test_a_clip_that_ends_at_once_under_ctrl_c_ends_with_130(run, monkeypatch, tmp_path):
+    def stop(*_: object, **__: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("runner.report.report", stop)
+    monkeypatch.setattr("runner.work.report", stop)
+    with nothing_written(tmp_path):
+        done = run("solve", "tiny.toml")
+    assert done.code == 130
+    assert done.err.splitlines()[-1] == "dynsplines: stopped"
+
+
+LONG = changed("evaluations = 8\nframes = 2", "evaluations = 100000\nframes = 400\ntolerance = 1e-15\nthreshold = 0")
+
+
+@pytest.fixture
+def long_solve(tmp_path) -> Iterator[subprocess.Popen[str]]:
+    """The command as a process of its own, at work on a clip that takes for ever."""
+    written(tmp_path, LONG)
+    script = (
+        "import signal, sys; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
+        "from runner.cli import main; sys.argv = ['dynsplines', 'solve', 'tiny.toml']; main()"
+    )
+    process = subprocess.Popen(
+        [sys.executable, "-c", script], cwd=tmp_path, stderr=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+    )
+    assert process.stderr is not None
+    assert "solving" in process.stderr.readline()
+    yield process
+    process.kill()
+    process.communicate()
+
+
+@pytest.mark.skipif(os.name == "nt", reason="signals are another matter there")
+def test_ctrl_c_while_solving_keeps_the_best_path_and_writes_it(long_solve, tmp_path):
+    time.sleep(0.3)
+    long_solve.send_signal(signal.SIGINT)
+    out, err = long_solve.communicate(timeout=60)
+    assert long_solve.returncode == 0
+    assert out == ""
+    assert "the best path so far is kept" in err
+    with np.load(tmp_path / "tiny.npz") as data:
+        assert "stopped as asked" in json.loads(str(data["report"]))["stopped because"]
+        trace = json.loads(str(data["trace"]))
+    assert trace[-1][2] < trace[0][2]
+
+
+@pytest.mark.skipif(os.name == "nt", reason="signals are another matter there")
+def test_a_second_ctrl_c_ends_with_130_and_leaves_nothing(long_solve, tmp_path):
+    time.sleep(0.3)
+    long_solve.send_signal(signal.SIGINT)
+    assert long_solve.stderr is not None
+    for line in long_solve.stderr:
+        if "the best path so far is kept" in line:
+            break
+    long_solve.send_signal(signal.SIGINT)
+    _, err = long_solve.communicate(timeout=60)
+    assert long_solve.returncode == 130
+    assert err.splitlines()[-1] == "dynsplines: stopped"
+    assert names(tmp_path) == ["hinge.xml", "tiny.toml", "tiny.xml"]

@@ -1,0 +1,77 @@
+"""How deep geoms are in the scene, where the answer is known by hand."""
+
+from __future__ import annotations
+
+import mujoco
+import numpy as np
+import pytest
+
+from runner.penetration import lowest, moving_geoms, penetration, solid_geoms
+
+SCENE = """
+<mujoco><worldbody>
+  <geom name="floor" type="plane" size="1 1 1" contype="0" conaffinity="0"/>
+  <geom name="step" type="box" size=".5 .5 .15" pos="2 0 .15" contype="0" conaffinity="0"/>
+  <geom name="pillar" type="cylinder" size=".1 1" pos="-2 0 1"/>
+  <body name="a"><freejoint/><geom name="ball" size=".1" contype="0" conaffinity="0"/>
+    <body name="b" pos="0 0 .5"><joint/><geom type="capsule" size=".05" fromto="0 0 0 0 0 .4"/></body></body>
+</worldbody></mujoco>"""
+
+
+@pytest.fixture(scope="module")
+def model() -> mujoco.MjModel:
+    return mujoco.MjModel.from_xml_string(SCENE)
+
+
+def poses(*places: tuple[float, float, float]) -> np.ndarray:
+    return np.array([[*place, 1, 0, 0, 0, 0] for place in places], float)
+
+
+def test_only_moving_geoms_go_into_static_planes_and_boxes(model):
+    assert [model.geom(g).name for g in solid_geoms(model)] == ["floor", "step"]
+    assert len(moving_geoms(model)) == 2
+    inside_pillar = penetration(model, np.zeros(1), poses((-2, 0, 1)))
+    assert inside_pillar.deepest == 0
+
+
+def test_a_ball_sunk_in_the_floor_is_as_deep_as_it_is(model):
+    time = np.array([0.0, 0.5, 1.0])
+    found = penetration(model, time, poses((0, 0, 0.2), (0, 0, 0.03), (0, 0, 0.06)))
+    assert found.deepest == pytest.approx(0.07, abs=1e-6)
+    np.testing.assert_allclose(found.over_time, [0, 0.07, 0.04], atol=1e-6)
+    assert found.names[0] == "ball"
+    assert (found.time[0], found.into[0]) == (0.5, "floor")
+    assert found.worst() == "ball in floor at 0.500 s"
+    assert found.depth[1] == 0
+
+
+def test_a_ball_sunk_in_a_step_is_as_deep_as_its_nearest_way_out(model):
+    found = penetration(model, np.zeros(2), poses((2, 0, 0.36), (1.45, 0.0, 0.15)))
+    np.testing.assert_allclose(found.over_time, [0.04, 0.05], atol=1e-4)
+    assert found.into[0] == "step"
+
+
+def test_touching_nothing_is_told_as_nothing(model):
+    found = penetration(model, np.zeros(1), poses((0, 0, 1)))
+    assert found.deepest == 0
+    assert found.worst() == "nothing"
+
+
+def test_a_geom_without_a_name_is_told_by_its_number(model):
+    found = penetration(model, np.zeros(1), poses((0, 0, -0.6)))
+    assert found.names[1] == "geom 4"
+    assert found.depth[1] == pytest.approx(0.15, abs=1e-6)
+
+
+def test_a_figure_in_empty_space_penetrates_nothing():
+    empty = mujoco.MjModel.from_xml_string(
+        '<mujoco><worldbody><body><freejoint/><geom size="1"/></body></worldbody></mujoco>'
+    )
+    found = penetration(empty, np.zeros(2), poses((0, 0, 0), (0, 0, -5))[:, :7])
+    assert found.deepest == 0
+    assert found.over_time.tolist() == [0, 0]
+
+
+def test_the_lowest_geom_of_a_body_hovers_as_high_as_it_does(model):
+    qpos = poses((0, 0, 0.3), (0, 0, 0.04), (2, 0, 0.5), (0, 0, 50))
+    np.testing.assert_allclose(lowest(model, qpos, model.body("a").id), [0.2, -0.06, 0.1, 1.0], atol=1e-6)

@@ -1,0 +1,202 @@
+"""The report's numbers against what is known by hand or from MuJoCo."""
+
+from __future__ import annotations
+
+import io
+import json
+import math
+
+import mujoco
+import numpy as np
+import pytest
+from rich.console import Console
+from tiny import FIGURE, written
+
+from runner import clip, work
+from runner.motion import sampled
+from runner.progress import Teller
+from runner.report import Grid, _far_from_trouble, report, tables
+from runner.work import Solved
+
+FOOT = """
+<mujoco><worldbody>
+  <body name="box" pos="0 0 .1"><freejoint name="root"/>
+    <geom name="box" type="box" size=".1 .1 .1" mass="2"/>
+    <site name="heel" pos="-.05 0 -.1"/><site name="toe" pos=".05 0 -.1"/>
+  </body>
+</worldbody></mujoco>"""
+
+
+def unsolved(folder, keys: list[tuple[float, float, float, float]], head: str = "") -> Solved:
+    """A box whose keyframes are (time, x, y, z) of its middle, upright, as the raw spline has it."""
+    text = f'figure = "foot.xml"\n{head}\n'
+    for time, x, y, z in keys:
+        text += f"[[keyframe]]\ntime = {time}\nroot.position = [{x}, {y}, {z}]\nroot.rotation = {{rotvec=[0,0,0]}}\n"
+    written(folder, text, "foot.toml")
+    (folder / "foot.xml").write_text(FOOT, encoding="utf-8")
+    return work.unsolved(clip.load(str(folder / "foot.toml")))
+
+
+def side(solved: Solved) -> dict:
+    return report(solved.clip, solved.motion, 0.0)["after"]
+
+
+def test_penetration_of_a_known_pose_is_what_it_is(tmp_path):
+    data = side(unsolved(tmp_path, [(0, 0, 0, 0.1), (0.5, 0, 0, 0.07), (1, 0, 0, 0.1)]))
+    found = data["penetration, m"]
+    assert found["deepest"] == pytest.approx(0.03, abs=1e-4)
+    assert found["where"].startswith("box in floor at 0.5")
+    assert found["geoms"] == {"box": pytest.approx(0.03, abs=1e-4)}
+    assert found["points"] == {name: pytest.approx(0.03, abs=1e-4) for name in ("heel", "toe")}
+
+
+def test_nothing_in_the_floor_is_told_as_nothing(tmp_path):
+    data = side(unsolved(tmp_path, [(0, 0, 0, 1), (1, 0, 0, 1)]))
+    assert data["penetration, m"]["deepest"] == 0
+    assert data["penetration, m"]["where"] == "nothing"
+    assert data["penetration, m"]["geoms"] == {}
+
+
+def test_a_foot_that_wanders_between_two_planted_keyframes_slides_as_far_as_it_does(tmp_path):
+    keys = [(-0.5, 0, 0, 0.1), (0, 0, 0, 0.1), (0.5, 0.3, 0, 0.4), (1, 0, 0.02, 0.1), (1.5, 0, 0.02, 0.1)]
+    solved = unsolved(tmp_path, keys)
+    stances = side(solved)["stances"]
+    assert [(s["from, s"], s["to, s"]) for s in stances] == [(-0.5, 0), (1, 1.5)]
+    assert {s["points"] for s in stances} == {"heel and toe"}
+    run = sampled(solved.clip.figure, solved.motion.timeline, 2000.0)
+    during = run.time <= 0
+    assert stances[0]["slide, m"] == pytest.approx(np.abs(run.qpos[during, 0]).max(), rel=1e-3)
+    assert stances[0]["slide, m"] > 0.01
+    assert stances[0]["lift, m"] == pytest.approx((run.qpos[during, 2] - 0.1).max(), abs=1e-4)
+
+
+def test_a_stance_that_drifts_evenly_does_not_slide(tmp_path):
+    (stance,) = side(unsolved(tmp_path, [(0, 0, 0, 0.1), (1, 0.04, 0, 0.1)]))["stances"]
+    assert stance["slide, m"] < 1e-9
+
+
+def test_skate_is_the_path_along_the_floor_while_near_it(tmp_path):
+    data = side(unsolved(tmp_path, [(0, 0, 0, 0.1), (2, 3, 4, 0.1)]))
+    for name in ("heel", "toe"):
+        skate = data["skate"][name]
+        assert skate["path, m"] == pytest.approx(5, rel=1e-6)
+        assert skate["speed, m/s"] == pytest.approx(2.5, rel=1e-6)
+        assert skate["rest, s"] == pytest.approx(2)
+    assert side(unsolved(tmp_path, [(0, 0, 0, 0.2), (2, 3, 4, 0.2)]))["skate"]["toe"]["path, m"] == 0
+
+
+def test_clearance_over_the_edge_of_a_step_is_the_height_above_it(tmp_path):
+    head = "[scene]\nstep = {x = 1, height = 0.3, length = 5}"
+    data = side(unsolved(tmp_path, [(0, 0, 0, 0.55), (1, 2, 0, 0.55)], head))
+    assert list(data["edge clearance, m"].values()) == [pytest.approx(0.15, abs=1e-6)]
+    (name,) = data["edge clearance, m"]
+    assert "over step at 0.5" in name
+
+
+def test_unit_deviation_is_that_of_the_path_itself(solved: Solved):
+    data = report(solved.clip, solved.motion, 0.0)
+    for name, timeline in (("before", solved.motion.raw), ("after", solved.motion.timeline)):
+        length = np.linalg.norm(Grid.of(solved.clip, timeline, 1000.0).samples.q, axis=0)
+        found = data[name]["unit deviation"]
+        assert found["largest"] == pytest.approx(np.abs(length - 1).max())
+        assert found["shortest"] == pytest.approx(length.min())
+    assert data["after"]["unit deviation"]["largest"] < data["before"]["unit deviation"]["largest"]
+
+
+def test_keyframe_error_is_seen_where_a_keyframe_is_missed(solved: Solved):
+    data = report(solved.clip, solved.motion, 0.0)
+    assert data["after"]["keyframe error"] < 1e-12
+    key = solved.clip.keys[1]
+    state = key.state.copy()
+    state[0] += 0.0125
+    keys = (solved.clip.keys[0], type(key)(key.time, state, key.fixed), solved.clip.keys[2])
+    missed = report(clip.with_keys(solved.clip, keys), solved.motion, 0.0)
+    assert missed["after"]["keyframe error"] == pytest.approx(0.0125, abs=1e-9)
+
+
+def test_an_entry_that_no_keyframe_fixes_is_no_error(solved: Solved):
+    key = solved.clip.keys[1]
+    state = key.state.copy()
+    state[2] += 5
+    keys = (solved.clip.keys[0], type(key)(key.time, state, key.fixed), solved.clip.keys[2])
+    assert report(clip.with_keys(solved.clip, keys), solved.motion, 0.0)["after"]["keyframe error"] < 1e-12
+
+
+def test_torques_are_those_of_mujocos_inverse_dynamics(solved: Solved):
+    model = mujoco.MjModel.from_xml_string(solved.clip.mjcf)
+    model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONTACT)
+    data = mujoco.MjData(model)
+    run = sampled(solved.clip.figure, solved.motion.timeline, 1000.0)
+    forces = np.empty((len(run.time), model.nv))
+    for i in range(len(run.time)):
+        data.qpos[:], data.qvel[:], data.qacc[:] = run.qpos[i], run.qvel[i], run.qacc[i]
+        mujoco.mj_inverse(model, data)
+        forces[i] = data.qfrc_inverse
+    found = report(solved.clip, solved.motion, 0.0)["after"]["torque, N m"]
+    joints = np.linalg.norm(forces[:, 6:], axis=1)
+    assert found["root mean square"] == pytest.approx(np.sqrt(np.mean(joints**2)), rel=1e-6)
+    assert found["peak of one joint"] == pytest.approx(joints.max(), rel=1e-6)
+    assert found["joint"] == "left_knee"
+    assert found["peak root wrench"] == pytest.approx(np.linalg.norm(forces[:, :6], axis=1).max(), rel=1e-6)
+
+
+def test_the_objective_of_the_report_is_the_solvers(solved: Solved):
+    data = report(solved.clip, solved.motion, 1.25)
+    assert data["after"]["objective"] == pytest.approx(solved.motion.trace[-1][2], rel=1e-9)
+    assert data["after"]["objective"] == pytest.approx(sum(data["after"]["terms"].values()))
+    assert data["after"]["objective"] < data["before"]["objective"]
+    assert data["seconds"] == 1.25
+    assert (data["keyframes"], data["partial keyframes"]) == (3, 1)
+    assert data["duration, s"] == pytest.approx(0.41)
+
+
+def test_every_segment_between_keyframes_has_its_row(solved: Solved):
+    rows = report(solved.clip, solved.motion, 0.0)["segments"]
+    assert [(row["from, s"], row["to, s"]) for row in rows] == [(0, 0.2), (0.2, 0.41)]
+    assert sum(row["variable frames"] for row in rows) == solved.motion.timeline.variable_count
+    assert all(row["deviation after"] < row["deviation before"] for row in rows)
+
+
+def test_times_near_a_step_that_was_hit_count_as_trouble(tmp_path):
+    head = "[scene]\nstep = {x = 1, height = 0.3, length = 0.4}"
+    solved = unsolved(tmp_path, [(0, 0, 0, 0.2), (3, 3, 0, 0.2)], head)
+    drift = side(solved)["centre of mass off before, m"]
+    assert drift == {"largest": 0.0, "away from trouble": 0.0}
+    grid = Grid.of(solved.clip, solved.motion.raw)
+    far = grid.time[_far_from_trouble(solved.clip, grid)]
+    inside = (0.95, 1.45)  # the toe goes in at x = 1, the heel comes out at x = 1.4
+    np.testing.assert_array_equal(far, grid.time[(grid.time < inside[0] - 0.25) | (grid.time > inside[1] + 0.25)])
+
+
+def test_the_report_is_strict_json(solved: Solved):
+    data = report(solved.clip, solved.motion, 0.0)
+    assert json.loads(json.dumps(data, allow_nan=False)) == data
+
+
+def test_the_screen_shows_both_sides(solved: Solved):
+    out = io.StringIO()
+    Console(file=out, width=160).print(tables(report(solved.clip, solved.motion, 0.5)))
+    shown = out.getvalue()
+    for words in ("3 keyframes (1 partial)", "deepest penetration", "keyframe error", "left_knee", "0.20 - 0.41"):
+        assert words in shown
+    assert "nan" not in shown
+
+
+@pytest.mark.parametrize("figure", ["hinges", "no sites"])
+def test_figures_without_feet_or_quaternions_have_a_report_too(tmp_path, figure):
+    if figure == "hinges":
+        text = 'figure = "hinge.xml"\n[solve]\nevaluations = 3\n'
+        text += "".join(f"[[keyframe]]\ntime = {i}\njoints.swing = {40 * i * i}\n" for i in range(3))
+        path = written(tmp_path, text)
+    else:
+        path = written(tmp_path)
+        (tmp_path / "tiny.xml").write_text(FIGURE.replace("left_toe", "tip"), encoding="utf-8")
+    solved = work.solve(clip.load(str(path)), Teller(Console(file=io.StringIO())))
+    data = solved.saved().report
+    json.dumps(data, allow_nan=False)
+    assert data["after"]["skate"] == {}
+    assert data["after"]["stances"] == []
+    assert math.isfinite(data["after"]["torque, N m"]["root mean square"])
+    if figure == "hinges":
+        assert data["after"]["unit deviation"] == {"shortest": 1.0, "longest": 1.0, "largest": 0.0}
+    Console(file=io.StringIO()).print(tables(data))

@@ -1,0 +1,109 @@
+"""A motion as images: before | after, one of them, the keyframes, figure 6; drawn by rays, so that no GL is needed."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from runner.graphics import Graphics
+from runner.motion import Saved, sampled
+from runner.show import Look, figure_height, figure_six, image_count, images, root_path
+
+RAYS = Graphics("rays", "renderer: rays")
+W, H = 48, 32
+
+
+def look(**more) -> Look:
+    return Look(**{"width": W, "height": H, "fps": 10.0, "camera": "high"} | more)
+
+
+def shot(saved: Saved, **more) -> list[np.ndarray]:
+    return list(images(saved, look(**more), RAYS))
+
+
+def apart(a: np.ndarray, b: np.ndarray) -> int:
+    """How many pixels differ."""
+    return int((np.abs(a.astype(int) - b.astype(int)).max(axis=-1) > 8).sum())
+
+
+def test_before_and_after_stand_side_by_side_in_one_picture_of_the_size_asked_for(saved):
+    both = shot(saved)
+    assert len(both) == image_count(saved, look()) == 5
+    assert {image.shape for image in both} == {(H, W, 3)}
+    assert {image.dtype for image in both} == {np.dtype(np.uint8)}
+    left, right = (shot(saved, only=name, width=W // 2) for name in ("before", "after"))
+    for whole, before, after in zip(both, left, right, strict=True):
+        np.testing.assert_array_equal(whole[:, : W // 2 - 1], before[:, :-1])
+        np.testing.assert_array_equal(whole[:, W // 2 + 1 :], after[:, 1:])
+
+
+def test_the_figure_moves_through_the_images(saved):
+    first, *_, last = shot(saved, only="after")
+    assert apart(first, last) > 5
+
+
+@pytest.mark.parametrize(("slow", "count"), [(1.0, 5), (4.0, 17), (0.5, 3)])
+def test_slower_means_more_images_of_the_same_motion(saved, slow, count):
+    assert image_count(saved, look(slow=slow)) == count
+    assert len(shot(saved, only="before", slow=slow, width=16, height=16)) == count
+
+
+def test_one_image_at_a_time_is_that_of_the_film(saved):
+    film = shot(saved, only="after")
+    (one,) = shot(saved, only="after", at=0.2)
+    assert image_count(saved, look(at=0.2)) == 1
+    np.testing.assert_array_equal(one, film[2])
+
+
+def test_keyframes_are_shown_as_they_are_each_for_half_a_second(saved):
+    film = shot(saved, only="keys")
+    assert len(film) == image_count(saved, look(only="keys")) == 3 * 5
+    for i in range(3):
+        for image in film[5 * i : 5 * i + 5]:
+            np.testing.assert_array_equal(image, film[5 * i])
+    assert apart(film[0], film[5]) > 3
+    sheet = list(images(saved, look(only="keys"), RAYS, still_keys=True))
+    assert len(sheet) == image_count(saved, look(only="keys"), still_keys=True) == 3
+    np.testing.assert_array_equal(sheet, film[::5])
+
+
+def test_ghosts_add_the_keyframes_to_every_image(saved):
+    plain, haunted = (shot(saved, only="after", ghosts=ghosts, width=96, height=64) for ghosts in (False, True))
+    assert all(apart(a, b) > 10 for a, b in zip(plain, haunted, strict=True))
+
+
+def test_figure_six_shows_keyframes_darker_than_what_is_between(saved):
+    empty = Saved(**{**saved.__dict__, "keys": ()})
+    everything = figure_six(saved, look(width=96, height=64), RAYS)
+    keys = figure_six(saved, look(width=96, height=64, only="keys"), RAYS)
+    none = figure_six(empty, look(width=96, height=64, only="keys"), RAYS)
+    assert everything.shape == keys.shape == (64, 96, 3)
+    assert apart(keys, none) > 20
+    own = np.abs(keys.astype(int) - none).max(axis=-1) > 8
+    more = (np.abs(everything.astype(int) - none).max(axis=-1) > 8) & ~own
+    assert more.sum() > 3
+    change = np.abs(everything.astype(int) - none).mean(axis=-1)
+    assert change[own].mean() > 1.5 * change[more].mean()
+
+
+def test_figure_six_of_the_raw_spline_is_another(saved):
+    before, after = figure_six(saved, look(only="before"), RAYS), figure_six(saved, look(), RAYS)
+    assert apart(before, after) > 0
+
+
+def test_an_unknown_camera_is_refused_with_those_there_are(saved):
+    with pytest.raises(ValueError, match=r"no view 'sidee'; views: side.*high"):
+        shot(saved, camera="sidee")
+
+
+@pytest.mark.parametrize("camera", ["side", "front", "three_quarter", "back"])
+def test_every_view_has_the_figure_in_the_picture(saved, camera):
+    empty = Saved(**{**saved.__dict__, "keys": ()})
+    with_figure = figure_six(saved, look(camera=camera, only="keys"), RAYS)
+    assert apart(with_figure, figure_six(empty, look(camera=camera, only="keys"), RAYS)) > 10
+
+
+def test_the_camera_follows_the_root_and_knows_the_figures_height(saved):
+    run = sampled(saved.figure, saved.timeline, 10.0)
+    np.testing.assert_array_equal(root_path(saved, run.qpos), run.qpos[:, :3])
+    assert 0.1 < figure_height(saved) < 3

@@ -1,0 +1,98 @@
+"""The main job: solving is told as it goes, and whatever stops it, the best path is kept."""
+
+from __future__ import annotations
+
+import io
+
+import numpy as np
+import pytest
+from rich.console import Console
+from tiny import CLIP, changed, written
+
+from runner import clip, work
+from runner.clip import Clip
+from runner.progress import Teller
+from solver.optimiser import Stop
+from solver.subdivision import path_of
+
+
+@pytest.fixture
+def problem(tmp_path) -> Clip:
+    return clip.load(str(written(tmp_path, changed("evaluations = 8", "evaluations = 40"))))
+
+
+class Listening(Teller):
+    """Keeps every step, and can press Ctrl-C at one."""
+
+    def __init__(self, interrupt_at: int = 0) -> None:
+        self.out = io.StringIO()
+        super().__init__(Console(file=self.out))
+        self.steps: list[str] = []
+        self.interrupt_at = interrupt_at
+
+    def step(self, work: str, share: float | None, note: str = "", *, force: bool = False) -> None:
+        self.steps.append(note)
+        if len(self.steps) == self.interrupt_at:
+            raise KeyboardInterrupt
+
+
+def value(solved: work.Solved) -> float:
+    return solved.motion.objective.value(path_of(solved.motion.timeline))
+
+
+def test_every_improvement_is_told_and_the_last_line_sums_up(problem):
+    teller = Listening()
+    solved = work.solve(problem, teller)
+    assert len(teller.steps) == len(solved.motion.trace) + 1
+    assert "->" in teller.steps[-1]
+    assert solved.seconds > 0
+    values = [entry[2] for entry in solved.motion.trace]
+    assert values == sorted(values, reverse=True)
+    assert values[-1] < 0.9 * values[0]
+
+
+def test_what_was_not_found_is_told_first(tmp_path):
+    figure = clip.load(str(written(tmp_path, CLIP)))
+    assert figure.notes == ()
+    text = (tmp_path / "tiny.xml").read_text(encoding="utf-8").replace("left_toe", "tip")
+    (tmp_path / "tiny.xml").write_text(text, encoding="utf-8")
+    teller = Listening()
+    work.solve(clip.load(str(tmp_path / "tiny.toml")), teller)
+    assert teller.out.getvalue().splitlines() == ["note: no site named heel or toe found: no contact points"]
+
+
+def test_an_interrupted_solve_keeps_the_best_path(problem):
+    teller = Listening(interrupt_at=4)
+    solved = work.solve(problem, teller)
+    assert solved.motion.stop is Stop.ASKED
+    assert len(solved.motion.trace) == 4
+    assert "the best path so far is kept" in teller.out.getvalue()
+    assert value(solved) == pytest.approx(solved.motion.trace[-1][2], rel=1e-9)
+    assert value(solved) < solved.motion.objective.value(path_of(solved.motion.raw))
+
+
+def test_a_solve_can_be_stopped_after_so_many_evaluations(problem):
+    solved = work.solve(problem, Listening(), stop_after=3)
+    assert solved.motion.stop is Stop.ASKED
+    assert solved.motion.evaluations <= 5
+
+
+def test_unsolved_is_the_raw_spline_through_the_keyframes(problem):
+    solved = work.unsolved(problem)
+    assert solved.motion.timeline is solved.motion.raw
+    assert solved.motion.evaluations == 0
+    kept = solved.saved(with_report=False)
+    assert kept.report == {}
+    assert kept.timeline.times.tolist() == [0, 0.2, 0.41]
+
+
+def test_what_is_saved_is_what_was_solved(solved, saved):
+    assert saved.timeline is solved.motion.timeline
+    assert saved.mjcf == solved.clip.mjcf
+    assert saved.report["evaluations"] == solved.motion.evaluations
+    assert set(saved.report["curves"]) == {"before", "after"}
+    for side in ("before", "after"):
+        curves = saved.report["curves"][side]
+        assert len(curves["time"]) == len(curves["shortest"]) == len(curves["height"]["left_toe"])
+        assert np.all(np.array(curves["shortest"]) <= np.array(curves["longest"]) + 1e-9)
+        assert len(curves["EL over tenths"]) == 10
