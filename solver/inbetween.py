@@ -47,7 +47,7 @@ class Settings:
     frames: int | None = None
     criterion: str = "weak"
     threshold: float = 1e-4
-    batch: float = 0.5
+    batch: float = 1.0
     method: str = "lbfgs"
     max_evaluations: int = 250
     tolerance: float = 1e-5
