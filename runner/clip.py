@@ -20,7 +20,7 @@ from pydantic import BaseModel, ConfigDict, Field, Strict, ValidationError
 import models
 from solver import quaternion as quat
 from solver.figure import Figure, FigureError, JointKind, quaternion_columns
-from solver.frame import Frame, Timeline, TimelineError
+from solver.frame import Frame, Mask, Timeline, TimelineError
 from solver.inbetween import Settings
 from solver.optimiser import algorithm
 from solver.penalty import (
@@ -49,12 +49,21 @@ from .motion import read_arrays
 from .scene import Step, check_files, compose, figure_spec, first_line, quietly
 
 KINDS = ("covariant", "root", "unit", "contact", "clearance", "planted", "bend", "torque")
-DEFAULT_WEIGHTS = {"covariant": 1.0, "root": 1.0, "unit": 1.0, "contact": 10.0, "bend": 10.0}
+DEFAULT_WEIGHTS = {
+    "covariant": 1.0,
+    "root": 1.0,
+    "unit": 1.0,
+    "contact": 1000.0,
+    "clearance": 1000.0,
+    "planted": 10.0,
+    "bend": 10.0,
+}
 KNEES, ELBOWS = ("knee", "shin"), ("elbow", "forearm", "farm")
 SOLES = ("heel", "toe")
 LONGEST_PANEL = 0.05
 POINTS = 4
-TOLERANCE = 3e-5
+TOLERANCE = 1e-5
+FRAME_SECONDS = 0.1
 BEND_BOUND = 8.0  # degrees; 10° with room for a soft constraint
 
 SHORTEST = 0.001  # [s] between neighbouring keyframes
@@ -96,6 +105,7 @@ class KeyframeTable(_Table):
     time: Number
     root: RootTable = RootTable()
     joints: dict[str, RotationTable | Number | Literal["free"]] = {}
+    others: Literal["free", "rest", "hold"] = "free"
 
 
 class StepTable(_Table):
@@ -228,7 +238,7 @@ def from_text(
         raise UserError(f"{place}: {error}") from None
     figure = _figure(mjcf, table.solve.coordinates, place)
     _check_times([row.time for row in table.keyframe], place)
-    keys = [_key(figure, row, f"{place}: {_called(i, row.time)}") for i, row in enumerate(table.keyframe, 1)]
+    keys = _keys(figure, table.keyframe, place)
     return _clip(name, text, mjcf, figure, fps or table.fps, keys, table.penalty, table.solve, place)
 
 
@@ -252,7 +262,7 @@ def _clip(
 ) -> Clip:
     try:
         timeline = raw_timeline(figure, keys, solve.ends, np.zeros((2, figure.width)))
-        settings = _settings(solve)
+        settings = _settings(solve, keys)
     except (TimelineError, ValueError) as error:
         raise UserError(f"{place}: {error}") from None
     surfaces = static_surfaces(figure.model)
@@ -300,10 +310,12 @@ def _check_times(times: Sequence[float], place: str) -> None:
         )
 
 
-def _settings(solve: SolveTable) -> Settings:
+def _settings(solve: SolveTable, keys: list[Frame]) -> Settings:
+    """The clip's settings; the budget of variable frames is three a segment, or one a tenth of a second if more."""
     if solve.quadrature == "gauss" and (solve.samples or 0) > 64:
         raise ValueError(f"solve: samples must be at most 64 a panel with quadrature = 'gauss', not {solve.samples}")
-    settings = Settings(tolerance=TOLERANCE, quadrature=Quadrature("gauss", POINTS, LONGEST_PANEL))
+    budget = max(3 * (len(keys) - 1), round((keys[-1].time - keys[0].time) / FRAME_SECONDS))
+    settings = Settings(frames=budget, tolerance=TOLERANCE, quadrature=Quadrature("gauss", POINTS, LONGEST_PANEL))
     if solve.quadrature == "uniform":
         settings = replace(settings, quadrature=Quadrature("uniform", solve.samples or 100))
     elif solve.samples is not None:
@@ -324,32 +336,54 @@ def _settings(solve: SolveTable) -> Settings:
     return replace(settings, **{key: value for key, value in chosen.items() if value is not None})
 
 
-def _key(figure: Figure, row: KeyframeTable, place: str) -> Frame:
-    """A keyframe's qpos and mask."""
+def _keys(figure: Figure, rows: list[KeyframeTable], place: str) -> list[Frame]:
+    """The keyframes, each of which may hold what the one before it says."""
+    keys: list[Frame] = []
+    for number, row in enumerate(rows, start=1):
+        where = f"{place}: {_called(number, row.time)}"
+        if row.others == "hold" and not keys:
+            raise UserError(f"{where}: others = 'hold' has no keyframe before it to hold")
+        keys.append(_key(figure, row, keys[-1] if keys else None, where))
+    return keys
+
+
+def _key(figure: Figure, row: KeyframeTable, before: Frame | None, place: str) -> Frame:
+    """A keyframe's qpos and mask; what it leaves out is free, at rest, or as in the keyframe before."""
     qpos = np.array(figure.model.qpos0)
-    fixed = np.zeros(figure.width, bool)
+    fixed = np.full(figure.width, row.others == "rest")
+    if row.others == "hold" and before is not None:
+        qpos, fixed = np.array(before.state), np.array(before.fixed)
     roots = [link for link in figure.links[1:] if link.kind is JointKind.FREE]
     named = {link.name: link for link in figure.links[1:]}
-    if row.root != RootTable():
+    if row.root.model_fields_set:
         if not roots:
             raise UserError(f"{place}: the figure has no free joint, so no root to place")
-        start = roots[0].qpos
-        if row.root.position != "free":
-            for i, value in enumerate(row.root.position):
-                if value != "free":
-                    qpos[start + i], fixed[start + i] = float(value), True
-        if row.root.rotation != "free":
-            qpos[start + 3 : start + 7] = _rotation(row.root.rotation, f"{place}: root.rotation")
-            fixed[start + 3 : start + 7] = True
+        _set_root(qpos, fixed, roots[0].qpos, row.root, place)
     for name, value in row.joints.items():
         if name not in named:
             raise UserError(f"{place}: {unknown('joint', name, named)}")
-        if value != "free":
+        if value == "free":
+            fixed[quaternion_columns(named[name]) or named[name].qpos] = False
+        else:
             _set_joint(qpos, fixed, named[name], value, f"{place}: joints.{name}")
     return Frame.key(row.time, qpos, fixed)
 
 
-def _set_joint(qpos: Array, fixed: Array, link: Any, value: RotationTable | float, place: str) -> None:
+def _set_root(qpos: Array, fixed: Mask, start: int, root: RootTable, place: str) -> None:
+    """What the root's table says about its position, axis by axis, and its rotation."""
+    if "position" in root.model_fields_set:
+        axes = ("free",) * 3 if root.position == "free" else root.position
+        for i, value in enumerate(axes):
+            fixed[start + i] = value != "free"
+            if value != "free":
+                qpos[start + i] = float(value)
+    if "rotation" in root.model_fields_set:
+        fixed[start + 3 : start + 7] = root.rotation != "free"
+        if root.rotation != "free":
+            qpos[start + 3 : start + 7] = _rotation(root.rotation, f"{place}: root.rotation")
+
+
+def _set_joint(qpos: Array, fixed: Mask, link: Any, value: RotationTable | float, place: str) -> None:
     columns = quaternion_columns(link)
     if columns is None:
         if isinstance(value, RotationTable):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 from pathlib import Path
 
+import drawing
 import mujoco
 import numpy as np
 import pytest
@@ -12,6 +13,7 @@ import tiny
 from rich.console import Console
 
 from runner import clip, motion, work
+from runner.graphics import Graphics
 from runner.motion import Saved
 from runner.progress import Teller
 from runner.work import Solved
@@ -60,6 +62,12 @@ FIGURES = {
 def figure(request: pytest.FixtureRequest) -> Figure:
     text, coordinates = FIGURES[request.param]
     return Figure(mujoco.MjModel.from_xml_string(text), coordinates)
+
+
+@pytest.fixture(scope="session")
+def graphics() -> Graphics:
+    """What this machine draws with."""
+    return drawing.GRAPHICS
 
 
 @pytest.fixture

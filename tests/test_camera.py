@@ -95,7 +95,7 @@ def test_a_camera_of_the_model_is_used_as_it_is():
 
 
 def test_an_unknown_view_lists_those_there_are():
-    with pytest.raises(ValueError, match="no view 'top'; views: side, front, three_quarter, back, door"):
+    with pytest.raises(ValueError, match="no view 'top'; views: side, left, front, three_quarter, back, door"):
         plan(run_forward(), 30, 1.5, "top", cameras=("door",))
 
 

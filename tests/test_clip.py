@@ -311,3 +311,43 @@ def test_a_zero_quaternion_in_arrays_names_its_keyframe(tmp_path):
     np.savez(tmp_path / "keys.npz", time=np.arange(2.0), qpos=qpos)
     with pytest.raises(UserError, match=r"keyframe 2 .*'left_knee' is zero"):
         clip.load("", model=str(tmp_path / "tiny.xml"), keys=str(tmp_path / "keys.npz"))
+
+
+OTHERS = """
+figure = "human"
+[[keyframe]]
+time = 0
+others = "rest"
+joints.left_hip = "free"
+[[keyframe]]
+time = 1
+others = "hold"
+root.position = [1, "free", 0.93]
+joints.left_knee = {rotvec = [0, 30, 0]}
+"""
+
+
+def test_others_at_rest_fixes_what_the_keyframe_leaves_out():
+    problem = clip.from_text(OTHERS, name="others")
+    first = problem.keys[0]
+    hip = problem.figure.model.joint("left_hip").qposadr[0]
+    np.testing.assert_array_equal(first.state, problem.figure.model.qpos0)
+    assert not first.fixed[hip : hip + 4].any()
+    assert first.fixed.sum() == problem.figure.width - 4
+
+
+def test_others_held_takes_what_the_keyframe_before_says():
+    problem = clip.from_text(OTHERS, name="others")
+    first, second = problem.keys
+    knee = problem.figure.model.joint("left_knee").qposadr[0]
+    changed = np.zeros(problem.figure.width, bool)
+    changed[[0, knee, knee + 2]] = True
+    np.testing.assert_array_equal(first.state[~changed], second.state[~changed])
+    assert second.state[0] == 1
+    assert not second.fixed[1]
+    np.testing.assert_array_equal(np.delete(first.fixed, 1), np.delete(second.fixed, 1))
+
+
+def test_the_first_keyframe_has_nothing_to_hold():
+    with pytest.raises(UserError, match=r"keyframe 1 \(t = 0 s\).*hold"):
+        clip.from_text(OTHERS.replace('"rest"', '"hold"'), name="others")

@@ -38,7 +38,7 @@ class CovariantAcceleration:
 
     @property
     def reference(self) -> float:
-        return 0.25
+        return 16.0
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         values = (

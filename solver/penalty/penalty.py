@@ -22,7 +22,7 @@ class Penalty(Protocol):
 
     @property
     def reference(self) -> float:
-        """f_j of a violation of 1 cm or 1° (or 1 rad/s², 1 m/s², 1 N m): the scale of a term that starts at zero."""
+        """f_j of a violation of 1 cm or 1° (or 8 rad/s², 8 m/s², 1 N m): the scale of a term that starts at zero."""
         ...
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:

@@ -18,7 +18,7 @@ class RootAcceleration:
 
     @property
     def reference(self) -> float:
-        return 1.0
+        return 64.0
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         tables = samples.figure.tables

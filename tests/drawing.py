@@ -1,0 +1,7 @@
+"""Settles which renderer this process draws with, before anything in it imports mujoco."""
+
+from __future__ import annotations
+
+from runner.graphics import choose
+
+GRAPHICS = choose()
