@@ -53,10 +53,10 @@ DEFAULT_WEIGHTS = {
     "covariant": 1.0,
     "root": 1.0,
     "unit": 1.0,
-    "contact": 1000.0,
-    "clearance": 1000.0,
-    "planted": 10.0,
-    "bend": 10.0,
+    "contact": 30.0,
+    "clearance": 30.0,
+    "planted": 0.1,
+    "bend": 1.0,
 }
 KNEES, ELBOWS = ("knee", "shin"), ("elbow", "forearm", "farm")
 SOLES = ("heel", "toe")

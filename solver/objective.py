@@ -55,14 +55,17 @@ class Objective:
     def renormalised(self, raw: Path) -> Objective:
         """Eq. 7: every term divided by its integral over the raw path.
 
-        A term that is (nearly) zero there is divided by its value for a violation of 1 cm (1°) over 1 % of the clip.
+        A term that is (nearly) zero there is divided by its value for a violation of 1 cm (1°) over 1 % of the clip;
+        and a violation by no more than that of 1 cm (1°) over the whole clip, for a raw path that is deep in the floor
+        must not make the floor soft.
         """
         integrals = self.integrals(raw)
         first, last = raw.span
         terms = []
         for term, integral in zip(self.terms, integrals, strict=True):
-            least = term.penalty.reference * SMALL_SHARE * (last - first)
-            terms.append(replace(term, factor=term.weight / max(float(integral), least)))
+            whole = term.penalty.reference * (last - first)
+            most = whole if term.penalty.is_violation else np.inf
+            terms.append(replace(term, factor=term.weight / float(np.clip(integral, SMALL_SHARE * whole, most))))
         return replace(self, terms=tuple(terms))
 
     def integrals(self, path: Path) -> Array:

@@ -59,12 +59,23 @@ def clip(figure: Figure, rng: np.random.Generator, ends: str = "free") -> Timeli
 
 def test_the_renormalised_raw_spline_costs_the_sum_of_the_weights(figure, rng):
     raw = path_of(clip(figure, rng))
-    penalties = every_penalty(figure)
+    penalties = [(p, weight) for p, weight in every_penalty(figure) if not p.is_violation]
+    assert len(penalties) >= 4
     objective = Objective.of(figure, penalties)
     assert np.all(objective.integrals(raw) > [p.reference * SMALL_SHARE * 1.3 for p, _ in penalties])
     renormalised = objective.renormalised(raw)
     np.testing.assert_allclose(renormalised.value(raw), sum(weight for _, weight in penalties), rtol=1e-12)
     np.testing.assert_allclose([t.weight for t in renormalised.terms], [weight for _, weight in penalties])
+
+
+def test_a_violation_is_divided_by_no_more_than_its_reference_over_the_whole_clip(figure, rng):
+    raw = path_of(clip(figure, rng))
+    length = TIMES[-1] - TIMES[0]
+    for height, share in ((50.0, 1.0), (-50.0, 0.01)):
+        floor = Plane("floor", np.array([0.0, 0, height]), np.array([0.0, 0, 1]))
+        contact = Contact((Point("p", 1, np.zeros(3)),), (floor,))
+        (term,) = Objective.of(figure, [(contact, 3.0)]).renormalised(raw).terms
+        np.testing.assert_allclose(term.factor, 3.0 / (1e-4 * share * length), rtol=1e-12)
 
 
 def test_a_term_that_starts_at_zero_is_divided_by_its_reference_over_a_hundredth_of_the_clip(figure, rng):

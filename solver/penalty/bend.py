@@ -47,6 +47,10 @@ class BendLimits:
     name: str = "bend"
 
     @property
+    def is_violation(self) -> bool:
+        return True
+
+    @property
     def reference(self) -> float:
         return float(np.radians(1) ** 2)
 

@@ -40,6 +40,10 @@ class Contact:
     name: str = "contact"
 
     @property
+    def is_violation(self) -> bool:
+        return True
+
+    @property
     def reference(self) -> float:
         return 1e-4
 

@@ -37,6 +37,10 @@ class CovariantAcceleration:
             raise ValueError(f"covariant acceleration: form = {self.form!r} is not one of 'intrinsic', 'paper'")
 
     @property
+    def is_violation(self) -> bool:
+        return False
+
+    @property
     def reference(self) -> float:
         return 16.0
 

@@ -25,6 +25,11 @@ class Penalty(Protocol):
         """f_j of a violation of 1 cm or 1° (or 8 rad/s², 8 m/s², 1 N m): the scale of a term that starts at zero."""
         ...
 
+    @property
+    def is_violation(self) -> bool:
+        """Whether f_j is zero wherever a constraint is kept, like a depth, and not a cost of all motion."""
+        ...
+
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         """f_j at every sample, (S,); with `into`, also adds the gradient of Σ_s scale_s f_j(s) to it."""
         ...

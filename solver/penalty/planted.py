@@ -45,6 +45,10 @@ class Planted:
     name: str = "planted"
 
     @property
+    def is_violation(self) -> bool:
+        return True
+
+    @property
     def reference(self) -> float:
         return 1e-4
 

@@ -17,6 +17,10 @@ class RootAcceleration:
     name: str = "root"
 
     @property
+    def is_violation(self) -> bool:
+        return False
+
+    @property
     def reference(self) -> float:
         return 64.0
 

@@ -19,6 +19,10 @@ class Torque:
     name: str = "torque"
 
     @property
+    def is_violation(self) -> bool:
+        return False
+
+    @property
     def reference(self) -> float:
         return 1.0
 

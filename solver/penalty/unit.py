@@ -26,6 +26,10 @@ class UnitMagnitude:
             raise ValueError(f"unit magnitude: form = {self.form!r} is not one of 'square', 'absolute'")
 
     @property
+    def is_violation(self) -> bool:
+        return False
+
+    @property
     def reference(self) -> float:
         return 4e-4 if self.form == "square" else 2e-2
 
