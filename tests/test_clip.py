@@ -15,7 +15,7 @@ import models
 from runner import clip
 from runner.clip import Clip
 from runner.errors import UserError
-from solver.penalty import Bend, CovariantAcceleration, RootAcceleration, UnitMagnitude
+from solver.penalty import Bend, Contact, CovariantAcceleration, RootAcceleration, UnitMagnitude
 
 KNEE = "joints.left_knee = {rotvec = [0, 0, 0]}"
 TWO_KEYS = '<keyframe><key time="0" qpos="0 0"/><key time="0.5" qpos="0.1 0.2"/></keyframe>'
@@ -212,7 +212,7 @@ def test_a_site_named_by_the_clip_must_be_there(tmp_path):
         with pytest.raises(UserError, match="no site 'left_to'; did you mean 'left_toe'"):
             loaded(tmp_path, CLIP + entry + f"weight = {weight}\n")
     problem = loaded(tmp_path, CLIP + entry.replace("left_to", "left_toe"))
-    (contact,) = [penalty for penalty, _ in problem.penalties if penalty.name == "contact"]
+    (contact,) = [p for p, _ in problem.penalties if isinstance(p, Contact) and p.name == "contact"]
     assert [point.name for point in contact.points] == ["left_toe"]
 
 
