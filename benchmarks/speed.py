@@ -23,7 +23,7 @@ import numpy as np
 from runner import clip as clips
 from solver import Motion, Quadrature, inbetween
 from solver.dynamics import velocities
-from solver.euler_lagrange import WeakForm
+from solver.subdivision import by_weak_form
 
 REPEATS = 5
 
@@ -74,7 +74,7 @@ def measure() -> dict[str, float]:
         "objective and gradient, every penalty": median_ms(lambda: problem(x), 40),
         "values alone": median_ms(lambda: objective.density(objective.samples(motion.path, t)), 40),
         "mj_kinematics + mj_inverse, Python loop": median_ms(mujoco_loop(motion, count), 40),
-        "weak form over all segments": median_ms(lambda: WeakForm.of(motion.objective, motion.path), 3),
+        "weak form over all segments": median_ms(lambda: by_weak_form(motion.objective, motion.timeline), 3),
         "run_and_step, subdivision included": median_ms(solve, 5),
         "evaluations": float(motion.evaluations),
     }

@@ -289,7 +289,7 @@ def _saved(found: Clip | Saved, teller: Teller, *, with_report: bool, solve: boo
 
     if isinstance(found, motion.Saved):
         return found
-    return (work.solve(found, teller) if solve else work.unsolved(found)).saved(with_report)
+    return (work.solve(found, teller) if solve else work.unsolved(found)).saved(teller, with_report)
 
 
 def _check_camera(found: Clip | Saved, camera: str) -> None:

@@ -591,7 +591,8 @@ def _plain(name: str, mjcf: str, time: Array, qpos: Array, fps: float | None, pl
 def _spoken(error: ValidationError, raw: dict[str, Any]) -> str:
     """The first complaint of a validation, in the clip file's own words."""
     complaints = error.errors()
-    first = next((c for c in complaints if c["type"] == "finite_number"), complaints[0])
+    telling = ("finite_number", "extra_forbidden")
+    first = next((c for kind in telling for c in complaints if c["type"] == kind), complaints[0])
     names, words, given = _walked(first["loc"], raw)
     place = "".join(f"{word}: " for word in words)
     key = ".".join(names)
@@ -681,6 +682,7 @@ _EXPECTED = {
     **dict.fromkeys(_WHOLE, "a whole number"),
     **dict.fromkeys(("kind", "form", "criterion", "optimiser", "order"), "a word in quotes"),
     **dict.fromkeys(("points", "bent joints"), "a list of names"),
+    "others": "'free', 'rest' or 'hold'",
     "figure": "the name of a figure or a path in quotes",
     "keyframe": "[[keyframe]] tables",
     "penalty": "[[penalty]] tables",

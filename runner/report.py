@@ -5,6 +5,7 @@ Everything here is a plain dict, so that it goes into JSON, into the motion file
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -13,7 +14,7 @@ from rich.console import Group
 from rich.table import Table
 
 from solver.displacement import displacement
-from solver.dynamics import InverseDynamics, generalised_forces
+from solver.dynamics import generalised_forces
 from solver.euler_lagrange import residual
 from solver.figure import JointKind
 from solver.frame import Mask, Timeline
@@ -21,7 +22,6 @@ from solver.inbetween import Motion
 from solver.kinematics import Samples, turned
 from solver.objective import Objective
 from solver.penalty import BendLimits, Contact, stances
-from solver.quadrature import gauss_nodes
 from solver.quaternion import Array
 from solver.subdivision import path_of
 from solver.surface import Box
@@ -31,6 +31,7 @@ from .motion import continuous, samples_at
 from .penetration import lowest, penetration
 
 RATE = 1000.0
+LOCAL_EVALUATIONS = 25
 RESTING = 0.01
 
 
@@ -50,8 +51,13 @@ class Grid:
         return cls(time, samples, continuous(clip.figure, clip.figure.to_qpos(samples.y)))
 
 
-def report(clip: Clip, motion: Motion, seconds: float) -> dict[str, Any]:
-    """The whole report of a solved clip; `seconds` is what the solve took."""
+def report(
+    clip: Clip, motion: Motion, seconds: float, told: Callable[[int, int], None] | None = None
+) -> dict[str, Any]:
+    """The whole report of a solved clip; `seconds` is what the solve took, `told` hears of the local solves' progress.
+
+    Ctrl-C leaves out the segments, which take longest, and nothing else.
+    """
     before, after = Grid.of(clip, motion.raw), Grid.of(clip, motion.timeline)
     sides = {
         "before": _side(clip, motion.objective, motion.raw, before),
@@ -71,7 +77,7 @@ def report(clip: Clip, motion: Motion, seconds: float) -> dict[str, Any]:
         "evaluations": motion.evaluations,
         "seconds": seconds,
         "stopped because": motion.stop.value,
-        "segments": _segments(clip, motion),
+        "segments": _segments(clip, motion, told),
         **sides,
     }
 
@@ -112,8 +118,7 @@ def _point_depths(clip: Clip, grid: Grid) -> dict[str, float]:
     if not clip.points or not clip.surfaces:
         return {}
     centres, _, _ = Contact(clip.points, ()).centres(grid.samples)
-    still = np.zeros(len(clip.points))
-    depth = np.max([surface.depth(centres, still)[0] for surface in clip.surfaces], axis=0)
+    depth = np.max([surface.inside(centres) for surface in clip.surfaces], axis=0)
     return {point.name: float(d) for point, d in zip(clip.points, depth.max(axis=1), strict=True)}
 
 
@@ -236,20 +241,23 @@ def _torque(grid: Grid) -> dict[str, Any]:
     """Joint torques by inverse dynamics, and the wrench that the ground would have to supply at the roots."""
     figure = grid.samples.figure
     forces = generalised_forces(grid.samples)
-    roots = np.zeros(figure.model.nv, bool)
-    for link in figure.links[1:]:
-        if link.kind is JointKind.FREE:
-            roots[link.dof : link.dof + 6] = True
-    joints = np.linalg.norm(forces[:, ~roots], axis=1)
-    moment = np.linalg.norm(InverseDynamics(grid.samples).moment, axis=0)
-    moment[[i for i, link in enumerate(figure.links) if link.kind is JointKind.FREE]] = 0
-    link = int(moment.max(axis=1).argmax())
-    root = np.linalg.norm(forces[:, roots], axis=1)
+    roots = [link.dof for link in figure.links[1:] if link.kind is JointKind.FREE]
+    driven = np.ones(figure.model.nv, bool)
+    driven[[dof + k for dof in roots for k in range(6)]] = False
+    joints = np.linalg.norm(forces[:, driven], axis=1)
+    sizes = {JointKind.BALL: 3, JointKind.HINGE: 1}
+    peaks = {
+        link.name: float(np.linalg.norm(forces[:, link.dof : link.dof + sizes[link.kind]], axis=1).max())
+        for link in figure.links[1:]
+        if link.kind in sizes
+    }
+    strongest = max(peaks, key=lambda name: peaks[name], default="")
+    root = [np.linalg.norm(forces[:, dof : dof + 3], axis=1).max() for dof in roots]
     return {
         "root mean square": float(np.sqrt(np.mean(joints**2))),
-        "peak of one joint": float(moment.max(initial=0.0)),
-        "joint": figure.links[link].name,
-        "peak root wrench": float(root.max(initial=0.0)),
+        "peak of one joint": peaks.get(strongest, 0.0),
+        "joint": strongest,
+        "peak root force": float(max(root, default=0.0)),
     }
 
 
@@ -267,7 +275,7 @@ def _far_from_trouble(clip: Clip, before: Grid, margin: float = 0.25) -> Mask:
     if boxes and clip.points:
         centres, _, _ = Contact(clip.points, ()).centres(before.samples)
         for box in boxes:
-            inside |= (box.depth(centres, np.zeros(len(clip.points)))[0] > 0).any(axis=0)
+            inside |= (box.inside(centres) > 0).any(axis=0)
     bad = before.time[inside]
     if not bad.size:
         return np.ones(before.time.size, bool)
@@ -276,9 +284,12 @@ def _far_from_trouble(clip: Clip, before: Grid, margin: float = 0.25) -> Mask:
     return gaps.min(axis=0) > margin
 
 
-def _segments(clip: Clip, motion: Motion) -> list[dict[str, float]]:
+def _segments(clip: Clip, motion: Motion, told: Callable[[int, int], None] | None) -> list[dict[str, float]]:
     """Per segment between keyframes: EL deviation before and after, δ and what a local solve says is left (app. C)."""
-    left = displacement(motion.objective, motion.timeline)
+    try:
+        left = displacement(motion.objective, motion.timeline, max_evaluations=LOCAL_EVALUATIONS, told=told)
+    except KeyboardInterrupt:
+        return []
     after = residual(motion.objective, path_of(motion.timeline)).deviation()
     before = residual(motion.objective, path_of(motion.raw)).deviation()
     times = np.array([key.time for key in clip.keys])
@@ -296,13 +307,6 @@ def _segments(clip: Clip, motion: Motion) -> list[dict[str, float]]:
         row["variable frames"] = float((own == i).sum() - 1)
         rows.append(row)
     return rows
-
-
-def objective_density(objective: Objective, timeline: Timeline, edges: Array) -> Array:
-    """∫ f dt over parts of the clip between edges [s]."""
-    t, w = gauss_nodes(edges, 16)
-    density = objective.density(objective.samples(path_of(timeline), t))
-    return (w * density).reshape(edges.size - 1, -1).sum(axis=1)
 
 
 def tables(data: dict[str, Any]) -> Group:
@@ -364,9 +368,9 @@ def _lines(before: dict[str, Any], after: dict[str, Any]) -> list[tuple[str, str
     peaks = [s["angular acceleration, rad/s²"] for s in sides]
     lines.append(row("peak angular acceleration", *(f"{p['peak']:.0f} rad/s², {p['joint']}" for p in peaks)))
     torques = [s["torque, N m"] for s in sides]
-    lines.append(row("joint torque, root mean square", *(f"{t['root mean square']:.0f} N m" for t in torques)))
+    lines.append(row("all joint torques, root mean square", *(f"{t['root mean square']:.0f} N m" for t in torques)))
     lines.append(row("  peak of one joint", *(f"{t['peak of one joint']:.0f} N m, {t['joint']}" for t in torques)))
-    lines.append(row("peak root wrench (the ground's to supply)", *(f"{t['peak root wrench']:.0f}" for t in torques)))
+    lines.append(row("peak root force, the ground's to supply", *(f"{t['peak root force']:.0f} N" for t in torques)))
     drift = after.get("centre of mass off before, m")
     if drift:
         lines.append(row("centre of mass off before, largest", "", millimetres(drift["largest"])))

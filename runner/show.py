@@ -18,6 +18,7 @@ from .motion import Saved, sampled
 from .stage import Picture, Stage
 
 KEY_SECONDS = 0.5
+STANDING = 2.05  # metres: a person with a hand raised over the head
 KEY_SHADE, VARIABLE_SHADE, BETWEEN_SHADE = 0.0, 0.45, 0.75
 KEY_OPACITY, VARIABLE_OPACITY, BETWEEN_OPACITY = 1.0, 0.55, 0.25
 
@@ -53,7 +54,7 @@ def root_path(saved: Saved, qpos: Array) -> Array:
 def figure_height(saved: Saved) -> float:
     """How tall the figure is [m], for the camera's distance."""
     if saved.figure.tables.free_links.size:
-        return 1.8
+        return STANDING
     return float(2.2 * saved.figure.model.stat.extent)
 
 

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import signal
+import threading
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 
 from solver.inbetween import Improvement, Motion, inbetween
@@ -17,6 +21,20 @@ from .progress import Teller
 from .report import report
 
 
+@contextmanager
+def _unhurried() -> Iterator[threading.Event]:
+    """Ctrl-C only sets the event in here, so that what has been solved is not lost."""
+    asked = threading.Event()
+    if threading.current_thread() is not threading.main_thread():
+        yield asked
+        return
+    before = signal.signal(signal.SIGINT, lambda *_: asked.set())
+    try:
+        yield asked
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
 @dataclass(frozen=True)
 class Solved:
     """A solved clip and how long the solve took [s]."""
@@ -25,13 +43,23 @@ class Solved:
     motion: Motion
     seconds: float
 
-    def saved(self, with_report: bool = True) -> Saved:
-        """What goes into a motion file; the report takes some seconds."""
+    def saved(self, teller: Teller, with_report: bool = True) -> Saved:
+        """What goes into a motion file; the report takes some seconds, and Ctrl-C only cuts it short."""
         clip, motion = self.clip, self.motion
         data = {}
         if with_report:
-            data = report(clip, motion, self.seconds)
-            data["curves"] = curves(clip, motion)
+            teller.step("measuring", 0.0, force=True)
+            with _unhurried() as asked:
+
+                def told(i: int, count: int) -> None:
+                    teller.step("measuring", i / count, f"segment {i} of {count}")
+                    if asked.is_set():
+                        raise KeyboardInterrupt
+
+                drawn = curves(clip, motion)
+                data = report(clip, motion, self.seconds, told)
+            data["curves"] = drawn
+            teller.step("measuring", 1.0, force=True)
         trace = [list(entry) for entry in motion.trace]
         return Saved(
             clip.name, clip.text, clip.mjcf, clip.figure, clip.fps, clip.keys, motion.timeline, motion.raw, trace, data

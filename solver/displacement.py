@@ -6,6 +6,7 @@ path; δ is the distance between the two.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -37,9 +38,17 @@ class Displacement:
 
 
 def displacement(
-    objective: Objective, timeline: Timeline, *, variable: int = 3, max_evaluations: int = 60
+    objective: Objective,
+    timeline: Timeline,
+    *,
+    variable: int = 3,
+    max_evaluations: int = 60,
+    told: Callable[[int, int], None] | None = None,
 ) -> Displacement:
-    """δ of every segment by a local solve with `variable` frames inside it."""
+    """δ of every segment by a local solve with `variable` frames inside it.
+
+    told  hears how many segments of how many are done
+    """
     path = path_of(timeline)
     local_objective = replace(objective, quadrature=replace(objective.quadrature, kind="gauss", points=5))
     strength = residual(objective, path)
@@ -51,6 +60,8 @@ def displacement(
         delta = np.linalg.norm(path.at(t) - path_of(better).at(t), axis=1)
         level = np.interp(t, strength.t[i], strength.size[i])
         saved = local_objective.value(path_of(local)) - local_objective.value(path_of(better))
+        if told is not None:
+            told(i + 1, timeline.times.size - 1)
         rows.append((w @ delta, w @ (delta * level), saved))
     distance, gap, found = np.array(rows).T
     return Displacement(distance, gap, found)

@@ -28,9 +28,11 @@ from .quaternion import Array
 
 @dataclass(frozen=True)
 class BodyForces:
-    """Net force [N] and torque [N m] on each link about its centre of mass, world axes, (3, L, S) both (appendix A).
+    """What keeps each link moving as it does: force [N] and torque [N m] about its centre of mass (appendix A).
 
-    The force includes the support against gravity: m (a − g). `centre` (3, L, S) [m] is the centre of mass.
+    force   (3, L, S) m (a − g), all that acts on the link but its weight; world axes
+    torque  (3, L, S) L' = ω × Iω + I ω'; world axes
+    centre  (3, L, S) [m] centre of mass, where both apply
     """
 
     force: Array
@@ -51,7 +53,7 @@ class InverseDynamics:
         self.arm = turned(links.rotation, tables.centre)
         self.centre = links.x + self.arm
         acceleration = links.x_dd + attached_acceleration(links.omega, links.alpha, self.arm)
-        gravity = samples.figure.model.opt.gravity[:, None, None]
+        gravity = samples.figure.gravity[:, None, None]
         self.net_force = tables.mass[:, None] * (acceleration - gravity)
         self.spin = self.inertia_times(links.omega)
         self.spin_rate = self.inertia_times(links.alpha)
@@ -97,7 +99,7 @@ class InverseDynamics:
 
 
 def body_forces(samples: Samples) -> BodyForces:
-    """Net force and torque on each body's link; summed they are the wrench at the root."""
+    """Force and torque on each link; summed, with the arms of the forces, they are the wrench at the root."""
     inverse = InverseDynamics(samples)
     return BodyForces(inverse.net_force, inverse.net_torque, inverse.centre)
 

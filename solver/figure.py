@@ -36,7 +36,7 @@ class JointKind(IntEnum):
     HINGE = int(mujoco.mjtJoint.mjJNT_HINGE)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Link:
     """One joint and what moves rigidly with it.
 
@@ -68,7 +68,7 @@ class Link:
     inertia: Array
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Figure:
     """A jointed figure: links, the columns of its state, and the two ways between state and qpos.
 
@@ -111,6 +111,12 @@ class Figure:
     @property
     def is_world(self) -> bool:
         return self.coordinates == "world"
+
+    @property
+    def gravity(self) -> Array:
+        """(3,) [m/s²], zero where the model switches it off."""
+        off = self.model.opt.disableflags & int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
+        return np.zeros(3) if off else np.array(self.model.opt.gravity)
 
     def to_state(self, qpos: ArrayLike) -> Array:
         """State (..., N) of MuJoCo configurations qpos (..., nq); quaternions become unit."""
@@ -240,7 +246,7 @@ def _composite(load: list[tuple[float, Array, Array]]) -> tuple[float, Array, Ar
     return mass, centre, inertia
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Tables:
     """The links' constants as arrays for the batched sweeps; vectors are (3, L), L links with the world first.
 

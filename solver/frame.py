@@ -35,7 +35,7 @@ def frozen_mask(values: ArrayLike) -> Mask:
     return array
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Frame:
     """The state of the figure at one time.
 
@@ -79,7 +79,7 @@ class Frame:
         return bool(self.fixed.all())
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Timeline:
     """Frames in order of time, and what holds at the two ends of the clip.
 

@@ -27,6 +27,8 @@ from .spline import Path
 from .subdivision import CRITERIA, evenly, midpoints, path_of, split
 from .unknowns import raw_timeline
 
+NEGLIGIBLE = 1e-3
+
 
 @dataclass(frozen=True)
 class Settings:
@@ -35,7 +37,8 @@ class Settings:
     variable         variable frames in every segment between keyframes to begin with
     frames           budget of variable frames in all; None: two more a segment than `variable`
     criterion        which segments are split: "weak", "residual", "objective", "resolution"
-    threshold        a segment is split if its criterion exceeds this; weak: share of the present E
+    threshold        a segment is split if its criterion exceeds this; weak: share of the present E; the
+                     other criteria have units of their own
     batch            share of the segments that are split in one round, at most
     method           optimiser by name
     max_evaluations  budget of evaluations in each round
@@ -53,6 +56,14 @@ class Settings:
     tolerance: float = 1e-5
     renormalise: bool = True
     quadrature: Quadrature = field(default_factory=Quadrature)
+
+    def __post_init__(self) -> None:
+        if self.criterion not in CRITERIA:
+            raise ValueError(f"no subdivision criterion '{self.criterion}'; there are: {', '.join(CRITERIA)}")
+        if self.variable < 0 or (self.frames is not None and self.frames < 0):
+            raise ValueError("settings: variable and frames must not be negative")
+        if self.max_evaluations < 1 or not self.tolerance > 0 or not self.batch > 0 or self.threshold < 0:
+            raise ValueError("settings: max_evaluations, tolerance and batch must be positive, threshold not negative")
 
 
 @dataclass(frozen=True)
@@ -86,7 +97,10 @@ class Motion:
         return path_of(self.timeline)
 
     def at(self, t: ArrayLike) -> Array:
-        """MuJoCo configurations at times t (S,): (S, nq), quaternions unit."""
+        """MuJoCo configurations at times t (S,) [s] of the clip: (S, nq), quaternions unit."""
+        first, last = self.path.span
+        if np.any(np.asarray(t) < first - 1e-9) or np.any(np.asarray(t) > last + 1e-9):
+            raise ValueError(f"the motion runs from {first:g} to {last:g} s; there is nothing to see outside")
         return self.figure.to_qpos(self.path.at(np.atleast_1d(np.asarray(t, float))))
 
 
@@ -110,8 +124,6 @@ def inbetween(
     The keyframes are met exactly whenever the search is stopped. Raises TimelineError for frames that make no clip.
     """
     settings = settings or Settings()
-    if settings.criterion not in CRITERIA:
-        raise ValueError(f"no subdivision criterion '{settings.criterion}'; there are: {', '.join(CRITERIA)}")
     raw = raw_timeline(figure, list(keys), ends, end_slope)
     objective = Objective.of(figure, penalties, quadrature=settings.quadrature)
     if settings.renormalise:
@@ -178,7 +190,7 @@ class _Loop:
         scores = CRITERIA[self.settings.criterion](self.objective, timeline)
         threshold = self.settings.threshold
         if self.settings.criterion == "weak":
-            threshold *= self.trace[-1][2] if self.trace else 0.0
+            threshold *= max(self.trace[-1][2], NEGLIGIBLE * self.trace[0][2]) if self.trace else 0.0
         most = min(room, max(1, round(self.settings.batch * scores.size)))
         order = np.argsort(scores)[::-1][:most]
         return np.sort(midpoints(timeline)[order[scores[order] > threshold]])

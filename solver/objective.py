@@ -49,6 +49,9 @@ class Objective:
         quadrature: Quadrature | None = None,
     ) -> Objective:
         """Penalties with their weights, not renormalised: eq. 1."""
+        for penalty, weight in penalties:
+            if not (np.isfinite(weight) and weight >= 0):
+                raise ValueError(f"the weight of '{penalty.name}' is {weight}; it must be a number, at least 0")
         terms = tuple(Term(penalty, float(weight), float(weight)) for penalty, weight in penalties)
         return cls(figure, terms, quadrature or Quadrature())
 
@@ -61,9 +64,10 @@ class Objective:
         """
         integrals = self.integrals(raw)
         first, last = raw.span
+        spacing = float(np.mean(np.diff(raw.spline.times)))
         terms = []
         for term, integral in zip(self.terms, integrals, strict=True):
-            whole = term.penalty.reference * (last - first)
+            whole = term.penalty.reference * (last - first) / spacing**term.penalty.time_power
             most = whole if term.penalty.is_violation else np.inf
             terms.append(replace(term, factor=term.weight / float(np.clip(integral, SMALL_SHARE * whole, most))))
         return replace(self, terms=tuple(terms))

@@ -29,13 +29,15 @@ INFINITELY_BAD = 1e300
 
 
 DAMPINGS = (1.0, 1e-2, 1e-4)
+NEGLIGIBLE = 1e-3
+ROUNDING = 1e-12
 
 
 class Stop(Enum):
     """Why a minimisation ended, and what the caller can do about it."""
 
     CONVERGED = "progress per evaluation fell below the tolerance"
-    BUDGET = "the evaluation budget is spent; raise max_evaluations to go on"
+    BUDGET = "the evaluation budget is spent; raise max_evaluations (in a clip, solve.evaluations) to go on"
     ASKED = "stopped as asked; the best path so far is kept"
     STUCK = "the optimiser found no further descent; the best path so far is kept"
 
@@ -74,7 +76,8 @@ def minimise(
 ) -> Minimum:
     """Minimises fun(x) -> (value, gradient) from x0 (n,).
 
-    tolerance  stop when the value changes by less than this share in a step
+    tolerance  stop when the value changes by less than this share of itself in a step, or by less than a thousandth of
+               this share of its first value
     improved   called with (evaluation, value, x) whenever the value falls below all earlier ones; may raise StopSearch
 
     KeyboardInterrupt ends the search like StopSearch. Values that are not finite count as infinitely bad.
@@ -93,6 +96,8 @@ def minimise(
             raise search.failure
         if stop is not Stop.STUCK:
             break
+    if stop is Stop.STUCK and abs(search.best) < ROUNDING:
+        stop = Stop.CONVERGED
     return search.minimum(stop)
 
 
@@ -101,11 +106,15 @@ def _attempt(search: _Search, number: int, tolerance: float, damping: float) -> 
 
     Some of NLopt's line searches give up where a first step of the gradient's length overshoots; a smaller one passes.
     """
-    optimiser = nlopt.opt(number, search.best_x.size)
+    try:
+        optimiser = nlopt.opt(number, search.best_x.size)
+    except (ValueError, nlopt.invalid_argument) as error:
+        raise ValueError("NLopt cannot make this optimiser: it needs options that are not given") from error
     optimiser.set_min_objective(search.objective)
     search.halt, search.forced = optimiser.force_stop, None
     search.damping = damping
     optimiser.set_ftol_rel(tolerance)
+    optimiser.set_ftol_abs(damping * NEGLIGIBLE * tolerance)
     optimiser.set_xtol_rel(1e-12)
     optimiser.set_maxeval(max(search.budget - search.count, 1))
     try:

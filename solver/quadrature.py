@@ -14,6 +14,7 @@ import numpy as np
 from .quaternion import Array
 
 LEAST_PER_SPAN = 4
+MOST_SAMPLES = 100_000
 
 
 @dataclass(frozen=True)
@@ -40,6 +41,8 @@ class Quadrature:
         if self.kind == "uniform":
             length = times[-1] - times[0]
             count = max(self.points, int(np.ceil(LEAST_PER_SPAN * length / np.diff(times).min() - 1e-9)))
+            if count > MOST_SAMPLES:
+                raise ValueError(f"uniform quadrature would take {count} samples; use 'gauss' for uneven times")
             return times[0] + length * (np.arange(count) + 0.5) / count, np.full(count, length / count)
         return gauss_nodes(self.panels(times), self.points)
 

@@ -103,7 +103,7 @@ def _basis_values(knots: Array, span: Index, t: Array, order: int) -> Array:
     return values
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Sampling:
     """A spline seen at sample times: y, y', y'' of any rows, and the pull-back of their gradients (method of §2)."""
 
@@ -130,7 +130,7 @@ class Sampling:
         return self.spline.coefficients_transposed(np.asarray(total))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Path:
     """A curve of states over time: a spline and its rows (M + 2, N). Every iterate of the optimiser is one."""
 

@@ -17,6 +17,7 @@ import numpy as np
 from .quaternion import Array
 
 SIDEWAYS = 4.0
+UPRIGHT = 0.7
 
 
 class Surface(Protocol):
@@ -26,11 +27,15 @@ class Surface(Protocol):
     def name(self) -> str: ...
 
     def depth(self, points: Array, radius: Array) -> tuple[Array, Array]:
-        """How deep spheres are inside, and the gradient.
+        """How deep spheres are inside, for penalties, and the gradient; through a box's sides κ times the distance.
 
         points  (3, n, S) centres [m];  radius  (n,) [m]
         Returns the depth (n, S) [m], 0 outside, and its gradient (3, n, S).
         """
+        ...
+
+    def inside(self, points: Array) -> Array:
+        """True depth of points (3, ...) [m]: the distance to the nearest way out, 0 outside."""
         ...
 
     def height(self, points: Array) -> Array:
@@ -47,11 +52,19 @@ class Plane:
     normal: Array
 
     def depth(self, points: Array, radius: Array) -> tuple[Array, Array]:
-        below = radius[:, None] - self.height(points)
+        below = radius[:, None] - self._over(points)
         inside = below > 0
         return np.where(inside, below, 0.0), np.where(inside, -self.normal[:, None, None], 0.0)
 
     def height(self, points: Array) -> Array:
+        over = self._over(points)
+        return over if self.normal[2] > UPRIGHT else np.full_like(over, np.inf)
+
+    def inside(self, points: Array) -> Array:
+        return np.maximum(-self._over(points), 0)
+
+    def _over(self, points: Array) -> Array:
+        """Signed distance of points (3, ...) from the plane [m]."""
         return np.tensordot(self.normal, points, 1) - self.normal @ self.point
 
 
@@ -66,7 +79,7 @@ class Box:
     buried: bool = True
 
     def depth(self, points: Array, radius: Array) -> tuple[Array, Array]:
-        local = np.tensordot(self.axes.T, points - self.centre[:, None, None], 1)
+        local = self._local(points)
         grown = self.half[:, None, None] + radius[:, None]
         inside = np.all(np.abs(local) < grown, axis=0)
         depth, gradient = np.zeros(inside.shape), np.zeros(points.shape)
@@ -79,9 +92,9 @@ class Box:
         for axis in range(3):
             for sign in (1.0, -1.0):
                 rise = sign * up[axis]
-                if rise < -0.7 and self.buried:
+                if rise < -UPRIGHT and self.buried:
                     continue
-                kappa = 1.0 if rise > 0.7 else SIDEWAYS
+                kappa = 1.0 if rise > UPRIGHT else SIDEWAYS
                 distance = kappa * (room[axis] - sign * where[axis])
                 total += distance**-2
                 slope[axis] -= sign * kappa * distance**-3
@@ -90,9 +103,23 @@ class Box:
         gradient[:, inside] = self.axes @ (slope * value**3)
         return depth, gradient
 
+    def inside(self, points: Array) -> Array:
+        local = self._local(points)
+        nearest = np.full(points.shape[1:], np.inf)
+        for axis in range(3):
+            for sign in (1.0, -1.0):
+                if not (self.buried and sign * self.axes[2, axis] < -UPRIGHT):
+                    nearest = np.minimum(nearest, self.half[axis] - sign * local[axis])
+        within = np.all(np.abs(local) < self.half.reshape(3, *[1] * (points.ndim - 1)), axis=0)
+        return np.where(within, nearest, 0.0)
+
+    def _local(self, points: Array) -> Array:
+        """Points (3, ...) in the box's own axes."""
+        return np.tensordot(self.axes.T, points - self.centre.reshape(3, *[1] * (points.ndim - 1)), 1)
+
     def height(self, points: Array) -> Array:
         single = [1] * (points.ndim - 1)
-        local = np.tensordot(self.axes.T, points - self.centre.reshape(3, *single), 1)
+        local = self._local(points)
         top = int(np.argmax(np.abs(self.axes[2])))
         over = np.all(np.abs(np.delete(local, top, 0)) <= np.delete(self.half, top).reshape(2, *single), axis=0)
         return np.where(over, local[top] * np.sign(self.axes[2, top]) - self.half[top], np.inf)

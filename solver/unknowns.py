@@ -19,6 +19,8 @@ from .frame import Frame, Mask, Timeline, TimelineError
 from .quaternion import Array, Index
 from .spline import Spline, natural_spline
 
+FARTHEST = 0.5
+
 
 @dataclass(frozen=True)
 class Unknowns:
@@ -172,9 +174,9 @@ def _partial(figure: Figure, frame: Frame, row: int, builder: _Builder) -> None:
 def raw_timeline(figure: Figure, keys: list[Frame], ends: str = "free", end_slope: Array | None = None) -> Timeline:
     """The keyframes' timeline in the figure's coordinates, and the natural spline's end slopes (method of §2).
 
-    keys hold *qpos* and the fixed mask. Quaternions are laid on their predecessors' hemispheres. An entry that a
-    partial keyframe leaves out starts on the natural spline of its neighbours, one left out everywhere at the rest
-    pose. The first and the last keyframe of a loop are one: what either fixes is fixed in both.
+    keys hold *qpos* and the fixed mask. Signs of quaternions are such that joints turn by the shortest arcs. An entry
+    that a partial keyframe leaves out starts on the natural spline of its neighbours, one left out everywhere at the
+    rest pose. The first and the last keyframe of a loop are one: what either fixes is fixed in both.
     """
     for number, frame in enumerate(keys, start=1):
         _check_masks(figure, frame, number)
@@ -197,10 +199,10 @@ def raw_timeline(figure: Figure, keys: list[Frame], ends: str = "free", end_slop
         states[known, columns] = quat.product(base[known], quat.normalised(states[known, columns]))
         states[~known, columns] = quat.product(base[~known], rest[columns])
         if known.any():
-            states[known, columns] = quat.aligned(states[known, columns])
+            states[known, columns] = _laid_along(base[known], states[known, columns])
             _filled(plain.times, states, fixed, columns, states[0])
             states[:, columns] = quat.normalised(states[:, columns])
-        states[:, columns] = quat.aligned(states[:, columns])
+        states[:, columns] = _laid_along(base, states[:, columns])
     if ends == "periodic":
         states[-1] = states[0] * _sameness(figure, states[0], states[-2])
     frames = tuple(replace(frame, state=state) for frame, state in zip(keys, states, strict=True))
@@ -255,6 +257,22 @@ def _bases(figure: Figure, states: Array, link: Link) -> Array:
         return identity
     parent = quaternion_columns(figure.links[link.parent])
     return quat.product(identity if parent is None else states[:, parent], link.turn)
+
+
+def _laid_along(base: Array, track: Array) -> Array:
+    """A track (K, 4) with signs such that the joint, base⁻¹ ⊗ track, turns by the shortest arcs.
+
+    Near a half turn of the whole figure a joint's arc can be short one way and the body's in the world the other way;
+    the joint decides, or the limb would come off, unless its body would turn by more than 240°.
+    """
+    out = track.copy()
+    relative = quat.product(quat.inverse(base), track)
+    for k in range(1, len(out)):
+        if relative[k] @ relative[k - 1] < 0:
+            relative[k], out[k] = -relative[k], -out[k]
+        if out[k] @ out[k - 1] < -FARTHEST * np.linalg.norm(out[k]) * np.linalg.norm(out[k - 1]):
+            relative[k], out[k] = -relative[k], -out[k]
+    return out
 
 
 def _filled(times: Array, states: Array, fixed: Mask, columns: slice, rest: Array) -> None:

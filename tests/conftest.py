@@ -85,7 +85,7 @@ def solved(tmp_path_factory: pytest.TempPathFactory) -> Solved:
 @pytest.fixture(scope="session")
 def saved(solved: Solved) -> Saved:
     """What goes into a motion file of it, report and all."""
-    return solved.saved()
+    return solved.saved(Teller(Console(file=io.StringIO())))
 
 
 @pytest.fixture(scope="session")

@@ -129,7 +129,7 @@ def test_body_points_cover_spheres_capsules_and_boxes_exactly_over_a_plane(rng):
     )
     figure = Figure(model)
     samples = random_samples(figure, rng, 6)
-    points = body_points(figure, spacing=0.1)
+    points = body_points(figure)
     centres, _, _ = Contact(points, (FLOOR,)).centres(samples)
     lowest = (centres[2] - np.array([p.radius for p in points])[:, None]).min(axis=0)
     data = mujoco.MjData(model)

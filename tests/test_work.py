@@ -81,7 +81,7 @@ def test_unsolved_is_the_raw_spline_through_the_keyframes(problem):
     solved = work.unsolved(problem)
     assert solved.motion.timeline is solved.motion.raw
     assert solved.motion.evaluations == 0
-    kept = solved.saved(with_report=False)
+    kept = solved.saved(Teller(Console(file=io.StringIO())), with_report=False)
     assert kept.report == {}
     assert kept.timeline.times.tolist() == [0, 0.2, 0.41]
 

@@ -51,6 +51,10 @@ class BendLimits:
         return True
 
     @property
+    def time_power(self) -> int:
+        return 0
+
+    @property
     def reference(self) -> float:
         return float(np.radians(1) ** 2)
 

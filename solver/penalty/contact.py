@@ -44,6 +44,10 @@ class Contact:
         return True
 
     @property
+    def time_power(self) -> int:
+        return 0
+
+    @property
     def reference(self) -> float:
         return 1e-4
 
@@ -112,28 +116,42 @@ def site_points(figure: Figure, names: Sequence[str]) -> tuple[Point, ...]:
     return tuple(points)
 
 
-def body_points(figure: Figure, spacing: float = 0.12) -> tuple[Point, ...]:
-    """Spheres that cover the figure's moving geoms: capsules and cylinders along their axis, boxes by their corners.
+def body_points(figure: Figure) -> tuple[Point, ...]:
+    """Spheres that cover the outside of the figure's moving geoms.
 
-    spacing  [m] between the spheres along a capsule
+    Spheres, the ends of capsules, corners of boxes, rims of cylinders, and ellipsoids by small spheres at their tips:
+    those of them that lie on the convex hull of their link, so that planes are met exactly (ellipsoids: nearly). Along
+    the capsules whose ends both do lie more spheres, close enough that the edge of a box cuts at most 2 mm between.
     """
-    model, points = figure.model, []
+    model = figure.model
+    ends: list[Point] = []
+    pairs: list[tuple[int, int]] = []
     for geom in range(model.ngeom):
         body = int(model.geom_bodyid[geom])
         if figure.body_link[body] == 0:
             continue
         axes = np.stack([quat.rotated(model.geom_quat[geom], e) for e in np.eye(3)], axis=1)
-        for offset, radius in _cover(int(model.geom_type[geom]), np.array(model.geom_size[geom]), spacing):
+        kind = int(model.geom_type[geom])
+        if kind == mujoco.mjtGeom.mjGEOM_CAPSULE:
+            pairs.append((len(ends), len(ends) + 1))
+        for offset, radius in _cover(kind, np.array(model.geom_size[geom])):
             link, position = figure.point_on_link(body, model.geom_pos[geom] + axes @ offset)
-            points.append(Point(model.geom(geom).name or f"geom {geom}", link, position, radius))
-    return _outermost(points)
+            ends.append(Point(model.geom(geom).name or f"geom {geom}", link, position, radius))
+    kept = _outermost(ends)
+    between = [point for a, b in pairs if a in kept and b in kept for point in _between(ends[a], ends[b])]
+    return (*(ends[i] for i in sorted(kept)), *between)
 
 
-def _outermost(points: list[Point], directions: int = 600) -> tuple[Point, ...]:
-    """The spheres that lie on the convex hull of their link's spheres: those that reach farthest some way.
+def _between(a: Point, b: Point) -> list[Point]:
+    """Spheres along a capsule between its ends, three quarters of a radius apart."""
+    length = float(np.linalg.norm(b.position - a.position))
+    count = int(length / (0.75 * max(a.radius, 0.01)))
+    shares = np.arange(1, count) / max(count, 1)
+    return [Point(a.name, a.link, a.position + share * (b.position - a.position), a.radius) for share in shares]
 
-    Nothing else of the link can touch a plane; `directions` spread over the sphere are tried.
-    """
+
+def _outermost(points: list[Point], directions: int = 600) -> set[int]:
+    """Which spheres lie on the convex hull of their link's spheres: those that reach farthest some way."""
     turn = np.pi * (1 + np.sqrt(5)) * np.arange(directions)
     z = 1 - (2 * np.arange(directions) + 1) / directions
     ways = np.stack([np.sqrt(1 - z**2) * np.cos(turn), np.sqrt(1 - z**2) * np.sin(turn), z])
@@ -142,17 +160,16 @@ def _outermost(points: list[Point], directions: int = 600) -> tuple[Point, ...]:
         own = [i for i, point in enumerate(points) if point.link == link]
         support = np.array([points[i].position @ ways + points[i].radius for i in own])
         kept |= {own[k] for k in np.unique(support.argmax(axis=0))}
-    return tuple(points[i] for i in sorted(kept))
+    return kept
 
 
-def _cover(kind: int, size: Array, spacing: float) -> list[tuple[Array, float]]:
+def _cover(kind: int, size: Array) -> list[tuple[Array, float]]:
     """(offset in the geom's axes, radius) of the spheres that cover one geom."""
     geom = mujoco.mjtGeom
     if kind == geom.mjGEOM_SPHERE:
         return [(np.zeros(3), float(size[0]))]
     if kind == geom.mjGEOM_CAPSULE:
-        count = max(2, int(np.ceil(2 * size[1] / spacing)) + 1)
-        return [(np.array([0, 0, z]), float(size[0])) for z in np.linspace(-size[1], size[1], count)]
+        return [(np.array([0, 0, z]), float(size[0])) for z in (-size[1], size[1])]
     if kind == geom.mjGEOM_CYLINDER:
         ring = [np.array([np.cos(a), np.sin(a), 0]) * size[0] for a in np.arange(8) * np.pi / 4]
         return [(p + np.array([0, 0, z]), 0.0) for p in ring for z in (-size[1], size[1])]

@@ -41,6 +41,10 @@ class CovariantAcceleration:
         return False
 
     @property
+    def time_power(self) -> int:
+        return 4
+
+    @property
     def reference(self) -> float:
         return 16.0
 

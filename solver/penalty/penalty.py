@@ -22,12 +22,18 @@ class Penalty(Protocol):
 
     @property
     def reference(self) -> float:
-        """f_j of a violation of 1 cm or 1° (or 8 rad/s², 8 m/s², 1 N m): the scale of a term that starts at zero."""
+        """f_j of a violation of 1 cm or 1°, or of 8 rad (2 m) per squared key spacing: the scale of a term that starts
+        at zero. Accelerations are given for keyframes 1 s apart."""
         ...
 
     @property
     def is_violation(self) -> bool:
         """Whether f_j is zero wherever a constraint is kept, like a depth, and not a cost of all motion."""
+        ...
+
+    @property
+    def time_power(self) -> int:
+        """f_j of a clip played λ times slower falls by λ to this power: 4 for squared accelerations."""
         ...
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:

@@ -9,9 +9,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ..figure import Figure
-from ..frame import Timeline
+from ..figure import Figure, JointKind
+from ..frame import Mask, Timeline
 from ..kinematics import Cotangent, Samples, cross
 from ..quaternion import Array
 from ..surface import Surface
@@ -49,6 +50,10 @@ class Planted:
         return True
 
     @property
+    def time_power(self) -> int:
+        return 0
+
+    @property
     def reference(self) -> float:
         return 1e-4
 
@@ -73,7 +78,7 @@ class Planted:
 
 def stances(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]) -> tuple[Stance, ...]:
     """The stances that a timeline of keyframes implies: a point within 12 mm of a surface in two neighbouring ones,
-    on spots less than 5 cm apart."""
+    on spots less than 5 cm apart, and both keyframes fix every joint from the root to the point."""
     if not points or not surfaces:
         return ()
     states = keys.states
@@ -81,7 +86,7 @@ def stances(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: S
     centres, _, _ = Contact(tuple(points), ()).centres(samples)
     radius = np.array([point.radius for point in points])[:, None]
     height = np.min([surface.height(centres) for surface in surfaces], axis=0) - radius
-    low = np.abs(height) < NEAR_SURFACE
+    low = (np.abs(height) < NEAR_SURFACE) & _placed(figure, keys.fixed, points)
     found = []
     for k, (first, last) in enumerate(zip(keys.times[:-1], keys.times[1:], strict=True)):
         for i, point in enumerate(points):
@@ -89,3 +94,11 @@ def stances(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: S
             if low[i, k] and low[i, k + 1] and np.linalg.norm(landed - spot) < SAME_SPOT:
                 found.append(Stance(point, float(first), float(last), spot.copy(), landed.copy()))
     return tuple(found)
+
+
+def _placed(figure: Figure, fixed: Mask, points: Sequence[Point]) -> NDArray[np.bool_]:
+    """(n, K): whether a keyframe fixes every joint from the root to a point, so that it says where the point is."""
+    entries = {JointKind.FREE: 7, JointKind.BALL: 4, JointKind.HINGE: 1, JointKind.SLIDE: 1}
+    whole = [fixed[:, link.qpos : link.qpos + entries[link.kind]].all(axis=1) for link in figure.links[1:]]
+    path = figure.tables.path[:, 1:] > 0
+    return np.array([np.all(np.array(whole)[path[point.link]], axis=0) for point in points])

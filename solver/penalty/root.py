@@ -21,8 +21,12 @@ class RootAcceleration:
         return False
 
     @property
+    def time_power(self) -> int:
+        return 4
+
+    @property
     def reference(self) -> float:
-        return 64.0
+        return 4.0
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         tables = samples.figure.tables

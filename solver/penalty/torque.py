@@ -23,6 +23,10 @@ class Torque:
         return False
 
     @property
+    def time_power(self) -> int:
+        return 0
+
+    @property
     def reference(self) -> float:
         return 1.0
 

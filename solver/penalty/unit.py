@@ -30,6 +30,10 @@ class UnitMagnitude:
         return False
 
     @property
+    def time_power(self) -> int:
+        return 0
+
+    @property
     def reference(self) -> float:
         return 4e-4 if self.form == "square" else 2e-2
 
