@@ -6,6 +6,7 @@ What a keyframe leaves out is free. A [[penalty]] entry changes or adds to the d
 
 from __future__ import annotations
 
+import itertools
 import tomllib
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -355,6 +356,7 @@ def _key(figure: Figure, row: KeyframeTable, before: Frame | None, place: str) -
         qpos, fixed = np.array(before.state), np.array(before.fixed)
     roots = [link for link in figure.links[1:] if link.kind is JointKind.FREE]
     named = {link.name: link for link in figure.links[1:]}
+    shared = {a.name for a, b in itertools.combinations(figure.links[1:], 2) if a.name == b.name}
     if row.root.model_fields_set:
         if not roots:
             raise UserError(f"{place}: the figure has no free joint, so no root to place")
@@ -362,6 +364,10 @@ def _key(figure: Figure, row: KeyframeTable, before: Frame | None, place: str) -
     for name, value in row.joints.items():
         if name not in named:
             raise UserError(f"{place}: {unknown('joint', name, named)}")
+        if name in shared:
+            raise UserError(
+                f"{place}: several joints of '{name}' have no name of their own; give them names in the MJCF"
+            )
         if value == "free":
             fixed[quaternion_columns(named[name]) or named[name].qpos] = False
         else:

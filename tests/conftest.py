@@ -32,6 +32,8 @@ BALL_TREE = """
     <body name="pack" pos=".1 0 -.2"><geom type="sphere" size=".07"/></body></body>
 </body></worldbody></mujoco>"""
 
+ONE_BALL = '<mujoco><worldbody><body><joint type="ball"/><geom size=".1"/></body></worldbody></mujoco>'
+
 EVERY_JOINT = """
 <mujoco><compiler autolimits="true"/><option gravity="0 0 -9.81"/>
 <worldbody><body name="trunk" pos="0 0 1"><freejoint name="root"/>

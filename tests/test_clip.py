@@ -351,3 +351,13 @@ def test_others_held_takes_what_the_keyframe_before_says():
 def test_the_first_keyframe_has_nothing_to_hold():
     with pytest.raises(UserError, match=r"keyframe 1 \(t = 0 s\).*hold"):
         clip.from_text(OTHERS.replace('"rest"', '"hold"'), name="others")
+
+
+def test_joints_without_names_of_their_own_cannot_be_told_apart(tmp_path):
+    (tmp_path / "two.xml").write_text(
+        '<mujoco><worldbody><body name="a"><joint type="hinge" axis="1 0 0"/><joint type="hinge" axis="0 1 0"/>'
+        '<geom size=".1"/></body></worldbody></mujoco>'
+    )
+    keys = "".join(f"[[keyframe]]\ntime = {t}\njoints.a = 30\n" for t in (0, 1))
+    with pytest.raises(UserError, match="several joints of 'a'"):
+        clip.from_text('figure = "two.xml"\n' + keys, name="two", folder=tmp_path)

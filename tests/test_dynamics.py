@@ -2,10 +2,12 @@
 
 import mujoco
 import numpy as np
+from conftest import BALL_TREE
 from taylor import taylor_slope
 from test_kinematics import random_samples
 
 from solver.dynamics import InverseDynamics, body_forces, generalised_forces, velocities
+from solver.figure import Figure
 from solver.kinematics import Cotangent, Samples
 
 
@@ -58,3 +60,12 @@ def test_the_adjoint_of_joint_moments_and_forces_has_taylor_slope_two(figure, rn
         return float(np.sum(for_moment * inverse.moment) + np.sum(for_force * inverse.force))
 
     assert taylor_slope(value, np.stack([samples.y, samples.y_d, samples.y_dd]), np.stack(gradients), rng) > 1.95
+
+
+def test_without_gravity_nothing_has_weight(rng):
+    model = mujoco.MjModel.from_xml_string(
+        BALL_TREE.replace("<option ", '<option><flag gravity="disable"/></option><option ')
+    )
+    samples = random_samples(Figure(model), rng)
+    expected = mujoco_forces(samples)
+    np.testing.assert_allclose(generalised_forces(samples), expected, atol=1e-10 * np.abs(expected).max())

@@ -3,8 +3,10 @@
 import mujoco
 import numpy as np
 import pytest
+from conftest import ONE_BALL
 from test_unknowns import TIMES, distance_from_key, mask_without, random_keys
 
+from solver import quaternion as quat
 from solver.figure import Figure
 from solver.frame import Frame, TimelineError
 from solver.inbetween import Improvement, Motion, Settings, inbetween
@@ -234,3 +236,16 @@ def test_nothing_to_choose_gives_the_keyframes_spline(figure, rng):
     motion = inbetween(figure, keys, PENALTIES, settings, ends="clamped", end_slope=slope)
     np.testing.assert_array_equal(motion.timeline.rows, motion.raw.rows)
     assert motion.evaluations == 1
+
+
+def test_the_clock_does_not_matter(rng):
+    figure = Figure(mujoco.MjModel.from_xml_string(ONE_BALL))
+    turns = [[0.0, 0, 0], [0.7, 0.2, 0], [0.9, -0.8, 0.4], [0.1, -1.2, 1.0]]
+    penalties = [(CovariantAcceleration(), 1.0), (UnitMagnitude(), 1.0)]
+    paths = []
+    for pace in (0.02, 1.0, 50.0, 1000.0):
+        keys = [Frame.key(pace * i, quat.from_rotation_vector(v)) for i, v in enumerate(turns)]
+        motion = inbetween(figure, keys, penalties, Settings(variable=1, frames=0))
+        paths.append(motion.at(pace * np.linspace(0, 3, 40)))
+    for path in paths[1:]:
+        assert np.degrees(quat.angle_between(path, paths[0])).max() < 0.1

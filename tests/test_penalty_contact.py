@@ -9,7 +9,7 @@ from test_penalty_unit import penalty_slope, scaled_like
 from solver.figure import Figure
 from solver.kinematics import Cotangent, Samples
 from solver.penalty import Contact, Point, body_points, site_points
-from solver.surface import Box, Plane
+from solver.surface import Box, Plane, static_surfaces
 
 FLOOR = Plane("floor", np.zeros(3), np.array([0.0, 0, 1]))
 SLOPE = Plane("slope", np.array([0.1, 0, 0.2]), np.array([0.6, 0, 0.8]))
@@ -159,3 +159,15 @@ def test_body_points_stay_inside_cylinders_and_ellipsoids_and_leave_out_what_nev
     for p in ellipsoid:
         out = p.position * (1 + p.radius / max(np.linalg.norm(p.position), 1e-9))
         np.testing.assert_array_less(np.sum((out / [0.1, 0.2, 0.3]) ** 2), 1 + 1e-9)
+
+
+def test_a_capsule_across_the_edge_of_a_box_is_noticed():
+    model = mujoco.MjModel.from_xml_string(
+        '<mujoco><worldbody><body><freejoint/><geom type="capsule" size=".024" fromto="-.2 0 0 .2 0 0"/></body>'
+        '<geom name="beam" type="box" size=".01 .5 .1" pos="0 0 .1"/></worldbody></mujoco>'
+    )
+    figure = Figure(model)
+    contact = Contact(body_points(figure), static_surfaces(model))
+    for shift in np.linspace(-0.05, 0.05, 11):
+        state = np.array([[shift, 0, 0.2 + 0.024 - 0.004, 1, 0, 0, 0]])
+        assert contact.evaluate(Samples(figure, state, 0 * state, 0 * state))[0] > 0

@@ -3,6 +3,7 @@
 import mujoco
 import numpy as np
 import pytest
+from conftest import BALL_TREE
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -352,3 +353,18 @@ def test_a_key_that_fixes_only_hinges_and_slides_leaves_the_rest_free(rng):
     unknowns = Unknowns.of(figure, raw_timeline(figure, keys, "clamped", np.zeros((2, 2))))
     np.testing.assert_allclose(unknowns.start, [0.4, 0.1])
     np.testing.assert_allclose(unknowns.rows(np.array([7.0, 8.0]))[:2], [[0.1, 7], [8, 0.4]])
+
+
+@pytest.mark.parametrize("degrees", [150.0, 178.0, 180.0, 182.0, 200.0])
+def test_a_joint_that_hardly_turns_stays_put_while_the_whole_figure_turns_half_round(degrees):
+    figure = Figure(mujoco.MjModel.from_xml_string(BALL_TREE), "world")
+    shoulder = figure.model.joint("shoulder").qposadr[0]
+    keys = []
+    for time, turn, bend in ((0.0, 0.0, -4.0), (1.0, degrees, 4.0)):
+        qpos = np.array(figure.model.qpos0)
+        qpos[3:7] = quat.from_rotation_vector([0, 0, np.radians(turn)])
+        qpos[shoulder : shoulder + 4] = quat.from_rotation_vector([0, 0, np.radians(bend)])
+        keys.append(Frame.key(time, qpos))
+    path = path_of(raw_timeline(figure, keys))
+    along = figure.to_qpos(path.at(np.linspace(0, 1, 50)))[:, shoulder : shoulder + 4]
+    assert np.degrees(quat.angle_between(along, [1.0, 0, 0, 0])).max() < 15
