@@ -67,8 +67,9 @@ class Objective:
         spacing = float(np.mean(np.diff(raw.spline.times)))
         terms = []
         for term, integral in zip(self.terms, integrals, strict=True):
-            whole = term.penalty.reference * (last - first) / spacing**term.penalty.time_power
-            most = whole if term.penalty.is_violation else np.inf
+            scale = term.penalty.scale
+            whole = scale.reference * (last - first) / spacing**scale.time_power
+            most = whole if scale.is_violation else np.inf
             terms.append(replace(term, factor=term.weight / float(np.clip(integral, SMALL_SHARE * whole, most))))
         return replace(self, terms=tuple(terms))
 

@@ -60,9 +60,9 @@ def clip(figure: Figure, rng: np.random.Generator, ends: str = "free") -> Timeli
 def test_the_renormalised_raw_spline_costs_the_sum_of_the_weights(figure, rng):
     raw = path_of(clip(figure, rng))
     length, spacing = TIMES[-1] - TIMES[0], np.mean(np.diff(TIMES))
-    every = [(p, weight) for p, weight in every_penalty(figure) if not p.is_violation]
+    every = [(p, weight) for p, weight in every_penalty(figure) if not p.scale.is_violation]
     integrals = Objective.of(figure, every).integrals(raw)
-    floors = [p.reference * SMALL_SHARE * length / spacing**p.time_power for p, _ in every]
+    floors = [p.scale.reference * SMALL_SHARE * length / spacing**p.scale.time_power for p, _ in every]
     penalties = [pair for pair, integral, floor in zip(every, integrals, floors, strict=True) if integral > floor]
     assert len(penalties) >= 3
     objective = Objective.of(figure, penalties)

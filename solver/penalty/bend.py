@@ -13,6 +13,7 @@ import numpy as np
 
 from ..kinematics import Cotangent, Samples, add_at, applied, cross, dot, turned, turned_back
 from ..quaternion import Array, Index
+from .penalty import Scale
 
 Seen = tuple[Index, Index, tuple[Array, ...]]
 
@@ -47,16 +48,8 @@ class BendLimits:
     name: str = "bend"
 
     @property
-    def is_violation(self) -> bool:
-        return True
-
-    @property
-    def time_power(self) -> int:
-        return 0
-
-    @property
-    def reference(self) -> float:
-        return float(np.radians(1) ** 2)
+    def scale(self) -> Scale:
+        return Scale(float(np.radians(1) ** 2), is_violation=True)
 
     def angles(self, samples: Samples) -> Array:
         """(3, n, S) [rad]: flexion, sideways bend and twist of every joint."""

@@ -18,6 +18,7 @@ from ..figure import Figure
 from ..kinematics import Cotangent, Samples, cross, turned
 from ..quaternion import Array, Index
 from ..surface import Surface
+from .penalty import Scale
 
 
 @dataclass(frozen=True)
@@ -40,16 +41,8 @@ class Contact:
     name: str = "contact"
 
     @property
-    def is_violation(self) -> bool:
-        return True
-
-    @property
-    def time_power(self) -> int:
-        return 0
-
-    @property
-    def reference(self) -> float:
-        return 1e-4
+    def scale(self) -> Scale:
+        return Scale(1e-4, is_violation=True)
 
     @cached_property
     def _arrays(self) -> tuple[Index, Array, Array]:

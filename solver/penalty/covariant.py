@@ -13,6 +13,7 @@ import numpy as np
 
 from ..kinematics import Cotangent, Samples, dot
 from ..quaternion import Array
+from .penalty import Scale
 
 
 def covariant_acceleration(q: Array, q_dd: Array) -> Array:
@@ -37,16 +38,8 @@ class CovariantAcceleration:
             raise ValueError(f"covariant acceleration: form = {self.form!r} is not one of 'intrinsic', 'paper'")
 
     @property
-    def is_violation(self) -> bool:
-        return False
-
-    @property
-    def time_power(self) -> int:
-        return 4
-
-    @property
-    def reference(self) -> float:
-        return 16.0
+    def scale(self) -> Scale:
+        return Scale(16.0, time_power=4)
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         values = (

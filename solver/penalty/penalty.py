@@ -6,10 +6,25 @@ residual. A new soft constraint is one class here, one Taylor test, one row in t
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Protocol
 
 from ..kinematics import Cotangent, Samples
 from ..quaternion import Array
+
+
+@dataclass(frozen=True)
+class Scale:
+    """What counts as little of a soft constraint, for terms that (nearly) vanish on the raw spline.
+
+    reference     f_j of a violation of 1 cm or 1°, or of 8 rad (2 m) per squared key spacing at keyframes 1 s apart
+    is_violation  whether f_j is zero wherever a constraint is kept, like a depth, and not a cost of all motion
+    time_power    f_j of a clip played λ times slower falls by λ to this power: 4 for squared accelerations
+    """
+
+    reference: float
+    is_violation: bool = False
+    time_power: int = 0
 
 
 class Penalty(Protocol):
@@ -21,19 +36,8 @@ class Penalty(Protocol):
         ...
 
     @property
-    def reference(self) -> float:
-        """f_j of a violation of 1 cm or 1°, or of 8 rad (2 m) per squared key spacing: the scale of a term that starts
-        at zero. Accelerations are given for keyframes 1 s apart."""
-        ...
-
-    @property
-    def is_violation(self) -> bool:
-        """Whether f_j is zero wherever a constraint is kept, like a depth, and not a cost of all motion."""
-        ...
-
-    @property
-    def time_power(self) -> int:
-        """f_j of a clip played λ times slower falls by λ to this power: 4 for squared accelerations."""
+    def scale(self) -> Scale:
+        """What counts as little."""
         ...
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:

@@ -17,6 +17,7 @@ from ..kinematics import Cotangent, Samples, cross
 from ..quaternion import Array
 from ..surface import Surface
 from .contact import Contact, Point
+from .penalty import Scale
 
 NEAR_SURFACE = 0.012
 SAME_SPOT = 0.05
@@ -46,16 +47,8 @@ class Planted:
     name: str = "planted"
 
     @property
-    def is_violation(self) -> bool:
-        return True
-
-    @property
-    def time_power(self) -> int:
-        return 0
-
-    @property
-    def reference(self) -> float:
-        return 1e-4
+    def scale(self) -> Scale:
+        return Scale(1e-4, is_violation=True)
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         values = np.zeros(samples.count)

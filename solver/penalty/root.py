@@ -8,6 +8,7 @@ import numpy as np
 
 from ..kinematics import Cotangent, Samples
 from ..quaternion import Array
+from .penalty import Scale
 
 
 @dataclass(frozen=True)
@@ -17,16 +18,8 @@ class RootAcceleration:
     name: str = "root"
 
     @property
-    def is_violation(self) -> bool:
-        return False
-
-    @property
-    def time_power(self) -> int:
-        return 4
-
-    @property
-    def reference(self) -> float:
-        return 4.0
+    def scale(self) -> Scale:
+        return Scale(4.0, time_power=4)
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         tables = samples.figure.tables

@@ -10,6 +10,7 @@ from ..dynamics import InverseDynamics
 from ..figure import JointKind
 from ..kinematics import Cotangent, Samples, add_at, cross, dot
 from ..quaternion import Array, Index
+from .penalty import Scale
 
 
 @dataclass(frozen=True)
@@ -19,16 +20,8 @@ class Torque:
     name: str = "torque"
 
     @property
-    def is_violation(self) -> bool:
-        return False
-
-    @property
-    def time_power(self) -> int:
-        return 0
-
-    @property
-    def reference(self) -> float:
-        return 1.0
+    def scale(self) -> Scale:
+        return Scale(1.0)
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         tables, links = samples.figure.tables, samples.links

@@ -8,6 +8,7 @@ import numpy as np
 
 from ..kinematics import Cotangent, Samples, dot
 from ..quaternion import Array
+from .penalty import Scale
 
 
 @dataclass(frozen=True)
@@ -26,16 +27,8 @@ class UnitMagnitude:
             raise ValueError(f"unit magnitude: form = {self.form!r} is not one of 'square', 'absolute'")
 
     @property
-    def is_violation(self) -> bool:
-        return False
-
-    @property
-    def time_power(self) -> int:
-        return 0
-
-    @property
-    def reference(self) -> float:
-        return 4e-4 if self.form == "square" else 2e-2
+    def scale(self) -> Scale:
+        return Scale(4e-4 if self.form == "square" else 2e-2)
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         excess = dot(samples.q, samples.q) - 1
