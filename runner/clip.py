@@ -12,32 +12,22 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Any
 
 import mujoco
 import numpy as np
-from pydantic import BaseModel, ConfigDict, Field, Strict, ValidationError
+from pydantic import ValidationError
 
 import models
 from solver import quaternion as quat
 from solver.figure import Figure, FigureError, JointKind, quaternion_columns
-from solver.frame import Frame, Mask, Timeline, TimelineError
+from solver.frame import Frame, Mask, TimelineError
 from solver.inbetween import Settings
 from solver.optimiser import algorithm
 from solver.penalty import (
     Bend,
-    BendLimits,
-    Contact,
-    CovariantAcceleration,
     Penalty,
-    Planted,
     Point,
-    RootAcceleration,
-    Torque,
-    UnitMagnitude,
-    body_points,
-    site_points,
-    stances,
 )
 from solver.quadrature import Quadrature
 from solver.quaternion import Array
@@ -45,115 +35,29 @@ from solver.subdivision import CRITERIA
 from solver.surface import Surface, static_surfaces
 from solver.unknowns import raw_timeline
 
+from .clip_table import (
+    LARGEST,
+    ROTATION,
+    ClipTable,
+    KeyframeTable,
+    PenaltyTable,
+    RootTable,
+    RotationTable,
+    SolveTable,
+    spoken,
+)
+from .constraints import Constraints
 from .errors import UserError, unknown
 from .motion import read_arrays
 from .scene import Step, check_files, compose, figure_spec, first_line, quietly
 
-KINDS = ("covariant", "root", "unit", "contact", "clearance", "planted", "bend", "torque")
-DEFAULT_WEIGHTS = {
-    "covariant": 1.0,
-    "root": 1.0,
-    "unit": 1.0,
-    "contact": 30.0,
-    "clearance": 30.0,
-    "planted": 0.1,
-    "bend": 1.0,
-}
-KNEES, ELBOWS = ("knee", "shin"), ("elbow", "forearm", "farm")
-SOLES = ("heel", "toe")
 LONGEST_PANEL = 0.05
 POINTS = 4
 TOLERANCE = 1e-5
 FRAME_SECONDS = 0.1
-BEND_BOUND = 8.0  # degrees; 10° with room for a soft constraint
 
 SHORTEST = 0.001  # [s] between neighbouring keyframes
 LONGEST = 600.0  # [s] from the first keyframe to the last
-LARGEST = 1e6  # of any number of a configuration
-OPTIONS = {
-    "covariant": {"form"},
-    "unit": {"form"},
-    "contact": {"points", "margin"},
-    "clearance": {"margin"},
-    "bend": {"joints", "least", "sideways", "twist"},
-}
-
-Real = Annotated[float, Strict(), Field(allow_inf_nan=False)]
-Number = Annotated[Real, Field(ge=-LARGEST, le=LARGEST)]
-Whole = Annotated[int, Strict()]
-Length = Annotated[Real, Field(gt=0, le=1000)]
-Angle = Annotated[Real, Field(gt=0, le=360)]
-Axis = Number | Literal["free"]
-
-
-class _Table(BaseModel):
-    model_config = ConfigDict(extra="forbid", strict=False)
-
-
-class RotationTable(_Table):
-    rotvec: tuple[Number, Number, Number] | None = None
-    euler: list[Number] | None = None
-    order: str | None = None
-    quat: tuple[Number, Number, Number, Number] | None = None
-
-
-class RootTable(_Table):
-    position: tuple[Axis, Axis, Axis] | Literal["free"] = "free"
-    rotation: RotationTable | Literal["free"] = "free"
-
-
-class KeyframeTable(_Table):
-    time: Number
-    root: RootTable = RootTable()
-    joints: dict[str, RotationTable | Number | Literal["free"]] = {}
-    others: Literal["free", "rest", "hold"] = "free"
-
-
-class StepTable(_Table):
-    x: Number
-    height: Length
-    length: Length = 3.0
-    width: Length = 2.4
-    y: Number = 0.0
-
-
-class SceneTable(_Table):
-    step: StepTable | None = None
-
-
-class PenaltyTable(_Table):
-    kind: str
-    weight: Annotated[Real, Field(ge=0, le=1e9)] = 1.0
-    form: str | None = None
-    points: list[str] | None = None
-    joints: list[str] | None = None
-    margin: Annotated[Real, Field(ge=0, le=0.1)] | None = None
-    least: Annotated[Real, Field(ge=-360, le=360)] | None = None
-    sideways: Angle | None = None
-    twist: Angle | None = None
-
-
-class SolveTable(_Table):
-    coordinates: Literal["auto", "world", "joint"] = "auto"
-    ends: Literal["free", "clamped", "periodic"] = "free"
-    variable: Annotated[Whole, Field(ge=0, le=50)] | None = None
-    frames: Annotated[Whole, Field(ge=0, le=100_000)] | None = None
-    criterion: str | None = None
-    threshold: Annotated[Real, Field(ge=0)] | None = None
-    optimiser: str | None = None
-    evaluations: Annotated[Whole, Field(ge=1, le=1_000_000)] | None = None
-    tolerance: Annotated[Real, Field(gt=0, le=1)] | None = None
-    quadrature: Literal["gauss", "uniform"] = "gauss"
-    samples: Annotated[Whole, Field(ge=1, le=10_000)] | None = None
-
-
-class ClipTable(_Table):
-    figure: str
-    fps: Annotated[Real, Field(ge=0.01, le=1000)] = 30.0
-    scene: SceneTable = SceneTable()
-    solve: SolveTable = SolveTable()
-    penalty: list[PenaltyTable] = []
-    keyframe: list[KeyframeTable]
 
 
 @dataclass(frozen=True)
@@ -230,7 +134,7 @@ def from_text(
     try:
         table = ClipTable.model_validate(raw)
     except ValidationError as error:
-        raise UserError(f"{place}: {_spoken(error, raw)}") from None
+        raise UserError(f"{place}: {spoken(error, raw)}") from None
     step = table.scene.step
     try:
         spec = figure_spec(table.figure, folder)
@@ -268,7 +172,7 @@ def _clip(
         raise UserError(f"{place}: {error}") from None
     surfaces = static_surfaces(figure.model)
     notes: list[str] = []
-    builder = _Penalties(figure, timeline, surfaces, notes, place)
+    builder = Constraints(figure, timeline, surfaces, notes, place)
     penalties = builder.all(entries)
     return Clip(
         name, text, mjcf, figure, fps, tuple(keys), penalties, settings, solve.ends,
@@ -401,7 +305,7 @@ def _set_joint(qpos: Array, fixed: Mask, link: Any, value: RotationTable | float
     if link.kind is JointKind.FREE:
         raise UserError(f"{place}: a free joint is placed by root.position and root.rotation")
     if not isinstance(value, RotationTable):
-        raise UserError(f"{place}: a ball joint takes a rotation, {_ROTATION}, not a number")
+        raise UserError(f"{place}: a ball joint takes a rotation, {ROTATION}, not a number")
     qpos[columns] = _rotation(value, place)
     fixed[columns] = True
 
@@ -428,104 +332,6 @@ def _rotation(table: RotationTable, place: str) -> Array:
     for letter, angle in zip(order, np.radians(angles), strict=True):
         out = quat.product(out, quat.from_rotation_vector(angle * np.eye(3)["xyz".index(letter)]))
     return out
-
-
-class _Penalties:
-    """The table of soft constraints by kind."""
-
-    def __init__(
-        self, figure: Figure, keys: Timeline, surfaces: tuple[Surface, ...], notes: list[str], place: str
-    ) -> None:
-        self.figure, self.keys, self.surfaces, self.notes, self.place = figure, keys, surfaces, notes, place
-        model = figure.model
-        self.sites = [model.site(i).name for i in range(model.nsite)]
-        self.points = site_points(figure, [s for s in self.sites if any(word in s.lower() for word in SOLES)])
-        self.bends = tuple(_bends(figure))
-        if not surfaces:
-            notes.append("no static plane or box found: nothing to stay above")
-        if not self.points:
-            notes.append("no site named heel or toe found: no contact points")
-        if not self.bends:
-            notes.append("no knee, shin, elbow or forearm on a ball joint found: no limits on bending")
-
-    def all(self, entries: list[PenaltyTable]) -> tuple[tuple[Penalty, float], ...]:
-        chosen = {kind: PenaltyTable(kind=kind, weight=weight) for kind, weight in DEFAULT_WEIGHTS.items()}
-        seen: dict[str, int] = {}
-        for i, entry in enumerate(entries, 1):
-            place = f"{self.place}: penalty {i}"
-            if entry.kind not in KINDS:
-                raise UserError(f"{place}: {unknown('penalty', entry.kind, KINDS)}")
-            if entry.kind in seen:
-                raise UserError(f"{place}: kind '{entry.kind}' is given already by penalty {seen[entry.kind]}")
-            for option in sorted(entry.model_fields_set - {"kind", "weight"} - OPTIONS.get(entry.kind, set())):
-                takes = ", ".join(["weight", *sorted(OPTIONS.get(entry.kind, ()))])
-                raise UserError(f"{place}: '{option}' is not for kind '{entry.kind}', which takes: {takes}")
-            seen[entry.kind] = i
-            chosen[entry.kind] = entry
-        built = [(self.one(entry), entry.weight) for entry in chosen.values()]
-        return tuple((penalty, weight) for penalty, weight in built if weight > 0)
-
-    def one(self, entry: PenaltyTable) -> Penalty:
-        try:
-            if entry.kind == "covariant":
-                return CovariantAcceleration(entry.form or "intrinsic")
-            if entry.kind == "unit":
-                return UnitMagnitude(entry.form or "square")
-        except ValueError as error:
-            raise UserError(f"{self.place}: penalty '{entry.kind}': {error}") from None
-        if entry.kind == "root":
-            return RootAcceleration()
-        if entry.kind == "torque":
-            return Torque()
-        if entry.kind == "clearance":
-            return Contact(body_points(self.figure), self.surfaces, entry.margin or 0.0, name="clearance")
-        if entry.kind == "planted":
-            return Planted(stances(self.figure, self.keys, self.points, self.surfaces))
-        if entry.kind == "contact":
-            if entry.points is not None:
-                self.points = self._sites(entry.points)
-            return Contact(self.points, self.surfaces, entry.margin or 0.0)
-        return self._bend(entry)
-
-    def _sites(self, names: list[str]) -> tuple[Point, ...]:
-        for name in names:
-            if name not in self.sites:
-                raise UserError(f"{self.place}: penalty 'contact': {unknown('site', name, self.sites)}")
-        return site_points(self.figure, names)
-
-    def _bend(self, entry: PenaltyTable) -> Penalty:
-        if entry.joints is not None:
-            known = {bend.name: bend for bend in self.bends}
-            for name in entry.joints:
-                if name not in known:
-                    raise UserError(f"{self.place}: penalty 'bend': {unknown('joint', name, known)}")
-            self.bends = tuple(known[name] for name in entry.joints)
-        sideways, twist = entry.sideways or BEND_BOUND, entry.twist or BEND_BOUND
-        least, sideways, twist = np.radians([entry.least or 0.0, sideways, twist])
-        return BendLimits(self.bends, float(least), float(sideways), float(twist))
-
-
-def _bends(figure: Figure) -> list[Bend]:
-    """Ball joints that are knees or elbows by their own name or their body's, of a figure that faces x."""
-    found = []
-    for i, link in enumerate(figure.links[1:], start=1):
-        names = f"{link.name} {figure.model.body(link.body).name}".lower()
-        lateral = 1.0 if any(w in names for w in KNEES) else -1.0 if any(w in names for w in ELBOWS) else 0.0
-        if lateral and link.kind is JointKind.BALL:
-            long_axis = link.centre - link.anchor
-            down = quat.rotated(link.turn, long_axis)
-            down[1] = 0.0
-            if np.linalg.norm(down) > 1e-6:
-                axis = np.array([0.0, lateral, 0.0])
-                found.append(Bend(link.name, i, axis, _principal(down)))
-    return found
-
-
-def _principal(direction: Array) -> Array:
-    """The coordinate axis nearest to a direction: limbs hang along one at rest."""
-    axis = np.zeros(3)
-    axis[np.argmax(np.abs(direction))] = np.sign(direction[np.argmax(np.abs(direction))])
-    return axis
 
 
 def _from_mjcf(path: Path, fps: float | None) -> Clip:
@@ -592,113 +398,3 @@ def _plain(name: str, mjcf: str, time: Array, qpos: Array, fps: float | None, pl
     _check_times(time.tolist(), place)
     keys = [Frame.key(t, q) for t, q in zip(time, qpos, strict=True)]
     return _clip(name, "", mjcf, figure, fps or 30.0, keys, [], SolveTable(), place)
-
-
-def _spoken(error: ValidationError, raw: dict[str, Any]) -> str:
-    """The first complaint of a validation, in the clip file's own words."""
-    complaints = error.errors()
-    telling = ("finite_number", "extra_forbidden")
-    first = next((c for kind in telling for c in complaints if c["type"] == kind), complaints[0])
-    names, words, given = _walked(first["loc"], raw)
-    place = "".join(f"{word}: " for word in words)
-    key = ".".join(names)
-    kind = first["type"]
-    if kind == "extra_forbidden":
-        inside = f"{'.'.join(names[:-1])}: " if names[:-1] else ""
-        return place + inside + unknown("key", names[-1], _schema(words, names[:-1]).model_fields)
-    if kind == "missing" and isinstance(first["loc"][-1], str):
-        return f"{place}'{key}' is missing"
-    if kind == "finite_number":
-        return f"{place}{key or 'number'} must be a finite number, not {given}"
-    for start, bound in (("greater_than_equal", "at least"), ("greater_than", "above"), ("less_than", "at most")):
-        if kind.startswith(start):
-            limit = next(iter(first.get("ctx", {}).values()))
-            return f"{place}{key} must be {bound} {limit:g}, not {given}"
-    return (
-        f"{place}{key + ' ' if key else ''}must be {_EXPECTED.get(_role(words, names), 'a table')}, not {_shown(given)}"
-    )
-
-
-def _walked(location: tuple[int | str, ...], raw: Any) -> tuple[list[str], list[str], Any]:
-    """The keys of a complaint's location, the numbered tables around it, and what stands there.
-
-    pydantic's locations also hold the names of alternatives, which no user knows: a key is what the file has there.
-    """
-    names: list[str] = []
-    words: list[str] = []
-    here = raw
-    for i, part in enumerate(location):
-        if isinstance(here, list) and isinstance(part, int) and part < len(here):
-            here = here[part]
-            if i == 1:
-                time = here.get("time") if isinstance(here, dict) else None
-                known = isinstance(time, int | float) and not isinstance(time, bool)
-                words.append(f"{names.pop()} {part + 1}" + (f" (t = {time:g} s)" if known else ""))
-        elif isinstance(here, dict) and part in here:
-            names.append(str(part))
-            here = here[part]
-        elif isinstance(here, dict) and i == len(location) - 1:
-            names.append(str(part))
-    return names, words, here
-
-
-def _role(words: list[str], names: list[str]) -> str:
-    """What kind of entry a key is: joints have names of their own."""
-    if names[:1] == ["joints"] and words[0].startswith("penalty"):
-        return "bent joints"
-    if len(names) == 2 and names[0] == "joints":
-        return "joint"
-    return names[-1] if names else ""
-
-
-def _schema(words: list[str], names: list[str]) -> type[_Table]:
-    """The table that an unknown key stands in."""
-    if len(names) == 2 and names[0] == "joints":
-        return RotationTable
-    if names:
-        return _TABLES[names[-1]]
-    return _TABLES[words[0].split()[0]] if words else ClipTable
-
-
-def _shown(value: Any) -> str:
-    """A value of the file as a message shows it: short."""
-    if isinstance(value, dict):
-        return "a table"
-    if isinstance(value, bool):
-        return str(value).lower()
-    text = repr(value) if isinstance(value, str | int | float | list) else str(value)
-    return text if len(text) <= 60 else text[:57] + "..."
-
-
-_TABLES: dict[str, type[_Table]] = {
-    "keyframe": KeyframeTable,
-    "penalty": PenaltyTable,
-    "scene": SceneTable,
-    "step": StepTable,
-    "solve": SolveTable,
-    "root": RootTable,
-    "rotation": RotationTable,
-}
-
-_ROTATION = "{rotvec = [x, y, z]}, {euler = [...], order = ...} or {quat = [w, x, y, z]}"
-_NUMBERS = ("time", "fps", "x", "y", "height", "length", "width", "weight", "margin", "least", "sideways", "twist")
-_WHOLE = ("variable", "frames", "evaluations", "samples")
-_EXPECTED = {
-    **dict.fromkeys((*_NUMBERS, "threshold", "tolerance"), "a number"),
-    **dict.fromkeys(_WHOLE, "a whole number"),
-    **dict.fromkeys(("kind", "form", "criterion", "optimiser", "order"), "a word in quotes"),
-    **dict.fromkeys(("points", "bent joints"), "a list of names"),
-    "others": "'free', 'rest' or 'hold'",
-    "figure": "the name of a figure or a path in quotes",
-    "keyframe": "[[keyframe]] tables",
-    "penalty": "[[penalty]] tables",
-    "position": '[x, y, z] in metres, each a number or "free"',
-    "rotation": f'{_ROTATION} or "free"',
-    "joint": f'{_ROTATION}, a number or "free"',
-    "rotvec": "three angles [x, y, z] in degrees",
-    "euler": "a list of angles in degrees",
-    "quat": "four numbers [w, x, y, z]",
-    "coordinates": "'auto', 'world' or 'joint'",
-    "ends": "'free', 'clamped' or 'periodic'",
-    "quadrature": "'gauss' or 'uniform'",
-}

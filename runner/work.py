@@ -47,9 +47,11 @@ class Solved:
         """What goes into a motion file; the report takes some seconds, and Ctrl-C only cuts it short."""
         clip, motion = self.clip, self.motion
         data = {}
-        if with_report:
-            teller.step("measuring", 0.0, force=True)
-            with _unhurried() as asked:
+        with _unhurried() as asked:
+            if motion.stop is Stop.ASKED:
+                teller.say("stopped; the best path so far is kept")
+            if with_report:
+                teller.step("measuring", 0.0, force=True)
 
                 def told(i: int, count: int) -> None:
                     teller.step("measuring", i / count, f"segment {i} of {count}")
@@ -58,8 +60,8 @@ class Solved:
 
                 drawn = curves(clip, motion)
                 data = report(clip, motion, self.seconds, told)
-            data["curves"] = drawn
-            teller.step("measuring", 1.0, force=True)
+                data["curves"] = drawn
+                teller.step("measuring", 1.0, force=True)
         trace = [list(entry) for entry in motion.trace]
         return Saved(
             clip.name, clip.text, clip.mjcf, clip.figure, clip.fps, clip.keys, motion.timeline, motion.raw, trace, data
@@ -89,8 +91,6 @@ def solve(clip: Clip, teller: Teller, *, stop_after: int | None = None) -> Solve
     if found.trace:
         note = f"evaluation {found.evaluations}, objective {found.trace[0][2]:.4g} -> {found.trace[-1][2]:.4g}"
         teller.step("solving", 1.0, note, force=True)
-    if found.stop is Stop.ASKED:
-        teller.say("stopped; the best path so far is kept")
     return Solved(clip, found, seconds)
 
 

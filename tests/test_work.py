@@ -66,6 +66,7 @@ def test_an_interrupted_solve_keeps_the_best_path(problem):
     solved = work.solve(problem, teller)
     assert solved.motion.stop is Stop.ASKED
     assert len(solved.motion.trace) == 4
+    solved.saved(teller, with_report=False)
     assert "the best path so far is kept" in teller.out.getvalue()
     assert value(solved) == pytest.approx(solved.motion.trace[-1][2], rel=1e-9)
     assert value(solved) < solved.motion.objective.value(path_of(solved.motion.raw))
