@@ -1,0 +1,165 @@
+"""Sets of orientations for one ball joint, our solutions through them, and every curve's energy, measured alike."""
+
+from __future__ import annotations
+
+import importlib
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
+from itertools import pairwise
+from pathlib import Path as File
+from typing import Any
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+import models
+from solver import Figure, Frame, Motion, Objective, Path, Quadrature, Settings, inbetween
+from solver import quaternion as quat
+from solver.penalty import CovariantAcceleration, UnitMagnitude
+
+Array = NDArray[np.float64]
+
+INTRINSIC = ((CovariantAcceleration(), 5.0), (UnitMagnitude(), 2.0))
+ENERGY = ((CovariantAcceleration(), 1.0),)
+FINE = Quadrature("gauss", 8, 0.05)
+OTHER_CLASS = 0.05
+
+
+@cache
+def spinner() -> Figure:
+    """The figure of one ball joint that ships."""
+    return Figure(mujoco.MjModel.from_xml_string(models.figure_text("spinner")))
+
+
+def moderate(rng: np.random.Generator, count: int) -> Array:
+    """(count, 4) orientations: steps of 20-90° about random axes, by shortest arcs."""
+    track = [np.array([1.0, 0.0, 0.0, 0.0])]
+    for _ in range(count - 1):
+        axis = rng.normal(size=3)
+        turn = axis / np.linalg.norm(axis) * np.radians(rng.uniform(20, 90))
+        track.append(quat.product(track[-1], quat.from_rotation_vector(turn)))
+    return quat.aligned(np.array(track))
+
+
+def uniform(rng: np.random.Generator, count: int) -> Array:
+    """(count, 4) uniformly random orientations, by shortest arcs."""
+    return quat.aligned(quat.normalised(rng.normal(size=(count, 4))))
+
+
+KINDS: dict[str, Callable[[np.random.Generator, int], Array]] = {"moderate": moderate, "random": uniform}
+
+
+def uneven_times(rng: np.random.Generator, count: int, ratio: float) -> Array:
+    """(count,) times [s], intervals log-uniform between 1 and `ratio`, their mean 1 s."""
+    steps = ratio ** rng.uniform(size=count - 1)
+    return np.concatenate([[0.0], np.cumsum(steps / steps.mean())])
+
+
+@dataclass(frozen=True, eq=False)
+class Track:
+    """Keyframes of one set: times (K,) [s] and unit quaternions (K, 4)."""
+
+    kind: str
+    seed: int
+    times: Array
+    orientations: Array
+
+    @property
+    def name(self) -> str:
+        return f"{self.kind} {self.seed}"
+
+    @property
+    def keys(self) -> list[Frame]:
+        return [Frame.key(t, q) for t, q in zip(self.times, self.orientations, strict=True)]
+
+
+def track(kind: str, seed: int, count: int, ratio: float | None = None) -> Track:
+    """Set `seed` of a kind: 1 s apart, or uneven by up to `ratio` : 1."""
+    rng = np.random.default_rng(seed)
+    orientations = KINDS[kind](rng, count)
+    times = np.arange(float(count)) if ratio is None else uneven_times(rng, count, ratio)
+    return Track(kind, seed, times, orientations)
+
+
+def solved(found: Track, settings: Settings, improved: Callable[[Any], None] | None = None) -> Motion:
+    """Our path through a set, in the intrinsic form."""
+    return inbetween(spinner(), found.keys, INTRINSIC, settings, improved=improved)
+
+
+def energy(path: Path) -> float:
+    """¼ ∫ |ω'|² dt of the normalised path, 8 Gauss points on panels of at most 50 ms between knots."""
+    return Objective.of(spinner(), ENERGY, quadrature=FINE).value(path)
+
+
+def acceleration_energy(times: Array, acceleration: Callable[[Array], Array]) -> float:
+    """¼ ∫ |ω'|² dt of any curve that gives ω' (S, 3) at times (S,) and is smooth between its keyframes."""
+    t, w = FINE.nodes(times)
+    return float(0.25 * w @ np.sum(acceleration(t) ** 2, axis=1))
+
+
+def sampled_energy(times: Array, orientation: Callable[[Array], Array], steps: int = 400) -> float:
+    """The same of a curve that gives only unit quaternions, by central differences inside every segment."""
+    total = 0.0
+    for a, b in pairwise(times):
+        h = (b - a) / steps
+        q = quat.aligned(orientation(np.linspace(a, b, steps + 1)))
+        middle, second = q[1:-1], (q[2:] - 2 * q[1:-1] + q[:-2]) / h**2
+        density = np.sum((second - np.sum(second * middle, axis=1, keepdims=True) * middle) ** 2, axis=1)
+        total += h * (density.sum() + 0.5 * (density[0] + density[-1]))
+    return total
+
+
+@cache
+def oracle() -> Callable[[Array, Array], Any]:
+    """The tests' exact minimiser by multiple shooting, which shares no code with the solver."""
+    folder = str(File(__file__).resolve().parents[1] / "tests")
+    if folder not in sys.path:
+        sys.path.append(folder)
+    return importlib.import_module("exact_path").exact_path
+
+
+def exact_energy(found: Track) -> float | None:
+    """The exact minimiser's energy, or None where its Newton iteration does not close."""
+    try:
+        with np.errstate(all="ignore"):
+            value = oracle()(found.times, found.orientations).energy
+    except (ArithmeticError, np.linalg.LinAlgError, ValueError):
+        return None
+    return value if np.isfinite(value) else None
+
+
+def exact_energy_from(found: Track, path: Path) -> float | None:
+    """The energy of the exact stationary path that the oracle's Newton iteration reaches from a path of ours."""
+    module = importlib.import_module(oracle().__module__)
+    times, keys = found.times, quat.normalised(path.at(found.times))
+    states = np.array([_rates(path, a, b) for a, b in pairwise(times)])
+    try:
+        with np.errstate(all="ignore"):
+            gap = module._gaps(times, keys, states)
+            for _ in range(60):
+                if np.linalg.norm(gap) < 1e-10:
+                    return float(module.ExactPath(times, keys, states).energy)
+                step = np.linalg.solve(module._jacobian(times, keys, states), -gap).reshape(states.shape)
+                closer = module._shortened(times, keys, states, step)
+                if closer is None:
+                    return None
+                states, gap = closer
+    except (ArithmeticError, np.linalg.LinAlgError, ValueError):
+        return None
+    return None
+
+
+def _rates(path: Path, a: float, b: float) -> Array:
+    """(9,) the body's ω, ω', ω'' just after a, from a fit over the segment to b."""
+    t = np.linspace(a, b, 25)
+    omega = 2 * quat.product(quat.inverse(path.at(t)), path.at(t, 1))[:, 1:]
+    fit = np.polynomial.polynomial.polyfit((t - a) / (b - a), omega, 7)
+    return np.concatenate([fit[0], fit[1] / (b - a), 2 * fit[2] / (b - a) ** 2])
+
+
+def in_other_class(ratio: float) -> bool:
+    """Whether an energy ratio is too far from 1 for the same minimum: other windings."""
+    return abs(ratio - 1) > OTHER_CLASS

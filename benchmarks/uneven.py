@@ -1,0 +1,137 @@
+"""Keyframes at uneven times, intervals up to 50 : 1: who fails how often."""
+
+from __future__ import annotations
+
+import importlib
+from typing import Any
+
+import numpy as np
+from bench import NOT_INSTALLED, Effort, Section, Target, median, peer, seconds, worst
+from rotations import KINDS, Track, energy, exact_energy, exact_energy_from, in_other_class, solved, track
+from shooting import energy_of, has_closed, quaternions_of, shot
+
+from solver import Motion, Settings
+from solver.descent import optimised
+from solver.subdivision import by_weak_form, evenly, path_of
+
+FIRST_SEED = 3000
+RATIO = 50.0
+SIZES = (7, 20)
+SETS = (60, 4)
+OURS = Settings(variable=3, frames=None, threshold=1e-5, tolerance=1e-8, max_evaluations=1000)
+LEFT, NEAR = 1e-2, 1e-2
+
+
+def of_set(found: Track, module: Any) -> dict[str, Any]:
+    """What both made of one set: times [s], energies, and whether ours is confirmed."""
+    row: dict[str, Any] = {"kind": found.kind, "keyframes": len(found.keys), "seed": found.seed}
+    if module is not None:
+        row |= _theirs(found, module)
+    row["exact"] = exact_energy(found) or row.get("peer energy")
+    row |= _ours(found, row["exact"])
+    exact, own, nearest = row["exact"], row["energy"], row["nearest"]
+    row["ours / exact"] = own / nearest if own and nearest else None
+    row["other class"] = bool(exact and nearest and in_other_class(nearest / exact))
+    ratio = row["ours / exact"]
+    row["confirmed"] = bool(ratio and row["left"] <= LEFT and abs(ratio - 1) <= NEAR)
+    return row
+
+
+def _theirs(found: Track, module: Any) -> dict[str, Any]:
+    spent, curve = seconds(lambda: shot(module, found.times, quaternions_of(module, found)))
+    closed = has_closed(curve)
+    why = None if closed else "raised" if curve is None else f"residual {curve.residual_norm:.1e}"
+    return {"peer [s]": spent, "peer failed": why, "peer energy": energy_of(curve) if closed else None}
+
+
+def _nearest(found: Track, motion: Motion, exact: float | None) -> tuple[float, str]:
+    """The energy of the minimum that ours is near, and how it is known."""
+    own = energy(motion.path)
+    if exact is not None and abs(own / exact - 1) <= NEAR:
+        return exact, "exact"
+    from_ours = exact_energy_from(found, motion.path)
+    if from_ours is not None and not in_other_class(own / from_ours):
+        return from_ours, "exact from ours"
+    fine = optimised(motion.objective, evenly(motion.timeline, 1), max_evaluations=600, tolerance=1e-8)
+    return energy(path_of(fine)), "refined"
+
+
+def _ours(found: Track, exact: float | None) -> dict[str, Any]:
+    try:
+        spent, motion = seconds(lambda: solved(found, OURS))
+    except (ArithmeticError, ValueError, np.linalg.LinAlgError) as error:
+        why = f"{type(error).__name__}: {error}"
+        return {"ours [s]": None, "energy": None, "nearest": None, "known by": "", "left": np.inf, "stop": why}
+    left = float(by_weak_form(motion.objective, motion.timeline).sum()) / motion.objective.value(motion.path)
+    nearest, known = _nearest(found, motion, exact)
+    return {
+        "ours [s]": spent,
+        "energy": energy(motion.path),
+        "nearest": nearest,
+        "known by": known,
+        "left": left,
+        "stop": motion.stop.name,
+        "frames": motion.timeline.variable_count,
+        "evaluations": motion.evaluations,
+    }
+
+
+def measure(effort: Effort) -> Section:
+    module = peer("interpolatepy")
+    section = Section(
+        "Keyframe intervals log-uniform between 1 : 1 and 50 : 1: failures",
+        ("keyframes", "kind", "sets", "InterpolatePy failed", "ours unconfirmed", "ours / exact: median", "worst",
+         "ours in another winding class", "ours [ms]", "theirs [ms]"),
+    )  # fmt: skip
+    importlib.import_module("warnings").simplefilter("ignore", RuntimeWarning)
+    rows: list[dict[str, Any]] = []
+    count = effort.count(*SETS)
+    for size in SIZES:
+        for kind in KINDS:
+            own = []
+            for i in range(count):
+                effort.tell(f"{size} keyframes, {kind}, set {i + 1} of {count}")
+                own.append(of_set(track(kind, FIRST_SEED + i, size, RATIO), module))
+            rows += own
+            section.add(size, kind, count, *_cells(own, module is not None))
+    mine = sum(not row["confirmed"] for row in rows)
+    theirs = sum(row["peer failed"] is not None for row in rows) if module else None
+    section.targets = [Target(f"ours unconfirmed, of {len(rows)} (theirs: {theirs})", float(mine), 0.0)]
+    apart = [f"{_called(row)}: {row['nearest'] / row['exact']:.3f}" for row in rows if row["other class"]]
+    by = {way: sum(row["known by"] == way for row in rows) for way in ("exact", "exact from ours", "refined")}
+    doubtful = [
+        f"{_called(row)}: {row['ours / exact'] or np.nan:.4f}, left {row['left']:.1e}, {row['stop']}"
+        for row in rows
+        if not row["confirmed"]
+    ]
+    section.notes = [
+        "theirs fails if it raises or its residual is over 1e-6. Ours is confirmed if the weak form promises less than "
+        f"{LEFT:.0%} of the energy from a frame in every segment, and the energy is within {NEAR:.0%} of the minimum "
+        f"it is near: by the tests' multiple shooting or theirs ({by['exact']} sets), by multiple shooting started from "
+        f"our path ({by['exact from ours']}), or, where neither closes, by our own with twice the frames ({by['refined']})",
+        "ours: 3 variable frames a segment, subdivision by the weak form to at most 5 a segment on average; the clock "
+        "is a single run",
+        f"ours in another winding class, its minimum / the one of multiple shooting: {'; '.join(apart) or 'none'}",
+        f"ours unconfirmed, energy / minimum, left, stop: {'; '.join(doubtful) or 'none'}",
+    ]
+    section.data = {"sets": rows}
+    return section
+
+
+def _called(row: dict[str, Any]) -> str:
+    return f"{row['kind']} {row['keyframes']} seed {row['seed']}"
+
+
+def _cells(rows: list[dict[str, Any]], installed: bool) -> tuple[Any, ...]:
+    ratios = [row["ours / exact"] for row in rows if row["ours / exact"]]
+    failed = sum(row["peer failed"] is not None for row in rows) if installed else NOT_INSTALLED
+    clocks = [row["peer [s]"] for row in rows] if installed else []
+    return (
+        failed,
+        sum(not row["confirmed"] for row in rows),
+        f"{median(ratios):.5f}",
+        f"{worst(ratios):.5f}",
+        sum(row["other class"] for row in rows),
+        1e3 * median([row["ours [s]"] for row in rows if row["ours [s]"]]),
+        1e3 * median(clocks),
+    )
