@@ -115,6 +115,10 @@ class Samples:
         """S"""
         return self.y.shape[0]
 
+    def taken(self, at: Index) -> Samples:
+        """The samples of these indices (R,), which may repeat, as samples of their own."""
+        return Samples(self.figure, self.y[at], self.y_d[at], self.y_dd[at], t=self.t[at])
+
     def columns(self, indices: Index, order: int = 0) -> Array:
         """Chosen columns of y, y' or y'', component first: indices (...) -> (..., S)."""
         return np.ascontiguousarray((self.y, self.y_d, self.y_dd)[order].T)[indices]

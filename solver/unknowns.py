@@ -32,6 +32,7 @@ class Unknowns:
     whole     (r,) rows of which every entry is an unknown of its own: variable frames and free end slopes
     blocks    (r, N) where these rows' entries stand in x
     row_of    (n,) a row that each unknown belongs to
+    place     (n,) the entry of the flat rows that each unknown is
     """
 
     constant: Array
@@ -41,6 +42,7 @@ class Unknowns:
     whole: Index
     blocks: Index
     row_of: Index
+    place: Index
 
     @property
     def size(self) -> int:
@@ -79,7 +81,8 @@ class Unknowns:
         constant, matrix, start = builder.finished()
         blocks = np.array(first, np.intp)[:, None] + np.arange(width)
         row_of = np.array(builder.row_of, np.intp)
-        return cls(constant, matrix, matrix.T.tocsr(), start, np.array(whole, np.intp), blocks, row_of)
+        place = row_of * width + np.array(builder.column_of, np.intp)
+        return cls(constant, matrix, matrix.T.tocsr(), start, np.array(whole, np.intp), blocks, row_of, place)
 
 
 class _Builder:
@@ -90,6 +93,7 @@ class _Builder:
         self.width = rows.shape[1]
         self.start: list[float] = []
         self.row_of: list[int] = []
+        self.column_of: list[int] = []
         self.of_row: dict[int, list[tuple[int, int, float]]] = {}
 
     def _put(self, row: int, column: int, unknown: int, value: float) -> None:
@@ -102,6 +106,7 @@ class _Builder:
             self._put(row, int(column), len(self.start), 1.0)
             self.start.append(float(self.constant[row, column]))
             self.row_of.append(row)
+            self.column_of.append(int(column))
             self.constant[row, column] = 0.0
         return first
 

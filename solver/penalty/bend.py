@@ -11,10 +11,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..curvature import Curvature, Sides, jacobian
 from ..kinematics import Cotangent, Samples, add_at, applied, cross, dot, turned, turned_back
 from ..quaternion import Array, Index
 from .penalty import Scale
 
+NEAR = np.radians(4)  # within which a bound may be passed after one step of the search
 Seen = tuple[Index, Index, tuple[Array, ...]]
 
 
@@ -86,6 +88,35 @@ class BendLimits:
         if into is not None and (low.any() or side.any() or turn.any()):
             self._pull_back(samples, into, seen, (2 * scale * low, 2 * scale * side, 2 * scale * turn))
         return np.sum(low**2 + side**2 + turn**2, axis=0)
+
+    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+        """Nothing: angles count beyond their bounds only."""
+
+    def sides(self, samples: Samples) -> Sides | None:
+        if not self.joints:
+            return None
+        flexion, sideways, twist = self._seen(samples)[0]
+        excess = np.array(
+            [
+                self.least - flexion,
+                sideways - self.sideways,
+                -sideways - self.sideways,
+                twist - self.twist,
+                -twist - self.twist,
+            ]
+        )
+        side, joint, at = np.nonzero(excess > -NEAR)
+        if not at.size:
+            return None
+        angle, sign = np.array([0, 1, 1, 2, 2])[side], np.array([-1.0, 1, -1, 1, -1])[side]
+
+        def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
+            seeds = np.zeros((3, len(self.joints), rows.size))
+            seeds[angle[rows], joint[rows], np.arange(rows.size)] = sign[rows]
+            self._pull_back(copies, cotangent, self._seen(copies)[1], tuple(seeds))
+
+        rows = jacobian(samples, at, seeded)[:, : samples.y.shape[1]]
+        return Sides(at, excess[side, joint, at], rows)
 
     def _pull_back(self, samples: Samples, into: Cotangent, seen: Seen, gradient: tuple[Array, ...]) -> None:
         own, parents, (u, v, side, d, f, planar, normal) = seen

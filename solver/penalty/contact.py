@@ -14,11 +14,14 @@ import mujoco
 import numpy as np
 
 from .. import quaternion as quat
+from ..curvature import Curvature, Sides, jacobian
 from ..figure import Figure
 from ..kinematics import Cotangent, Samples, cross, turned
 from ..quaternion import Array, Index
 from ..surface import Surface
 from .penalty import Scale
+
+NEAR = 0.03  # [m] within which a point may touch after one step of the search
 
 
 @dataclass(frozen=True)
@@ -90,6 +93,42 @@ class Contact:
                 for name, part in (("x", force), ("turn", cross(arm, force))):
                     _added(into.room(name), link, at, part)
         return values
+
+    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+        """Nothing: depths count on one side only."""
+
+    def sides(self, samples: Samples) -> Sides | None:
+        links, positions, radius = self._arrays
+        if not links.size or not self.surfaces:
+            return None
+        carriers, middles, reach, owner = self._bounds
+        around = samples.links.x[:, carriers] + turned(samples.links.rotation[:, :, carriers], middles)
+        parts = []
+        for surface in self.surfaces:
+            near = surface.depth(around, reach + NEAR)[0] > 0
+            point, at = np.nonzero(near[owner])
+            link = links[point]
+            arm = turned(samples.links.rotation[:, :, link, at][..., None], positions[:, point])[..., 0]
+            centres = (samples.links.x[:, link, at] + arm)[..., None]
+            depth, way = (part[..., 0] for part in surface.depth(centres, radius[point]))
+            about, way_about = (part[..., 0] for part in surface.depth(centres, radius[point] + NEAR))
+            inside = depth > 0
+            depth, way = np.where(inside, depth, about - NEAR), np.where(inside, way, way_about)
+            kept = np.flatnonzero(about > 0)
+            at, link, arm, way = at[kept], link[kept], arm[:, kept], way[:, kept]
+            parts.append(Sides(at, depth[kept], pushed(samples, at, link, arm, way)))
+        return Sides.joined(parts)
+
+
+def pushed(samples: Samples, at: Index, link: Index, arm: Array, way: Array) -> Array:
+    """(P, N): the gradient of way · p for points p at `arm` (3, P) from their links' origins, at samples `at` (P,)."""
+
+    def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
+        here = np.arange(rows.size)
+        cotangent.room("x")[:, link[rows], here] = way[:, rows]
+        cotangent.room("turn")[:, link[rows], here] = cross(arm[:, rows], way[:, rows])
+
+    return jacobian(samples, at, seeded)[:, : samples.y.shape[1]]
 
 
 def _added(room: Array, link: Index, at: Index, part: Array) -> None:

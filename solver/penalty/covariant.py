@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..curvature import Curvature, Sides
 from ..kinematics import Cotangent, Samples, dot
 from ..quaternion import Array
 from .penalty import Scale
@@ -75,3 +76,39 @@ class CovariantAcceleration:
             into.add("q_d", (-2 * s * k) * w + (c * k) * q)
             into.add("q", ((2 * s * s - along) * k) * w + (c * k) * q_d - (2 * c * s * k + k * values) * q)
         return values.sum(axis=0)
+
+    def sides(self, samples: Samples) -> Sides | None:
+        return None
+
+    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+        q, q_d, q_dd = (np.moveaxis(part, 0, -1) for part in (samples.q, samples.q_d, samples.q_dd))
+        parts = _residual_jacobians(q, q_d, q_dd, intrinsic=self.form == "intrinsic")
+        for columns, *blocks in zip(samples.figure.tables.quaternion_columns.T, *parts, strict=True):
+            into.add_blocks(columns, np.stack(blocks, axis=2), scale)
+        hinges = samples.figure.tables.hinge_columns
+        if hinges.size:
+            into.add_squares(hinges, 2, 0.25 * scale)
+
+
+def _residual_jacobians(q: Array, q_d: Array, q_dd: Array, *, intrinsic: bool) -> tuple[Array, Array, Array]:
+    """Of w/√b ("paper": of q'' − T q) with respect to q, q', q'': (..., 4, 4) each, for blocks (..., 4)."""
+
+    def inner(a: Array, b: Array) -> Array:
+        return np.sum(a * b, axis=-1)[..., None, None]
+
+    def outer(a: Array, b: Array) -> Array:
+        return a[..., :, None] * b[..., None, :]
+
+    b, one = inner(q, q), np.eye(4)
+    along = inner(q, q_dd) / b
+    by_acceleration = one - outer(q, q) / b
+    by_value = -along * one - outer(q, q_dd - 2 * along[..., 0] * q) / b
+    if not intrinsic:
+        return by_value, np.zeros_like(by_value), by_acceleration
+    s = inner(q, q_d) / b
+    w = q_dd - (along - 2 * s * s)[..., 0] * q - 2 * s[..., 0] * q_d
+    by_s = 4 * s[..., 0] * q - 2 * q_d
+    by_rate = outer(by_s, q) / b - 2 * s * one
+    by_value = by_value + 2 * s * s * one + outer(by_s, q_d - 2 * s[..., 0] * q) / b - outer(w, q) / b
+    root = np.sqrt(b)
+    return by_value / root, by_rate / root, by_acceleration / root

@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Protocol
 
+from ..curvature import Curvature, Sides, add_differences
 from ..kinematics import Cotangent, Samples
 from ..quaternion import Array
 
@@ -28,7 +29,7 @@ class Scale:
 
 
 class Penalty(Protocol):
-    """A soft constraint f_j."""
+    """A soft constraint f_j. Inherit from it to leave out `curvature` and `sides`."""
 
     @property
     def name(self) -> str:
@@ -43,3 +44,14 @@ class Penalty(Protocol):
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         """f_j at every sample, (S,); with `into`, also adds the gradient of Σ_s scale_s f_j(s) to it."""
         ...
+
+    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+        """Adds the Gauss-Newton matrices of Σ_s scale_s f_j(s), scale (S,), to `into`, but for what `sides` says.
+
+        Unless a penalty knows better, its gradients are differenced: right for any, and slow.
+        """
+        add_differences(self.evaluate, samples, into, scale)
+
+    def sides(self, samples: Samples) -> Sides | None:
+        """The part of f_j that is a sum of squares max(0, d)², near which samples each may start to count."""
+        return None

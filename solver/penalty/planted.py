@@ -11,12 +11,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from ..curvature import Curvature, Sides
 from ..figure import Figure, JointKind
 from ..frame import Mask, Timeline
 from ..kinematics import Cotangent, Samples, cross
 from ..quaternion import Array
 from ..surface import Surface
-from .contact import Contact, Point
+from .contact import Contact, Point, pushed
 from .penalty import Scale
 
 NEAR_SURFACE = 0.012
@@ -67,6 +68,20 @@ class Planted:
                 into.room("x")[:, links[i], during] += force
                 into.room("turn")[:, links[i], during] += cross(arm[:, i, during], force)
         return values
+
+    def sides(self, samples: Samples) -> Sides | None:
+        return None
+
+    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+        if not self.stances:
+            return
+        _, arms, links = Contact(tuple(stance.point for stance in self.stances), ()).centres(samples)
+        first = np.array([stance.first for stance in self.stances])[:, None]
+        last = np.array([stance.last for stance in self.stances])[:, None]
+        which, at = np.nonzero((samples.t >= first) & (samples.t <= last))
+        for way in np.eye(3):
+            ways = np.repeat(way[:, None], at.size, axis=1)
+            into.add_rows(at, scale[at], pushed(samples, at, links[which], arms[:, which, at], ways), 0)
 
 
 def stances(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]) -> tuple[Stance, ...]:

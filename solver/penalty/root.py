@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..curvature import Curvature, Sides
 from ..kinematics import Cotangent, Samples
 from ..quaternion import Array
 from .penalty import Scale
@@ -28,3 +29,10 @@ class RootAcceleration:
         if into is not None:
             into.room("y_dd")[:, columns] += 2 * np.reshape(scale, (-1, 1)) * accelerations
         return np.sum(accelerations**2, axis=1)
+
+    def sides(self, samples: Samples) -> Sides | None:
+        return None
+
+    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+        tables = samples.figure.tables
+        into.add_squares(np.concatenate([tables.position_columns.ravel(), tables.slide_columns]), 2, scale)

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..curvature import Curvature, Sides, jacobian
 from ..dynamics import InverseDynamics
 from ..figure import JointKind
 from ..kinematics import Cotangent, Samples, add_at, cross, dot
@@ -56,6 +57,54 @@ class Torque:
             if spin is not None:
                 _reflected_pulled_back(into, balls, parents, armature * moment_bar[:, balls], spin)
         return values
+
+    def sides(self, samples: Samples) -> Sides | None:
+        return None
+
+    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+        kinds = np.array([link.kind for link in samples.figure.links])
+        balls = np.flatnonzero(kinds == JointKind.BALL)
+        tables = samples.figure.tables
+        motors = np.concatenate([tables.hinge_links, tables.slide_links])
+        link = np.concatenate([np.repeat(balls, 3), motors])
+        axis = np.concatenate([np.tile(np.arange(3), balls.size), np.full(motors.size, -1)])
+        at = np.repeat(np.arange(samples.count), link.size)
+
+        def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
+            own, k = link[rows % link.size], axis[rows % link.size]
+            self._seed(copies, cotangent, own, k)
+
+        rows = jacobian(samples, at, seeded)
+        into.add_rows(at, np.repeat(scale, link.size), rows)
+
+    def _seed(self, samples: Samples, into: Cotangent, link: Index, axis: Index) -> None:
+        """One joint's effort a sample, link (S,): of a ball joint the component `axis` (S,) in the world."""
+        tables, links = samples.figure.tables, samples.links
+        inverse = InverseDynamics(samples)
+        rows = np.arange(samples.count)
+        moment_bar, force_bar = np.zeros_like(inverse.moment), np.zeros_like(inverse.force)
+        kinds = np.array([part.kind for part in samples.figure.links])[link]
+        ball = kinds == JointKind.BALL
+        moment_bar[axis[ball], link[ball], rows[ball]] = 1.0
+        if ball.any() and np.any(tables.armature[link[ball]]):
+            every = np.flatnonzero(np.array([part.kind for part in samples.figure.links]) == JointKind.BALL)
+            spin = links.omega[:, every] - links.omega[:, tables.parents[every]]
+            gradient = tables.armature[every][:, None] * moment_bar[:, every]
+            _reflected_pulled_back(into, every, tables.parents[every], gradient, spin)
+        for kind, source, target in (
+            (JointKind.HINGE, inverse.moment, moment_bar),
+            (JointKind.SLIDE, inverse.force, force_bar),
+        ):
+            chosen = np.flatnonzero(kinds == kind)
+            if not chosen.size:
+                continue
+            own = link[chosen]
+            way = (links.rotation[:, :, own, chosen] * tables.axis[None, :, own]).sum(axis=1)
+            target[:, own, chosen] = way
+            columns = np.array([samples.figure.links[i].qpos for i in own])
+            into.room("y_dd")[chosen, columns] += tables.armature[own]
+            into.room("turn")[:, own, chosen] += cross(way, source[:, own, chosen])
+        inverse.pull_back(into, moment_bar, force_bar if tables.slide_links.size else None)
 
 
 def _reflected_pulled_back(into: Cotangent, own: Index, parents: Index, gradient: Array, spin: Array) -> None:

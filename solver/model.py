@@ -1,0 +1,318 @@
+"""The model that a step of the search minimises: E near a path to second order, with one-sided residuals kept one-sided.
+
+    m(δ) = gᵀδ + ½ δᵀ(H + λF)δ + Σ_p c_p max(0, d_p + r_pᵀδ)²
+
+δ moves the B-splines' coefficients: a sample sees 4 of them, so all matrices are banded and cost and memory are linear
+in the length of the clip. H is the Gauss-Newton curvature, F the flat acceleration energy that damps the step, d_p how
+far a point is in the floor (below zero: over it). What is fixed, keyframes and a loop's seam, is held by springs, stiff
+beside everything else; they shape the step, the keyframes themselves are no unknowns and stay exact.
+
+m is convex and piecewise quadratic: Newton steps on the residuals that count at present, with a line search, end at
+its minimum after a few factorisations (semismooth Newton; M. Hintermüller, K. Ito & K. Kunisch, SIAM J. Optim. 2002).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy import sparse
+from scipy.linalg import lapack
+
+from .curvature import Curvature
+from .objective import Discretised
+from .quadrature import gauss_nodes
+from .quaternion import Array, Index
+from .spline import DEGREE, Path, Spline
+
+POINTS = 2
+SPANS_AT_ONCE = 32
+STIFF = 1e6
+FAINT = 1e-9
+SHARE_OF_POSITION = 0.3
+MOST_CHANGES = 15
+SETTLED = 0.01
+LOCAL = DEGREE + 1
+
+
+class Layout:
+    """Where everything stands in the banded matrices of one timeline: coefficients (M + 2) by columns (N).
+
+    A loop's coefficients are taken alternately from both ends, so that its seam is in the band too.
+    """
+
+    def __init__(self, problem: Discretised) -> None:
+        self.problem = problem
+        spline, unknowns = problem.spline, problem.unknowns
+        self.count, self.width = spline.size, problem.timeline.width
+        self.is_loop = spline.ends == "periodic"
+        order = np.arange(self.count)
+        if self.is_loop:
+            order = np.ravel(np.column_stack([order, order[::-1]]))[: self.count]
+        self.rank = np.empty(self.count, np.intp)
+        self.rank[order] = np.arange(self.count)
+        self.order = order
+        self.blocks = min(2 * LOCAL if self.is_loop else LOCAL, self.count)
+        self.rows = sparse.csr_matrix(
+            sparse.vstack([spline.basis(spline.times, 0), spline.basis(spline.times[[0, -1]], 1)])
+        )
+        self.rows_transposed = self.rows.T.tocsr()
+        self.place = unknowns.place
+        times = np.asarray(spline.times)
+        self.t, self.weights = gauss_nodes(times, POINTS)
+        self.bases = local_bases(spline, self.t)
+        self.springs = self._springs()
+        self.flat = self._flat()
+
+    def empty(self) -> Array:
+        """Room for a matrix's blocks: (M + 2, N, K + 1, N), [j, c, k, r] its entry at row (j + k, r), column (j, c)."""
+        return np.zeros((self.count, self.width, self.blocks + 1, self.width))
+
+    def add_local(self, room: Array, spans: Index, local: Array) -> None:
+        """Adds symmetric matrices (P, 4, N, 4, N) over the coefficients of different spans (P,)."""
+        for a in range(LOCAL):
+            for b in range(LOCAL):
+                row, column = self.rank[spans + a], self.rank[spans + b]
+                if not self.is_loop:
+                    if a >= b:
+                        room[column, :, a - b, :] += local[:, b, :, a, :]
+                    continue
+                lower = np.flatnonzero(row >= column)
+                room[column[lower], :, (row - column)[lower], :] += local[lower, b, :, a, :]
+
+    def factor(self, room: Array) -> Array | None:
+        """The banded Cholesky factor of a matrix's blocks, or None if it is not positive."""
+        size = self.blocks * self.width
+        flat = room.reshape(self.count, self.width, -1)
+        strides = (flat.strides[0], flat.strides[1] + flat.strides[2], flat.strides[2])
+        band = np.lib.stride_tricks.as_strided(flat, (self.count, self.width, size), strides)
+        factor, info = lapack.dpbtrf(np.array(band).reshape(-1, size).T, lower=1, overwrite_ab=1)
+        return factor if info == 0 else None
+
+    def solved(self, factor: Array, right: Array) -> Array:
+        """H⁻¹ v for v (M + 2, N)."""
+        solution, _ = lapack.dpbtrs(factor, right[self.order].reshape(-1, 1), lower=1)
+        return solution.reshape(self.count, self.width)[self.rank]
+
+    def to_x(self, coefficients: Array) -> Array:
+        """The step in the unknowns (n,) that a step of the coefficients (M + 2, N) means."""
+        return np.asarray(self.rows @ coefficients).ravel()[self.place]
+
+    def from_x(self, gradient: Array) -> Array:
+        """A gradient with respect to the unknowns (n,) as one with respect to coefficients, (M + 2, N)."""
+        rows = np.zeros(self.count * self.width)
+        rows[self.place] = gradient
+        return np.asarray(self.rows_transposed @ rows.reshape(self.count, self.width))
+
+    def _springs(self) -> Array:
+        """The springs' matrix, of about unit size."""
+        spline, width = self.problem.spline, self.width
+        last = self.count - 3
+        room = self.empty()
+        free = np.zeros((self.count, width), bool)
+        free.reshape(-1)[self.place] = True
+        ties = self.problem.unknowns.matrix
+        for i in range(self.count):
+            if self.is_loop and i >= last:
+                self._tie_seam(room, spline, i - last)
+            elif not free[i].all():
+                hold = np.diag(1.0 - free[i])
+                own = ties[i * width : (i + 1) * width]
+                columns = np.unique(own.indices)
+                if columns.size:
+                    moves = own[:, columns].toarray()
+                    hold = np.eye(width) - moves @ np.linalg.pinv(moves)
+                first, end = self.rows.indptr[i : i + 2]
+                self._hold(room, self.rows.indices[first:end], self.rows.data[first:end, None] + np.zeros(width), hold)
+        return room
+
+    def _tie_seam(self, room: Array, spline: Spline, order: int) -> None:
+        """y, y' or y'' at the end equal to that at the start, or its negative for quaternions that come back so."""
+        start, end = (spline.basis([t], order) for t in spline.times[[0, -1]])
+        states = self.problem.timeline.rows
+        sign = np.ones(self.width)
+        for columns in self.problem.objective.figure.tables.quaternion_columns.T:
+            sign[columns] = 1.0 if states[0, columns] @ states[self.count - 3, columns] >= 0 else -1.0
+        weights = np.concatenate([-start.data[:, None] * sign, end.data[:, None] + np.zeros(self.width)])
+        self._hold(room, np.concatenate([start.indices, end.indices]), weights, np.eye(self.width))
+
+    def _hold(self, room: Array, coefficients: Index, weights: Array, hold: Array) -> None:
+        """A spring on `hold` (N, N) of Σ_j weights_j * c_j, weights (k, N)."""
+        weights = weights / np.sqrt(np.sum(weights**2) / self.width)
+        for ja, wa in zip(coefficients, weights, strict=True):
+            for jb, wb in zip(coefficients, weights, strict=True):
+                row, column = self.rank[ja], self.rank[jb]
+                if row >= column:
+                    room[column, :, row - column, :] += wb[:, None] * hold * wa
+
+    def _flat(self) -> Array:
+        """(P, 4, 4): ∫ φ''φ''ᵀ + ε φφᵀ over every span, for each column the same."""
+        frames = self.problem.timeline.frames
+        keys = max(sum(not frame.is_variable for frame in frames), 2)
+        spacing = (frames[-1].time - frames[0].time) / keys
+        value, acceleration = self.bases[:, 0], self.bases[:, 2]
+        density = acceleration[:, :, None] * acceleration[:, None, :]
+        density += SHARE_OF_POSITION / spacing**4 * value[:, :, None] * value[:, None, :]
+        return (self.weights[:, None, None] * density).reshape(-1, POINTS, LOCAL, LOCAL).sum(axis=1)
+
+
+def local_bases(spline: Spline, t: Array) -> Array:
+    """(S, 3, 4): the B-splines that live at each t, and two derivatives."""
+    return np.stack([spline.basis(t, order).data.reshape(-1, LOCAL) for order in range(3)], axis=1)
+
+
+@dataclass(frozen=True, eq=False)
+class OneSided:
+    """The one-sided residuals of all terms: each adds weight max(0, value + row · δ)².
+
+    value, weight  (P,);  rows  (P, (M + 2) N) sparse;  span  (P,);  local  (P, 4 N) the rows' non-zeros
+    """
+
+    value: Array
+    weight: Array
+    span: Index
+    local: Array
+    rows: sparse.csr_matrix
+    transposed: sparse.csr_matrix
+
+    @classmethod
+    def of(cls, problem: Discretised, path: Path) -> OneSided | None:
+        samples = problem.objective.samples(path, problem.sampling.t)
+        found = [(term.factor, term.penalty.sides(samples)) for term in problem.objective.terms]
+        parts = [(factor, sides) for factor, sides in found if sides is not None and sides.at.size]
+        if not parts:
+            return None
+        at = np.concatenate([sides.at for _, sides in parts])
+        rows = np.concatenate([sides.rows for _, sides in parts])
+        basis = path.spline.basis(problem.sampling.t[at], 0)
+        span = basis.indices.reshape(-1, LOCAL)[:, 0].astype(np.intp)
+        local = (basis.data.reshape(-1, LOCAL)[:, :, None] * rows[:, None, :]).reshape(at.size, -1)
+        width = rows.shape[1]
+        used = np.flatnonzero(local)
+        pair, column = np.divmod(used, local.shape[1])
+        place = (pair, span[pair] * width + column)
+        matrix = sparse.csr_matrix((local.ravel()[used], place), shape=(at.size, path.spline.size * width))
+        weight = np.concatenate([factor * problem.weights[sides.at] for factor, sides in parts])
+        value = np.concatenate([sides.value for _, sides in parts])
+        return cls(value, weight, span, local, matrix, matrix.T.tocsr())
+
+    def curvature(self, active: Array, width: int) -> tuple[Index, Array]:
+        """The spans with residuals that count, and their matrices (P, 4, N, 4, N)."""
+        chosen = np.flatnonzero(active)
+        chosen = chosen[np.argsort(self.span[chosen], kind="stable")]
+        spans, first = np.unique(self.span[chosen], return_index=True)
+        out = np.empty((spans.size, self.local.shape[1], self.local.shape[1]))
+        for matrix, own in zip(out, np.split(chosen, first[1:]), strict=True):
+            rows = self.local[own] * np.sqrt(2 * self.weight[own])[:, None]
+            np.matmul(rows.T, rows, out=matrix)
+        return spans, out.reshape(-1, LOCAL, width, LOCAL, width)
+
+
+class Model:
+    """m(δ) at one path.
+
+    scale  the size of E's curvature in y'', a unit for the damping λ
+    """
+
+    def __init__(self, layout: Layout, x: Array, gradient: Array) -> None:
+        """x (n,) with dE/dx (n,) there."""
+        self.layout = layout
+        problem = layout.problem
+        path = problem.path(x)
+        self.held = layout.springs.copy()
+        self.scale = self._add_smooth(path)
+        self.sided = OneSided.of(problem, path)
+        self.gradient = layout.from_x(gradient)
+        if self.sided is not None:
+            pull = 2 * self.sided.weight * np.maximum(self.sided.value, 0)
+            self.gradient -= (self.sided.transposed @ pull).reshape(self.gradient.shape)
+
+    def _add_smooth(self, path: Path) -> float:
+        """Adds the curvature of the two-sided residuals; its median density in y''."""
+        layout, objective = self.layout, self.layout.problem.objective
+        room, sizes = layout.empty(), []
+        spans = layout.t.size // POINTS
+        for first in range(0, spans, SPANS_AT_ONCE):
+            some = np.arange(first, min(first + SPANS_AT_ONCE, spans))
+            nodes = slice(POINTS * some[0], POINTS * (some[-1] + 1))
+            samples = objective.samples(path, layout.t[nodes])
+            curvature = Curvature(samples)
+            for term in objective.terms:
+                term.penalty.curvature(samples, curvature, term.factor * layout.weights[nodes])
+            layout.add_local(room, some, spread(curvature.matrix, layout.bases[nodes], POINTS))
+            accelerations = np.einsum("sjj->sj", curvature.matrix[:, 2, :, 2])
+            sizes.append(accelerations / layout.weights[nodes, None])
+        index = np.arange(layout.width)
+        middle = float(np.median(room[:, index, 0, index]))
+        self.held *= STIFF * max(middle, 1e-12)
+        self.held += room
+        self.held[:, index, 0, index] += FAINT * max(middle, 1e-12)
+        return max(float(np.median(np.concatenate(sizes))), 1e-12)
+
+    def minimised(self, damping: float) -> tuple[Array, float]:
+        """The step (n,) of the unknowns to the minimum of m with λ = damping, and how far m falls."""
+        layout, sided = self.layout, self.sided
+        held = self.held.copy()
+        index = np.arange(layout.width)
+        some = np.arange(layout.flat.shape[0])
+        for a in range(LOCAL):
+            for b in range(LOCAL):
+                row, column = layout.rank[some + a], layout.rank[some + b]
+                lower = np.flatnonzero(row >= column)
+                place = (column[lower, None], index, (row - column)[lower, None], index)
+                held[place] += damping * layout.flat[lower, a, b, None]
+        if sided is None:
+            factor = layout.factor(held)
+            if factor is None:
+                return np.zeros(layout.place.size), 0.0
+            step = -layout.solved(factor, self.gradient)
+            return layout.to_x(step), -0.5 * float(np.sum(step * self.gradient))
+        return self._one_sided(held, sided)
+
+    def _one_sided(self, held: Array, sided: OneSided) -> tuple[Array, float]:
+        """Newton on the residuals that count, changing them until they settle."""
+        layout = self.layout
+        step, pull = np.zeros_like(self.gradient), np.zeros_like(self.gradient)  # δ and H δ
+        over = sided.value
+        worth = first = float(sided.weight @ np.maximum(over, 0) ** 2)
+        for _ in range(MOST_CHANGES):
+            active = over > 0
+            room = held.copy()
+            layout.add_local(room, *sided.curvature(active, layout.width))
+            factor = layout.factor(room)
+            if factor is None:
+                break
+            push = 2 * sided.weight * active
+            target = -layout.solved(factor, self.gradient + self._back(push * sided.value))
+            over_target = sided.value + sided.rows @ target.ravel()
+            pull_target = -self.gradient - self._back(push * over_target)
+            share, previous = 1.0, worth
+            while True:
+                at = step + share * (target - step)
+                there = over + share * (over_target - over)
+                force = pull + share * (pull_target - pull)
+                worth = float(np.sum((self.gradient + 0.5 * force) * at) + sided.weight @ np.maximum(there, 0) ** 2)
+                if worth <= previous or share < 1e-3:
+                    break
+                share /= 2
+            if worth > previous:
+                worth = previous
+                break
+            step, over, pull = at, there, force
+            if previous - worth <= SETTLED * (first - worth):
+                break
+        return layout.to_x(step), first - worth
+
+    def _back(self, forces: Array) -> Array:
+        """Rᵀ f, (M + 2, N)."""
+        assert self.sided is not None
+        return (self.sided.transposed @ forces).reshape(self.gradient.shape)
+
+
+def spread(matrix: Array, bases: Array, points: int) -> Array:
+    """Sample matrices (S, 3, N, 3, N) over the coefficients that samples see (S, 3, 4), summed by spans of `points`."""
+    count, width = matrix.shape[0], matrix.shape[2]
+    by = bases.transpose(0, 2, 1)
+    half = np.matmul(by, matrix.reshape(count, 3, -1)).reshape(count, LOCAL, width, 3, width)
+    whole = np.matmul(by[:, None, None], half)
+    return whole.reshape(-1, points, LOCAL, width, LOCAL, width).sum(axis=1)
