@@ -12,6 +12,7 @@ these give the quaternion gradients.
 from __future__ import annotations
 
 from functools import cached_property
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -337,7 +338,8 @@ class Cotangent:
         samples, tables = self.samples, self.samples.figure.tables
         if self._parts.keys() & {"x", "x_d", "x_dd", "omega", "alpha", "turn"}:
             _origins_pulled_back(self)
-            quaternions = _quaternion_gradients(self)
+            turning = (self.get(name) for name in ("turn", "omega", "alpha"))
+            quaternions = quaternion_gradients(samples.links, *turning)
             if samples.figure.is_world:
                 blocks = [g[:, tables.quaternion_links] for g in quaternions]
             else:
@@ -439,10 +441,22 @@ def _slides_pulled_back(cotangent: Cotangent, own: tuple[Array | None, ...]) -> 
     _scatter(cotangent, slides, attached_pulled_back((omega, alpha), e, axis))
 
 
-def _quaternion_gradients(cotangent: Cotangent) -> list[Array]:
+class Turning(Protocol):
+    """What the gradients of a link's quaternion need of its motion: Q, Q', Q'', ω, ω' and |Q|² and its rate."""
+
+    Q: Array
+    Q_d: Array
+    Q_dd: Array
+    omega: Array
+    alpha: Array
+    length_squared: Array
+    stretch_rate: Array
+
+
+def quaternion_gradients(
+    links: LinkMotion | Turning, turn: Array | None, omega_bar: Array | None, alpha_bar: Array | None
+) -> list[Array]:
     """(turn, ω, ω') -> gradients with respect to Q, Q', Q'' of the links, (4, L, S); later ones left out if zero."""
-    links = cotangent.samples.links
-    turn, omega_bar, alpha_bar = (cotangent.get(name) for name in ("turn", "omega", "alpha"))
     b = links.length_squared
     v = links.Q * (2 / b)
     if omega_bar is None and alpha_bar is None:

@@ -1,0 +1,226 @@
+"""Jacobian rows in closed form: of points fixed on links, and of the moments at ball joints.
+
+They are what `curvature.jacobian` finds by one adjoint sweep a row, many times faster, for figures in world coordinates
+whose joints sit at their bodies' origins. A point p moves with every link on the way from the root: δp = δT + Σ δφ × s,
+s the part of the way that turns with the link. A moment takes from the links beyond its joint what inverse dynamics
+says (eqs. 18-21), and hands it on to the links before it through the accelerations of their origins (eq. 13).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .dynamics import InverseDynamics
+from .figure import Figure, JointKind
+from .kinematics import (
+    LinkMotion,
+    Samples,
+    attached_pulled_back,
+    cross,
+    gathered,
+    quaternion_gradients,
+    vector_times,
+)
+from .quaternion import Array, Index
+
+
+def has_point_rows(figure: Figure) -> bool:
+    """Whether `point_rows` knows the figure."""
+    return figure.is_world and not figure.tables.has_anchors
+
+
+def has_moment_rows(figure: Figure) -> bool:
+    """Whether `moment_rows` knows the figure."""
+    balls = np.array([link.kind == JointKind.BALL for link in figure.links])
+    return has_point_rows(figure) and not np.any(figure.tables.armature[balls])
+
+
+def point_rows(samples: Samples, at: Index, link: Index, arm: Array, way: Array) -> Array:
+    """(P, N): the gradient of way · p with respect to y, for points p at `arm` (3, P) from their links' origins [m].
+
+    at    (P,) sample of each point;  link  (P,) the link it is fixed on
+    way   (3, P) a direction in the world
+    """
+    figure, links = samples.figure, samples.links
+    tables = figure.tables
+    chain, following = _chains(figure)
+    carrier, onward = chain[:, link], following[:, link]
+    used = carrier > 0
+    lever = np.where(onward > 0, links.step[:, onward, at], arm[:, None, :])
+    turn = cross(lever, way[:, None, :]) * used
+    per_length = (2 / links.length_squared)[carrier, at]
+    gradient = vector_times(turn, links.Q[:, carrier, at] * per_length)
+    out = np.zeros((at.size, samples.y.shape[1]))
+    block = np.zeros(len(figure.links), np.intp)
+    block[tables.quaternion_links] = np.arange(tables.quaternion_links.size)
+    level, pair = np.nonzero(used)
+    columns = tables.quaternion_columns[:, block[carrier[level, pair]]]
+    out[pair, columns] = gradient[:, level, pair]
+    for free, position in zip(tables.free_links, tables.position_columns.T, strict=True):
+        carried = np.flatnonzero((carrier == free).any(axis=0))
+        out[carried[:, None], position] = way[:, carried].T
+    return out
+
+
+def _chains(figure: Figure) -> tuple[Index, Index]:
+    """For every link, the links on the way to it and which comes next: (depth, L) each, 0 where there is none."""
+    parents = figure.tables.parents
+    ways = []
+    for link in range(len(figure.links)):
+        way = []
+        while link:
+            way.append(link)
+            link = int(parents[link])
+        ways.append(way[::-1])
+    depth = max(len(way) for way in ways)
+    chain, following = np.zeros((2, depth, len(ways)), np.intp)
+    for link, way in enumerate(ways):
+        chain[: len(way), link] = way
+        following[: max(len(way) - 1, 0), link] = way[1:]
+    return chain, following
+
+
+@dataclass(frozen=True)
+class _Relations:
+    """Which links a ball joint's moment depends on: pairs of a link and one of J joints, by index.
+
+    beyond       (2, D) links beyond the joint, itself included
+    related      (2, R) the same and the links before it
+    from_beyond  (R, D) 1 where a pair's link lies before the other's, on the way to it, of the same joint
+    to_parent    (R, R) 1 where a pair (row) has the parent of the other's link
+    placed       (R, D) 1 where both are the same pair
+    joint        (R,) index of the pair of the joint itself, for each of J joints
+    """
+
+    joints: Index
+    beyond: Index
+    related: Index
+    from_beyond: Array
+    to_parent: Array
+    placed: Array
+    joint: Index
+
+    @classmethod
+    def of(cls, figure: Figure) -> _Relations:
+        path = figure.tables.path > 0
+        joints = np.array([i for i, link in enumerate(figure.links) if i and link.kind is JointKind.BALL], np.intp)
+        beyond = np.array([(i, n) for n, j in enumerate(joints) for i in np.flatnonzero(path[:, j])], np.intp).T
+        before = [(i, n) for n, j in enumerate(joints) for i in np.flatnonzero(path[j]) if i != j]
+        related = np.concatenate([beyond, np.array(before, np.intp).reshape(-1, 2).T], axis=1)
+        same = related[1][:, None] == related[1]
+        parents = figure.tables.parents
+        of_beyond = same[:, : beyond.shape[1]]
+        return cls(
+            joints,
+            beyond,
+            related,
+            (of_beyond & path[beyond[0]][:, related[0]].T).astype(float),
+            (same & (related[0][:, None] == parents[related[0]])).astype(float),
+            np.eye(related.shape[1], beyond.shape[1]),
+            np.array([np.flatnonzero((beyond[0] == j) & (beyond[1] == n))[0] for n, j in enumerate(joints)], np.intp),
+        )
+
+
+def moment_rows(samples: Samples) -> Array:
+    """(S, 3 J, 3, N): gradients of the J ball joints' moments, their world components, with respect to y, y', y''."""
+    figure, links = samples.figure, samples.links
+    tables, relations = figure.tables, _Relations.of(figure)
+    inverse = InverseDynamics(samples)
+    turn, omega, alpha, root = _link_gradients(links, inverse, relations)
+    pairs = relations.related.shape[1]
+    here = _Repeated(links, relations.related[0])
+    gradients = quaternion_gradients(here, turn, omega, alpha)
+    out = np.zeros((samples.count, relations.joints.size, 3, 3, samples.y.shape[1]))
+    block = np.zeros(len(figure.links), np.intp)
+    block[tables.quaternion_links] = np.arange(tables.quaternion_links.size)
+    columns = tables.quaternion_columns[:, block[relations.related[0]]]
+    joint = relations.related[1]
+    for order, gradient in enumerate(gradients):
+        by_pair = gradient.reshape(4, pairs, 3, samples.count)
+        for axis in range(3):
+            # advanced indices around slices: (pairs, S) and the component
+            out[:, joint[:, None], axis, order, columns.T] = by_pair[:, :, axis].transpose(2, 1, 0)
+    for free, position in zip(tables.free_links, tables.position_columns.T, strict=True):
+        at_root = np.flatnonzero(relations.related[0] == free)
+        x_dd = root.reshape(3, pairs, 3, samples.count)[:, at_root]
+        for k, column in enumerate(position):
+            out[:, joint[at_root], :, 2, column] = x_dd[k].transpose(0, 2, 1)
+    return out.reshape(samples.count, -1, 3, samples.y.shape[1])
+
+
+class _Repeated:
+    """A LinkMotion's quaternions and rates for (link, axis) pairs: (c, 3 R, S)."""
+
+    def __init__(self, links: LinkMotion, chosen: Index) -> None:
+        index = np.repeat(chosen, 3)
+        self.Q, self.Q_d, self.Q_dd = links.Q[:, index], links.Q_d[:, index], links.Q_dd[:, index]
+        self.omega, self.alpha = links.omega[:, index], links.alpha[:, index]
+        self.length_squared, self.stretch_rate = links.length_squared[index], links.stretch_rate[index]
+
+
+def _link_gradients(
+    links: LinkMotion, inverse: InverseDynamics, relations: _Relations
+) -> tuple[Array, Array, Array, Array]:
+    """Each moment component's gradient with respect to (turn, ω, ω') and x'' of the related links, (3, 3 R, S) each."""
+    tables = links.figure.tables
+    link, joint = relations.beyond
+    count = links.Q.shape[2]
+
+    def each(array: Array) -> Array:
+        """Links' vectors (3, L, S) for pairs, one for each of three axes: (3, 3 D, S)."""
+        return np.repeat(array[:, link], 3, axis=1)
+
+    axes = np.tile(np.eye(3), link.size)[:, :, None] + np.zeros(count)
+    rotation = links.rotation[:, :, link]
+    tensor = np.einsum("ijps,jkp->ikps", rotation, tables.inertia[:, :, link])
+    tensor = np.einsum("ikps,jkps->ijps", tensor, rotation)
+
+    def inertia_times(vectors: Array) -> Array:
+        split = vectors.reshape(3, link.size, 3, count)
+        return np.einsum("ijps,jpas->ipas", tensor, split).reshape(vectors.shape)
+
+    omega, alpha, spin, force = each(links.omega), each(links.alpha), each(inverse.spin), each(inverse.net_force)
+    of_joint = np.repeat(relations.joints[joint], 3)
+    lever = each(inverse.centre) - links.anchor[:, of_joint]
+    acceleration = cross(axes, lever) * np.repeat(tables.mass[link], 3)[:, None]
+    centre = cross(force, axes)
+    tilt = cross(axes, omega)
+    turned, tilted = inertia_times(axes), inertia_times(tilt)
+    turn = cross(each(inverse.spin_rate), axes) + cross(turned, alpha) + cross(spin, tilt) + cross(tilted, omega)
+    arm = attached_pulled_back((omega, alpha), each(inverse.arm), (centre, None, acceleration))
+    own = (turn + arm[0], cross(spin, axes) + tilted + _part(arm[1]), turned + _part(arm[2]))
+    total = inverse.force[:, relations.joints]
+    at_anchor = cross(np.tile(np.eye(3), relations.joints.size)[:, :, None] + np.zeros(count), np.repeat(total, 3, 1))
+    x = _joined(relations.from_beyond, centre)
+    x += _joined(_before(relations), at_anchor)
+    x_dd = _joined(relations.from_beyond, acceleration)
+    related = np.repeat(relations.related[0], 3)
+    parent = tables.parents[related]
+    step = links.step[:, related]
+    x[:, np.isin(related, tables.free_links)] = 0
+    carried = x_dd.copy()
+    carried[:, np.isin(related, tables.free_links)] = 0
+    handed = attached_pulled_back((links.omega[:, parent], links.alpha[:, parent]), step, (x, None, carried))
+    gradients = [
+        _joined(relations.placed, part) + _joined(relations.to_parent, _part(more))
+        for part, more in zip(own, handed, strict=True)
+    ]
+    return gradients[0], gradients[1], gradients[2], x_dd
+
+
+def _part(array: Array | None) -> Array:
+    assert array is not None
+    return array
+
+
+def _before(relations: _Relations) -> Array:
+    """(R, J): 1 where a joint lies on a pair's link or beyond, for the pair's own joint."""
+    return relations.from_beyond[:, relations.joint]
+
+
+def _joined(weights: Array, vectors: Array) -> Array:
+    """Sums over pairs, axis by axis: (m, n) with (3, 3 n, S) -> (3, 3 m, S)."""
+    count = vectors.shape[2]
+    return gathered(weights, vectors.reshape(3, weights.shape[1], -1)).reshape(3, -1, count)
