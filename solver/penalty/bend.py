@@ -11,7 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..kinematics import Cotangent, Samples, add_at, applied, cross, dot, turned, turned_back
+from ..algebra import add_at, applied, cross, dot, turned, turned_back
+from ..kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
 from .penalty import Scale
 

@@ -14,8 +14,9 @@ import mujoco
 import numpy as np
 
 from .. import quaternion as quat
+from ..algebra import cross, turned
 from ..figure import Figure
-from ..kinematics import Cotangent, Samples, cross, turned
+from ..kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
 from ..surface import Surface
 from .penalty import Scale

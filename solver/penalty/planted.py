@@ -11,9 +11,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from ..algebra import cross
 from ..figure import Figure, JointKind
 from ..frame import Mask, Timeline
-from ..kinematics import Cotangent, Samples, cross
+from ..kinematics import Cotangent, Samples
 from ..quaternion import Array
 from ..surface import Surface
 from .contact import Contact, Point

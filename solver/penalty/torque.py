@@ -6,9 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..algebra import add_at, cross, dot
 from ..dynamics import InverseDynamics
 from ..figure import JointKind
-from ..kinematics import Cotangent, Samples, add_at, cross, dot
+from ..kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
 from .penalty import Scale
 

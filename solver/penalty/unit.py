@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..kinematics import Cotangent, Samples, dot
+from ..algebra import dot
+from ..kinematics import Cotangent, Samples
 from ..quaternion import Array
 from .penalty import Scale
 
