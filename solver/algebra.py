@@ -1,8 +1,7 @@
 """Vectors, rotations and quaternions of many links at many samples, component first.
 
 Arrays are (3, L, S) or (4, L, S), so that every formula is a few passes over contiguous memory. Sums of products go
-through einsum, which keeps no temporaries; a cross product is the axial vector of the sum of outer products, so that
-several of them cost one pass.
+through einsum, which keeps no temporaries.
 """
 
 from __future__ import annotations
@@ -28,12 +27,27 @@ def outer(a: Array, b: Array) -> Array:
 
 def cross(a: Array, b: Array) -> Array:
     """a × b, component first: (3, ...) with (3, ...)."""
-    return axial(outer(a, b))
+    out = np.empty(b.shape if a.shape == b.shape else np.broadcast_shapes(a.shape, b.shape))
+    _cross(a, b, out)
+    return out
+
+
+def _cross(a: Array, b: Array, out: Array) -> None:
+    (a0, a1, a2), (b0, b1, b2), (x, y, z) = a, b, out
+    other = np.empty_like(x)
+    np.multiply(a1, b2, out=x)
+    np.subtract(x, np.multiply(a2, b1, out=other), out=x)
+    np.multiply(a2, b0, out=y)
+    np.subtract(y, np.multiply(a0, b2, out=other), out=y)
+    np.multiply(a0, b1, out=z)
+    np.subtract(z, np.multiply(a1, b0, out=other), out=z)
 
 
 def cross_sum(a: Array, b: Array) -> Array:
     """Σ_k a_k × b_k: (k, 3, ...) with (k, 3, ...) -> (3, ...)."""
-    return axial(np.einsum("ki...,kj...->ij...", a, b))
+    out = np.empty(a.shape)
+    _cross(a.swapaxes(0, 1), b.swapaxes(0, 1), out.swapaxes(0, 1))
+    return np.add.reduce(out, axis=0)
 
 
 def dot(a: Array, b: Array) -> Array:

@@ -253,6 +253,7 @@ class Tables:
     quaternion_columns  (4, n) state columns of the n quaternion blocks, in the order of `quaternion_links` (n,)
     quaternion_slice    the same columns as one run, block after block, or None where others stand between
     free_links, position_columns   links with a free joint (f,) and their columns of position (3, f)
+    ball_links                     (b,) links with a ball joint
     hinge_columns, slide_columns   (h,), (s,) columns of the hinges and slides, in the order of their links
     path                (L, L) 1 where a link lies on the way from the root to another (row: the other), itself included
     beyond              (L, L) its transpose
@@ -264,6 +265,7 @@ class Tables:
     quaternion_slice: slice | None
     quaternion_links: Index
     free_links: Index
+    ball_links: Index
     position_columns: Index
     hinge_columns: Index
     hinge_links: Index
@@ -317,6 +319,7 @@ class Tables:
             quaternion_slice=_run(blocks.T.ravel()),
             quaternion_links=balls,
             free_links=free,
+            ball_links=of_kind(JointKind.BALL),
             position_columns=columns(free, 0, 3),
             hinge_columns=columns(hinges, 0, 1)[0],
             hinge_links=hinges,
@@ -325,8 +328,8 @@ class Tables:
             parents=parents,
             path=path,
             beyond=np.ascontiguousarray(path.T),
-            steps=_on_links(offset, parents, count),
-            arms=_on_links(centre, np.arange(count), count),
+            steps=on_links(offset, parents, count),
+            arms=on_links(centre, np.arange(count), count),
             offset=offset,
             anchor=np.array([link.anchor for link in links]).T,
             axis=np.array([link.axis for link in links]).T,
@@ -349,7 +352,7 @@ def _run(indices: Index) -> slice | None:
     return slice(int(indices[0]), int(indices[-1]) + 1)
 
 
-def _on_links(vectors: Array, owners: Index, count: int) -> Array:
+def on_links(vectors: Array, owners: Index, count: int) -> Array:
     """(n, 3 L): vectors (3, n) fixed on links, as weights of the rotations of `count` links; see `LinkMotion.fixed`."""
     out = np.zeros((owners.size, 3, count))
     out[np.arange(owners.size), :, owners] = vectors.T

@@ -34,7 +34,7 @@ from .algebra import (
     turned_back,
     vector_product,
 )
-from .figure import Figure, Tables
+from .figure import Figure, Tables, on_links
 from .quaternion import Array, Index
 
 Gradients = tuple[Array | None, Array | None, Array | None]
@@ -191,6 +191,16 @@ class LinkMotion:
         """The swing of every link's parent, (3, 3, L, S)."""
         return np.take(self.swing, self.figure.tables.parents, axis=2)
 
+    def points(self, links: Index, positions: Array) -> tuple[Array, Array]:
+        """Points fixed on links (n,) at positions (3, n): where they are and their arms from the origins, (3, n, S)."""
+        arm = self.fixed(on_links(positions, links, len(self.figure.links)))
+        return self.x[:, links] + arm, arm
+
+    def poses(self, flat: Index) -> tuple[Array, Array]:
+        """Origins (3, p) and rotations (3, 3, p) of pairs of a link and a sample: flat = link · S + sample."""
+        rotation = self.rotation.reshape(9, -1).take(flat, axis=1).reshape(3, 3, -1)
+        return self.x.reshape(3, -1).take(flat, axis=1), rotation
+
     def fixed(self, weights: Array) -> Array:
         """Σ_l R_l c_l of vectors fixed on links, one sum a row: weights (m, 3 L), all c_x first, -> (3, m, S)."""
         return np.matmul(weights, self.rotation.reshape(3, weights.shape[1], -1))
@@ -345,14 +355,15 @@ class Cotangent:
             self._parts[name] = np.zeros(shape)
         return self._parts[name]
 
-    def add_pairs(self, link: Index, at: Index, arm: Array, force: Array) -> None:
-        """Forces (3, p) on the links' points at `arm` (3, p) from their origins, at samples; pairs may repeat."""
-        count = self.samples.count
-        flat = link * count + at
-        size = len(self.samples.figure.links) * count
+    def add_forces(self, flat: Index, arm: Array, force: Array) -> None:
+        """Gradients (3, p) with respect to points at `arm` (3, p) from the origins of links.
+
+        flat  (p,) link · S + sample; the same may come up more than once
+        """
+        places, which = np.unique(flat, return_inverse=True)
         for name, part in (("x", force), ("turn", cross(arm, force))):
-            for room, values in zip(self.room(name), part, strict=True):
-                room += np.bincount(flat, values, size).reshape(room.shape)
+            room = self.room(name).reshape(3, -1)
+            room[:, places] += [np.bincount(which, values) for values in part]
 
     def gradients(self) -> tuple[Array, Array, Array]:
         """The three gradients with respect to y, y', y'', each (S, N); the cotangent is used up."""

@@ -14,7 +14,6 @@ import mujoco
 import numpy as np
 
 from .. import quaternion as quat
-from ..algebra import cross, turned
 from ..figure import Figure
 from ..kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
@@ -53,51 +52,66 @@ class Contact:
         return links, positions, np.array([point.radius for point in self.points]) + self.margin
 
     @cached_property
-    def _bounds(self) -> tuple[Index, Array, Array, Index]:
-        """Spheres round each link's points: links (m,), centres (3, m), radii (m,), and every point's sphere (n,)."""
+    def _bounds(self) -> tuple[Index, Array, Array]:
+        """Spheres round each link's points: links (m,), centres (3, m), radii (m,)."""
         links, positions, radius = self._arrays
         carriers, owner = np.unique(links, return_inverse=True)
         middles = np.array([positions[:, owner == k].mean(axis=1) for k in range(carriers.size)]).T
         far = np.linalg.norm(positions - middles[:, owner], axis=0) + radius
-        return carriers, middles, np.array([far[owner == k].max() for k in range(carriers.size)]), owner
+        return carriers, middles, np.array([far[owner == k].max() for k in range(carriers.size)])
+
+    @cached_property
+    def _by_link(self) -> tuple[Array, Array]:
+        """Every link's points side by side: positions (3, m, p), radii (m, p); those too many have the radius −∞."""
+        links, positions, radius = self._arrays
+        _, owner, counts = np.unique(links, return_inverse=True, return_counts=True)
+        order = np.argsort(owner, kind="stable")
+        rank = np.arange(owner.size) - np.repeat(np.cumsum(counts) - counts, counts)
+        padded = np.zeros((3, counts.size, counts.max()))
+        radii = np.full(padded.shape[1:], -np.inf)
+        padded[:, owner[order], rank], radii[owner[order], rank] = positions[:, order], radius[order]
+        return padded, radii
 
     def centres(self, samples: Samples) -> tuple[Array, Array, Index]:
         """Centres (3, n, S) [m], the vectors to them from their links' origins, and the links' indices (n,)."""
         links, positions, _ = self._arrays
-        arm = turned(samples.links.rotation[:, :, links], positions)
-        return samples.links.x[:, links] + arm, arm, links
+        return *samples.links.points(links, positions), links
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         values = np.zeros(samples.count)
         if not self.points or not self.surfaces:
             return values
-        links, positions, radius = self._arrays
-        carriers, middles, reach, owner = self._bounds
-        around = samples.links.x[:, carriers] + turned(samples.links.rotation[:, :, carriers], middles)
+        carriers, middles, reach = self._bounds
+        around, _ = samples.links.points(carriers, middles)
         scale = np.broadcast_to(scale, values.shape)
         for surface in self.surfaces:
-            near = surface.depth(around, reach)[0] > 0
-            point, at = np.nonzero(near[owner])
-            if not point.size:
+            near = np.flatnonzero(surface.near(around, reach[:, None]))
+            flat, arm, depth, gradient = self._deep(samples, surface, near)
+            if not flat.size:
                 continue
-            link = links[point]
-            arm = turned(samples.links.rotation[:, :, link, at][..., None], positions[:, point])[..., 0]
-            centres = samples.links.x[:, link, at] + arm
-            depth, gradient = surface.depth(centres[..., None], radius[point])
-            depth, gradient = depth[:, 0], gradient[..., 0]
+            at = flat % samples.count
             values += np.bincount(at, depth**2, samples.count)
             if into is not None:
-                force = (2 * scale[at] * depth) * gradient
-                for name, part in (("x", force), ("turn", cross(arm, force))):
-                    _added(into.room(name), link, at, part)
+                into.add_forces(flat, arm, (2 * scale[at] * depth) * gradient)
         return values
 
+    def _deep(self, samples: Samples, surface: Surface, near: Index) -> tuple[Index, Array, Array, Array]:
+        """The points inside a surface: link · S + sample (p,), arms (3, p), depths (p,) and their gradients (3, p).
 
-def _added(room: Array, link: Index, at: Index, part: Array) -> None:
-    """room[:, link, at] += part, with repeated (link, at) pairs."""
-    flat = link * room.shape[2] + at
-    for own, values in zip(room, part, strict=True):
-        own += np.bincount(flat, values, own.size).reshape(own.shape)
+        near  (k,) the links' spheres that touch the surface, as carrier · S + sample
+        """
+        if not near.size:
+            return near, *np.zeros((3, 0))
+        positions, radii = self._by_link
+        carrier, at = np.divmod(near, samples.count)
+        flat = self._bounds[0][carrier] * samples.count + at
+        x, rotation = samples.links.poses(flat)
+        arm = np.einsum("ijk,jkp->ikp", rotation, positions[:, carrier])
+        centres, radius = arm + x[..., None], radii[carrier]
+        deep = np.flatnonzero(surface.near(centres, radius))
+        arm, centres = (a.reshape(3, -1).take(deep, axis=1) for a in (arm, centres))
+        depth, gradient = surface.depth(centres[..., None], radius.ravel()[deep])
+        return flat[deep // radius.shape[1]], arm, depth[:, 0], gradient[..., 0]
 
 
 def site_points(figure: Figure, names: Sequence[str]) -> tuple[Point, ...]:

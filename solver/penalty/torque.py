@@ -8,7 +8,6 @@ import numpy as np
 
 from ..algebra import add_at, cross, dot
 from ..dynamics import InverseDynamics
-from ..figure import JointKind
 from ..kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
 from .penalty import Scale
@@ -27,9 +26,10 @@ class Torque:
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         tables, links = samples.figure.tables, samples.links
         inverse = InverseDynamics(samples)
-        kinds = np.array([link.kind for link in samples.figure.links])
-        balls = np.flatnonzero(kinds == JointKind.BALL)
-        moment = inverse.moment[:, balls]
+        balls = tables.ball_links
+        is_ball = np.zeros((len(samples.figure.links), 1))
+        is_ball[balls] = 1
+        moment = inverse.moment * is_ball
         motors = [(tables.hinge_links, tables.hinge_columns, inverse.moment)]
         motors += [(tables.slide_links, tables.slide_columns, inverse.force)]
         armature = tables.armature[balls][:, None]
@@ -37,12 +37,12 @@ class Torque:
         if np.any(armature):
             spin = links.omega[:, balls] - links.omega[:, parents]
             reflected = links.alpha[:, balls] - links.alpha[:, parents] - cross(links.omega[:, balls], spin)
-            moment = moment + armature * reflected
-        values = dot(moment, moment).sum(axis=0)
-        moment_bar, force_bar = np.zeros_like(inverse.moment), np.zeros_like(inverse.force)
-        moment_bar[:, balls] = 2 * scale * moment
+            moment[:, balls] += armature * reflected
+        values = np.einsum("ils,ils->s", moment, moment)
+        moment_bar = np.multiply(moment, 2 * scale, out=moment)
+        force_bar = np.zeros_like(inverse.force) if tables.slide_links.size else None
         for (indices, columns, source), target in zip(motors, (moment_bar, force_bar), strict=True):
-            if not indices.size:
+            if not indices.size or target is None:
                 continue
             axis = (links.rotation[:, :, indices] * tables.axis[None, :, indices, None]).sum(axis=1)
             own = tables.armature[indices]
@@ -53,7 +53,7 @@ class Torque:
                 into.room("y_dd")[:, columns] += (2 * scale * effort * own[:, None]).T
                 into.room("turn")[:, indices] += cross(axis, 2 * scale * effort * source[:, indices])
         if into is not None:
-            inverse.pull_back(into, moment_bar, force_bar if tables.slide_links.size else None)
+            inverse.pull_back(into, moment_bar, force_bar)
             if spin is not None:
                 _reflected_pulled_back(into, balls, parents, armature * moment_bar[:, balls], spin)
         return values
