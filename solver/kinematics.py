@@ -13,6 +13,7 @@ link's swing.
 from __future__ import annotations
 
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -60,9 +61,13 @@ class Samples:
         """S"""
         return self.y.shape[0]
 
-    def part(self, which: slice) -> Samples:
-        """Some of the samples."""
-        return Samples(self.figure, self.y[which], self.y_d[which], self.y_dd[which], self.t[which])
+    def parts(self, longest: int = 200) -> list[Samples]:
+        """The samples in runs of at most `longest`: few enough that what is derived from them stays in cache."""
+        if self.count <= longest:
+            return [self]
+        edges = np.linspace(0, self.count, -(-self.count // longest) + 1).astype(int)
+        runs = [slice(a, b) for a, b in pairwise(edges)]
+        return [Samples(self.figure, self.y[r], self.y_d[r], self.y_dd[r], self.t[r]) for r in runs]
 
     def columns(self, indices: Index, order: int = 0) -> Array:
         """Chosen columns of y, y' or y'', component first: indices (...) -> (..., S)."""

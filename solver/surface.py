@@ -117,7 +117,7 @@ class Box:
 
     @staticmethod
     def _within(local: Array, half: Array) -> NDArray[np.bool_]:
-        return (np.abs(local) < half).all(axis=0)
+        return np.logical_and.reduce(np.abs(local) < half)
 
     def inside(self, points: Array) -> Array:
         local = self._local(points)

@@ -101,7 +101,7 @@ class Contact:
         near  (k,) the links' spheres that touch the surface, as carrier · S + sample
         """
         if not near.size:
-            return near, *np.zeros((3, 0))
+            return near, np.zeros((3, 0)), np.zeros(0), np.zeros((3, 0))
         positions, radii = self._by_link
         carrier, at = np.divmod(near, samples.count)
         flat = self._bounds[0][carrier] * samples.count + at

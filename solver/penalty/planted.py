@@ -54,8 +54,9 @@ class Planted:
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         stance, at = self._during(samples.t)
+        values = np.zeros(samples.count)
         if not stance.size:
-            return np.zeros(samples.count)
+            return values
         links, positions, spots, drifts = self._arrays
         flat = links[stance] * samples.count + at
         x, rotation = samples.links.poses(flat)
@@ -64,7 +65,8 @@ class Planted:
         away = x + arm - spots[:, stance] - drifts[:, stance] * (samples.t[at] - first[stance])
         if into is not None:
             into.add_forces(flat, arm, (2 * np.broadcast_to(scale, samples.t.shape)[at]) * away)
-        return np.bincount(at, dot(away, away), samples.count)
+        values += np.bincount(at, dot(away, away), samples.count)
+        return values
 
     def _during(self, t: Array) -> tuple[Index, Index]:
         """The pairs of a stance and a sample at times t (S,) that it holds for, (p,) each."""
