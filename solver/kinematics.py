@@ -41,6 +41,51 @@ from .quaternion import Array, Index
 Gradients = tuple[Array | None, Array | None, Array | None]
 
 
+class States:
+    """y, y', y'' of a figure at S times, by columns.
+
+    q_all  (3, 4, 1 + n, S): q, q', q'' of the state's blocks, with the world's 1, 0, 0 before them
+    """
+
+    def __init__(self, figure: Figure, y: Array, y_d: Array, y_dd: Array) -> None:
+        self.figure = figure
+        self.y, self.y_d, self.y_dd = y, y_d, y_dd
+
+    @property
+    def count(self) -> int:
+        """S"""
+        return self.y.shape[0]
+
+    def columns(self, indices: Index, order: int = 0) -> Array:
+        """Chosen columns of y, y' or y'', component first: indices (...) -> (..., S)."""
+        return self._component_first[order][indices]
+
+    @cached_property
+    def _component_first(self) -> tuple[Array, Array, Array]:
+        """y, y', y'' as (N, S)."""
+        y, y_d, y_dd = (np.ascontiguousarray(part.T) for part in (self.y, self.y_d, self.y_dd))
+        return y, y_d, y_dd
+
+    @cached_property
+    def quaternions(self) -> Array:
+        columns, block = self.figure.tables.quaternion_columns, self.figure.tables.quaternion_slice
+        n = columns.shape[1]
+        out = np.empty((3, 4, 1 + n, self.count))
+        out[:, :, 0] = 0
+        out[0, 0, 0] = 1
+        for order, part in enumerate((self.y, self.y_d, self.y_dd)):
+            if block is None:
+                out[order, :, 1:] = self.columns(columns, order)
+            else:
+                out[order, :, 1:] = part[:, block].reshape(self.count, n, 4).T
+        return out
+
+    @cached_property
+    def dots(self) -> Array:
+        """q·q, q·q', q·q'' of `quaternions`, (3, 1 + n, S)."""
+        return np.einsum("cns,kcns->kns", self.quaternions[0], self.quaternions)
+
+
 class Samples:
     """y, y', y'' of a figure at S times, and everything the penalties derive from them, computed once when asked for.
 
@@ -55,6 +100,8 @@ class Samples:
         self.figure = figure
         self.y, self.y_d, self.y_dd = np.asarray(y, float), np.asarray(y_d, float), np.asarray(y_dd, float)
         self.t = np.zeros(len(self.y)) if t is None else np.asarray(t, float)
+        # what `links` holds on to: never the samples themselves, whose arrays would wait for the garbage collector
+        self._states = States(figure, self.y, self.y_d, self.y_dd)
 
     @property
     def count(self) -> int:
@@ -71,53 +118,28 @@ class Samples:
 
     def columns(self, indices: Index, order: int = 0) -> Array:
         """Chosen columns of y, y' or y'', component first: indices (...) -> (..., S)."""
-        return self._component_first[order][indices]
-
-    @cached_property
-    def _component_first(self) -> tuple[Array, Array, Array]:
-        """y, y', y'' as (N, S)."""
-        y, y_d, y_dd = (np.ascontiguousarray(part.T) for part in (self.y, self.y_d, self.y_dd))
-        return y, y_d, y_dd
-
-    @cached_property
-    def quaternions(self) -> Array:
-        """(3, 4, 1 + n, S): q, q', q'' of the state's blocks, with the world's 1, 0, 0 before them."""
-        columns, block = self.figure.tables.quaternion_columns, self.figure.tables.quaternion_slice
-        n = columns.shape[1]
-        out = np.empty((3, 4, 1 + n, self.count))
-        out[:, :, 0] = 0
-        out[0, 0, 0] = 1
-        for order, part in enumerate((self.y, self.y_d, self.y_dd)):
-            if block is None:
-                out[order, :, 1:] = self.columns(columns, order)
-            else:
-                out[order, :, 1:] = part[:, block].reshape(self.count, n, 4).T
-        return out
+        return self._states.columns(indices, order)
 
     @property
     def q(self) -> Array:
-        return self.quaternions[0, :, 1:]
+        return self._states.quaternions[0, :, 1:]
 
     @property
     def q_d(self) -> Array:
-        return self.quaternions[1, :, 1:]
+        return self._states.quaternions[1, :, 1:]
 
     @property
     def q_dd(self) -> Array:
-        return self.quaternions[2, :, 1:]
+        return self._states.quaternions[2, :, 1:]
 
-    @cached_property
+    @property
     def q_dots(self) -> Array:
-        """q·q, q·q', q·q'' of the state's blocks, (3, n, S)."""
-        return self._dots[:, 1:]
-
-    @cached_property
-    def _dots(self) -> Array:
-        return np.einsum("cns,kcns->kns", self.quaternions[0], self.quaternions)
+        """q·q, q·q', q·q'' of the blocks, (3, n, S)."""
+        return self._states.dots[:, 1:]
 
     @cached_property
     def links(self) -> LinkMotion:
-        return LinkMotion(self)
+        return LinkMotion(self._states)
 
 
 class LinkMotion:
@@ -129,17 +151,17 @@ class LinkMotion:
     x, x_d, x_dd   (3, L, S) origin of the link [m, m/s, m/s²]
     """
 
-    def __init__(self, samples: Samples) -> None:
-        self.samples = samples
-        self.figure = samples.figure
+    def __init__(self, states: States) -> None:
+        self.states = states
+        self.figure = states.figure
         self._same = self.figure.is_world  # the state's quaternions are the links' own
-        self.quaternions = samples.quaternions if self._same else _world_quaternions(samples)
+        self.quaternions = states.quaternions if self._same else _world_quaternions(states)
         self.Q, self.Q_d, self.Q_dd = self.quaternions
 
     @cached_property
     def _dots(self) -> Array:
         """Q·Q, Q·Q', Q·Q'', (3, L, S)."""
-        return self.samples._dots if self._same else np.einsum("cls,kcls->kls", self.Q, self.quaternions)
+        return self.states.dots if self._same else np.einsum("cls,kcls->kls", self.Q, self.quaternions)
 
     @property
     def length_squared(self) -> Array:
@@ -235,14 +257,14 @@ class LinkMotion:
     def slide(self, order: int) -> Array:
         """The slides' displacements from their reference, or the derivatives of that, (s, S)."""
         tables = self.figure.tables
-        value = self.samples.columns(tables.slide_columns, order)
+        value = self.states.columns(tables.slide_columns, order)
         return value - tables.reference[tables.slide_links][:, None] if order == 0 else value
 
     def _summed(self, own: Array, order: int) -> Array:
         """Sums over the way from the root, plus the free roots' own positions."""
         tables = self.figure.tables
         if tables.free_links.size:
-            own[:, tables.free_links] = self.samples.columns(tables.position_columns, order)
+            own[:, tables.free_links] = self.states.columns(tables.position_columns, order)
         return gathered(tables.path, own)
 
     @cached_property
@@ -278,10 +300,10 @@ class LinkMotion:
         return self._summed(own, 2)
 
 
-def _world_quaternions(samples: Samples) -> Array:
+def _world_quaternions(states: States) -> Array:
     """World quaternions of all links and two derivatives from joint coordinates, (3, 4, L, S)."""
-    tables = samples.figure.tables
-    out = _local_quaternions(samples)
+    tables = states.figure.tables
+    out = _local_quaternions(states)
     for level in tables.levels:
         a, a_d, a_dd = _base(tables, out, level)
         c, c_d, c_dd = out[:, :, level]
@@ -300,10 +322,10 @@ def _base(tables: Tables, quaternions: Array, level: Index) -> Array:
     return np.array([hamilton(part, turn) for part in parent])
 
 
-def _hinge_quaternions(samples: Samples) -> tuple[Array, Array, Array]:
+def _hinge_quaternions(states: States) -> tuple[Array, Array, Array]:
     """(cos θ/2, axis sin θ/2) of the hinges and two derivatives, (4, h, S) each."""
-    tables = samples.figure.tables
-    theta, theta_d, theta_dd = (samples.columns(tables.hinge_columns, k) for k in range(3))
+    tables = states.figure.tables
+    theta, theta_d, theta_dd = (states.columns(tables.hinge_columns, k) for k in range(3))
     half = 0.5 * (theta - tables.reference[tables.hinge_links][:, None])
     axis = tables.axis[:, tables.hinge_links][:, :, None]
     q = np.concatenate([np.cos(half)[None], axis * np.sin(half)])
@@ -311,14 +333,14 @@ def _hinge_quaternions(samples: Samples) -> tuple[Array, Array, Array]:
     return q, 0.5 * theta_d * normal, 0.5 * theta_dd * normal - 0.25 * theta_d**2 * q
 
 
-def _local_quaternions(samples: Samples) -> Array:
+def _local_quaternions(states: States) -> Array:
     """Each link's own rotation c, c', c'' relative to its parent, (3, 4, L, S); the identity for slides."""
-    tables = samples.figure.tables
-    out = np.zeros((3, 4, len(samples.figure.links), samples.count))
+    tables = states.figure.tables
+    out = np.zeros((3, 4, len(states.figure.links), states.count))
     out[0, 0] = 1.0
-    out[:, :, tables.quaternion_links] = samples.quaternions[:, :, 1:]
+    out[:, :, tables.quaternion_links] = states.quaternions[:, :, 1:]
     if tables.hinge_links.size:
-        out[:, :, tables.hinge_links] = _hinge_quaternions(samples)
+        out[:, :, tables.hinge_links] = _hinge_quaternions(states)
     return out
 
 
@@ -525,7 +547,7 @@ def _products_pulled_back(cotangent: Cotangent, gradients: list[Array]) -> list[
     """World quaternions' gradients -> those of joint coordinates: C = A ⊗ c, from the leaves to the root."""
     samples, tables = cotangent.samples, cotangent.samples.figure.tables
     links = samples.links
-    local = _local_quaternions(samples)
+    local = _local_quaternions(links.states)
     grads = [gradients[k] if k < len(gradients) else np.zeros_like(links.Q) for k in range(3)]
     for level in reversed(tables.levels):
         a, a_d, a_dd = (conjugated(q) for q in _base(tables, links.quaternions, level))
@@ -555,7 +577,7 @@ def _hinges_pulled_back(cotangent: Cotangent, grads: list[Array]) -> None:
     samples, tables = cotangent.samples, cotangent.samples.figure.tables
     if not tables.hinge_links.size:
         return
-    q, _, _ = _hinge_quaternions(samples)
+    q, _, _ = _hinge_quaternions(samples.links.states)
     axis = tables.axis[:, tables.hinge_links][:, :, None]
     normal = np.concatenate([-dot(q[1:], axis + 0 * q[1:])[None], axis * q[0]])
     theta_d, theta_dd = (samples.columns(tables.hinge_columns, k) for k in (1, 2))
