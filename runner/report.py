@@ -13,13 +13,14 @@ import numpy as np
 from rich.console import Group
 from rich.table import Table
 
+from solver.algebra import turned
 from solver.displacement import displacement
 from solver.dynamics import generalised_forces
 from solver.euler_lagrange import residual
 from solver.figure import JointKind
 from solver.frame import Mask, Timeline
 from solver.inbetween import Motion
-from solver.kinematics import Samples, turned
+from solver.kinematics import Samples
 from solver.objective import Objective
 from solver.penalty import BendLimits, Contact, stances
 from solver.quaternion import Array

@@ -1,9 +1,9 @@
 """The Gauss-Newton curvature of E: what the soft constraints' Jacobians J say of its second derivatives, Σ 2 JᵀJ.
 
-Every penalty is a sum of squares of residuals. Their Jacobians with respect to (y, y', y'') at a sample make one
-symmetric matrix, never negative: it leaves out the residuals' own second derivatives. It serves the search as its
-model and the weak form as its H, never E itself. Residuals that count on one side only, like depths, are kept apart:
-whether they count changes within a step.
+Every penalty is a sum of squares of residuals. Their Jacobians with respect to (y, y', y'') at a sample give one
+matrix, never negative: it leaves out the residuals' own second derivatives. It serves the search as its model and the
+weak form as its H, never E itself. Residuals that count on one side only, like depths, are kept apart: whether they
+count changes within a step.
 
 Jacobian rows that go through the figure's kinematics come from its adjoint sweep on copies of the samples, one a row.
 """
@@ -23,40 +23,75 @@ DIFFERENCE = 1e-6
 
 
 class Curvature:
-    """Σ 2 JᵀJ at every sample: matrix (S, 3, N, 3, N) over the entries of y, y' and y''."""
+    """Σ 2 JᵀJ over samples, kept as what it is made of until somebody says how the state moves at the samples.
+
+    A direction φ is a scalar function of time by which a frame or a coefficient moves every entry of the state alike:
+    y by φ, y' by φ', y'' by φ''. Samples see K such functions, values (S, 3, K).
+    """
 
     def __init__(self, samples: Samples) -> None:
         self.samples = samples
-        count, width = samples.y.shape
-        self.matrix = np.zeros((count, 3, width, 3, width))
+        self.width = samples.y.shape[1]
+        self._rows: list[tuple[Index, Array, tuple[int, ...]]] = []
+        self._blocks: list[tuple[Index, Array]] = []
+        self._squares: list[tuple[Index, int, Array]] = []
 
-    @property
-    def flat(self) -> Array:
-        """(S, 3 N, 3 N), the same memory."""
-        count, width = self.samples.y.shape
-        return self.matrix.reshape(count, 3 * width, 3 * width)
-
-    def add_rows(self, at: Index, scale: Array, jacobian: Array, order: int | None = None) -> None:
-        """Residuals at samples `at` (P,) with rows (P, N) in one of y, y', y'', or (P, 3 N) in all, times scale (P,)."""
-        block = self.flat if order is None else self.matrix[:, order, :, order]
-        ranked = np.argsort(at, kind="stable")
-        at, weighted = at[ranked], jacobian[ranked] * np.sqrt(2 * scale[ranked])[:, None]
-        edges = np.flatnonzero(np.diff(at)) + 1
-        for first, last in zip(np.append(0, edges), np.append(edges, at.size), strict=True):
-            if first < last:
-                rows = weighted[first:last]
-                block[at[first]] += rows.T @ rows
+    def add_rows(self, at: Index, scale: Array, jacobian: Array, orders: tuple[int, ...] = (0, 1, 2)) -> None:
+        """Residuals at samples `at` (P,), rising, with gradients (P, k, N) in some of y, y', y''; times scale (P,)."""
+        if at.size:
+            self._rows.append((at, jacobian * np.sqrt(2 * scale)[:, None, None], orders))
 
     def add_blocks(self, columns: Index, jacobian: Array, scale: Array) -> None:
-        """Residuals of one block of k columns (k,), Jacobians (S, r, 3, k) at every sample, times scale (S,)."""
-        count, width = self.samples.y.shape
-        j = (jacobian * np.sqrt(2 * scale)[:, None, None, None]).reshape(count, jacobian.shape[1], -1)
-        where = (width * np.arange(3)[:, None] + columns).ravel()
-        self.flat[:, where[:, None], where] += np.matmul(j.transpose(0, 2, 1), j)
+        """Residuals of n blocks of k columns (n, k), Jacobians (S, n, r, 3, k) at every sample, times scale (S,)."""
+        count, n, residuals, _, k = jacobian.shape
+        j = (jacobian * np.sqrt(2 * scale)[:, None, None, None, None]).reshape(count, n, residuals, 3 * k)
+        self._blocks.append((columns, np.matmul(j.swapaxes(2, 3), j).reshape(count, n, 3, k, 3, k)))
 
     def add_squares(self, columns: Index, order: int, scale: Array) -> None:
         """Residuals that are entries of y, y' or y'' themselves, times scale (S,)."""
-        self.matrix[:, order, columns, order, columns] += 2 * scale[:, None]
+        if columns.size:
+            self._squares.append((columns, order, 2 * scale))
+
+    def add_sides(self, sides: Sides, scale: Array) -> None:
+        """One-sided residuals, those of them that count."""
+        active = np.flatnonzero(sides.value > 0)
+        active = active[np.argsort(sides.at[active], kind="stable")]
+        self.add_rows(sides.at[active], scale[sides.at[active]], sides.rows[active, None], (0,))
+
+    def summed(self, phi: Array, group: Index) -> Array:
+        """(G, K, N, K, N): over every group of samples, group (S,) rising, in the directions phi (S, 3, K)."""
+        count, directions = int(group[-1]) + 1, phi.shape[2]
+        out = np.zeros((count, directions, self.width, directions, self.width))
+        edges = np.searchsorted(group, np.arange(count + 1))
+        flat = out.reshape(count, directions * self.width, -1)
+        for at, rows, orders in self._rows:
+            local = np.einsum("poa,pon->pan", phi[at][:, orders, :], rows).reshape(at.size, -1)
+            for k, (first, last) in enumerate(zip(*np.searchsorted(at, [edges[:-1], edges[1:]]), strict=True)):
+                if first < last:
+                    flat[k] += local[first:last].T @ local[first:last]
+        for columns, blocks in self._blocks:
+            each = np.einsum("sia,snixjy,sjb->snaxby", phi, blocks, phi, optimize=True)
+            each = np.add.reduceat(each, edges[:-1], axis=0)
+            for own, part in zip(columns, each.swapaxes(0, 1), strict=True):
+                out[:, :, own[:, None], :, own] += part.transpose(2, 4, 0, 1, 3)
+        for columns, order, scale in self._squares:
+            each = scale[:, None, None] * phi[:, order, :, None] * phi[:, order, None, :]
+            each = np.add.reduceat(each, edges[:-1], axis=0)
+            out[:, :, columns, :, columns] += each
+        return out
+
+    def acceleration(self) -> Array:
+        """(S, N): the diagonal in y''."""
+        out = np.zeros((self.samples.count, self.width))
+        for at, rows, orders in self._rows:
+            if 2 in orders:
+                np.add.at(out, at, rows[:, orders.index(2)] ** 2)
+        for columns, blocks in self._blocks:
+            out[:, columns] += np.einsum("snkk->snk", blocks[:, :, 2, :, 2])
+        for columns, order, scale in self._squares:
+            if order == 2:
+                out[:, columns] += scale[:, None]
+        return out
 
 
 @dataclass(frozen=True)
@@ -78,17 +113,17 @@ class Sides:
 
 
 def jacobian(samples: Samples, at: Index, seeded: Callable[[Samples, Cotangent, Index], None]) -> Array:
-    """(P, 3 N): the gradients of P residuals at samples `at` (P,) with respect to y, y', y''.
+    """(P, 3, N): the gradients of P residuals at samples `at` (P,) with respect to y, y', y''.
 
     seeded(copies, cotangent, rows) adds each row's seed, rows (R,), to the cotangent of the copied samples (R).
     """
-    out = np.empty((at.size, 3 * samples.y.shape[1]))
+    out = np.empty((at.size, 3, samples.y.shape[1]))
     for first in range(0, at.size, ROWS_AT_ONCE):
         rows = np.arange(first, min(first + ROWS_AT_ONCE, at.size))
         copies = samples.taken(at[rows])
         cotangent = Cotangent(copies)
         seeded(copies, cotangent, rows)
-        out[rows] = np.hstack(cotangent.gradients())
+        out[rows] = np.stack(cotangent.gradients(), axis=1)
     return out
 
 
@@ -117,4 +152,6 @@ def add_differences(
         there = gradients(moved.reshape(-1, 3 * width), columns.size)
         hessian[:, columns] = ((there - here) / h[:, None, None]).transpose(1, 0, 2)
     eigenvalues, vectors = np.linalg.eigh((hessian + hessian.transpose(0, 2, 1)) / 2)
-    into.flat[:] += (vectors * np.abs(eigenvalues)[:, None, :]) @ vectors.transpose(0, 2, 1)
+    rows = (vectors * np.sqrt(np.abs(eigenvalues))[:, None, :]).transpose(0, 2, 1)
+    at = np.repeat(np.arange(count), 3 * width)
+    into.add_rows(at, np.full(at.size, 0.5), rows.reshape(-1, 3, width))

@@ -11,18 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .kinematics import (
-    Cotangent,
-    Samples,
-    applied,
-    attached_acceleration,
-    attached_pulled_back,
-    cross,
-    dot,
-    gathered,
-    turned,
-    turned_back,
-)
+from .algebra import applied, cross, cross_sum, dot, gathered, turned_back
+from .kinematics import Cotangent, Samples, attached_pulled_back
 from .quaternion import Array
 
 
@@ -50,52 +40,56 @@ class InverseDynamics:
     def __init__(self, samples: Samples) -> None:
         self.samples = samples
         tables, links = samples.figure.tables, samples.links
-        self.arm = turned(links.rotation, tables.centre)
+        self.arm = links.fixed(tables.arms)
         self.centre = links.x + self.arm
-        acceleration = links.x_dd + attached_acceleration(links.omega, links.alpha, self.arm)
-        gravity = samples.figure.gravity[:, None, None]
-        self.net_force = tables.mass[:, None] * (acceleration - gravity)
-        self.spin = self.inertia_times(links.omega)
-        self.spin_rate = self.inertia_times(links.alpha)
-        self.net_torque = self.spin_rate + cross(links.omega, self.spin)
-        beyond = np.ascontiguousarray(tables.path.T)
-        self.force = gathered(beyond, self.net_force)
-        self.moment = gathered(beyond, self.net_torque + cross(self.centre, self.net_force))
+        self.net_force = applied(links.swing, self.arm)
+        self.net_force += links.x_dd
+        self.net_force -= samples.figure.gravity[:, None, None]
+        self.net_force *= tables.mass[:, None]
+        self.inertia = self._world_inertia()
+        # I ω and I ω', (2, 3, L, S)
+        self.momenta = np.einsum("ijls,kjls->kils", self.inertia, links.spins)
+        self.net_torque = cross(links.omega, self.momenta[0])
+        self.net_torque += self.momenta[1]
+        self.force = gathered(tables.beyond, self.net_force)
+        about_origin = cross(self.centre, self.net_force)
+        about_origin += self.net_torque
+        self.moment = gathered(tables.beyond, about_origin)
         self.moment -= cross(links.anchor, self.force)
 
-    def inertia_times(self, vectors: Array) -> Array:
-        """I v with I = R I_body Rᵀ (eq. 18), (3, L, S)."""
+    def _world_inertia(self) -> Array:
+        """I = R I_body Rᵀ (eq. 18), (3, 3, L, S)."""
         rotation, inertia = self.samples.links.rotation, self.samples.figure.tables.inertia
-        local = turned_back(rotation, vectors)
-        return applied(rotation, np.einsum("ijl,jls->ils", inertia, local))
+        # one small product a link and axis: (3, L, 3, S)
+        half = np.matmul(inertia.transpose(2, 1, 0), rotation.transpose(0, 2, 1, 3))
+        return np.einsum("ilks,jkls->ijls", half, rotation)
 
     def pull_back(self, into: Cotangent, moment_bar: Array, force_bar: Array | None = None) -> None:
         """Adds the gradient of a scalar whose gradients with respect to `moment` and `force` are given, (3, L, S)."""
         tables, links = self.samples.figure.tables, self.samples.links
-        omega, alpha = links.omega, links.alpha
         anchor_bar = cross(moment_bar, self.force)
-        force_total = cross(links.anchor, moment_bar)
+        totals = np.empty((2, *moment_bar.shape))
+        totals[0] = moment_bar
+        totals[1] = cross(links.anchor, moment_bar)
         if force_bar is not None:
-            force_total = force_total + force_bar
-        m = gathered(tables.path, moment_bar)
-        f_bar = gathered(tables.path, force_total) + cross(m, self.centre)
+            totals[1] += force_bar
+        m, f_bar = np.matmul(tables.path, totals)
+        f_bar += cross(m, self.centre)
         centre_bar = cross(self.net_force, m)
-        inertia_m = self.inertia_times(m)
-        tilt = cross(m, omega)
-        inertia_tilt = self.inertia_times(tilt)
-        into.add("alpha", inertia_m)
-        into.add("omega", cross(self.spin, m) + inertia_tilt)
-        turn = cross(self.spin_rate, m) + cross(inertia_m, alpha) + cross(self.spin, tilt) + cross(inertia_tilt, omega)
-        acceleration_bar = tables.mass[:, None] * f_bar
-        arm = attached_pulled_back((omega, alpha), self.arm, (centre_bar, None, acceleration_bar))
-        for name, part in zip(("turn", "omega", "alpha"), arm, strict=True):
-            assert part is not None
-            into.add(name, part)
-        into.add("turn", turn)
-        into.add("x", centre_bar + anchor_bar)
-        into.add("x_dd", acceleration_bar)
+        pair = np.array([cross(m, links.omega), m])  # what meets ω and ω'
+        inertia_pair = np.einsum("ijls,kjls->kils", self.inertia, pair)
+        into.hand("omega", cross(self.momenta[0], m))
+        into.hand("omega", inertia_pair[0])
+        into.hand("alpha", inertia_pair[1])
+        into.hand("turn", cross_sum(self.momenta, pair))
+        into.hand("turn", cross_sum(inertia_pair, links.spins))
+        f_bar *= tables.mass[:, None]
+        attached_pulled_back(into, self.arm, (centre_bar, None, f_bar))
         if links.hang is not None:
-            into.add("turn", cross(links.hang, anchor_bar))
+            into.hand("turn", cross(links.hang, anchor_bar))
+        anchor_bar += centre_bar
+        into.hand("x", anchor_bar)
+        into.hand("x_dd", f_bar)
 
 
 def body_forces(samples: Samples) -> BodyForces:

@@ -251,14 +251,21 @@ class Tables:
     """The links' constants as arrays for the batched sweeps; vectors are (3, L), L links with the world first.
 
     quaternion_columns  (4, n) state columns of the n quaternion blocks, in the order of `quaternion_links` (n,)
+    quaternion_slice    the same columns as one run, block after block, or None where others stand between
     free_links, position_columns   links with a free joint (f,) and their columns of position (3, f)
+    ball_links                     (b,) links with a ball joint
     hinge_columns, slide_columns   (h,), (s,) columns of the hinges and slides, in the order of their links
     path                (L, L) 1 where a link lies on the way from the root to another (row: the other), itself included
+    beyond              (L, L) its transpose
+    steps, arms         (L, 3 L) each link's offset at its parent's columns, its centre of mass at its own; all x first
+    levels              links by depth from the world on, free ones left out
     """
 
     quaternion_columns: Index
+    quaternion_slice: slice | None
     quaternion_links: Index
     free_links: Index
+    ball_links: Index
     position_columns: Index
     hinge_columns: Index
     hinge_links: Index
@@ -266,6 +273,9 @@ class Tables:
     slide_links: Index
     parents: Index
     path: Array
+    beyond: Array
+    steps: Array
+    arms: Array
     offset: Array
     anchor: Array
     axis: Array
@@ -301,10 +311,15 @@ class Tables:
         balls = of_kind(JointKind.FREE, JointKind.BALL)
         free, hinges, slides = of_kind(JointKind.FREE), of_kind(JointKind.HINGE), of_kind(JointKind.SLIDE)
         turns = np.array([link.turn for link in links])
+        offset = np.array([np.zeros(3) if link.kind is JointKind.FREE else link.offset for link in links]).T
+        centre = np.array([link.centre for link in links]).T
+        blocks = columns(balls, 0, 4, free_shift=3)
         return cls(
-            quaternion_columns=columns(balls, 0, 4, free_shift=3),
+            quaternion_columns=blocks,
+            quaternion_slice=_run(blocks.T.ravel()),
             quaternion_links=balls,
             free_links=free,
+            ball_links=of_kind(JointKind.BALL),
             position_columns=columns(free, 0, 3),
             hinge_columns=columns(hinges, 0, 1)[0],
             hinge_links=hinges,
@@ -312,16 +327,33 @@ class Tables:
             slide_links=slides,
             parents=parents,
             path=path,
-            offset=np.array([np.zeros(3) if link.kind is JointKind.FREE else link.offset for link in links]).T,
+            beyond=np.ascontiguousarray(path.T),
+            steps=on_links(offset, parents, count),
+            arms=on_links(centre, np.arange(count), count),
+            offset=offset,
             anchor=np.array([link.anchor for link in links]).T,
             axis=np.array([link.axis for link in links]).T,
             turn=turns.T,
             reference=np.array([link.reference for link in links]),
-            levels=tuple(np.flatnonzero(depth == k) for k in range(1, depth.max() + 1)),
+            levels=tuple(np.setdiff1d(np.flatnonzero(depth == k), free) for k in range(1, depth.max() + 1)),
             mass=np.array([link.mass for link in links]),
-            centre=np.array([link.centre for link in links]).T,
+            centre=centre,
             inertia=np.moveaxis(np.array([link.inertia for link in links]), 0, -1),
             armature=np.array([link.armature for link in links]),
             has_anchors=any(np.any(link.anchor) for link in links),
             has_turns=bool(np.any(turns[:, 1:])),
         )
+
+
+def _run(indices: Index) -> slice | None:
+    """Rising neighbours as a slice, or None."""
+    if not indices.size or np.any(np.diff(indices) != 1):
+        return None
+    return slice(int(indices[0]), int(indices[-1]) + 1)
+
+
+def on_links(vectors: Array, owners: Index, count: int) -> Array:
+    """(n, 3 L): vectors (3, n) fixed on links, as weights of the rotations of `count` links; see `LinkMotion.fixed`."""
+    out = np.zeros((owners.size, 3, count))
+    out[np.arange(owners.size), :, owners] = vectors.T
+    return out.reshape(owners.size, -1)

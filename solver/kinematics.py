@@ -6,94 +6,84 @@ One reverse sweep takes cotangents of any of these back to y, y', y''. Arrays ar
 
 Eq. 13 with MuJoCo's body origins; ω and ω' are eqs. 19 and 20, exact for quaternions of any length. A rotation of the
 link by a small world vector δφ changes δω = δφ' + δφ × ω and δω' = δφ'' + δφ' × ω + δφ × ω'; with δφ = 2 vec(δQ Q⁻¹)
-these give the quaternion gradients.
+these give the quaternion gradients. A vector s that turns with its link has s'' = A s with A = [ω']× + [ω]×[ω]×, the
+link's swing.
 """
 
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Protocol
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .figure import Figure, Tables
+from .algebra import (
+    add_at,
+    applied,
+    conjugated,
+    cross,
+    cross_sum,
+    dot,
+    gathered,
+    hamilton,
+    outer,
+    rotation_matrix,
+    swing_matrix,
+    swing_pulled_back,
+    turned,
+    turned_back,
+    vector_product,
+)
+from .figure import Figure, Tables, on_links
 from .quaternion import Array, Index
 
-
-def cross(a: Array, b: Array) -> Array:
-    """a × b, component first: (3, ...) with (3, ...)."""
-    out = np.empty(np.broadcast_shapes(a.shape, b.shape))
-    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
-        np.multiply(a[j], b[k], out=out[i])
-        out[i] -= a[k] * b[j]
-    return out
+Gradients = tuple[Array | None, Array | None, Array | None]
 
 
-def dot(a: Array, b: Array) -> Array:
-    """a · b over the first axis."""
-    return np.einsum("i...,i...->...", a, b)
+class States:
+    """y, y', y'' of a figure at S times, by columns.
 
+    q_all  (3, 4, 1 + n, S): q, q', q'' of the state's blocks, with the world's 1, 0, 0 before them
+    """
 
-def turned(rotation: Array, vectors: Array) -> Array:
-    """R c for constant local vectors: (3, 3, n, S) with (3, n) -> (3, n, S)."""
-    c = vectors[:, :, None]
-    return rotation[:, 0] * c[0] + rotation[:, 1] * c[1] + rotation[:, 2] * c[2]
+    def __init__(self, figure: Figure, y: Array, y_d: Array, y_dd: Array) -> None:
+        self.figure = figure
+        self.y, self.y_d, self.y_dd = y, y_d, y_dd
 
+    @property
+    def count(self) -> int:
+        """S"""
+        return self.y.shape[0]
 
-def applied(rotation: Array, vectors: Array) -> Array:
-    """R v for moving vectors: (3, 3, n, S) with (3, n, S)."""
-    return rotation[:, 0] * vectors[0] + rotation[:, 1] * vectors[1] + rotation[:, 2] * vectors[2]
+    def columns(self, indices: Index, order: int = 0) -> Array:
+        """Chosen columns of y, y' or y'', component first: indices (...) -> (..., S)."""
+        return self._component_first[order][indices]
 
+    @cached_property
+    def _component_first(self) -> tuple[Array, Array, Array]:
+        """y, y', y'' as (N, S)."""
+        y, y_d, y_dd = (np.ascontiguousarray(part.T) for part in (self.y, self.y_d, self.y_dd))
+        return y, y_d, y_dd
 
-def turned_back(rotation: Array, vectors: Array) -> Array:
-    """Rᵀ v: (3, 3, n, S) with (3, n, S)."""
-    return rotation[0] * vectors[0] + rotation[1] * vectors[1] + rotation[2] * vectors[2]
+    @cached_property
+    def quaternions(self) -> Array:
+        columns, block = self.figure.tables.quaternion_columns, self.figure.tables.quaternion_slice
+        n = columns.shape[1]
+        out = np.empty((3, 4, 1 + n, self.count))
+        out[:, :, 0] = 0
+        out[0, 0, 0] = 1
+        for order, part in enumerate((self.y, self.y_d, self.y_dd)):
+            if block is None:
+                out[order, :, 1:] = self.columns(columns, order)
+            else:
+                out[order, :, 1:] = part[:, block].reshape(self.count, n, 4).T
+        return out
 
-
-def gathered(weights: Array, vectors: Array) -> Array:
-    """Linear combinations over the link axis: (m, n) with (3, n, S) -> (3, m, S)."""
-    return np.matmul(weights, vectors)
-
-
-def add_at(room: Array, links: Index, vectors: Array) -> None:
-    """room[:, links] += vectors, where a link may come up more than once: (3, L, S) with (n,) and (3, n, S)."""
-    for i, link in enumerate(links):
-        room[:, link] += vectors[:, i]
-
-
-def hamilton(p: Array, q: Array) -> Array:
-    """p ⊗ q, component first: (4, ...) with (4, ...)."""
-    out = np.empty(np.broadcast_shapes(p.shape, q.shape))
-    out[0] = p[0] * q[0] - p[1] * q[1] - p[2] * q[2] - p[3] * q[3]
-    out[1] = p[0] * q[1] + p[1] * q[0] + p[2] * q[3] - p[3] * q[2]
-    out[2] = p[0] * q[2] - p[1] * q[3] + p[2] * q[0] + p[3] * q[1]
-    out[3] = p[0] * q[3] + p[1] * q[2] - p[2] * q[1] + p[3] * q[0]
-    return out
-
-
-def vector_times(v: Array, q: Array) -> Array:
-    """(0, v) ⊗ q: (3, ...) with (4, ...)."""
-    out = np.empty((4, *np.broadcast_shapes(v.shape[1:], q.shape[1:])))
-    out[0] = -(v[0] * q[1] + v[1] * q[2] + v[2] * q[3])
-    out[1] = v[0] * q[0] + v[1] * q[3] - v[2] * q[2]
-    out[2] = v[1] * q[0] + v[2] * q[1] - v[0] * q[3]
-    out[3] = v[2] * q[0] + v[0] * q[2] - v[1] * q[1]
-    return out
-
-
-def vector_of_quotient(p: Array, q: Array) -> Array:
-    """vec(p ⊗ conj(q)): (4, ...) with (4, ...) -> (3, ...)."""
-    out = np.empty((3, *np.broadcast_shapes(p.shape[1:], q.shape[1:])))
-    out[0] = p[1] * q[0] - p[0] * q[1] - p[2] * q[3] + p[3] * q[2]
-    out[1] = p[2] * q[0] - p[0] * q[2] - p[3] * q[1] + p[1] * q[3]
-    out[2] = p[3] * q[0] - p[0] * q[3] - p[1] * q[2] + p[2] * q[1]
-    return out
-
-
-def conjugated(q: Array) -> Array:
-    """The conjugate, component first."""
-    return np.concatenate([q[:1], -q[1:]])
+    @cached_property
+    def dots(self) -> Array:
+        """q·q, q·q', q·q'' of `quaternions`, (3, 1 + n, S)."""
+        return np.einsum("cns,kcns->kns", self.quaternions[0], self.quaternions)
 
 
 class Samples:
@@ -110,6 +100,8 @@ class Samples:
         self.figure = figure
         self.y, self.y_d, self.y_dd = np.asarray(y, float), np.asarray(y_d, float), np.asarray(y_dd, float)
         self.t = np.zeros(len(self.y)) if t is None else np.asarray(t, float)
+        # what `links` holds on to: never the samples themselves, whose arrays would wait for the garbage collector
+        self._states = States(figure, self.y, self.y_d, self.y_dd)
 
     @property
     def count(self) -> int:
@@ -120,25 +112,38 @@ class Samples:
         """The samples of these indices (R,), which may repeat, as samples of their own."""
         return Samples(self.figure, self.y[at], self.y_d[at], self.y_dd[at], t=self.t[at])
 
+    def parts(self, longest: int = 200) -> list[Samples]:
+        """The samples in runs of at most `longest`: few enough that what is derived from them stays in cache."""
+        if self.count <= longest:
+            return [self]
+        edges = np.linspace(0, self.count, -(-self.count // longest) + 1).astype(int)
+        runs = [slice(a, b) for a, b in pairwise(edges)]
+        return [Samples(self.figure, self.y[r], self.y_d[r], self.y_dd[r], self.t[r]) for r in runs]
+
     def columns(self, indices: Index, order: int = 0) -> Array:
         """Chosen columns of y, y' or y'', component first: indices (...) -> (..., S)."""
-        return np.ascontiguousarray((self.y, self.y_d, self.y_dd)[order].T)[indices]
+        return self._states.columns(indices, order)
 
-    @cached_property
+    @property
     def q(self) -> Array:
-        return self.columns(self.figure.tables.quaternion_columns, 0)
+        return self._states.quaternions[0, :, 1:]
 
-    @cached_property
+    @property
     def q_d(self) -> Array:
-        return self.columns(self.figure.tables.quaternion_columns, 1)
+        return self._states.quaternions[1, :, 1:]
 
-    @cached_property
+    @property
     def q_dd(self) -> Array:
-        return self.columns(self.figure.tables.quaternion_columns, 2)
+        return self._states.quaternions[2, :, 1:]
+
+    @property
+    def q_dots(self) -> Array:
+        """q·q, q·q', q·q'' of the blocks, (3, n, S)."""
+        return self._states.dots[:, 1:]
 
     @cached_property
     def links(self) -> LinkMotion:
-        return LinkMotion(self)
+        return LinkMotion(self._states)
 
 
 class LinkMotion:
@@ -150,47 +155,91 @@ class LinkMotion:
     x, x_d, x_dd   (3, L, S) origin of the link [m, m/s, m/s²]
     """
 
-    def __init__(self, samples: Samples) -> None:
-        self.samples = samples
-        self.figure = samples.figure
-        self.Q, self.Q_d, self.Q_dd = _world_quaternions(samples)
+    def __init__(self, states: States) -> None:
+        self.states = states
+        self.figure = states.figure
+        self._same = self.figure.is_world  # the state's quaternions are the links' own
+        self.quaternions = states.quaternions if self._same else _world_quaternions(states)
+        self.Q, self.Q_d, self.Q_dd = self.quaternions
 
     @cached_property
+    def _dots(self) -> Array:
+        """Q·Q, Q·Q', Q·Q'', (3, L, S)."""
+        return self.states.dots if self._same else np.einsum("cls,kcls->kls", self.Q, self.quaternions)
+
+    @property
     def length_squared(self) -> Array:
         """b = Q·Q, (L, S)."""
-        return dot(self.Q, self.Q)
+        return self._dots[0]
+
+    @cached_property
+    def scale(self) -> Array:
+        """2 / b, (L, S)."""
+        return 2 / self.length_squared
 
     @cached_property
     def rotation(self) -> Array:
-        w, x, y, z = self.Q
-        s = 2 / self.length_squared
-        out = np.empty((3, 3, *w.shape))
-        xs, ys, zs = s * x, s * y, s * z
-        wx, wy, wz = w * xs, w * ys, w * zs
-        xx, xy, xz, yy, yz, zz = x * xs, x * ys, x * zs, y * ys, y * zs, z * zs
-        out[0, 0], out[0, 1], out[0, 2] = 1 - yy - zz, xy - wz, xz + wy
-        out[1, 0], out[1, 1], out[1, 2] = xy + wz, 1 - xx - zz, yz - wx
-        out[2, 0], out[2, 1], out[2, 2] = xz - wy, yz + wx, 1 - xx - yy
-        return out
+        return rotation_matrix(self.Q, self.scale)
 
     @cached_property
+    def rates(self) -> Array:
+        """2 (Q·Q')/b and 2 (Q·Q'')/b, (2, L, S) [1/s, 1/s²]; the first is b'/b."""
+        return self._dots[1:] * self.scale
+
+    @property
     def stretch_rate(self) -> Array:
         """(Q·Q')/b, the rate at which the quaternion's length grows, (L, S) [1/s]."""
-        return dot(self.Q, self.Q_d) / self.length_squared
+        return 0.5 * self.rates[0]
 
     @cached_property
+    def vector_product(self) -> Array:
+        """G of Q, (3, 4, L, S); see the algebra."""
+        return vector_product(self.Q)
+
+    @cached_property
+    def spins(self) -> Array:
+        """(ω, ω'), (2, 3, L, S)."""
+        out = np.einsum("jcls,kcls->kjls", self.vector_product, self.quaternions[1:])
+        out *= self.scale
+        out[1] -= self.rates[0] * out[0]
+        return out
+
+    @property
     def omega(self) -> Array:
-        return vector_of_quotient(self.Q_d, self.Q) * (2 / self.length_squared)
+        return self.spins[0]
+
+    @property
+    def alpha(self) -> Array:
+        return self.spins[1]
 
     @cached_property
-    def alpha(self) -> Array:
-        return vector_of_quotient(self.Q_dd, self.Q) * (2 / self.length_squared) - 2 * self.stretch_rate * self.omega
+    def swing(self) -> Array:
+        """A of s'' = A s for vectors s that turn with the link, (3, 3, L, S) [1/s²]."""
+        return swing_matrix(self.omega, self.alpha)
+
+    @cached_property
+    def parent_swing(self) -> Array:
+        """The swing of every link's parent, (3, 3, L, S)."""
+        return np.take(self.swing, self.figure.tables.parents, axis=2)
+
+    def points(self, links: Index, positions: Array) -> tuple[Array, Array]:
+        """Points fixed on links (n,) at positions (3, n): where they are and their arms from the origins, (3, n, S)."""
+        arm = self.fixed(on_links(positions, links, len(self.figure.links)))
+        return self.x[:, links] + arm, arm
+
+    def poses(self, flat: Index) -> tuple[Array, Array]:
+        """Origins (3, p) and rotations (3, 3, p) of pairs of a link and a sample: flat = link · S + sample."""
+        rotation = self.rotation.reshape(9, -1).take(flat, axis=1).reshape(3, 3, -1)
+        return self.x.reshape(3, -1).take(flat, axis=1), rotation
+
+    def fixed(self, weights: Array) -> Array:
+        """Σ_l R_l c_l of vectors fixed on links, one sum a row: weights (m, 3 L), all c_x first, -> (3, m, S)."""
+        return np.matmul(weights, self.rotation.reshape(3, weights.shape[1], -1))
 
     @cached_property
     def step(self) -> Array:
         """R_parent · offset, the vector from the parent's origin to the joint's anchor, (3, L, S)."""
-        tables = self.figure.tables
-        return turned(self.rotation[:, :, tables.parents], tables.offset)
+        return self.fixed(self.figure.tables.steps)
 
     @cached_property
     def hang(self) -> Array | None:
@@ -209,16 +258,17 @@ class LinkMotion:
         tables = self.figure.tables
         return turned(self.rotation[:, :, tables.slide_links], tables.axis[:, tables.slide_links])
 
-    def _slide(self, order: int) -> Array:
+    def slide(self, order: int) -> Array:
+        """The slides' displacements from their reference, or the derivatives of that, (s, S)."""
         tables = self.figure.tables
-        value = self.samples.columns(tables.slide_columns, order)
+        value = self.states.columns(tables.slide_columns, order)
         return value - tables.reference[tables.slide_links][:, None] if order == 0 else value
 
     def _summed(self, own: Array, order: int) -> Array:
         """Sums over the way from the root, plus the free roots' own positions."""
         tables = self.figure.tables
         if tables.free_links.size:
-            own[:, tables.free_links] = self.samples.columns(tables.position_columns, order)
+            own[:, tables.free_links] = self.states.columns(tables.position_columns, order)
         return gathered(tables.path, own)
 
     @cached_property
@@ -226,7 +276,7 @@ class LinkMotion:
         own = self.step.copy() if self.hang is None else self.step - self.hang
         slides = self.figure.tables.slide_links
         if slides.size:
-            own[:, slides] += self._slide(0) * self.slide_axis
+            own[:, slides] += self.slide(0) * self.slide_axis
         return self._summed(own, 0)
 
     @cached_property
@@ -237,48 +287,30 @@ class LinkMotion:
             own -= cross(self.omega, self.hang)
         if slides.size:
             e = self.slide_axis
-            own[:, slides] += self._slide(1) * e + self._slide(0) * cross(self.omega[:, slides], e)
+            own[:, slides] += self.slide(1) * e + self.slide(0) * cross(self.omega[:, slides], e)
         return self._summed(own, 1)
 
     @cached_property
     def x_dd(self) -> Array:
-        parents, slides = self.figure.tables.parents, self.figure.tables.slide_links
-        own = attached_acceleration(self.omega[:, parents], self.alpha[:, parents], self.step)
+        slides = self.figure.tables.slide_links
+        own = applied(self.parent_swing, self.step)
         if self.hang is not None:
-            own -= attached_acceleration(self.omega, self.alpha, self.hang)
+            own -= applied(self.swing, self.hang)
         if slides.size:
-            e, omega, alpha = self.slide_axis, self.omega[:, slides], self.alpha[:, slides]
+            e, omega, swing = self.slide_axis, self.omega[:, slides], self.swing[:, :, slides]
             own[:, slides] += (
-                self._slide(2) * e
-                + 2 * self._slide(1) * cross(omega, e)
-                + self._slide(0) * attached_acceleration(omega, alpha, e)
+                self.slide(2) * e + 2 * self.slide(1) * cross(omega, e) + self.slide(0) * applied(swing, e)
             )
         return self._summed(own, 2)
 
 
-def attached_acceleration(omega: Array, alpha: Array, s: Array) -> Array:
-    """s'' of a vector s that turns with its link: ω' × s + ω × (ω × s)."""
-    return cross(alpha, s) + cross(omega, cross(omega, s))
-
-
-def _world_quaternions(samples: Samples) -> tuple[Array, Array, Array]:
-    """World quaternions of all links and two derivatives, (4, L, S) each."""
-    tables = samples.figure.tables
-    shape = (4, len(samples.figure.links), samples.count)
-    out = (np.zeros(shape), np.zeros(shape), np.zeros(shape))
-    out[0][0, 0] = 1.0
-    blocks = (samples.q, samples.q_d, samples.q_dd)
-    for target, block in zip(out, blocks, strict=True):
-        target[:, tables.quaternion_links] = block
-    if samples.figure.is_world:
-        return out
-    for target, hinge in zip(out, _hinge_quaternions(samples), strict=True):
-        target[:, tables.hinge_links] = hinge
-    out[0][0, tables.slide_links] = 1.0
+def _world_quaternions(states: States) -> Array:
+    """World quaternions of all links and two derivatives from joint coordinates, (3, 4, L, S)."""
+    tables = states.figure.tables
+    out = _local_quaternions(states)
     for level in tables.levels:
-        level = level[~np.isin(level, tables.free_links)]
-        a, a_d, a_dd = (_base(tables, target, level) for target in out)
-        c, c_d, c_dd = (target[:, level].copy() for target in out)
+        a, a_d, a_dd = _base(tables, out, level)
+        c, c_d, c_dd = out[:, :, level]
         out[0][:, level] = hamilton(a, c)
         out[1][:, level] = hamilton(a_d, c) + hamilton(a, c_d)
         out[2][:, level] = hamilton(a_dd, c) + 2 * hamilton(a_d, c_d) + hamilton(a, c_dd)
@@ -286,15 +318,18 @@ def _world_quaternions(samples: Samples) -> tuple[Array, Array, Array]:
 
 
 def _base(tables: Tables, quaternions: Array, level: Index) -> Array:
-    """Q_parent ⊗ turn for the links of one level."""
-    parent = quaternions[:, tables.parents[level]]
-    return hamilton(parent, tables.turn[:, level][:, :, None]) if tables.has_turns else parent
+    """Q_parent ⊗ turn for the links of one level, and two derivatives: (3, 4, l, S)."""
+    parent = quaternions[:, :, tables.parents[level]]
+    if not tables.has_turns:
+        return parent
+    turn = tables.turn[:, level][:, :, None]
+    return np.array([hamilton(part, turn) for part in parent])
 
 
-def _hinge_quaternions(samples: Samples) -> tuple[Array, Array, Array]:
+def _hinge_quaternions(states: States) -> tuple[Array, Array, Array]:
     """(cos θ/2, axis sin θ/2) of the hinges and two derivatives, (4, h, S) each."""
-    tables = samples.figure.tables
-    theta, theta_d, theta_dd = (samples.columns(tables.hinge_columns, k) for k in range(3))
+    tables = states.figure.tables
+    theta, theta_d, theta_dd = (states.columns(tables.hinge_columns, k) for k in range(3))
     half = 0.5 * (theta - tables.reference[tables.hinge_links][:, None])
     axis = tables.axis[:, tables.hinge_links][:, :, None]
     q = np.concatenate([np.cos(half)[None], axis * np.sin(half)])
@@ -302,12 +337,23 @@ def _hinge_quaternions(samples: Samples) -> tuple[Array, Array, Array]:
     return q, 0.5 * theta_d * normal, 0.5 * theta_dd * normal - 0.25 * theta_d**2 * q
 
 
+def _local_quaternions(states: States) -> Array:
+    """Each link's own rotation c, c', c'' relative to its parent, (3, 4, L, S); the identity for slides."""
+    tables = states.figure.tables
+    out = np.zeros((3, 4, len(states.figure.links), states.count))
+    out[0, 0] = 1.0
+    out[:, :, tables.quaternion_links] = states.quaternions[:, :, 1:]
+    if tables.hinge_links.size:
+        out[:, :, tables.hinge_links] = _hinge_quaternions(states)
+    return out
+
+
 class Cotangent:
     """Gradients of one scalar with respect to any of a `Samples`' quantities, gathered and pulled back to y, y', y''.
 
     `add("x", g)` adds to the gradient with respect to the links' origins, and so on for: y y_d y_dd (S, N);
     q q_d q_dd (4, n, S); x x_d x_dd omega alpha turn (3, L, S), where `turn` is the gradient with respect to a small
-    world rotation of the link with ω and ω' held.
+    world rotation of the link with ω and ω' held; swing (3, 3, L, S).
     """
 
     def __init__(self, samples: Samples) -> None:
@@ -319,6 +365,13 @@ class Cotangent:
             self._parts[name] += gradient
         else:
             self._parts[name] = np.array(gradient)
+
+    def hand(self, name: str, gradient: Array) -> None:
+        """`add` of an array that the caller has no more use for: it may be kept and added into."""
+        if name in self._parts:
+            self._parts[name] += gradient
+        else:
+            self._parts[name] = gradient
 
     def room(self, name: str) -> Array:
         """The array itself, zeros at first, to add into by index."""
@@ -333,25 +386,41 @@ class Cotangent:
             self._parts[name] = np.zeros(shape)
         return self._parts[name]
 
+    def add_forces(self, flat: Index, arm: Array, force: Array) -> None:
+        """Gradients (3, p) with respect to points at `arm` (3, p) from the origins of links.
+
+        flat  (p,) link · S + sample; the same may come up more than once
+        """
+        places, which = np.unique(flat, return_inverse=True)
+        for name, part in (("x", force), ("turn", cross(arm, force))):
+            room = self.room(name).reshape(3, -1)
+            room[:, places] += [np.bincount(which, values) for values in part]
+
     def gradients(self) -> tuple[Array, Array, Array]:
         """The three gradients with respect to y, y', y'', each (S, N); the cotangent is used up."""
         samples, tables = self.samples, self.samples.figure.tables
-        if self._parts.keys() & {"x", "x_d", "x_dd", "omega", "alpha", "turn"}:
+        if self._parts.keys() & {"x", "x_d", "x_dd", "omega", "alpha", "turn", "swing"}:
             _origins_pulled_back(self)
-            turning = (self.get(name) for name in ("turn", "omega", "alpha"))
-            quaternions = quaternion_gradients(samples.links, *turning)
+            if "swing" in self._parts:
+                by_omega, by_alpha = swing_pulled_back(self._parts["swing"], samples.links.omega)
+                self.hand("omega", by_omega)
+                self.hand("alpha", by_alpha)
+            quaternions = _quaternion_gradients(self)
             if samples.figure.is_world:
-                blocks = [g[:, tables.quaternion_links] for g in quaternions]
+                blocks = [g[:, 1:] for g in quaternions]
             else:
                 blocks = _products_pulled_back(self, quaternions)
             for name, block in zip(("q", "q_d", "q_dd"), blocks, strict=False):
-                self.add(name, block)
+                self.hand(name, block)
         out = []
         for y_name, q_name in (("y", "q"), ("y_d", "q_d"), ("y_dd", "q_dd")):
-            total = self._parts[y_name] if y_name in self._parts else np.zeros(samples.y.shape)
-            if q_name in self._parts:
-                columns = tables.quaternion_columns
-                total[:, columns.ravel()] += self._parts[q_name].reshape(-1, samples.count).T
+            total = self.room(y_name)
+            part = self._parts.get(q_name)
+            if part is not None and tables.quaternion_slice is not None:
+                blocks = total[:, tables.quaternion_slice].reshape(samples.count, -1, 4)
+                np.add(blocks, part.T, out=blocks)
+            elif part is not None:
+                total[:, tables.quaternion_columns.ravel()] += part.reshape(-1, samples.count).T
             out.append(total)
         return out[0], out[1], out[2]
 
@@ -360,137 +429,132 @@ class Cotangent:
 
 
 def attached_pulled_back(
-    links: tuple[Array, Array], s: Array, gradients: tuple[Array | None, Array | None, Array | None]
-) -> tuple[Array, Array | None, Array | None]:
-    """Gradients of s, s' = ω × s, s'' -> gradients of (turn, ω, ω'), for vectors s (3, n, S) that turn with their link.
+    into: Cotangent, s: Array, gradients: Gradients, owners: Index | None = None, swing: Array | None = None
+) -> None:
+    """Gradients of s, s' = ω × s and s'' = A s, for vectors s (3, n, S) that turn with links, to those of the links.
 
-    links is (ω, ω') of each vector's link, (3, n, S) both.
+    owners  (n,) the links, each vector's own; None: every link has one
+    swing   (3, 3, n, S) the owners' A, where it is known
     """
-    omega, alpha = links
+    links = into.samples.links
     g, g_d, g_dd = gradients
-    if g_d is None and g_dd is None:
-        assert g is not None
-        return cross(s, g), None, None
-    back = np.zeros_like(s) if g is None else g
-    if g_dd is None:
-        assert g_d is not None
-        return cross(s, back + cross(g_d, omega)), cross(s, g_d), None
-    z_bar = cross(g_dd, omega)
+    pull = g
     if g_d is not None:
-        z_bar = z_bar + g_d
-    back = back + cross(g_dd, alpha) + cross(z_bar, omega)
-    return cross(s, back), cross(cross(omega, s), g_dd) + cross(s, z_bar), cross(s, g_dd)
+        omega = links.omega if owners is None else links.omega[:, owners]
+        pull = cross(g_d, omega) if pull is None else pull + cross(g_d, omega)
+        _to_owners(into, "omega", cross(s, g_d), owners)
+    if g_dd is not None:
+        if swing is None:
+            swing = links.swing if owners is None else links.swing[:, :, owners]
+        through = turned_back(swing, g_dd)
+        pull = through if pull is None else np.add(pull, through, out=through)
+        _to_owners(into, "swing", outer(g_dd, s), owners)
+    if pull is not None:
+        _to_owners(into, "turn", cross(s, pull), owners)
+
+
+def _to_owners(into: Cotangent, name: str, part: Array, owners: Index | None) -> None:
+    """Adds vectors' gradients to those of the links that own them."""
+    if owners is not None:
+        incidence = np.zeros((len(into.samples.figure.links), owners.size))
+        incidence[owners, np.arange(owners.size)] = 1
+        part = np.matmul(incidence, part)
+    into.hand(name, part)
 
 
 def _origins_pulled_back(cotangent: Cotangent) -> None:
-    """x, x', x'' -> positions of the free roots, slides, and (turn, ω, ω') of the links."""
-    names = ("x", "x_d", "x_dd")
-    if not any(cotangent.get(name) is not None for name in names):
-        return
+    """x, x', x'' -> positions of the free roots, slides, and turn, ω and swing of the links."""
     samples, tables = cotangent.samples, cotangent.samples.figure.tables
-    links = samples.links
-    beyond = np.ascontiguousarray(tables.path.T)
-
-    def carried(name: str) -> Array | None:
-        g = cotangent.get(name)
-        return None if g is None else gathered(beyond, g)
-
-    own = (carried("x"), carried("x_d"), carried("x_dd"))
-    for name, g in zip(("y", "y_d", "y_dd"), own, strict=True):
+    own: list[Array | None] = []
+    for name, y_name in (("x", "y"), ("x_d", "y_d"), ("x_dd", "y_dd")):
+        whole = cotangent.get(name)
+        g = None if whole is None else gathered(tables.beyond, whole)
+        own.append(g)
         if g is not None and tables.free_links.size:
-            room = cotangent.room(name)
-            room[:, tables.position_columns.ravel()] += g[:, tables.free_links].reshape(-1, samples.count).T
-            g[:, tables.free_links] = 0
-    moving = own[1] is not None or own[2] is not None
-    still = np.zeros(1)
-    omega, alpha = (links.omega, links.alpha) if moving else (still, still)
-    at_parent = (omega[:, tables.parents], alpha[:, tables.parents]) if moving else (still, still)
-    _scatter(cotangent, tables.parents, attached_pulled_back(at_parent, links.step, own))
+            columns = tables.position_columns.ravel()
+            cotangent.room(y_name)[:, columns] += g[:, tables.free_links].reshape(-1, samples.count).T
+    g, g_d, g_dd = own
+    if g is None and g_d is None and g_dd is None:
+        return
+    links = samples.links
+    swing = None if g_dd is None else links.parent_swing
+    attached_pulled_back(cotangent, links.step, (g, g_d, g_dd), tables.parents, swing)
     if links.hang is not None:
-        every = np.arange(len(samples.figure.links))
-        x, x_d, x_dd = (None if g is None else -g for g in own)
-        _scatter(cotangent, every, attached_pulled_back((omega, alpha), links.hang, (x, x_d, x_dd)))
+        x, x_d, x_dd = (None if part is None else -part for part in own)
+        attached_pulled_back(cotangent, links.hang, (x, x_d, x_dd))
     if tables.slide_links.size:
         _slides_pulled_back(cotangent, own)
 
 
-def _scatter(cotangent: Cotangent, owners: Index, parts: tuple[Array | None, Array | None, Array | None]) -> None:
-    """Adds gradients of vectors to those of the links they turn with."""
-    count = len(cotangent.samples.figure.links)
-    incidence = np.zeros((count, owners.size))
-    incidence[owners, np.arange(owners.size)] = 1
-    for name, part in zip(("turn", "omega", "alpha"), parts, strict=True):
-        if part is not None:
-            cotangent.add(name, gathered(incidence, part))
-
-
-def _slides_pulled_back(cotangent: Cotangent, own: tuple[Array | None, ...]) -> None:
+def _slides_pulled_back(cotangent: Cotangent, own: list[Array | None]) -> None:
     """Displacement q e along a slide's axis e: gradients of q, q', q'' and of the axis."""
     samples, tables = cotangent.samples, cotangent.samples.figure.tables
     links, slides = samples.links, tables.slide_links
     zero = np.zeros((3, slides.size, samples.count))
     g, g_d, g_dd = (zero if part is None else part[:, slides] for part in own)
-    e, omega, alpha = links.slide_axis, links.omega[:, slides], links.alpha[:, slides]
-    e_d, e_dd = cross(omega, e), attached_acceleration(omega, alpha, e)
-    q, q_d, q_dd = (links._slide(order) for order in range(3))
+    e, swing = links.slide_axis, links.swing[:, :, slides]
+    e_d, e_dd = cross(links.omega[:, slides], e), applied(swing, e)
+    q, q_d, q_dd = (links.slide(order) for order in range(3))
     columns = tables.slide_columns
     cotangent.room("y")[:, columns] += (dot(g, e) + dot(g_d, e_d) + dot(g_dd, e_dd)).T
     cotangent.room("y_d")[:, columns] += (dot(g_d, e) + 2 * dot(g_dd, e_d)).T
     cotangent.room("y_dd")[:, columns] += dot(g_dd, e).T
     axis = (q * g + q_d * g_d + q_dd * g_dd, q * g_d + 2 * q_d * g_dd, q * g_dd)
-    _scatter(cotangent, slides, attached_pulled_back((omega, alpha), e, axis))
+    attached_pulled_back(cotangent, e, axis, slides, swing)
 
 
-class Turning(Protocol):
-    """What the gradients of a link's quaternion need of its motion: Q, Q', Q'', ω, ω' and |Q|² and its rate."""
+def _quaternion_gradients(cotangent: Cotangent) -> list[Array]:
+    """(turn, ω, ω') -> gradients with respect to Q, Q', Q'' of the links, (4, L, S); later ones left out if zero.
 
-    Q: Array
-    Q_d: Array
-    Q_dd: Array
-    omega: Array
-    alpha: Array
-    length_squared: Array
-    stretch_rate: Array
-
-
-def quaternion_gradients(
-    links: LinkMotion | Turning, turn: Array | None, omega_bar: Array | None, alpha_bar: Array | None
-) -> list[Array]:
-    """(turn, ω, ω') -> gradients with respect to Q, Q', Q'' of the links, (4, L, S); later ones left out if zero."""
-    b = links.length_squared
-    v = links.Q * (2 / b)
+    With G of a quaternion as in the algebra: (0, v) ⊗ Q = Gᵀ v.
+    """
+    links = cotangent.samples.links
+    turn, omega_bar, alpha_bar = (cotangent.get(name) for name in ("turn", "omega", "alpha"))
+    product = links.vector_product
     if omega_bar is None and alpha_bar is None:
         assert turn is not None
-        return [vector_times(turn, v)]
-    p1 = np.zeros_like(links.omega) if omega_bar is None else omega_bar.copy()
-    p0 = cross(links.omega, p1)
-    if turn is not None:
-        p0 += turn
-    if alpha_bar is not None:
-        p1 += cross(links.omega, alpha_bar)
-        p0 += cross(links.alpha, alpha_bar)
-    rate = 2 * links.stretch_rate
-    v_d = links.Q_d * (2 / b) - v * rate
-    g0 = vector_times(p0, v) + vector_times(p1, v_d)
-    g1 = vector_times(p1, v)
+        return [turned_back(product, turn * links.scale)]
+    first = np.zeros_like(links.omega) if omega_bar is None else omega_bar
     if alpha_bar is None:
-        return [g0, g1]
-    b_dd = 2 * (dot(links.Q, links.Q_dd) + dot(links.Q_d, links.Q_d)) / b
-    v_dd = (links.Q_dd - 2 * rate * links.Q_d) * (2 / b) + v * (2 * rate**2 - b_dd)
-    g0 += vector_times(alpha_bar, v_dd)
-    g1 += 2 * vector_times(alpha_bar, v_d)
-    return [g0, g1, vector_times(alpha_bar, v)]
+        h0, h1 = cross(links.omega, first), first * links.scale
+    else:
+        h0 = cross_sum(links.spins, np.array([first, alpha_bar]))
+        h1 = cross(links.omega, alpha_bar)
+        h1 += first
+        h1 *= links.scale
+    if turn is not None:
+        h0 += turn
+    h0 *= links.scale
+    rate = 2 * links.rates[0]
+    if alpha_bar is None:
+        h0 -= links.rates[0] * h1
+        return [_product_sum((product, h0), (vector_product(links.Q_d), h1)), turned_back(product, h1)]
+    h2 = alpha_bar * links.scale
+    h1 -= rate * h2
+    h0 -= links.rates[0] * h1
+    h0 -= (links.rates[1] + dot(links.Q_d, links.Q_d) * links.scale) * h2
+    product_d = vector_product(links.Q_d)
+    g0 = _product_sum((product, h0), (product_d, h1), (vector_product(links.Q_dd), h2))
+    return [g0, _product_sum((product, h1), (product_d, 2 * h2)), turned_back(product, h2)]
+
+
+def _product_sum(*terms: tuple[Array, Array]) -> Array:
+    """Σ Gᵀ h, (4, L, S)."""
+    (matrix, vector), *rest = terms
+    total = turned_back(matrix, vector)
+    for matrix, vector in rest:
+        total += turned_back(matrix, vector)
+    return total
 
 
 def _products_pulled_back(cotangent: Cotangent, gradients: list[Array]) -> list[Array]:
     """World quaternions' gradients -> those of joint coordinates: C = A ⊗ c, from the leaves to the root."""
     samples, tables = cotangent.samples, cotangent.samples.figure.tables
     links = samples.links
-    local = _local_quaternions(samples)
+    local = _local_quaternions(links.states)
     grads = [gradients[k] if k < len(gradients) else np.zeros_like(links.Q) for k in range(3)]
     for level in reversed(tables.levels):
-        level = level[~np.isin(level, tables.free_links)]
-        a, a_d, a_dd = (conjugated(_base(tables, q, level)) for q in (links.Q, links.Q_d, links.Q_dd))
+        a, a_d, a_dd = (conjugated(q) for q in _base(tables, links.quaternions, level))
         c, c_d, c_dd = (conjugated(q[:, level]) for q in local)
         g, g_d, g_dd = (grad[:, level].copy() for grad in grads)
         up = (
@@ -512,25 +576,12 @@ def _products_pulled_back(cotangent: Cotangent, gradients: list[Array]) -> list[
     return [grad[:, tables.quaternion_links] for grad in grads]
 
 
-def _local_quaternions(samples: Samples) -> tuple[Array, Array, Array]:
-    """Each link's own rotation c, c', c'' relative to its parent, (4, L, S); the identity for slides."""
-    tables = samples.figure.tables
-    shape = (4, len(samples.figure.links), samples.count)
-    out = (np.zeros(shape), np.zeros(shape), np.zeros(shape))
-    out[0][0] = 1.0
-    blocks = zip((samples.q, samples.q_d, samples.q_dd), _hinge_quaternions(samples), strict=True)
-    for target, (block, hinge) in zip(out, blocks, strict=True):
-        target[:, tables.quaternion_links] = block
-        target[:, tables.hinge_links] = hinge
-    return out
-
-
 def _hinges_pulled_back(cotangent: Cotangent, grads: list[Array]) -> None:
     """Gradients of (cos θ/2, axis sin θ/2) and its derivatives -> θ, θ', θ''."""
     samples, tables = cotangent.samples, cotangent.samples.figure.tables
     if not tables.hinge_links.size:
         return
-    q, _, _ = _hinge_quaternions(samples)
+    q, _, _ = _hinge_quaternions(samples.links.states)
     axis = tables.axis[:, tables.hinge_links][:, :, None]
     normal = np.concatenate([-dot(q[1:], axis + 0 * q[1:])[None], axis * q[0]])
     theta_d, theta_dd = (samples.columns(tables.hinge_columns, k) for k in (1, 2))

@@ -1,4 +1,4 @@
-"""The model that a step of the search minimises: E near a path to second order, with one-sided residuals kept one-sided.
+"""The model that a step of the search minimises: E to second order, with one-sided residuals kept one-sided.
 
     m(δ) = gᵀδ + ½ δᵀ(H + λF)δ + Σ_p c_p max(0, d_p + r_pᵀδ)²
 
@@ -239,9 +239,8 @@ class Model:
             curvature = Curvature(samples)
             for term in objective.terms:
                 term.penalty.curvature(samples, curvature, term.factor * layout.weights[nodes])
-            layout.add_local(room, some, spread(curvature.matrix, layout.bases[nodes], POINTS))
-            accelerations = np.einsum("sjj->sj", curvature.matrix[:, 2, :, 2])
-            sizes.append(accelerations / layout.weights[nodes, None])
+            layout.add_local(room, some, curvature.summed(layout.bases[nodes], np.repeat(some - first, POINTS)))
+            sizes.append(curvature.acceleration() / layout.weights[nodes, None])
         index = np.arange(layout.width)
         middle = float(np.median(room[:, index, 0, index]))
         self.held *= STIFF * max(middle, 1e-12)
@@ -307,12 +306,3 @@ class Model:
         """Rᵀ f, (M + 2, N)."""
         assert self.sided is not None
         return (self.sided.transposed @ forces).reshape(self.gradient.shape)
-
-
-def spread(matrix: Array, bases: Array, points: int) -> Array:
-    """Sample matrices (S, 3, N, 3, N) over the coefficients that samples see (S, 3, 4), summed by spans of `points`."""
-    count, width = matrix.shape[0], matrix.shape[2]
-    by = bases.transpose(0, 2, 1)
-    half = np.matmul(by, matrix.reshape(count, 3, -1)).reshape(count, LOCAL, width, 3, width)
-    whole = np.matmul(by[:, None, None], half)
-    return whole.reshape(-1, points, LOCAL, width, LOCAL, width).sum(axis=1)

@@ -76,8 +76,12 @@ class Objective:
     def integrals(self, path: Path) -> Array:
         """∫ f_j dt of every term, without weight or factor."""
         t, w = self.quadrature.nodes(path.spline.times)
-        samples = self.samples(path, t)
-        return np.array([w @ term.penalty.evaluate(samples) for term in self.terms])
+        coefficients = path.spline.coefficients(path.rows)
+        out = np.zeros(len(self.terms))
+        for piece in Sampling.of(path.spline, t).pieces():
+            samples = Samples(self.figure, *piece.samples(coefficients), t=piece.t)
+            out += [w[piece.which] @ term.penalty.evaluate(samples) for term in self.terms]
+        return out
 
     def samples(self, path: Path, t: Array) -> Samples:
         """The figure's motion at times t (S,) along a path."""
@@ -90,14 +94,23 @@ class Objective:
 
     def density(self, samples: Samples) -> Array:
         """Σ_j factor_j f_j at every sample, (S,)."""
-        return np.sum([term.factor * term.penalty.evaluate(samples) for term in self.terms], axis=0)
+        values, first = np.zeros(samples.count), 0
+        for part in samples.parts():
+            for term in self.terms:
+                values[first : first + part.count] += term.factor * term.penalty.evaluate(part)
+            first += part.count
+        return values
 
     def sample_gradients(self, samples: Samples) -> tuple[Array, Array, Array]:
         """g₀ = ∂f/∂y, g₁ = ∂f/∂y', g₂ = ∂f/∂y'' of f = Σ_j factor_j f_j, each (S, N)."""
-        cotangent = Cotangent(samples)
-        for term in self.terms:
-            term.penalty.evaluate(samples, cotangent, np.full(samples.count, term.factor))
-        return cotangent.gradients()
+        found = []
+        for part in samples.parts():
+            cotangent = Cotangent(part)
+            for term in self.terms:
+                term.penalty.evaluate(part, cotangent, np.full(part.count, term.factor))
+            found.append(cotangent.gradients())
+        g0, g1, g2 = found[0] if len(found) == 1 else (np.concatenate(gs) for gs in zip(*found, strict=True))
+        return g0, g1, g2
 
     def on(self, timeline: Timeline) -> Discretised:
         """E as a function of the timeline's unknowns."""
@@ -114,7 +127,11 @@ class Evaluation:
 
 
 class Discretised:
-    """E(x) for one timeline: the spline factorised, the samples placed, the unknowns laid out, once."""
+    """E(x) for one timeline: the spline factorised, the samples placed, the unknowns laid out, once.
+
+    The samples are evaluated in runs that fit into the processor's cache, so that a sample of a long clip costs no more
+    than one of a short clip.
+    """
 
     def __init__(self, objective: Objective, timeline: Timeline) -> None:
         self.objective = objective
@@ -123,6 +140,7 @@ class Discretised:
         self.unknowns = Unknowns.of(objective.figure, timeline)
         t, self.weights = objective.quadrature.nodes(self.spline.times)
         self.sampling = Sampling.of(self.spline, t)
+        self._pieces = self.sampling.pieces()
 
     def path(self, x: Array) -> Path:
         """The curve that x stands for."""
@@ -130,13 +148,17 @@ class Discretised:
 
     def __call__(self, x: Array) -> Evaluation:
         """E and dE/dx at x (n,)."""
-        y, y_d, y_dd = self.sampling.samples(self.unknowns.rows(x))
-        samples = Samples(self.objective.figure, y, y_d, y_dd, self.sampling.t)
-        cotangent = Cotangent(samples)
+        coefficients = self.sampling.coefficients(self.unknowns.rows(x))
+        gradient = np.zeros(coefficients.shape)
         parts: dict[str, float] = {}
-        for term in self.objective.terms:
-            values = term.penalty.evaluate(samples, cotangent, term.factor * self.weights)
-            part = term.factor * float(self.weights @ values)
-            parts[term.penalty.name] = parts.get(term.penalty.name, 0.0) + part
-        rows = self.sampling.pulled_back(cotangent.gradients())
+        for piece in self._pieces:
+            weights = self.weights[piece.which]
+            samples = Samples(self.objective.figure, *piece.samples(coefficients), t=piece.t)
+            cotangent = Cotangent(samples)
+            for term in self.objective.terms:
+                values = term.penalty.evaluate(samples, cotangent, term.factor * weights)
+                part = term.factor * float(weights @ values)
+                parts[term.penalty.name] = parts.get(term.penalty.name, 0.0) + part
+            piece.add_pulled_back(gradient, cotangent.gradients())
+        rows = self.sampling.coefficients_transposed(gradient)
         return Evaluation(sum(parts.values()), self.unknowns.pulled_back(rows), parts)

@@ -12,17 +12,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .algebra import cross, dot, gathered, turned_back, vector_product
 from .dynamics import InverseDynamics
 from .figure import Figure, JointKind
-from .kinematics import (
-    LinkMotion,
-    Samples,
-    attached_pulled_back,
-    cross,
-    gathered,
-    quaternion_gradients,
-    vector_times,
-)
+from .kinematics import LinkMotion, Samples
 from .quaternion import Array, Index
 
 
@@ -51,7 +44,7 @@ def point_rows(samples: Samples, at: Index, link: Index, arm: Array, way: Array)
     lever = np.where(onward > 0, links.step[:, onward, at], arm[:, None, :])
     turn = cross(lever, way[:, None, :]) * used
     per_length = (2 / links.length_squared)[carrier, at]
-    gradient = vector_times(turn, links.Q[:, carrier, at] * per_length)
+    gradient = turned_back(vector_product(links.Q[:, carrier, at] * per_length), turn)
     out = np.zeros((at.size, samples.y.shape[1]))
     block = np.zeros(len(figure.links), np.intp)
     block[tables.quaternion_links] = np.arange(tables.quaternion_links.size)
@@ -131,7 +124,7 @@ def moment_rows(samples: Samples) -> Array:
     turn, omega, alpha, root = _link_gradients(links, inverse, relations)
     pairs = relations.related.shape[1]
     here = _Repeated(links, relations.related[0])
-    gradients = quaternion_gradients(here, turn, omega, alpha)
+    gradients = _quaternion_gradients(here, turn, omega, alpha)
     out = np.zeros((samples.count, relations.joints.size, 3, 3, samples.y.shape[1]))
     block = np.zeros(len(figure.links), np.intp)
     block[tables.quaternion_links] = np.arange(tables.quaternion_links.size)
@@ -173,24 +166,23 @@ def _link_gradients(
         return np.repeat(array[:, link], 3, axis=1)
 
     axes = np.tile(np.eye(3), link.size)[:, :, None] + np.zeros(count)
-    rotation = links.rotation[:, :, link]
-    tensor = np.einsum("ijps,jkp->ikps", rotation, tables.inertia[:, :, link])
-    tensor = np.einsum("ikps,jkps->ijps", tensor, rotation)
+    tensor = inverse.inertia[:, :, link]
 
     def inertia_times(vectors: Array) -> Array:
         split = vectors.reshape(3, link.size, 3, count)
         return np.einsum("ijps,jpas->ipas", tensor, split).reshape(vectors.shape)
 
-    omega, alpha, spin, force = each(links.omega), each(links.alpha), each(inverse.spin), each(inverse.net_force)
+    omega, alpha, force = each(links.omega), each(links.alpha), each(inverse.net_force)
+    spin, spin_rate = (each(part) for part in inverse.momenta)
     of_joint = np.repeat(relations.joints[joint], 3)
     lever = each(inverse.centre) - links.anchor[:, of_joint]
     acceleration = cross(axes, lever) * np.repeat(tables.mass[link], 3)[:, None]
     centre = cross(force, axes)
     tilt = cross(axes, omega)
     turned, tilted = inertia_times(axes), inertia_times(tilt)
-    turn = cross(each(inverse.spin_rate), axes) + cross(turned, alpha) + cross(spin, tilt) + cross(tilted, omega)
-    arm = attached_pulled_back((omega, alpha), each(inverse.arm), (centre, None, acceleration))
-    own = (turn + arm[0], cross(spin, axes) + tilted + _part(arm[1]), turned + _part(arm[2]))
+    turn = cross(spin_rate, axes) + cross(turned, alpha) + cross(spin, tilt) + cross(tilted, omega)
+    arm = _attached((omega, alpha), each(inverse.arm), centre, acceleration)
+    own = (turn + arm[0], cross(spin, axes) + tilted + arm[1], turned + arm[2])
     total = inverse.force[:, relations.joints]
     at_anchor = cross(np.tile(np.eye(3), relations.joints.size)[:, :, None] + np.zeros(count), np.repeat(total, 3, 1))
     x = _joined(relations.from_beyond, centre)
@@ -202,17 +194,35 @@ def _link_gradients(
     x[:, np.isin(related, tables.free_links)] = 0
     carried = x_dd.copy()
     carried[:, np.isin(related, tables.free_links)] = 0
-    handed = attached_pulled_back((links.omega[:, parent], links.alpha[:, parent]), step, (x, None, carried))
+    handed = _attached((links.omega[:, parent], links.alpha[:, parent]), step, x, carried)
     gradients = [
-        _joined(relations.placed, part) + _joined(relations.to_parent, _part(more))
+        _joined(relations.placed, part) + _joined(relations.to_parent, more)
         for part, more in zip(own, handed, strict=True)
     ]
     return gradients[0], gradients[1], gradients[2], x_dd
 
 
-def _part(array: Array | None) -> Array:
-    assert array is not None
-    return array
+def _attached(rates: tuple[Array, Array], s: Array, g: Array, g_dd: Array) -> tuple[Array, Array, Array]:
+    """Gradients of vectors s and s'' that turn with links at rates (ω, ω') as gradients of (turn, ω, ω')."""
+    omega, alpha = rates
+    through = cross(g_dd, omega)
+    pull = g + cross(g_dd, alpha) + cross(through, omega)
+    return cross(s, pull), cross(cross(omega, s), g_dd) + cross(s, through), cross(s, g_dd)
+
+
+def _quaternion_gradients(links: _Repeated, turn: Array, omega: Array, alpha: Array) -> tuple[Array, Array, Array]:
+    """Gradients of (turn, ω, ω') as gradients of Q, Q', Q''; the reasons are in the kinematics."""
+    b = links.length_squared
+    rate = 2 * links.stretch_rate
+    v = links.Q * (2 / b)
+    v_d = links.Q_d * (2 / b) - v * rate
+    b_dd = 2 * (dot(links.Q, links.Q_dd) + dot(links.Q_d, links.Q_d)) / b
+    v_dd = (links.Q_dd - 2 * rate * links.Q_d) * (2 / b) + v * (2 * rate**2 - b_dd)
+    p1 = omega + cross(links.omega, alpha)
+    p0 = turn + cross(links.omega, omega) + cross(links.alpha, alpha)
+    by_v, by_v_d, by_v_dd = (vector_product(part) for part in (v, v_d, v_dd))
+    first = turned_back(by_v, p0) + turned_back(by_v_d, p1) + turned_back(by_v_dd, alpha)
+    return first, turned_back(by_v, p1) + 2 * turned_back(by_v_d, alpha), turned_back(by_v, alpha)
 
 
 def _before(relations: _Relations) -> Array:

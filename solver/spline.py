@@ -9,6 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -19,6 +21,8 @@ from scipy.sparse.linalg import splu
 from .quaternion import Array, Index
 
 DEGREE = 3
+SHORT = 150
+PIECE = 200
 
 
 class Spline:
@@ -110,24 +114,74 @@ class Sampling:
     spline: Spline
     t: Array
     bases: tuple[sparse.csr_matrix, sparse.csr_matrix, sparse.csr_matrix]
-    transposed: tuple[sparse.csr_matrix, sparse.csr_matrix, sparse.csr_matrix]
 
     @classmethod
     def of(cls, spline: Spline, t: ArrayLike) -> Sampling:
         t = np.asarray(t, float)
         b0, b1, b2 = (spline.basis(t, order) for order in range(3))
-        return cls(spline, t, (b0, b1, b2), (b0.T.tocsr(), b1.T.tocsr(), b2.T.tocsr()))
+        return cls(spline, t, (b0, b1, b2))
 
     def samples(self, rows: Array) -> tuple[Array, Array, Array]:
         """(y, y', y'') at the sample times, each (S, N)."""
-        c = self.spline.coefficients(rows)
+        c = self.coefficients(rows)
         b0, b1, b2 = self.bases
         return b0 @ c, b1 @ c, b2 @ c
 
     def pulled_back(self, gradients: Sequence[Array]) -> Array:
         """dE/dY (M + 2, N) from dE/dy, dE/dy', dE/dy'', each (S, N)."""
-        total = sum(b @ g for b, g in zip(self.transposed, gradients, strict=True))
-        return self.spline.coefficients_transposed(np.asarray(total))
+        total = sum(b.T @ g for b, g in zip(self.bases, gradients, strict=True))
+        return self.coefficients_transposed(np.asarray(total))
+
+    @cached_property
+    def _inverse(self) -> Array | None:
+        """Φ⁻¹ of a spline so short that a product with it is quicker than a sparse solve."""
+        return self.spline.coefficients(np.eye(self.spline.size)) if self.spline.size <= SHORT else None
+
+    def coefficients(self, rows: Array) -> Array:
+        """The spline's `coefficients`, made for many calls."""
+        return self.spline.coefficients(rows) if self._inverse is None else self._inverse @ rows
+
+    def coefficients_transposed(self, gradient: Array) -> Array:
+        """The spline's `coefficients_transposed`, made for many calls."""
+        return self.spline.coefficients_transposed(gradient) if self._inverse is None else self._inverse.T @ gradient
+
+    def pieces(self, longest: int = PIECE) -> tuple[Piece, ...]:
+        """The samples in nearly equal runs of at most `longest`: what is made of so few of them stays in cache."""
+        count = -(-self.t.size // longest)
+        edges = [self.t.size * k // count for k in range(count + 1)]
+        return tuple(self._piece(slice(a, b)) for a, b in pairwise(edges))
+
+    def _piece(self, which: slice) -> Piece:
+        basis = sparse.csr_matrix(sparse.vstack([b[which] for b in self.bases]))
+        seen = slice(int(basis.indices.min()), int(basis.indices.max()) + 1)
+        basis = sparse.csr_matrix(basis[:, seen])
+        return Piece(which, self.t[which], seen, basis, sparse.csr_matrix(basis.T))
+
+
+@dataclass(frozen=True, eq=False)
+class Piece:
+    """A run of a sampling's samples, and the few coefficients that they see.
+
+    which       the samples
+    t           (S,) [s]
+    seen        the coefficients, C of them
+    basis       (3 S, C) y, y' and y'' of all samples, one below the other
+    transposed  (C, 3 S)
+    """
+
+    which: slice
+    t: Array
+    seen: slice
+    basis: sparse.csr_matrix
+    transposed: sparse.csr_matrix
+
+    def samples(self, coefficients: Array) -> Array:
+        """y, y', y'' (3, S, N) from the spline's coefficients (M + 2, N)."""
+        return (self.basis @ coefficients[self.seen]).reshape(3, self.t.size, -1)
+
+    def add_pulled_back(self, into: Array, gradients: Sequence[Array]) -> None:
+        """Adds dE/dC from dE/dy, dE/dy', dE/dy'', each (S, N), into (M + 2, N)."""
+        into[self.seen] += self.transposed @ np.concatenate(gradients)
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,10 +9,12 @@ take is on top of it.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Protocol
 
 import mujoco
 import numpy as np
+from numpy.typing import NDArray
 
 from .quaternion import Array
 
@@ -32,6 +34,10 @@ class Surface(Protocol):
         points  (3, n, S) centres [m];  radius  (n,) [m]
         Returns the depth (n, S) [m], 0 outside, and its gradient (3, n, S).
         """
+        ...
+
+    def near(self, points: Array, radius: Array) -> NDArray[np.bool_]:
+        """Whether spheres are inside at all, that is, have a depth: points (3, ...), radius (...) -> (...)."""
         ...
 
     def inside(self, points: Array) -> Array:
@@ -56,6 +62,9 @@ class Plane:
         inside = below > 0
         return np.where(inside, below, 0.0), np.where(inside, -self.normal[:, None, None], 0.0)
 
+    def near(self, points: Array, radius: Array) -> NDArray[np.bool_]:
+        return self._over(points) < radius
+
     def height(self, points: Array) -> Array:
         over = self._over(points)
         return over if self.normal[2] > UPRIGHT else np.full_like(over, np.inf)
@@ -65,7 +74,7 @@ class Plane:
 
     def _over(self, points: Array) -> Array:
         """Signed distance of points (3, ...) from the plane [m]."""
-        return np.tensordot(self.normal, points, 1) - self.normal @ self.point
+        return np.einsum("i,i...->...", self.normal, points) - self.normal @ self.point
 
 
 @dataclass(frozen=True)
@@ -81,27 +90,34 @@ class Box:
     def depth(self, points: Array, radius: Array) -> tuple[Array, Array]:
         local = self._local(points)
         grown = self.half[:, None, None] + radius[:, None]
-        inside = np.all(np.abs(local) < grown, axis=0)
+        inside = self._within(local, grown)
         depth, gradient = np.zeros(inside.shape), np.zeros(points.shape)
         if not inside.any():
             return depth, gradient
-        where = local[:, inside]
-        room = np.broadcast_to(grown, local.shape)[:, inside]
-        up = self.axes[2]
-        total, slope = np.zeros(where.shape[1]), np.zeros(where.shape)
-        for axis in range(3):
-            for sign in (1.0, -1.0):
-                rise = sign * up[axis]
-                if rise < -UPRIGHT and self.buried:
-                    continue
-                kappa = 1.0 if rise > UPRIGHT else SIDEWAYS
-                distance = kappa * (room[axis] - sign * where[axis])
-                total += distance**-2
-                slope[axis] -= sign * kappa * distance**-3
-        value = total**-0.5
+        outward, size, kappa = self._faces
+        room = size[:, None] + np.broadcast_to(radius[:, None], inside.shape)[inside]
+        near = 1 / (kappa[:, None] * (room - outward @ local[:, inside]))
+        squared = near * near
+        value = 1 / np.sqrt(squared.sum(axis=0))
+        near *= squared
         depth[inside] = value
-        gradient[:, inside] = self.axes @ (slope * value**3)
+        gradient[:, inside] = (self.axes @ (outward.T * -kappa) @ near) * value**3
         return depth, gradient
+
+    @cached_property
+    def _faces(self) -> tuple[Array, Array, Array]:
+        """The faces that are ways out: outward axes (f, 3) in the box's own, distances from the centre (f,), κ (f,)."""
+        outward = np.concatenate([np.eye(3), -np.eye(3)])
+        rise = outward @ self.axes[2]
+        kept = ~((rise < -UPRIGHT) & self.buried)
+        return outward[kept], np.tile(self.half, 2)[kept], np.where(rise > UPRIGHT, 1.0, SIDEWAYS)[kept]
+
+    def near(self, points: Array, radius: Array) -> NDArray[np.bool_]:
+        return self._within(self._local(points), self.half.reshape(3, *[1] * (points.ndim - 1)) + radius)
+
+    @staticmethod
+    def _within(local: Array, half: Array) -> NDArray[np.bool_]:
+        return np.logical_and.reduce(np.abs(local) < half)
 
     def inside(self, points: Array) -> Array:
         local = self._local(points)
@@ -110,12 +126,12 @@ class Box:
             for sign in (1.0, -1.0):
                 if not (self.buried and sign * self.axes[2, axis] < -UPRIGHT):
                     nearest = np.minimum(nearest, self.half[axis] - sign * local[axis])
-        within = np.all(np.abs(local) < self.half.reshape(3, *[1] * (points.ndim - 1)), axis=0)
-        return np.where(within, nearest, 0.0)
+        return np.where(self._within(local, self.half.reshape(3, *[1] * (points.ndim - 1))), nearest, 0.0)
 
     def _local(self, points: Array) -> Array:
         """Points (3, ...) in the box's own axes."""
-        return np.tensordot(self.axes.T, points - self.centre.reshape(3, *[1] * (points.ndim - 1)), 1)
+        away = points.reshape(3, -1) - self.centre[:, None]
+        return (self.axes.T @ away).reshape(points.shape)
 
     def height(self, points: Array) -> Array:
         single = [1] * (points.ndim - 1)

@@ -8,16 +8,18 @@ of u in the parent's sagittal plane, sideways bend the angle of u out of it, twi
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
+from ..algebra import cross_sum, gathered
 from ..curvature import Curvature, Sides, jacobian
-from ..kinematics import Cotangent, Samples, add_at, applied, cross, dot, turned, turned_back
+from ..kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
 from .penalty import Scale
 
 NEAR = np.radians(4)  # within which a bound may be passed after one step of the search
-Seen = tuple[Index, Index, tuple[Array, ...]]
+Seen = tuple[Array, Array, Array, Array, Array, Array]
 
 
 @dataclass(frozen=True)
@@ -57,37 +59,42 @@ class BendLimits:
         """(3, n, S) [rad]: flexion, sideways bend and twist of every joint."""
         return self._seen(samples)[0]
 
-    def _seen(self, samples: Samples) -> tuple[Array, Seen]:
-        links = samples.links
-        own = np.array([joint.link for joint in self.joints], np.intp)
-        parents = samples.figure.tables.parents[own]
-        turn = samples.figure.tables.turn[:, own]
+    @cached_property
+    def _axes(self) -> tuple[Index, Array]:
+        """Links (n,), and the joints' axes in the parent: forward, along the limb, lateral, (3, 3, n)."""
         lateral = np.array([joint.lateral for joint in self.joints]).T
         down = np.array([joint.long_axis for joint in self.joints]).T
         forward = np.cross(lateral.T, down.T).T
-        to_child = _matrices(turn)
-        back = np.einsum("jin,jn->in", to_child, lateral), np.einsum("jin,jn->in", to_child, down)
-        child, parent = links.rotation[:, :, own], links.rotation[:, :, parents]
-        v = turned_back(parent, turned(child, back[0]))
-        u = turned_back(parent, turned(child, back[1]))
-        side, d, f = (a[:, :, None] for a in (lateral, down, forward))
-        x, z, y = dot(u, f), dot(u, d), dot(u, side)
+        return np.array([joint.link for joint in self.joints], np.intp), np.array([forward, down, lateral])
+
+    def _seen(self, samples: Samples) -> tuple[Array, Seen]:
+        own, axes = self._axes
+        tables, rotation = samples.figure.tables, samples.links.rotation
+        carried = axes[:0:-1]  # the child's hinge axis v and long axis u, at rest where the parent's are
+        if tables.has_turns:
+            carried = np.einsum("jin,kjn->kin", _matrices(tables.turn[:, own]), carried)
+        world = np.einsum("ijns,kjn->kins", rotation.take(own, axis=2), carried)
+        frame = np.einsum("ijns,bjn->bins", rotation.take(tables.parents[own], axis=2), axes)
+        v, u = np.einsum("bins,kins->kbns", frame, world)
+        x, z, y = u
         planar = np.maximum(np.hypot(x, z), 1e-9)
-        flexion, sideways = np.arctan2(x, z), np.arctan2(y, planar)
-        normal = (x * d - z * f) / planar
-        twist = np.arctan2(dot(v, normal), dot(v, side))
-        return np.stack([flexion, sideways, twist]), (own, parents, (u, v, side, d, f, planar, normal))
+        p = (x * v[1] - z * v[0]) / planar
+        angles = np.empty(u.shape)
+        np.arctan2(x, z, out=angles[0])
+        np.arctan2(y, planar, out=angles[1])
+        np.arctan2(p, v[2], out=angles[2])
+        return angles, (world, frame, u, v, planar, p)
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         if not self.joints:
             return np.zeros(samples.count)
-        (flexion, sideways, twist), seen = self._seen(samples)
-        low = np.minimum(flexion - self.least, 0)
-        side = np.sign(sideways) * np.maximum(np.abs(sideways) - self.sideways, 0)
-        turn = np.sign(twist) * np.maximum(np.abs(twist) - self.twist, 0)
-        if into is not None and (low.any() or side.any() or turn.any()):
-            self._pull_back(samples, into, seen, (2 * scale * low, 2 * scale * side, 2 * scale * turn))
-        return np.sum(low**2 + side**2 + turn**2, axis=0)
+        angles, seen = self._seen(samples)
+        most = np.array([np.inf, self.sideways, self.twist])[:, None, None]
+        least = np.array([self.least, -self.sideways, -self.twist])[:, None, None]
+        excess = angles - np.minimum(np.maximum(angles, least), most)
+        if into is not None and excess.any():
+            self._pull_back(samples, into, seen, 2 * scale * excess)
+        return np.einsum("kns,kns->s", excess, excess)
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
         """Nothing: angles count beyond their bounds only."""
@@ -106,33 +113,33 @@ class BendLimits:
             ]
         )
         side, joint, at = np.nonzero(excess > -NEAR)
-        if not at.size:
-            return None
         angle, sign = np.array([0, 1, 1, 2, 2])[side], np.array([-1.0, 1, -1, 1, -1])[side]
 
         def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
             seeds = np.zeros((3, len(self.joints), rows.size))
             seeds[angle[rows], joint[rows], np.arange(rows.size)] = sign[rows]
-            self._pull_back(copies, cotangent, self._seen(copies)[1], tuple(seeds))
+            self._pull_back(copies, cotangent, self._seen(copies)[1], seeds)
 
-        rows = jacobian(samples, at, seeded)[:, : samples.y.shape[1]]
-        return Sides(at, excess[side, joint, at], rows)
+        return Sides(at, excess[side, joint, at], jacobian(samples, at, seeded)[:, 0])
 
-    def _pull_back(self, samples: Samples, into: Cotangent, seen: Seen, gradient: tuple[Array, ...]) -> None:
-        own, parents, (u, v, side, d, f, planar, normal) = seen
+    def _pull_back(self, samples: Samples, into: Cotangent, seen: Seen, gradient: Array) -> None:
+        world, frame, (x, z, _), v, planar, p = seen
         flexion_bar, sideways_bar, twist_bar = gradient
-        x, z = dot(u, f), dot(u, d)
-        p, q = dot(v, normal), dot(v, side)
+        q = v[2]
         both = np.maximum(p**2 + q**2, 1e-18)
-        p_bar, q_bar = twist_bar * q / both, -twist_bar * p / both
-        v_bar = p_bar * normal + q_bar * side
+        # what v and u get along the parent's axes
+        bars = np.empty((2, *v.shape))
+        p_bar = twist_bar * q / (both * planar)
+        bars[0] = -p_bar * z, p_bar * x, -twist_bar * p / both
         # the normal turns in the sagittal plane as the limb flexes: d normal / d flexion = (z d + x f) / |(x, z)|
-        flexion_bar = flexion_bar + p_bar * dot(v, z * d + x * f) / planar
-        u_bar = flexion_bar * (z * f - x * d) / planar**2 + sideways_bar / planar * side
-        torque = applied(samples.links.rotation[:, :, parents], cross(u, u_bar) + cross(v, v_bar))
-        room = into.room("turn")
-        add_at(room, own, torque)
-        add_at(room, parents, -torque)
+        flexion_bar = (flexion_bar + p_bar * (z * v[1] + x * v[0])) / planar**2
+        bars[1] = flexion_bar * z, -flexion_bar * x, sideways_bar / planar
+        torque = cross_sum(world, np.einsum("kbns,bins->kins", bars, frame))
+        own, count = self._axes[0], len(self.joints)
+        incidence = np.zeros((len(samples.figure.links), count))
+        incidence[own, np.arange(count)] = 1
+        incidence[samples.figure.tables.parents[own], np.arange(count)] = -1
+        into.hand("turn", gathered(incidence, torque))
 
 
 def _matrices(quaternions: Array) -> Array:

@@ -14,10 +14,12 @@ import mujoco
 import numpy as np
 
 from .. import quaternion as quat
+from ..algebra import cross
 from ..curvature import Curvature, Sides, jacobian
 from ..figure import Figure
-from ..kinematics import Cotangent, Samples, cross, turned
+from ..kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
+from ..rows import has_point_rows, point_rows
 from ..surface import Surface
 from .penalty import Scale
 
@@ -55,87 +57,105 @@ class Contact:
         return links, positions, np.array([point.radius for point in self.points]) + self.margin
 
     @cached_property
-    def _bounds(self) -> tuple[Index, Array, Array, Index]:
-        """Spheres round each link's points: links (m,), centres (3, m), radii (m,), and every point's sphere (n,)."""
+    def _bounds(self) -> tuple[Index, Array, Array]:
+        """Spheres round each link's points: links (m,), centres (3, m), radii (m,)."""
         links, positions, radius = self._arrays
         carriers, owner = np.unique(links, return_inverse=True)
         middles = np.array([positions[:, owner == k].mean(axis=1) for k in range(carriers.size)]).T
         far = np.linalg.norm(positions - middles[:, owner], axis=0) + radius
-        return carriers, middles, np.array([far[owner == k].max() for k in range(carriers.size)]), owner
+        return carriers, middles, np.array([far[owner == k].max() for k in range(carriers.size)])
+
+    @cached_property
+    def _by_link(self) -> tuple[Array, Array]:
+        """Every link's points side by side: positions (3, m, p), radii (m, p); those too many have the radius −∞."""
+        links, positions, radius = self._arrays
+        _, owner, counts = np.unique(links, return_inverse=True, return_counts=True)
+        order = np.argsort(owner, kind="stable")
+        rank = np.arange(owner.size) - np.repeat(np.cumsum(counts) - counts, counts)
+        padded = np.zeros((3, counts.size, counts.max()))
+        radii = np.full(padded.shape[1:], -np.inf)
+        padded[:, owner[order], rank], radii[owner[order], rank] = positions[:, order], radius[order]
+        return padded, radii
 
     def centres(self, samples: Samples) -> tuple[Array, Array, Index]:
         """Centres (3, n, S) [m], the vectors to them from their links' origins, and the links' indices (n,)."""
         links, positions, _ = self._arrays
-        arm = turned(samples.links.rotation[:, :, links], positions)
-        return samples.links.x[:, links] + arm, arm, links
+        return *samples.links.points(links, positions), links
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         values = np.zeros(samples.count)
         if not self.points or not self.surfaces:
             return values
-        links, positions, radius = self._arrays
-        carriers, middles, reach, owner = self._bounds
-        around = samples.links.x[:, carriers] + turned(samples.links.rotation[:, :, carriers], middles)
+        carriers, middles, reach = self._bounds
+        around, _ = samples.links.points(carriers, middles)
         scale = np.broadcast_to(scale, values.shape)
         for surface in self.surfaces:
-            near = surface.depth(around, reach)[0] > 0
-            point, at = np.nonzero(near[owner])
-            if not point.size:
+            near = np.flatnonzero(surface.near(around, reach[:, None]))
+            flat, arm, radius = self._near(samples, surface, near)
+            if not flat.size:
                 continue
-            link = links[point]
-            arm = turned(samples.links.rotation[:, :, link, at][..., None], positions[:, point])[..., 0]
-            centres = samples.links.x[:, link, at] + arm
-            depth, gradient = surface.depth(centres[..., None], radius[point])
-            depth, gradient = depth[:, 0], gradient[..., 0]
+            at = flat % samples.count
+            depth, gradient = _depths(samples, surface, flat, arm, radius)
             values += np.bincount(at, depth**2, samples.count)
             if into is not None:
-                force = (2 * scale[at] * depth) * gradient
-                for name, part in (("x", force), ("turn", cross(arm, force))):
-                    _added(into.room(name), link, at, part)
+                into.add_forces(flat, arm, (2 * scale[at] * depth) * gradient)
         return values
+
+    def _near(self, samples: Samples, surface: Surface, near: Index, reach: float = 0.0) -> tuple[Index, Array, Array]:
+        """The points inside a surface when they are grown by `reach` [m]: link · S + sample (p,), arms (3, p), radii.
+
+        near  (k,) the links' spheres that touch the surface, as carrier · S + sample
+        """
+        if not near.size:
+            return near, np.zeros((3, 0)), np.zeros(0)
+        positions, radii = self._by_link
+        carrier, at = np.divmod(near, samples.count)
+        flat = self._bounds[0][carrier] * samples.count + at
+        x, rotation = samples.links.poses(flat)
+        arm = np.einsum("ijk,jkp->ikp", rotation, positions[:, carrier])
+        radius = radii[carrier]
+        kept = np.flatnonzero(surface.near(arm + x[..., None], radius + reach))
+        return flat[kept // radius.shape[1]], arm.reshape(3, -1).take(kept, axis=1), radius.ravel()[kept]
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
         """Nothing: depths count on one side only."""
 
     def sides(self, samples: Samples) -> Sides | None:
-        links, positions, radius = self._arrays
-        if not links.size or not self.surfaces:
+        if not self.points or not self.surfaces:
             return None
-        carriers, middles, reach, owner = self._bounds
-        around = samples.links.x[:, carriers] + turned(samples.links.rotation[:, :, carriers], middles)
+        carriers, middles, reach = self._bounds
+        around, _ = samples.links.points(carriers, middles)
         parts = []
         for surface in self.surfaces:
-            near = surface.depth(around, reach + NEAR)[0] > 0
-            point, at = np.nonzero(near[owner])
-            link = links[point]
-            arm = turned(samples.links.rotation[:, :, link, at][..., None], positions[:, point])[..., 0]
-            centres = (samples.links.x[:, link, at] + arm)[..., None]
-            depth, way = (part[..., 0] for part in surface.depth(centres, radius[point]))
-            about, way_about = (part[..., 0] for part in surface.depth(centres, radius[point] + NEAR))
+            near = np.flatnonzero(surface.near(around, reach[:, None] + NEAR))
+            flat, arm, radius = self._near(samples, surface, near, NEAR)
+            link, at = np.divmod(flat, samples.count)
+            depth, way = _depths(samples, surface, flat, arm, radius)
+            about, way_about = _depths(samples, surface, flat, arm, radius + NEAR)
             inside = depth > 0
             depth, way = np.where(inside, depth, about - NEAR), np.where(inside, way, way_about)
-            kept = np.flatnonzero(about > 0)
-            at, link, arm, way = at[kept], link[kept], arm[:, kept], way[:, kept]
-            parts.append(Sides(at, depth[kept], pushed(samples, at, link, arm, way)))
+            parts.append(Sides(at, depth, point_gradients(samples, at, link, arm, way)))
         return Sides.joined(parts)
 
 
-def pushed(samples: Samples, at: Index, link: Index, arm: Array, way: Array) -> Array:
+def _depths(samples: Samples, surface: Surface, flat: Index, arm: Array, radius: Array) -> tuple[Array, Array]:
+    """Depths (p,) and their gradients (3, p) of spheres at `arm` (3, p) from links' origins."""
+    centres = samples.links.x.reshape(3, -1).take(flat, axis=1) + arm
+    depth, gradient = surface.depth(centres[..., None], radius)
+    return depth[:, 0], gradient[..., 0]
+
+
+def point_gradients(samples: Samples, at: Index, link: Index, arm: Array, way: Array) -> Array:
     """(P, N): the gradient of way · p for points p at `arm` (3, P) from their links' origins, at samples `at` (P,)."""
+    if has_point_rows(samples.figure):
+        return point_rows(samples, at, link, arm, way)
 
     def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
         here = np.arange(rows.size)
         cotangent.room("x")[:, link[rows], here] = way[:, rows]
         cotangent.room("turn")[:, link[rows], here] = cross(arm[:, rows], way[:, rows])
 
-    return jacobian(samples, at, seeded)[:, : samples.y.shape[1]]
-
-
-def _added(room: Array, link: Index, at: Index, part: Array) -> None:
-    """room[:, link, at] += part, with repeated (link, at) pairs."""
-    flat = link * room.shape[2] + at
-    for own, values in zip(room, part, strict=True):
-        own += np.bincount(flat, values, own.size).reshape(own.shape)
+    return jacobian(samples, at, seeded)[:, 0]
 
 
 def site_points(figure: Figure, names: Sequence[str]) -> tuple[Point, ...]:

@@ -11,8 +11,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..algebra import dot
 from ..curvature import Curvature, Sides
-from ..kinematics import Cotangent, Samples, dot
+from ..kinematics import Cotangent, Samples
 from ..quaternion import Array
 from .penalty import Scale
 
@@ -77,17 +78,15 @@ class CovariantAcceleration:
             into.add("q", ((2 * s * s - along) * k) * w + (c * k) * q_d - (2 * c * s * k + k * values) * q)
         return values.sum(axis=0)
 
+    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+        tables = samples.figure.tables
+        q, q_d, q_dd = (part.transpose(2, 1, 0) for part in (samples.q, samples.q_d, samples.q_dd))
+        parts = _residual_jacobians(q, q_d, q_dd, intrinsic=self.form == "intrinsic")
+        into.add_blocks(tables.quaternion_columns.T, np.stack(parts, axis=3), scale)
+        into.add_squares(tables.hinge_columns, 2, 0.25 * scale)
+
     def sides(self, samples: Samples) -> Sides | None:
         return None
-
-    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
-        q, q_d, q_dd = (np.moveaxis(part, 0, -1) for part in (samples.q, samples.q_d, samples.q_dd))
-        parts = _residual_jacobians(q, q_d, q_dd, intrinsic=self.form == "intrinsic")
-        for columns, *blocks in zip(samples.figure.tables.quaternion_columns.T, *parts, strict=True):
-            into.add_blocks(columns, np.stack(blocks, axis=2), scale)
-        hinges = samples.figure.tables.hinge_columns
-        if hinges.size:
-            into.add_squares(hinges, 2, 0.25 * scale)
 
 
 def _residual_jacobians(q: Array, q_d: Array, q_dd: Array, *, intrinsic: bool) -> tuple[Array, Array, Array]:

@@ -7,17 +7,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..algebra import applied, dot
 from ..curvature import Curvature, Sides
 from ..figure import Figure, JointKind
 from ..frame import Mask, Timeline
-from ..kinematics import Cotangent, Samples, cross
-from ..quaternion import Array
+from ..kinematics import Cotangent, Samples
+from ..quaternion import Array, Index
 from ..surface import Surface
-from .contact import Contact, Point, pushed
+from .contact import Contact, Point, point_gradients
 from .penalty import Scale
 
 NEAR_SURFACE = 0.012
@@ -52,36 +54,58 @@ class Planted:
         return Scale(1e-4, is_violation=True)
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+        stance, at = self._during(samples.t)
         values = np.zeros(samples.count)
-        if not self.stances:
+        if not stance.size:
             return values
-        centres, arm, links = Contact(tuple(stance.point for stance in self.stances), ()).centres(samples)
-        scale = np.broadcast_to(scale, samples.t.shape)
-        for i, stance in enumerate(self.stances):
-            during = np.flatnonzero((samples.t >= stance.first) & (samples.t <= stance.last))
-            if not during.size:
-                continue
-            away = centres[:, i, during] - stance.place(samples.t[during])
-            values[during] += np.sum(away**2, axis=0)
-            if into is not None:
-                force = 2 * scale[during] * away
-                into.room("x")[:, links[i], during] += force
-                into.room("turn")[:, links[i], during] += cross(arm[:, i, during], force)
+        links, positions, spots, drifts = self._arrays
+        flat = links[stance] * samples.count + at
+        x, rotation = samples.links.poses(flat)
+        arm = applied(rotation, positions[:, stance])
+        first, _ = self._times
+        away = x + arm - spots[:, stance] - drifts[:, stance] * (samples.t[at] - first[stance])
+        if into is not None:
+            into.add_forces(flat, arm, (2 * np.broadcast_to(scale, samples.t.shape)[at]) * away)
+        values += np.bincount(at, dot(away, away), samples.count)
         return values
+
+    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+        stance, at = self._during(samples.t)
+        order = np.argsort(at, kind="stable")
+        stance, at = stance[order], at[order]
+        links, positions, _, _ = self._arrays
+        link = links[stance]
+        arm = applied(samples.links.rotation[:, :, link, at], positions[:, stance])
+        for way in np.eye(3):
+            ways = np.repeat(way[:, None], at.size, axis=1)
+            into.add_rows(at, scale[at], point_gradients(samples, at, link, arm, ways)[:, None], (0,))
 
     def sides(self, samples: Samples) -> Sides | None:
         return None
 
-    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
-        if not self.stances:
-            return
-        _, arms, links = Contact(tuple(stance.point for stance in self.stances), ()).centres(samples)
-        first = np.array([stance.first for stance in self.stances])[:, None]
-        last = np.array([stance.last for stance in self.stances])[:, None]
-        which, at = np.nonzero((samples.t >= first) & (samples.t <= last))
-        for way in np.eye(3):
-            ways = np.repeat(way[:, None], at.size, axis=1)
-            into.add_rows(at, scale[at], pushed(samples, at, links[which], arms[:, which, at], ways), 0)
+    def _during(self, t: Array) -> tuple[Index, Index]:
+        """The pairs of a stance and a sample at times t (S,) that it holds for, (p,) each."""
+        first, last = self._times
+        order = np.argsort(t, kind="stable")
+        rising = t[order]
+        begin, end = np.searchsorted(rising, first, "left"), np.searchsorted(rising, last, "right")
+        active = np.flatnonzero(end > begin)
+        begin, counts = begin[active], (end - begin)[active]
+        place = np.arange(counts.sum()) + np.repeat(begin - (np.cumsum(counts) - counts), counts)
+        return np.repeat(active, counts), order[place]
+
+    @cached_property
+    def _times(self) -> tuple[Array, Array]:
+        """When the stances begin and end, (n,) each."""
+        return np.array([s.first for s in self.stances]), np.array([s.last for s in self.stances])
+
+    @cached_property
+    def _arrays(self) -> tuple[Index, Array, Array, Array]:
+        """Links (n,), the points' positions on them, their spots and drifts per second, (3, n) each."""
+        links = np.array([s.point.link for s in self.stances], np.intp)
+        drifts = [(s.landed - s.spot) / (s.last - s.first) for s in self.stances]
+        positions, spots = [s.point.position for s in self.stances], [s.spot for s in self.stances]
+        return links, np.array(positions).T, np.array(spots).T, np.array(drifts).T
 
 
 def stances(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]) -> tuple[Stance, ...]:

@@ -6,11 +6,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..algebra import add_at, cross, dot
 from ..curvature import Curvature, Sides, jacobian
 from ..dynamics import InverseDynamics
-from ..figure import JointKind
-from ..kinematics import Cotangent, Samples, add_at, cross, dot
+from ..kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
+from ..rows import has_moment_rows, moment_rows
 from .penalty import Scale
 
 
@@ -27,9 +28,10 @@ class Torque:
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         tables, links = samples.figure.tables, samples.links
         inverse = InverseDynamics(samples)
-        kinds = np.array([link.kind for link in samples.figure.links])
-        balls = np.flatnonzero(kinds == JointKind.BALL)
-        moment = inverse.moment[:, balls]
+        balls = tables.ball_links
+        is_ball = np.zeros((len(samples.figure.links), 1))
+        is_ball[balls] = 1
+        moment = inverse.moment * is_ball
         motors = [(tables.hinge_links, tables.hinge_columns, inverse.moment)]
         motors += [(tables.slide_links, tables.slide_columns, inverse.force)]
         armature = tables.armature[balls][:, None]
@@ -37,12 +39,12 @@ class Torque:
         if np.any(armature):
             spin = links.omega[:, balls] - links.omega[:, parents]
             reflected = links.alpha[:, balls] - links.alpha[:, parents] - cross(links.omega[:, balls], spin)
-            moment = moment + armature * reflected
-        values = dot(moment, moment).sum(axis=0)
-        moment_bar, force_bar = np.zeros_like(inverse.moment), np.zeros_like(inverse.force)
-        moment_bar[:, balls] = 2 * scale * moment
+            moment[:, balls] += armature * reflected
+        values = np.einsum("ils,ils->s", moment, moment)
+        moment_bar = np.multiply(moment, 2 * scale, out=moment)
+        force_bar = np.zeros_like(inverse.force) if tables.slide_links.size else None
         for (indices, columns, source), target in zip(motors, (moment_bar, force_bar), strict=True):
-            if not indices.size:
+            if not indices.size or target is None:
                 continue
             axis = (links.rotation[:, :, indices] * tables.axis[None, :, indices, None]).sum(axis=1)
             own = tables.armature[indices]
@@ -53,58 +55,55 @@ class Torque:
                 into.room("y_dd")[:, columns] += (2 * scale * effort * own[:, None]).T
                 into.room("turn")[:, indices] += cross(axis, 2 * scale * effort * source[:, indices])
         if into is not None:
-            inverse.pull_back(into, moment_bar, force_bar if tables.slide_links.size else None)
+            inverse.pull_back(into, moment_bar, force_bar)
             if spin is not None:
                 _reflected_pulled_back(into, balls, parents, armature * moment_bar[:, balls], spin)
         return values
 
-    def sides(self, samples: Samples) -> Sides | None:
-        return None
-
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
-        kinds = np.array([link.kind for link in samples.figure.links])
-        balls = np.flatnonzero(kinds == JointKind.BALL)
-        tables = samples.figure.tables
+        figure, tables = samples.figure, samples.figure.tables
         motors = np.concatenate([tables.hinge_links, tables.slide_links])
-        link = np.concatenate([np.repeat(balls, 3), motors])
-        axis = np.concatenate([np.tile(np.arange(3), balls.size), np.full(motors.size, -1)])
+        if has_moment_rows(figure) and not motors.size:
+            rows = moment_rows(samples)
+            at = np.repeat(np.arange(samples.count), rows.shape[1])
+            into.add_rows(at, scale[at], rows.reshape(at.size, 3, -1))
+            return
+        link = np.concatenate([np.repeat(tables.ball_links, 3), motors])
+        axis = np.concatenate([np.tile(np.arange(3), tables.ball_links.size), np.full(motors.size, -1)])
         at = np.repeat(np.arange(samples.count), link.size)
 
         def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
-            own, k = link[rows % link.size], axis[rows % link.size]
-            self._seed(copies, cotangent, own, k)
+            _one_effort(copies, cotangent, link[rows % link.size], axis[rows % link.size])
 
-        rows = jacobian(samples, at, seeded)
-        into.add_rows(at, np.repeat(scale, link.size), rows)
+        into.add_rows(at, scale[at], jacobian(samples, at, seeded))
 
-    def _seed(self, samples: Samples, into: Cotangent, link: Index, axis: Index) -> None:
-        """One joint's effort a sample, link (S,): of a ball joint the component `axis` (S,) in the world."""
-        tables, links = samples.figure.tables, samples.links
-        inverse = InverseDynamics(samples)
-        rows = np.arange(samples.count)
-        moment_bar, force_bar = np.zeros_like(inverse.moment), np.zeros_like(inverse.force)
-        kinds = np.array([part.kind for part in samples.figure.links])[link]
-        ball = kinds == JointKind.BALL
-        moment_bar[axis[ball], link[ball], rows[ball]] = 1.0
-        if ball.any() and np.any(tables.armature[link[ball]]):
-            every = np.flatnonzero(np.array([part.kind for part in samples.figure.links]) == JointKind.BALL)
-            spin = links.omega[:, every] - links.omega[:, tables.parents[every]]
-            gradient = tables.armature[every][:, None] * moment_bar[:, every]
-            _reflected_pulled_back(into, every, tables.parents[every], gradient, spin)
-        for kind, source, target in (
-            (JointKind.HINGE, inverse.moment, moment_bar),
-            (JointKind.SLIDE, inverse.force, force_bar),
-        ):
-            chosen = np.flatnonzero(kinds == kind)
-            if not chosen.size:
-                continue
-            own = link[chosen]
-            way = (links.rotation[:, :, own, chosen] * tables.axis[None, :, own]).sum(axis=1)
-            target[:, own, chosen] = way
-            columns = np.array([samples.figure.links[i].qpos for i in own])
-            into.room("y_dd")[chosen, columns] += tables.armature[own]
-            into.room("turn")[:, own, chosen] += cross(way, source[:, own, chosen])
-        inverse.pull_back(into, moment_bar, force_bar if tables.slide_links.size else None)
+    def sides(self, samples: Samples) -> Sides | None:
+        return None
+
+
+def _one_effort(samples: Samples, into: Cotangent, link: Index, axis: Index) -> None:
+    """The gradient of one effort a sample, at the joint of link (S,); of a ball joint component `axis` (S,), world axes."""
+    tables, links = samples.figure.tables, samples.links
+    inverse = InverseDynamics(samples)
+    moment_bar, force_bar = np.zeros_like(inverse.moment), np.zeros_like(inverse.force)
+    ball = np.flatnonzero(np.isin(link, tables.ball_links))
+    moment_bar[axis[ball], link[ball], ball] = 1.0
+    every = tables.ball_links
+    if np.any(tables.armature[every]):
+        spin = links.omega[:, every] - links.omega[:, tables.parents[every]]
+        reflected = tables.armature[every][:, None] * moment_bar[:, every]
+        _reflected_pulled_back(into, every, tables.parents[every], reflected, spin)
+    motors = ((tables.hinge_links, inverse.moment, moment_bar), (tables.slide_links, inverse.force, force_bar))
+    for chosen, source, target in motors:
+        at = np.flatnonzero(np.isin(link, chosen))
+        if not at.size:
+            continue
+        own = link[at]
+        way = (links.rotation[:, :, own, at] * tables.axis[None, :, own]).sum(axis=1)
+        target[:, own, at] = way
+        into.room("y_dd")[at, [samples.figure.links[i].qpos for i in own]] += tables.armature[own]
+        into.room("turn")[:, own, at] += cross(way, source[:, own, at])
+    inverse.pull_back(into, moment_bar, force_bar if tables.slide_links.size else None)
 
 
 def _reflected_pulled_back(into: Cotangent, own: Index, parents: Index, gradient: Array, spin: Array) -> None:

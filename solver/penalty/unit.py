@@ -6,8 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..algebra import dot
 from ..curvature import Curvature, Sides
-from ..kinematics import Cotangent, Samples, dot
+from ..kinematics import Cotangent, Samples
 from ..quaternion import Array
 from .penalty import Scale
 
@@ -42,13 +43,12 @@ class UnitMagnitude:
             into.add("q", (2 * scale * slope) * samples.q)
         return values.sum(axis=0)
 
-    def sides(self, samples: Samples) -> Sides | None:
-        return None
-
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
         excess = dot(samples.q, samples.q) - 1
         slope = 2.0 if self.form == "square" else 2 / (excess**2 + self.epsilon**2) ** 0.25
-        rows = (slope * samples.q).transpose(1, 2, 0)
-        nothing = np.zeros_like(rows)
-        for columns, row in zip(samples.figure.tables.quaternion_columns.T, rows, strict=True):
-            into.add_blocks(columns, np.stack([row, nothing[0], nothing[0]], axis=1)[:, None], scale)
+        rows = np.zeros((samples.count, excess.shape[0], 1, 3, 4))
+        rows[:, :, 0, 0] = (slope * samples.q).transpose(2, 1, 0)
+        into.add_blocks(samples.figure.tables.quaternion_columns.T, rows, scale)
+
+    def sides(self, samples: Samples) -> Sides | None:
+        return None
