@@ -80,6 +80,21 @@ class Curvature:
             out[:, :, columns, :, columns] += each
         return out
 
+    def quadratic(self, phi: Array, first: int, last: int) -> Array:
+        """(N, N): Σ over samples first ... last − 1 in the one direction phi (S, 3)."""
+        out = np.zeros((self.width, self.width))
+        for at, rows, orders in self._rows:
+            begin, end = np.searchsorted(at, [first, last])
+            moved = np.einsum("po,pon->pn", phi[at[begin:end]][:, orders], rows[begin:end])
+            out += moved.T @ moved
+        some = slice(first, last)
+        for columns, blocks in self._blocks:
+            each = np.einsum("si,snixjy,sj->nxy", phi[some], blocks[some], phi[some], optimize=True)
+            out[columns[:, :, None], columns[:, None, :]] += each
+        for columns, order, scale in self._squares:
+            out[columns, columns] += np.sum(scale[some] * phi[some, order] ** 2)
+        return out
+
     def acceleration(self) -> Array:
         """(S, N): the diagonal in y''."""
         out = np.zeros((self.samples.count, self.width))

@@ -82,7 +82,7 @@ class Torque:
 
 
 def _one_effort(samples: Samples, into: Cotangent, link: Index, axis: Index) -> None:
-    """The gradient of one effort a sample, at the joint of link (S,); of a ball joint component `axis` (S,), world axes."""
+    """The gradient of one effort a sample, at the joint of link (S,); of a ball joint component `axis` (S,)."""
     tables, links = samples.figure.tables, samples.links
     inverse = InverseDynamics(samples)
     moment_bar, force_bar = np.zeros_like(inverse.moment), np.zeros_like(inverse.force)
