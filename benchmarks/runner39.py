@@ -252,7 +252,7 @@ class Casadi:
         value = unknowns.weights[0] * casadi.sum2(each(*parts))
         self.seen: list[tuple[float, Array]] = []
         self.begin = 0.0
-        self.callback = _callback(casadi, x.numel(), self.note)
+        self.callback = noting(casadi, x.numel(), self.note)
         options = {
             "ipopt": {
                 "hessian_approximation": "limited-memory",
@@ -321,7 +321,7 @@ def _matrix(ca: Any, q: Any, b: Any) -> Any:
     return ca.vertcat(*(ca.horzcat(*row) for row in rows)) / b
 
 
-def _callback(ca: Any, size: int, note: Callable[[Array], None]) -> Any:
+def noting(ca: Any, size: int, note: Callable[[Array], None], constraints: int = 0) -> Any:
     """IPOPT's iteration callback that hands every x to `note`."""
 
     class Noted(ca.Callback):
@@ -336,8 +336,9 @@ def _callback(ca: Any, size: int, note: Callable[[Array], None]) -> Any:
             return 1
 
         def get_sparsity_in(self, i: int) -> Any:
-            shape = {"x": (size, 1), "lam_x": (size, 1), "f": (1, 1)}.get(ca.nlpsol_out(i), (0, 0))
-            return ca.Sparsity.dense(*shape)
+            sizes = {"x": size, "lam_x": size, "f": 1, "g": constraints, "lam_g": constraints}
+            rows = sizes.get(ca.nlpsol_out(i), 0)
+            return ca.Sparsity.dense(rows, 1 if rows else 0)
 
         def eval(self, arg: Any) -> list[int]:
             note(np.array(arg[0]).ravel())

@@ -107,8 +107,8 @@ def measure(effort: Effort) -> Section:
     section.notes = [
         "theirs fails if it raises or its residual is over 1e-6. Ours is confirmed if the weak form promises less than "
         f"{LEFT:.0%} of the energy from a frame in every segment, and the energy is within {NEAR:.0%} of the minimum "
-        f"it is near: by the tests' multiple shooting or theirs ({by['exact']} sets), by multiple shooting started from "
-        f"our path ({by['exact from ours']}), or, where neither closes, by our own with twice the frames ({by['refined']})",
+        f"it is near: by the tests' multiple shooting or theirs ({by['exact']} sets), by the former from our "
+        f"path ({by['exact from ours']}), or, where none closes, by our own with twice the frames ({by['refined']})",
         "ours: 3 variable frames a segment, subdivision by the weak form to at most 5 a segment on average; the clock "
         "is a single run",
         f"ours in another winding class, its minimum / the one of multiple shooting: {'; '.join(apart) or 'none'}",
