@@ -6,14 +6,18 @@ import gc
 import importlib
 import math
 import statistics
+import sys
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
 
 import pinned as pinned
 
 NOT_INSTALLED = "not installed (pip install '.[bench]')"
+CLIP = "run_and_step"
+COMMAND = "import sys; from runner.cli import main; sys.argv = ['dynsplines', *sys.argv[1:]]; main()"
 REPEATS = 5
 QUICK_REPEATS = 2
 
@@ -82,6 +86,12 @@ def peer(name: str) -> Any | None:
         return importlib.import_module(name)
     except ImportError:
         return None
+
+
+def dynsplines(*arguments: str) -> list[str]:
+    """The command as it is installed, or by its function where it is not beside this Python."""
+    script = Path(sys.executable).parent / "dynsplines"
+    return [str(script), *arguments] if script.exists() else [sys.executable, "-c", COMMAND, *arguments]
 
 
 def seconds(work: Callable[[], Any]) -> tuple[float, Any]:

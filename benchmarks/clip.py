@@ -13,24 +13,15 @@ import time
 from pathlib import Path
 from typing import Any
 
-from bench import Effort, Section, Target, alternated, median
+from bench import CLIP, Effort, Section, Target, alternated, dynsplines, median
 
 from runner import clip as clips
 from solver import Improvement, Motion, StopSearch, inbetween
-
-CLIP = "run_and_step"
-COMMAND = "import sys; from runner.cli import main; sys.argv = ['dynsplines', *sys.argv[1:]]; main()"
 
 
 def solve(problem: clips.Clip) -> Motion:
     """What `dynsplines solve` calls, every penalty, subdivision included."""
     return inbetween(problem.figure, problem.keys, problem.penalties, problem.settings, ends=problem.ends)
-
-
-def dynsplines(*arguments: str) -> list[str]:
-    """The command as it is installed, or by its function where it is not on this environment's path."""
-    script = Path(sys.executable).parent / "dynsplines"
-    return [str(script), *arguments] if script.exists() else [sys.executable, "-c", COMMAND, *arguments]
 
 
 def first_told() -> float:

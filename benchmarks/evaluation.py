@@ -1,0 +1,85 @@
+"""One evaluation of run_and_step's objective, every penalty with torque, beside MuJoCo's loop over the samples."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from itertools import pairwise
+
+import mujoco
+import numpy as np
+from bench import Effort, Section, Target, alternated, median
+
+from runner import clip as clips
+from solver import Frame, Objective, Path, Quadrature, Settings, Timeline, inbetween
+from solver.dynamics import velocities
+from solver.spline import Spline
+
+SAMPLES = 100
+LEAST_PER_SPAN = 4
+REPEATS = (60, 10)
+
+
+def coarse(raw: Timeline) -> Timeline:
+    """As many variable frames as 100 uniform samples allow: four samples in the shortest span."""
+    shortest = LEAST_PER_SPAN * (raw.times[-1] - raw.times[0]) / SAMPLES
+    path = Path(Spline(raw.times, raw.ends), np.asarray(raw.rows))
+    times = [np.linspace(a, b, max(int((b - a) / shortest + 1e-9), 1) + 1)[1:-1] for a, b in pairwise(raw.times)]
+    inner = np.concatenate(times)
+    return raw.inserted(Frame.variable(t, state) for t, state in zip(inner, path.at(inner), strict=True))
+
+
+def mujoco_loop(objective: Objective, path: Path, t: np.ndarray) -> Callable[[], None]:
+    """`mj_kinematics` and `mj_inverse` of the same samples, one by one in Python, contacts and limits off."""
+    model = objective.figure.model
+    model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONTACT) | int(mujoco.mjtDisableBit.mjDSBL_CONSTRAINT)
+    data = mujoco.MjData(model)
+    samples = objective.samples(path, t)
+    qpos, (qvel, qacc) = objective.figure.to_qpos(samples.y), velocities(samples)
+
+    def run() -> None:
+        for q, v, a in zip(qpos, qvel, qacc, strict=True):
+            data.qpos[:], data.qvel[:], data.qacc[:] = q, v, a
+            mujoco.mj_kinematics(model, data)
+            mujoco.mj_inverse(model, data)
+
+    return run
+
+
+def measure(effort: Effort) -> Section:
+    problem = clips.load("run_and_step")
+    found = inbetween(problem.figure, problem.keys, problem.penalties, Settings(variable=0, frames=0))
+    timeline = coarse(found.raw)
+    objective = replace(found.objective, quadrature=Quadrature("uniform", SAMPLES))
+    discretised = objective.on(timeline)
+    x = discretised.unknowns.start
+    path = discretised.path(x)
+    t, weights = objective.quadrature.nodes(timeline.times)
+    effort.tell(f"{t.size} samples, {x.size} unknowns")
+    works: dict[str, Callable[[], object]] = {
+        "objective and gradient": lambda: discretised(x),
+        "values alone": lambda: weights @ objective.density(objective.samples(path, t)),
+        "mj_kinematics + mj_inverse, Python loop": mujoco_loop(objective, path, t),
+    }
+    times, _ = alternated(works, effort.count(*REPEATS))
+    section = Section(
+        f"One evaluation of run_and_step, every penalty with torque, {t.size} samples",
+        ("what", "median [ms]", "least [ms]", "µs a sample"),
+    )
+    middle = {name: median(own) for name, own in times.items()}
+    for name, own in times.items():
+        section.add(name, 1e3 * middle[name], 1e3 * min(own), 1e6 * middle[name] / t.size)
+    both, alone, loop = middle.values()
+    section.targets = [
+        Target("objective and gradient", 1e3 * both, 2.5, unit="ms"),
+        Target("values alone / MuJoCo's loop", alone / loop, 5.0),
+    ]
+    names = ", ".join(penalty.name for penalty, _ in problem.penalties)
+    section.notes = [
+        f"penalties: {names}; {timeline.variable_count} variable frames, {x.size} unknowns; "
+        f"medians of {len(times['values alone'])} runs in turn",
+        "values alone include the spline at the samples; MuJoCo's loop has kinematics and inverse dynamics of the same "
+        "states and no penalty",
+    ]
+    section.data = {"times": times, "samples": t.size, "unknowns": x.size}
+    return section
