@@ -53,7 +53,7 @@ from .scene import Step, check_files, compose, figure_spec, first_line, quietly
 
 LONGEST_PANEL = 0.05
 POINTS = 4
-TOLERANCE = 1e-5
+TOLERANCE = 1e-3
 FRAME_SECONDS = 0.1
 
 SHORTEST = 0.001  # [s] between neighbouring keyframes

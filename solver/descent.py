@@ -3,22 +3,35 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cached_property
 
 from .frame import Timeline
+from .gauss_newton import FIRST_DAMPING, gauss_newton
 from .objective import Discretised, Evaluation, Objective
+from .optimiser import METHODS as NLOPT
 from .optimiser import Minimum, Stop, minimise
 from .preconditioner import Preconditioner
 from .quaternion import Array
 
+NEWTON = "newton"
+METHODS = {NEWTON: "Gauss-Newton steps on banded matrices", **{name: text for name, (_, text) in NLOPT.items()}}
+
 
 class Descent:
-    """The minimisation of E over one timeline's unknowns, in preconditioned variables."""
+    """The minimisation of E over one timeline's unknowns: by Gauss-Newton steps, or by NLopt's preconditioned ones.
 
-    def __init__(self, objective: Objective, timeline: Timeline) -> None:
+    damping  of the Gauss-Newton steps, to begin with and as it was left
+    """
+
+    def __init__(self, objective: Objective, timeline: Timeline, *, damping: float = FIRST_DAMPING) -> None:
         self.problem: Discretised = objective.on(timeline)
         self.start = self.problem.unknowns.start
-        self.preconditioner = Preconditioner(self.problem)
+        self.damping = damping
         self.last: Evaluation | None = None
+
+    @cached_property
+    def preconditioner(self) -> Preconditioner:
+        return Preconditioner(self.problem)
 
     def x(self, z: Array) -> Array:
         """The unknowns that z stands for."""
@@ -31,20 +44,30 @@ class Descent:
     def run(
         self,
         *,
-        method: str = "lbfgs",
+        method: str = NEWTON,
         max_evaluations: int = 300,
         tolerance: float = 1e-6,
         improved: Callable[[int, Evaluation, Array], None] | None = None,
     ) -> Minimum:
         """The Minimum, its x in the unknowns of the timeline; `improved` gets (evaluation, Evaluation, x)."""
+        if method.lower() == NEWTON:
+            found, self.damping = gauss_newton(
+                self.problem,
+                max_evaluations=max_evaluations,
+                tolerance=tolerance,
+                damping=self.damping,
+                improved=improved,
+            )
+            return found
 
         def relay(count: int, _value: float, z: Array) -> None:
             assert self.last is not None
             if improved is not None:
                 improved(count, self.last, self.x(z))
 
+        start = 0 * self.preconditioner.gradient(self.start)
         found = minimise(
-            self, 0 * self.start, method=method, max_evaluations=max_evaluations, tolerance=tolerance, improved=relay
+            self, start, method=method, max_evaluations=max_evaluations, tolerance=tolerance, improved=relay
         )
         return Minimum(self.x(found.x), found.value, found.evaluations, found.stop)
 

@@ -17,11 +17,11 @@ import numpy as np
 from .curvature import Curvature
 from .objective import Objective
 from .quadrature import gauss_nodes
-from .quaternion import Array
-from .spline import Path, Spline
+from .quaternion import Array, Index
+from .spline import Path, Sampling, Spline
 
 NODES = 8
-GRADIENT_NODES, HESSIAN_NODES = 6, 2
+GRADIENT_NODES, HESSIAN_NODES = 5, 2
 WINDOW = 60
 REACH = 5
 FAINT = 1e-9
@@ -102,56 +102,54 @@ def _differentiation_matrix(x: Array) -> Array:
 
 @dataclass(frozen=True)
 class WeakForm:
-    """What it takes to try variable frames anywhere on a path: g₀, g₁, g₂ (S, N) of f at Gauss points t (S,) [s]."""
+    """What variable frames inserted into a path would change, to first and second order."""
 
     objective: Objective
     path: Path
-    halves: Array
-    t: Array
-    weights: Array
-    gradients: tuple[Array, Array, Array]
 
     @classmethod
     def of(cls, objective: Objective, path: Path) -> WeakForm:
-        times = np.asarray(path.spline.times)
-        halves = np.sort(np.concatenate([times, (times[1:] + times[:-1]) / 2]))
-        t, w = gauss_nodes(halves, GRADIENT_NODES)
-        return cls(objective, path, halves, t, w, objective.sample_gradients(objective.samples(path, t)))
+        return cls(objective, path)
 
     def decrements(self, candidates: Array) -> Array:
-        """½ gᵀH⁻¹g of a variable frame inserted at each of the times (C,), its own block: how much E would fall.
+        """½ gᵀH⁻¹g of variable frames inserted at the times (C,), all at once: how much E would fall, each by itself.
 
-        H is the Gauss-Newton curvature. Good for ranking; some times too small for the one frame, and about the whole
-        gap to the optimum when summed over the middles of all segments. On a loop whose quaternions come back as −q the
-        seam's share of g is left out.
+        g is the gradient of E in the new frame and H its own block of the Gauss-Newton curvature. Good for ranking, and
+        summed over the middles of all segments about the whole gap to the optimum. On a loop whose quaternions come
+        back as −q the seam's share of g is left out.
         """
-        width = self.gradients[0].shape[1]
-        cardinals = [self._cardinal(float(tau)) for tau in candidates]
-        gradient = np.zeros((len(cardinals), width))
-        for row, cardinal in zip(gradient, cardinals, strict=True):
-            phi = self._values(cardinal, self.t) * self.weights[:, None]
-            row[:] = sum(phi[:, k] @ self.gradients[k] for k in range(3))
-        hessian = self._hessians(candidates, cardinals, width)
-        size = np.einsum("cnn->c", hessian) / width
-        hessian += FAINT * np.maximum(size, 1e-300)[:, None, None] * np.eye(width)
+        spline = Spline(np.sort(np.append(self.path.spline.times, candidates)), self.path.spline.ends)
+        place = np.searchsorted(spline.times, candidates)
+        gradient, hessian = self._gradients(spline)[place], self._hessians(spline, place)
+        width = gradient.shape[1]
+        size = np.maximum(np.einsum("cnn->c", hessian) / width, 1e-300)
+        hessian += FAINT * size[:, None, None] * np.eye(width)
         return 0.5 * np.sum(gradient * np.linalg.solve(hessian, gradient[:, :, None])[:, :, 0], axis=1)
 
-    def _hessians(self, candidates: Array, cardinals: list[tuple[Spline, Array]], width: int) -> Array:
-        """(C, N, N): ∫ Σ φ⁽ᵃ⁾φ⁽ᵇ⁾ ∂²f/∂y⁽ᵃ⁾∂y⁽ᵇ⁾ dt, window by window, each seen by the frames near it."""
-        out = np.zeros((len(candidates), width, width))
-        times = np.asarray(self.path.spline.times)
-        place = np.searchsorted(times, candidates)
-        begin, end = times[np.maximum(place - REACH, 0)], times[np.minimum(place + REACH, times.size) - 1]
-        for first in range(0, self.halves.size - 1, WINDOW):
-            edges = self.halves[first : first + WINDOW + 1]
-            near = np.flatnonzero((begin < edges[-1]) & (end > edges[0]))
+    def _gradients(self, spline: Spline) -> Array:
+        """(M + 2, N): dE/dY of the refined spline's rows."""
+        t, w = gauss_nodes(np.asarray(spline.times), GRADIENT_NODES)
+        gradients = self.objective.sample_gradients(self.objective.samples(self.path, t))
+        return Sampling.of(spline, t).pulled_back([w[:, None] * g for g in gradients])
+
+    def _hessians(self, spline: Spline, place: Index) -> Array:
+        """(C, N, N): ∫ Σ φ⁽ᵃ⁾φ⁽ᵇ⁾ ∂²f/∂y⁽ᵃ⁾∂y⁽ᵇ⁾ dt of the frames' cardinal functions φ, window by window."""
+        times = np.asarray(spline.times)
+        out = np.zeros((place.size, self.path.rows.shape[1], self.path.rows.shape[1]))
+        for first in range(0, times.size - 1, WINDOW):
+            last = min(first + WINDOW, times.size - 1)
+            near = np.flatnonzero((place + REACH > first) & (place - REACH < last))
             if not near.size:
                 continue
-            nodes, shares = gauss_nodes(edges, HESSIAN_NODES)
+            nodes, shares = gauss_nodes(times[first : last + 1], HESSIAN_NODES)
             curvature = self._curvature(nodes, shares)
-            for c in near:
-                from_, to = np.searchsorted(nodes, [begin[c], end[c]])
-                out[c] += curvature.quadratic(self._values(cardinals[c], nodes), int(from_), int(to))
+            unit = np.zeros((spline.size, near.size))
+            unit[place[near], np.arange(near.size)] = 1
+            coefficients = spline.coefficients(unit)
+            phi = np.stack([spline.basis(nodes, order) @ coefficients for order in range(3)], axis=1)
+            for k, c in enumerate(near):
+                begin, end = (HESSIAN_NODES * (int(place[c]) + reach - first) for reach in (-REACH, REACH))
+                out[c] += curvature.quadratic(phi[:, :, k], max(begin, 0), min(end, nodes.size))
         return out
 
     def _curvature(self, nodes: Array, shares: Array) -> Curvature:
@@ -164,17 +162,3 @@ class WeakForm:
             if sides is not None:
                 curvature.add_sides(sides, term.factor * shares)
         return curvature
-
-    def _cardinal(self, tau: float) -> tuple[Spline, Array]:
-        """The spline with a variable frame inserted at τ, and that frame's φ as coefficients (M + 3, 1)."""
-        times = np.sort(np.append(self.path.spline.times, tau))
-        spline = Spline(times, self.path.spline.ends)
-        unit = np.zeros((spline.size, 1))
-        unit[np.searchsorted(times, tau)] = 1
-        return spline, spline.coefficients(unit)
-
-    @staticmethod
-    def _values(cardinal: tuple[Spline, Array], t: Array) -> Array:
-        """φ, φ', φ'' (S, 3) at t."""
-        spline, coefficients = cardinal
-        return np.stack([(spline.basis(t, order) @ coefficients)[:, 0] for order in range(3)], axis=1)

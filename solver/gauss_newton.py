@@ -21,6 +21,7 @@ LEAST_DAMPING, MOST_DAMPING = 1e-6, 1e9
 WELL, BADLY = 0.7, 0.25
 LOWER, RAISE, REJECT = 0.2, 3.0, 8.0
 NEGLIGIBLE = 1e-3
+SUDDEN = 0.1
 
 
 def gauss_newton(
@@ -73,7 +74,7 @@ class _Search:
             return Stop.STUCK
         if self.x.size == 0:
             return Stop.CONVERGED
-        layout, first, unit = Layout(self.problem), self.value, None
+        layout, first, unit, last = Layout(self.problem), self.value, None, None
         while self.count < self.budget:
             model = Model(layout, self.x, self.gradient)
             unit = unit or model.scale
@@ -90,6 +91,11 @@ class _Search:
                 if self.count >= self.budget:
                     return Stop.BUDGET
             kept = (before - self.value) / promised
+            # the steps' promises go on falling as they did, but never by more than a tenth
+            left = promised * float(np.clip(promised / last, SUDDEN, 1.0)) if last else promised
+            if kept > WELL and left <= tolerance * max(self.value, NEGLIGIBLE * first):
+                return Stop.CONVERGED
+            last = promised
             if kept > WELL:
                 self.damping = max(self.damping * LOWER, LEAST_DAMPING)
             elif kept < BADLY:

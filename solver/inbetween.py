@@ -15,9 +15,10 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .descent import Descent
+from .descent import NEWTON, Descent
 from .figure import Figure
 from .frame import Frame, Timeline
+from .gauss_newton import FIRST_DAMPING
 from .objective import Evaluation, Objective
 from .optimiser import Stop
 from .penalty import Penalty
@@ -28,6 +29,8 @@ from .subdivision import CRITERIA, evenly, midpoints, path_of, split
 from .unknowns import raw_timeline
 
 NEGLIGIBLE = 1e-3
+ROUGH = 1e-2
+SHARE_OF_PROMISE = 0.1
 
 
 @dataclass(frozen=True)
@@ -40,18 +43,18 @@ class Settings:
     threshold        a segment is split if its criterion exceeds this; weak: share of the present E; the
                      other criteria have units of their own
     batch            share of the segments that are split in one round, at most
-    method           optimiser by name
+    method           "newton" (Gauss-Newton steps), or one of NLopt's by name
     max_evaluations  budget of evaluations in each round
-    tolerance        relative progress at which a round ends
+    tolerance        relative progress at which the last round ends
     renormalise      divide each term by its integral over the raw spline (eq. 7)
     """
 
-    variable: int = 1
+    variable: int = 2
     frames: int | None = None
     criterion: str = "weak"
     threshold: float = 1e-4
     batch: float = 1.0
-    method: str = "lbfgs"
+    method: str = NEWTON
     max_evaluations: int = 250
     tolerance: float = 1e-5
     renormalise: bool = True
@@ -145,22 +148,30 @@ class _Loop:
         self.evaluations, self.round = 0, 0
         self.best: Timeline | None = None
         self.stop = Stop.CONVERGED
+        self.damping = FIRST_DAMPING
 
     def run(self, timeline: Timeline, segments: int) -> Timeline:
-        budget = self.settings.frames
-        budget = timeline.variable_count + 2 * segments if budget is None else budget
-        while True:
-            timeline = self.descend(timeline)
-            if self.stop is Stop.ASKED or timeline.variable_count >= budget:
-                return timeline
-            chosen = self.chosen(timeline, budget - timeline.variable_count)
-            if not chosen.size:
-                return timeline
-            timeline = split(timeline, chosen)
-            self.round += 1
+        """Rounds until no segment deserves another frame, or their budget is spent.
 
-    def descend(self, timeline: Timeline) -> Timeline:
-        descent = Descent(self.objective, timeline)
+        A round that another may follow ends when the next step promises little beside what more frames do.
+        """
+        tolerance, budget = self.settings.tolerance, self.settings.frames
+        budget = timeline.variable_count + 2 * segments if budget is None else budget
+        rough = max(ROUGH, tolerance)
+        while True:
+            is_last = timeline.variable_count >= budget
+            timeline = self.descend(timeline, tolerance if is_last else rough)
+            if self.stop is Stop.ASKED or is_last:
+                return timeline
+            chosen, promise = self.chosen(timeline, budget - timeline.variable_count)
+            if not chosen.size and rough <= tolerance:
+                return timeline
+            rough = float(np.clip(SHARE_OF_PROMISE * promise, tolerance, rough)) if chosen.size else tolerance
+            timeline = split(timeline, chosen)
+            self.round += bool(chosen.size)
+
+    def descend(self, timeline: Timeline, tolerance: float) -> Timeline:
+        descent = Descent(self.objective, timeline, damping=self.damping)
         before = self.evaluations
 
         def report(count: int, evaluation: Evaluation, x: Array) -> None:
@@ -178,19 +189,23 @@ class _Loop:
         found = descent.run(
             method=self.settings.method,
             max_evaluations=self.settings.max_evaluations,
-            tolerance=self.settings.tolerance,
+            tolerance=tolerance,
             improved=report,
         )
+        self.damping = descent.damping
         self.evaluations = before + found.evaluations
         self.stop = found.stop
         return timeline.with_rows(descent.problem.unknowns.rows(found.x))
 
-    def chosen(self, timeline: Timeline, room: int) -> Array:
-        """The middles of the segments to split next, the most needy ones."""
+    def chosen(self, timeline: Timeline, room: int) -> tuple[Array, float]:
+        """The middles of the segments to split next, the most needy ones, and the share of E that they promise."""
         scores = CRITERIA[self.settings.criterion](self.objective, timeline)
-        threshold = self.settings.threshold
-        if self.settings.criterion == "weak":
-            threshold *= max(self.trace[-1][2], NEGLIGIBLE * self.trace[0][2]) if self.trace else 0.0
+        threshold, present = self.settings.threshold, 0.0
+        if self.settings.criterion == "weak" and self.trace:
+            present = max(self.trace[-1][2], NEGLIGIBLE * self.trace[0][2])
+            threshold *= present
         most = min(room, max(1, round(self.settings.batch * scores.size)))
         order = np.argsort(scores)[::-1][:most]
-        return np.sort(midpoints(timeline)[order[scores[order] > threshold]])
+        order = order[scores[order] > threshold]
+        promise = float(scores[order].sum()) / present if present > 0 else 0.0
+        return np.sort(midpoints(timeline)[order]), promise

@@ -1,4 +1,4 @@
-"""minimise(fun, x0) -> Minimum: unconstrained minimisation by NLopt, the only file that knows it.
+"""minimise(fun, x0) -> Minimum: unconstrained minimisation by NLopt's methods; the only file that knows NLopt.
 
 The best x seen is kept whatever happens: a spent budget, a failed line search, the caller's or the user's stop.
 """
@@ -61,7 +61,7 @@ def algorithm(method: str) -> int:
     name = METHODS.get(method.lower(), (method.upper(),))[0]
     number = getattr(nlopt, f"LD_{name.removeprefix('LD_')}", None)
     if number is None:
-        raise ValueError(f"no optimiser '{method}'; there are: {', '.join(METHODS)} (or any LD_ name of NLopt)")
+        raise ValueError(f"no optimiser '{method}'; there are: newton, {', '.join(METHODS)} (or any LD_ name of NLopt)")
     return int(number)
 
 
