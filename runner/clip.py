@@ -20,6 +20,7 @@ from pydantic import ValidationError
 
 import models
 from solver import quaternion as quat
+from solver.descent import NEWTON
 from solver.figure import Figure, FigureError, JointKind, quaternion_columns
 from solver.frame import Frame, Mask, TimelineError
 from solver.inbetween import Settings
@@ -227,7 +228,7 @@ def _settings(solve: SolveTable, keys: list[Frame]) -> Settings:
         settings = replace(settings, quadrature=Quadrature("gauss", solve.samples, LONGEST_PANEL))
     if solve.criterion is not None and solve.criterion not in CRITERIA:
         raise ValueError(f"solve: {unknown('criterion', solve.criterion, CRITERIA)}")
-    if solve.optimiser is not None:
+    if solve.optimiser is not None and solve.optimiser.lower() != NEWTON:
         algorithm(solve.optimiser)
     chosen = {
         "variable": solve.variable,

@@ -58,27 +58,22 @@ class Curvature:
         active = active[np.argsort(sides.at[active], kind="stable")]
         self.add_rows(sides.at[active], scale[sides.at[active]], sides.rows[active, None], (0,))
 
-    def summed(self, phi: Array, group: Index) -> Array:
-        """(G, K, N, K, N): over every group of samples, group (S,) rising, in the directions phi (S, 3, K)."""
-        count, directions = int(group[-1]) + 1, phi.shape[2]
-        out = np.zeros((count, directions, self.width, directions, self.width))
-        edges = np.searchsorted(group, np.arange(count + 1))
-        flat = out.reshape(count, directions * self.width, -1)
-        for at, rows, orders in self._rows:
-            local = np.einsum("poa,pon->pan", phi[at][:, orders, :], rows).reshape(at.size, -1)
-            for k, (first, last) in enumerate(zip(*np.searchsorted(at, [edges[:-1], edges[1:]]), strict=True)):
-                if first < last:
-                    flat[k] += local[first:last].T @ local[first:last]
+    def rows(self, phi: Array) -> list[tuple[Index, Array]]:
+        """Residuals by the coefficients of K directions phi (S, 3, K): samples (P,) and rows (P, K N)."""
+        local = [(at, np.einsum("poa,pon->pan", phi[at][:, orders, :], rows)) for at, rows, orders in self._rows]
+        return [(at, rows.reshape(at.size, -1)) for at, rows in local]
+
+    def blocks(self, phi: Array) -> list[tuple[Index, Array]]:
+        """Matrices of n blocks of k columns (n, k) by the coefficients of K directions: (S, n, K, k, K, k)."""
+        made = []
         for columns, blocks in self._blocks:
-            each = np.einsum("sia,snixjy,sjb->snaxby", phi, blocks, phi, optimize=True)
-            each = np.add.reduceat(each, edges[:-1], axis=0)
-            for own, part in zip(columns, each.swapaxes(0, 1), strict=True):
-                out[:, :, own[:, None], :, own] += part.transpose(2, 4, 0, 1, 3)
+            half = np.einsum("sia,snixjy->snaxjy", phi, blocks)
+            made.append((columns, np.einsum("snaxjy,sjb->snaxby", half, phi)))
         for columns, order, scale in self._squares:
             each = scale[:, None, None] * phi[:, order, :, None] * phi[:, order, None, :]
-            each = np.add.reduceat(each, edges[:-1], axis=0)
-            out[:, :, columns, :, columns] += each
-        return out
+            every = np.broadcast_to(each[:, None, :, None, :, None], (len(each), columns.size, *_apart(each.shape)))
+            made.append((columns[:, None], every))
+        return made
 
     def quadratic(self, phi: Array, first: int, last: int) -> Array:
         """(N, N): Σ over samples first ... last − 1 in the one direction phi (S, 3)."""
@@ -107,6 +102,11 @@ class Curvature:
             if order == 2:
                 out[:, columns] += scale[:, None]
         return out
+
+
+def _apart(shape: tuple[int, ...]) -> tuple[int, int, int, int]:
+    """(S, K, K) -> (K, 1, K, 1)."""
+    return shape[1], 1, shape[2], 1
 
 
 @dataclass(frozen=True)

@@ -74,7 +74,7 @@ class _Search:
             return Stop.STUCK
         if self.x.size == 0:
             return Stop.CONVERGED
-        layout, first, unit, last = Layout(self.problem), self.value, None, None
+        layout, first, unit, last = Layout(self.problem), self.value, None, np.inf
         while self.count < self.budget:
             model = Model(layout, self.x, self.gradient)
             unit = unit or model.scale
@@ -92,7 +92,7 @@ class _Search:
                     return Stop.BUDGET
             kept = (before - self.value) / promised
             # the steps' promises go on falling as they did, but never by more than a tenth
-            left = promised * float(np.clip(promised / last, SUDDEN, 1.0)) if last else promised
+            left = promised * float(np.clip(promised / last, SUDDEN, 1.0))
             if kept > WELL and left <= tolerance * max(self.value, NEGLIGIBLE * first):
                 return Stop.CONVERGED
             last = promised

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property, partial
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -27,6 +28,7 @@ from .quaternion import Array
 from .spline import Path
 from .subdivision import CRITERIA, evenly, midpoints, path_of, split
 from .unknowns import raw_timeline
+from .windows import Assembly, is_long, windows
 
 NEGLIGIBLE = 1e-3
 ROUGH = 1e-2
@@ -71,13 +73,18 @@ class Settings:
 
 @dataclass(frozen=True)
 class Improvement:
-    """An evaluation that lowered E: its number in all, the round, E, its parts by term, and the path."""
+    """An evaluation that lowered E: its number in all, the round, E, its parts by term, and a way to its timeline."""
 
     evaluation: int
     round: int
     value: float
     parts: dict[str, float]
-    path: Path
+    build: Callable[[], Timeline]
+
+    @cached_property
+    def path(self) -> Path:
+        """The curve as it stands."""
+        return path_of(self.build())
 
 
 @dataclass(frozen=True)
@@ -133,10 +140,13 @@ def inbetween(
         objective = objective.renormalised(path_of(raw))
     loop = _Loop(objective, settings, improved)
     try:
-        timeline = loop.run(evenly(raw, settings.variable), len(keys) - 1)
+        if settings.quadrature.kind == "gauss" and is_long(raw):
+            timeline = loop.run_windows(raw)
+        else:
+            timeline = loop.run(evenly(raw, settings.variable), len(keys) - 1, settings.frames)
     except KeyboardInterrupt:
-        timeline, loop.stop = loop.best, Stop.ASKED
-    return Motion(figure, objective, timeline or raw, raw, tuple(loop.trace), loop.evaluations, loop.stop)
+        timeline, loop.stop = loop.best() if loop.best is not None else raw, Stop.ASKED
+    return Motion(figure, objective, timeline, raw, tuple(loop.trace), loop.evaluations, loop.stop)
 
 
 class _Loop:
@@ -146,16 +156,18 @@ class _Loop:
         self.objective, self.settings, self.improved = objective, settings, improved
         self.trace: list[tuple[int, int, float, dict[str, float]]] = []
         self.evaluations, self.round = 0, 0
-        self.best: Timeline | None = None
+        self.best: Callable[[], Timeline] | None = None
         self.stop = Stop.CONVERGED
         self.damping = FIRST_DAMPING
+        self.elsewhere = np.zeros(len(objective.terms))
+        self.whole: Callable[[Timeline], Timeline] = lambda timeline: timeline
 
-    def run(self, timeline: Timeline, segments: int) -> Timeline:
+    def run(self, timeline: Timeline, segments: int, budget: int | None) -> Timeline:
         """Rounds until no segment deserves another frame, or their budget is spent.
 
         A round that another may follow ends when the next step promises little beside what more frames do.
         """
-        tolerance, budget = self.settings.tolerance, self.settings.frames
+        tolerance = self.settings.tolerance
         budget = timeline.variable_count + 2 * segments if budget is None else budget
         rough = max(ROUGH, tolerance)
         while True:
@@ -170,21 +182,41 @@ class _Loop:
             timeline = split(timeline, chosen)
             self.round += bool(chosen.size)
 
+    def run_windows(self, raw: Timeline) -> Timeline:
+        """The rounds of every window of a long clip, one window after the other."""
+        segments = len(raw.frames) - 1
+        assembly = Assembly(self.objective, raw, self.settings.variable)
+        for window in windows(segments):
+            self.whole = partial(assembly.with_window, window)
+            self.elsewhere = assembly.elsewhere(window)
+            self.damping = FIRST_DAMPING
+            count, budget = window.last - window.first, self.settings.frames
+            share = None if budget is None else round(budget * count / segments)
+            opened = assembly.opened(window)
+            solved = self.run(opened, count, None if share is None else max(share, opened.variable_count))
+            assembly.close(window, solved)
+            if self.stop is Stop.ASKED:
+                break
+            self.round += 1
+        return assembly.timeline()
+
     def descend(self, timeline: Timeline, tolerance: float) -> Timeline:
         descent = Descent(self.objective, timeline, damping=self.damping)
-        before = self.evaluations
+        before, elsewhere = self.evaluations, float(self.elsewhere.sum())
 
         def report(count: int, evaluation: Evaluation, x: Array) -> None:
-            rows = descent.problem.unknowns.rows(x)
-            self.best = timeline.with_rows(rows)
+            self.best = partial(self._built, timeline, descent, x)
             self.evaluations = before + count
+            value = elsewhere + evaluation.value
             # a new round sums E over other samples: its first evaluations need not lie below the last round's
-            if self.trace and evaluation.value >= self.trace[-1][2]:
+            if self.trace and value >= self.trace[-1][2]:
                 return
-            self.trace.append((before + count, self.round, evaluation.value, evaluation.parts))
+            parts = dict(evaluation.parts)
+            for term, more in zip(self.objective.terms, self.elsewhere, strict=True):
+                parts[term.penalty.name] += float(more)
+            self.trace.append((before + count, self.round, value, parts))
             if self.improved is not None:
-                path = Path(descent.problem.spline, rows)
-                self.improved(Improvement(before + count, self.round, evaluation.value, evaluation.parts, path))
+                self.improved(Improvement(before + count, self.round, value, parts, self.best))
 
         found = descent.run(
             method=self.settings.method,
@@ -197,12 +229,16 @@ class _Loop:
         self.stop = found.stop
         return timeline.with_rows(descent.problem.unknowns.rows(found.x))
 
+    def _built(self, timeline: Timeline, descent: Descent, x: Array) -> Timeline:
+        """The whole clip with the descent at x."""
+        return self.whole(timeline.with_rows(descent.problem.unknowns.rows(x)))
+
     def chosen(self, timeline: Timeline, room: int) -> tuple[Array, float]:
         """The middles of the segments to split next, the most needy ones, and the share of E that they promise."""
         scores = CRITERIA[self.settings.criterion](self.objective, timeline)
         threshold, present = self.settings.threshold, 0.0
         if self.settings.criterion == "weak" and self.trace:
-            present = max(self.trace[-1][2], NEGLIGIBLE * self.trace[0][2])
+            present = max(self.trace[-1][2] - float(self.elsewhere.sum()), NEGLIGIBLE * self.trace[0][2])
             threshold *= present
         most = min(room, max(1, round(self.settings.batch * scores.size)))
         order = np.argsort(scores)[::-1][:most]

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from scipy import sparse
-from scipy.linalg import lapack
+from scipy.linalg import blas, lapack
 
 from .curvature import Curvature
 from .objective import Discretised
@@ -68,17 +68,45 @@ class Layout:
         """Room for a matrix's blocks: (M + 2, N, K + 1, N), [j, c, k, r] its entry at row (j + k, r), column (j, c)."""
         return np.zeros((self.count, self.width, self.blocks + 1, self.width))
 
-    def add_local(self, room: Array, spans: Index, local: Array) -> None:
-        """Adds symmetric matrices (P, 4, N, 4, N) over the coefficients of different spans (P,)."""
+    def add_curvature(self, room: Array, spans: Index, curvature: Curvature, bases: Array) -> None:
+        """Adds a curvature whose samples lie on these spans (S,), rising."""
+        for at, rows in curvature.rows(bases):
+            self.add_squared(room, spans[at], rows)
+        first = np.flatnonzero(np.diff(spans, prepend=-1))
+        for columns, blocks in curvature.blocks(bases):
+            local = np.add.reduceat(blocks, first, axis=0)
+            for a in range(LOCAL):
+                for b in range(LOCAL):
+                    row, column = self.rank[spans[first] + a], self.rank[spans[first] + b]
+                    lower = np.flatnonzero(row >= column)
+                    own = (row - column)[lower, None, None, None]
+                    place = (column[lower, None, None, None], columns[:, :, None], own, columns[:, None, :])
+                    room[place] += local[lower, :, b, :, a, :]
+
+    def add_squared(self, room: Array, spans: Index, rows: Array) -> None:
+        """Adds Σ rowᵀrow of rows (P, 4 N) over the coefficients of their spans (P,), rising."""
+        width = self.width
+        edges = np.flatnonzero(np.diff(spans)) + 1
+        for first, last in zip(np.append(0, edges), np.append(edges, spans.size), strict=True):
+            if first == last:
+                continue
+            upper = blas.dsyrk(1.0, rows[first:last].T, lower=1).T
+            span = int(spans[first])
+            if self.is_loop:
+                self._add_folded(room, span, upper + np.triu(upper, 1).T)
+                continue
+            for b in range(LOCAL):
+                slab = upper[b * width : (b + 1) * width, b * width :]
+                room[span + b, :, : LOCAL - b] += slab.reshape(width, LOCAL - b, width)
+
+    def _add_folded(self, room: Array, span: int, local: Array) -> None:
+        """Adds a symmetric matrix (4 N, 4 N) over the coefficients of one span of a loop."""
+        blocks = local.reshape(LOCAL, self.width, LOCAL, self.width)
         for a in range(LOCAL):
             for b in range(LOCAL):
-                row, column = self.rank[spans + a], self.rank[spans + b]
-                if not self.is_loop:
-                    if a >= b:
-                        room[column, :, a - b, :] += local[:, b, :, a, :]
-                    continue
-                lower = np.flatnonzero(row >= column)
-                room[column[lower], :, (row - column)[lower], :] += local[lower, b, :, a, :]
+                row, column = self.rank[span + a], self.rank[span + b]
+                if row >= column:
+                    room[column, :, row - column] += blocks[b, :, a]
 
     def factor(self, room: Array) -> Array | None:
         """The banded Cholesky factor of a matrix's blocks, or None if it is not positive."""
@@ -165,7 +193,7 @@ def local_bases(spline: Spline, t: Array) -> Array:
 class OneSided:
     """The one-sided residuals of all terms: each adds weight max(0, value + row · δ)².
 
-    value, weight  (P,);  rows  (P, (M + 2) N) sparse;  span  (P,);  local  (P, 4 N) the rows' non-zeros
+    value, weight  (P,);  rows  (P, (M + 2) N) sparse;  span  (P,), rising;  local  (P, 4 N) the rows' non-zeros
     """
 
     value: Array
@@ -183,7 +211,11 @@ class OneSided:
         if not parts:
             return None
         at = np.concatenate([sides.at for _, sides in parts])
+        order = np.argsort(at, kind="stable")
+        weight = np.concatenate([np.full(sides.at.size, factor) for factor, sides in parts]) * problem.weights[at]
+        value = np.concatenate([sides.value for _, sides in parts])
         rows = np.concatenate([sides.rows for _, sides in parts])
+        at, rows, value, weight = at[order], rows[order], value[order], weight[order]
         basis = path.spline.basis(problem.sampling.t[at], 0)
         span = basis.indices.reshape(-1, LOCAL)[:, 0].astype(np.intp)
         local = (basis.data.reshape(-1, LOCAL)[:, :, None] * rows[:, None, :]).reshape(at.size, -1)
@@ -192,20 +224,7 @@ class OneSided:
         pair, column = np.divmod(used, local.shape[1])
         place = (pair, span[pair] * width + column)
         matrix = sparse.csr_matrix((local.ravel()[used], place), shape=(at.size, path.spline.size * width))
-        weight = np.concatenate([factor * problem.weights[sides.at] for factor, sides in parts])
-        value = np.concatenate([sides.value for _, sides in parts])
         return cls(value, weight, span, local, matrix, matrix.T.tocsr())
-
-    def curvature(self, active: Array, width: int) -> tuple[Index, Array]:
-        """The spans with residuals that count, and their matrices (P, 4, N, 4, N)."""
-        chosen = np.flatnonzero(active)
-        chosen = chosen[np.argsort(self.span[chosen], kind="stable")]
-        spans, first = np.unique(self.span[chosen], return_index=True)
-        out = np.empty((spans.size, self.local.shape[1], self.local.shape[1]))
-        for matrix, own in zip(out, np.split(chosen, first[1:]), strict=True):
-            rows = self.local[own] * np.sqrt(2 * self.weight[own])[:, None]
-            np.matmul(rows.T, rows, out=matrix)
-        return spans, out.reshape(-1, LOCAL, width, LOCAL, width)
 
 
 class Model:
@@ -239,7 +258,7 @@ class Model:
             curvature = Curvature(samples)
             for term in objective.terms:
                 term.penalty.curvature(samples, curvature, term.factor * layout.weights[nodes])
-            layout.add_local(room, some, curvature.summed(layout.bases[nodes], np.repeat(some - first, POINTS)))
+            layout.add_curvature(room, np.repeat(some, POINTS), curvature, layout.bases[nodes])
             sizes.append(curvature.acceleration() / layout.weights[nodes, None])
         index = np.arange(layout.width)
         middle = float(np.median(room[:, index, 0, index]))
@@ -272,12 +291,12 @@ class Model:
         """Newton on the residuals that count, changing them until they settle."""
         layout = self.layout
         step, pull = np.zeros_like(self.gradient), np.zeros_like(self.gradient)  # δ and H δ
-        over = sided.value
+        over, root = sided.value, np.sqrt(2 * sided.weight)
         worth = first = float(sided.weight @ np.maximum(over, 0) ** 2)
         for _ in range(MOST_CHANGES):
             active = over > 0
             room = held.copy()
-            layout.add_local(room, *sided.curvature(active, layout.width))
+            layout.add_squared(room, sided.span[active], sided.local[active] * root[active, None])
             factor = layout.factor(room)
             if factor is None:
                 break

@@ -1,0 +1,125 @@
+"""A long clip is solved window by window, from its beginning to its end, so that time is linear and memory bounded.
+
+What a keyframe does to the motion fades within a few segments. A window has segments to keep; after them some that it
+looks ahead to, and that the next window solves again from where this one left them; before them some that were found
+already and are held. All of them are in its objective, so nothing is gained on one side of a boundary at the cost of
+the other. The frames of all windows are one timeline with one C² spline, and the keyframes stay exact.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from .frame import Frame, Timeline
+from .objective import Objective
+from .quadrature import gauss_nodes
+from .quaternion import Array
+from .spline import Path
+from .subdivision import evenly, path_of
+
+KEPT, AHEAD, BEHIND = 24, 4, 3
+FRAMES_A_SEGMENT = 4
+LARGEST = 2_500_000  # entries of a banded matrix
+NODES = 4
+
+
+def is_long(raw: Timeline) -> bool:
+    """Whether a clip of keyframes is better solved in windows: its matrices would not fit into the cache."""
+    segments = len(raw.frames) - 1
+    entries = FRAMES_A_SEGMENT * segments * 5 * raw.width**2
+    return raw.ends != "periodic" and segments > KEPT + AHEAD and entries > LARGEST
+
+
+@dataclass(frozen=True)
+class Window:
+    """Segments by number: held from `held` on, kept from `first` to `kept`, looked ahead to until `last`."""
+
+    held: int
+    first: int
+    kept: int
+    last: int
+
+
+def windows(segments: int) -> list[Window]:
+    """Windows that keep every segment once, of nearly equal size."""
+    count = max(1, -(-segments // KEPT))
+    edges = [segments * k // count for k in range(count + 1)]
+    return [Window(max(a - BEHIND, 0), a, b, min(b + AHEAD, segments)) for a, b in pairwise(edges)]
+
+
+class Assembly:
+    """The whole clip while its windows are being solved: what is found, what lies ahead, and the raw rest."""
+
+    def __init__(self, objective: Objective, raw: Timeline, variable: int) -> None:
+        self.objective, self.raw, self.variable = objective, raw, variable
+        self.start = evenly(raw, variable)
+        self.frames = list(self.start.frames)
+        self.end_slope = np.array(raw.end_slope)
+        self.key_times = raw.times
+        self.raw_path = path_of(raw)
+        self.parts = segment_integrals(objective, self.raw_path, self.key_times)
+
+    def timeline(self) -> Timeline:
+        """The whole clip as it stands."""
+        return Timeline(tuple(self.frames), self.end_slope, self.raw.ends)
+
+    def elsewhere(self, window: Window) -> Array:
+        """(terms,) what the segments outside a window add to the terms of E."""
+        return self.parts.sum(axis=0) - self.parts[window.held : window.last].sum(axis=0)
+
+    def opened(self, window: Window) -> Timeline:
+        """A window as a clip of its own, its held frames fixed."""
+        begin, first, end = (self.key_times[i] for i in (window.held, window.first, window.last))
+        frames = [f for f in self.frames if begin <= f.time <= end]
+        held = [Frame.key(f.time, f.state) if f.time <= first and window.held < window.first else f for f in frames]
+        slopes = self.raw_path.at(np.array([begin, end]), 1)
+        for side, at_end in enumerate((window.held == 0, window.last == len(self.key_times) - 1)):
+            if at_end:
+                slopes[side] = self.end_slope[side]
+        return Timeline(tuple(held), slopes, self.raw.ends)
+
+    def with_window(self, window: Window, solved: Timeline) -> Timeline:
+        """The whole clip with a window as it stands."""
+        return Timeline(tuple(self._merged(window, solved)), self._slopes(window, solved), self.raw.ends)
+
+    def close(self, window: Window, solved: Timeline) -> None:
+        """Takes over what a window found, the part that it looked ahead to as the start of the next."""
+        self.frames, self.end_slope = self._merged(window, solved), self._slopes(window, solved)
+        seen = slice(window.held, window.last)
+        times = self.key_times[window.held : window.last + 1]
+        self.parts[seen] = segment_integrals(self.objective, path_of(solved), times)
+
+    def _merged(self, window: Window, solved: Timeline) -> list[Frame]:
+        """Held frames stay as they were: in a window they count as keyframes."""
+        first = self.key_times[window.first] if window.first else -np.inf
+        last = self.key_times[window.last]
+        before = [f for f in self.frames if f.time <= first]
+        return [*before, *(f for f in solved.frames if f.time > first), *(f for f in self.frames if f.time > last)]
+
+    def _slopes(self, window: Window, solved: Timeline) -> Array:
+        slopes = np.array(self.end_slope)
+        if window.held == 0:
+            slopes[0] = solved.end_slope[0]
+        if window.last == len(self.key_times) - 1:
+            slopes[1] = solved.end_slope[1]
+        return slopes
+
+
+def segment_integrals(objective: Objective, path: Path, times: Array) -> Array:
+    """(segments, terms): every term's share of E between neighbouring times."""
+    knots = np.asarray(path.spline.times)
+    knots = knots[(knots >= times[0]) & (knots <= times[-1])]
+    edges = np.union1d(knots, times)
+    t, w = gauss_nodes(edges, NODES)
+    out = np.zeros((times.size - 1, len(objective.terms)))
+    segment = np.clip(np.searchsorted(times, t, side="right") - 1, 0, times.size - 2)
+    first = 0
+    for samples in objective.samples(path, t).parts():
+        some = slice(first, first + samples.count)
+        for k, term in enumerate(objective.terms):
+            np.add.at(out[:, k], segment[some], term.factor * w[some] * term.penalty.evaluate(samples))
+        first += samples.count
+    return out
