@@ -32,6 +32,7 @@ STRIDE, PERIOD = 6, 0.75
 LENGTHS = (10, 100, 1000)
 MINUTE = 480
 LIMIT = 900.0
+MOST_MEMORY = 8 * 1024**3
 PLAIN = re.compile(r"^\[scene\]\n.*\n", re.MULTILINE)
 
 
@@ -119,7 +120,7 @@ def measure(effort: Effort) -> Section:
         "a process for each length; the clock is that of `inbetween` alone, the peak that of the whole process "
         f"({by[10].get('peak before solving [MB]', np.nan):.0f} MB before it solves); lengths up to 100: the median of "
         "5 runs, longer ones once",
-        f"a length fails if it takes longer than {limit:.0f} s",
+        f"a length fails if it takes longer than {limit:.0f} s or more than {MOST_MEMORY / 1024**3:g} GB of addresses",
     ]
     section.data = {"runs": runs}
     return section
@@ -164,4 +165,5 @@ def _linearity(extra: dict[int, float]) -> float:
 
 
 if __name__ == "__main__":
+    resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
     print(json.dumps(solve(int(sys.argv[1]))))

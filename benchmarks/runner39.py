@@ -40,7 +40,7 @@ DEPTH_WEIGHT, GAUGE = 1e7, 10.0
 WITHIN = 1.005
 SOLES = ("left_heel", "left_toe", "right_heel", "right_toe")
 CHUNK = 16
-CASADI_ITERATIONS, MUJOCO_ITERATIONS = 400, 60
+CASADI_ITERATIONS, MUJOCO_ITERATIONS = 400, 30
 
 Iterate = tuple[float, Path]
 
@@ -428,7 +428,11 @@ def measure(effort: Effort) -> Section:
         return work
 
     slow = [name for name in works if name.startswith("mujoco")]
-    alternated({name: kept(name) for name in works if name not in slow}, effort.repeats)
+    fast = {name: kept(name) for name in works if name not in slow}
+    for name in fast:
+        effort.tell(f"{name}, off the clock")
+        works[name]()
+    alternated(fast, effort.repeats, warm=False)
     repeats = {name: effort.count(3, 1) if "differences" in name else effort.repeats for name in slow}
     for turn in range(max(repeats.values())):
         alternated({"ours": kept("ours")} | {n: kept(n) for n in slow if turn < repeats[n]}, 1, warm=False)
