@@ -40,7 +40,7 @@ class Settings:
     """How the search goes.
 
     variable         variable frames in every segment between keyframes to begin with
-    frames           budget of variable frames in all; None: two more a segment than `variable`
+    frames           subdivision goes on up to so many variable frames in all; None: two more a segment than `variable`
     criterion        which segments are split: "weak", "residual", "objective", "resolution"
     threshold        a segment is split if its criterion exceeds this; weak: share of the present E; the
                      other criteria have units of their own
@@ -139,11 +139,12 @@ def inbetween(
     if settings.renormalise:
         objective = objective.renormalised(path_of(raw))
     loop = _Loop(objective, settings, improved)
+    segments = len(keys) - 1
     try:
         if settings.quadrature.kind == "gauss" and is_long(raw):
             timeline = loop.run_windows(raw)
         else:
-            timeline = loop.run(evenly(raw, settings.variable), len(keys) - 1, settings.frames)
+            timeline = loop.run(evenly(raw, settings.variable), segments, settings.frames)
     except KeyboardInterrupt:
         timeline, loop.stop = loop.best() if loop.best is not None else raw, Stop.ASKED
     return Motion(figure, objective, timeline, raw, tuple(loop.trace), loop.evaluations, loop.stop)

@@ -7,11 +7,12 @@ from conftest import ONE_BALL
 from test_unknowns import TIMES, distance_from_key, mask_without, random_keys
 
 from solver import quaternion as quat
+from solver.descent import METHODS
 from solver.figure import Figure
 from solver.frame import Frame, TimelineError
 from solver.inbetween import Improvement, Motion, Settings, inbetween
 from solver.objective import Objective
-from solver.optimiser import METHODS, Stop, StopSearch
+from solver.optimiser import Stop, StopSearch
 from solver.penalty import Contact, CovariantAcceleration, Penalty, Point, RootAcceleration, UnitMagnitude
 from solver.quadrature import Quadrature
 from solver.subdivision import CRITERIA, path_of
@@ -54,7 +55,7 @@ def test_e_falls_strictly_and_every_callback_meets_the_keyframes(figure, rng, en
     seen: list[Improvement] = []
     motion = inbetween(figure, keys, PENALTIES, BRIEF, ends=ends, end_slope=slope, improved=seen.append)
     values = [each.value for each in seen]
-    assert len(values) > 5
+    assert len(values) > 2
     assert np.all(np.diff(values) < 0)
     assert np.all(np.diff([each.evaluation for each in seen]) > 0)
     for each in seen:
@@ -70,8 +71,12 @@ def test_e_falls_strictly_and_every_callback_meets_the_keyframes(figure, rng, en
 
 
 @pytest.mark.parametrize("error", [StopSearch, KeyboardInterrupt])
-@pytest.mark.parametrize("evaluations", [1, 5, 20])
-def test_a_stop_after_any_number_of_evaluations_gives_a_path_no_worse_than_the_raw_one(figure, rng, error, evaluations):
+@pytest.mark.parametrize(
+    ("method", "evaluations"), [("newton", 1), ("newton", 2), ("newton", 3), ("lbfgs", 1), ("lbfgs", 5), ("lbfgs", 20)]
+)
+def test_a_stop_after_any_number_of_evaluations_gives_a_path_no_worse_than_the_raw_one(
+    figure, rng, error, method, evaluations
+):
     keys, told = partial_keys(figure, rng), []
 
     def stop(each: Improvement) -> None:
@@ -79,7 +84,7 @@ def test_a_stop_after_any_number_of_evaluations_gives_a_path_no_worse_than_the_r
         if each.evaluation >= evaluations:
             raise error
 
-    motion = inbetween(figure, keys, PENALTIES, improved=stop)
+    motion = inbetween(figure, keys, PENALTIES, Settings(method=method), improved=stop)
     assert motion.stop is Stop.ASKED
     assert motion.evaluations == told[-1].evaluation >= evaluations
     assert solved(motion) <= raw(motion) * (1 + 1e-9)
@@ -88,8 +93,8 @@ def test_a_stop_after_any_number_of_evaluations_gives_a_path_no_worse_than_the_r
         assert distance_from_key(figure, state, key) < 1e-11
 
 
-@pytest.mark.parametrize("call", [1, 2, 7, 30])
-def test_ctrl_c_inside_any_evaluation_returns_the_best_motion_so_far(figure, rng, call):
+@pytest.mark.parametrize(("method", "call"), [("newton", 1), ("newton", 2), ("newton", 4), ("lbfgs", 2), ("lbfgs", 30)])
+def test_ctrl_c_inside_any_evaluation_returns_the_best_motion_so_far(figure, rng, method, call):
     class Interrupted(CovariantAcceleration):
         calls = 0
 
@@ -100,7 +105,8 @@ def test_ctrl_c_inside_any_evaluation_returns_the_best_motion_so_far(figure, rng
                     raise KeyboardInterrupt
             return super().evaluate(samples, into, scale)
 
-    motion = inbetween(figure, partial_keys(figure, rng), [(Interrupted(), 1.0), *PENALTIES[1:]])
+    penalties = [(Interrupted(), 1.0), *PENALTIES[1:]]
+    motion = inbetween(figure, partial_keys(figure, rng), penalties, Settings(method=method))
     assert motion.stop is Stop.ASKED
     assert Interrupted.calls == call
     assert solved(motion) <= raw(motion) * (1 + 1e-9)
@@ -124,7 +130,7 @@ def test_ctrl_c_while_segments_are_judged_returns_the_best_motion_so_far(rng, mo
                 raise KeyboardInterrupt
             return super().evaluate(samples, into, scale)
 
-    motion = inbetween(figure, hinge_keys(), [(Touchy(), 1.0)], Settings(criterion=criterion))
+    motion = inbetween(figure, hinge_keys(), [(Touchy(), 1.0)], Settings(criterion=criterion, variable=1))
     assert judging
     assert motion.stop is Stop.ASKED
     assert motion.timeline.variable_count == 3
@@ -134,17 +140,17 @@ def test_ctrl_c_while_segments_are_judged_returns_the_best_motion_so_far(rng, mo
 
 @pytest.mark.parametrize("frames", [3, 4, 8])
 def test_the_budget_of_variable_frames_is_respected(figure, rng, frames):
-    settings = Settings(frames=frames, threshold=0.0, batch=1.0, max_evaluations=15)
+    settings = Settings(variable=1, frames=frames, threshold=0.0, batch=1.0, max_evaluations=15)
     motion = inbetween(figure, random_keys(figure, rng), PENALTIES, settings)
     assert motion.timeline.variable_count == frames
     assert motion.raw.variable_count == 0
 
 
 def test_evaluations_are_bounded_in_every_round(figure, rng):
-    settings = Settings(max_evaluations=7, frames=6, threshold=0.0)
+    settings = Settings(variable=1, max_evaluations=2, frames=6, threshold=0.0)
     motion = inbetween(figure, random_keys(figure, rng), PENALTIES, settings)
     rounds = motion.trace[-1][1] + 1
-    assert motion.evaluations <= 7 * rounds + 7
+    assert motion.evaluations <= 2 * rounds + 2
     assert motion.stop is Stop.BUDGET
 
 
@@ -162,7 +168,7 @@ def hinge_keys() -> list[Frame]:
 
 
 @pytest.mark.parametrize("criterion", CRITERIA)
-@pytest.mark.parametrize("method", ["lbfgs", "slsqp"])
+@pytest.mark.parametrize("method", ["newton", "lbfgs", "slsqp"])
 def test_hinges_are_solved_in_joint_coordinates_to_the_natural_spline(criterion, method):
     figure = hinged()
     assert figure.coordinates == "joint"
@@ -207,7 +213,7 @@ def test_an_unknown_criterion_or_method_is_refused_and_the_known_ones_named(figu
     keys = random_keys(figure, rng)
     with pytest.raises(ValueError, match="'hunch'; there are: weak, residual, objective, resolution"):
         inbetween(figure, keys, PENALTIES, Settings(criterion="hunch"))
-    with pytest.raises(ValueError, match="no optimiser 'magic'; there are: lbfgs"):
+    with pytest.raises(ValueError, match="no optimiser 'magic'; there are: newton, lbfgs"):
         inbetween(figure, keys, PENALTIES, Settings(method="magic"))
 
 

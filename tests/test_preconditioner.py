@@ -27,18 +27,19 @@ def discretised(figure: Figure, rng: np.random.Generator, ends: str):
 def test_gradient_is_the_transpose_of_to_x(figure, rng, ends):
     problem = discretised(figure, rng, ends)
     preconditioner = Preconditioner(problem)
-    z, g = rng.normal(size=(2, problem.unknowns.size))
+    z, g = rng.normal(size=preconditioner.size), rng.normal(size=problem.unknowns.size)
     np.testing.assert_allclose(g @ preconditioner.to_x(z), preconditioner.gradient(g) @ z, rtol=1e-10)
 
 
 @pytest.mark.parametrize("ends", ENDS)
 def test_to_x_is_linear_and_reaches_every_unknown(figure, rng, ends):
     problem = discretised(figure, rng, ends)
-    to_x = Preconditioner(problem).to_x
-    a, b = rng.normal(size=(2, problem.unknowns.size))
+    preconditioner = Preconditioner(problem)
+    to_x = preconditioner.to_x
+    a, b = rng.normal(size=(2, preconditioner.size))
     np.testing.assert_allclose(to_x(2 * a - b), 2 * to_x(a) - to_x(b), rtol=1e-9, atol=1e-12)
-    count = problem.unknowns.size
-    assert np.linalg.matrix_rank(np.column_stack([to_x(e) for e in np.eye(count)[:: count // 20]])) >= 20
+    reached = np.array([preconditioner.gradient(e) for e in np.eye(problem.unknowns.size)])
+    assert np.linalg.matrix_rank(reached, tol=1e-9) == problem.unknowns.size
 
 
 def slider(times: np.ndarray, variable: int):
@@ -57,14 +58,12 @@ def slider(times: np.ndarray, variable: int):
 def test_in_z_the_flat_acceleration_energy_is_nearly_a_sphere(variable):
     problem = slider(np.array([0.0, 0.3, 1.0, 2.5]), variable)
     preconditioner, start = Preconditioner(problem), problem.unknowns.start
-    identity = np.eye(start.size)
-
-    def hessian(to_x) -> np.ndarray:
-        base = problem(start).gradient
-        return np.array([problem(start + to_x(e)).gradient - base for e in identity])
-
-    raw = np.linalg.eigvalsh(hessian(lambda e: e))
-    after = np.linalg.eigvalsh(np.array([preconditioner.gradient(row) for row in hessian(preconditioner.to_x)]))
+    base = problem(start).gradient
+    hessian = np.array([problem(start + e).gradient - base for e in np.eye(start.size)])
+    to_z = np.array([preconditioner.gradient(e) for e in np.eye(start.size)])
+    raw = np.linalg.eigvalsh(hessian)
+    # the entries of z that move nothing have the eigenvalue 0
+    after = np.linalg.eigvalsh(to_z.T @ hessian @ to_z)[-start.size :]
     assert after[0] > 0
     assert after[-1] / after[0] < 20
     assert raw[-1] / raw[0] > 20 * after[-1] / after[0]
@@ -74,7 +73,7 @@ def test_the_descent_in_z_is_the_objective_in_x(figure, rng):
     timeline = evenly(clip(figure, rng), 1)
     objective = Objective.of(figure, [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0)])
     descent = Descent(objective, timeline)
-    z = 0.01 * rng.normal(size=descent.start.size)
+    z = 0.01 * rng.normal(size=descent.preconditioner.size)
     value, gradient = descent(z)
     at_x = descent.problem(descent.x(z))
     assert value == at_x.value

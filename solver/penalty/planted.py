@@ -71,6 +71,8 @@ class Planted:
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
         stance, at = self._during(samples.t)
+        if not stance.size:
+            return
         order = np.argsort(at, kind="stable")
         stance, at = stance[order], at[order]
         links, positions, _, _ = self._arrays
