@@ -355,6 +355,7 @@ class Cotangent:
     def __init__(self, samples: Samples) -> None:
         self.samples = samples
         self._parts: dict[str, Array] = {}
+        self._forces: list[tuple[Index, Array, Array]] = []
 
     def add(self, name: str, gradient: Array) -> None:
         if name in self._parts:
@@ -387,14 +388,23 @@ class Cotangent:
 
         flat  (p,) link · S + sample; the same may come up more than once
         """
-        places, which = np.unique(flat, return_inverse=True)
-        for name, part in (("x", force), ("turn", cross(arm, force))):
-            room = self.room(name).reshape(3, -1)
-            room[:, places] += [np.bincount(which, values) for values in part]
+        self._forces.append((flat, arm, force))
+
+    def _settle_forces(self) -> None:
+        """Adds all forces on points to x and turn."""
+        flat, arm, force = (np.concatenate(parts, axis=-1) for parts in zip(*self._forces, strict=True))
+        size = len(self.samples.figure.links) * self.samples.count
+        rows = np.concatenate([force, cross(arm, force)])
+        places = flat + size * np.arange(6)[:, None]
+        total = np.bincount(places.ravel(), rows.ravel(), 6 * size).reshape(2, 3, -1, self.samples.count)
+        self.hand("x", total[0])
+        self.hand("turn", total[1])
 
     def gradients(self) -> tuple[Array, Array, Array]:
         """The three gradients with respect to y, y', y'', each (S, N); the cotangent is used up."""
         samples, tables = self.samples, self.samples.figure.tables
+        if self._forces:
+            self._settle_forces()
         if self._parts.keys() & {"x", "x_d", "x_dd", "omega", "alpha", "turn", "swing"}:
             _origins_pulled_back(self)
             if "swing" in self._parts:

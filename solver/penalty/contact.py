@@ -83,35 +83,36 @@ class Contact:
             return values
         carriers, middles, reach = self._bounds
         around, _ = samples.links.points(carriers, middles)
-        scale = np.broadcast_to(scale, values.shape)
+        touching = [surface.near(around, reach[:, None]) for surface in self.surfaces]
+        near = np.flatnonzero(np.logical_or.reduce(touching))
+        if not near.size:
+            return values
+        flat, arms, centres, radii = self._near(samples, near)
+        scale = 2 * scale + np.zeros(samples.count)
         for surface in self.surfaces:
-            near = np.flatnonzero(surface.near(around, reach[:, None]))
-            flat, arm, depth, gradient = self._deep(samples, surface, near)
-            if not flat.size:
+            deep = np.flatnonzero(surface.near(centres, radii))
+            if not deep.size:
                 continue
-            at = flat % samples.count
-            values += np.bincount(at, depth**2, samples.count)
+            depth, gradient = surface.depth(centres.take(deep, axis=1)[..., None], radii.take(deep))
+            depth, pairs = depth[:, 0], flat.take(deep)
+            at = pairs % samples.count
+            values += np.bincount(at, depth * depth, samples.count)
             if into is not None:
-                into.add_forces(flat, arm, (2 * scale[at] * depth) * gradient)
+                into.add_forces(pairs, arms.take(deep, axis=1), (scale.take(at) * depth) * gradient[..., 0])
         return values
 
-    def _deep(self, samples: Samples, surface: Surface, near: Index) -> tuple[Index, Array, Array, Array]:
-        """The points inside a surface: link · S + sample (p,), arms (3, p), depths (p,) and their gradients (3, p).
+    def _near(self, samples: Samples, near: Index) -> tuple[Index, Array, Array, Array]:
+        """All points of some links at some samples: link · S + sample (p,), arms and centres (3, p), radii (p,).
 
-        near  (k,) the links' spheres that touch the surface, as carrier · S + sample
+        near  (k,) which: carrier · S + sample
         """
-        if not near.size:
-            return near, np.zeros((3, 0)), np.zeros(0), np.zeros((3, 0))
         positions, radii = self._by_link
         carrier, at = np.divmod(near, samples.count)
-        flat = self._bounds[0][carrier] * samples.count + at
+        flat = self._bounds[0].take(carrier) * samples.count + at
         x, rotation = samples.links.poses(flat)
-        arm = np.einsum("ijk,jkp->ikp", rotation, positions[:, carrier])
-        centres, radius = arm + x[..., None], radii[carrier]
-        deep = np.flatnonzero(surface.near(centres, radius))
-        arm, centres = (a.reshape(3, -1).take(deep, axis=1) for a in (arm, centres))
-        depth, gradient = surface.depth(centres[..., None], radius.ravel()[deep])
-        return flat[deep // radius.shape[1]], arm, depth[:, 0], gradient[..., 0]
+        arms = np.einsum("ijk,jkp->ikp", rotation, positions.take(carrier, axis=1))
+        centres = (arms + x[..., None]).reshape(3, -1)
+        return np.repeat(flat, radii.shape[1]), arms.reshape(3, -1), centres, radii.take(carrier, axis=0).ravel()
 
 
 def site_points(figure: Figure, names: Sequence[str]) -> tuple[Point, ...]:

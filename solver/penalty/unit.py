@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..algebra import dot
 from ..kinematics import Cotangent, Samples
 from ..quaternion import Array
 from .penalty import Scale
@@ -32,12 +31,12 @@ class UnitMagnitude:
         return Scale(4e-4 if self.form == "square" else 2e-2)
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
-        excess = dot(samples.q, samples.q) - 1
+        excess = samples.q_dots[0] - 1
         if self.form == "square":
-            values, slope = excess**2, 2 * excess
+            values, slope = excess * excess, 2 * excess
         else:
             root = np.sqrt(excess**2 + self.epsilon**2)
             values, slope = root - self.epsilon, excess / root
         if into is not None:
-            into.add("q", (2 * scale * slope) * samples.q)
+            into.hand("q", (2 * scale * slope) * samples.q)
         return values.sum(axis=0)
