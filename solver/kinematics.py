@@ -221,7 +221,7 @@ class LinkMotion:
     def points(self, links: Index, positions: Array) -> tuple[Array, Array]:
         """Points fixed on links (n,) at positions (3, n): where they are and their arms from the origins, (3, n, S)."""
         arm = self.fixed(on_links(positions, links, len(self.figure.links)))
-        return self.x[:, links] + arm, arm
+        return self.x.take(links, axis=1) + arm, arm
 
     def poses(self, flat: Index) -> tuple[Array, Array]:
         """Origins (3, p) and rotations (3, 3, p) of pairs of a link and a sample: flat = link · S + sample."""
@@ -402,7 +402,7 @@ class Cotangent:
 
     def gradients(self) -> tuple[Array, Array, Array]:
         """The three gradients with respect to y, y', y'', each (S, N); the cotangent is used up."""
-        samples, tables = self.samples, self.samples.figure.tables
+        samples = self.samples
         if self._forces:
             self._settle_forces()
         if self._parts.keys() & {"x", "x_d", "x_dd", "omega", "alpha", "turn", "swing"}:
@@ -418,17 +418,24 @@ class Cotangent:
                 blocks = _products_pulled_back(self, quaternions)
             for name, block in zip(("q", "q_d", "q_dd"), blocks, strict=False):
                 self.hand(name, block)
-        out = []
-        for y_name, q_name in (("y", "q"), ("y_d", "q_d"), ("y_dd", "q_dd")):
-            total = self.room(y_name)
-            part = self._parts.get(q_name)
-            if part is not None and tables.quaternion_slice is not None:
-                blocks = total[:, tables.quaternion_slice].reshape(samples.count, -1, 4)
-                np.add(blocks, part.T, out=blocks)
-            elif part is not None:
-                total[:, tables.quaternion_columns.ravel()] += part.reshape(-1, samples.count).T
-            out.append(total)
-        return out[0], out[1], out[2]
+        g, g_d, g_dd = (self._by_entries(*names) for names in (("y", "q"), ("y_d", "q_d"), ("y_dd", "q_dd")))
+        return g, g_d, g_dd
+
+    def _by_entries(self, name: str, blocks: str) -> Array:
+        """The gradient with respect to y, y' or y'', (S, N): its own entries' and the quaternion blocks'."""
+        part = self._parts.get(blocks)
+        if part is None:
+            return self.room(name)
+        samples, tables = self.samples, self.samples.figure.tables
+        rows = np.zeros((samples.y.shape[1], samples.count))
+        if tables.quaternion_slice is None:
+            rows[tables.quaternion_columns] = part
+        else:
+            rows[tables.quaternion_slice].reshape(-1, 4, samples.count)[:] = part.swapaxes(0, 1)
+        total = np.ascontiguousarray(rows.T)
+        if name in self._parts:
+            total += self._parts[name]
+        return total
 
     def get(self, name: str) -> Array | None:
         return self._parts.get(name)

@@ -94,23 +94,26 @@ class Box:
         depth, gradient = np.zeros(inside.shape), np.zeros(points.shape)
         if not inside.any():
             return depth, gradient
+        which = np.flatnonzero(inside)
         outward, size, kappa = self._faces
-        room = size[:, None] + np.broadcast_to(radius[:, None], inside.shape)[inside]
-        near = 1 / (kappa[:, None] * (room - outward @ local[:, inside]))
+        near = np.add.outer(size, radius.repeat(inside.shape[1]).take(which))
+        near -= outward @ local.reshape(3, -1).take(which, axis=1)
+        near *= kappa
+        np.divide(1, near, out=near)
         squared = near * near
-        value = 1 / np.sqrt(squared.sum(axis=0))
+        value = 1 / np.sqrt(np.add.reduce(squared, axis=0))
         near *= squared
-        depth[inside] = value
-        gradient[:, inside] = (self.axes @ (outward.T * -kappa) @ near) * value**3
+        depth.put(which, value)
+        gradient.reshape(3, -1)[:, which] = (self.axes @ (kappa * outward).T @ near) * -(value**3)
         return depth, gradient
 
     @cached_property
     def _faces(self) -> tuple[Array, Array, Array]:
-        """The faces that are ways out: outward axes (f, 3) in the box's own, distances from the centre (f,), κ (f,)."""
+        """The ways out: faces' outward axes (f, 3) in the box's own, distances from the centre (f,) and κ (f, 1)."""
         outward = np.concatenate([np.eye(3), -np.eye(3)])
         rise = outward @ self.axes[2]
         kept = ~((rise < -UPRIGHT) & self.buried)
-        return outward[kept], np.tile(self.half, 2)[kept], np.where(rise > UPRIGHT, 1.0, SIDEWAYS)[kept]
+        return outward[kept], np.tile(self.half, 2)[kept], np.where(rise > UPRIGHT, 1.0, SIDEWAYS)[kept, None]
 
     def near(self, points: Array, radius: Array) -> NDArray[np.bool_]:
         return self._within(self._local(points), self.half.reshape(3, *[1] * (points.ndim - 1)) + radius)
