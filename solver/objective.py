@@ -141,6 +141,8 @@ class Discretised:
         t, self.weights = objective.quadrature.nodes(self.spline.times)
         self.sampling = Sampling.of(self.spline, t)
         self._pieces = self.sampling.pieces()
+        factors = np.array([[term.factor] for term in objective.terms])
+        self._shares = [factors * self.weights[piece.which] for piece in self._pieces]
 
     def path(self, x: Array) -> Path:
         """The curve that x stands for."""
@@ -151,13 +153,11 @@ class Discretised:
         coefficients = self.sampling.coefficients(self.unknowns.rows(x))
         gradient = np.zeros(coefficients.shape)
         parts: dict[str, float] = {}
-        for piece in self._pieces:
-            weights = self.weights[piece.which]
+        for piece, shares in zip(self._pieces, self._shares, strict=True):
             samples = Samples(self.objective.figure, *piece.samples(coefficients), t=piece.t)
             cotangent = Cotangent(samples)
-            for term in self.objective.terms:
-                values = term.penalty.evaluate(samples, cotangent, term.factor * weights)
-                part = term.factor * float(weights @ values)
+            for term, share in zip(self.objective.terms, shares, strict=True):
+                part = float(share @ term.penalty.evaluate(samples, cotangent, share))
                 parts[term.penalty.name] = parts.get(term.penalty.name, 0.0) + part
             piece.add_pulled_back(gradient, cotangent.gradients())
         rows = self.sampling.coefficients_transposed(gradient)

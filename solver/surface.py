@@ -58,9 +58,8 @@ class Plane:
     normal: Array
 
     def depth(self, points: Array, radius: Array) -> tuple[Array, Array]:
-        below = radius[:, None] - self._over(points)
-        inside = below > 0
-        return np.where(inside, below, 0.0), np.where(inside, -self.normal[:, None, None], 0.0)
+        depth = np.maximum(radius[:, None] - self._over(points), 0)
+        return depth, np.multiply.outer(-self.normal, depth > 0)
 
     def near(self, points: Array, radius: Array) -> NDArray[np.bool_]:
         return self._over(points) < radius
@@ -89,12 +88,11 @@ class Box:
 
     def depth(self, points: Array, radius: Array) -> tuple[Array, Array]:
         local = self._local(points)
-        grown = self.half[:, None, None] + radius[:, None]
-        inside = self._within(local, grown)
+        inside = self._within(local, self.half[:, None, None] + radius[:, None])
         depth, gradient = np.zeros(inside.shape), np.zeros(points.shape)
-        if not inside.any():
-            return depth, gradient
         which = np.flatnonzero(inside)
+        if not which.size:
+            return depth, gradient
         outward, size, kappa = self._faces
         near = np.add.outer(size, radius.repeat(inside.shape[1]).take(which))
         near -= outward @ local.reshape(3, -1).take(which, axis=1)

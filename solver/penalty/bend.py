@@ -65,6 +65,12 @@ class BendLimits:
         forward = np.cross(lateral.T, down.T).T
         return np.array([joint.link for joint in self.joints], np.intp), np.array([forward, down, lateral])
 
+    @cached_property
+    def _bounds(self) -> tuple[Array, Array]:
+        """Least and most flexion, sideways bend and twist, (3, 1, 1) [rad]."""
+        least, most = [self.least, -self.sideways, -self.twist], [np.inf, self.sideways, self.twist]
+        return np.reshape(least, (3, 1, 1)), np.reshape(most, (3, 1, 1))
+
     def _seen(self, samples: Samples) -> tuple[Array, Seen]:
         own, axes = self._axes
         tables, rotation = samples.figure.tables, samples.links.rotation
@@ -87,9 +93,10 @@ class BendLimits:
         if not self.joints:
             return np.zeros(samples.count)
         angles, seen = self._seen(samples)
-        most = np.array([np.inf, self.sideways, self.twist])[:, None, None]
-        least = np.array([self.least, -self.sideways, -self.twist])[:, None, None]
-        excess = angles - np.minimum(np.maximum(angles, least), most)
+        least, most = self._bounds
+        excess = np.maximum(angles, least)
+        np.minimum(excess, most, out=excess)
+        np.subtract(angles, excess, out=excess)
         if into is not None and excess.any():
             self._pull_back(samples, into, seen, 2 * scale * excess)
         return np.einsum("kns,kns->s", excess, excess)

@@ -90,15 +90,17 @@ class Contact:
         flat, arms, centres, radii = self._near(samples, near)
         scale = 2 * scale + np.zeros(samples.count)
         for surface in self.surfaces:
-            deep = np.flatnonzero(surface.near(centres, radii))
+            depth, gradient = surface.depth(centres[..., None], radii)
+            deep = np.flatnonzero(depth)
             if not deep.size:
                 continue
-            depth, gradient = surface.depth(centres.take(deep, axis=1)[..., None], radii.take(deep))
-            depth, pairs = depth[:, 0], flat.take(deep)
+            depth, pairs = depth.take(deep), flat.take(deep)
             at = pairs % samples.count
             values += np.bincount(at, depth * depth, samples.count)
             if into is not None:
-                into.add_forces(pairs, arms.take(deep, axis=1), (scale.take(at) * depth) * gradient[..., 0])
+                force = gradient.reshape(3, -1).take(deep, axis=1)
+                force *= scale.take(at) * depth
+                into.add_forces(pairs, arms.take(deep, axis=1), force)
         return values
 
     def _near(self, samples: Samples, near: Index) -> tuple[Index, Array, Array, Array]:
