@@ -22,7 +22,7 @@ from .quaternion import Array, Index
 
 DEGREE = 3
 SHORT = 150
-PIECE = 200
+PIECE = 500
 
 
 class Spline:

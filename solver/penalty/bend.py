@@ -13,6 +13,7 @@ from functools import cached_property
 import numpy as np
 
 from ..algebra import cross_sum, gathered
+from ..figure import on_links
 from ..kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
 from .penalty import Scale
@@ -73,12 +74,15 @@ class BendLimits:
 
     def _seen(self, samples: Samples) -> tuple[Array, Seen]:
         own, axes = self._axes
-        tables, rotation = samples.figure.tables, samples.links.rotation
+        tables = samples.figure.tables
         carried = axes[:0:-1]  # the child's hinge axis v and long axis u, at rest where the parent's are
         if tables.has_turns:
             carried = np.einsum("jin,kjn->kin", _matrices(tables.turn[:, own]), carried)
-        world = np.einsum("ijns,kjn->kins", rotation.take(own, axis=2), carried)
-        frame = np.einsum("ijns,bjn->bins", rotation.take(tables.parents[own], axis=2), axes)
+        fixed = np.concatenate([*carried, *axes], axis=1)
+        owners = np.concatenate([own, own, *[tables.parents[own]] * 3])
+        seen = samples.links.fixed(on_links(fixed, owners, len(samples.figure.links)))
+        seen = seen.reshape(3, 5, own.size, samples.count).swapaxes(0, 1)
+        world, frame = seen[:2], seen[2:]
         v, u = np.einsum("bins,kins->kbns", frame, world)
         x, z, y = u
         planar = np.maximum(np.hypot(x, z), 1e-9)

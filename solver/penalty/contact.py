@@ -62,14 +62,14 @@ class Contact:
 
     @cached_property
     def _by_link(self) -> tuple[Array, Array]:
-        """Every link's points side by side: positions (3, m, p), radii (m, p); those too many have the radius −∞."""
+        """Every link's points: positions (3, p, m), radii (p, m); a link with fewer than p has some of radius −∞."""
         links, positions, radius = self._arrays
         _, owner, counts = np.unique(links, return_inverse=True, return_counts=True)
         order = np.argsort(owner, kind="stable")
         rank = np.arange(owner.size) - np.repeat(np.cumsum(counts) - counts, counts)
-        padded = np.zeros((3, counts.size, counts.max()))
+        padded = np.zeros((3, counts.max(), counts.size))
         radii = np.full(padded.shape[1:], -np.inf)
-        padded[:, owner[order], rank], radii[owner[order], rank] = positions[:, order], radius[order]
+        padded[:, rank, owner[order]], radii[rank, owner[order]] = positions[:, order], radius[order]
         return padded, radii
 
     def centres(self, samples: Samples) -> tuple[Array, Array, Index]:
@@ -90,11 +90,11 @@ class Contact:
         flat, arms, centres, radii = self._near(samples, near)
         scale = 2 * scale + np.zeros(samples.count)
         for surface in self.surfaces:
-            depth, gradient = surface.depth(centres[..., None], radii)
-            deep = np.flatnonzero(depth)
+            depth, gradient = surface.depth(centres, radii)
+            deep = np.flatnonzero(depth > 0)
             if not deep.size:
                 continue
-            depth, pairs = depth.take(deep), flat.take(deep)
+            depth, pairs = depth.take(deep), flat.take(deep % flat.size)
             at = pairs % samples.count
             values += np.bincount(at, depth * depth, samples.count)
             if into is not None:
@@ -104,7 +104,8 @@ class Contact:
         return values
 
     def _near(self, samples: Samples, near: Index) -> tuple[Index, Array, Array, Array]:
-        """All points of some links at some samples: link · S + sample (p,), arms and centres (3, p), radii (p,).
+        """All points of k pairs of a link and a sample: link · S + sample (k,), arms (3, p k), centres (3, p k, 1) and
+        radii (p k,).
 
         near  (k,) which: carrier · S + sample
         """
@@ -112,9 +113,9 @@ class Contact:
         carrier, at = np.divmod(near, samples.count)
         flat = self._bounds[0].take(carrier) * samples.count + at
         x, rotation = samples.links.poses(flat)
-        arms = np.einsum("ijk,jkp->ikp", rotation, positions.take(carrier, axis=1))
-        centres = (arms + x[..., None]).reshape(3, -1)
-        return np.repeat(flat, radii.shape[1]), arms.reshape(3, -1), centres, radii.take(carrier, axis=0).ravel()
+        arms = np.einsum("ijk,jpk->ipk", rotation, positions.take(carrier, axis=2))
+        centres = (arms + x[:, None]).reshape(3, -1, 1)
+        return flat, arms.reshape(3, -1), centres, radii.take(carrier, axis=1).ravel()
 
 
 def site_points(figure: Figure, names: Sequence[str]) -> tuple[Point, ...]:
