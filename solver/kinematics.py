@@ -23,7 +23,6 @@ from .algebra import (
     applied,
     conjugated,
     cross,
-    cross_sum,
     dot,
     gathered,
     hamilton,
@@ -531,7 +530,8 @@ def _quaternion_gradients(cotangent: Cotangent) -> list[Array]:
     if alpha_bar is None:
         h0, h1 = cross(links.omega, first), first * links.scale
     else:
-        h0 = cross_sum(links.spins, np.array([first, alpha_bar]))
+        h0 = cross(links.omega, first)
+        h0 += cross(links.alpha, alpha_bar)
         h1 = cross(links.omega, alpha_bar)
         h1 += first
         h1 *= links.scale

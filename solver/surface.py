@@ -93,7 +93,7 @@ class Box:
         which = np.flatnonzero(inside)
         if not which.size:
             return depth, gradient
-        outward, size, kappa = self._faces
+        outward, size, kappa, inward = self._faces
         near = np.add.outer(size, radius.repeat(inside.shape[1]).take(which))
         near -= outward @ local.reshape(3, -1).take(which, axis=1)
         near *= kappa
@@ -102,16 +102,18 @@ class Box:
         value = 1 / np.sqrt(np.add.reduce(squared, axis=0))
         near *= squared
         depth.put(which, value)
-        gradient.reshape(3, -1)[:, which] = (self.axes @ (kappa * outward).T @ near) * -(value**3)
+        gradient.reshape(3, -1)[:, which] = (inward @ near) * (value * value * value)
         return depth, gradient
 
     @cached_property
-    def _faces(self) -> tuple[Array, Array, Array]:
-        """The ways out: faces' outward axes (f, 3) in the box's own, distances from the centre (f,) and κ (f, 1)."""
+    def _faces(self) -> tuple[Array, Array, Array, Array]:
+        """The ways out: faces' outward axes (f, 3) in the box's own, distances from the centre (f,), κ (f, 1), and κ
+        times the inward axes in the world (3, f)."""
         outward = np.concatenate([np.eye(3), -np.eye(3)])
         rise = outward @ self.axes[2]
         kept = ~((rise < -UPRIGHT) & self.buried)
-        return outward[kept], np.tile(self.half, 2)[kept], np.where(rise > UPRIGHT, 1.0, SIDEWAYS)[kept, None]
+        kappa = np.where(rise > UPRIGHT, 1.0, SIDEWAYS)[kept, None]
+        return outward[kept], np.tile(self.half, 2)[kept], kappa, -self.axes @ (kappa * outward[kept]).T
 
     def near(self, points: Array, radius: Array) -> NDArray[np.bool_]:
         return self._within(self._local(points), self.half.reshape(3, *[1] * (points.ndim - 1)) + radius)

@@ -12,7 +12,7 @@ from functools import cached_property
 
 import numpy as np
 
-from ..algebra import cross_sum, gathered
+from ..algebra import cross, gathered
 from ..figure import on_links
 from ..kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
@@ -117,7 +117,7 @@ class BendLimits:
         # the normal turns in the sagittal plane as the limb flexes: d normal / d flexion = (z d + x f) / |(x, z)|
         flexion_bar = (flexion_bar + p_bar * (z * v[1] + x * v[0])) / planar**2
         bars[1] = flexion_bar * z, -flexion_bar * x, sideways_bar / planar
-        torque = cross_sum(world, np.einsum("kbns,bins->kins", bars, frame))
+        torque = np.add.reduce(cross(world.swapaxes(0, 1), np.einsum("kbns,bins->ikns", bars, frame)), axis=1)
         own, count = self._axes[0], len(self.joints)
         incidence = np.zeros((len(samples.figure.links), count))
         incidence[own, np.arange(count)] = 1

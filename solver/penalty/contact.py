@@ -89,7 +89,9 @@ class Contact:
             return values
         flat, arms, centres, radii = self._near(samples, near)
         scale = 2 * scale + np.zeros(samples.count)
-        for surface in self.surfaces:
+        for surface, touched in zip(self.surfaces, touching, strict=True):
+            if not touched.any():
+                continue
             depth, gradient = surface.depth(centres, radii)
             deep = np.flatnonzero(depth > 0)
             if not deep.size:
