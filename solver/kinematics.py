@@ -107,7 +107,7 @@ class Samples:
         """S"""
         return self.y.shape[0]
 
-    def parts(self, longest: int = 500) -> list[Samples]:
+    def parts(self, longest: int) -> list[Samples]:
         """The samples in runs of at most `longest`: few enough that what is derived from them stays in cache."""
         if self.count <= longest:
             return [self]

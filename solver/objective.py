@@ -21,6 +21,7 @@ from .spline import Path, Sampling, Spline
 from .unknowns import Unknowns
 
 SMALL_SHARE = 0.01
+RUN = 400
 
 
 @dataclass(frozen=True)
@@ -78,7 +79,7 @@ class Objective:
         t, w = self.quadrature.nodes(path.spline.times)
         coefficients = path.spline.coefficients(path.rows)
         out = np.zeros(len(self.terms))
-        for piece in Sampling.of(path.spline, t).pieces():
+        for piece in Sampling.of(path.spline, t).pieces(RUN):
             samples = Samples(self.figure, *piece.samples(coefficients), t=piece.t)
             out += [w[piece.which] @ term.penalty.evaluate(samples) for term in self.terms]
         return out
@@ -95,7 +96,7 @@ class Objective:
     def density(self, samples: Samples) -> Array:
         """Σ_j factor_j f_j at every sample, (S,)."""
         values, first = np.zeros(samples.count), 0
-        for part in samples.parts():
+        for part in samples.parts(RUN):
             for term in self.terms:
                 values[first : first + part.count] += term.factor * term.penalty.evaluate(part)
             first += part.count
@@ -104,7 +105,7 @@ class Objective:
     def sample_gradients(self, samples: Samples) -> tuple[Array, Array, Array]:
         """g₀ = ∂f/∂y, g₁ = ∂f/∂y', g₂ = ∂f/∂y'' of f = Σ_j factor_j f_j, each (S, N)."""
         found = []
-        for part in samples.parts():
+        for part in samples.parts(RUN):
             cotangent = Cotangent(part)
             for term in self.terms:
                 term.penalty.evaluate(part, cotangent, np.full(part.count, term.factor))
@@ -129,8 +130,8 @@ class Evaluation:
 class Discretised:
     """E(x) for one timeline: the spline factorised, the samples placed, the unknowns laid out, once.
 
-    The samples are evaluated in runs that fit into the processor's cache, so that a sample of a long clip costs no more
-    than one of a short clip.
+    The samples are evaluated in runs of at most `RUN`, whose arrays fit into the processor's cache, so that a sample of
+    a long clip costs no more than one of a short clip.
     """
 
     def __init__(self, objective: Objective, timeline: Timeline) -> None:
@@ -140,7 +141,7 @@ class Discretised:
         self.unknowns = Unknowns.of(objective.figure, timeline)
         t, self.weights = objective.quadrature.nodes(self.spline.times)
         self.sampling = Sampling.of(self.spline, t)
-        self._pieces = self.sampling.pieces()
+        self._pieces = self.sampling.pieces(RUN)
         factors = np.array([[term.factor] for term in objective.terms])
         self._shares = [factors * self.weights[piece.which] for piece in self._pieces]
 

@@ -118,10 +118,9 @@ class BendLimits:
         flexion_bar = (flexion_bar + p_bar * (z * v[1] + x * v[0])) / planar**2
         bars[1] = flexion_bar * z, -flexion_bar * x, sideways_bar / planar
         torque = np.add.reduce(cross(world.swapaxes(0, 1), np.einsum("kbns,bins->ikns", bars, frame)), axis=1)
-        own, count = self._axes[0], len(self.joints)
-        incidence = np.zeros((len(samples.figure.links), count))
-        incidence[own, np.arange(count)] = 1
-        incidence[samples.figure.tables.parents[own], np.arange(count)] = -1
+        identity = np.eye(len(samples.figure.links))
+        own = self._axes[0]
+        incidence = identity[:, own] - identity[:, samples.figure.tables.parents[own]]
         into.hand("turn", gathered(incidence, torque))
 
 
