@@ -22,7 +22,6 @@ from numpy.typing import ArrayLike
 from . import quaternion as quat
 from .quaternion import Array, Index
 
-
 WEIGHTLESS = int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
 
 

@@ -160,7 +160,7 @@ def test_a_samplings_times_may_repeat_and_touch_both_ends(rng):
 @pytest.mark.parametrize("count", [20, 300])
 def test_the_pieces_of_a_sampling_make_up_the_whole(rng, ends, count):
     spline = Spline(np.cumsum(rng.uniform(0.5, 1.5, count)), ends)
-    sampling = Sampling.of(spline, np.linspace(*spline.times[[0, -1]], 401))
+    sampling = Sampling.of(spline, np.linspace(spline.times[0], spline.times[-1], 401))
     rows = rng.normal(size=(spline.size, 3))
     gradients = [rng.normal(size=(401, 3)) for _ in range(3)]
     pieces, total = sampling.pieces(100), np.zeros(rows.shape)
