@@ -45,9 +45,12 @@ def _cross(a: Array, b: Array, out: Array) -> None:
 
 def cross_sum(a: Array, b: Array) -> Array:
     """Σ_k a_k × b_k: (k, 3, ...) with (k, 3, ...) -> (3, ...)."""
-    out = np.empty(a.shape)
-    _cross(a.swapaxes(0, 1), b.swapaxes(0, 1), out.swapaxes(0, 1))
-    return np.add.reduce(out, axis=0)
+    total, other = np.empty(a.shape[1:]), np.empty(a.shape[1:])
+    _cross(a[0], b[0], total)
+    for i in range(1, a.shape[0]):
+        _cross(a[i], b[i], other)
+        total += other
+    return total
 
 
 def dot(a: Array, b: Array) -> Array:

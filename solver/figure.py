@@ -22,6 +22,8 @@ from numpy.typing import ArrayLike
 from . import quaternion as quat
 from .quaternion import Array, Index
 
+WEIGHTLESS = int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
+
 
 class FigureError(ValueError):
     """A model that cannot be a figure in the coordinates asked for."""
@@ -115,8 +117,8 @@ class Figure:
     @property
     def gravity(self) -> Array:
         """(3,) [m/s²], zero where the model switches it off."""
-        off = self.model.opt.disableflags & int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
-        return np.zeros(3) if off else np.array(self.model.opt.gravity)
+        option = self.model.opt
+        return np.zeros(3) if option.disableflags & WEIGHTLESS else np.array(option.gravity)
 
     def to_state(self, qpos: ArrayLike) -> Array:
         """State (..., N) of MuJoCo configurations qpos (..., nq); quaternions become unit."""

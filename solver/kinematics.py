@@ -23,7 +23,6 @@ from .algebra import (
     applied,
     conjugated,
     cross,
-    cross_sum,
     dot,
     gathered,
     hamilton,
@@ -112,7 +111,7 @@ class Samples:
         """The samples of these indices (R,), which may repeat, as samples of their own."""
         return Samples(self.figure, self.y[at], self.y_d[at], self.y_dd[at], t=self.t[at])
 
-    def parts(self, longest: int = 200) -> list[Samples]:
+    def parts(self, longest: int) -> list[Samples]:
         """The samples in runs of at most `longest`: few enough that what is derived from them stays in cache."""
         if self.count <= longest:
             return [self]
@@ -225,7 +224,7 @@ class LinkMotion:
     def points(self, links: Index, positions: Array) -> tuple[Array, Array]:
         """Points fixed on links (n,) at positions (3, n): where they are and their arms from the origins, (3, n, S)."""
         arm = self.fixed(on_links(positions, links, len(self.figure.links)))
-        return self.x[:, links] + arm, arm
+        return self.x.take(links, axis=1) + arm, arm
 
     def poses(self, flat: Index) -> tuple[Array, Array]:
         """Origins (3, p) and rotations (3, 3, p) of pairs of a link and a sample: flat = link · S + sample."""
@@ -359,6 +358,7 @@ class Cotangent:
     def __init__(self, samples: Samples) -> None:
         self.samples = samples
         self._parts: dict[str, Array] = {}
+        self._forces: list[tuple[Index, Array, Array]] = []
 
     def add(self, name: str, gradient: Array) -> None:
         if name in self._parts:
@@ -391,14 +391,23 @@ class Cotangent:
 
         flat  (p,) link · S + sample; the same may come up more than once
         """
-        places, which = np.unique(flat, return_inverse=True)
-        for name, part in (("x", force), ("turn", cross(arm, force))):
-            room = self.room(name).reshape(3, -1)
-            room[:, places] += [np.bincount(which, values) for values in part]
+        self._forces.append((flat, arm, force))
+
+    def _settle_forces(self) -> None:
+        """Adds all forces on points to x and turn."""
+        flat, arm, force = (np.concatenate(parts, axis=-1) for parts in zip(*self._forces, strict=True))
+        size = len(self.samples.figure.links) * self.samples.count
+        rows = np.concatenate([force, cross(arm, force)])
+        places = flat + size * np.arange(6)[:, None]
+        total = np.bincount(places.ravel(), rows.ravel(), 6 * size).reshape(2, 3, -1, self.samples.count)
+        self.hand("x", total[0])
+        self.hand("turn", total[1])
 
     def gradients(self) -> tuple[Array, Array, Array]:
         """The three gradients with respect to y, y', y'', each (S, N); the cotangent is used up."""
-        samples, tables = self.samples, self.samples.figure.tables
+        samples = self.samples
+        if self._forces:
+            self._settle_forces()
         if self._parts.keys() & {"x", "x_d", "x_dd", "omega", "alpha", "turn", "swing"}:
             _origins_pulled_back(self)
             if "swing" in self._parts:
@@ -412,17 +421,24 @@ class Cotangent:
                 blocks = _products_pulled_back(self, quaternions)
             for name, block in zip(("q", "q_d", "q_dd"), blocks, strict=False):
                 self.hand(name, block)
-        out = []
-        for y_name, q_name in (("y", "q"), ("y_d", "q_d"), ("y_dd", "q_dd")):
-            total = self.room(y_name)
-            part = self._parts.get(q_name)
-            if part is not None and tables.quaternion_slice is not None:
-                blocks = total[:, tables.quaternion_slice].reshape(samples.count, -1, 4)
-                np.add(blocks, part.T, out=blocks)
-            elif part is not None:
-                total[:, tables.quaternion_columns.ravel()] += part.reshape(-1, samples.count).T
-            out.append(total)
-        return out[0], out[1], out[2]
+        g, g_d, g_dd = (self._by_entries(*names) for names in (("y", "q"), ("y_d", "q_d"), ("y_dd", "q_dd")))
+        return g, g_d, g_dd
+
+    def _by_entries(self, name: str, blocks: str) -> Array:
+        """The gradient with respect to y, y' or y'', (S, N): its own entries' and the quaternion blocks'."""
+        part = self._parts.get(blocks)
+        if part is None:
+            return self.room(name)
+        samples, tables = self.samples, self.samples.figure.tables
+        rows = np.zeros((samples.y.shape[1], samples.count))
+        if tables.quaternion_slice is None:
+            rows[tables.quaternion_columns] = part
+        else:
+            rows[tables.quaternion_slice].reshape(-1, 4, samples.count)[:] = part.swapaxes(0, 1)
+        total = np.ascontiguousarray(rows.T)
+        if name in self._parts:
+            total += self._parts[name]
+        return total
 
     def get(self, name: str) -> Array | None:
         return self._parts.get(name)
@@ -518,7 +534,8 @@ def _quaternion_gradients(cotangent: Cotangent) -> list[Array]:
     if alpha_bar is None:
         h0, h1 = cross(links.omega, first), first * links.scale
     else:
-        h0 = cross_sum(links.spins, np.array([first, alpha_bar]))
+        h0 = cross(links.omega, first)
+        h0 += cross(links.alpha, alpha_bar)
         h1 = cross(links.omega, alpha_bar)
         h1 += first
         h1 *= links.scale

@@ -21,6 +21,7 @@ from .spline import Path, Sampling, Spline
 from .unknowns import Unknowns
 
 SMALL_SHARE = 0.01
+RUN = 400
 
 
 @dataclass(frozen=True)
@@ -78,7 +79,7 @@ class Objective:
         t, w = self.quadrature.nodes(path.spline.times)
         coefficients = path.spline.coefficients(path.rows)
         out = np.zeros(len(self.terms))
-        for piece in Sampling.of(path.spline, t).pieces():
+        for piece in Sampling.of(path.spline, t).pieces(RUN):
             samples = Samples(self.figure, *piece.samples(coefficients), t=piece.t)
             out += [w[piece.which] @ term.penalty.evaluate(samples) for term in self.terms]
         return out
@@ -95,7 +96,7 @@ class Objective:
     def density(self, samples: Samples) -> Array:
         """Σ_j factor_j f_j at every sample, (S,)."""
         values, first = np.zeros(samples.count), 0
-        for part in samples.parts():
+        for part in samples.parts(RUN):
             for term in self.terms:
                 values[first : first + part.count] += term.factor * term.penalty.evaluate(part)
             first += part.count
@@ -104,7 +105,7 @@ class Objective:
     def sample_gradients(self, samples: Samples) -> tuple[Array, Array, Array]:
         """g₀ = ∂f/∂y, g₁ = ∂f/∂y', g₂ = ∂f/∂y'' of f = Σ_j factor_j f_j, each (S, N)."""
         found = []
-        for part in samples.parts():
+        for part in samples.parts(RUN):
             cotangent = Cotangent(part)
             for term in self.terms:
                 term.penalty.evaluate(part, cotangent, np.full(part.count, term.factor))
@@ -129,8 +130,8 @@ class Evaluation:
 class Discretised:
     """E(x) for one timeline: the spline factorised, the samples placed, the unknowns laid out, once.
 
-    The samples are evaluated in runs that fit into the processor's cache, so that a sample of a long clip costs no more
-    than one of a short clip.
+    The samples are evaluated in runs of at most `RUN`, whose arrays fit into the processor's cache, so that a sample of
+    a long clip costs no more than one of a short clip.
     """
 
     def __init__(self, objective: Objective, timeline: Timeline) -> None:
@@ -140,7 +141,9 @@ class Discretised:
         self.unknowns = Unknowns.of(objective.figure, timeline)
         t, self.weights = objective.quadrature.nodes(self.spline.times)
         self.sampling = Sampling.of(self.spline, t)
-        self._pieces = self.sampling.pieces()
+        self._pieces = self.sampling.pieces(RUN)
+        factors = np.array([[term.factor] for term in objective.terms])
+        self._shares = [factors * self.weights[piece.which] for piece in self._pieces]
 
     def path(self, x: Array) -> Path:
         """The curve that x stands for."""
@@ -151,13 +154,11 @@ class Discretised:
         coefficients = self.sampling.coefficients(self.unknowns.rows(x))
         gradient = np.zeros(coefficients.shape)
         parts: dict[str, float] = {}
-        for piece in self._pieces:
-            weights = self.weights[piece.which]
+        for piece, shares in zip(self._pieces, self._shares, strict=True):
             samples = Samples(self.objective.figure, *piece.samples(coefficients), t=piece.t)
             cotangent = Cotangent(samples)
-            for term in self.objective.terms:
-                values = term.penalty.evaluate(samples, cotangent, term.factor * weights)
-                part = term.factor * float(weights @ values)
+            for term, share in zip(self.objective.terms, shares, strict=True):
+                part = float(share @ term.penalty.evaluate(samples, cotangent, share))
                 parts[term.penalty.name] = parts.get(term.penalty.name, 0.0) + part
             piece.add_pulled_back(gradient, cotangent.gradients())
         rows = self.sampling.coefficients_transposed(gradient)

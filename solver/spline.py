@@ -22,7 +22,6 @@ from .quaternion import Array, Index
 
 DEGREE = 3
 SHORT = 150
-PIECE = 200
 
 
 class Spline:
@@ -145,7 +144,7 @@ class Sampling:
         """The spline's `coefficients_transposed`, made for many calls."""
         return self.spline.coefficients_transposed(gradient) if self._inverse is None else self._inverse.T @ gradient
 
-    def pieces(self, longest: int = PIECE) -> tuple[Piece, ...]:
+    def pieces(self, longest: int) -> tuple[Piece, ...]:
         """The samples in nearly equal runs of at most `longest`: what is made of so few of them stays in cache."""
         count = -(-self.t.size // longest)
         edges = [self.t.size * k // count for k in range(count + 1)]

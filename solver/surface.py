@@ -58,9 +58,8 @@ class Plane:
     normal: Array
 
     def depth(self, points: Array, radius: Array) -> tuple[Array, Array]:
-        below = radius[:, None] - self._over(points)
-        inside = below > 0
-        return np.where(inside, below, 0.0), np.where(inside, -self.normal[:, None, None], 0.0)
+        depth = np.maximum(radius[:, None] - self._over(points), 0)
+        return depth, np.multiply.outer(-self.normal, depth > 0)
 
     def near(self, points: Array, radius: Array) -> NDArray[np.bool_]:
         return self._over(points) < radius
@@ -89,28 +88,32 @@ class Box:
 
     def depth(self, points: Array, radius: Array) -> tuple[Array, Array]:
         local = self._local(points)
-        grown = self.half[:, None, None] + radius[:, None]
-        inside = self._within(local, grown)
+        inside = self._within(local, self.half[:, None, None] + radius[:, None])
         depth, gradient = np.zeros(inside.shape), np.zeros(points.shape)
-        if not inside.any():
+        which = np.flatnonzero(inside)
+        if not which.size:
             return depth, gradient
-        outward, size, kappa = self._faces
-        room = size[:, None] + np.broadcast_to(radius[:, None], inside.shape)[inside]
-        near = 1 / (kappa[:, None] * (room - outward @ local[:, inside]))
+        outward, size, kappa, inward = self._faces
+        near = np.add.outer(size, radius.repeat(inside.shape[1]).take(which))
+        near -= outward @ local.reshape(3, -1).take(which, axis=1)
+        near *= kappa
+        np.divide(1, near, out=near)
         squared = near * near
-        value = 1 / np.sqrt(squared.sum(axis=0))
+        value = 1 / np.sqrt(np.add.reduce(squared, axis=0))
         near *= squared
-        depth[inside] = value
-        gradient[:, inside] = (self.axes @ (outward.T * -kappa) @ near) * value**3
+        depth.put(which, value)
+        gradient.reshape(3, -1)[:, which] = (inward @ near) * (value * value * value)
         return depth, gradient
 
     @cached_property
-    def _faces(self) -> tuple[Array, Array, Array]:
-        """The faces that are ways out: outward axes (f, 3) in the box's own, distances from the centre (f,), κ (f,)."""
+    def _faces(self) -> tuple[Array, Array, Array, Array]:
+        """The ways out: faces' outward axes (f, 3) in the box's own, distances from the centre (f,), κ (f, 1), and κ
+        times the inward axes in the world (3, f)."""
         outward = np.concatenate([np.eye(3), -np.eye(3)])
         rise = outward @ self.axes[2]
         kept = ~((rise < -UPRIGHT) & self.buried)
-        return outward[kept], np.tile(self.half, 2)[kept], np.where(rise > UPRIGHT, 1.0, SIDEWAYS)[kept]
+        kappa = np.where(rise > UPRIGHT, 1.0, SIDEWAYS)[kept, None]
+        return outward[kept], np.tile(self.half, 2)[kept], kappa, -self.axes @ (kappa * outward[kept]).T
 
     def near(self, points: Array, radius: Array) -> NDArray[np.bool_]:
         return self._within(self._local(points), self.half.reshape(3, *[1] * (points.ndim - 1)) + radius)

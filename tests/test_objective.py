@@ -1,5 +1,7 @@
 """The objective: renormalisation, its gradient in x over whole clips, and the quadrature under it."""
 
+import gc
+
 import mujoco
 import numpy as np
 import pytest
@@ -8,8 +10,8 @@ from test_unknowns import TIMES, mask_without, random_keys
 
 from solver.figure import Figure
 from solver.frame import Frame, Timeline
-from solver.kinematics import Samples
-from solver.objective import SMALL_SHARE, Objective
+from solver.kinematics import Cotangent, Samples
+from solver.objective import RUN, SMALL_SHARE, Objective
 from solver.penalty import (
     Bend,
     BendLimits,
@@ -180,3 +182,37 @@ def test_a_figure_of_one_hinge_has_the_energy_of_its_cubic():
     second = raw.at([1.0], 2)[0, 0]
     expected = 0.25 * second**2 * (1 + 2) / 3  # a natural cubic's y'' is a hat
     np.testing.assert_allclose(Objective.of(figure, [(CovariantAcceleration(), 1.0)]).value(raw), expected, rtol=1e-12)
+
+
+def test_a_long_clip_in_runs_of_samples_has_the_value_and_gradient_of_one_piece(figure, rng):
+    timeline = clip(figure, rng)
+    objective = Objective.of(figure, every_penalty(figure), quadrature=Quadrature("uniform", 1203))
+    problem = objective.on(timeline)
+    x = problem.unknowns.start + 0.02 * rng.normal(size=problem.unknowns.size)
+    assert problem.weights.size > 2 * RUN
+    found = problem(x)
+    samples = Samples(figure, *problem.sampling.samples(problem.unknowns.rows(x)), t=problem.sampling.t)
+    whole = sum(problem.weights @ (term.factor * term.penalty.evaluate(samples)) for term in objective.terms)
+    np.testing.assert_allclose(found.value, whole, rtol=1e-12)
+    np.testing.assert_allclose(problem.weights @ objective.density(samples), whole, rtol=1e-12)
+    cotangent = Cotangent(samples)
+    for term in objective.terms:
+        term.penalty.evaluate(samples, cotangent, term.factor * problem.weights)
+    gradients = cotangent.gradients()
+    expected = problem.unknowns.pulled_back(problem.sampling.pulled_back(gradients))
+    np.testing.assert_allclose(found.gradient, expected, rtol=1e-10, atol=1e-12 * np.abs(expected).max())
+    for own, g in zip(objective.sample_gradients(samples), gradients, strict=True):
+        np.testing.assert_allclose(problem.weights[:, None] * own, g, rtol=1e-10, atol=1e-12 * np.abs(g).max())
+
+
+def test_an_evaluation_leaves_nothing_for_the_garbage_collector(figure, rng):
+    problem = Objective.of(figure, every_penalty(figure)).on(clip(figure, rng))
+    x = problem.unknowns.start
+    problem(x)
+    gc.collect()
+    gc.disable()
+    try:
+        problem(x)
+        assert gc.collect() == 0
+    finally:
+        gc.enable()

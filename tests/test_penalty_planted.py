@@ -93,3 +93,18 @@ def test_no_points_or_no_surfaces_plant_nothing(figure, rng):
     timeline = raw_timeline(figure, keys)
     assert stances(figure, timeline, (), (FLOOR,)) == ()
     assert stances(figure, timeline, (FOOT,), ()) == ()
+
+
+def test_many_stances_at_samples_in_any_order_add_up_one_by_one(figure, rng):
+    samples = at_times(random_samples(figure, rng, 30), rng.permutation(np.linspace(0, 6, 30)))
+    last = len(figure.links) - 1
+    many = [stance_of(link, first, first + 0.5) for first in np.linspace(-1, 7, 60) for link in (1, last)]
+    cotangent, expected = Cotangent(samples), np.zeros(30)
+    scale = rng.uniform(1, 2, 30)
+    values = Planted(tuple(many)).evaluate(samples, cotangent, scale)
+    one_by_one = Cotangent(samples)
+    for stance in many:
+        expected += Planted((stance,)).evaluate(samples, one_by_one, scale)
+    np.testing.assert_allclose(values, expected, rtol=1e-12)
+    for g, h in zip(cotangent.gradients(), one_by_one.gradients(), strict=True):
+        np.testing.assert_allclose(g, h, rtol=1e-11, atol=1e-11)

@@ -152,3 +152,17 @@ def test_heights_are_over_the_surface_and_infinite_beside_it(rng, shape):
     np.testing.assert_allclose(box.height(points), np.where(over, points[2] - 0.5, np.inf), atol=1e-14)
     middle = np.broadcast_to(np.reshape([1.0, 0.1, 0.7], (3, *[1] * len(shape))), (3, *shape))
     np.testing.assert_allclose(box.height(middle), np.full(shape, 0.2), atol=1e-12)
+
+
+@pytest.mark.parametrize("buried", [True, False])
+def test_spheres_are_near_where_they_have_a_depth(buried, rng):
+    axes = Rotation.from_euler("xyz", [0.2, -0.1, 1.0]).as_matrix()
+    box = Box("b", np.array([0.1, 0.2, 0.3]), axes, np.array([0.5, 0.7, 0.4]), buried)
+    plane = Plane("p", np.array([0.1, 0.2, 0.3]), np.array([0.6, 0, 0.8]))
+    points, radius = rng.normal(size=(3, 40, 5)), rng.uniform(0, 0.3, 40)
+    radius[:3] = -np.inf
+    for surface in (box, plane):
+        near = surface.near(points, radius[:, None])
+        np.testing.assert_array_equal(near, surface.depth(points, radius)[0] > 0)
+        assert near.any()
+        assert not near[:3].any()

@@ -12,8 +12,9 @@ from functools import cached_property
 
 import numpy as np
 
-from ..algebra import cross_sum, gathered
+from ..algebra import cross, gathered
 from ..curvature import Curvature, Sides, jacobian
+from ..figure import on_links
 from ..kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
 from .penalty import Scale
@@ -67,14 +68,23 @@ class BendLimits:
         forward = np.cross(lateral.T, down.T).T
         return np.array([joint.link for joint in self.joints], np.intp), np.array([forward, down, lateral])
 
+    @cached_property
+    def _bounds(self) -> tuple[Array, Array]:
+        """Least and most flexion, sideways bend and twist, (3, 1, 1) [rad]."""
+        least, most = [self.least, -self.sideways, -self.twist], [np.inf, self.sideways, self.twist]
+        return np.reshape(least, (3, 1, 1)), np.reshape(most, (3, 1, 1))
+
     def _seen(self, samples: Samples) -> tuple[Array, Seen]:
         own, axes = self._axes
-        tables, rotation = samples.figure.tables, samples.links.rotation
+        tables = samples.figure.tables
         carried = axes[:0:-1]  # the child's hinge axis v and long axis u, at rest where the parent's are
         if tables.has_turns:
             carried = np.einsum("jin,kjn->kin", _matrices(tables.turn[:, own]), carried)
-        world = np.einsum("ijns,kjn->kins", rotation.take(own, axis=2), carried)
-        frame = np.einsum("ijns,bjn->bins", rotation.take(tables.parents[own], axis=2), axes)
+        fixed = np.concatenate([*carried, *axes], axis=1)
+        owners = np.concatenate([own, own, *[tables.parents[own]] * 3])
+        seen = samples.links.fixed(on_links(fixed, owners, len(samples.figure.links)))
+        seen = seen.reshape(3, 5, own.size, samples.count).swapaxes(0, 1)
+        world, frame = seen[:2], seen[2:]
         v, u = np.einsum("bins,kins->kbns", frame, world)
         x, z, y = u
         planar = np.maximum(np.hypot(x, z), 1e-9)
@@ -89,9 +99,10 @@ class BendLimits:
         if not self.joints:
             return np.zeros(samples.count)
         angles, seen = self._seen(samples)
-        most = np.array([np.inf, self.sideways, self.twist])[:, None, None]
-        least = np.array([self.least, -self.sideways, -self.twist])[:, None, None]
-        excess = angles - np.minimum(np.maximum(angles, least), most)
+        least, most = self._bounds
+        excess = np.maximum(angles, least)
+        np.minimum(excess, most, out=excess)
+        np.subtract(angles, excess, out=excess)
         if into is not None and excess.any():
             self._pull_back(samples, into, seen, 2 * scale * excess)
         return np.einsum("kns,kns->s", excess, excess)
@@ -134,11 +145,10 @@ class BendLimits:
         # the normal turns in the sagittal plane as the limb flexes: d normal / d flexion = (z d + x f) / |(x, z)|
         flexion_bar = (flexion_bar + p_bar * (z * v[1] + x * v[0])) / planar**2
         bars[1] = flexion_bar * z, -flexion_bar * x, sideways_bar / planar
-        torque = cross_sum(world, np.einsum("kbns,bins->kins", bars, frame))
-        own, count = self._axes[0], len(self.joints)
-        incidence = np.zeros((len(samples.figure.links), count))
-        incidence[own, np.arange(count)] = 1
-        incidence[samples.figure.tables.parents[own], np.arange(count)] = -1
+        torque = np.add.reduce(cross(world.swapaxes(0, 1), np.einsum("kbns,bins->ikns", bars, frame)), axis=1)
+        identity = np.eye(len(samples.figure.links))
+        own = self._axes[0]
+        incidence = identity[:, own] - identity[:, samples.figure.tables.parents[own]]
         into.hand("turn", gathered(incidence, torque))
 
 

@@ -67,14 +67,14 @@ class Contact:
 
     @cached_property
     def _by_link(self) -> tuple[Array, Array]:
-        """Every link's points side by side: positions (3, m, p), radii (m, p); those too many have the radius −∞."""
+        """Every link's points: positions (3, p, m), radii (p, m); a link with fewer than p has some of radius −∞."""
         links, positions, radius = self._arrays
         _, owner, counts = np.unique(links, return_inverse=True, return_counts=True)
         order = np.argsort(owner, kind="stable")
         rank = np.arange(owner.size) - np.repeat(np.cumsum(counts) - counts, counts)
-        padded = np.zeros((3, counts.size, counts.max()))
+        padded = np.zeros((3, counts.max(), counts.size))
         radii = np.full(padded.shape[1:], -np.inf)
-        padded[:, owner[order], rank], radii[owner[order], rank] = positions[:, order], radius[order]
+        padded[:, rank, owner[order]], radii[rank, owner[order]] = positions[:, order], radius[order]
         return padded, radii
 
     def centres(self, samples: Samples) -> tuple[Array, Array, Index]:
@@ -88,34 +88,41 @@ class Contact:
             return values
         carriers, middles, reach = self._bounds
         around, _ = samples.links.points(carriers, middles)
-        scale = np.broadcast_to(scale, values.shape)
-        for surface in self.surfaces:
-            near = np.flatnonzero(surface.near(around, reach[:, None]))
-            flat, arm, radius = self._near(samples, surface, near)
-            if not flat.size:
+        touching = [surface.near(around, reach[:, None]) for surface in self.surfaces]
+        near = np.flatnonzero(np.logical_or.reduce(touching))
+        if not near.size:
+            return values
+        flat, arms, centres, radii = self._near(samples, near)
+        scale = 2 * scale + np.zeros(samples.count)
+        for surface, touched in zip(self.surfaces, touching, strict=True):
+            if not touched.any():
                 continue
-            at = flat % samples.count
-            depth, gradient = _depths(samples, surface, flat, arm, radius)
-            values += np.bincount(at, depth**2, samples.count)
+            depth, gradient = surface.depth(centres, radii)
+            deep = np.flatnonzero(depth > 0)
+            if not deep.size:
+                continue
+            depth, pairs = depth.take(deep), flat.take(deep % flat.size)
+            at = pairs % samples.count
+            values += np.bincount(at, depth * depth, samples.count)
             if into is not None:
-                into.add_forces(flat, arm, (2 * scale[at] * depth) * gradient)
+                force = gradient.reshape(3, -1).take(deep, axis=1)
+                force *= scale.take(at) * depth
+                into.add_forces(pairs, arms.take(deep, axis=1), force)
         return values
 
-    def _near(self, samples: Samples, surface: Surface, near: Index, reach: float = 0.0) -> tuple[Index, Array, Array]:
-        """The points inside a surface when they are grown by `reach` [m]: link · S + sample (p,), arms (3, p), radii.
+    def _near(self, samples: Samples, near: Index) -> tuple[Index, Array, Array, Array]:
+        """All points of k pairs of a link and a sample: link · S + sample (k,), arms (3, p k), centres (3, p k, 1) and
+        radii (p k,).
 
-        near  (k,) the links' spheres that touch the surface, as carrier · S + sample
+        near  (k,) which: carrier · S + sample
         """
-        if not near.size:
-            return near, np.zeros((3, 0)), np.zeros(0)
         positions, radii = self._by_link
         carrier, at = np.divmod(near, samples.count)
-        flat = self._bounds[0][carrier] * samples.count + at
+        flat = self._bounds[0].take(carrier) * samples.count + at
         x, rotation = samples.links.poses(flat)
-        arm = np.einsum("ijk,jkp->ikp", rotation, positions[:, carrier])
-        radius = radii[carrier]
-        kept = np.flatnonzero(surface.near(arm + x[..., None], radius + reach))
-        return flat[kept // radius.shape[1]], arm.reshape(3, -1).take(kept, axis=1), radius.ravel()[kept]
+        arms = np.einsum("ijk,jpk->ipk", rotation, positions.take(carrier, axis=2))
+        centres = (arms + x[:, None]).reshape(3, -1, 1)
+        return flat, arms.reshape(3, -1), centres, radii.take(carrier, axis=1).ravel()
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
         """Nothing: depths count on one side only."""
@@ -128,21 +135,18 @@ class Contact:
         parts = []
         for surface in self.surfaces:
             near = np.flatnonzero(surface.near(around, reach[:, None] + NEAR))
-            flat, arm, radius = self._near(samples, surface, near, NEAR)
-            link, at = np.divmod(flat, samples.count)
-            depth, way = _depths(samples, surface, flat, arm, radius)
-            about, way_about = _depths(samples, surface, flat, arm, radius + NEAR)
-            inside = depth > 0
-            depth, way = np.where(inside, depth, about - NEAR), np.where(inside, way, way_about)
-            parts.append(Sides(at, depth, point_gradients(samples, at, link, arm, way)))
-        return Sides.joined(parts)
-
-
-def _depths(samples: Samples, surface: Surface, flat: Index, arm: Array, radius: Array) -> tuple[Array, Array]:
-    """Depths (p,) and their gradients (3, p) of spheres at `arm` (3, p) from links' origins."""
-    centres = samples.links.x.reshape(3, -1).take(flat, axis=1) + arm
-    depth, gradient = surface.depth(centres[..., None], radius)
-    return depth[:, 0], gradient[..., 0]
+            if not near.size:
+                continue
+            flat, arms, centres, radii = self._near(samples, near)
+            about, way_about = surface.depth(centres, radii + NEAR)
+            kept = np.flatnonzero(about > 0)
+            depth, way = surface.depth(centres[:, kept], radii[kept])
+            inside = depth[:, 0] > 0
+            depth = np.where(inside, depth[:, 0], about[kept, 0] - NEAR)
+            way = np.where(inside, way[..., 0], way_about[:, kept, 0])
+            link, at = np.divmod(flat[kept % flat.size], samples.count)
+            parts.append(Sides(at, depth, point_gradients(samples, at, link, arms[:, kept], way)))
+        return Sides.joined(parts) if parts else None
 
 
 def point_gradients(samples: Samples, at: Index, link: Index, arm: Array, way: Array) -> Array:

@@ -65,18 +65,26 @@ class CovariantAcceleration:
         return dot(w, w).sum(axis=0)
 
     def _intrinsic(self, samples: Samples, into: Cotangent | None, scale: Array | float) -> Array:
-        q, q_d, q_dd = samples.q, samples.q_d, samples.q_dd
-        b = dot(q, q)
-        s, along = dot(q, q_d) / b, dot(q, q_dd) / b
-        w = q_dd - (along - 2 * s * s) * q - 2 * s * q_d
-        values = dot(w, w) / b
+        q, q_d = samples.q, samples.q_d
+        inverse = 1 / samples.q_dots[0]
+        s, along = samples.q_dots[1:] * inverse
+        rate, off = 2 * s, along - 2 * s * s
+        w = samples.q_dd - rate * q_d
+        w -= off * q
+        values = dot(w, w) * inverse
         if into is not None:
-            c = -2 * dot(w, q_d) / b
-            k = 2 * scale / b
-            into.add("q_dd", k * w)
-            into.add("q_d", (-2 * s * k) * w + (c * k) * q)
-            into.add("q", ((2 * s * s - along) * k) * w + (c * k) * q_d - (2 * c * s * k + k * values) * q)
-        return values.sum(axis=0)
+            k = (2 * scale) * inverse
+            by_q_dd = k * w
+            c = dot(by_q_dd, q_d)
+            c *= -2 * inverse
+            by_q_d = c * q
+            by_q_d -= rate * by_q_dd
+            by_q = c * q_d
+            by_q -= off * by_q_dd
+            by_q -= (rate * c + k * values) * q
+            for name, gradient in (("q", by_q), ("q_d", by_q_d), ("q_dd", by_q_dd)):
+                into.hand(name, gradient)
+        return np.add.reduce(values, axis=0)
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
         tables = samples.figure.tables

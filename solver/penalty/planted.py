@@ -59,13 +59,15 @@ class Planted:
         if not stance.size:
             return values
         links, positions, spots, drifts = self._arrays
-        flat = links[stance] * samples.count + at
+        flat = links.take(stance) * samples.count + at
         x, rotation = samples.links.poses(flat)
-        arm = applied(rotation, positions[:, stance])
+        arm = applied(rotation, positions.take(stance, axis=1))
         first, _ = self._times
-        away = x + arm - spots[:, stance] - drifts[:, stance] * (samples.t[at] - first[stance])
+        away = x + arm
+        away -= spots.take(stance, axis=1)
+        away -= drifts.take(stance, axis=1) * (samples.t.take(at) - first.take(stance))
         if into is not None:
-            into.add_forces(flat, arm, (2 * np.broadcast_to(scale, samples.t.shape)[at]) * away)
+            into.add_forces(flat, arm, (2 * scale + np.zeros(samples.count)).take(at) * away)
         values += np.bincount(at, dot(away, away), samples.count)
         return values
 

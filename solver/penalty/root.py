@@ -28,7 +28,7 @@ class RootAcceleration:
         accelerations = samples.y_dd[:, columns]
         if into is not None:
             into.room("y_dd")[:, columns] += 2 * np.reshape(scale, (-1, 1)) * accelerations
-        return np.sum(accelerations**2, axis=1)
+        return np.einsum("sc,sc->s", accelerations, accelerations)
 
     def sides(self, samples: Samples) -> Sides | None:
         return None

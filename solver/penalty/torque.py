@@ -36,7 +36,7 @@ class Torque:
         motors += [(tables.slide_links, tables.slide_columns, inverse.force)]
         armature = tables.armature[balls][:, None]
         parents, spin = tables.parents[balls], None
-        if np.any(armature):
+        if armature.any():
             spin = links.omega[:, balls] - links.omega[:, parents]
             reflected = links.alpha[:, balls] - links.alpha[:, parents] - cross(links.omega[:, balls], spin)
             moment[:, balls] += armature * reflected

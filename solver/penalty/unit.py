@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..algebra import dot
 from ..curvature import Curvature, Sides
 from ..kinematics import Cotangent, Samples
 from ..quaternion import Array
@@ -33,18 +32,18 @@ class UnitMagnitude:
         return Scale(4e-4 if self.form == "square" else 2e-2)
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
-        excess = dot(samples.q, samples.q) - 1
+        excess = samples.q_dots[0] - 1
         if self.form == "square":
-            values, slope = excess**2, 2 * excess
+            values, slope = excess * excess, 2 * excess
         else:
             root = np.sqrt(excess**2 + self.epsilon**2)
             values, slope = root - self.epsilon, excess / root
         if into is not None:
-            into.add("q", (2 * scale * slope) * samples.q)
+            into.hand("q", (2 * scale * slope) * samples.q)
         return values.sum(axis=0)
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
-        excess = dot(samples.q, samples.q) - 1
+        excess = samples.q_dots[0] - 1
         slope = 2.0 if self.form == "square" else 2 / (excess**2 + self.epsilon**2) ** 0.25
         rows = np.zeros((samples.count, excess.shape[0], 1, 3, 4))
         rows[:, :, 0, 0] = (slope * samples.q).transpose(2, 1, 0)
