@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 UsageError = cast("type[typer.BadParameter]", typer.BadParameter.__mro__[1])  # typer's own, or click's
 
 MOST_IMAGES = 100_000
+MOST_WORKERS = 64
 
 app = typer.Typer(
     help="Sparse keyframes of an articulated figure into smooth motion that keeps its feet out of the floor.",
@@ -86,6 +87,9 @@ def render(
     ] = "side",
     slow: Annotated[float, typer.Option(help="how many times slower than life")] = 1.0,
     at: Annotated[float | None, typer.Option(help="only the image at this time, seconds")] = None,
+    workers: Annotated[
+        int | None, typer.Option(help="processes that draw [default: one a core for rays, else 1]")
+    ] = None,
     model: Model = None,
     keys: Keys = None,
 ) -> None:
@@ -99,6 +103,8 @@ def render(
         raise UserError(f"--fps {fps:g}: give a number of images a second, 0.01 to 1000")
     if not 0.01 <= slow <= 1000:
         raise UserError(f"--slow {slow:g}: give how many times slower, 0.01 to 1000, such as 4")
+    if workers is not None and not 1 <= workers <= MOST_WORKERS:
+        raise UserError(f"--workers {workers}: give a number of processes, 1 to {MOST_WORKERS}")
     name = _name(source, model, keys)
     target = output or Path(f"{name}.png" if ghosts or at is not None else f"{name}.mp4")
     _film_target(target, width, height, halves=not only and not (ghosts and target.suffix.lower() == ".png"))
@@ -119,7 +125,7 @@ def render(
         _check_length(found, look)
         teller.say(graphics.line)
         saved = _saved(found, teller, solve=only not in ("keys", "before"), with_report=False)
-        _film(saved, look, graphics, target, teller)
+        _film(saved, look, graphics, target, workers, teller)
         teller.say(f"wrote {target}")
 
 
@@ -324,18 +330,20 @@ def _check_length(found: Clip | Saved, look: Look) -> None:
         raise UserError(f"{count:.0f} images; over {MOST_IMAGES}: lower --fps or --slow")
 
 
-def _film(saved: Saved, look: Look, graphics: Graphics, target: Path, teller: Teller) -> None:
+def _film(saved: Saved, look: Look, graphics: Graphics, target: Path, asked: int | None, teller: Teller) -> None:
     from . import film, show
     from .errors import UserError
+    from .workers import cores
 
     still = target.suffix.lower() == ".png"
+    workers = asked or (min(cores(), MOST_WORKERS) if graphics.kind == "rays" else 1)
     try:
         if look.ghosts and still:
-            film.write(target, [show.figure_six(saved, look, graphics)], look.fps)
+            film.write(target, [show.figure_six(saved, look, graphics, workers=workers)], look.fps)
             return
         count = show.image_count(saved, look, still_keys=still)
-        images = show.images(saved, look, graphics, still_keys=still)
-        film.write(target, teller.over(images, "rendering", count), look.fps, count=count)
+        with contextlib.closing(show.images(saved, look, graphics, still_keys=still, workers=workers)) as images:
+            film.write(target, teller.over(images, "rendering", count), look.fps, count=count)
     except (film.FilmError, ValueError) as error:
         raise UserError(str(error)) from None
     except OSError as error:
