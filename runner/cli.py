@@ -24,6 +24,7 @@ UsageError = cast("type[typer.BadParameter]", typer.BadParameter.__mro__[1])  # 
 
 MOST_IMAGES = 100_000
 MOST_WORKERS = 64
+BEFORE_MUJOCO = ("scipy.interpolate", "scipy.sparse.linalg", ".clip_table", ".progress")
 
 app = typer.Typer(
     help="Sparse keyframes of an articulated figure into smooth motion that keeps its feet out of the floor.",
@@ -108,12 +109,7 @@ def render(
     name = _name(source, model, keys)
     target = output or Path(f"{name}.png" if ghosts or at is not None else f"{name}.mp4")
     _film_target(target, width, height, halves=not only and not (ghosts and target.suffix.lower() == ".png"))
-    from .graphics import GraphicsError, choose
-
-    try:
-        graphics = choose()
-    except GraphicsError as error:
-        raise UserError(str(error)) from None
+    graphics = _graphics()
     from .progress import Teller
     from .show import Look
 
@@ -139,6 +135,7 @@ def solve(
     keys: Keys = None,
 ) -> None:
     """Solve a clip and save the motion as arrays (.npz)."""
+    _without_graphics()
     from . import motion
     from .errors import UserError
     from .progress import Teller
@@ -164,6 +161,7 @@ def solve(
 @app.command()
 def report(source: Source = "", as_json: AsJson = False, model: Model = None, keys: Keys = None) -> None:
     """Measure before and after on a 1 kHz grid: penetration, knees, skate, torques, what is left to gain."""
+    _without_graphics()
     from rich.console import Console
 
     from .progress import Teller
@@ -183,6 +181,7 @@ def report(source: Source = "", as_json: AsJson = False, model: Model = None, ke
 @app.command()
 def plot(source: Source = "", output: Output = None, model: Model = None, keys: Keys = None) -> None:
     """Charts: foot height, unit magnitude, Euler-Lagrange deviation, penalties per evaluation (.png .svg .pdf)."""
+    _without_graphics()
     import numpy as np
 
     from . import chart, motion
@@ -201,6 +200,7 @@ def plot(source: Source = "", output: Output = None, model: Model = None, keys: 
 @app.command()
 def paper(seeds: Annotated[int, typer.Option(help="sets of keyframes", min=1)] = 20, as_json: AsJson = False) -> None:
     """Reproduce the paper's claims on fixed sets: claim | paper | here."""
+    _without_graphics()
     from rich.console import Console
 
     from . import claim, clip, work
@@ -278,6 +278,30 @@ def _film_target(target: Path, width: int, height: int, *, halves: bool) -> None
         raise UserError(str(error)) from None
     if halves and width % 2:
         raise UserError(f"--size {width}x{height}: two halves side by side need an even width")
+
+
+def _without_graphics() -> None:
+    from .graphics import do_without
+
+    do_without()
+
+
+def _graphics() -> Graphics:
+    """The renderer to use; what does not need mujoco is imported while another process tries it."""
+    from concurrent.futures import ThreadPoolExecutor
+    from importlib import import_module
+
+    from .errors import UserError
+    from .graphics import GraphicsError, choose
+
+    with ThreadPoolExecutor(1) as aside:
+        found = aside.submit(choose)
+        for name in BEFORE_MUJOCO:
+            import_module(name, __package__)
+        try:
+            return found.result()
+        except GraphicsError as error:
+            raise UserError(str(error)) from None
 
 
 def _found(source: str, model: str | None, keys: str | None, fps: float | None = None) -> Clip | Saved:
