@@ -23,7 +23,6 @@ if TYPE_CHECKING:
 UsageError = cast("type[typer.BadParameter]", typer.BadParameter.__mro__[1])  # typer's own, or click's
 
 MOST_IMAGES = 100_000
-MOST_WORKERS = 64
 BEFORE_MUJOCO = ("scipy.interpolate", "scipy.sparse.linalg", ".clip_table", ".progress")
 
 app = typer.Typer(
@@ -58,6 +57,10 @@ def main() -> None:
         )
     except (KeyboardInterrupt, typer.Abort):
         _end(130, "stopped")
+    except ImportError as error:
+        if not _interrupted(error):
+            raise
+        _end(130, "stopped")
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or Python complains while it shuts down
         sys.exit(1)
@@ -68,6 +71,13 @@ def main() -> None:
     if code == 130:  # typer's own answer to Ctrl-C
         _end(130, "stopped")
     sys.exit(code)
+
+
+def _interrupted(error: BaseException | None) -> bool:
+    """Whether Ctrl-C is behind it: pressed while an extension module is imported it comes out as an ImportError."""
+    while error is not None and not isinstance(error, KeyboardInterrupt):
+        error = error.__cause__ or error.__context__
+    return error is not None
 
 
 def _end(code: int, line: str) -> NoReturn:
@@ -104,6 +114,8 @@ def render(
         raise UserError(f"--fps {fps:g}: give a number of images a second, 0.01 to 1000")
     if not 0.01 <= slow <= 1000:
         raise UserError(f"--slow {slow:g}: give how many times slower, 0.01 to 1000, such as 4")
+    from .workers import MOST_WORKERS
+
     if workers is not None and not 1 <= workers <= MOST_WORKERS:
         raise UserError(f"--workers {workers}: give a number of processes, 1 to {MOST_WORKERS}")
     name = _name(source, model, keys)
@@ -357,7 +369,7 @@ def _check_length(found: Clip | Saved, look: Look) -> None:
 def _film(saved: Saved, look: Look, graphics: Graphics, target: Path, asked: int | None, teller: Teller) -> None:
     from . import film, show
     from .errors import UserError
-    from .workers import cores
+    from .workers import MOST_WORKERS, cores
 
     still = target.suffix.lower() == ".png"
     workers = asked or (min(cores(), MOST_WORKERS) if graphics.kind == "rays" else 1)

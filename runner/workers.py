@@ -1,28 +1,28 @@
 """Items worked on by several processes at once, the results in order.
 
 Every process opens its own tool, such as a stage to take pictures on, and keeps it. Few items are under way at a time,
-so a long film is never in memory. However the loop over the results ends, no process is left: they are told to stop,
-they do not listen to Ctrl-C themselves, and each goes when it finds itself without a parent.
+so a long film is never in memory. However the loop over the results ends, no process is left: they do not listen to
+Ctrl-C themselves but are told to stop, and a process whose parent is gone goes too.
 """
 
 from __future__ import annotations
 
 import multiprocessing
 import os
+import pickle
 import signal
 import sys
-import threading
-from collections import deque
-from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
-from concurrent.futures import Future, ProcessPoolExecutor
-from concurrent.futures.process import BrokenProcessPool
-from contextlib import AbstractContextManager, contextmanager
-from itertools import islice
-from multiprocessing.connection import wait
-from multiprocessing.process import BaseProcess
-from typing import Any, TypeVar
+import traceback
+from collections.abc import Callable, Generator, Iterable, Iterator
+from contextlib import AbstractContextManager, ExitStack, contextmanager, suppress
+from functools import partial
+from multiprocessing.connection import Connection, wait
+from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
 
 from .errors import UserError
+
+if TYPE_CHECKING:
+    Line = Connection[Any, Any]
 
 Tool = TypeVar("Tool")
 Item = TypeVar("Item")
@@ -30,7 +30,9 @@ Result = TypeVar("Result")
 Opened = Callable[[], AbstractContextManager[Tool]]
 Work = Callable[[Tool, Item], Result]
 
-AHEAD = 2  # items under way or waiting for each process, so that none is idle
+MOST_WORKERS = 60  # Windows waits for no more at a time
+GRACE_SECONDS = 5.0
+AHEAD = 2  # results for each process that may wait for an earlier one
 
 
 def cores() -> int:
@@ -57,39 +59,92 @@ def in_order(
 def _by_several(
     opened: Opened[Tool], work: Work[Tool, Item, Result], items: Iterable[Item], workers: int
 ) -> Generator[Result, None, None]:
-    left = iter(items)
-    pool = ProcessPoolExecutor(
-        workers, multiprocessing.get_context("spawn"), initializer=_begin, initargs=(opened, work)
-    )
-    others = set(multiprocessing.active_children())
-    crew: list[BaseProcess] = []
-    waiting: deque[Future[Result]] = deque()
+    left = enumerate(items)
+    results: dict[int, Result] = {}
+    shown = 0
+    crew: list[_Worker[Result]] = []
     try:
-        with _ctrl_c_blocked():  # the processes, which the first item starts, inherit that
-            waiting.extend(pool.submit(_work, item) for item in islice(left, 1))
-            crew += [child for child in multiprocessing.active_children() if child not in others]
-        waiting.extend(pool.submit(_work, item) for item in islice(left, AHEAD * workers - 1))
-        while waiting:
-            done = waiting.popleft().result()
-            waiting.extend(pool.submit(_work, item) for item in islice(left, 1))
-            yield done
-    except BrokenProcessPool:
-        pool.shutdown()
-        raise UserError(f"a process that worked for this one {_end(crew)}; --workers 1 does without") from None
-    except BaseException:
-        for process in crew:
-            process.terminate()
-        raise
+        with _ctrl_c_blocked():
+            for _ in range(workers):
+                crew.append(_Worker(opened, work))
+        while True:
+            for worker in crew:
+                if worker.number is None and len(results) < AHEAD * workers:
+                    worker.give(*next(left, (None, None)))
+            busy = {worker.line: worker for worker in crew if worker.number is not None}
+            if not busy and not results:
+                return
+            for line in wait(list(busy), 0 if shown in results else None) if busy else ():
+                number, result = busy[cast("Line", line)].result()
+                results[number] = result
+            if shown in results:
+                yield results.pop(shown)
+                shown += 1
     finally:
-        pool.shutdown(cancel_futures=True)
+        for worker in crew:
+            worker.line.close()
+        for worker in crew:
+            worker.stop()
+
+
+class _Worker(Generic[Result]):
+    """A process and the line to it. It works on the item of this number, or on none."""
+
+    def __init__(self, opened: Callable[[], object], work: Callable[..., Result]) -> None:
+        spawn = multiprocessing.get_context("spawn")
+        self.line, theirs = spawn.Pipe()
+        self.number: int | None = None
+        self._process = spawn.Process(target=_serve, args=(theirs, opened, work), daemon=True)
+        try:
+            self._process.start()
+        except OSError as error:
+            why = error.strerror or error
+            raise UserError(f"a worker process cannot be started: {why}; --workers 1 does without") from None
+        theirs.close()
+
+    def give(self, number: int | None, item: object) -> None:
+        """One at a time: a process that is sending a result does not listen."""
+        self.number = number
+        if number is not None:
+            with suppress(OSError):  # `result` tells what became of it
+                self.line.send(item)
+
+    def result(self) -> tuple[int, Result]:
+        try:
+            error, result = self.line.recv()
+        except (EOFError, OSError):
+            raise self._lost() from None
+        if error is not None:
+            raise error
+        number, self.number = cast(int, self.number), None
+        return number, result
+
+    def stop(self) -> None:
+        """Its line is closed: it ends by itself if it has nothing to do."""
+        if self.number is None:
+            self._process.join(GRACE_SECONDS)
+        self._process.terminate()
+        self._process.join()
+
+    def _lost(self) -> UserError:
+        self._process.join(GRACE_SECONDS)
+        code = self._process.exitcode or 0
+        how = f"ended with code {code}"
+        if code < 0:
+            memory = "; too little memory?" if -code == 9 else ""
+            how = f"was ended by signal {-code} ({signal.strsignal(-code) or 'unknown'}{memory})"
+        return UserError(f"a worker process {how}; --workers 1 does without")
 
 
 @contextmanager
 def _ctrl_c_blocked() -> Iterator[None]:
-    """Ctrl-C waits for the end of the block; processes started in it never get one, where the system can do that."""
+    """Ctrl-C waits for the end of the block; processes started in it never get one. (Windows knows no such thing.)"""
     if sys.platform == "win32":
         yield
         return
+    from multiprocessing import resource_tracker
+
+    resource_tracker.ensure_running()  # it would let Ctrl-C through again if it were started in the block
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
         yield
@@ -97,39 +152,25 @@ def _ctrl_c_blocked() -> Iterator[None]:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
-def _end(crew: Sequence[BaseProcess]) -> str:
-    """How the one of them ended that was not told to."""
-    codes = [process.exitcode for process in crew if process.exitcode not in (None, 0, -signal.SIGTERM)]
-    if not codes:
-        return "was stopped"
-    code = codes[0] or 0
-    if code > 0:
-        return f"ended with code {code}"
-    words = signal.strsignal(-code) or "unknown"
-    return f"was ended by signal {-code} ({words.lower()}{'; too little memory?' if -code == 9 else ''})"
-
-
-# What follows runs in the worker processes.
-
-_task: list[Any] = []  # how to open the tool, the work, and once it is open the tool
-
-
-def _begin(opened: Callable[[], object], work: Callable[..., object]) -> None:
+def _serve(line: Line, opened: Callable[[], AbstractContextManager[Tool]], work: Callable[[Tool, Any], object]) -> None:
+    """The life of a worker process: item in, error or result out, until the other end of the line is closed."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    threading.Thread(target=_leave_with_the_parent, daemon=True).start()
-    _task[:] = [opened, work]
+    with ExitStack() as stack, suppress(EOFError, OSError):
+        do: Callable[[Any], object] | None = None
+        while True:
+            item = line.recv()
+            try:
+                do = do or partial(work, stack.enter_context(opened()))
+                answer = (None, do(item))
+            except Exception as error:
+                answer = (_portable(error), None)
+            line.send(answer)
 
 
-def _leave_with_the_parent() -> None:
-    """A parent that was killed cannot tell its workers to stop."""
-    parent = multiprocessing.parent_process()
-    if parent is not None:
-        wait([parent.sentinel])
-        os._exit(1)
-
-
-def _work(item: Any) -> Any:
-    """One item; the first one opens the tool here and not in `_begin`, whose errors nobody would hear."""
-    if len(_task) == 2:
-        _task.append(_task[0]().__enter__())
-    return _task[1](_task[2], item)
+def _portable(error: Exception) -> Exception:
+    """The error, or its words if it does not survive the way to another process."""
+    try:
+        error.add_note(f"In a worker process:\n{traceback.format_exc()}")
+        return pickle.loads(pickle.dumps(error))
+    except Exception:
+        return RuntimeError(f"{type(error).__name__}: {error}")
