@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 UsageError = cast("type[typer.BadParameter]", typer.BadParameter.__mro__[1])  # typer's own, or click's
 
 MOST_IMAGES = 100_000
+BEFORE_MUJOCO = ("scipy.interpolate", "scipy.sparse.linalg", ".clip_table", ".progress")
 
 app = typer.Typer(
     help="Sparse keyframes of an articulated figure into smooth motion that keeps its feet out of the floor.",
@@ -56,6 +57,10 @@ def main() -> None:
         )
     except (KeyboardInterrupt, typer.Abort):
         _end(130, "stopped")
+    except ImportError as error:
+        if not _interrupted(error):
+            raise
+        _end(130, "stopped")
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or Python complains while it shuts down
         sys.exit(1)
@@ -66,6 +71,13 @@ def main() -> None:
     if code == 130:  # typer's own answer to Ctrl-C
         _end(130, "stopped")
     sys.exit(code)
+
+
+def _interrupted(error: BaseException | None) -> bool:
+    """Whether Ctrl-C is behind it: pressed while an extension module is imported it comes out as an ImportError."""
+    while error is not None and not isinstance(error, KeyboardInterrupt):
+        error = error.__cause__ or error.__context__
+    return error is not None
 
 
 def _end(code: int, line: str) -> NoReturn:
@@ -86,6 +98,9 @@ def render(
     ] = "side",
     slow: Annotated[float, typer.Option(help="how many times slower than life")] = 1.0,
     at: Annotated[float | None, typer.Option(help="only the image at this time, seconds")] = None,
+    workers: Annotated[
+        int | None, typer.Option(help="processes that draw [default: one a core for rays, else 1]")
+    ] = None,
     model: Model = None,
     keys: Keys = None,
 ) -> None:
@@ -99,15 +114,14 @@ def render(
         raise UserError(f"--fps {fps:g}: give a number of images a second, 0.01 to 1000")
     if not 0.01 <= slow <= 1000:
         raise UserError(f"--slow {slow:g}: give how many times slower, 0.01 to 1000, such as 4")
+    from .workers import MOST_WORKERS
+
+    if workers is not None and not 1 <= workers <= MOST_WORKERS:
+        raise UserError(f"--workers {workers}: give a number of processes, 1 to {MOST_WORKERS}")
     name = _name(source, model, keys)
     target = output or Path(f"{name}.png" if ghosts or at is not None else f"{name}.mp4")
     _film_target(target, width, height, halves=not only and not (ghosts and target.suffix.lower() == ".png"))
-    from .graphics import GraphicsError, choose
-
-    try:
-        graphics = choose()
-    except GraphicsError as error:
-        raise UserError(str(error)) from None
+    graphics = _graphics()
     from .progress import Teller
     from .show import Look
 
@@ -119,7 +133,7 @@ def render(
         _check_length(found, look)
         teller.say(graphics.line)
         saved = _saved(found, teller, solve=only not in ("keys", "before"), with_report=False)
-        _film(saved, look, graphics, target, teller)
+        _film(saved, look, graphics, target, workers, teller)
         teller.say(f"wrote {target}")
 
 
@@ -133,6 +147,7 @@ def solve(
     keys: Keys = None,
 ) -> None:
     """Solve a clip and save the motion as arrays (.npz)."""
+    _without_graphics()
     from . import motion
     from .errors import UserError
     from .progress import Teller
@@ -158,6 +173,7 @@ def solve(
 @app.command()
 def report(source: Source = "", as_json: AsJson = False, model: Model = None, keys: Keys = None) -> None:
     """Measure before and after on a 1 kHz grid: penetration, knees, skate, torques, what is left to gain."""
+    _without_graphics()
     from rich.console import Console
 
     from .progress import Teller
@@ -177,6 +193,7 @@ def report(source: Source = "", as_json: AsJson = False, model: Model = None, ke
 @app.command()
 def plot(source: Source = "", output: Output = None, model: Model = None, keys: Keys = None) -> None:
     """Charts: foot height, unit magnitude, Euler-Lagrange deviation, penalties per evaluation (.png .svg .pdf)."""
+    _without_graphics()
     import numpy as np
 
     from . import chart, motion
@@ -195,6 +212,7 @@ def plot(source: Source = "", output: Output = None, model: Model = None, keys: 
 @app.command()
 def paper(seeds: Annotated[int, typer.Option(help="sets of keyframes", min=1)] = 20, as_json: AsJson = False) -> None:
     """Reproduce the paper's claims on fixed sets: claim | paper | here."""
+    _without_graphics()
     from rich.console import Console
 
     from . import claim, clip, work
@@ -274,6 +292,30 @@ def _film_target(target: Path, width: int, height: int, *, halves: bool) -> None
         raise UserError(f"--size {width}x{height}: two halves side by side need an even width")
 
 
+def _without_graphics() -> None:
+    from .graphics import do_without
+
+    do_without()
+
+
+def _graphics() -> Graphics:
+    """The renderer to use; what does not need mujoco is imported while another process tries it."""
+    from concurrent.futures import ThreadPoolExecutor
+    from importlib import import_module
+
+    from .errors import UserError
+    from .graphics import GraphicsError, choose
+
+    with ThreadPoolExecutor(1) as aside:
+        found = aside.submit(choose)
+        for name in BEFORE_MUJOCO:
+            import_module(name, __package__)
+        try:
+            return found.result()
+        except GraphicsError as error:
+            raise UserError(str(error)) from None
+
+
 def _found(source: str, model: str | None, keys: str | None, fps: float | None = None) -> Clip | Saved:
     """What a command is about: a saved motion, or a clip to solve."""
     from . import clip, motion
@@ -324,18 +366,20 @@ def _check_length(found: Clip | Saved, look: Look) -> None:
         raise UserError(f"{count:.0f} images; over {MOST_IMAGES}: lower --fps or --slow")
 
 
-def _film(saved: Saved, look: Look, graphics: Graphics, target: Path, teller: Teller) -> None:
+def _film(saved: Saved, look: Look, graphics: Graphics, target: Path, asked: int | None, teller: Teller) -> None:
     from . import film, show
     from .errors import UserError
+    from .workers import MOST_WORKERS, cores
 
     still = target.suffix.lower() == ".png"
+    workers = asked or (min(cores(), MOST_WORKERS) if graphics.kind == "rays" else 1)
     try:
         if look.ghosts and still:
-            film.write(target, [show.figure_six(saved, look, graphics)], look.fps)
+            film.write(target, [show.figure_six(saved, look, graphics, workers=workers)], look.fps)
             return
         count = show.image_count(saved, look, still_keys=still)
-        images = show.images(saved, look, graphics, still_keys=still)
-        film.write(target, teller.over(images, "rendering", count), look.fps, count=count)
+        with contextlib.closing(show.images(saved, look, graphics, still_keys=still, workers=workers)) as images:
+            film.write(target, teller.over(images, "rendering", count), look.fps, count=count)
     except (film.FilmError, ValueError) as error:
         raise UserError(str(error)) from None
     except OSError as error:

@@ -2,18 +2,20 @@
 
 Images stream through: the clip is never in memory. A file appears under its name only when it is complete. Video is
 converted to and tagged as BT.709, so that players show the colours that were drawn, and encoded by one thread, so that
-equal images give equal bytes.
+equal images give equal bytes; not by the thread that draws, so that the next image is drawn meanwhile.
 """
 
 from __future__ import annotations
 
 import math
 import os
+from collections import deque
 from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
 from fractions import Fraction
 from itertools import chain
 from pathlib import Path
-from typing import cast
+from typing import TypeVar, cast
 
 import av
 import av.filter
@@ -26,7 +28,9 @@ from PIL import Image
 
 Picture = NDArray[np.uint8]
 Writer = Callable[[Path, Iterator[Picture], float, int | None], None]
+Item = TypeVar("Item")
 
+MOST_WAITING = 2  # images drawn and not yet encoded
 SHEET_PICTURES = 12
 SHEET_TILE = 480
 SHEET_MARGIN = 8
@@ -142,13 +146,33 @@ def _encode(
         context.thread_count = 1
         context.colorspace = context.color_primaries = context.color_trc = _BT709
         context.color_range = _TV_RANGE
-        for index, image in enumerate(chain([first], images)):
-            picture = av.VideoFrame.from_ndarray(image, format="rgb24").reformat(
-                format="yuv420p", dst_colorspace="ITU709", threads=1
-            )
-            picture.pts, picture.time_base = index, 1 / rate
+
+        def put(picture: av.VideoFrame | None) -> None:
+            if picture is not None:
+                picture = picture.reformat(format="yuv420p", dst_colorspace="ITU709", threads=1)
             container.mux(stream.encode(picture))
-        container.mux(stream.encode(None))
+
+        _in_a_thread(put, chain(_frames(chain([first], images), 1 / rate), [None]))
+
+
+def _frames(images: Iterable[Picture], tick: Fraction) -> Iterator[av.VideoFrame]:
+    """The images with their times; copies, so that whoever drew one may draw over it."""
+    for index, image in enumerate(images):
+        picture = av.VideoFrame.from_ndarray(image, format="rgb24")
+        picture.pts, picture.time_base = index, tick
+        yield picture
+
+
+def _in_a_thread(work: Callable[[Item], None], items: Iterable[Item]) -> None:
+    """`work` on one item after the other while the next ones are made; an error of either ends both."""
+    with ThreadPoolExecutor(1, "encoder") as thread:
+        waiting: deque[Future[None]] = deque()
+        for item in items:
+            waiting.append(thread.submit(work, item))
+            while len(waiting) > MOST_WAITING:
+                waiting.popleft().result()
+        for done in waiting:
+            done.result()
 
 
 def _write_gif(path: Path, images: Iterator[Picture], fps: float, count: int | None) -> None:
@@ -178,13 +202,12 @@ def _store(path: Path, images: Iterator[Picture], rate: Fraction) -> av.VideoFra
         stream.height, stream.width = height, width
         stream.pix_fmt = "bgr0"
         stream.codec_context.thread_count = 1
-        for index, image in enumerate(chain([first], images)):
-            picture = av.VideoFrame.from_ndarray(image, format="rgb24")
-            picture.pts, picture.time_base = index, 1 / rate
+
+        def put(picture: av.VideoFrame | None) -> None:
             graph.vpush(picture)
-            container.mux(stream.encode(picture.reformat(format="bgr0", threads=1)))
-        container.mux(stream.encode(None))
-    graph.vpush(None)
+            container.mux(stream.encode(picture.reformat(format="bgr0", threads=1) if picture else None))
+
+        _in_a_thread(put, chain(_frames(chain([first], images), 1 / rate), [None]))
     return graph.vpull()
 
 

@@ -86,6 +86,12 @@ def choose() -> Graphics:
     return _settle("rays", None, "; ".join(part for part in (note, hint) if part))
 
 
+def do_without() -> None:
+    """For a process that draws nothing: its `import mujoco` looks for no graphics, which is quicker and cannot fail."""
+    if not _imported():
+        os.environ["MUJOCO_GL"] = _SWITCHED_OFF[0]
+
+
 def _forced(name: str) -> Graphics:
     """The renderer that DYNSPLINES_RENDERER names, or a GraphicsError."""
     if name not in _NAMES:

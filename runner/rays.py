@@ -10,8 +10,6 @@ averaged over the area a pixel covers. Other textures are reduced to their mean 
 
 from __future__ import annotations
 
-import os
-import sys
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
@@ -26,6 +24,7 @@ from .camera import View
 from .camera import axes as camera_axes
 from .ghost import Ghost
 from .shading import Light, Materials, Silhouette, Sky, lights
+from .workers import cores
 
 Picture = NDArray[np.uint8]
 Array = NDArray[np.float64]
@@ -101,7 +100,7 @@ class Rays:
         self.still = np.flatnonzero(model.body_weldid[model.geom_bodyid] == 0).astype(np.int32)
         self._pairs = [
             Worlds(batch.Batch(static, nsim=1, nthread=1), batch.Batch(model, nsim=1, nthread=1))
-            for _ in range(threads or _cores())
+            for _ in range(threads or cores())
         ]
         self._free: SimpleQueue[Worlds] = SimpleQueue()
         for pair in self._pairs:
@@ -378,11 +377,6 @@ def _shine(normal: Floats, halfway: Floats, sharpness: Floats) -> Floats:
     """(n,) Blinn's gloss; halfway (n, 3) points between the light and the eye, of any length."""
     length = np.sqrt(np.einsum("ij,ij->i", halfway, halfway)) + np.float32(1e-9)
     return (np.maximum(np.einsum("ij,ij->i", normal, halfway), 0) / length) ** sharpness
-
-
-def _cores() -> int:
-    """Cores this process may use."""
-    return len(os.sched_getaffinity(0)) if sys.platform == "linux" else os.cpu_count() or 1
 
 
 def _joined(parts: Sequence[Hits]) -> Hits:

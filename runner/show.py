@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Generator
 from dataclasses import dataclass
+from functools import partial
+from typing import TypedDict
 
 import numpy as np
 
@@ -11,13 +13,15 @@ from solver.frame import Timeline
 from solver.quaternion import Array
 
 from . import layout
-from .camera import plan, still
+from .camera import View, plan, still
 from .ghost import Ghost
 from .graphics import Graphics
 from .motion import Saved, sampled
 from .stage import Picture, Stage
+from .workers import in_order
 
 KEY_SECONDS = 0.5
+PIXELS_OF_A_PROCESS = 1_000_000  # rays draw so many in the time that a process takes to start, and some more
 STANDING = 2.05  # metres: a person with a hand raised over the head
 KEY_SHADE, VARIABLE_SHADE, BETWEEN_SHADE = 0.0, 0.45, 0.75
 KEY_OPACITY, VARIABLE_OPACITY, BETWEEN_OPACITY = 1.0, 0.55, 0.25
@@ -43,6 +47,32 @@ class Look:
     at: float | None = None
 
 
+@dataclass(frozen=True)
+class Pane:
+    """One picture of an image: where the figure stands, (nq,), and the words on it, above and in the lower corner."""
+
+    qpos: Array
+    title: str
+    corner: str = ""
+
+
+@dataclass(frozen=True)
+class Shot:
+    """One image to be drawn: pictures side by side, seen from one place."""
+
+    view: View
+    panes: tuple[Pane, ...]
+    ghosts: tuple[Ghost, ...] = ()
+
+
+class Lens(TypedDict):
+    """The arguments of a camera's plan that come from the model."""
+
+    fovy: float
+    height: float
+    cameras: list[str]
+
+
 def root_path(saved: Saved, qpos: Array) -> Array:
     """(T, 3) where the figure is: its free root, or the middle of its bodies for a fixed one."""
     tables = saved.figure.tables
@@ -65,52 +95,71 @@ def image_count(saved: Saved, look: Look, *, still_keys: bool = False) -> int:
     return 1 if look.at is not None else len(sampled(saved.figure, saved.raw, look.fps * look.slow).time)
 
 
-def images(saved: Saved, look: Look, graphics: Graphics, *, still_keys: bool = False) -> Iterator[Picture]:
-    """The images of a video; `still_keys` gives each keyframe once."""
-    if look.only == "keys":
-        return _keys(saved, look, graphics, 1 if still_keys else max(1, round(KEY_SECONDS * look.fps)))
-    return _moving(saved, look, graphics)
+def images(
+    saved: Saved, look: Look, graphics: Graphics, *, still_keys: bool = False, workers: int = 1
+) -> Generator[Picture, None, None]:
+    """The images of a video; `still_keys` gives each keyframe once. The same whatever the number of workers.
+
+    workers  processes that draw, at most: as many as there is work for; with rays, threads where one process is enough
+    """
+    keys = look.only == "keys"
+    shots = _key_shots(saved, look) if keys else _moving_shots(saved, look)
+    repeat = max(1, round(KEY_SECONDS * look.fps)) if keys and not still_keys else 1
+    processes = max(1, min(workers, len(shots), len(shots) * look.width * look.height // PIXELS_OF_A_PROCESS))
+    stage = partial(_stage, saved.mjcf, look, graphics, len(shots[0].panes), max(1, workers // processes))
+    for image in in_order(stage, _drawn, shots, processes):
+        for _ in range(repeat):
+            yield image
 
 
-def _stage(saved: Saved, look: Look, graphics: Graphics, halves: int) -> Stage:
-    return Stage(saved.mjcf, look.width // halves, look.height, graphics)
+def _stage(mjcf: str, look: Look, graphics: Graphics, panes: int, threads: int) -> Stage:
+    return Stage(mjcf, look.width // panes, look.height, graphics, threads=threads)
 
 
-def _keys(saved: Saved, look: Look, graphics: Graphics, repeat: int) -> Iterator[Picture]:
-    figure = saved.figure
-    qpos = figure.to_qpos(_key_states(saved, saved.raw))
-    with _stage(saved, look, graphics, 1) as stage:
-        views = plan(
-            root_path(saved, qpos), 1.0, stage.aspect, look.camera,
-            fovy=stage.fovy, height=figure_height(saved), cameras=stage.cameras,
-        )  # fmt: skip
-        for i, (q, view) in enumerate(zip(qpos, views, strict=True)):
-            words = f"keyframe {i + 1} of {len(qpos)}, {saved.keys[i].time:.2f} s"
-            image = layout.caption(stage.picture(q, view), words)
-            for _ in range(repeat):
-                yield image
+def _drawn(stage: Stage, shot: Shot) -> Picture:
+    halves = []
+    for pane in shot.panes:
+        picture = layout.caption(stage.picture(pane.qpos, shot.view, ghosts=shot.ghosts), pane.title)
+        halves.append(layout.caption(picture, pane.corner, place="bottom right") if pane.corner else picture)
+    return halves[0] if len(halves) == 1 else layout.side_by_side(*halves)
 
 
-def _moving(saved: Saved, look: Look, graphics: Graphics) -> Iterator[Picture]:
+def _key_shots(saved: Saved, look: Look) -> list[Shot]:
+    qpos = saved.figure.to_qpos(_key_states(saved, saved.raw))
+    views = _plan(saved, look, root_path(saved, qpos), 1.0, 1)
+    return [
+        Shot(view, (Pane(q, f"keyframe {i} of {len(qpos)}, {key.time:.2f} s"),))
+        for i, (q, view, key) in enumerate(zip(qpos, views, saved.keys, strict=True), 1)
+    ]
+
+
+def _moving_shots(saved: Saved, look: Look) -> list[Shot]:
     sides = {"before": saved.raw, "after": saved.timeline}
     shown = [look.only] if look.only else ["before", "after"]
     runs = {name: sampled(saved.figure, sides[name], look.fps * look.slow) for name in shown}
-    with _stage(saved, look, graphics, len(shown)) as stage:
-        roots = np.stack([root_path(saved, run.qpos) for run in runs.values()])
-        views = plan(
-            roots, look.fps * look.slow, stage.aspect, look.camera,
-            fovy=stage.fovy, height=figure_height(saved), cameras=stage.cameras,
-        )  # fmt: skip
-        ghosts = _key_ghosts(saved) if look.ghosts else ()
-        time = next(iter(runs.values())).time
-        chosen = range(len(time)) if look.at is None else [int(np.abs(time - look.at).argmin())]
-        for i in chosen:
-            view, halves = views[i], []
-            for name, run in runs.items():
-                picture = stage.picture(run.qpos[i], view, ghosts=ghosts)
-                picture = layout.caption(picture, name)
-                halves.append(layout.caption(picture, f"{run.time[i]:.2f} s", place="bottom right"))
-            yield halves[0] if len(halves) == 1 else layout.side_by_side(*halves)
+    roots = np.stack([root_path(saved, run.qpos) for run in runs.values()])
+    views = _plan(saved, look, roots, look.fps * look.slow, len(shown))
+    ghosts = _key_ghosts(saved) if look.ghosts else ()
+    time = next(iter(runs.values())).time
+    chosen = range(len(time)) if look.at is None else [int(np.abs(time - look.at).argmin())]
+    return [
+        Shot(views[i], tuple(Pane(run.qpos[i], name, f"{time[i]:.2f} s") for name, run in runs.items()), ghosts)
+        for i in chosen
+    ]
+
+
+def _plan(saved: Saved, look: Look, roots: Array, fps: float, panes: int) -> tuple[View, ...]:
+    return plan(roots, fps, look.width // panes / look.height, look.camera, **_lens(saved))
+
+
+def _lens(saved: Saved) -> Lens:
+    """What the camera's place depends on in the model."""
+    model = saved.figure.model
+    return {
+        "fovy": float(model.vis.global_.fovy),
+        "height": figure_height(saved),
+        "cameras": [model.camera(i).name for i in range(model.ncam)],
+    }
 
 
 def _key_states(saved: Saved, timeline: Timeline) -> Array:
@@ -123,8 +172,11 @@ def _key_ghosts(saved: Saved) -> tuple[Ghost, ...]:
     return tuple(Ghost(q, shade=0.6, opacity=0.3) for q in qpos)
 
 
-def figure_six(saved: Saved, look: Look, graphics: Graphics) -> Picture:
-    """One still: keyframes darkest, variable frames lighter, in-betweens lightest (figure 6 of the paper)."""
+def figure_six(saved: Saved, look: Look, graphics: Graphics, *, workers: int = 1) -> Picture:
+    """One still: keyframes darkest, variable frames lighter, in-betweens lightest (figure 6 of the paper).
+
+    workers  threads, with rays
+    """
     figure = saved.figure
     timeline = saved.raw if look.only == "before" else saved.timeline
     keys = {key.time for key in saved.keys}
@@ -137,9 +189,6 @@ def figure_six(saved: Saved, look: Look, graphics: Graphics) -> Picture:
     else:
         ghosts = []
     ghosts += [Ghost(q, shade=KEY_SHADE, opacity=KEY_OPACITY) for q in qpos[own]]
-    with _stage(saved, look, graphics, 1) as stage:
-        view = still(
-            root_path(saved, qpos), stage.aspect, look.camera,
-            fovy=stage.fovy, height=figure_height(saved), cameras=stage.cameras,
-        )  # fmt: skip
+    view = still(root_path(saved, qpos), look.width / look.height, look.camera, **_lens(saved))
+    with _stage(saved.mjcf, look, graphics, 1, workers) as stage:
         return stage.picture(None, view, ghosts=ghosts)

@@ -35,8 +35,8 @@ class Stage:
     Call `graphics.choose` before anything imports mujoco, this file included.
     """
 
-    def __init__(self, mjcf_text: str, width: int, height: int, graphics: Graphics) -> None:
-        """mjcf_text  the model; width, height  of the pictures [pixels]."""
+    def __init__(self, mjcf_text: str, width: int, height: int, graphics: Graphics, *, threads: int = 0) -> None:
+        """mjcf_text  the model; width, height  of the pictures [pixels]; threads  for rays, 0 for one a core."""
         if width < 1 or height < 1:
             raise ValueError(f"a picture of {width}x{height} pixels; both must be at least 1")
         spec = mujoco.MjSpec.from_string(mjcf_text)
@@ -48,7 +48,7 @@ class Stage:
         if graphics.kind == "rays":
             from .rays import Rays  # only here: it needs a MuJoCo that has `mujoco.batch`
 
-            self._painter: Painter = Rays(spec, width, height)
+            self._painter: Painter = Rays(spec, width, height, threads=threads)
         else:
             self._painter = self._gl = _OpenGL(self.model, width, height)
 
@@ -64,16 +64,6 @@ class Stage:
         """Give the OpenGL context back; no pictures after this."""
         if self._gl is not None:
             self._gl.close()
-
-    @property
-    def aspect(self) -> float:
-        """Width / height of the pictures."""
-        return self.width / self.height
-
-    @property
-    def fovy(self) -> float:
-        """The free camera's vertical field of view [degrees]."""
-        return float(self.model.vis.global_.fovy)
 
     @property
     def cameras(self) -> tuple[str, ...]:
@@ -114,8 +104,11 @@ class _OpenGL:
         """Translucent figures are drawn solid and the picture is blended, so their inner parts do not shine through."""
         solid = [figure for figure in figures if figure.opacity == 1]
         plain = self._draw(solid, view)
+        translucent = sorted({figure.opacity for figure in figures} - {0.0, 1.0})
+        if not translucent:
+            return plain
         out = plain.astype(np.float32)
-        for opacity in sorted({figure.opacity for figure in figures} - {0.0, 1.0}):
+        for opacity in translucent:
             sheet = self._draw([*solid, *(figure for figure in figures if figure.opacity == opacity)], view)
             covered = (np.abs(sheet.astype(np.int16) - plain) > 2).any(axis=-1)
             out[covered] += np.float32(opacity) * (sheet[covered] - out[covered])

@@ -13,7 +13,9 @@ import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
+import crew
 import nlopt
 import numpy as np
 import pytest
@@ -21,7 +23,8 @@ from PIL import Image
 from tiny import CLIP, FIGURE, HINGE, changed, names, written
 
 import models
-from runner import cli, work
+from runner import cli, show, work
+from runner.workers import MOST_WORKERS, cores
 
 KNEE = "joints.left_knee = {rotvec = [0, 0, 0]}"
 SMALL = ("--size", "32x32")
@@ -169,6 +172,31 @@ def test_ghosts_make_a_still_of_the_size_asked_for(run, motion_file, tmp_path):
     assert size_of(tmp_path / "tiny.png") == (48, 40)
 
 
+@pytest.mark.parametrize("ending", ["mp4", "gif", "png"])
+def test_a_film_is_the_same_whatever_the_number_of_workers(run, motion_file, tmp_path, monkeypatch, ending):
+    monkeypatch.setattr(show, "PIXELS_OF_A_PROCESS", 1)
+    films = []
+    for workers in (1, 2):
+        name = f"by_{workers}.{ending}"
+        assert run("render", motion_file, *SMALL, "--fps", 10, "--workers", workers, "-o", name).code == 0
+        films.append((tmp_path / name).read_bytes())
+    assert films[0] == films[1]
+
+
+def test_without_a_word_rays_are_drawn_by_a_process_a_core(run, motion_file, monkeypatch):
+    asked: list[int] = []
+    images = show.images
+
+    def watched(*words: Any, workers: int, **more: Any) -> Any:
+        asked.append(workers)
+        return images(*words, **more)
+
+    monkeypatch.setattr(show, "images", watched)
+    for words in ([], ["--workers", "2"]):
+        assert run("render", motion_file, *SMALL, "--fps", 5, *words).code == 0
+    assert asked == [min(cores(), MOST_WORKERS), 2]
+
+
 def test_render_of_a_clip_solves_it_unless_only_the_keyframes_are_wanted(run, monkeypatch):
     solved: list[str] = []
     solve = work.solve
@@ -203,6 +231,43 @@ def test_help_is_quick_because_it_imports_nothing_heavy():
     )
     done = subprocess.run([sys.executable, "-c", script], check=True, capture_output=True, text=True)
     assert done.stdout.splitlines()[-1] == "[]"
+
+
+def in_a_fresh_process(folder: Path, script: str, **settings: str) -> str:
+    """The last line that a script prints in that folder, whatever the environment says otherwise."""
+    done = subprocess.run(
+        [sys.executable, "-c", script],
+        check=True, cwd=folder, capture_output=True, text=True, env={**os.environ, **settings},
+    )  # fmt: skip
+    return done.stdout.splitlines()[-1]
+
+
+@pytest.mark.parametrize(
+    ("words", "absent"),
+    [
+        (["solve", "tiny.toml"], ["glfw", "OpenGL", "matplotlib", "av", "PIL"]),
+        (["plot", "tiny.npz"], ["glfw", "OpenGL", "av"]),
+        (["report", "tiny.npz"], ["glfw", "OpenGL", "matplotlib", "av", "PIL"]),
+    ],
+)
+def test_what_draws_nothing_imports_nothing_that_draws_and_needs_no_graphics(tmp_path, motion_file, words, absent):
+    (tmp_path / "tiny.npz").write_bytes(motion_file.read_bytes())
+    written(tmp_path)
+    script = (
+        f"import sys; from runner import cli; sys.argv = ['dynsplines', *{words}]\n"
+        f"try: cli.main()\nexcept SystemExit as end: assert not end.code\n"
+        f"print(sorted({set(absent)} & set(sys.modules)))"
+    )
+    assert in_a_fresh_process(tmp_path, script, MUJOCO_GL="nonsense") == "[]"
+
+
+def test_what_is_imported_while_the_renderer_is_looked_for_is_not_mujoco(tmp_path):
+    script = (
+        "import importlib, sys; from runner import cli\n"
+        "for name in cli.BEFORE_MUJOCO: importlib.import_module(name, 'runner')\n"
+        "print('mujoco' in sys.modules)"
+    )
+    assert in_a_fresh_process(tmp_path, script) == "False"
 
 
 # mistakes in the clip
@@ -427,6 +492,11 @@ BAD_WORDS = [
     *((["render", MOTION, *SMALL, "--slow", slow], ["--slow"]) for slow in ("0", "-1", "nan", "inf", "slow")),
     (["render", MOTION, *SMALL, "--fps", "1000", "--slow", "1000"], ["images", "lower"]),
     *((["render", MOTION, *SMALL, "--at", at], ["--at"]) for at in ("-1", "0.5", "nan", "inf", "soon")),
+    *(
+        (["render", MOTION, *SMALL, "--workers", n], [f"--workers {n}: ", "1 to 60"])
+        for n in ("0", "-1", "61", "1" * 30)
+    ),
+    *((["render", MOTION, *SMALL, "--workers", n], ["--workers"]) for n in ("two", "1.5", "")),
     (["render", MOTION, *SMALL, "--only", "all"], ["before, after, keys"]),
     (["render", MOTION, *SMALL, "--camera", "sidee"], ["no camera 'sidee'", "did you mean 'side'?", "high"]),
     (["render", MOTION, *SMALL, "--camera", ""], ["no camera ''"]),
@@ -482,6 +552,34 @@ def test_a_motion_with_half_a_report_is_one_line(run, tmp_path, motion_file, com
         assert_refused(run(command, "m.npz"), "m.npz", "its report is not complete")
 
 
+@pytest.mark.parametrize(
+    ("fault", "told"), [(crew.leaves, "a worker process ended with code 3"), (crew.locked, "locked")]
+)
+def test_what_went_wrong_in_a_worker_is_told_and_nothing_is_written(
+    run, tmp_path, motion_file, monkeypatch, fault, told
+):
+    monkeypatch.setattr(show, "PIXELS_OF_A_PROCESS", 1)
+    monkeypatch.setattr(show, "_stage" if fault is crew.locked else "_drawn", fault)
+    with nothing_written(tmp_path):
+        done = run("render", motion_file, *SMALL, "--workers", 2)
+    assert (done.code, done.out) == (2, "")
+    assert done.err.splitlines()[-1].startswith("dynsplines: ")
+    assert told in done.err.splitlines()[-1]
+    assert "Traceback" not in done.err
+
+
+def test_ctrl_c_during_an_import_is_ctrl_c(run, monkeypatch):
+    def interrupted(*_: object, **__: object) -> None:
+        try:
+            raise KeyboardInterrupt
+        except KeyboardInterrupt as error:
+            raise ImportError("initialization failed") from error
+
+    monkeypatch.setattr(cli, "app", interrupted)
+    done = run("clips")
+    assert (done.code, done.err) == (130, "dynsplines: stopped\n")
+
+
 @pytest.mark.parametrize("command", ["solve", "plot", "render"])
 def test_what_was_there_before_survives_a_failure(run, tmp_path, monkeypatch, command):
     target = tmp_path / {"solve": "m.npz", "plot": "m.png", "render": "m.mp4"}[command]
@@ -532,6 +630,29 @@ def long_solve(tmp_path) -> Iterator[subprocess.Popen[str]]:
     yield process
     process.kill()
     process.communicate()
+
+
+@pytest.mark.skipif(os.name == "nt", reason="signals are another matter there")
+@pytest.mark.parametrize("workers", [1, 2])
+def test_ctrl_c_while_rendering_stops_at_once_and_leaves_nothing(tmp_path, motion_file, workers):
+    script = (
+        "import signal, sys; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
+        f"from runner.cli import main; sys.argv = ['dynsplines', 'render', {str(motion_file)!r},"
+        f" '--workers', '{workers}', '--slow', '50', '-o', 'film.mp4']; main()"
+    )
+    process = subprocess.Popen(
+        [sys.executable, "-c", script], cwd=tmp_path, stderr=subprocess.PIPE, text=True, start_new_session=True,
+        env={**os.environ, "DYNSPLINES_RENDERER": "rays"},
+    )  # fmt: skip
+    assert process.stderr is not None
+    assert "renderer" in process.stderr.readline()
+    assert "rendering" in process.stderr.readline()
+    os.killpg(process.pid, signal.SIGINT)
+    _, said = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert said.splitlines()[-1] == "dynsplines: stopped"
+    assert "Traceback" not in said
+    assert names(tmp_path) == []
 
 
 @pytest.mark.skipif(os.name == "nt", reason="signals are another matter there")

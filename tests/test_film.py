@@ -1,6 +1,7 @@
 """Images become files that play, show the colours that were drawn, and appear only when they are complete."""
 
 import os
+import threading
 from collections.abc import Iterator
 from pathlib import Path
 from typing import cast
@@ -11,7 +12,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from runner.film import FilmError, check_target, write
+from runner.film import MOST_WAITING, FilmError, _in_a_thread, check_target, write
 
 RED = (200, 60, 40)
 ENDINGS = (".mp4", ".webm", ".gif", ".png")
@@ -211,3 +212,44 @@ def test_images_of_another_type_are_refused(tmp_path: Path):
 def test_a_rate_must_be_positive(tmp_path: Path, fps: float):
     with pytest.raises(FilmError, match="positive"):
         write(tmp_path / "a.mp4", images(), fps)
+
+
+@pytest.mark.parametrize("ending", [".mp4", ".webm", ".gif"])
+def test_an_image_may_be_drawn_over_once_the_next_one_is_asked_for(tmp_path: Path, ending: str):
+    def one_canvas() -> Iterator[np.ndarray]:
+        canvas = np.empty((48, 64, 3), np.uint8)
+        for image in images(40):
+            canvas[:] = image
+            yield canvas
+
+    write(tmp_path / f"a{ending}", images(40), 30, count=40)
+    write(tmp_path / f"b{ending}", one_canvas(), 30, count=40)
+    assert (tmp_path / f"a{ending}").read_bytes() == (tmp_path / f"b{ending}").read_bytes()
+
+
+def test_images_are_encoded_in_order_by_one_other_thread():
+    done: list[tuple[int, int]] = []
+    _in_a_thread(lambda item: done.append((item, threading.get_ident())), range(20))
+    assert [item for item, _ in done] == list(range(20))
+    assert len({thread for _, thread in done} | {threading.get_ident()}) == 2
+
+
+def test_an_error_of_the_encoder_stops_the_drawing():
+    drawn: list[int] = []
+
+    def full(item: int) -> None:
+        raise OSError(28, "No space left on device")
+
+    with pytest.raises(OSError, match="No space left"):
+        _in_a_thread(full, (drawn.append(item) or item for item in range(100)))
+    assert len(drawn) <= MOST_WAITING + 2
+
+
+@pytest.mark.parametrize("count", [1, 3])
+def test_an_error_of_the_last_image_is_not_lost(count: int):
+    def fails_at_the_last(item: int) -> None:
+        if item == count - 1:
+            raise OSError(28, "No space left on device")
+
+    with pytest.raises(OSError, match="No space left"):
+        _in_a_thread(fails_at_the_last, range(count))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from runner import show
 from runner.graphics import Graphics
 from runner.motion import Saved, sampled
 from runner.show import Look, figure_height, figure_six, image_count, images, root_path
@@ -107,3 +108,26 @@ def test_the_camera_follows_the_root_and_knows_the_figures_height(saved):
     run = sampled(saved.figure, saved.timeline, 10.0)
     np.testing.assert_array_equal(root_path(saved, run.qpos), run.qpos[:, :3])
     assert 0.1 < figure_height(saved) < 3
+
+
+@pytest.mark.parametrize("more", [{"only": "keys"}, {"ghosts": True, "camera": "side"}])
+def test_more_workers_draw_the_same_images(saved, monkeypatch, more):
+    monkeypatch.setattr(show, "PIXELS_OF_A_PROCESS", 1)
+    one, two = (list(images(saved, look(**more), RAYS, workers=workers)) for workers in (1, 2))
+    np.testing.assert_array_equal(one, two)
+
+
+@pytest.mark.parametrize(
+    ("pixels", "workers", "used"),
+    [(1, 1, (1, 1)), (1, 3, (3, 1)), (1, 60, (5, 12)), (5 * W * H // 2, 9, (2, 4)), (10**9, 3, (1, 3))],
+)
+def test_processes_are_as_many_as_there_is_work_for_and_threads_the_rest(saved, monkeypatch, pixels, workers, used):
+    def told(opened, work, items, processes):
+        found.append((processes, opened.args[-1]))
+        return iter([])
+
+    found: list[tuple[int, int]] = []
+    monkeypatch.setattr(show, "PIXELS_OF_A_PROCESS", pixels)
+    monkeypatch.setattr(show, "in_order", told)
+    assert list(images(saved, look(), RAYS, workers=workers)) == []
+    assert found == [used]

@@ -1,0 +1,66 @@
+"""What worker processes do in tests; in a file of its own, which they can import."""
+
+from __future__ import annotations
+
+import os
+import signal
+import time
+from types import TracebackType
+from typing import Self
+
+
+class Bench:
+    """A tool that counts its uses and knows whose it is."""
+
+    def __init__(self) -> None:
+        self.owner, self.uses, self.is_open = os.getpid(), 0, False
+
+    def __enter__(self) -> Self:
+        self.is_open = True
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.is_open = False
+
+
+class Stubborn(Exception):
+    """An error that cannot be sent to another process."""
+
+    def __init__(self, first: str, second: str) -> None:
+        super().__init__(f"{first} and {second}")
+
+
+def locked(*_: object) -> Bench:
+    raise ValueError("the bench is locked")
+
+
+def squared(bench: Bench, number: int) -> tuple[int, int, int]:
+    """The square, the process, and how often its bench was used; the first items take longest."""
+    assert bench.is_open
+    bench.uses += 1
+    time.sleep(0.2 if number < 2 else 0.01)
+    return number**2, bench.owner, bench.uses
+
+
+def fails_at_three(bench: Bench, number: int) -> int:
+    if number == 3:
+        raise ValueError("three is too many")
+    return number
+
+
+def fails_strangely(bench: Bench, number: int) -> int:
+    raise Stubborn("one thing", "another")
+
+
+def is_killed(tool: object, item: object) -> None:
+    os.kill(os.getpid(), signal.SIGKILL)
+
+
+def leaves(tool: object, item: object) -> None:
+    os._exit(3)
+
+
+def never_ends(tool: object, item: object) -> None:
+    time.sleep(600)
