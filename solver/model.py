@@ -17,8 +17,8 @@ from dataclasses import dataclass
 
 import numpy as np
 from scipy import sparse
-from scipy.linalg import blas, lapack
 
+from . import banded
 from .curvature import Curvature
 from .objective import Discretised
 from .quadrature import gauss_nodes
@@ -90,7 +90,7 @@ class Layout:
         for first, last in zip(np.append(0, edges), np.append(edges, spans.size), strict=True):
             if first == last:
                 continue
-            upper = blas.dsyrk(1.0, rows[first:last].T, lower=1).T
+            upper = banded.squared(rows[first:last])
             span = int(spans[first])
             if self.is_loop:
                 self._add_folded(room, span, upper + np.triu(upper, 1).T)
@@ -114,12 +114,11 @@ class Layout:
         flat = room.reshape(self.count, self.width, -1)
         strides = (flat.strides[0], flat.strides[1] + flat.strides[2], flat.strides[2])
         band = np.lib.stride_tricks.as_strided(flat, (self.count, self.width, size), strides)
-        factor, info = lapack.dpbtrf(np.array(band).reshape(-1, size).T, lower=1, overwrite_ab=1)
-        return factor if info == 0 else None
+        return banded.factored(np.array(band).reshape(-1, size))
 
     def solved(self, factor: Array, right: Array) -> Array:
         """H⁻¹ v for v (M + 2, N)."""
-        solution, _ = lapack.dpbtrs(factor, right[self.order].reshape(-1, 1), lower=1)
+        solution = banded.solved(factor, right[self.order].reshape(-1, 1))
         return solution.reshape(self.count, self.width)[self.rank]
 
     def to_x(self, coefficients: Array) -> Array:
@@ -150,8 +149,9 @@ class Layout:
                 if columns.size:
                     moves = own[:, columns].toarray()
                     hold = np.eye(width) - moves @ np.linalg.pinv(moves)
-                first, end = self.rows.indptr[i : i + 2]
-                self._hold(room, self.rows.indices[first:end], self.rows.data[first:end, None] + np.zeros(width), hold)
+                row = self.rows[i]
+                weights = np.array(row.data, float)[:, None] + np.zeros(width)
+                self._hold(room, np.asarray(row.indices, np.intp), weights, hold)
         return room
 
     def _tie_seam(self, room: Array, spline: Spline, order: int) -> None:
@@ -161,8 +161,10 @@ class Layout:
         sign = np.ones(self.width)
         for columns in self.problem.objective.figure.tables.quaternion_columns.T:
             sign[columns] = 1.0 if states[0, columns] @ states[self.count - 3, columns] >= 0 else -1.0
-        weights = np.concatenate([-start.data[:, None] * sign, end.data[:, None] + np.zeros(self.width)])
-        self._hold(room, np.concatenate([start.indices, end.indices]), weights, np.eye(self.width))
+        both = sparse.csr_matrix(sparse.vstack([start, end]))
+        weights = np.array(both.data, float)[:, None] + np.zeros(self.width)
+        weights[: start.nnz] *= -sign
+        self._hold(room, np.asarray(both.indices, np.intp), weights, np.eye(self.width))
 
     def _hold(self, room: Array, coefficients: Index, weights: Array, hold: Array) -> None:
         """A spring on `hold` (N, N) of Σ_j weights_j * c_j, weights (k, N)."""
@@ -186,7 +188,7 @@ class Layout:
 
 def local_bases(spline: Spline, t: Array) -> Array:
     """(S, 3, 4): the B-splines that live at each t, and two derivatives."""
-    return np.stack([spline.basis(t, order).data.reshape(-1, LOCAL) for order in range(3)], axis=1)
+    return np.stack([np.array(spline.basis(t, k).data, float).reshape(-1, LOCAL) for k in range(3)], axis=1)
 
 
 @dataclass(frozen=True, eq=False)

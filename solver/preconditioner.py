@@ -10,8 +10,8 @@ from __future__ import annotations
 
 import numpy as np
 from scipy import sparse
-from scipy.linalg import lapack
 
+from . import banded
 from .objective import Discretised
 from .quaternion import Array
 from .spline import DEGREE
@@ -53,7 +53,7 @@ class Preconditioner:
         """P z, (n,)."""
         x = np.empty(self.blocks.size + self.loose.size)
         flat = self.count * self.width
-        moved, _ = lapack.dtbtrs(self.factor, z[:flat].reshape(self.count, -1), uplo=b"L", trans=b"T")
+        moved = banded.other_half_solved(self.factor, z[:flat].reshape(self.count, -1))
         x[self.blocks] = (self.rows @ moved)[self.whole]
         x[self.loose] = self.scale * z[flat:]
         return x
@@ -62,23 +62,23 @@ class Preconditioner:
         """Pᵀ g, of z's length."""
         rows = np.zeros((self.count, self.width))
         rows[self.whole] = g[self.blocks]
-        moved, _ = lapack.dtbtrs(self.factor, self.rows.T @ rows, uplo=b"L")
+        moved = banded.half_solved(self.factor, self.rows.T @ rows)
         return np.concatenate([moved.ravel(), self.scale * g[self.loose]])
 
 
 def _weighed(basis: sparse.csr_matrix, weights: Array) -> sparse.csr_matrix:
     """Bᵀ W B."""
-    return sparse.csr_matrix(basis.T @ basis.multiply(weights[:, None]))
+    return sparse.csr_matrix(basis.T @ sparse.diags(weights) @ basis)
 
 
 def _banded_factor(metric: sparse.csr_matrix) -> Array:
-    """Cholesky's L of a banded matrix, in LAPACK's storage."""
-    size = metric.shape[0]
-    band = np.zeros((DEGREE + 1, size), order="F")
+    """Cholesky's L of a banded matrix."""
+    size = metric.get_shape()[0]
+    band = np.zeros((size, DEGREE + 1))
     for k in range(min(DEGREE + 1, size)):
-        band[k, : size - k] = metric.diagonal(-k)
-    band[0] *= 1 + 1e-12
-    factor, info = lapack.dpbtrf(band, lower=1)
-    if info != 0:
+        band[: size - k, k] = metric.diagonal(-k)
+    band[:, 0] *= 1 + 1e-12
+    factor = banded.factored(band)
+    if factor is None:
         raise ArithmeticError("the acceleration energy of these times has no factor; are frames too close?")
     return factor

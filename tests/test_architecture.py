@@ -17,7 +17,13 @@ ONLY_IN = {
     "tomllib": {"runner/clip.py"},
     "typer": {"runner/cli.py"},
 }
-SCIPY_IN_SOLVER = {"solver/spline.py", "solver/unknowns.py", "solver/model.py", "solver/preconditioner.py"}
+SCIPY_IN_SOLVER = {
+    "solver/banded.py",
+    "solver/spline.py",
+    "solver/unknowns.py",
+    "solver/model.py",
+    "solver/preconditioner.py",
+}
 NO_WORLD = {"os", "sys", "io", "pathlib", "time", "datetime", "shutil", "tempfile", "subprocess", "logging", "random"}
 
 
