@@ -255,7 +255,7 @@ def measure(effort: Effort) -> Section:
             1e3 * median([row["clock [s]"][name] for row in done]),
             times.get(name),
             1e3 * median([row["total [s]"][name] for row in done]),
-            f"{median([row[f'{name}, energy'] / row['exact'] for row in done if row['exact']]):.6f}",
+            f"{median([row[f'{name}, energy'] / row['exact'] for row in done if row['exact']]):.6f}" if done else "–",
             "–" if name == "ours" else grid,
             f"{sum(name in row['failed'] for row in rows)} of {len(rows)}",
         )

@@ -13,7 +13,7 @@ import numpy as np
 
 def write(results: Mapping[str, Any], folder: Path) -> None:
     """Both files, whole."""
-    text = json.dumps(results, indent=1, default=_plain, allow_nan=True)
+    text = json.dumps(_plain(results), indent=1, allow_nan=False)
     (folder / "results.json").write_text(text + "\n", encoding="utf-8")
     head = (
         "# Benchmarks\n\nWritten by `python benchmarks/run.py`; the rules of every comparison are in its first lines.\n"
@@ -56,12 +56,16 @@ def _target_cells(target: Mapping[str, Any]) -> tuple[str, str, str, str]:
     unit = f" {target['unit']}" if target["unit"] else ""
     digits = f"{target['limit']:.10g}"
     places = max(4, len(digits.replace(".", "").lstrip("0")) + 1)
-    value = "–" if target["value"] is None else f"{target['value']:.{places}g}{unit}"
+    value = "–" if target["value"] is None else f"{float(target['value']):.{places}g}{unit}"
     return target["what"], value, f"{'≥' if target['least'] else '≤'} {digits}{unit}", met
 
 
 def _plain(value: Any) -> Any:
-    """NumPy's numbers and arrays as Python's."""
+    """NumPy's numbers and arrays as Python's, and what is no finite number as a text: JSON has none."""
+    if isinstance(value, Mapping):
+        return {str(key): _plain(own) for key, own in value.items()}
     if isinstance(value, (np.ndarray, np.generic)):
-        return value.tolist()
-    raise TypeError(f"{type(value).__name__} does not go into JSON")
+        return _plain(value.tolist())
+    if isinstance(value, (list, tuple)):
+        return [_plain(own) for own in value]
+    return str(value) if isinstance(value, float) and not math.isfinite(value) else value
