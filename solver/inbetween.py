@@ -43,8 +43,8 @@ class Settings:
     variable         variable frames in every segment between keyframes to begin with
     frames           subdivision goes on up to so many variable frames in all; None: twelve a segment between keyframes
     criterion        which segments are split: "weak", "residual", "objective", "resolution"
-    threshold        a segment is split if its criterion exceeds this; weak: share of the present E; the
-                     other criteria have units of their own
+    threshold        a segment is split if its criterion exceeds this; weak: share of the mean E between two keyframes;
+                     the other criteria have units of their own
     batch            share of the segments that are split in one round, at most
     method           "newton" (Gauss-Newton steps), or one of NLopt's by name
     max_evaluations  budget of evaluations in each round
@@ -55,7 +55,7 @@ class Settings:
     variable: int = 2
     frames: int | None = None
     criterion: str = "weak"
-    threshold: float = 1e-4
+    threshold: float = 1e-3
     batch: float = 1.0
     method: str = NEWTON
     max_evaluations: int = 250
@@ -242,7 +242,7 @@ class _Loop:
         threshold, present = self.settings.threshold, 0.0
         if self.settings.criterion == "weak" and self.trace:
             present = max(self.trace[-1][2] - float(self.elsewhere.sum()), NEGLIGIBLE * self.trace[0][2])
-            threshold *= present
+            threshold *= present / max(sum(not frame.is_variable for frame in timeline.frames) - 1, 1)
         most = min(room, max(1, round(self.settings.batch * scores.size)))
         order = np.argsort(scores)[::-1][:most]
         order = order[scores[order] > threshold]
