@@ -82,7 +82,7 @@ class Assembly:
             # a second frame at the cut holds the slope there as well
             near = begin + PINNED * (frames[1].time - begin)
             held.insert(1, Frame.key(near, self.solved_path.at(np.array([near]))[0]))
-        slopes = self.first_path.at(np.array([begin, end]), 1)
+        slopes = np.vstack([self.solved_path.at(np.array([begin]), 1), self.first_path.at(np.array([end]), 1)])
         for side, at_end in enumerate((window.held == 0, window.last == len(self.key_times) - 1)):
             if at_end:
                 slopes[side] = self.end_slope[side]

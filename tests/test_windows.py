@@ -134,17 +134,13 @@ def test_what_is_told_while_it_goes_on_is_the_whole_clip_and_about_its_e(short):
         np.testing.assert_allclose(motion.objective.value(path), value, rtol=0.03)
 
 
-CLAMPED = pytest.mark.xfail(strict=True, reason="inner ends of windows are clamped to the start's slopes")
-
-
-@pytest.mark.parametrize("ends", ["free", pytest.param("clamped", marks=CLAMPED)])
+@pytest.mark.parametrize("ends", ["free", "clamped"])
 def test_the_last_e_told_is_that_of_the_clip(short, ends):
     slope = np.zeros((2, FIGURE.width)) if ends == "clamped" else None
     motion = inbetween(FIGURE, long_keys(), penalties(), SETTINGS, ends=ends, end_slope=slope)
     np.testing.assert_allclose(motion.trace[-1][2], motion.objective.value(motion.path), rtol=5e-3)
 
 
-@pytest.mark.xfail(strict=True, reason="paths asked for after their window are merged with another window")
 def test_what_was_told_is_the_whole_clip_still_when_it_is_asked_for_later(short):
     keys, told = long_keys(), []
     inbetween(FIGURE, keys, penalties(), SETTINGS, improved=told.append)
@@ -152,7 +148,6 @@ def test_what_was_told_is_the_whole_clip_still_when_it_is_asked_for_later(short)
         assert_whole(each.path, keys)
 
 
-@pytest.mark.xfail(strict=True, reason="segments that are held are split too, and their new frames dropped")
 def test_no_frame_that_a_window_added_is_lost(short, monkeypatch):
     close, lost = Assembly.close, []
 
@@ -168,7 +163,6 @@ def test_no_frame_that_a_window_added_is_lost(short, monkeypatch):
     assert not lost
 
 
-@pytest.mark.xfail(strict=True, reason="every window rounds its share of the frames by itself")
 @pytest.mark.parametrize("frames", [2 * SEGMENTS, 3 * SEGMENTS])
 def test_the_budget_of_variable_frames_is_kept_in_windows_too(short, frames):
     settings = Settings(variable=1, frames=frames, threshold=0.0, max_evaluations=10)
@@ -233,10 +227,7 @@ def test_a_stop_in_improved_keeps_the_whole_clip_as_it_was_told(short, error, co
     np.testing.assert_array_equal(motion.timeline.rows, told[-1])
 
 
-BETWEEN = pytest.mark.xfail(strict=True, reason="the last window's best is merged with the next window")
-
-
-@pytest.mark.parametrize("window", [0, pytest.param(1, marks=BETWEEN), pytest.param(2, marks=BETWEEN)])
+@pytest.mark.parametrize("window", [0, 1, 2])
 def test_ctrl_c_between_windows_returns_a_whole_motion(short, monkeypatch, window):
     keys, opened = long_keys(), Assembly.opened
 
