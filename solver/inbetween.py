@@ -33,6 +33,7 @@ from .windows import Assembly, is_long, windows
 NEGLIGIBLE = 1e-3
 ROUGH = 1e-2
 SHARE_OF_PROMISE = 0.1
+MOST_FRAMES = 12
 
 
 @dataclass(frozen=True)
@@ -40,10 +41,10 @@ class Settings:
     """How the search goes.
 
     variable         variable frames in every segment between keyframes to begin with
-    frames           subdivision goes on up to so many variable frames in all; None: two more a segment than `variable`
+    frames           subdivision goes on up to so many variable frames in all; None: twelve a segment between keyframes
     criterion        which segments are split: "weak", "residual", "objective", "resolution"
-    threshold        a segment is split if its criterion exceeds this; weak: share of the present E; the
-                     other criteria have units of their own
+    threshold        a segment is split if its criterion exceeds this; weak: share of the mean E between two keyframes;
+                     the other criteria have units of their own
     batch            share of the segments that are split in one round, at most
     method           "newton" (Gauss-Newton steps), or one of NLopt's by name
     max_evaluations  budget of evaluations in each round
@@ -54,7 +55,7 @@ class Settings:
     variable: int = 2
     frames: int | None = None
     criterion: str = "weak"
-    threshold: float = 1e-4
+    threshold: float = 1e-3
     batch: float = 1.0
     method: str = NEWTON
     max_evaluations: int = 250
@@ -138,13 +139,14 @@ def inbetween(
     objective = Objective.of(figure, penalties, quadrature=settings.quadrature)
     if settings.renormalise:
         objective = objective.renormalised(path_of(raw))
+    first = evenly(raw, settings.variable)
     loop = _Loop(objective, settings, improved)
     segments = len(keys) - 1
     try:
         if settings.quadrature.kind == "gauss" and is_long(raw):
-            timeline = loop.run_windows(raw)
+            timeline = loop.run_windows(raw, first)
         else:
-            timeline = loop.run(evenly(raw, settings.variable), segments, settings.frames)
+            timeline = loop.run(first, segments, settings.frames)
     except KeyboardInterrupt:
         timeline, loop.stop = loop.best() if loop.best is not None else raw, Stop.ASKED
     return Motion(figure, objective, timeline, raw, tuple(loop.trace), loop.evaluations, loop.stop)
@@ -169,7 +171,7 @@ class _Loop:
         A round that another may follow ends when the next step promises little beside what more frames do.
         """
         tolerance = self.settings.tolerance
-        budget = timeline.variable_count + 2 * segments if budget is None else budget
+        budget = MOST_FRAMES * segments if budget is None else budget
         rough = max(ROUGH, tolerance)
         while True:
             is_last = timeline.variable_count >= budget
@@ -183,10 +185,10 @@ class _Loop:
             timeline = split(timeline, chosen)
             self.round += bool(chosen.size)
 
-    def run_windows(self, raw: Timeline) -> Timeline:
+    def run_windows(self, raw: Timeline, first: Timeline) -> Timeline:
         """The rounds of every window of a long clip, one window after the other."""
         segments = len(raw.frames) - 1
-        assembly = Assembly(self.objective, raw, self.settings.variable)
+        assembly = Assembly(self.objective, raw, first)
         for window in windows(segments):
             self.whole = partial(assembly.with_window, window)
             self.elsewhere = assembly.elsewhere(window)
@@ -240,7 +242,7 @@ class _Loop:
         threshold, present = self.settings.threshold, 0.0
         if self.settings.criterion == "weak" and self.trace:
             present = max(self.trace[-1][2] - float(self.elsewhere.sum()), NEGLIGIBLE * self.trace[0][2])
-            threshold *= present
+            threshold *= present / max(sum(not frame.is_variable for frame in timeline.frames) - 1, 1)
         most = min(room, max(1, round(self.settings.batch * scores.size)))
         order = np.argsort(scores)[::-1][:most]
         order = order[scores[order] > threshold]

@@ -18,7 +18,7 @@ from .objective import Objective, run_of
 from .quadrature import gauss_nodes
 from .quaternion import Array
 from .spline import Path
-from .subdivision import evenly, path_of
+from .subdivision import path_of
 
 KEPT, AHEAD, BEHIND = 24, 4, 3
 FRAMES_A_SEGMENT = 4
@@ -51,16 +51,15 @@ def windows(segments: int) -> list[Window]:
 
 
 class Assembly:
-    """The whole clip while its windows are being solved: what is found, what lies ahead, and the raw rest."""
+    """The whole clip while its windows are being solved: what is found, what lies ahead, and the start of the rest."""
 
-    def __init__(self, objective: Objective, raw: Timeline, variable: int) -> None:
-        self.objective, self.raw, self.variable = objective, raw, variable
-        self.start = evenly(raw, variable)
-        self.frames = list(self.start.frames)
-        self.end_slope = np.array(raw.end_slope)
+    def __init__(self, objective: Objective, raw: Timeline, start: Timeline) -> None:
+        self.objective, self.raw = objective, raw
+        self.frames = list(start.frames)
+        self.end_slope = np.array(start.end_slope)
         self.key_times = raw.times
-        self.raw_path = path_of(raw)
-        self.parts = segment_integrals(objective, self.raw_path, self.key_times)
+        self.first_path = path_of(start)
+        self.parts = segment_integrals(objective, self.first_path, self.key_times)
 
     def timeline(self) -> Timeline:
         """The whole clip as it stands."""
@@ -75,7 +74,7 @@ class Assembly:
         begin, first, end = (self.key_times[i] for i in (window.held, window.first, window.last))
         frames = [f for f in self.frames if begin <= f.time <= end]
         held = [Frame.key(f.time, f.state) if f.time <= first and window.held < window.first else f for f in frames]
-        slopes = self.raw_path.at(np.array([begin, end]), 1)
+        slopes = self.first_path.at(np.array([begin, end]), 1)
         for side, at_end in enumerate((window.held == 0, window.last == len(self.key_times) - 1)):
             if at_end:
                 slopes[side] = self.end_slope[side]
