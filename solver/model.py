@@ -13,7 +13,6 @@ its minimum after a few factorisations (semismooth Newton; M. Hintermüller, K. 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -76,19 +75,20 @@ class Layout:
         """(M + 2, K + 1, N): the entries of a matrix's blocks that join a column with itself, to be added to."""
         return np.einsum("jckc->jkc", room)
 
-    def pairs(self, first: int, count: int) -> Iterator[tuple[int, int, Picked, Picked, Index | int]]:
-        """Where the pairs (a, b) of the B-splines of spans first ... first + count − 1 stand in the lower half.
-
-        Each as a, b, the spans of which this half has it, the columns j of these, and k.
-        """
+    def pairs(self, first: int, count: int) -> list[Pair]:
+        """Where the B-splines of spans first ... first + count − 1 stand by pairs in the lower half."""
+        if not self.is_loop:
+            spans = slice(None)
+            return [
+                Pair(spans, b, slice(b, LOCAL), slice(first + b, first + b + count), slice(0, LOCAL - b))
+                for b in range(LOCAL)
+            ]
+        found, spans = [], np.arange(first, first + count)
         for a, b in np.ndindex(LOCAL, LOCAL):
-            if self.is_loop:
-                spans = np.arange(first, first + count)
-                row, column = self.rank[spans + a], self.rank[spans + b]
-                some = np.flatnonzero(row >= column)
-                yield a, b, some, column[some], (row - column)[some]
-            elif a >= b:
-                yield a, b, slice(None), slice(first + b, first + b + count), a - b
+            row, column = self.rank[spans + a][:, None], self.rank[spans + b][:, None]
+            some = np.flatnonzero(row >= column)
+            found.append(Pair(some, b, slice(a, a + 1), column[some], (row - column)[some]))
+        return found
 
     def add_curvature(self, room: Array, first: int, curvature: Curvature, bases: Array) -> None:
         """Adds a curvature whose samples are the nodes of neighbouring spans, from number `first` on."""
@@ -96,16 +96,16 @@ class Layout:
         spans = np.repeat(np.arange(first, first + count), POINTS)
         for at, rows in curvature.rows(bases):
             self.add_squared(room, spans[at], rows)
-        for columns, blocks in curvature.blocks(bases):
-            local = blocks.reshape(count, POINTS, *blocks.shape[1:]).sum(axis=1)
+        for columns, blocks in curvature.blocks(bases, POINTS):
+            local = blocks.transpose(0, 2, 4, 1, 3, 5)
             own_blocks = _own_blocks(room, columns)
-            for a, b, some, j, k in self.pairs(first, count):
-                part = local[some, :, b, :, a, :]
+            for spot in self.pairs(first, count):
+                part = local[spot.spans, spot.b, spot.a]
                 if own_blocks is not None:
-                    own_blocks[j, k] += part
-                    continue
-                j, k = np.r_[j][:, None, None, None], np.reshape(k, (-1, 1, 1, 1))
-                room[j, columns[:, :, None], k, columns[:, None, :]] += part
+                    own_blocks[spot.j, spot.k] += part
+                else:
+                    j, k = (index[..., None, None, None] for index in spot.indices())
+                    room[j, columns[:, :, None], k, columns[:, None, :]] += part
 
     def add_squared(self, room: Array, spans: Index, rows: Array) -> None:
         """Adds Σ rowᵀrow of rows (P, 4 N) over the coefficients of their spans (P,), rising."""
@@ -221,9 +221,26 @@ class Layout:
         density += SHARE_OF_POSITION / spacing**4 * value[:, :, None] * value[:, None, :]
         local = (self.weights[:, None, None] * density).reshape(-1, POINTS, LOCAL, LOCAL).sum(axis=1)
         flat = np.zeros((self.count, self.blocks + 1))
-        for a, b, some, j, k in self.pairs(0, len(local)):
-            flat[j, k] += local[some, a, b]
+        for spot in self.pairs(0, len(local)):
+            flat[spot.j, spot.k] += local[spot.spans, spot.b, spot.a]
         return flat
+
+
+@dataclass(frozen=True)
+class Pair:
+    """Where B-spline b of some spans stands with B-splines a in a matrix's blocks: at [j, k], shape (spans, a)."""
+
+    spans: Picked
+    b: int
+    a: slice
+    j: Picked
+    k: Picked
+
+    def indices(self) -> tuple[Index, Index]:
+        """j and k as arrays."""
+        if isinstance(self.j, slice) or isinstance(self.k, slice):
+            return np.r_[self.j][:, None], np.r_[self.k][None, :]
+        return self.j, self.k
 
 
 def _own_blocks(room: Array, columns: Index) -> Array | None:

@@ -240,6 +240,8 @@ class Sampling:
     def pieces(self, longest: int) -> tuple[Piece, ...]:
         """The samples in nearly equal runs of at most `longest`: what is made of so few of them stays in cache."""
         count = -(-self.t.size // longest)
+        if count == 1:
+            return (self.whole,)
         edges = [self.t.size * k // count for k in range(count + 1)]
         return tuple(self.piece(slice(a, b)) for a, b in pairwise(edges))
 
@@ -249,7 +251,7 @@ class Sampling:
         begin, end = int(first.min()), int(first.max()) + DEGREE + 1
         values = self.values[which].transpose(1, 0, 2).reshape(-1, DEGREE + 1)
         basis = _four_a_row(np.tile(first - begin, 3), values, end - begin)
-        return Piece(which, self.t[which], slice(begin, end), basis, basis.T)
+        return Piece(which, self.t[which], slice(begin, end), basis)
 
 
 @dataclass(frozen=True, eq=False)
@@ -260,14 +262,17 @@ class Piece:
     t           (S,) [s]
     seen        the coefficients, C of them
     basis       (3 S, C) y, y' and y'' of all samples, one below the other
-    transposed  (C, 3 S)
     """
 
     which: slice
     t: Array
     seen: slice
     basis: sparse.csr_matrix
-    transposed: sparse.csc_matrix
+
+    @cached_property
+    def transposed(self) -> sparse.csc_matrix:
+        """(C, 3 S)"""
+        return self.basis.T
 
     def samples(self, coefficients: Array) -> Array:
         """y, y', y'' (3, S, N) from the spline's coefficients (M + 2, N)."""
