@@ -23,7 +23,7 @@ SETS = {"moderate": (200, 8), "random": (100, 6)}
 FIRST_SEED = 1000
 VARIABLE, FINEST, MOST_UNIFORM = 3, 15, 8
 GOAL = 1.00002
-THRESHOLD, BATCH = 5e-7, 0.2
+THRESHOLD, BATCH = 3e-6, 0.2
 FACTOR, SHARE = 3.0, 0.95
 TIGHT: dict[str, Any] = {"tolerance": 1e-10, "max_evaluations": 2000}
 

@@ -24,7 +24,7 @@ from solver.kinematics import Samples
 from solver.objective import Objective
 from solver.penalty import BendLimits, Contact, stances
 from solver.quaternion import Array
-from solver.subdivision import path_of
+from solver.subdivision import by_weak_form, path_of
 from solver.surface import Box
 
 from .clip import Clip
@@ -72,6 +72,7 @@ def report(
     return {
         "clip": clip.name,
         "duration, s": float(before.time[-1] - before.time[0]),
+        "left to gain": _left_to_gain(motion),
         "keyframes": len(clip.keys),
         "partial keyframes": sum(not key.is_key for key in clip.keys),
         "variable frames": motion.timeline.variable_count,
@@ -285,6 +286,13 @@ def _far_from_trouble(clip: Clip, before: Grid, margin: float = 0.25) -> Mask:
     return gaps.min(axis=0) > margin
 
 
+def _left_to_gain(motion: Motion) -> dict[str, float]:
+    """About how far E is above its optimum: what frames in the middle of all segments promise, summed (weak form)."""
+    promised = float(by_weak_form(motion.objective, motion.timeline).sum())
+    value = motion.objective.value(motion.path)
+    return {"objective": promised, "share": promised / value if value > 0 else 0.0}
+
+
 def _segments(clip: Clip, motion: Motion, told: Callable[[int, int], None] | None) -> list[dict[str, float]]:
     """Per segment between keyframes: EL deviation before and after, δ and what a local solve says is left (app. C)."""
     try:
@@ -316,7 +324,8 @@ def tables(data: dict[str, Any]) -> Group:
     head = (
         f"{data['clip']}: {data['duration, s']:.2f} s, {data['keyframes']} keyframes "
         f"({data['partial keyframes']} partial), {data['variable frames']} variable frames; "
-        f"{data['evaluations']} evaluations in {data['seconds']:.2f} s; {data['stopped because']}"
+        f"{data['evaluations']} evaluations in {data['seconds']:.2f} s; {data['stopped because']}; "
+        f"about {data['left to gain']['share']:.1%} of the objective is left to gain"
     )
     main = Table("measure", "before", "after", title="on a 1 kHz grid", title_justify="left")
     for name, one, two in _lines(before, after):

@@ -24,6 +24,7 @@ KEPT, AHEAD, BEHIND = 24, 4, 3
 FRAMES_A_SEGMENT = 4
 LARGEST = 2_500_000  # entries of a banded matrix
 NODES = 4
+PINNED = 0.1
 
 
 def is_long(raw: Timeline) -> bool:
@@ -59,6 +60,7 @@ class Assembly:
         self.end_slope = np.array(start.end_slope)
         self.key_times = raw.times
         self.first_path = path_of(start)
+        self.solved_path = self.first_path
         self.parts = segment_integrals(objective, self.first_path, self.key_times)
 
     def timeline(self) -> Timeline:
@@ -74,6 +76,10 @@ class Assembly:
         begin, first, end = (self.key_times[i] for i in (window.held, window.first, window.last))
         frames = [f for f in self.frames if begin <= f.time <= end]
         held = [Frame.key(f.time, f.state) if f.time <= first and window.held < window.first else f for f in frames]
+        if window.held > 0:
+            # a second frame at the cut holds the slope there as well
+            near = begin + PINNED * (frames[1].time - begin)
+            held.insert(1, Frame.key(near, self.solved_path.at(np.array([near]))[0]))
         slopes = self.first_path.at(np.array([begin, end]), 1)
         for side, at_end in enumerate((window.held == 0, window.last == len(self.key_times) - 1)):
             if at_end:
@@ -87,9 +93,10 @@ class Assembly:
     def close(self, window: Window, solved: Timeline) -> None:
         """Takes over what a window found, the part that it looked ahead to as the start of the next."""
         self.frames, self.end_slope = self._merged(window, solved), self._slopes(window, solved)
-        seen = slice(window.held, window.last)
-        times = self.key_times[window.held : window.last + 1]
-        self.parts[seen] = segment_integrals(self.objective, path_of(solved), times)
+        self.solved_path = path_of(solved)
+        from_ = max(window.first - 1, 0)
+        times = self.key_times[from_ : window.last + 1]
+        self.parts[from_ : window.last] = segment_integrals(self.objective, self.solved_path, times)
 
     def _merged(self, window: Window, solved: Timeline) -> list[Frame]:
         """Held frames stay as they were: in a window they count as keyframes."""

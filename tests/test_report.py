@@ -17,6 +17,8 @@ from runner.motion import sampled
 from runner.progress import Teller
 from runner.report import Grid, _far_from_trouble, report, tables
 from runner.work import Solved
+from solver.descent import optimised
+from solver.subdivision import evenly, path_of
 
 FOOT = """
 <mujoco><worldbody>
@@ -138,6 +140,15 @@ def test_torques_are_those_of_mujocos_inverse_dynamics(solved: Solved):
     assert found["peak of one joint"] == pytest.approx(joints.max(), rel=1e-6)
     assert found["joint"] == "left_knee"
     assert found["peak root force"] == pytest.approx(np.linalg.norm(forces[:, :3], axis=1).max(), rel=1e-6)
+
+
+def test_what_is_left_to_gain_is_about_what_four_times_the_frames_gain(solved: Solved):
+    motion = solved.motion
+    told = report(solved.clip, motion, 1.0)["left to gain"]
+    fine = optimised(motion.objective, evenly(motion.timeline, 3), tolerance=1e-6)
+    gained = motion.objective.value(motion.path) - motion.objective.value(path_of(fine))
+    assert gained / 3 < told["objective"] < 3 * gained
+    assert told["share"] == pytest.approx(told["objective"] / motion.objective.value(motion.path))
 
 
 def test_the_objective_of_the_report_is_the_solvers(solved: Solved):
