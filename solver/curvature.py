@@ -43,6 +43,8 @@ class Curvature:
 
     def add_blocks(self, columns: Index, jacobian: Array, scale: Array) -> None:
         """Residuals of n blocks of k columns (n, k), Jacobians (S, n, r, 3, k) at every sample, times scale (S,)."""
+        if not columns.size:
+            return
         count, n, residuals, _, k = jacobian.shape
         j = (jacobian * np.sqrt(2 * scale)[:, None, None, None, None]).reshape(count, n, residuals, 3 * k)
         squared = np.matmul(j.swapaxes(2, 3), j).reshape(count, n, 3, k, 3, k)
