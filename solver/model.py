@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 from scipy import sparse
@@ -25,7 +26,7 @@ from .kinematics import Samples
 from .objective import Discretised
 from .quadrature import gauss_nodes
 from .quaternion import Array, Index
-from .spline import DEGREE, Path, Sampling, Spline
+from .spline import DEGREE, Path, Piece, Sampling, Spline
 
 POINTS = 2
 SPANS_AT_ONCE, SPAN_ENTRIES = 32, 2000
@@ -59,13 +60,14 @@ class Layout:
         self.blocks = min(2 * LOCAL if self.is_loop else LOCAL, self.count)
         self.place = unknowns.place
         t, self.weights = gauss_nodes(np.asarray(spline.times), POINTS)
-        self.sampling = Sampling.of(spline, t)
-        self.bases = self.sampling.values
+        sampling = Sampling.of(spline, t)
         at_once = max(SPANS_AT_ONCE, SPAN_ENTRIES // self.width)
         edges = [*range(0, spline.times.size - 1, at_once), spline.times.size - 1]
-        self.pieces = [self.sampling.piece(slice(POINTS * a, POINTS * b)) for a, b in pairwise(edges)]
+        self.pieces = [
+            (sampling.piece(slice(POINTS * a, POINTS * b)), self._pairs(a, b - a)) for a, b in pairwise(edges)
+        ]
         self.springs = self._springs()
-        self.flat = self._flat()
+        self.flat = self._flat(sampling.values)
 
     def empty(self) -> Array:
         """Room for a matrix's blocks: (M + 2, N, K + 1, N), [j, c, k, r] its entry at row (j + k, r), column (j, c)."""
@@ -75,12 +77,11 @@ class Layout:
         """(M + 2, K + 1, N): the entries of a matrix's blocks that join a column with itself, to be added to."""
         return np.einsum("jckc->jkc", room)
 
-    def pairs(self, first: int, count: int) -> list[Pair]:
+    def _pairs(self, first: int, count: int) -> list[Pair]:
         """Where the B-splines of spans first ... first + count − 1 stand by pairs in the lower half."""
         if not self.is_loop:
-            spans = slice(None)
             return [
-                Pair(spans, b, slice(b, LOCAL), slice(first + b, first + b + count), slice(0, LOCAL - b))
+                Pair(slice(None), b, slice(b, LOCAL), slice(first + b, first + b + count), slice(0, LOCAL - b))
                 for b in range(LOCAL)
             ]
         found, spans = [], np.arange(first, first + count)
@@ -90,16 +91,14 @@ class Layout:
             found.append(Pair(some, b, slice(a, a + 1), column[some], (row - column)[some]))
         return found
 
-    def add_curvature(self, room: Array, first: int, curvature: Curvature, bases: Array) -> None:
-        """Adds a curvature whose samples are the nodes of neighbouring spans, from number `first` on."""
-        count = len(bases) // POINTS
-        spans = np.repeat(np.arange(first, first + count), POINTS)
-        for at, rows in curvature.rows(bases):
-            self.add_squared(room, spans[at], rows)
-        for columns, blocks in curvature.blocks(bases, POINTS):
+    def add_curvature(self, room: Array, curvature: Curvature, piece: Piece, pairs: list[Pair]) -> None:
+        """Adds a curvature whose samples are the nodes of neighbouring spans."""
+        for at, rows in curvature.rows(piece.values):
+            self.add_squared(room, piece.first[at], rows)
+        for columns, blocks in curvature.blocks(piece.values, POINTS):
             local = blocks.transpose(0, 2, 4, 1, 3, 5)
             own_blocks = _own_blocks(room, columns)
-            for spot in self.pairs(first, count):
+            for spot in pairs:
                 part = local[spot.spans, spot.b, spot.a]
                 if own_blocks is not None:
                     own_blocks[spot.j, spot.k] += part
@@ -211,23 +210,22 @@ class Layout:
                 if row >= column:
                     room[column, :, row - column, :] += wb[:, None] * hold * wa
 
-    def _flat(self) -> Array:
+    def _flat(self, bases: Array) -> Array:
         """(M + 2, K + 1): ∫ φ''φ''ᵀ + ε φφᵀ of the coefficients, for each column the same."""
         timeline = self.problem.timeline
         keys = max(len(timeline.frames) - timeline.variable_count, 2)
         spacing = (timeline.times[-1] - timeline.times[0]) / keys
-        value, acceleration = self.bases[:, 0], self.bases[:, 2]
+        value, acceleration = bases[:, 0], bases[:, 2]
         density = acceleration[:, :, None] * acceleration[:, None, :]
         density += SHARE_OF_POSITION / spacing**4 * value[:, :, None] * value[:, None, :]
         local = (self.weights[:, None, None] * density).reshape(-1, POINTS, LOCAL, LOCAL).sum(axis=1)
         flat = np.zeros((self.count, self.blocks + 1))
-        for spot in self.pairs(0, len(local)):
+        for spot in self._pairs(0, len(local)):
             flat[spot.j, spot.k] += local[spot.spans, spot.b, spot.a]
         return flat
 
 
-@dataclass(frozen=True)
-class Pair:
+class Pair(NamedTuple):
     """Where B-spline b of some spans stands with B-splines a in a matrix's blocks: at [j, k], shape (spans, a)."""
 
     spans: Picked
@@ -323,12 +321,12 @@ class Model:
         """Adds the curvature of the two-sided residuals; its median density in y''."""
         layout, objective = self.layout, self.layout.problem.objective
         room, sizes = layout.empty(), []
-        for piece in layout.pieces:
+        for piece, pairs in layout.pieces:
             samples = Samples(objective.figure, *piece.samples(path.coefficients), t=piece.t)
             curvature, weights = Curvature(samples), layout.weights[piece.which]
             for term in objective.terms:
                 term.penalty.curvature(samples, curvature, term.factor * weights)
-            layout.add_curvature(room, piece.seen.start, curvature, layout.bases[piece.which])
+            layout.add_curvature(room, curvature, piece, pairs)
             sizes.append(curvature.acceleration() / weights[:, None])
         diagonal = layout.diagonal(room)[:, 0]
         size = max(middle(diagonal), 1e-12)

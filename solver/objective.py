@@ -66,13 +66,13 @@ class Objective:
         """
         integrals = self.integrals(raw)
         first, last = raw.span
-        spacing = float(np.mean(np.diff(raw.spline.times)))
+        spacing = (last - first) / (raw.spline.times.size - 1)
         terms = []
         for term, integral in zip(self.terms, integrals, strict=True):
             scale = term.penalty.scale
             whole = scale.reference * (last - first) / spacing**scale.time_power
             most = whole if scale.is_violation else np.inf
-            terms.append(replace(term, factor=term.weight / float(np.clip(integral, SMALL_SHARE * whole, most))))
+            terms.append(replace(term, factor=term.weight / min(max(float(integral), SMALL_SHARE * whole), most)))
         return replace(self, terms=tuple(terms))
 
     def integrals(self, path: Path) -> Array:

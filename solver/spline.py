@@ -247,40 +247,46 @@ class Sampling:
 
     def piece(self, which: slice) -> Piece:
         """Some neighbouring samples."""
-        first = self.first[which]
-        begin, end = int(first.min()), int(first.max()) + DEGREE + 1
-        values = self.values[which].transpose(1, 0, 2).reshape(-1, DEGREE + 1)
-        basis = _four_a_row(np.tile(first - begin, 3), values, end - begin)
-        return Piece(which, self.t[which], slice(begin, end), basis)
+        return Piece(which, self.t[which], self.first[which], self.values[which])
 
 
 @dataclass(frozen=True, eq=False)
 class Piece:
-    """A run of a sampling's samples, and the few coefficients that they see.
+    """A run of a sampling's samples.
 
-    which       the samples
-    t           (S,) [s]
-    seen        the coefficients, C of them
-    basis       (3 S, C) y, y' and y'' of all samples, one below the other
+    which   the samples
+    t       (S,) [s]
+    first   (S,) the first of the 4 coefficients that each sees
+    values  (S, 3, 4) the B-splines of these, and two derivatives
     """
 
     which: slice
     t: Array
-    seen: slice
-    basis: sparse.csr_matrix
+    first: Index
+    values: Array
 
     @cached_property
-    def transposed(self) -> sparse.csc_matrix:
-        """(C, 3 S)"""
-        return self.basis.T
+    def _columns(self) -> Index:
+        return self.first[:, None] + np.arange(DEGREE + 1)
 
     def samples(self, coefficients: Array) -> Array:
         """y, y', y'' (3, S, N) from the spline's coefficients (M + 2, N)."""
-        return (self.basis @ coefficients[self.seen]).reshape(3, self.t.size, -1)
+        return np.matmul(self.values, coefficients[self._columns]).swapaxes(0, 1)
+
+    @cached_property
+    def _seen(self) -> slice:
+        """The coefficients that the samples see, C of them."""
+        return slice(int(self.first.min()), int(self.first.max()) + DEGREE + 1)
+
+    @cached_property
+    def _transposed(self) -> sparse.csc_matrix:
+        """(C, 3 S): from gradients of y, y' and y'' of all samples, one below the other, to those of coefficients."""
+        values = self.values.swapaxes(0, 1).reshape(-1, DEGREE + 1)
+        return _four_a_row(np.tile(self.first - self._seen.start, 3), values, self._seen.stop - self._seen.start).T
 
     def add_pulled_back(self, into: Array, gradients: Sequence[Array]) -> None:
         """Adds dE/dC from dE/dy, dE/dy', dE/dy'', each (S, N), into (M + 2, N)."""
-        into[self.seen] += self.transposed @ np.concatenate(gradients)
+        into[self._seen] += self._transposed @ np.concatenate(gradients)
 
 
 @dataclass(frozen=True, eq=False)
@@ -297,7 +303,9 @@ class Path:
 
     def at(self, t: ArrayLike, order: int = 0) -> Array:
         """The order-th derivative (0-3) of the state at times t (S,): (S, N)."""
-        return self.spline.basis(t, order) @ self.coefficients
+        if order == DEGREE:
+            return self.spline.basis(t, order) @ self.coefficients
+        return self.motion(np.atleast_1d(np.asarray(t, float)))[order]
 
     def motion(self, t: Array) -> Array:
         """y, y', y'' at times t (S,): (3, S, N)."""
