@@ -244,12 +244,11 @@ class Pair(NamedTuple):
 def _own_blocks(room: Array, columns: Index) -> Array | None:
     """(M + 2, K + 1, n, k, k): a matrix's entries that join n blocks of k columns with themselves, to be added to.
 
-    None if the blocks (n, k) are no run of columns.
+    None if the blocks (n, k), whose columns rise, are no run of columns.
     """
-    run = columns.reshape(-1)
-    if np.any(np.diff(run) != 1):
+    some = slice(int(columns[0, 0]), int(columns[-1, -1]) + 1)
+    if some.stop - some.start != columns.size:
         return None
-    some = slice(int(run[0]), int(run[-1]) + 1)
     seen = room[:, some, :, some]
     return np.einsum("jnxkny->jknxy", seen.reshape(len(room), *columns.shape, room.shape[2], *columns.shape))
 
@@ -257,7 +256,8 @@ def _own_blocks(room: Array, columns: Index) -> Array | None:
 def middle(values: Array) -> float:
     """The median."""
     half = values.size // 2
-    parted = np.partition(values, (half - 1, half), axis=None)
+    parted = values.flatten()
+    parted.partition((half - 1, half))
     return float(parted[half] if values.size % 2 else (parted[half - 1] + parted[half]) / 2)
 
 

@@ -24,6 +24,7 @@ from .quaternion import Array, Index
 
 DEGREE = 3
 SHORT = 150
+TAYLOR = np.arange(2, -1, -1)[:, None] + np.arange(DEGREE + 1)
 
 
 class Spline:
@@ -39,11 +40,12 @@ class Spline:
         self.ends = ends
         first, last = self.times[0], self.times[-1]
         self.knots = np.concatenate([[first] * DEGREE, self.times, [last] * DEGREE])
-        _, values = self.local(self.times)
-        # at a knot three B-splines are not zero, at the last one the last three of its span; slopes see two
-        self.at_times = values[:, 0, :DEGREE].copy()
-        self.at_times[-1] = values[-1, 0, 1:]
-        self._slopes = np.array([values[0, 1, :2], values[-1, 1, 2:]])
+        # (M − 1, 4, 4): at the beginning of every span, its 4 B-splines (last axis) and three derivatives
+        self._begin = _basis_values(self.knots, np.arange(DEGREE, DEGREE + self.times.size - 1), self.times[:-1])
+        # at a knot three B-splines are not zero, at the ends one; the slopes there see two
+        self.at_times = np.concatenate([self._begin[:, 0, :DEGREE], [[0.0, 0.0, 1.0]]])
+        step = DEGREE / np.diff(self.times)[[0, -1], None]
+        self._slopes = np.concatenate([-step, step], axis=1)
         self._collocation = self._closed() if ends == "periodic" else self._tridiagonal()
 
     @property
@@ -87,7 +89,13 @@ class Spline:
     def local(self, t: Array) -> tuple[Index, Array]:
         """The first (S,) of the 4 B-splines that live at each t (S,), and y, y', y'' of the four: (S, 3, 4)."""
         first = self._spans(t)
-        return first, _basis_values(self.knots, first + DEGREE, t)[:, :3]
+        u = t - self.times[first]
+        powers = np.zeros((t.size, 6))
+        powers[:, 2] = 1
+        powers[:, 3] = u
+        powers[:, 4] = u * u / 2
+        powers[:, 5] = powers[:, 4] * u / 3
+        return first, np.matmul(powers[:, TAYLOR], self._begin[first])
 
     def _spans(self, t: Array) -> Index:
         """The number (S,) of the span that each t lies in, the one to the right at a knot."""

@@ -216,11 +216,12 @@ def raw_timeline(figure: Figure, keys: list[Frame], ends: str = "free", end_slop
         known = fixed[:, columns].all(axis=1)
         base = _bases(figure, states, link)
         states[known, columns] = quat.product(base[known], quat.normalised(states[known, columns]))
-        states[~known, columns] = quat.product(base[~known], rest[columns])
-        if known.any():
-            states[known, columns] = _laid_along(base[known], states[known, columns])
-            _filled(plain.times, states, fixed, columns, states[0])
-            states[:, columns] = quat.normalised(states[:, columns])
+        if not known.all():
+            states[~known, columns] = quat.product(base[~known], rest[columns])
+            if known.any():
+                states[known, columns] = _laid_along(base[known], states[known, columns])
+                _filled(plain.times, states, fixed, columns, states[0])
+                states[:, columns] = quat.normalised(states[:, columns])
         states[:, columns] = _laid_along(base, states[:, columns])
     if ends == "periodic":
         states[-1] = states[0] * _sameness(figure, states[0], states[-2])
