@@ -77,9 +77,8 @@ class Curvature:
         """
         count, directions = len(phi) // together, phi.shape[2]
         made = []
-        if self._blocks:
-            pairs = phi[:, :, None, :, None] * phi[:, None, :, None, :]
-            pairs = pairs.reshape(count, together * 9, -1).swapaxes(1, 2)
+        pairs = phi[:, :, None, :, None] * phi[:, None, :, None, :]
+        pairs = pairs.reshape(count, together * 9, -1).swapaxes(1, 2)
         for columns, blocks in self._blocks:
             n, k = columns.shape
             by_orders = blocks.transpose(0, 2, 4, 1, 3, 5).reshape(count, together * 9, -1)
