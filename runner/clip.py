@@ -20,11 +20,10 @@ from pydantic import ValidationError
 
 import models
 from solver import quaternion as quat
-from solver.descent import NEWTON
+from solver.descent import check_method
 from solver.figure import Figure, FigureError, JointKind, quaternion_columns
 from solver.frame import Frame, Mask, TimelineError
 from solver.inbetween import Settings
-from solver.optimiser import algorithm
 from solver.penalty import (
     Bend,
     Penalty,
@@ -228,10 +227,13 @@ def _settings(solve: SolveTable, keys: list[Frame]) -> Settings:
         settings = replace(settings, quadrature=Quadrature("gauss", solve.samples, LONGEST_PANEL))
     if solve.criterion is not None and solve.criterion not in CRITERIA:
         raise ValueError(f"solve: {unknown('criterion', solve.criterion, CRITERIA)}")
-    if solve.optimiser is not None and solve.optimiser.lower() != NEWTON:
-        algorithm(solve.optimiser)
+    if solve.optimiser is not None:
+        check_method(solve.optimiser)
+    begin = solve.variable
+    if begin is None and solve.frames is not None:
+        begin = min(settings.variable, solve.frames // (len(keys) - 1))
     chosen = {
-        "variable": solve.variable,
+        "variable": begin,
         "frames": solve.frames,
         "criterion": solve.criterion,
         "threshold": solve.threshold,

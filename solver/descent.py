@@ -5,16 +5,30 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import cached_property
 
+from . import optimiser
 from .frame import Timeline
 from .gauss_newton import FIRST_DAMPING, gauss_newton
 from .objective import Discretised, Evaluation, Objective
-from .optimiser import METHODS as NLOPT
 from .optimiser import Minimum, Stop, minimise
 from .preconditioner import Preconditioner
 from .quaternion import Array
 
 NEWTON = "newton"
-METHODS = {NEWTON: "Gauss-Newton steps on banded matrices", **{name: text for name, (_, text) in NLOPT.items()}}
+METHODS = {
+    NEWTON: "Gauss-Newton steps on banded matrices",
+    **{name: text for name, (_, text) in optimiser.METHODS.items()},
+}
+
+
+def check_method(method: str) -> None:
+    """Raises ValueError for a name that is no method."""
+    if method.lower() == NEWTON:
+        return
+    try:
+        optimiser.algorithm(method)
+    except ValueError:
+        known = ", ".join(METHODS)
+        raise ValueError(f"no optimiser '{method}'; there are: {known} (or any LD_ name of NLopt)") from None
 
 
 class Descent:
@@ -50,6 +64,7 @@ class Descent:
         improved: Callable[[int, Evaluation, Array], None] | None = None,
     ) -> Minimum:
         """The Minimum, its x in the unknowns of the timeline; `improved` gets (evaluation, Evaluation, x)."""
+        check_method(method)
         if method.lower() == NEWTON:
             found, self.damping = gauss_newton(
                 self.problem,

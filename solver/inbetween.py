@@ -163,6 +163,7 @@ class _Loop:
         self.stop = Stop.CONVERGED
         self.damping = FIRST_DAMPING
         self.elsewhere = np.zeros(len(objective.terms))
+        self.since = -np.inf
         self.whole: Callable[[Timeline], Timeline] = lambda timeline: timeline
 
     def run(self, timeline: Timeline, segments: int, budget: int | None) -> Timeline:
@@ -190,13 +191,13 @@ class _Loop:
         segments = len(raw.frames) - 1
         assembly = Assembly(self.objective, raw, first)
         for window in windows(segments):
-            self.whole = partial(assembly.with_window, window)
+            self.whole = assembly.around(window)
             self.elsewhere = assembly.elsewhere(window)
+            self.since = float(raw.times[window.first])
             self.damping = FIRST_DAMPING
             count, budget = window.last - window.first, self.settings.frames
-            share = None if budget is None else round(budget * count / segments)
             opened = assembly.opened(window)
-            solved = self.run(opened, count, None if share is None else max(share, opened.variable_count))
+            solved = self.run(opened, count, None if budget is None else assembly.room(window, budget))
             assembly.close(window, solved)
             if self.stop is Stop.ASKED:
                 break
@@ -208,7 +209,7 @@ class _Loop:
         before, elsewhere = self.evaluations, float(self.elsewhere.sum())
 
         def report(count: int, evaluation: Evaluation, x: Array) -> None:
-            self.best = partial(self._built, timeline, descent, x)
+            self.best = partial(_built, self.whole, timeline, descent, x)
             self.evaluations = before + count
             value = elsewhere + evaluation.value
             # a new round sums E over other samples: its first evaluations need not lie below the last round's
@@ -232,10 +233,6 @@ class _Loop:
         self.stop = found.stop
         return timeline.with_rows(descent.problem.unknowns.rows(found.x))
 
-    def _built(self, timeline: Timeline, descent: Descent, x: Array) -> Timeline:
-        """The whole clip with the descent at x."""
-        return self.whole(timeline.with_rows(descent.problem.unknowns.rows(x)))
-
     def chosen(self, timeline: Timeline, room: int) -> tuple[Array, float]:
         """The middles of the segments to split next, the most needy ones, and the share of E that they promise."""
         scores = CRITERIA[self.settings.criterion](self.objective, timeline)
@@ -244,7 +241,14 @@ class _Loop:
             present = max(self.trace[-1][2] - float(self.elsewhere.sum()), NEGLIGIBLE * self.trace[0][2])
             threshold *= present / max(sum(not frame.is_variable for frame in timeline.frames) - 1, 1)
         most = min(room, max(1, round(self.settings.batch * scores.size)))
+        middles = midpoints(timeline)
+        scores = np.where(middles > self.since, scores, -np.inf)  # what a window holds is not split
         order = np.argsort(scores)[::-1][:most]
         order = order[scores[order] > threshold]
         promise = float(scores[order].sum()) / present if present > 0 else 0.0
-        return np.sort(midpoints(timeline)[order]), promise
+        return np.sort(middles[order]), promise
+
+
+def _built(whole: Callable[[Timeline], Timeline], timeline: Timeline, descent: Descent, x: Array) -> Timeline:
+    """The whole clip with a descent on one of its timelines at x."""
+    return whole(timeline.with_rows(descent.problem.unknowns.rows(x)))

@@ -61,7 +61,7 @@ def algorithm(method: str) -> int:
     name = METHODS.get(method.lower(), (method.upper(),))[0]
     number = getattr(nlopt, f"LD_{name.removeprefix('LD_')}", None)
     if number is None:
-        raise ValueError(f"no optimiser '{method}'; there are: newton, {', '.join(METHODS)} (or any LD_ name of NLopt)")
+        raise ValueError(f"no optimiser '{method}'; there are: {', '.join(METHODS)} (or any LD_ name of NLopt)")
     return int(number)
 
 

@@ -8,7 +8,9 @@ the other. The frames of all windows are one timeline with one C² spline, and t
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from itertools import pairwise
 
 import numpy as np
@@ -86,32 +88,38 @@ class Assembly:
                 slopes[side] = self.end_slope[side]
         return Timeline(tuple(held), slopes, self.raw.ends)
 
-    def with_window(self, window: Window, solved: Timeline) -> Timeline:
-        """The whole clip with a window as it stands."""
-        return Timeline(tuple(self._merged(window, solved)), self._slopes(window, solved), self.raw.ends)
+    def around(self, window: Window) -> Callable[[Timeline], Timeline]:
+        """How to make the whole clip of a window, the rest of it as it stands now."""
+        return partial(self._with_window, tuple(self.frames), self.end_slope, window)
+
+    def room(self, window: Window, budget: int) -> int:
+        """How many variable frames a window may have, of so many in all: its share, or what the others leave."""
+        segments = len(self.key_times) - 1
+        first, last = self.key_times[window.first], self.key_times[window.last]
+        others = sum(f.is_variable for f in self.frames if not first < f.time < last)
+        return min(round(budget * (window.last - window.first) / segments), budget - others)
 
     def close(self, window: Window, solved: Timeline) -> None:
         """Takes over what a window found, the part that it looked ahead to as the start of the next."""
-        self.frames, self.end_slope = self._merged(window, solved), self._slopes(window, solved)
+        whole = self.around(window)(solved)
+        self.frames, self.end_slope = list(whole.frames), np.array(whole.end_slope)
         self.solved_path = path_of(solved)
         from_ = max(window.first - 1, 0)
         times = self.key_times[from_ : window.last + 1]
         self.parts[from_ : window.last] = segment_integrals(self.objective, self.solved_path, times)
 
-    def _merged(self, window: Window, solved: Timeline) -> list[Frame]:
+    def _with_window(self, frames: tuple[Frame, ...], end_slope: Array, window: Window, solved: Timeline) -> Timeline:
         """Held frames stay as they were: in a window they count as keyframes."""
         first = self.key_times[window.first] if window.first else -np.inf
         last = self.key_times[window.last]
-        before = [f for f in self.frames if f.time <= first]
-        return [*before, *(f for f in solved.frames if f.time > first), *(f for f in self.frames if f.time > last)]
-
-    def _slopes(self, window: Window, solved: Timeline) -> Array:
-        slopes = np.array(self.end_slope)
+        before, after = (f for f in frames if f.time <= first), (f for f in frames if f.time > last)
+        slopes = np.array(end_slope)
         if window.held == 0:
             slopes[0] = solved.end_slope[0]
         if window.last == len(self.key_times) - 1:
             slopes[1] = solved.end_slope[1]
-        return slopes
+        inside = (f for f in solved.frames if first < f.time <= last)
+        return Timeline((*before, *inside, *after), slopes, self.raw.ends)
 
 
 def segment_integrals(objective: Objective, path: Path, times: Array) -> Array:

@@ -23,7 +23,7 @@ PENALTIES: list[tuple[Penalty, float]] = [
     (UnitMagnitude(), 0.5),
     (RootAcceleration(), 1.0),
 ]
-BRIEF = Settings(max_evaluations=40)
+BRIEF = Settings(variable=1, max_evaluations=40)
 
 
 def partial_keys(figure: Figure, rng: np.random.Generator) -> list[Frame]:

@@ -88,7 +88,9 @@ def test_velocities_and_accelerations_are_mujocos(saved: Saved):
         velocity = differentiated(model, fine.qpos, dt)
         np.testing.assert_allclose(fine.qvel[1:-1], velocity, atol=1e-4 * np.abs(velocity).max())
         slope = (fine.qvel[2:] - fine.qvel[:-2]) / (2 * dt)
-        np.testing.assert_allclose(fine.qacc[1:-1], slope, atol=1e-3 * np.abs(slope).max())
+        # at a knot the acceleration has a corner, which no difference sees
+        smooth = np.min(np.abs(fine.time[1:-1, None] - timeline.times), axis=1) > 1.5 * dt
+        np.testing.assert_allclose(fine.qacc[1:-1][smooth], slope[smooth], atol=1e-3 * np.abs(slope).max())
 
 
 def test_mujocos_inverse_dynamics_of_the_samples_obey_newtons_law(saved: Saved):

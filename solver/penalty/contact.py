@@ -14,7 +14,7 @@ import mujoco
 import numpy as np
 
 from .. import quaternion as quat
-from ..algebra import cross
+from ..algebra import cross, dot
 from ..curvature import Curvature, Sides, jacobian
 from ..figure import Figure
 from ..kinematics import Cotangent, Samples
@@ -142,8 +142,11 @@ class Contact:
             kept = np.flatnonzero(about > 0)
             depth, way = surface.depth(centres[:, kept], radii[kept])
             inside = depth[:, 0] > 0
-            depth = np.where(inside, depth[:, 0], about[kept, 0] - NEAR)
-            way = np.where(inside, way[..., 0], way_about[:, kept, 0])
+            # a depth grows by |way| a metre, through a box's sides by more than 1
+            way_about = way_about[:, kept, 0]
+            beyond = about[kept, 0] - NEAR * np.sqrt(dot(way_about, way_about))
+            depth = np.where(inside, depth[:, 0], np.minimum(beyond, 0))
+            way = np.where(inside, way[..., 0], way_about)
             link, at = np.divmod(flat[kept % flat.size], samples.count)
             parts.append(Sides(at, depth, point_gradients(samples, at, link, arms[:, kept], way)))
         return Sides.joined(parts) if parts else None

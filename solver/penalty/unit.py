@@ -44,7 +44,7 @@ class UnitMagnitude:
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
         excess = samples.q_dots[0] - 1
-        slope = 2.0 if self.form == "square" else 2 / (excess**2 + self.epsilon**2) ** 0.25
+        slope = 2.0 if self.form == "square" else np.sqrt(2) / (excess**2 + self.epsilon**2) ** 0.25
         rows = np.zeros((samples.count, excess.shape[0], 1, 3, 4))
         rows[:, :, 0, 0] = (slope * samples.q).transpose(2, 1, 0)
         into.add_blocks(samples.figure.tables.quaternion_columns.T, rows, scale)
