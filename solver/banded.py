@@ -1,7 +1,7 @@
-"""Banded symmetric matrices, by LAPACK: Cholesky's factor, and solves with it or with one side of it.
+"""Banded matrices, by LAPACK: Cholesky's factor of symmetric ones, solves with it or with one side of it; tridiagonals.
 
-Storage is LAPACK's lower one, turned round to be in C's order: row i of `band` (n, width) holds the entries of column i
-from the diagonal down.
+The storage of symmetric ones is LAPACK's lower one, turned round to be in C's order: row i of `band` (n, width) holds
+the entries of column i from the diagonal down.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from scipy.linalg import get_blas_funcs, get_lapack_funcs
 from .quaternion import Array
 
 _PBTRF, _PBTRS, _TBTRS = get_lapack_funcs(("pbtrf", "pbtrs", "tbtrs"))
+_GTTRF, _GTTRS = get_lapack_funcs(("gttrf", "gttrs"))
 (_SYRK,) = get_blas_funcs(("syrk",))
 
 
@@ -39,3 +40,21 @@ def other_half_solved(factor: Array, right: Array) -> Array:
 def squared(rows: Array) -> Array:
     """RᵀR of R (k, n), its upper triangle; zeros below."""
     return _SYRK(1.0, rows.T, lower=1).T
+
+
+class Tridiagonal:
+    """The factor of a matrix of three diagonals, lower (n − 1,), diagonal (n,), upper (n − 1,)."""
+
+    def __init__(self, lower: Array, diagonal: Array, upper: Array) -> None:
+        *self.factor, info = _GTTRF(lower, diagonal, upper)
+        if info != 0:
+            raise ArithmeticError("a tridiagonal matrix has no inverse")
+
+    @property
+    def size(self) -> int:
+        """How many numbers the factor holds."""
+        return sum(part.size for part in self.factor)
+
+    def solved(self, right: Array, *, transposed: bool = False) -> Array:
+        """A⁻¹ b or A⁻ᵀ b of right sides (n, m)."""
+        return np.ascontiguousarray(_GTTRS(*self.factor, right, trans="T" if transposed else "N")[0])

@@ -43,9 +43,16 @@ class Curvature:
 
     def add_blocks(self, columns: Index, jacobian: Array, scale: Array) -> None:
         """Residuals of n blocks of k columns (n, k), Jacobians (S, n, r, 3, k) at every sample, times scale (S,)."""
+        if not columns.size:
+            return
         count, n, residuals, _, k = jacobian.shape
         j = (jacobian * np.sqrt(2 * scale)[:, None, None, None, None]).reshape(count, n, residuals, 3 * k)
-        self._blocks.append((columns, np.matmul(j.swapaxes(2, 3), j).reshape(count, n, 3, k, 3, k)))
+        squared = np.matmul(j.swapaxes(2, 3), j).reshape(count, n, 3, k, 3, k)
+        for there, total in self._blocks:
+            if np.array_equal(there, columns):
+                total += squared
+                return
+        self._blocks.append((columns, squared))
 
     def add_squares(self, columns: Index, order: int, scale: Array) -> None:
         """Residuals that are entries of y, y' or y'' themselves, times scale (S,)."""
@@ -63,15 +70,24 @@ class Curvature:
         local = [(at, np.einsum("poa,pon->pan", phi[at][:, orders, :], rows)) for at, rows, orders in self._rows]
         return [(at, rows.reshape(at.size, -1)) for at, rows in local]
 
-    def blocks(self, phi: Array) -> list[tuple[Index, Array]]:
-        """Matrices of n blocks of k columns (n, k) by the coefficients of K directions: (S, n, K, k, K, k)."""
+    def blocks(self, phi: Array, together: int = 1) -> list[tuple[Index, Array]]:
+        """Matrices of n blocks of k columns (n, k) by the coefficients of K directions: (S, n, K, k, K, k).
+
+        Those of every so many neighbouring samples `together` are summed, S is less by as much.
+        """
+        count, directions = len(phi) // together, phi.shape[2]
         made = []
+        pairs = phi[:, :, None, :, None] * phi[:, None, :, None, :]
+        pairs = pairs.reshape(count, together * 9, -1).swapaxes(1, 2)
         for columns, blocks in self._blocks:
-            half = np.einsum("sia,snixjy->snaxjy", phi, blocks)
-            made.append((columns, np.einsum("snaxjy,sjb->snaxby", half, phi)))
+            n, k = columns.shape
+            by_orders = blocks.transpose(0, 2, 4, 1, 3, 5).reshape(count, together * 9, -1)
+            local = np.matmul(pairs, by_orders).reshape(count, directions, directions, n, k, k)
+            made.append((columns, local.transpose(0, 3, 1, 4, 2, 5)))
         for columns, order, scale in self._squares:
-            each = scale[:, None, None] * phi[:, order, :, None] * phi[:, order, None, :]
-            every = np.broadcast_to(each[:, None, :, None, :, None], (len(each), columns.size, *_apart(each.shape)))
+            one = phi[:, order].reshape(count, together, -1)
+            each = np.matmul((one * scale.reshape(count, together, 1)).swapaxes(1, 2), one)
+            every = np.broadcast_to(each[:, None, :, None, :, None], (count, columns.size, *_apart(each.shape)))
             made.append((columns[:, None], every))
         return made
 

@@ -6,8 +6,9 @@ A keyframe has every entry fixed, a partial keyframe some, a variable frame none
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
-from itertools import pairwise
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -70,6 +71,24 @@ class Frame:
         state = np.asarray(state, float)
         return cls(time, state, np.zeros(state.shape, bool))
 
+    @classmethod
+    def _of_checked(cls, time: float, state: Array, fixed: Mask) -> Frame:
+        """A frame of finite numbers in read-only arrays, as they are."""
+        frame = object.__new__(cls)
+        frame.__dict__.update(time=time, state=state, fixed=fixed)
+        return frame
+
+    @classmethod
+    def many(cls, times: ArrayLike, states: ArrayLike, fixed: ArrayLike) -> list[Frame]:
+        """Frames of times (K,), states (K, N) and masks (K, N)."""
+        times, states, fixed = np.array(times, float), frozen(states), frozen_mask(fixed)
+        if states.ndim != 2 or states.shape != fixed.shape or times.shape != states.shape[:1]:
+            raise TimelineError(f"times {times.shape}, states {states.shape} and fixed {fixed.shape} do not match")
+        good = np.isfinite(times) & np.isfinite(states).all(axis=1)
+        if not good.all():
+            raise TimelineError(f"the frame at t = {times[~good][0]:g} s holds entries that are not finite numbers")
+        return list(map(cls._of_checked, times.tolist(), states, fixed))
+
     @property
     def is_variable(self) -> bool:
         return not self.fixed.any()
@@ -98,12 +117,13 @@ class Timeline:
         object.__setattr__(self, "frames", tuple(self.frames))
         if len(self.frames) < 2:
             raise TimelineError(f"a timeline needs at least 2 frames, not {len(self.frames)}")
-        times = [frame.time for frame in self.frames]
-        for i, (a, b) in enumerate(pairwise(times)):
-            if not b > a:
-                raise TimelineError(
-                    f"frame {i + 2} is at t = {b:g} s, not after frame {i + 1} at t = {a:g} s; times must rise"
-                )
+        times = self.times
+        if not (times[1:] > times[:-1]).all():
+            i = int(np.argmin(times[1:] > times[:-1]))
+            a, b = times[i], times[i + 1]
+            raise TimelineError(
+                f"frame {i + 2} is at t = {b:g} s, not after frame {i + 1} at t = {a:g} s; times must rise"
+            )
         widths = {frame.state.size for frame in self.frames}
         if len(widths) > 1:
             raise TimelineError(f"the frames' states have different lengths: {sorted(widths)}")
@@ -118,37 +138,43 @@ class Timeline:
         """N, the number of entries of a state."""
         return self.frames[0].state.size
 
-    @property
+    @cached_property
     def times(self) -> Array:
         """(M,) [s]"""
         return frozen([frame.time for frame in self.frames])
 
-    @property
+    @cached_property
     def states(self) -> Array:
         """(M, N)"""
         return frozen([frame.state for frame in self.frames])
 
-    @property
+    @cached_property
     def fixed(self) -> Mask:
         """(M, N)"""
         return frozen_mask([frame.fixed for frame in self.frames])
 
-    @property
+    @cached_property
     def rows(self) -> Array:
         """(M + 2, N): the frames' states and below them what the two ends say; a spline is linear in these."""
-        return frozen(np.vstack([self.states, self.end_slope]))
+        return frozen(np.concatenate([self.states, self.end_slope]))
+
+    @cached_property
+    def of_times(self) -> dict[str, Any]:
+        """What others keep of the times and ends, shared with the timelines that have the same."""
+        return {}
 
     @property
     def variable_count(self) -> int:
-        return sum(frame.is_variable for frame in self.frames)
+        return int(np.count_nonzero(~self.fixed.any(axis=1)))
 
     def with_rows(self, rows: ArrayLike) -> Timeline:
         """The same times and masks with other states and end slopes, rows (M + 2, N)."""
         rows = np.asarray(rows, float)
-        if rows.shape != self.rows.shape:
+        if rows.shape != (len(self.frames) + 2, self.width):
             raise TimelineError(f"rows have shape {rows.shape}, not {self.rows.shape} as the timeline's")
-        frames = tuple(replace(frame, state=row) for frame, row in zip(self.frames, rows[:-2], strict=True))
-        return Timeline(frames, rows[-2:], self.ends)
+        moved = Timeline(tuple(Frame.many(self.times, rows[:-2], self.fixed)), rows[-2:], self.ends)
+        moved.of_times.update(self.of_times)
+        return moved
 
     def inserted(self, variable: Iterable[Frame]) -> Timeline:
         """With more frames, each at a time of its own."""

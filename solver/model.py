@@ -14,25 +14,30 @@ its minimum after a few factorisations (semismooth Newton; M. Hintermüller, K. 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 from scipy import sparse
 
 from . import banded
 from .curvature import Curvature
+from .kinematics import Samples
 from .objective import Discretised
 from .quadrature import gauss_nodes
 from .quaternion import Array, Index
-from .spline import DEGREE, Path, Spline
+from .spline import DEGREE, Path, Piece, Sampling, Spline
 
 POINTS = 2
-SPANS_AT_ONCE = 32
+SPANS_AT_ONCE, SPAN_ENTRIES = 32, 2000
 STIFF = 1e6
 FAINT = 1e-9
 SHARE_OF_POSITION = 0.3
 MOST_CHANGES = 15
 SETTLED = 0.05
 LOCAL = DEGREE + 1
+
+Picked = Index | slice
 
 
 class Layout:
@@ -53,35 +58,53 @@ class Layout:
         self.rank[order] = np.arange(self.count)
         self.order = order
         self.blocks = min(2 * LOCAL if self.is_loop else LOCAL, self.count)
-        self.rows = sparse.csr_matrix(
-            sparse.vstack([spline.basis(spline.times, 0), spline.basis(spline.times[[0, -1]], 1)])
-        )
-        self.rows_transposed = self.rows.T.tocsr()
         self.place = unknowns.place
-        times = np.asarray(spline.times)
-        self.t, self.weights = gauss_nodes(times, POINTS)
-        self.bases = local_bases(spline, self.t)
+        t, self.weights = gauss_nodes(np.asarray(spline.times), POINTS)
+        sampling = Sampling.of(spline, t)
+        at_once = max(SPANS_AT_ONCE, SPAN_ENTRIES // self.width)
+        edges = [*range(0, spline.times.size - 1, at_once), spline.times.size - 1]
+        self.pieces = [
+            (sampling.piece(slice(POINTS * a, POINTS * b)), self._pairs(a, b - a)) for a, b in pairwise(edges)
+        ]
         self.springs = self._springs()
-        self.flat = self._flat()
+        self.flat = self._flat(sampling.values)
 
     def empty(self) -> Array:
         """Room for a matrix's blocks: (M + 2, N, K + 1, N), [j, c, k, r] its entry at row (j + k, r), column (j, c)."""
         return np.zeros((self.count, self.width, self.blocks + 1, self.width))
 
-    def add_curvature(self, room: Array, spans: Index, curvature: Curvature, bases: Array) -> None:
-        """Adds a curvature whose samples lie on these spans (S,), rising."""
-        for at, rows in curvature.rows(bases):
-            self.add_squared(room, spans[at], rows)
-        first = np.flatnonzero(np.diff(spans, prepend=-1))
-        for columns, blocks in curvature.blocks(bases):
-            local = np.add.reduceat(blocks, first, axis=0)
-            for a in range(LOCAL):
-                for b in range(LOCAL):
-                    row, column = self.rank[spans[first] + a], self.rank[spans[first] + b]
-                    lower = np.flatnonzero(row >= column)
-                    own = (row - column)[lower, None, None, None]
-                    place = (column[lower, None, None, None], columns[:, :, None], own, columns[:, None, :])
-                    room[place] += local[lower, :, b, :, a, :]
+    def diagonal(self, room: Array) -> Array:
+        """(M + 2, K + 1, N): the entries of a matrix's blocks that join a column with itself, to be added to."""
+        return np.einsum("jckc->jkc", room)
+
+    def _pairs(self, first: int, count: int) -> list[Pair]:
+        """Where the B-splines of spans first ... first + count − 1 stand by pairs in the lower half."""
+        if not self.is_loop:
+            return [
+                Pair(slice(None), b, slice(b, LOCAL), slice(first + b, first + b + count), slice(0, LOCAL - b))
+                for b in range(LOCAL)
+            ]
+        found, spans = [], np.arange(first, first + count)
+        for a, b in np.ndindex(LOCAL, LOCAL):
+            row, column = self.rank[spans + a][:, None], self.rank[spans + b][:, None]
+            some = np.flatnonzero(row >= column)
+            found.append(Pair(some, b, slice(a, a + 1), column[some], (row - column)[some]))
+        return found
+
+    def add_curvature(self, room: Array, curvature: Curvature, piece: Piece, pairs: list[Pair]) -> None:
+        """Adds a curvature whose samples are the nodes of neighbouring spans."""
+        for at, rows in curvature.rows(piece.values):
+            self.add_squared(room, piece.first[at], rows)
+        for columns, blocks in curvature.blocks(piece.values, POINTS):
+            local = blocks.transpose(0, 2, 4, 1, 3, 5)
+            own_blocks = _own_blocks(room, columns)
+            for spot in pairs:
+                part = local[spot.spans, spot.b, spot.a]
+                if own_blocks is not None:
+                    own_blocks[spot.j, spot.k] += part
+                else:
+                    j, k = (index[..., None, None, None] for index in spot.indices())
+                    room[j, columns[:, :, None], k, columns[:, None, :]] += part
 
     def add_squared(self, room: Array, spans: Index, rows: Array) -> None:
         """Adds Σ rowᵀrow of rows (P, 4 N) over the coefficients of their spans (P,), rising."""
@@ -123,36 +146,48 @@ class Layout:
 
     def to_x(self, coefficients: Array) -> Array:
         """The step in the unknowns (n,) that a step of the coefficients (M + 2, N) means."""
-        return np.asarray(self.rows @ coefficients).ravel()[self.place]
+        return self.problem.spline.states_and_slopes(coefficients).reshape(-1)[self.place]
 
     def from_x(self, gradient: Array) -> Array:
         """A gradient with respect to the unknowns (n,) as one with respect to coefficients, (M + 2, N)."""
         rows = np.zeros(self.count * self.width)
         rows[self.place] = gradient
-        return np.asarray(self.rows_transposed @ rows.reshape(self.count, self.width))
+        return self.problem.spline.states_and_slopes_transposed(rows.reshape(self.count, self.width))
 
     def _springs(self) -> Array:
         """The springs' matrix, of about unit size."""
-        spline, width = self.problem.spline, self.width
-        last = self.count - 3
+        spline, unknowns = self.problem.spline, self.problem.unknowns
         room = self.empty()
-        free = np.zeros((self.count, width), bool)
-        free.reshape(-1)[self.place] = True
-        ties = self.problem.unknowns.matrix
-        for i in range(self.count):
-            if self.is_loop and i >= last:
-                self._tie_seam(room, spline, i - last)
-            elif not free[i].all():
-                hold = np.diag(1.0 - free[i])
-                own = ties[i * width : (i + 1) * width]
-                columns = np.unique(own.indices)
-                if columns.size:
-                    moves = own[:, columns].toarray()
-                    hold = np.eye(width) - moves @ np.linalg.pinv(moves)
-                row = self.rows[i]
-                weights = np.array(row.data, float)[:, None] + np.zeros(width)
-                self._hold(room, np.asarray(row.indices, np.intp), weights, hold)
+        free = np.zeros((self.count, self.width))
+        free.reshape(-1)[self.place] = 1.0
+        first, weights = spline.rows_by_coefficients()
+        held = np.asarray(free.min(axis=1) == 0)
+        if self.is_loop:
+            held[-3:] = False
+            for order in range(3):
+                self._tie_seam(room, spline, order)
+        if unknowns.ties is not None:
+            tied = held & np.diff(unknowns.ties.indptr).reshape(free.shape).any(axis=1)
+            for i in np.flatnonzero(tied):
+                own = unknowns.matrix[i * self.width : (i + 1) * self.width]
+                moves = own[:, np.unique(own.indices)].toarray()
+                each = np.tile(weights[i][:, None], self.width)
+                self._hold(room, first[i] + np.arange(DEGREE), each, np.eye(self.width) - moves @ np.linalg.pinv(moves))
+            held &= ~tied
+        self._hold_columns(room, first[held], weights[held], 1 - free[held])
         return room
+
+    def _hold_columns(self, room: Array, first: Index, weights: Array, hold: Array) -> None:
+        """For each of some rows, springs on the columns of hold (R, N) of the sum of 3 coefficients, weights (R, 3)."""
+        weights = weights / np.sqrt(np.sum(weights**2, axis=1, keepdims=True))
+        rank = self.rank[first[:, None] + np.arange(DEGREE)]
+        apart = rank[:, :, None] - rank[:, None, :]
+        row, a, b = np.nonzero(apart >= 0)
+        index = np.arange(self.width)
+        place = (rank[row, b][:, None], index, apart[row, a, b][:, None], index)
+        flat = np.ravel_multi_index(np.broadcast_arrays(*place), room.shape)
+        values = (weights[row, a] * weights[row, b])[:, None] * hold[row]
+        np.add.at(room.reshape(-1), flat.ravel(), values.ravel())
 
     def _tie_seam(self, room: Array, spline: Spline, order: int) -> None:
         """y, y' or y'' at the end equal to that at the start, or its negative for quaternions that come back so."""
@@ -175,20 +210,55 @@ class Layout:
                 if row >= column:
                     room[column, :, row - column, :] += wb[:, None] * hold * wa
 
-    def _flat(self) -> Array:
-        """(P, 4, 4): ∫ φ''φ''ᵀ + ε φφᵀ over every span, for each column the same."""
-        frames = self.problem.timeline.frames
-        keys = max(sum(not frame.is_variable for frame in frames), 2)
-        spacing = (frames[-1].time - frames[0].time) / keys
-        value, acceleration = self.bases[:, 0], self.bases[:, 2]
+    def _flat(self, bases: Array) -> Array:
+        """(M + 2, K + 1): ∫ φ''φ''ᵀ + ε φφᵀ of the coefficients, for each column the same."""
+        timeline = self.problem.timeline
+        keys = max(len(timeline.frames) - timeline.variable_count, 2)
+        spacing = (timeline.times[-1] - timeline.times[0]) / keys
+        value, acceleration = bases[:, 0], bases[:, 2]
         density = acceleration[:, :, None] * acceleration[:, None, :]
         density += SHARE_OF_POSITION / spacing**4 * value[:, :, None] * value[:, None, :]
-        return (self.weights[:, None, None] * density).reshape(-1, POINTS, LOCAL, LOCAL).sum(axis=1)
+        local = (self.weights[:, None, None] * density).reshape(-1, POINTS, LOCAL, LOCAL).sum(axis=1)
+        flat = np.zeros((self.count, self.blocks + 1))
+        for spot in self._pairs(0, len(local)):
+            flat[spot.j, spot.k] += local[spot.spans, spot.b, spot.a]
+        return flat
 
 
-def local_bases(spline: Spline, t: Array) -> Array:
-    """(S, 3, 4): the B-splines that live at each t, and two derivatives."""
-    return np.stack([np.array(spline.basis(t, k).data, float).reshape(-1, LOCAL) for k in range(3)], axis=1)
+class Pair(NamedTuple):
+    """Where B-spline b of some spans stands with B-splines a in a matrix's blocks: at [j, k], shape (spans, a)."""
+
+    spans: Picked
+    b: int
+    a: slice
+    j: Picked
+    k: Picked
+
+    def indices(self) -> tuple[Index, Index]:
+        """j and k as arrays."""
+        if isinstance(self.j, slice) or isinstance(self.k, slice):
+            return np.r_[self.j][:, None], np.r_[self.k][None, :]
+        return self.j, self.k
+
+
+def _own_blocks(room: Array, columns: Index) -> Array | None:
+    """(M + 2, K + 1, n, k, k): a matrix's entries that join n blocks of k columns with themselves, to be added to.
+
+    None if the blocks (n, k), whose columns rise, are no run of columns.
+    """
+    some = slice(int(columns[0, 0]), int(columns[-1, -1]) + 1)
+    if some.stop - some.start != columns.size:
+        return None
+    seen = room[:, some, :, some]
+    return np.einsum("jnxkny->jknxy", seen.reshape(len(room), *columns.shape, room.shape[2], *columns.shape))
+
+
+def middle(values: Array) -> float:
+    """The median."""
+    half = values.size // 2
+    parted = values.flatten()
+    parted.partition((half - 1, half))
+    return float(parted[half] if values.size % 2 else (parted[half - 1] + parted[half]) / 2)
 
 
 @dataclass(frozen=True, eq=False)
@@ -207,7 +277,7 @@ class OneSided:
 
     @classmethod
     def of(cls, problem: Discretised, path: Path) -> OneSided | None:
-        samples = problem.objective.samples(path, problem.sampling.t)
+        samples = problem.samples(path)
         found = [(term.factor, term.penalty.sides(samples)) for term in problem.objective.terms]
         parts = [(factor, sides) for factor, sides in found if sides is not None and sides.at.size]
         if not parts:
@@ -218,9 +288,8 @@ class OneSided:
         value = np.concatenate([sides.value for _, sides in parts])
         rows = np.concatenate([sides.rows for _, sides in parts])
         at, rows, value, weight = at[order], rows[order], value[order], weight[order]
-        basis = path.spline.basis(problem.sampling.t[at], 0)
-        span = basis.indices.reshape(-1, LOCAL)[:, 0].astype(np.intp)
-        local = (basis.data.reshape(-1, LOCAL)[:, :, None] * rows[:, None, :]).reshape(at.size, -1)
+        span = problem.sampling.first[at]
+        local = (problem.sampling.values[at, 0][:, :, None] * rows[:, None, :]).reshape(at.size, -1)
         width = rows.shape[1]
         used = np.flatnonzero(local)
         pair, column = np.divmod(used, local.shape[1])
@@ -252,35 +321,26 @@ class Model:
         """Adds the curvature of the two-sided residuals; its median density in y''."""
         layout, objective = self.layout, self.layout.problem.objective
         room, sizes = layout.empty(), []
-        spans = layout.t.size // POINTS
-        for first in range(0, spans, SPANS_AT_ONCE):
-            some = np.arange(first, min(first + SPANS_AT_ONCE, spans))
-            nodes = slice(POINTS * some[0], POINTS * (some[-1] + 1))
-            samples = objective.samples(path, layout.t[nodes])
-            curvature = Curvature(samples)
+        for piece, pairs in layout.pieces:
+            samples = Samples(objective.figure, *piece.samples(path.coefficients), t=piece.t)
+            curvature, weights = Curvature(samples), layout.weights[piece.which]
             for term in objective.terms:
-                term.penalty.curvature(samples, curvature, term.factor * layout.weights[nodes])
-            layout.add_curvature(room, np.repeat(some, POINTS), curvature, layout.bases[nodes])
-            sizes.append(curvature.acceleration() / layout.weights[nodes, None])
-        index = np.arange(layout.width)
-        middle = float(np.median(room[:, index, 0, index]))
-        self.held *= STIFF * max(middle, 1e-12)
+                term.penalty.curvature(samples, curvature, term.factor * weights)
+            layout.add_curvature(room, curvature, piece, pairs)
+            sizes.append(curvature.acceleration() / weights[:, None])
+        diagonal = layout.diagonal(room)[:, 0]
+        size = max(middle(diagonal), 1e-12)
+        diagonal += FAINT * size
+        self.held *= STIFF * size
         self.held += room
-        self.held[:, index, 0, index] += FAINT * max(middle, 1e-12)
-        return max(float(np.median(np.concatenate(sizes))), 1e-12)
+        return max(middle(np.concatenate(sizes)), 1e-12)
 
     def minimised(self, damping: float) -> tuple[Array, float]:
         """The step (n,) of the unknowns to the minimum of m with λ = damping, and how far m falls."""
         layout, sided = self.layout, self.sided
         held = self.held.copy()
-        index = np.arange(layout.width)
-        some = np.arange(layout.flat.shape[0])
-        for a in range(LOCAL):
-            for b in range(LOCAL):
-                row, column = layout.rank[some + a], layout.rank[some + b]
-                lower = np.flatnonzero(row >= column)
-                place = (column[lower, None], index, (row - column)[lower, None], index)
-                held[place] += damping * layout.flat[lower, a, b, None]
+        diagonal = layout.diagonal(held)
+        diagonal += damping * layout.flat[:, :, None]
         if sided is None:
             factor = layout.factor(held)
             if factor is None:

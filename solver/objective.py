@@ -17,11 +17,12 @@ from .kinematics import Cotangent, Samples
 from .penalty import Penalty
 from .quadrature import Quadrature
 from .quaternion import Array
-from .spline import Path, Sampling, Spline
+from .spline import Path, Sampling, spline_of
 from .unknowns import Unknowns
 
 SMALL_SHARE = 0.01
 RUN = 400
+RUN_ENTRIES = 8000
 
 
 @dataclass(frozen=True)
@@ -65,29 +66,27 @@ class Objective:
         """
         integrals = self.integrals(raw)
         first, last = raw.span
-        spacing = float(np.mean(np.diff(raw.spline.times)))
+        spacing = (last - first) / (raw.spline.times.size - 1)
         terms = []
         for term, integral in zip(self.terms, integrals, strict=True):
             scale = term.penalty.scale
             whole = scale.reference * (last - first) / spacing**scale.time_power
             most = whole if scale.is_violation else np.inf
-            terms.append(replace(term, factor=term.weight / float(np.clip(integral, SMALL_SHARE * whole, most))))
+            terms.append(replace(term, factor=term.weight / min(max(float(integral), SMALL_SHARE * whole), most)))
         return replace(self, terms=tuple(terms))
 
     def integrals(self, path: Path) -> Array:
         """∫ f_j dt of every term, without weight or factor."""
         t, w = self.quadrature.nodes(path.spline.times)
-        coefficients = path.spline.coefficients(path.rows)
         out = np.zeros(len(self.terms))
-        for piece in Sampling.of(path.spline, t).pieces(RUN):
-            samples = Samples(self.figure, *piece.samples(coefficients), t=piece.t)
+        for piece in Sampling.of(path.spline, t).pieces(run_of(self.figure)):
+            samples = Samples(self.figure, *piece.samples(path.coefficients), t=piece.t)
             out += [w[piece.which] @ term.penalty.evaluate(samples) for term in self.terms]
         return out
 
     def samples(self, path: Path, t: Array) -> Samples:
         """The figure's motion at times t (S,) along a path."""
-        coefficients = path.spline.coefficients(path.rows)
-        return Samples(self.figure, *(path.spline.basis(t, order) @ coefficients for order in range(3)), t=t)
+        return Samples(self.figure, *path.motion(t), t=t)
 
     def value(self, path: Path) -> float:
         """E of a path."""
@@ -96,7 +95,7 @@ class Objective:
     def density(self, samples: Samples) -> Array:
         """Σ_j factor_j f_j at every sample, (S,)."""
         values, first = np.zeros(samples.count), 0
-        for part in samples.parts(RUN):
+        for part in samples.parts(run_of(self.figure)):
             for term in self.terms:
                 values[first : first + part.count] += term.factor * term.penalty.evaluate(part)
             first += part.count
@@ -105,7 +104,7 @@ class Objective:
     def sample_gradients(self, samples: Samples) -> tuple[Array, Array, Array]:
         """g₀ = ∂f/∂y, g₁ = ∂f/∂y', g₂ = ∂f/∂y'' of f = Σ_j factor_j f_j, each (S, N)."""
         found = []
-        for part in samples.parts(RUN):
+        for part in samples.parts(run_of(self.figure)):
             cotangent = Cotangent(part)
             for term in self.terms:
                 term.penalty.evaluate(part, cotangent, np.full(part.count, term.factor))
@@ -116,6 +115,11 @@ class Objective:
     def on(self, timeline: Timeline) -> Discretised:
         """E as a function of the timeline's unknowns."""
         return Discretised(self, timeline)
+
+
+def run_of(figure: Figure) -> int:
+    """How many samples are evaluated at once: few enough that their arrays stay in cache."""
+    return max(RUN, RUN_ENTRIES // figure.width)
 
 
 @dataclass(frozen=True)
@@ -130,24 +134,28 @@ class Evaluation:
 class Discretised:
     """E(x) for one timeline: the spline factorised, the samples placed, the unknowns laid out, once.
 
-    The samples are evaluated in runs of at most `RUN`, whose arrays fit into the processor's cache, so that a sample of
+    The samples are evaluated in runs (see `run_of`), whose arrays fit into the processor's cache, so that a sample of
     a long clip costs no more than one of a short clip.
     """
 
     def __init__(self, objective: Objective, timeline: Timeline) -> None:
         self.objective = objective
         self.timeline = timeline
-        self.spline = Spline(timeline.times, timeline.ends)
+        self.spline = spline_of(timeline)
         self.unknowns = Unknowns.of(objective.figure, timeline)
         t, self.weights = objective.quadrature.nodes(self.spline.times)
         self.sampling = Sampling.of(self.spline, t)
-        self._pieces = self.sampling.pieces(RUN)
+        self._pieces = self.sampling.pieces(run_of(objective.figure))
         factors = np.array([[term.factor] for term in objective.terms])
         self._shares = [factors * self.weights[piece.which] for piece in self._pieces]
 
     def path(self, x: Array) -> Path:
         """The curve that x stands for."""
         return Path(self.spline, self.unknowns.rows(x))
+
+    def samples(self, path: Path) -> Samples:
+        """The figure's motion at all samples, along a path of this spline."""
+        return Samples(self.objective.figure, *self.sampling.whole.samples(path.coefficients), t=self.sampling.t)
 
     def __call__(self, x: Array) -> Evaluation:
         """E and dE/dx at x (n,)."""

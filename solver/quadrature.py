@@ -8,6 +8,7 @@ samples fall.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 
@@ -49,13 +50,20 @@ class Quadrature:
     def panels(self, times: Array) -> Array:
         """Edges [s] of the panels: the knots, and equal cuts of spans that are too long."""
         cuts = np.maximum(np.ceil(np.diff(times) / self.longest - 1e-9), 1).astype(int)
-        edges = [np.linspace(a, b, n + 1)[:-1] for a, b, n in zip(times[:-1], times[1:], cuts, strict=True)]
-        return np.concatenate([*edges, times[-1:]])
+        if np.all(cuts == 1):
+            return np.asarray(times, float)
+        number = np.arange(cuts.sum()) - np.repeat(np.cumsum(cuts) - cuts, cuts)
+        return np.append(np.repeat(times[:-1], cuts) + number * np.repeat(np.diff(times) / cuts, cuts), times[-1])
 
 
 def gauss_nodes(edges: Array, points: int) -> tuple[Array, Array]:
     """Gauss-Legendre nodes and weights in every panel between neighbouring edges [s], flattened."""
-    x, w = np.polynomial.legendre.leggauss(points)
+    x, w = _legendre(points)
     half = np.diff(edges)[:, None] / 2
     middle = (edges[1:] + edges[:-1])[:, None] / 2
     return (middle + half * x).ravel(), (half * w).ravel()
+
+
+@cache
+def _legendre(points: int) -> tuple[Array, Array]:
+    return np.polynomial.legendre.leggauss(points)

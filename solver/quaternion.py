@@ -12,21 +12,17 @@ from numpy.typing import ArrayLike, NDArray
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
 
+# Hamilton's table: the pairs p_i q_j, row 4 i + j, that make up each component of p ⊗ q
+_PRODUCT = np.zeros((16, 4))
+_PRODUCT[[0, 1, 4, 2, 8, 3, 12, 11, 13, 6], [0, 1, 1, 2, 2, 3, 3, 1, 2, 3]] = 1
+_PRODUCT[[5, 10, 15, 14, 7, 9], [0, 0, 0, 1, 2, 3]] = -1
+
 
 def product(p: ArrayLike, q: ArrayLike) -> Array:
     """Hamilton product p ⊗ q, (..., 4) with (..., 4)."""
     p, q = np.asarray(p, float), np.asarray(q, float)
-    pw, px, py, pz = np.moveaxis(p, -1, 0)
-    qw, qx, qy, qz = np.moveaxis(q, -1, 0)
-    return np.stack(
-        [
-            pw * qw - px * qx - py * qy - pz * qz,
-            pw * qx + px * qw + py * qz - pz * qy,
-            pw * qy - px * qz + py * qw + pz * qx,
-            pw * qz + px * qy - py * qx + pz * qw,
-        ],
-        axis=-1,
-    )
+    pairs = p[..., :, None] * q[..., None, :]
+    return pairs.reshape(*pairs.shape[:-2], 16) @ _PRODUCT
 
 
 def conjugate(q: ArrayLike) -> Array:

@@ -16,12 +16,15 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy import sparse
 from scipy.interpolate import CubicSpline
-from scipy.sparse.linalg import splu
+from scipy.sparse.linalg import SuperLU, splu
 
+from .banded import Tridiagonal
+from .frame import Timeline
 from .quaternion import Array, Index
 
 DEGREE = 3
 SHORT = 150
+TAYLOR = np.arange(2, -1, -1)[:, None] + np.arange(DEGREE + 1)
 
 
 class Spline:
@@ -37,11 +40,36 @@ class Spline:
         self.ends = ends
         first, last = self.times[0], self.times[-1]
         self.knots = np.concatenate([[first] * DEGREE, self.times, [last] * DEGREE])
-        if ends == "periodic":
-            closing = [self.basis([last], k) - self.basis([first], k) for k in (1, 2)]
-        else:
-            closing = [self.basis([first, last], 1)]
-        self._collocation = splu(sparse.csc_matrix(sparse.vstack([self.basis(self.times, 0), *closing])))
+        # (M − 1, 4, 4): at the beginning of every span, its 4 B-splines (last axis) and three derivatives
+        self._begin = _basis_values(self.knots, np.arange(DEGREE, DEGREE + self.times.size - 1), self.times[:-1])
+        # at a knot three B-splines are not zero, at the ends one; the slopes there see two
+        self.at_times = np.concatenate([self._begin[:, 0, :DEGREE], [[0.0, 0.0, 1.0]]])
+        step = DEGREE / np.diff(self.times)[[0, -1], None]
+        self._slopes = np.concatenate([-step, step], axis=1)
+        self._collocation = self._closed() if ends == "periodic" else self._tridiagonal()
+
+    @property
+    def factor_size(self) -> int:
+        """How many numbers the factor of the collocation matrix holds."""
+        factor = self._collocation
+        return factor.size if isinstance(factor, Tridiagonal) else factor.L.nnz + factor.U.nnz
+
+    def _closed(self) -> SuperLU:
+        """The factor of the collocation matrix of a periodic curve, whose last two rows are full circles."""
+        first, last = self.times[[0, -1]]
+        closing = [self.basis([last], k) - self.basis([first], k) for k in (1, 2)]
+        return splu(sparse.csc_matrix(sparse.vstack([self.basis(self.times, 0), *closing])))
+
+    def _tridiagonal(self) -> Tridiagonal:
+        """The factor of the collocation matrix: each slope beside the value at its end, it has three diagonals."""
+        at, (first, last) = self.at_times, self._slopes
+        count = self.times.size
+        self._order = np.concatenate([[0, count], np.arange(1, count - 1), [count + 1, count - 1]])
+        lower, diagonal, upper = np.zeros(count + 1), np.empty(count + 2), np.zeros(count + 1)
+        diagonal[[0, 1, -2, -1]] = at[0, 0], first[1], last[0], at[-1, 2]
+        lower[0], upper[-1] = first[0], last[1]
+        lower[1:-2], diagonal[2:-2], upper[2:-1] = at[1:-1].T
+        return Tridiagonal(lower, diagonal, upper)
 
     @property
     def size(self) -> int:
@@ -54,20 +82,62 @@ class Spline:
         At a knot the third derivative is the one of the span to the right (at the last knot, to the left).
         """
         t = np.atleast_1d(np.asarray(t, float))
-        count = self.times.size
-        span = np.clip(np.searchsorted(self.times, t, side="right") - 1, 0, count - 2)
-        values = _basis_values(self.knots, span + DEGREE, t, order)
-        columns = span[:, None] + np.arange(DEGREE + 1)
-        starts = np.arange(0, values.size + 1, DEGREE + 1)
-        return sparse.csr_matrix((values.ravel(), columns.ravel(), starts), shape=(t.size, count + 2))
+        first = self._spans(t)
+        values = _basis_values(self.knots, first + DEGREE, t)[:, order]
+        return _four_a_row(first, values, self.size)
+
+    def local(self, t: Array) -> tuple[Index, Array]:
+        """The first (S,) of the 4 B-splines that live at each t (S,), and y, y', y'' of the four: (S, 3, 4)."""
+        first = self._spans(t)
+        u = t - self.times[first]
+        powers = np.zeros((t.size, 6))
+        powers[:, 2] = 1
+        powers[:, 3] = u
+        powers[:, 4] = u * u / 2
+        powers[:, 5] = powers[:, 4] * u / 3
+        return first, np.matmul(powers[:, TAYLOR], self._begin[first])
+
+    def _spans(self, t: Array) -> Index:
+        """The number (S,) of the span that each t lies in, the one to the right at a knot."""
+        span = self.times.searchsorted(t, side="right") - 1
+        return np.minimum(np.maximum(span, 0), self.times.size - 2)
 
     def coefficients(self, rows: Array) -> Array:
         """C = Φ⁻¹ Y (eq. 6): rows (M + 2, N) -> B-spline coefficients (M + 2, N)."""
+        if isinstance(self._collocation, Tridiagonal):
+            return self._collocation.solved(rows[self._order])
         return self._collocation.solve(np.ascontiguousarray(rows))
 
     def coefficients_transposed(self, gradient: Array) -> Array:
         """Φ⁻ᵀ: the gradient with respect to coefficients pulled back to rows, (M + 2, N) -> (M + 2, N)."""
+        if isinstance(self._collocation, Tridiagonal):
+            rows = np.empty(gradient.shape)
+            rows[self._order] = self._collocation.solved(gradient, transposed=True)
+            return rows
         return self._collocation.solve(np.ascontiguousarray(gradient), trans="T")
+
+    def states_and_slopes(self, c: Array) -> Array:
+        """(M + 2, N): the states at the times and the slopes at both ends, of coefficients (M + 2, N)."""
+        out, at = np.empty(c.shape), self.at_times[:, :, None]
+        out[:-2] = at[:, 0] * c[:-2] + at[:, 1] * c[1:-1] + at[:, 2] * c[2:]
+        out[-2], out[-1] = self._slopes[0] @ c[:2], self._slopes[1] @ c[-2:]
+        return out
+
+    def states_and_slopes_transposed(self, gradient: Array) -> Array:
+        """The gradient with respect to `states_and_slopes` as one with respect to coefficients, (M + 2, N)."""
+        out, at = np.zeros(gradient.shape), self.at_times[:, :, None]
+        for k in range(DEGREE):
+            out[k : k + self.times.size] += at[:, k] * gradient[:-2]
+        out[:2] += self._slopes[0][:, None] * gradient[-2]
+        out[-2:] += self._slopes[1][:, None] * gradient[-1]
+        return out
+
+    def rows_by_coefficients(self) -> tuple[Index, Array]:
+        """What `states_and_slopes` sums for every row: the first coefficient (M + 2,), and weights of 3 (M + 2, 3)."""
+        count = self.times.size
+        weights = np.zeros((count + 2, DEGREE))
+        weights[:count], weights[count, :2], weights[count + 1, 1:] = self.at_times, *self._slopes
+        return np.append(np.arange(count), [0, count - 1]), weights
 
     def opposite_jumps(self) -> Array:
         """(2, M): the jumps, as a map of the states, with which a periodic spline's column comes back as its negative.
@@ -84,26 +154,47 @@ class Spline:
         return self.basis(t, order) @ self.coefficients(rows)
 
 
-def _basis_values(knots: Array, span: Index, t: Array, order: int) -> Array:
-    """(S, 4): the order-th derivatives at t of the four cubic B-splines that live on each t's span.
+def _basis_values(knots: Array, span: Index, t: Array) -> Array:
+    """(S, 4, 4): values and three derivatives at t of the four cubic B-splines that live on each t's span.
 
     The triangular scheme of de Boor (A Practical Guide to Splines, ch. X): lower-degree B-splines, then differences.
     """
-    values = np.ones((t.size, 1))
-    for degree in range(1, DEGREE + 1):
-        right = knots[span[:, None] + 1 + np.arange(degree)]
-        left = knots[span[:, None] + 1 - degree + np.arange(degree)]
-        lower = np.zeros((t.size, degree + 1))
-        if degree <= DEGREE - order:
-            share = values / (right - left)
-            lower[:, :-1] += share * (right - t[:, None])
-            lower[:, 1:] += share * (t[:, None] - left)
-        else:
-            share = degree * values / (right - left)
-            lower[:, :-1] -= share
-            lower[:, 1:] += share
-        values = lower
-    return values
+    near = knots[span[:, None] + np.arange(1 - DEGREE, DEGREE + 1)]
+    left, right = near[:, :DEGREE], near[:, DEGREE:]
+    before, after = t[:, None] - left, right - t[:, None]
+
+    def share(lower: Array, degree: int) -> Array:
+        return lower / (right[:, :degree] - left[:, DEGREE - degree :])
+
+    def raised(part: Array, out: Array) -> Array:
+        degree = part.shape[1]
+        np.multiply(part, after[:, :degree], out=out[:, :-1])
+        out[:, -1] = 0
+        out[:, 1:] += part * before[:, DEGREE - degree :]
+        return out
+
+    linear = raised(share(np.ones((t.size, 1)), 1), np.empty((t.size, 2)))
+    step = share(np.ones((t.size, 1)), 1) * np.array([-1.0, 1.0])
+    first = share(linear, 2)
+    change = 2 * np.stack([first, share(step, 2)], axis=1)
+    lower = np.zeros((t.size, 3, 3))  # degree 2: values and two derivatives
+    raised(first, lower[:, 0])
+    lower[:, 1:, :-1] -= change
+    lower[:, 1:, 1:] += change
+    lower /= (right - left)[:, None]
+    out = np.zeros((t.size, 4, 4))
+    raised(lower[:, 0], out[:, 0])
+    lower *= DEGREE
+    out[:, 1:, :-1] -= lower
+    out[:, 1:, 1:] += lower
+    return out
+
+
+def _four_a_row(first: Index, values: Array, size: int) -> sparse.csr_matrix:
+    """(R, size) of values (R, 4) at columns that begin with `first` (R,)."""
+    columns = first[:, None] + np.arange(DEGREE + 1)
+    starts = np.arange(0, values.size + 1, DEGREE + 1)
+    return sparse.csr_matrix((values.ravel(), columns.ravel(), starts), shape=(first.size, size))
 
 
 @dataclass(frozen=True, eq=False)
@@ -112,24 +203,34 @@ class Sampling:
 
     spline: Spline
     t: Array
-    bases: tuple[sparse.csr_matrix, sparse.csr_matrix, sparse.csr_matrix]
+    first: Index
+    values: Array
 
     @classmethod
     def of(cls, spline: Spline, t: ArrayLike) -> Sampling:
         t = np.asarray(t, float)
-        b0, b1, b2 = (spline.basis(t, order) for order in range(3))
-        return cls(spline, t, (b0, b1, b2))
+        return cls(spline, t, *spline.local(t))
 
-    def samples(self, rows: Array) -> tuple[Array, Array, Array]:
-        """(y, y', y'') at the sample times, each (S, N)."""
-        c = self.coefficients(rows)
-        b0, b1, b2 = self.bases
-        return b0 @ c, b1 @ c, b2 @ c
+    @cached_property
+    def bases(self) -> tuple[sparse.csr_matrix, sparse.csr_matrix, sparse.csr_matrix]:
+        """(S, M + 2) each: the B-splines at the sample times, and two derivatives."""
+        b0, b1, b2 = (_four_a_row(self.first, self.values[:, k], self.spline.size) for k in range(3))
+        return b0, b1, b2
+
+    @cached_property
+    def whole(self) -> Piece:
+        """All samples as one piece."""
+        return self.piece(slice(0, self.t.size))
+
+    def samples(self, rows: Array) -> Array:
+        """y, y', y'' at the sample times, (3, S, N)."""
+        return self.whole.samples(self.coefficients(rows))
 
     def pulled_back(self, gradients: Sequence[Array]) -> Array:
         """dE/dY (M + 2, N) from dE/dy, dE/dy', dE/dy'', each (S, N)."""
-        total = sum(b.T @ g for b, g in zip(self.bases, gradients, strict=True))
-        return self.coefficients_transposed(np.asarray(total))
+        total = np.zeros((self.spline.size, gradients[0].shape[1]))
+        self.whole.add_pulled_back(total, gradients)
+        return self.coefficients_transposed(total)
 
     @cached_property
     def _inverse(self) -> Array | None:
@@ -147,40 +248,53 @@ class Sampling:
     def pieces(self, longest: int) -> tuple[Piece, ...]:
         """The samples in nearly equal runs of at most `longest`: what is made of so few of them stays in cache."""
         count = -(-self.t.size // longest)
+        if count == 1:
+            return (self.whole,)
         edges = [self.t.size * k // count for k in range(count + 1)]
-        return tuple(self._piece(slice(a, b)) for a, b in pairwise(edges))
+        return tuple(self.piece(slice(a, b)) for a, b in pairwise(edges))
 
-    def _piece(self, which: slice) -> Piece:
-        basis = sparse.csr_matrix(sparse.vstack([b[which] for b in self.bases]))
-        seen = slice(int(basis.indices.min()), int(basis.indices.max()) + 1)
-        basis = sparse.csr_matrix(basis[:, seen])
-        return Piece(which, self.t[which], seen, basis, sparse.csr_matrix(basis.T))
+    def piece(self, which: slice) -> Piece:
+        """Some neighbouring samples."""
+        return Piece(which, self.t[which], self.first[which], self.values[which])
 
 
 @dataclass(frozen=True, eq=False)
 class Piece:
-    """A run of a sampling's samples, and the few coefficients that they see.
+    """A run of a sampling's samples.
 
-    which       the samples
-    t           (S,) [s]
-    seen        the coefficients, C of them
-    basis       (3 S, C) y, y' and y'' of all samples, one below the other
-    transposed  (C, 3 S)
+    which   the samples
+    t       (S,) [s]
+    first   (S,) the first of the 4 coefficients that each sees
+    values  (S, 3, 4) the B-splines of these, and two derivatives
     """
 
     which: slice
     t: Array
-    seen: slice
-    basis: sparse.csr_matrix
-    transposed: sparse.csr_matrix
+    first: Index
+    values: Array
+
+    @cached_property
+    def _columns(self) -> Index:
+        return self.first[:, None] + np.arange(DEGREE + 1)
 
     def samples(self, coefficients: Array) -> Array:
         """y, y', y'' (3, S, N) from the spline's coefficients (M + 2, N)."""
-        return (self.basis @ coefficients[self.seen]).reshape(3, self.t.size, -1)
+        return np.matmul(self.values, coefficients[self._columns]).swapaxes(0, 1)
+
+    @cached_property
+    def _seen(self) -> slice:
+        """The coefficients that the samples see, C of them."""
+        return slice(int(self.first.min()), int(self.first.max()) + DEGREE + 1)
+
+    @cached_property
+    def _transposed(self) -> sparse.csc_matrix:
+        """(C, 3 S): from gradients of y, y' and y'' of all samples, one below the other, to those of coefficients."""
+        values = self.values.swapaxes(0, 1).reshape(-1, DEGREE + 1)
+        return _four_a_row(np.tile(self.first - self._seen.start, 3), values, self._seen.stop - self._seen.start).T
 
     def add_pulled_back(self, into: Array, gradients: Sequence[Array]) -> None:
         """Adds dE/dC from dE/dy, dE/dy', dE/dy'', each (S, N), into (M + 2, N)."""
-        into[self.seen] += self.transposed @ np.concatenate(gradients)
+        into[self._seen] += self._transposed @ np.concatenate(gradients)
 
 
 @dataclass(frozen=True, eq=False)
@@ -190,14 +304,47 @@ class Path:
     spline: Spline
     rows: Array
 
+    @cached_property
+    def coefficients(self) -> Array:
+        """(M + 2, N)"""
+        return self.spline.coefficients(self.rows)
+
     def at(self, t: ArrayLike, order: int = 0) -> Array:
         """The order-th derivative (0-3) of the state at times t (S,): (S, N)."""
-        return self.spline.evaluate(self.rows, t, order)
+        if order == DEGREE:
+            return self.spline.basis(t, order) @ self.coefficients
+        return self.motion(np.atleast_1d(np.asarray(t, float)))[order]
+
+    def motion(self, t: Array) -> Array:
+        """y, y', y'' at times t (S,): (3, S, N)."""
+        return Sampling.of(self.spline, t).whole.samples(self.coefficients)
 
     @property
     def span(self) -> tuple[float, float]:
         """First and last time [s]."""
         return float(self.spline.times[0]), float(self.spline.times[-1])
+
+
+def spline_of(timeline: Timeline) -> Spline:
+    """The spline with a knot at every frame of a timeline, made once."""
+    if "spline" not in timeline.of_times:
+        timeline.of_times["spline"] = Spline(timeline.times, timeline.ends)
+    return timeline.of_times["spline"]
+
+
+def natural_end_slopes(times: Array, values: Array) -> Array:
+    """(2, N): the slopes of `natural_spline` at its first and its last time."""
+    h = np.diff(times)
+    rise = 3 * np.diff(values, axis=0) / h[:, None]
+    if times.size == 2:
+        return np.repeat(rise / 3, 2, axis=0)
+    right = np.empty(values.shape)
+    right[0], right[-1] = rise[0], rise[-1]
+    right[1:-1] = h[1:, None] * rise[:-1] + h[:-1, None] * rise[1:]
+    diagonal = np.full(times.size, 2.0)
+    diagonal[1:-1] = 2 * (h[1:] + h[:-1])
+    slopes = Tridiagonal(np.append(h[1:], 1.0), diagonal, np.append(1.0, h[:-1])).solved(right)
+    return slopes[[0, -1]]
 
 
 def natural_spline(times: ArrayLike, values: ArrayLike) -> CubicSpline:

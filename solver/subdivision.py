@@ -7,7 +7,6 @@ Criteria give every segment between neighbouring frames one number; the largest 
 from __future__ import annotations
 
 from collections.abc import Callable
-from itertools import pairwise
 
 import numpy as np
 
@@ -17,7 +16,7 @@ from .frame import Frame, Timeline
 from .objective import Objective
 from .quadrature import gauss_nodes
 from .quaternion import Array
-from .spline import Path, Spline
+from .spline import Path, spline_of
 
 
 def midpoints(timeline: Timeline) -> Array:
@@ -61,17 +60,17 @@ CRITERIA: dict[str, Callable[[Objective, Timeline], Array]] = {
 
 def path_of(timeline: Timeline) -> Path:
     """The spline through a timeline's frames."""
-    return Path(Spline(timeline.times, timeline.ends), np.asarray(timeline.rows))
+    return Path(spline_of(timeline), timeline.rows)
 
 
 def split(timeline: Timeline, times: Array) -> Timeline:
     """With variable frames inserted at the given times on the present curve, which stays as it is."""
     states = path_of(timeline).at(times)
-    return timeline.inserted(Frame.variable(t, state) for t, state in zip(times, states, strict=True))
+    return timeline.inserted(Frame.many(times, states, np.zeros(states.shape, bool)))
 
 
 def evenly(timeline: Timeline, count: int) -> Timeline:
     """With `count` variable frames at equal distances inside every segment."""
     times = timeline.times
-    inner = [np.linspace(a, b, count + 2)[1:-1] for a, b in pairwise(times)]
-    return split(timeline, np.concatenate(inner)) if count else timeline
+    inner = times[:-1, None] + np.arange(1, count + 1) * (np.diff(times)[:, None] / (count + 1))
+    return split(timeline, inner.ravel()) if count else timeline

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from scipy import sparse
@@ -17,115 +18,148 @@ from . import quaternion as quat
 from .figure import Figure, JointKind, Link, quaternion_columns
 from .frame import Frame, Mask, Timeline, TimelineError
 from .quaternion import Array, Index
-from .spline import Spline, natural_spline
+from .spline import Spline, natural_end_slopes, natural_spline, spline_of
 
 FARTHEST = 0.5
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Unknowns:
     """The map x -> rows (M + 2, N), and back for gradients.
 
     constant  (M + 2, N) rows for x = 0
-    matrix    ((M + 2) N, n) sparse
     start     (n,) the x of the timeline itself
     whole     (r,) rows of which every entry is an unknown of its own: variable frames and free end slopes
     blocks    (r, N) where these rows' entries stand in x
-    row_of    (n,) a row that each unknown belongs to
-    place     (n,) the entry of the flat rows that each unknown is
+    place     (n,) the entry of the flat rows that each unknown is, rising
+    ties      ((M + 2) N, n) sparse, what other entries of the rows follow the unknowns; None if none do
     """
 
     constant: Array
-    matrix: sparse.csr_matrix
-    transposed: sparse.csr_matrix
     start: Array
     whole: Index
     blocks: Index
-    row_of: Index
     place: Index
+    ties: sparse.csr_matrix | None
 
     @property
     def size(self) -> int:
         """n"""
         return self.start.size
 
+    @property
+    def row_of(self) -> Index:
+        """(n,) the row that each unknown stands in."""
+        return self.place // self.constant.shape[1]
+
+    @cached_property
+    def matrix(self) -> sparse.csr_matrix:
+        """((M + 2) N, n) sparse, all of the map but its constant."""
+        own = (np.ones(self.size), (self.place, np.arange(self.size)))
+        matrix = sparse.csr_matrix(own, shape=(self.constant.size, self.size))
+        return matrix if self.ties is None else sparse.csr_matrix(matrix + self.ties)
+
+    @cached_property
+    def transposed(self) -> sparse.csr_matrix:
+        return self.matrix.T.tocsr()
+
     def rows(self, x: Array) -> Array:
         """(M + 2, N)"""
-        return self.constant + (self.matrix @ x).reshape(self.constant.shape)
+        if self.ties is not None:
+            return self.constant + (self.matrix @ x).reshape(self.constant.shape)
+        rows = self.constant.copy()
+        rows.reshape(-1)[self.place] = x
+        return rows
 
     def pulled_back(self, gradient: Array) -> Array:
         """dE/dx (n,) from dE/dY (M + 2, N)."""
-        return self.transposed @ gradient.ravel()
+        return gradient.reshape(-1)[self.place] if self.ties is None else self.transposed @ gradient.ravel()
 
     @classmethod
     def of(cls, figure: Figure, timeline: Timeline) -> Unknowns:
         width, rows = figure.width, timeline.rows
-        builder = _Builder(rows)
-        whole: list[int] = []
-        first: list[int] = []
         last = len(timeline.frames) - 1
-        for i, frame in enumerate(timeline.frames):
-            if timeline.ends == "periodic" and i == last:
-                signs = _sameness(figure, rows[0], rows[last])
-                builder.repeat(0, last, signs)
-                builder.close(np.flatnonzero(signs < 0), Spline(timeline.times, "periodic").opposite_jumps)
-            elif frame.is_variable:
-                whole.append(i)
-                first.append(builder.free(i, np.arange(width)))
-            elif not frame.is_key:
-                _partial(figure, frame, i, builder)
-        if timeline.ends == "free":
-            for i in (last + 1, last + 2):
-                whole.append(i)
-                first.append(builder.free(i, np.arange(width)))
-        constant, matrix, start = builder.finished()
-        blocks = np.array(first, np.intp)[:, None] + np.arange(width)
-        row_of = np.array(builder.row_of, np.intp)
-        place = row_of * width + np.array(builder.column_of, np.intp)
-        return cls(constant, matrix, matrix.T.tocsr(), start, np.array(whole, np.intp), blocks, row_of, place)
+        loose = _loose(figure, timeline)
+        place = np.flatnonzero(loose)
+        start = rows.reshape(-1)[place]
+        constant = np.where(loose, 0.0, rows)
+        ties = _Ties(constant, place)
+        if figure.is_world:
+            for i in np.flatnonzero(loose.any(axis=1) & ~loose.all(axis=1)):
+                ties.turn(figure, timeline.frames[i], int(i))
+        if timeline.ends == "periodic":
+            signs = _sameness(figure, rows[0], rows[last])
+            ties.repeat(0, last, signs)
+            ties.close(np.flatnonzero(signs < 0), spline_of(timeline).opposite_jumps)
+        whole = np.flatnonzero(loose.all(axis=1))
+        blocks = np.searchsorted(place, whole * width)[:, None] + np.arange(width)
+        return cls(constant, start, whole, blocks, place, ties.matrix())
 
 
-class _Builder:
-    """Collects the sparse entries row by row; entries nobody speaks of stay constant."""
+def _loose(figure: Figure, timeline: Timeline) -> Mask:
+    """(M + 2, N): which entries of the rows are unknowns, quaternions whole; a loop's last frame repeats the first."""
+    loose = np.empty((len(timeline.frames) + 2, figure.width), bool)
+    np.logical_not(timeline.fixed, out=loose[:-2])
+    for columns in figure.tables.quaternion_columns.T:
+        loose[:-2, columns] = loose[:-2, columns].any(axis=1, keepdims=True)
+    loose[-2:] = timeline.ends == "free"
+    if timeline.ends == "periodic":
+        loose[-3] = False
+    return loose
 
-    def __init__(self, rows: Array) -> None:
-        self.constant = np.array(rows)
-        self.width = rows.shape[1]
-        self.start: list[float] = []
-        self.row_of: list[int] = []
-        self.column_of: list[int] = []
-        self.of_row: dict[int, list[tuple[int, int, float]]] = {}
 
-    def _put(self, row: int, column: int, unknown: int, value: float) -> None:
-        self.of_row.setdefault(row, []).append((column, unknown, value))
+class _Ties:
+    """Collects what entries of the rows follow which unknowns, as (entry of the flat rows, unknown, factor).
 
-    def free(self, row: int, columns: Index) -> int:
-        """Makes entries of a row unknowns; the first one's place in x."""
-        first = len(self.start)
-        for column in columns:
-            self._put(row, int(column), len(self.start), 1.0)
-            self.start.append(float(self.constant[row, column]))
-            self.row_of.append(row)
-            self.column_of.append(int(column))
-            self.constant[row, column] = 0.0
-        return first
+    Entries nobody speaks of stay constant.
+    """
 
-    def turned(self, row: int, parent: slice, child: slice, relative: Array) -> None:
-        """child = parent ⊗ relative, if the parent's entries are unknowns."""
-        own = [e for e in self.of_row.get(row, []) if parent.start <= e[0] < parent.stop]
-        if not own:
-            return
-        matrix = quat.right_matrix(relative)
-        for column, unknown, value in own:
-            for i in range(4):
-                self._put(row, child.start + i, unknown, matrix[i, column - parent.start] * value)
-        self.constant[row, child] = matrix @ self.constant[row, parent]
+    def __init__(self, constant: Array, place: Index) -> None:
+        self.constant, self.place = constant, place
+        self.width = constant.shape[1]
+        self.entries = np.zeros(0, np.intp)
+        self.unknowns = np.zeros(0, np.intp)
+        self.factors = np.zeros(0)
+
+    def _put(self, entries: Index, unknowns: Index, factors: Array) -> None:
+        self.entries = np.append(self.entries, entries)
+        self.unknowns = np.append(self.unknowns, unknowns)
+        self.factors = np.append(self.factors, factors)
+
+    def _of(self, first: int, last: int) -> tuple[Index, Index, Array]:
+        """All that is said of rows first ... last − 1, the unknowns themselves included."""
+        own = np.arange(*np.searchsorted(self.place, [first * self.width, last * self.width]))
+        tied = np.flatnonzero((self.entries >= first * self.width) & (self.entries < last * self.width))
+        entries = np.append(self.place[own], self.entries[tied])
+        return entries, np.append(own, self.unknowns[tied]), np.append(np.ones(own.size), self.factors[tied])
+
+    def turn(self, figure: Figure, frame: Frame, row: int) -> None:
+        """child = parent ⊗ relative for the fixed joints of a partial keyframe, parents before children."""
+        for link in figure.links[1:]:
+            columns = quaternion_columns(link)
+            parent = quaternion_columns(figure.links[link.parent])
+            if link.kind is not JointKind.BALL or columns is None or parent is None or not frame.fixed[columns].all():
+                continue
+            entries, unknowns, factors = self._of(row, row + 1)
+            above = entries % self.width - parent.start
+            seen = np.flatnonzero((above >= 0) & (above < 4))
+            if not seen.size:
+                continue
+            own = quat.product(quat.inverse(frame.state[parent]), frame.state[columns])
+            matrix = quat.right_matrix(own)
+            child = row * self.width + columns.start + np.arange(4)
+            self._put(
+                np.tile(child, seen.size),
+                np.repeat(unknowns[seen], 4),
+                (matrix[:, above[seen]] * factors[seen]).T.ravel(),
+            )
+            self.constant[row, columns] = matrix @ self.constant[row, parent]
 
     def repeat(self, source: int, row: int, signs: Array) -> None:
         """Makes a row equal to an earlier one, up to the columns' signs."""
         self.constant[row] = self.constant[source] * signs
-        for column, unknown, value in self.of_row.get(source, []):
-            self._put(row, column, unknown, value * signs[column])
+        entries, unknowns, factors = self._of(source, source + 1)
+        self._put(entries + (row - source) * self.width, unknowns, factors * signs[entries % self.width])
 
     def close(self, columns: Index, opposite_jumps: Callable[[], Array]) -> None:
         """Lays the seam's jumps for the columns that come back with the other sign."""
@@ -134,17 +168,18 @@ class _Builder:
         jumps = opposite_jumps()
         count = jumps.shape[1]
         self.constant[np.ix_([count, count + 1], columns)] = jumps @ self.constant[:count, columns]
-        for row in range(count):
-            for column, unknown, value in self.of_row.get(row, []):
-                if column in columns:
-                    self._put(count, column, unknown, value * jumps[0, row])
-                    self._put(count + 1, column, unknown, value * jumps[1, row])
+        entries, unknowns, factors = self._of(0, count)
+        row, column = np.divmod(entries, self.width)
+        some = np.flatnonzero(np.isin(column, columns))
+        for k in range(2):
+            jump = jumps[k, row[some]]
+            self._put((count + k) * self.width + column[some], unknowns[some], factors[some] * jump)
 
-    def finished(self) -> tuple[Array, sparse.csr_matrix, Array]:
-        triples = [(row * self.width + c, u, v) for row, entries in self.of_row.items() for c, u, v in entries]
-        i, j, v = (np.array(part) for part in zip(*triples, strict=True)) if triples else (np.zeros(0, int),) * 3
-        shape = (self.constant.size, len(self.start))
-        return self.constant, sparse.csr_matrix((np.asarray(v, float), (i, j)), shape=shape), np.array(self.start)
+    def matrix(self) -> sparse.csr_matrix | None:
+        if not self.entries.size:
+            return None
+        shape = (self.constant.size, self.place.size)
+        return sparse.csr_matrix((self.factors, (self.entries, self.unknowns)), shape=shape)
 
 
 def _sameness(figure: Figure, first: Array, last: Array) -> Array:
@@ -156,26 +191,6 @@ def _sameness(figure: Figure, first: Array, last: Array) -> Array:
     return signs
 
 
-def _partial(figure: Figure, frame: Frame, row: int, builder: _Builder) -> None:
-    """The unknowns of a partial keyframe, parents before children."""
-    for link in figure.links[1:]:
-        columns = quaternion_columns(link)
-        if columns is None:
-            if not frame.fixed[link.qpos]:
-                builder.free(row, np.array([link.qpos]))
-            continue
-        if link.kind is JointKind.FREE:
-            position = np.arange(link.qpos, link.qpos + 3)
-            builder.free(row, position[~frame.fixed[position]])
-        if not frame.fixed[columns].all():
-            builder.free(row, np.arange(columns.start, columns.stop))
-        elif figure.is_world and link.kind is JointKind.BALL:
-            parent = quaternion_columns(figure.links[link.parent])
-            if parent is not None:
-                own = quat.product(quat.inverse(frame.state[parent]), frame.state[columns])
-                builder.turned(row, parent, columns, own)
-
-
 def raw_timeline(figure: Figure, keys: list[Frame], ends: str = "free", end_slope: Array | None = None) -> Timeline:
     """The keyframes' timeline in the figure's coordinates, and the natural spline's end slopes (method of §2).
 
@@ -183,8 +198,7 @@ def raw_timeline(figure: Figure, keys: list[Frame], ends: str = "free", end_slop
     that a partial keyframe leaves out starts on the natural spline of its neighbours, one left out everywhere at the
     rest pose. The first and the last keyframe of a loop are one: what either fixes is fixed in both.
     """
-    for number, frame in enumerate(keys, start=1):
-        _check_masks(figure, frame, number)
+    _check(figure, keys)
     if ends == "periodic" and len(keys) > 1:
         keys = _closed(figure, keys)
     plain = Timeline(tuple(keys), np.zeros((2, figure.width)))
@@ -202,15 +216,16 @@ def raw_timeline(figure: Figure, keys: list[Frame], ends: str = "free", end_slop
         known = fixed[:, columns].all(axis=1)
         base = _bases(figure, states, link)
         states[known, columns] = quat.product(base[known], quat.normalised(states[known, columns]))
-        states[~known, columns] = quat.product(base[~known], rest[columns])
-        if known.any():
-            states[known, columns] = _laid_along(base[known], states[known, columns])
-            _filled(plain.times, states, fixed, columns, states[0])
-            states[:, columns] = quat.normalised(states[:, columns])
+        if not known.all():
+            states[~known, columns] = quat.product(base[~known], rest[columns])
+            if known.any():
+                states[known, columns] = _laid_along(base[known], states[known, columns])
+                _filled(plain.times, states, fixed, columns, states[0])
+                states[:, columns] = quat.normalised(states[:, columns])
         states[:, columns] = _laid_along(base, states[:, columns])
     if ends == "periodic":
         states[-1] = states[0] * _sameness(figure, states[0], states[-2])
-    frames = tuple(replace(frame, state=state) for frame, state in zip(keys, states, strict=True))
+    frames = tuple(Frame.many(plain.times, states, fixed))
     return Timeline(frames, _end_slope(figure, keys, states, ends, end_slope), ends)
 
 
@@ -224,7 +239,7 @@ def _end_slope(figure: Figure, keys: list[Frame], states: Array, ends: str, give
             jumps[:, back] = Spline(times, ends).opposite_jumps() @ states[:, back]
         return jumps
     if ends != "clamped":
-        return natural_spline(times, states)(times[[0, -1]], 1)
+        return natural_end_slopes(times, states)
     shape = None if given is None else np.shape(given)
     if given is None or shape != (2, figure.width):
         raise TimelineError(f"clamped ends need end_slope of shape (2, {figure.width}), not {shape}")
@@ -270,14 +285,12 @@ def _laid_along(base: Array, track: Array) -> Array:
     Near a half turn of the whole figure a joint's arc can be short one way and the body's in the world the other way;
     the joint decides, or the limb would come off, unless its body would turn by more than 240°.
     """
-    out = track.copy()
     relative = quat.product(quat.inverse(base), track)
-    for k in range(1, len(out)):
-        if relative[k] @ relative[k - 1] < 0:
-            relative[k], out[k] = -relative[k], -out[k]
-        if out[k] @ out[k - 1] < -FARTHEST * np.linalg.norm(out[k]) * np.linalg.norm(out[k - 1]):
-            relative[k], out[k] = -relative[k], -out[k]
-    return out
+    flips = np.where(np.einsum("ki,ki->k", relative[1:], relative[:-1]) < 0, -1.0, 1.0)
+    length = np.sqrt(np.einsum("ki,ki->k", track, track))
+    turn = flips * np.einsum("ki,ki->k", track[1:], track[:-1])
+    flips[turn < -FARTHEST * length[1:] * length[:-1]] *= -1
+    return track * np.append(1.0, np.cumprod(flips))[:, None]
 
 
 def _filled(times: Array, states: Array, fixed: Mask, columns: slice, rest: Array) -> None:
@@ -293,6 +306,19 @@ def _filled(times: Array, states: Array, fixed: Mask, columns: slice, rest: Arra
         t = times[known]
         curve = natural_spline(t, states[known, columns])
         states[~known, columns] = curve(np.clip(times[~known], t[0], t[-1]))
+
+
+def _check(figure: Figure, keys: list[Frame]) -> None:
+    """Raises TimelineError for keyframes that are not the figure's."""
+    columns = figure.tables.quaternion_columns
+    if all(frame.state.size == figure.width for frame in keys):
+        fixed = np.array([frame.fixed for frame in keys], bool).reshape(-1, figure.width)[:, columns]
+        q = np.array([frame.state for frame in keys]).reshape(-1, figure.width)[:, columns]
+        known = fixed.all(axis=1)
+        if np.array_equal(known, fixed.any(axis=1)) and np.all(np.einsum("kin,kin->kn", q, q)[known] > 1e-17):
+            return
+    for number, frame in enumerate(keys, start=1):
+        _check_masks(figure, frame, number)
 
 
 def _check_masks(figure: Figure, frame: Frame, number: int) -> None:

@@ -16,7 +16,7 @@ from itertools import pairwise
 import numpy as np
 
 from .frame import Frame, Timeline
-from .objective import RUN, Objective
+from .objective import Objective, run_of
 from .quadrature import gauss_nodes
 from .quaternion import Array
 from .spline import Path
@@ -131,7 +131,7 @@ def segment_integrals(objective: Objective, path: Path, times: Array) -> Array:
     out = np.zeros((times.size - 1, len(objective.terms)))
     segment = np.clip(np.searchsorted(times, t, side="right") - 1, 0, times.size - 2)
     first = 0
-    for samples in objective.samples(path, t).parts(RUN):
+    for samples in objective.samples(path, t).parts(run_of(objective.figure)):
         some = slice(first, first + samples.count)
         for k, term in enumerate(objective.terms):
             np.add.at(out[:, k], segment[some], term.factor * w[some] * term.penalty.evaluate(samples))

@@ -136,11 +136,11 @@ def test_the_transposed_solve_is_the_transpose_of_the_solve(rng, ends):
     )
 
 
-def test_cost_grows_linearly_with_the_number_of_frames():
+@pytest.mark.parametrize("ends", ["free", "clamped"])
+def test_cost_grows_linearly_with_the_number_of_frames(ends):
     def entries(count: int) -> tuple[int, int]:
-        spline = Spline(np.arange(count, dtype=float))
-        factor = spline._collocation
-        return factor.L.nnz + factor.U.nnz, spline.basis(np.linspace(0, count - 1, 5 * count), 2).nnz
+        spline = Spline(np.arange(count, dtype=float), ends)
+        return spline.factor_size, spline.basis(np.linspace(0, count - 1, 5 * count), 2).nnz
 
     few, many = entries(100), entries(1000)
     assert many[0] < 11 * few[0]
