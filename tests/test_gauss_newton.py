@@ -145,6 +145,21 @@ def test_the_budget_is_kept_where_every_step_is_refused(rng):
     assert found.stop in (Stop.STUCK, Stop.CONVERGED)
 
 
+@pytest.mark.parametrize("higher", [0.0, 1e-9, 0.1])
+def test_a_step_that_does_not_lower_e_is_refused_and_a_shorter_one_tried(rng, higher):
+    told: list[int] = []
+
+    def spoil(k: int, found: Evaluation) -> Evaluation:
+        return Evaluation(min(problem.values) + higher, found.gradient, found.parts) if k == 3 else found
+
+    problem = Watched(problem_of(rng), spoil)
+    found, _ = gauss_newton(problem, tolerance=1e-8, improved=lambda k, _found, _x: told.append(k))
+    assert told[:3] == [1, 2, 4]
+    long, short = (np.linalg.norm(problem.points[k] - problem.points[1]) for k in (2, 3))
+    assert 0 < short < long
+    assert found.stop is Stop.CONVERGED
+
+
 @pytest.mark.parametrize("error", [StopSearch, KeyboardInterrupt])
 @pytest.mark.parametrize("place", ["problem", "improved"])
 @pytest.mark.parametrize("count", [1, 2, 4])

@@ -320,6 +320,19 @@ def test_with_one_sided_residuals_the_step_minimises_the_convex_model(rng, ends,
     assert np.linalg.norm(step - best) < 0.01 * np.linalg.norm(best)
 
 
+@pytest.mark.parametrize("seed", [2, 4, 8])
+def test_so_it_does_where_whole_newton_steps_would_raise_the_model(seed, monkeypatch):
+    rng = np.random.default_rng(seed)
+    problem, _ = one_sided_problem(rng, "free", "bend")
+    x = problem.unknowns.start + 0.3 * rng.normal(size=problem.unknowns.size)
+    dense = Dense(problem, x)
+    before, (_, least) = dense(np.zeros(x.size))[0], dense.minimum()
+    monkeypatch.setattr("solver.model.SETTLED", 1e-14)
+    step, promised = Model(Layout(problem), x, problem(x).gradient).minimised(0.0)
+    np.testing.assert_allclose(dense(step)[0], least, rtol=0, atol=1e-4 * (before - least))
+    np.testing.assert_allclose(promised, before - least, rtol=1e-3)
+
+
 @pytest.mark.parametrize("ends", ENDS)
 @pytest.mark.parametrize("kind", ONE_SIDES)
 def test_it_settles_when_little_is_left_to_gain(rng, ends, kind):
