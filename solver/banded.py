@@ -43,7 +43,7 @@ def squared(rows: Array) -> Array:
 
 
 class Tridiagonal:
-    """The factor of a matrix of three diagonals, lower (n − 1,), diagonal (n,), upper (n − 1,)."""
+    """The factor of a matrix of three diagonals, lower (n − 1,), diagonal (n,), upper (n − 1,), n > 2."""
 
     def __init__(self, lower: Array, diagonal: Array, upper: Array) -> None:
         *self.factor, info = _GTTRF(lower, diagonal, upper)

@@ -55,7 +55,7 @@ class Spline:
         return factor.size if isinstance(factor, Tridiagonal) else factor.L.nnz + factor.U.nnz
 
     def _closed(self) -> SuperLU:
-        """The factor of the collocation matrix of a periodic curve, whose last two rows are full circles."""
+        """The factor of the collocation matrix of a periodic curve, whose last two rows are the jumps at the seam."""
         first, last = self.times[[0, -1]]
         closing = [self.basis([last], k) - self.basis([first], k) for k in (1, 2)]
         return splu(sparse.csc_matrix(sparse.vstack([self.basis(self.times, 0), *closing])))

@@ -77,3 +77,17 @@ def test_the_factor_lies_in_the_memory_of_the_band(rng):
 def test_a_square_is_the_upper_triangle_of_the_rows_products(rng, shape):
     rows = rng.normal(size=shape)
     np.testing.assert_allclose(banded.squared(rows), np.triu(rows.T @ rows), rtol=1e-12, atol=1e-13)
+
+
+@pytest.mark.parametrize("n", [3, 4, 9])
+def test_a_tridiagonal_solves_with_itself_and_its_transpose(rng, n):
+    lower, diagonal, upper = rng.normal(size=n - 1), rng.normal(size=n), rng.normal(size=n - 1)
+    dense = np.diag(lower, -1) + np.diag(diagonal) + np.diag(upper, 1)
+    factor, right = banded.Tridiagonal(lower, diagonal, upper), rng.normal(size=(n, 2))
+    np.testing.assert_allclose(dense @ factor.solved(right), right, atol=1e-9)
+    np.testing.assert_allclose(dense.T @ factor.solved(right, transposed=True), right, atol=1e-9)
+
+
+def test_a_tridiagonal_without_an_inverse_is_refused():
+    with pytest.raises(ArithmeticError):
+        banded.Tridiagonal(np.zeros(2), np.zeros(3), np.zeros(2))

@@ -127,3 +127,19 @@ def test_inserted_frames_fall_in_order_of_time_and_the_old_timeline_stays():
 def test_a_frame_inserted_at_the_time_of_another_is_refused():
     with pytest.raises(TimelineError, match="times must rise"):
         Timeline(three_frames(), SLOPE).inserted([Frame.variable(0.5, [0, 0, 0])])
+
+
+def test_many_frames_are_the_frames_one_by_one_and_no_less_strict():
+    states, fixed = np.arange(6.0).reshape(3, 2), np.eye(3, 2) > 0
+    for frame, t, state, mask in zip(Frame.many([0, 1, 2], states, fixed), (0.0, 1.0, 2.0), states, fixed, strict=True):
+        assert isinstance(frame.time, float)
+        assert frame.time == t
+        np.testing.assert_array_equal(frame.state, state)
+        np.testing.assert_array_equal(frame.fixed, mask)
+        assert not frame.state.flags.writeable
+        assert not frame.fixed.flags.writeable
+    states[1, 1] = np.nan
+    with pytest.raises(TimelineError, match="t = 1 s holds entries that are not finite"):
+        Frame.many([0, 1, 2], states, fixed)
+    with pytest.raises(TimelineError, match="do not match"):
+        Frame.many([0, 1], np.zeros((3, 2)), fixed)

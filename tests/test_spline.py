@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.interpolate import BSpline, CubicSpline
 
-from solver.spline import Path, Sampling, Spline, natural_spline
+from solver.spline import Path, Sampling, Spline, natural_end_slopes, natural_spline
 
 TIMES = np.array([-0.3, 0.2, 0.25, 1.4, 2.0, 3.7])
 ENDS = ["free", "clamped", "periodic"]
@@ -98,6 +98,41 @@ def test_the_basis_sums_to_one_and_its_derivatives_to_zero():
     for order in (1, 2, 3):
         size = abs(spline.basis(inside(TIMES), order)).max()
         np.testing.assert_allclose(spline.basis(inside(TIMES), order).sum(axis=1), 0, atol=1e-13 * size)
+
+
+UNEVEN = np.cumsum([0.0, 1.0, 1e-5, 3.0, 2e-4, 1e-4, 40.0, 1.0])
+
+
+@pytest.mark.parametrize("times", [TIMES, TIMES[:3], TIMES[:2], UNEVEN], ids=len)
+def test_the_local_values_are_those_of_the_basis(times):
+    spline = Spline(times)
+    t = np.concatenate([inside(times), times, (times[1:] + times[:-1]) / 2])
+    first, values = spline.local(t)
+    for order in range(3):
+        dense = spline.basis(t, order).toarray()
+        expected = np.take_along_axis(dense, first[:, None] + np.arange(4), axis=1)
+        np.testing.assert_allclose(values[:, order], expected, rtol=0, atol=1e-12 * np.abs(dense).max())
+
+
+@pytest.mark.parametrize("times", [TIMES, TIMES[:3], TIMES[:2], UNEVEN], ids=len)
+@pytest.mark.parametrize("ends", ["free", "clamped"])
+def test_states_and_slopes_are_the_inverse_of_coefficients_and_have_their_transpose(rng, times, ends):
+    spline = Spline(times, ends)
+    rows, gradient = rng.normal(size=(2, spline.size, 3))
+    c = spline.coefficients(rows)
+    np.testing.assert_allclose(spline.states_and_slopes(c), rows, atol=1e-9)
+    back = spline.states_and_slopes_transposed(gradient)
+    np.testing.assert_allclose(np.sum(back * c), np.sum(gradient * rows), rtol=1e-9)
+    first, weights = spline.rows_by_coefficients()
+    summed = np.einsum("rk,rkn->rn", weights, c[first[:, None] + np.arange(3)])
+    np.testing.assert_allclose(summed, rows, atol=1e-9)
+
+
+@pytest.mark.parametrize("times", [TIMES, TIMES[:3], TIMES[:2], UNEVEN], ids=len)
+def test_the_natural_end_slopes_are_those_of_the_natural_spline(rng, times):
+    states = rng.normal(size=(times.size, 3))
+    expected = natural_spline(times, states)(times[[0, -1]], 1)
+    np.testing.assert_allclose(natural_end_slopes(times, states), expected, rtol=1e-9, atol=1e-9)
 
 
 @settings(deadline=None, max_examples=50)
