@@ -139,6 +139,10 @@ class Sides:
     rows: Array
 
     @classmethod
+    def none(cls, samples: Samples) -> Sides:
+        return cls(np.zeros(0, np.intp), np.zeros(0), np.zeros((0, samples.y.shape[1])))
+
+    @classmethod
     def joined(cls, parts: Sequence[Sides]) -> Sides:
         return cls(*(np.concatenate([getattr(part, name) for part in parts]) for name in ("at", "value", "rows")))
 

@@ -76,8 +76,8 @@ class _Search:
             return Stop.CONVERGED
         layout, first, unit, last = Layout(self.problem), self.value, None, np.inf
         while self.count < self.budget:
-            model = Model(layout, self.x, self.gradient)
-            unit = unit or model.scale
+            model = Model(layout, self.x, self.gradient, unit)
+            unit = model.scale
             before = self.value
             while True:
                 step, promised = model.minimised(self.damping * unit)

@@ -44,6 +44,8 @@ class Layout:
     """Where everything stands in the banded matrices of one timeline: coefficients (M + 2) by columns (N).
 
     A loop's coefficients are taken alternately from both ends, so that its seam is in the band too.
+
+    sided  the terms that have one-sided residuals, as far as is known
     """
 
     def __init__(self, problem: Discretised) -> None:
@@ -66,6 +68,7 @@ class Layout:
         self.pieces = [
             (sampling.piece(slice(POINTS * a, POINTS * b)), self._pairs(a, b - a)) for a, b in pairwise(edges)
         ]
+        self.sided = problem.objective.terms
         self.springs = self._springs()
         self.flat = self._flat(sampling.values)
 
@@ -276,10 +279,14 @@ class OneSided:
     transposed: sparse.csr_matrix
 
     @classmethod
-    def of(cls, problem: Discretised, path: Path) -> OneSided | None:
+    def of(cls, layout: Layout, path: Path) -> OneSided | None:
+        if not layout.sided:
+            return None
+        problem = layout.problem
         samples = problem.samples(path)
-        found = [(term.factor, term.penalty.sides(samples)) for term in problem.objective.terms]
-        parts = [(factor, sides) for factor, sides in found if sides is not None and sides.at.size]
+        found = [(term, term.penalty.sides(samples)) for term in layout.sided]
+        layout.sided = tuple(term for term, sides in found if sides is not None)
+        parts = [(term.factor, sides) for term, sides in found if sides is not None and sides.at.size]
         if not parts:
             return None
         at = np.concatenate([sides.at for _, sides in parts])
@@ -304,21 +311,20 @@ class Model:
     scale  the size of E's curvature in y'', a unit for the damping λ
     """
 
-    def __init__(self, layout: Layout, x: Array, gradient: Array) -> None:
-        """x (n,) with dE/dx (n,) there."""
+    def __init__(self, layout: Layout, x: Array, gradient: Array, scale: float | None = None) -> None:
+        """x (n,) with dE/dx (n,) there; scale where it is known."""
         self.layout = layout
-        problem = layout.problem
-        path = problem.path(x)
+        path = layout.problem.path(x)
         self.held = layout.springs.copy()
-        self.scale = self._add_smooth(path)
-        self.sided = OneSided.of(problem, path)
+        self.scale = self._add_smooth(path, scale)
+        self.sided = OneSided.of(layout, path)
         self.gradient = layout.from_x(gradient)
         if self.sided is not None:
             pull = 2 * self.sided.weight * np.maximum(self.sided.value, 0)
             self.gradient -= (self.sided.transposed @ pull).reshape(self.gradient.shape)
 
-    def _add_smooth(self, path: Path) -> float:
-        """Adds the curvature of the two-sided residuals; its median density in y''."""
+    def _add_smooth(self, path: Path, scale: float | None) -> float:
+        """Adds the curvature of the two-sided residuals; its median density in y'', unless it is known."""
         layout, objective = self.layout, self.layout.problem.objective
         room, sizes = layout.empty(), []
         for piece, pairs in layout.pieces:
@@ -327,13 +333,14 @@ class Model:
             for term in objective.terms:
                 term.penalty.curvature(samples, curvature, term.factor * weights)
             layout.add_curvature(room, curvature, piece, pairs)
-            sizes.append(curvature.acceleration() / weights[:, None])
+            if scale is None:
+                sizes.append(curvature.acceleration() / weights[:, None])
         diagonal = layout.diagonal(room)[:, 0]
         size = max(middle(diagonal), 1e-12)
         diagonal += FAINT * size
         self.held *= STIFF * size
         self.held += room
-        return max(middle(np.concatenate(sizes)), 1e-12)
+        return max(middle(np.concatenate(sizes)), 1e-12) if scale is None else scale
 
     def minimised(self, damping: float) -> tuple[Array, float]:
         """The step (n,) of the unknowns to the minimum of m with λ = damping, and how far m falls."""

@@ -417,7 +417,9 @@ def test_no_points_no_surfaces_no_joints_and_nothing_near_have_no_sides(figure, 
     assert BendLimits(()).sides(samples) is None
     samples.y[:, 2] = 50
     on_the_root = tuple(p for p in some_points(figure, rng) if figure.tables.path[p.link, 1])
-    assert Contact(on_the_root, (FLOOR,)).sides(samples) is None
+    nothing = Contact(on_the_root, (FLOOR,)).sides(samples)
+    assert nothing is not None
+    assert nothing.at.size == nothing.value.size == len(nothing.rows) == 0
 
 
 def test_sides_that_count_enter_a_curvature_as_squares(figure, rng, one_sided):

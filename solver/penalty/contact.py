@@ -149,7 +149,7 @@ class Contact:
             way = np.where(inside, way[..., 0], way_about)
             link, at = np.divmod(flat[kept % flat.size], samples.count)
             parts.append(Sides(at, depth, point_gradients(samples, at, link, arms[:, kept], way)))
-        return Sides.joined(parts) if parts else None
+        return Sides.joined(parts) if parts else Sides.none(samples)
 
 
 def point_gradients(samples: Samples, at: Index, link: Index, arm: Array, way: Array) -> Array:

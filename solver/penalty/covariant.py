@@ -89,33 +89,40 @@ class CovariantAcceleration:
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
         tables = samples.figure.tables
         q, q_d, q_dd = (part.transpose(2, 1, 0) for part in (samples.q, samples.q_d, samples.q_dd))
-        parts = _residual_jacobians(q, q_d, q_dd, intrinsic=self.form == "intrinsic")
-        into.add_blocks(tables.quaternion_columns.T, np.stack(parts, axis=3), scale)
+        rows = _residual_jacobians(q, q_d, q_dd, samples.q_dots.transpose(0, 2, 1), intrinsic=self.form == "intrinsic")
+        into.add_blocks(tables.quaternion_columns.T, rows, scale)
         into.add_squares(tables.hinge_columns, 2, 0.25 * scale)
 
     def sides(self, samples: Samples) -> Sides | None:
         return None
 
 
-def _residual_jacobians(q: Array, q_d: Array, q_dd: Array, *, intrinsic: bool) -> tuple[Array, Array, Array]:
-    """Of w/√b ("paper": of q'' − T q) with respect to q, q', q'': (..., 4, 4) each, for blocks (..., 4)."""
+def _residual_jacobians(q: Array, q_d: Array, q_dd: Array, dots: Array, *, intrinsic: bool) -> Array:
+    """Of w/√b ("paper": of q'' − T q) with respect to q, q', q'': (..., 4, 3, 4) for blocks (..., 4).
 
-    def inner(a: Array, b: Array) -> Array:
-        return np.sum(a * b, axis=-1)[..., None, None]
+    dots  (3, ...) q·q, q·q', q·q''
 
-    def outer(a: Array, b: Array) -> Array:
-        return a[..., :, None] * b[..., None, :]
-
-    b, one = inner(q, q), np.eye(4)
-    along = inner(q, q_dd) / b
-    by_acceleration = one - outer(q, q) / b
-    by_value = -along * one - outer(q, q_dd - 2 * along[..., 0] * q) / b
-    if not intrinsic:
-        return by_value, np.zeros_like(by_value), by_acceleration
-    s = inner(q, q_d) / b
-    w = q_dd - (along - 2 * s * s)[..., 0] * q - 2 * s[..., 0] * q_d
-    by_s = 4 * s[..., 0] * q - 2 * q_d
-    by_rate = outer(by_s, q) / b - 2 * s * one
-    by_value = by_value + 2 * s * s * one + outer(by_s, q_d - 2 * s[..., 0] * q) / b - outer(w, q) / b
-    root = np.sqrt(b)
-    return by_value / root, by_rate / root, by_acceleration / root
+    Every Jacobian is a sum of products of q, 4 s q − 2 q' and w with some row, and of a multiple of the identity.
+    """
+    inverse = 1 / dots[0][..., None]
+    along = dots[2][..., None] * inverse
+    s = dots[1][..., None] * inverse if intrinsic else np.zeros_like(inverse)
+    by_s = 4 * s * q - 2 * q_d
+    q_inverse = q * inverse
+    left, right = np.empty((*q.shape, 3)), np.zeros((*q.shape[:-1], 3, 3, 4))
+    left[..., 0], left[..., 1] = q, by_s
+    left[..., 2] = q_dd - (along - 2 * s * s) * q - 2 * s * q_d
+    right[..., 0, 0, :] = 2 * along * q_inverse - q_dd * inverse
+    right[..., 0, 2, :] = -q_inverse
+    if intrinsic:
+        right[..., 1, 0, :] = q_d * inverse - 2 * s * q_inverse
+        right[..., 1, 1, :] = q_inverse
+        right[..., 2, 0, :] = -q_inverse
+    out = np.matmul(left, right.reshape(*q.shape[:-1], 3, 12)).reshape(*q.shape, 3, 4)
+    diagonal = np.einsum("...aka->...ak", out)
+    diagonal[..., 0] += 2 * s * s - along
+    diagonal[..., 1] -= 2 * s
+    diagonal[..., 2] += 1
+    if intrinsic:
+        out *= np.sqrt(inverse)[..., None, None]
+    return out
