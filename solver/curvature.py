@@ -100,8 +100,10 @@ class Curvature:
             out += moved.T @ moved
         some = slice(first, last)
         for columns, blocks in self._blocks:
-            each = np.einsum("si,snixjy,sj->nxy", phi[some], blocks[some], phi[some], optimize=True)
-            out[columns[:, :, None], columns[:, None, :]] += each
+            n, k = columns.shape
+            pairs = (phi[some, :, None] * phi[some, None, :]).reshape(-1)
+            by_orders = blocks[some].transpose(0, 2, 4, 1, 3, 5).reshape(pairs.size, -1)
+            out[columns[:, :, None], columns[:, None, :]] += (pairs @ by_orders).reshape(n, k, k)
         for columns, order, scale in self._squares:
             out[columns, columns] += np.sum(scale[some] * phi[some, order] ** 2)
         return out

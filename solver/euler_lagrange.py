@@ -23,7 +23,7 @@ from .spline import Path, Sampling, Spline
 NODES = 8
 GRADIENT_NODES, HESSIAN_NODES = 5, 2
 WINDOW = 60
-REACH = 5
+REACH = 4
 FAINT = 1e-9
 
 

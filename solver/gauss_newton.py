@@ -21,7 +21,7 @@ LEAST_DAMPING, MOST_DAMPING = 1e-6, 1e9
 WELL, BADLY = 0.7, 0.25
 LOWER, RAISE, REJECT = 0.2, 3.0, 8.0
 NEGLIGIBLE = 1e-3
-SUDDEN = 0.1
+SUDDEN, SURE, UNSEEN = 0.1, 0.02, 2.0
 
 
 def gauss_newton(
@@ -91,8 +91,9 @@ class _Search:
                 if self.count >= self.budget:
                     return Stop.BUDGET
             kept = (before - self.value) / promised
-            # the steps' promises go on falling as they did, but never by more than a tenth
-            left = promised * float(np.clip(promised / last, SUDDEN, 1.0))
+            # a step of Newton's kind leaves the square of what its model did not see; and promises go on falling
+            unseen = float(np.clip(UNSEEN * (1 - kept) ** 2, SURE, 1.0))
+            left = promised * min(unseen, float(np.clip(promised / last, SUDDEN, 1.0)))
             if kept > WELL and left <= tolerance * max(self.value, NEGLIGIBLE * first):
                 return Stop.CONVERGED
             last = promised

@@ -22,7 +22,7 @@ from .quaternion import Array
 from .spline import Path
 from .subdivision import path_of
 
-KEPT, AHEAD, BEHIND = 24, 4, 3
+KEPT, AHEAD, BEHIND = 40, 4, 3
 FRAMES_A_SEGMENT = 4
 LARGEST = 2_500_000  # entries of a banded matrix
 NODES = 4

@@ -53,5 +53,5 @@ class Penalty(Protocol):
         add_differences(self.evaluate, samples, into, scale)
 
     def sides(self, samples: Samples) -> Sides | None:
-        """The part of f_j that is a sum of squares max(0, d)²: those that count or soon may. None: it has no such part."""
+        """The part of f_j that is a sum of squares max(0, d)²: those that count or soon may. None: it has none ever."""
         return None
