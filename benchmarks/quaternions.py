@@ -63,7 +63,7 @@ def rotation_spline(found: Track) -> float:
 
 def evenly(found: Track, variable: int) -> Any:
     """Our optimum with `variable` frames in every segment, tightly converged."""
-    return solved(found, Settings(variable=variable, frames=0, **TIGHT))
+    return solved(found, Settings(variable=variable, frames=0, **TIGHT), light=True)
 
 
 def adaptive(found: Track, least: float) -> tuple[float, float, float]:
@@ -74,7 +74,8 @@ def adaptive(found: Track, least: float) -> tuple[float, float, float]:
     def improved(step: Improvement) -> None:
         last[step.round] = step
 
-    motion = solved(found, Settings(variable=1, frames=200, threshold=THRESHOLD, batch=BATCH, **TIGHT), improved)
+    settings = Settings(variable=1, frames=200, threshold=THRESHOLD, batch=BATCH, **TIGHT)
+    motion = solved(found, settings, improved, light=True)
     rounds = [(step.path.spline.times.size - KEYFRAMES, energy(step.path) / least) for step in last.values()]
     enough = [frames for frames, ratio in rounds if ratio <= GOAL]
     return energy(motion.path) / least, motion.timeline.variable_count, min(enough, default=np.inf)
@@ -136,7 +137,8 @@ def measure(effort: Effort) -> Section:
     unclosed = {k: [int(r["seed"]) for r in each if np.isnan(r["finest / exact"])] for k, each in rows.items()}
     section.notes = [
         f"sets: {', '.join(f'{len(each)} {kind}' for kind, each in rows.items())}, seeds from {FIRST_SEED}; "
-        "moderate: steps of 20-90°, random: uniformly random rotations; intrinsic form, free end slopes",
+        "moderate: steps of 20-90°, random: uniformly random rotations; intrinsic form, free end slopes, "
+        "weight of the unit term 0.05 × the covariant one",
         "exact: multiple shooting (tests/exact_path.py), which shares no code with the solver; energy by 8 Gauss "
         "points on panels of 50 ms",
         f"another winding class than the exact one (energy off by more than 5 %), left out above: {_listed(others)}",

@@ -23,6 +23,7 @@ from solver.penalty import CovariantAcceleration, UnitMagnitude
 Array = NDArray[np.float64]
 
 INTRINSIC = ((CovariantAcceleration(), 5.0), (UnitMagnitude(), 2.0))
+LIGHT = ((CovariantAcceleration(), 5.0), (UnitMagnitude(), 0.25))
 ENERGY = ((CovariantAcceleration(), 1.0),)
 FINE = Quadrature("gauss", 8, 0.05)
 OTHER_CLASS = 0.05
@@ -85,9 +86,11 @@ def track(kind: str, seed: int, count: int, ratio: float | None = None) -> Track
     return Track(kind, seed, times, orientations)
 
 
-def solved(found: Track, settings: Settings, improved: Callable[[Any], None] | None = None) -> Motion:
-    """Our path through a set, in the intrinsic form."""
-    return inbetween(spinner(), found.keys, INTRINSIC, settings, improved=improved)
+def solved(
+    found: Track, settings: Settings, improved: Callable[[Any], None] | None = None, *, light: bool = False
+) -> Motion:
+    """Our path through a set, in the intrinsic form; `light`: with a weak unit term, which lets |q| vary more."""
+    return inbetween(spinner(), found.keys, LIGHT if light else INTRINSIC, settings, improved=improved)
 
 
 def energy(path: Path) -> float:
