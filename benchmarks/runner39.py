@@ -8,8 +8,10 @@ quaternions' length.
 
 from __future__ import annotations
 
+import contextlib
 import importlib
 import json
+import tempfile
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -415,6 +417,12 @@ def methods(runner: Runner, unknowns: Unknowns, effort: Effort) -> tuple[dict[st
 
 
 def measure(effort: Effort) -> Section:
+    # CasADi's compiler leaves its files where it is called
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder, contextlib.chdir(folder):
+        return _measured(effort)
+
+
+def _measured(effort: Effort) -> Section:
     runner = Runner.load()
     unknowns = Unknowns(runner)
     works, building = methods(runner, unknowns, effort)
