@@ -100,6 +100,7 @@ def _penalties(axes: Axes, trace: list[Any]) -> None:
             axes.plot(evaluations, [max(entry[3].get(name, 0.0), 1e-9) for entry in trace], lw=1.1, label=name)
         highest = max(entry[2] for entry in trace)
         axes.set(xlabel="evaluation", ylabel="weighted share")
+        axes.xaxis.get_major_locator().set_params(integer=True)
         if highest > 0:
             axes.set(yscale="log", ylim=(2e-5 * highest, 2 * highest))
         axes.legend(frameon=False, ncols=2, fontsize=8)
