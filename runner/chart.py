@@ -11,6 +11,7 @@ import numpy as np
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 from matplotlib.axes import Axes
+from matplotlib.ticker import MaxNLocator
 
 from .errors import UserError
 from .motion import Replacement
@@ -100,7 +101,7 @@ def _penalties(axes: Axes, trace: list[Any]) -> None:
             axes.plot(evaluations, [max(entry[3].get(name, 0.0), 1e-9) for entry in trace], lw=1.1, label=name)
         highest = max(entry[2] for entry in trace)
         axes.set(xlabel="evaluation", ylabel="weighted share")
-        axes.xaxis.get_major_locator().set_params(integer=True)
+        axes.xaxis.set_major_locator(MaxNLocator(integer=True))
         if highest > 0:
             axes.set(yscale="log", ylim=(2e-5 * highest, 2 * highest))
         axes.legend(frameon=False, ncols=2, fontsize=8)
