@@ -102,7 +102,7 @@ class Curvature:
         for columns, blocks in self._blocks:
             n, k = columns.shape
             pairs = (phi[some, :, None] * phi[some, None, :]).reshape(-1)
-            by_orders = blocks[some].transpose(0, 2, 4, 1, 3, 5).reshape(pairs.size, -1)
+            by_orders = blocks[some].transpose(0, 2, 4, 1, 3, 5).reshape(pairs.size, n * k * k)
             out[columns[:, :, None], columns[:, None, :]] += (pairs @ by_orders).reshape(n, k, k)
         for columns, order, scale in self._squares:
             out[columns, columns] += np.sum(scale[some] * phi[some, order] ** 2)
