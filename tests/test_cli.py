@@ -26,6 +26,8 @@ import models
 from runner import cli, show, work
 from runner.workers import MOST_WORKERS, cores
 
+POSIX = pytest.mark.skipif(os.name == "nt", reason="signals are another matter there")
+
 KNEE = "joints.left_knee = {rotvec = [0, 0, 0]}"
 SMALL = ("--size", "32x32")
 
@@ -632,7 +634,7 @@ def long_solve(tmp_path) -> Iterator[subprocess.Popen[str]]:
     process.communicate()
 
 
-@pytest.mark.skipif(os.name == "nt", reason="signals are another matter there")
+@POSIX
 @pytest.mark.parametrize("workers", [1, 2])
 def test_ctrl_c_while_rendering_stops_at_once_and_leaves_nothing(tmp_path, motion_file, workers):
     script = (
@@ -655,7 +657,7 @@ def test_ctrl_c_while_rendering_stops_at_once_and_leaves_nothing(tmp_path, motio
     assert names(tmp_path) == []
 
 
-@pytest.mark.skipif(os.name == "nt", reason="signals are another matter there")
+@POSIX
 def test_ctrl_c_while_solving_keeps_the_best_path_and_writes_it(long_solve, tmp_path):
     time.sleep(0.3)
     long_solve.send_signal(signal.SIGINT)
@@ -669,7 +671,7 @@ def test_ctrl_c_while_solving_keeps_the_best_path_and_writes_it(long_solve, tmp_
     assert trace[-1][2] < trace[0][2]
 
 
-@pytest.mark.skipif(os.name == "nt", reason="signals are another matter there")
+@POSIX
 def test_a_second_ctrl_c_only_cuts_the_measuring_short_and_the_motion_is_written(long_solve, tmp_path):
     time.sleep(0.3)
     long_solve.send_signal(signal.SIGINT)
