@@ -73,6 +73,11 @@ class Objective:
             whole = scale.reference * (last - first) / spacing**scale.time_power
             most = whole if scale.is_violation else np.inf
             terms.append(replace(term, factor=term.weight / min(max(float(integral), SMALL_SHARE * whole), most)))
+        measures = {term.penalty.name: term.factor / term.weight for term in terms if term.weight > 0}
+        for i, term in enumerate(terms):
+            beside = term.penalty.scale.beside
+            if beside in measures:
+                terms[i] = replace(term, factor=term.weight * measures[beside] / term.penalty.scale.reference)
         return replace(self, terms=tuple(terms))
 
     def integrals(self, path: Path) -> Array:

@@ -57,6 +57,36 @@ def point_rows(samples: Samples, at: Index, link: Index, arm: Array, way: Array)
     return out
 
 
+def velocity_rows(samples: Samples, at: Index, link: Index, arm: Array, way: Array) -> Array:
+    """(P, 2, N): the gradients of way · v with respect to y and y', for the velocities v of points as `point_rows`'s.
+
+    v = (∂p/∂y) y', so that the second is the row of the point itself, and the first that row's rate of change.
+    """
+    figure, links = samples.figure, samples.links
+    tables = figure.tables
+    chain, following = _chains(figure)
+    carrier, onward = chain[:, link], following[:, link]
+    used = carrier > 0
+    lever = np.where(onward > 0, links.step[:, onward, at], arm[:, None, :])
+    turn = cross(lever, way[:, None, :]) * used
+    turn_d = cross(cross(links.omega[:, carrier, at], lever), way[:, None, :]) * used
+    scale, rate = links.scale[carrier, at], links.rates[0][carrier, at]
+    product = vector_product(links.Q[:, carrier, at] * scale)
+    product_d = vector_product((links.Q_d[:, carrier, at] - rate * links.Q[:, carrier, at]) * scale)
+    gradients = turned_back(product_d, turn) + turned_back(product, turn_d), turned_back(product, turn)
+    out = np.zeros((at.size, 2, samples.y.shape[1]))
+    block = np.zeros(len(figure.links), np.intp)
+    block[tables.quaternion_links] = np.arange(tables.quaternion_links.size)
+    level, pair = np.nonzero(used)
+    columns = tables.quaternion_columns[:, block[carrier[level, pair]]]
+    for order, gradient in enumerate(gradients):
+        out[pair, order, columns] = gradient[:, level, pair]
+    for free, position in zip(tables.free_links, tables.position_columns.T, strict=True):
+        carried = np.flatnonzero((carrier == free).any(axis=0))
+        out[carried[:, None], 1, position] = way[:, carried].T
+    return out
+
+
 def _chains(figure: Figure) -> tuple[Index, Index]:
     """For every link, the links on the way to it and which comes next: (depth, L) each, 0 where there is none."""
     parents = figure.tables.parents

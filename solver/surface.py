@@ -28,6 +28,11 @@ class Surface(Protocol):
     @property
     def name(self) -> str: ...
 
+    @property
+    def up(self) -> Array:
+        """(3,) the gradient of `height`, where it is finite."""
+        ...
+
     def depth(self, points: Array, radius: Array) -> tuple[Array, Array]:
         """How deep spheres are inside, for penalties, and the gradient; through a box's sides κ times the distance.
 
@@ -67,6 +72,10 @@ class Plane:
     def height(self, points: Array) -> Array:
         over = self._over(points)
         return over if self.normal[2] > UPRIGHT else np.full_like(over, np.inf)
+
+    @property
+    def up(self) -> Array:
+        return self.normal
 
     def inside(self, points: Array) -> Array:
         return np.maximum(-self._over(points), 0)
@@ -130,6 +139,11 @@ class Box:
                 if not (self.buried and sign * self.axes[2, axis] < -UPRIGHT):
                     nearest = np.minimum(nearest, self.half[axis] - sign * local[axis])
         return np.where(self._within(local, self.half.reshape(3, *[1] * (points.ndim - 1))), nearest, 0.0)
+
+    @property
+    def up(self) -> Array:
+        top = int(np.argmax(np.abs(self.axes[2])))
+        return self.axes[:, top] * np.sign(self.axes[2, top])
 
     def _local(self, points: Array) -> Array:
         """Points (3, ...) in the box's own axes."""

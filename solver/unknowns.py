@@ -19,8 +19,7 @@ from .figure import Figure, JointKind, Link, quaternion_columns
 from .frame import Frame, Mask, Timeline, TimelineError
 from .quaternion import Array, Index
 from .spline import Spline, natural_end_slopes, natural_spline, spline_of
-
-FARTHEST = 0.5
+from .winding import signs
 
 
 @dataclass(frozen=True, eq=False)
@@ -219,10 +218,10 @@ def raw_timeline(figure: Figure, keys: list[Frame], ends: str = "free", end_slop
         if not known.all():
             states[~known, columns] = quat.product(base[~known], rest[columns])
             if known.any():
-                states[known, columns] = _laid_along(base[known], states[known, columns])
+                states[known, columns] = _laid_along(plain.times[known], base[known], states[known, columns])
                 _filled(plain.times, states, fixed, columns, states[0])
                 states[:, columns] = quat.normalised(states[:, columns])
-        states[:, columns] = _laid_along(base, states[:, columns])
+        states[:, columns] = _laid_along(plain.times, base, states[:, columns])
     if ends == "periodic":
         states[-1] = states[0] * _sameness(figure, states[0], states[-2])
     frames = tuple(Frame.many(plain.times, states, fixed))
@@ -279,18 +278,9 @@ def _bases(figure: Figure, states: Array, link: Link) -> Array:
     return quat.product(identity if parent is None else states[:, parent], link.turn)
 
 
-def _laid_along(base: Array, track: Array) -> Array:
-    """A track (K, 4) with signs such that the joint, base⁻¹ ⊗ track, turns by the shortest arcs.
-
-    Near a half turn of the whole figure a joint's arc can be short one way and the body's in the world the other way;
-    the joint decides, or the limb would come off, unless its body would turn by more than 240°.
-    """
-    relative = quat.product(quat.inverse(base), track)
-    flips = np.where(np.einsum("ki,ki->k", relative[1:], relative[:-1]) < 0, -1.0, 1.0)
-    length = np.sqrt(np.einsum("ki,ki->k", track, track))
-    turn = flips * np.einsum("ki,ki->k", track[1:], track[:-1])
-    flips[turn < -FARTHEST * length[1:] * length[:-1]] *= -1
-    return track * np.append(1.0, np.cumprod(flips))[:, None]
+def _laid_along(times: Array, base: Array, track: Array) -> Array:
+    """A track (K, 4) with signs such that the joint, base⁻¹ ⊗ track, turns as `winding` says."""
+    return track * signs(times, quat.product(quat.inverse(base), track))[:, None]
 
 
 def _filled(times: Array, states: Array, fixed: Mask, columns: slice, rest: Array) -> None:

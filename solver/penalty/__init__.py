@@ -13,5 +13,6 @@ from .planted import Planted as Planted
 from .planted import Stance as Stance
 from .planted import stances as stances
 from .root import RootAcceleration as RootAcceleration
+from .skate import Skate as Skate
 from .torque import Torque as Torque
 from .unit import UnitMagnitude as UnitMagnitude

@@ -21,11 +21,14 @@ class Scale:
     reference     f_j of a violation of 1 cm or 1°, or of 8 rad (2 m) per squared key spacing at keyframes 1 s apart
     is_violation  whether f_j is zero wherever a constraint is kept, like a depth, and not a cost of all motion
     time_power    f_j of a clip played λ times slower falls by λ to this power: 4 for squared accelerations
+    beside        the name of another term in whose measure this one counts, where there is one: both are divided by
+                  that one's integral, and `reference` of this one weighs as much as one of that
     """
 
     reference: float
     is_violation: bool = False
     time_power: int = 0
+    beside: str | None = None
 
 
 class Penalty(Protocol):
