@@ -28,10 +28,6 @@ class Surface(Protocol):
     @property
     def name(self) -> str: ...
 
-    @property
-    def up(self) -> Array:
-        """(3,) the gradient of `height`, where it is finite."""
-        ...
 
     def depth(self, points: Array, radius: Array) -> tuple[Array, Array]:
         """How deep spheres are inside, for penalties, and the gradient; through a box's sides κ times the distance.
@@ -51,6 +47,10 @@ class Surface(Protocol):
 
     def height(self, points: Array) -> Array:
         """Signed height of points (3, ...) over the surface [m], infinite where the surface is not below them."""
+        ...
+
+    def up(self, points: Array) -> Array:
+        """The gradient of `height` at points (3, p) where it is finite, (3, p)."""
         ...
 
 
@@ -73,9 +73,8 @@ class Plane:
         over = self._over(points)
         return over if self.normal[2] > UPRIGHT else np.full_like(over, np.inf)
 
-    @property
-    def up(self) -> Array:
-        return self.normal
+    def up(self, points: Array) -> Array:
+        return np.repeat(self.normal[:, None], points.shape[1], axis=1)
 
     def inside(self, points: Array) -> Array:
         return np.maximum(-self._over(points), 0)
@@ -140,10 +139,9 @@ class Box:
                     nearest = np.minimum(nearest, self.half[axis] - sign * local[axis])
         return np.where(self._within(local, self.half.reshape(3, *[1] * (points.ndim - 1))), nearest, 0.0)
 
-    @property
-    def up(self) -> Array:
+    def up(self, points: Array) -> Array:
         top = int(np.argmax(np.abs(self.axes[2])))
-        return self.axes[:, top] * np.sign(self.axes[2, top])
+        return np.repeat((self.axes[:, top] * np.sign(self.axes[2, top]))[:, None], points.shape[1], axis=1)
 
     def _local(self, points: Array) -> Array:
         """Points (3, ...) in the box's own axes."""

@@ -12,6 +12,9 @@ from .penalty import Scale as Scale
 from .planted import Planted as Planted
 from .planted import Stance as Stance
 from .planted import stances as stances
+from .posture import Posture as Posture
+from .resting import Rest as Rest
+from .resting import Resting as Resting
 from .root import RootAcceleration as RootAcceleration
 from .skate import Skate as Skate
 from .torque import Torque as Torque

@@ -17,13 +17,15 @@ from .. import quaternion as quat
 from ..algebra import cross, dot
 from ..curvature import Curvature, Sides, jacobian
 from ..figure import Figure
-from ..kinematics import Cotangent, Samples
+from ..kinematics import Cotangent, Samples, attached_pulled_back
 from ..quaternion import Array, Index
-from ..rows import has_point_rows, point_rows
+from ..rows import has_point_rows, point_rows, velocity_rows
 from ..surface import Surface
 from .penalty import Scale
 
 NEAR = 0.03  # [m] within which a point may touch after one step of the search
+DEEP = 0.15  # [m] below its top, a point is beside a surface or under it, not over it
+FAR = 1e3  # [m]
 
 
 @dataclass(frozen=True)
@@ -163,6 +165,41 @@ def point_gradients(samples: Samples, at: Index, link: Index, arm: Array, way: A
         cotangent.room("turn")[:, link[rows], here] = cross(arm[:, rows], way[:, rows])
 
     return jacobian(samples, at, seeded)[:, 0]
+
+
+def velocity_gradients(samples: Samples, at: Index, link: Index, arm: Array, way: Array) -> Array:
+    """(P, 2, N): the gradients of way · v with respect to y and y', v the velocities of points as `point_gradients`'s."""
+    if has_point_rows(samples.figure):
+        return velocity_rows(samples, at, link, arm, way)
+
+    def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
+        here = np.arange(rows.size)
+        every = np.zeros((3, rows.size, rows.size))
+        arms = every.copy()
+        every[:, here, here], arms[:, here, here] = way[:, rows], arm[:, rows]
+        for i, owner in enumerate(link[rows]):
+            cotangent.room("x_d")[:, owner, i] += way[:, rows[i]]
+        attached_pulled_back(cotangent, arms, (None, every, None), link[rows])
+
+    return jacobian(samples, at, seeded)[:, :2]
+
+
+def height_over(surfaces: Sequence[Surface], points: Array, radius: Array) -> tuple[Array, Array]:
+    """Signed height of spheres over the nearest surface that one can stand on below them, and its gradient.
+
+    points  (3, n, S) centres [m];  radius  (n,) [m]
+    Returns (n, S) [m], FAR where there is none or it is deep below, and (3, n, S).
+    """
+    heights = np.array([surface.height(points) for surface in surfaces]) - radius[:, None]
+    heights[heights < -DEEP] = np.inf
+    nearest = heights.argmin(axis=0)
+    height = np.take_along_axis(heights, nearest[None], axis=0)[0]
+    up = np.zeros(points.shape)
+    for i, surface in enumerate(surfaces):
+        mine = np.flatnonzero((nearest == i) & np.isfinite(height))
+        if mine.size:
+            up.reshape(3, -1)[:, mine] = surface.up(points.reshape(3, -1)[:, mine])
+    return np.where(np.isfinite(height), height, FAR), up
 
 
 def site_points(figure: Figure, names: Sequence[str]) -> tuple[Point, ...]:

@@ -14,44 +14,39 @@ from ..algebra import cross, dot
 from ..curvature import Curvature, Sides
 from ..kinematics import Cotangent, Samples, attached_pulled_back
 from ..quaternion import Array, Index
-from ..rows import velocity_rows
 from ..surface import Surface
-from .contact import Point
+from .contact import Point, height_over, velocity_gradients
 from .penalty import Scale
 
 NEGLIGIBLE = 1e-3  # of the weight: higher up a point is free
+WORTH = 1e-3  # [m² rad⁻² s²]: 3 cm/s of a point on the ground count like half a radian per s²
 
 
 @dataclass(frozen=True)
 class Skate:
     """Σ over points of exp(−(h/reach)²) |v|² [m²/s²]: v the point's velocity, h ≥ 0 its height over the surface below.
 
+    Counts beside the angular accelerations, not by what the raw spline happens to skate: so the clock of the clip and
+    the distance of its keyframes do not matter.
+
     reach   [m] the height at which a point is 1/e as bound as on the surface
-    upward  share of the vertical velocity that counts
     """
 
     points: tuple[Point, ...]
     surfaces: tuple[Surface, ...]
     reach: float = 0.04
-    upward: float = 1.0
-    ref: float = 1.0
-    fast: float = np.inf
     name: str = "skate"
 
     @property
     def scale(self) -> Scale:
-        return Scale(self.ref, time_power=2, beside="covariant")
+        return Scale(WORTH, time_power=2, beside="covariant")
 
     @cached_property
     def _arrays(self) -> tuple[Index, Array, Array]:
+        """Links (n,), positions (3, n) and radii (n,) of the points."""
         links = np.array([point.link for point in self.points], np.intp)
         positions = np.array([point.position for point in self.points]).reshape(-1, 3).T
         return links, positions, np.array([point.radius for point in self.points])
-
-    @cached_property
-    def _ways(self) -> Array:
-        """(3,) how much each component of the velocity counts."""
-        return np.array([1.0, 1.0, np.sqrt(self.upward)])
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         if not self.points or not self.surfaces:
@@ -59,18 +54,16 @@ class Skate:
         links, positions, radius = self._arrays
         motion = samples.links
         at, arm = motion.points(links, positions)
-        height, up = _height(self.surfaces, at, radius)
+        height, up = height_over(self.surfaces, at, radius)
+        np.maximum(height, 0, out=height)
         velocity = motion.x_d.take(links, axis=1) + cross(motion.omega.take(links, axis=1), arm)
-        counted = velocity * self._ways[:, None, None] ** 2
         weight = np.exp(-((height / self.reach) ** 2))
-        squared = dot(counted, velocity)
-        slow = 1 / (1 + squared / self.fast**2)
-        energy = weight * squared * slow
+        energy = weight * dot(velocity, velocity)
         if into is not None:
-            by_velocity = (2 * scale * weight * slow**2) * counted
-            into.room("x_d")
+            by_velocity = (2 * scale * weight) * velocity
+            room = into.room("x_d")
             for i, link in enumerate(links):
-                into.room("x_d")[:, link] += by_velocity[:, i]
+                room[:, link] += by_velocity[:, i]
             attached_pulled_back(into, arm, (None, by_velocity, None), links)
             force = (-2 * scale * energy * height / self.reach**2) * up
             flat = links[:, None] * samples.count + np.arange(samples.count)
@@ -78,38 +71,18 @@ class Skate:
         return energy.sum(axis=0)
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+        """As of √weight · v with the weight held: what it changes by is of either sign."""
         if not self.points or not self.surfaces:
             return
         links, positions, radius = self._arrays
         where, arms = samples.links.points(links, positions)
-        height, _ = _height(self.surfaces, where, radius)
-        weight = np.exp(-((height / self.reach) ** 2))
+        height, _ = height_over(self.surfaces, where, radius)
+        weight = np.exp(-((np.maximum(height, 0) / self.reach) ** 2))
         at, which = np.nonzero(weight.T > NEGLIGIBLE)
-        if not at.size:
-            return
-        velocity = samples.links.x_d[:, links[which], at] + cross(samples.links.omega[:, links[which], at], arms[:, which, at])
-        slow = 1 / (1 + dot(velocity * self._ways[:, None] ** 2, velocity) / self.fast**2)
-        arm, share = arms[:, which, at], scale[at] * weight[which, at] * slow**2
-        for k, way in enumerate(np.eye(3)):
-            if self._ways[k] == 0:
-                continue
+        arm, share = arms[:, which, at], scale[at] * weight[which, at]
+        for way in np.eye(3):
             ways = np.repeat(way[:, None], at.size, axis=1)
-            rows = velocity_rows(samples, at, links[which], arm, ways)
-            into.add_rows(at, share * self._ways[k] ** 2, rows, (0, 1))
+            into.add_rows(at, share, velocity_gradients(samples, at, links[which], arm, ways), (0, 1))
 
     def sides(self, samples: Samples) -> Sides | None:
         return None
-
-
-def _height(surfaces: tuple[Surface, ...], points: Array, radius: Array) -> tuple[Array, Array]:
-    """Height of spheres over the nearest surface below (n, S), 0 inside, and its gradient (3, n, S)."""
-    heights = np.array([surface.height(points) for surface in surfaces]) - radius[:, None]
-    heights[heights < -0.15] = np.inf
-    nearest = heights.argmin(axis=0)
-    height = np.take_along_axis(heights, nearest[None], axis=0)[0]
-    up = np.zeros(points.shape)
-    for i, surface in enumerate(surfaces):
-        mine = (nearest == i) & np.isfinite(height) & (height > 0)
-        if mine.any():
-            up += np.where(mine, surface.up[:, None, None], 0)
-    return np.maximum(np.where(np.isfinite(height), height, 1e3), 0), up
