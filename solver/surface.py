@@ -28,7 +28,6 @@ class Surface(Protocol):
     @property
     def name(self) -> str: ...
 
-
     def depth(self, points: Array, radius: Array) -> tuple[Array, Array]:
         """How deep spheres are inside, for penalties, and the gradient; through a box's sides κ times the distance.
 

@@ -218,10 +218,10 @@ def raw_timeline(figure: Figure, keys: list[Frame], ends: str = "free", end_slop
         if not known.all():
             states[~known, columns] = quat.product(base[~known], rest[columns])
             if known.any():
-                states[known, columns] = _laid_along(plain.times[known], base[known], states[known, columns])
+                states[known, columns] = _laid_along(link, plain.times[known], base[known], states[known, columns])
                 _filled(plain.times, states, fixed, columns, states[0])
                 states[:, columns] = quat.normalised(states[:, columns])
-        states[:, columns] = _laid_along(plain.times, base, states[:, columns])
+        states[:, columns] = _laid_along(link, plain.times, base, states[:, columns])
     if ends == "periodic":
         states[-1] = states[0] * _sameness(figure, states[0], states[-2])
     frames = tuple(Frame.many(plain.times, states, fixed))
@@ -278,9 +278,10 @@ def _bases(figure: Figure, states: Array, link: Link) -> Array:
     return quat.product(identity if parent is None else states[:, parent], link.turn)
 
 
-def _laid_along(times: Array, base: Array, track: Array) -> Array:
+def _laid_along(link: Link, times: Array, base: Array, track: Array) -> Array:
     """A track (K, 4) with signs such that the joint, base⁻¹ ⊗ track, turns as `winding` says."""
-    return track * signs(times, quat.product(quat.inverse(base), track))[:, None]
+    relative = quat.product(quat.inverse(base), track)
+    return track * signs(times, relative, spins=link.kind is JointKind.FREE)[:, None]
 
 
 def _filled(times: Array, states: Array, fixed: Mask, columns: slice, rest: Array) -> None:

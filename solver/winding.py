@@ -1,9 +1,9 @@
 """Winding: which way round a joint turns from one keyframe to the next, that is, the signs of its quaternions.
 
-The shortest arc, but where that is nearly a half turn and the other way round is hardly longer: there the way that
-changes the angular velocity least, as a body in a spin goes on turning. The choice is made of *joints*, relative to
-their parents: near a half turn of the whole figure a limb's own arc in the world can be short the other way, which
-would tear it off.
+A joint takes the shortest arc, *relative to its parent*: near a half turn of the whole figure a limb's own arc in the
+world can be short the other way, which would tear it off. So does a free body, but where its shortest arc is nearly a
+half turn and the other way round is hardly longer: there it turns the way that changes its angular velocity least, as
+a body in a spin goes on spinning.
 """
 
 from __future__ import annotations
@@ -17,15 +17,20 @@ from .quaternion import Array
 NEARLY_HALF = np.radians(150.0)
 
 
-def signs(times: Array, relative: Array) -> Array:
-    """(K,) ±1 for the quaternions (K, 4) of a joint at key times (K,) [s], any length > 0; the first keeps its own."""
+def signs(times: Array, relative: Array, *, spins: bool) -> Array:
+    """(K,) ±1 for the quaternions (K, 4) of a joint at key times (K,) [s], any length > 0; the first keeps its own.
+
+    spins  whether the joint is a free body's, which may go on past a half turn
+    """
+    same = np.einsum("ki,ki->k", relative[1:], relative[:-1]) >= 0
+    if not spins:
+        return np.append(1.0, np.cumprod(np.where(same, 1.0, -1.0)))
     steps = quat.rotation_vector(quat.product(quat.inverse(relative[:-1]), relative[1:]))
     angle = np.linalg.norm(steps, axis=1)
     longer = np.zeros(angle.size, bool)
     unsure = angle > NEARLY_HALF
     if unsure.any():
         longer = _steadiest(times, steps, angle, unsure)
-    same = np.einsum("ki,ki->k", relative[1:], relative[:-1]) >= 0
     return np.append(1.0, np.cumprod(np.where(same != longer, 1.0, -1.0)))
 
 

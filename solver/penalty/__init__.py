@@ -7,6 +7,8 @@ from .contact import Point as Point
 from .contact import body_points as body_points
 from .contact import site_points as site_points
 from .covariant import CovariantAcceleration as CovariantAcceleration
+from .grounded import Grounded as Grounded
+from .grounded import grounded_intervals as grounded_intervals
 from .penalty import Penalty as Penalty
 from .penalty import Scale as Scale
 from .planted import Planted as Planted
