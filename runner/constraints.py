@@ -62,7 +62,7 @@ class Constraints:
         self.points = site_points(figure, [s for s in self.sites if any(word in s.lower() for word in SOLES)])
         self.bends = tuple(_bends(figure))
         if not surfaces:
-            notes.append("no static plane or box found: nothing to stay above")
+            notes.append("no static geom found: nothing to stay out of")
         if not self.points:
             notes.append("no site named heel or toe found: no contact points")
         if not self.bends:

@@ -47,13 +47,8 @@ def moving_geoms(model: mujoco.MjModel) -> list[int]:
 
 
 def solid_geoms(model: mujoco.MjModel) -> list[int]:
-    """Static planes and boxes: the surfaces."""
-    kinds = {int(mujoco.mjtGeom.mjGEOM_PLANE), int(mujoco.mjtGeom.mjGEOM_BOX)}
-    return [
-        g
-        for g in range(model.ngeom)
-        if model.body_weldid[model.geom_bodyid[g]] == 0 and int(model.geom_type[g]) in kinds
-    ]
+    """Static geoms: the surfaces."""
+    return [g for g in range(model.ngeom) if model.body_weldid[model.geom_bodyid[g]] == 0]
 
 
 def geom_name(model: mujoco.MjModel, geom: int) -> str:
@@ -62,7 +57,7 @@ def geom_name(model: mujoco.MjModel, geom: int) -> str:
 
 
 def penetration(model: mujoco.MjModel, time: Array, qpos: Array) -> Penetration:
-    """The deepest penetration of every moving geom in every static plane and box along qpos (T, nq)."""
+    """The deepest penetration of every moving geom in every static one along qpos (T, nq)."""
     data = mujoco.MjData(model)
     movers, solids = np.array(moving_geoms(model), int), solid_geoms(model)
     depth, when = np.zeros(movers.size), np.full(movers.size, time[0])
@@ -101,8 +96,9 @@ def lowest(model: mujoco.MjModel, qpos: Array, body: int, reach: float = 1.0) ->
 
 
 def _gap(model: mujoco.MjModel, data: mujoco.MjData, solid: int, points: Array) -> Array:
-    """Distance of points (n, 3) from a plane or box, negative inside a plane's half space, 0 inside a box."""
+    """Distance of points (n, 3) from a plane, negative inside its half space, or a geom's own box, 0 inside it."""
     local = (points - data.geom_xpos[solid]) @ data.geom_xmat[solid].reshape(3, 3)
     if model.geom_type[solid] == mujoco.mjtGeom.mjGEOM_PLANE:
         return local[:, 2]
-    return np.linalg.norm(np.maximum(np.abs(local) - model.geom_size[solid], 0), axis=1)
+    middle, half = np.split(model.geom_aabb[solid], 2)
+    return np.linalg.norm(np.maximum(np.abs(local - middle) - half, 0), axis=1)
