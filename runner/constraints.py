@@ -16,14 +16,16 @@ from solver.penalty import (
     Planted,
     Point,
     RootAcceleration,
+    Together,
     Torque,
     UnitMagnitude,
     body_points,
+    covering_points,
     site_points,
     stances,
 )
 from solver.quaternion import Array
-from solver.surface import Surface
+from solver.surface import Box, Plane, Surface
 
 from .clip_table import PenaltyTable
 from .errors import UserError, unknown
@@ -98,7 +100,7 @@ class Constraints:
         if entry.kind == "torque":
             return Torque()
         if entry.kind == "clearance":
-            return Contact(body_points(self.figure), self.surfaces, entry.margin or 0.0, name="clearance")
+            return self._clearance(entry.margin or 0.0)
         if entry.kind == "planted":
             return Planted(stances(self.figure, self.keys, self.points, self.surfaces))
         if entry.kind == "contact":
@@ -106,6 +108,15 @@ class Constraints:
                 self.points = self._sites(entry.points)
             return Contact(self.points, self.surfaces, entry.margin or 0.0)
         return self._bend(entry)
+
+    def _clearance(self, margin: float) -> Penalty:
+        """The body's corners out of floors and steps, all of its skin out of whatever is round, thin or in the air."""
+        ground = tuple(s for s in self.surfaces if isinstance(s, Plane) or (isinstance(s, Box) and s.buried))
+        others = tuple(s for s in self.surfaces if all(s is not g for g in ground))
+        clear = Contact(body_points(self.figure), ground, margin, name="clearance")
+        if not others:
+            return clear
+        return Together((clear, Contact(covering_points(self.figure), others, margin)), name="clearance")
 
     def _sites(self, names: list[str]) -> tuple[Point, ...]:
         for name in names:
