@@ -8,6 +8,9 @@ from .contact import body_points as body_points
 from .contact import site_points as site_points
 from .covariant import CovariantAcceleration as CovariantAcceleration
 from .cover import covering_points as covering_points
+from .joint_range import JointRange as JointRange
+from .joint_range import Range as Range
+from .joint_range import joint_ranges as joint_ranges
 from .penalty import Penalty as Penalty
 from .penalty import Scale as Scale
 from .planted import Planted as Planted
