@@ -12,6 +12,7 @@ from solver.penalty import (
     BendLimits,
     Contact,
     CovariantAcceleration,
+    JointRange,
     Penalty,
     Planted,
     Point,
@@ -21,6 +22,7 @@ from solver.penalty import (
     UnitMagnitude,
     body_points,
     covering_points,
+    joint_ranges,
     site_points,
     stances,
 )
@@ -30,7 +32,7 @@ from solver.surface import Box, Plane, Surface
 from .clip_table import PenaltyTable
 from .errors import UserError, unknown
 
-KINDS = ("covariant", "root", "unit", "contact", "clearance", "planted", "bend", "torque")
+KINDS = ("covariant", "root", "unit", "contact", "clearance", "planted", "bend", "range", "torque")
 DEFAULT_WEIGHTS = {
     "covariant": 1.0,
     "root": 1.0,
@@ -39,6 +41,7 @@ DEFAULT_WEIGHTS = {
     "clearance": 30.0,
     "planted": 0.1,
     "bend": 1.0,
+    "range": 1.0,
 }
 KNEES, ELBOWS = ("knee", "shin"), ("elbow", "forearm", "farm")
 SOLES = ("heel", "toe")
@@ -72,6 +75,8 @@ class Constraints:
 
     def all(self, entries: list[PenaltyTable]) -> tuple[tuple[Penalty, float], ...]:
         chosen = {kind: PenaltyTable(kind=kind, weight=weight) for kind, weight in DEFAULT_WEIGHTS.items()}
+        if not joint_ranges(self.figure):
+            del chosen["range"]
         seen: dict[str, int] = {}
         for i, entry in enumerate(entries, 1):
             place = f"{self.place}: penalty {i}"
@@ -99,6 +104,8 @@ class Constraints:
             return RootAcceleration()
         if entry.kind == "torque":
             return Torque()
+        if entry.kind == "range":
+            return JointRange(joint_ranges(self.figure))
         if entry.kind == "clearance":
             return self._clearance(entry.margin or 0.0)
         if entry.kind == "planted":

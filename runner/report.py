@@ -22,7 +22,7 @@ from solver.frame import Mask, Timeline
 from solver.inbetween import Motion
 from solver.kinematics import Samples
 from solver.objective import Objective
-from solver.penalty import BendLimits, Contact, stances
+from solver.penalty import BendLimits, Contact, JointRange, joint_ranges, stances
 from solver.quaternion import Array
 from solver.subdivision import by_weak_form, path_of
 from solver.surface import Box
@@ -100,6 +100,7 @@ def _side(clip: Clip, objective: Objective, timeline: Timeline, grid: Grid) -> d
             "points": _point_depths(clip, grid),
         },
         "bends, degrees": _bend_report(clip, grid),
+        "beyond joint range": _range_report(clip, grid),
         "skate": _skate(clip, grid),
         "stances": _stance_report(clip, timeline),
         "edge clearance, m": _edge_clearance(clip, grid),
@@ -135,6 +136,23 @@ def _bend_report(clip: Clip, grid: Grid) -> dict[str, dict[str, float]]:
             "twist": float(np.abs(twist[i]).max()),
         }
         for i, bend in enumerate(clip.bends)
+    }
+
+
+def _range_report(clip: Clip, grid: Grid) -> dict[str, Any]:
+    """Which joint is how far beyond its range, in degrees or for slides in metres; empty without limited joints."""
+    ranges = joint_ranges(clip.figure)
+    if not ranges:
+        return {}
+    beyond = np.maximum(JointRange(ranges).beyond(grid.samples), 0)
+    joint, at = np.unravel_index(beyond.argmax(), beyond.shape)
+    worst, far = ranges[int(joint)], float(beyond[joint, at])
+    slides = worst.kind is JointKind.SLIDE
+    return {
+        "joint": worst.name,
+        "at, s": float(grid.time[at]),
+        "most": far if slides else float(np.degrees(far)),
+        "unit": "m" if slides else "degrees",
     }
 
 
@@ -362,6 +380,8 @@ def _lines(before: dict[str, Any], after: dict[str, Any]) -> list[tuple[str, str
         angles = [s["bends, degrees"][name] for s in sides]
         shown = [f"{a['backward']:.1f}° / {a['sideways']:.1f}° / {a['twist']:.1f}°" for a in angles]
         lines.append(row(f"{name}: backward / sideways / twist", *shown))
+    if after["beyond joint range"]:
+        lines.append(row("farthest beyond a joint's range", *(_beyond(s["beyond joint range"]) for s in sides)))
     for name in after["skate"]:
         skates = [s["skate"][name] for s in sides]
         lines.append(
@@ -386,3 +406,11 @@ def _lines(before: dict[str, Any], after: dict[str, Any]) -> list[tuple[str, str
         lines.append(row("centre of mass off before, largest", "", millimetres(drift["largest"])))
         lines.append(row("  away from where before is in a box", "", millimetres(drift["away from trouble"])))
     return lines
+
+
+def _beyond(found: dict[str, Any]) -> str:
+    """How far a joint is beyond its range, in words."""
+    if found["most"] == 0:
+        return "not at all"
+    far = f"{found['most']:.1f}°" if found["unit"] == "degrees" else f"{1000 * found['most']:.1f} mm"
+    return f"{far}, {found['joint']}"
