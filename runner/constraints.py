@@ -17,6 +17,7 @@ from solver.penalty import (
     Planted,
     Point,
     RootAcceleration,
+    SelfContact,
     Together,
     Torque,
     UnitMagnitude,
@@ -32,7 +33,7 @@ from solver.surface import Box, Plane, Surface
 from .clip_table import PenaltyTable
 from .errors import UserError, unknown
 
-KINDS = ("covariant", "root", "unit", "contact", "clearance", "planted", "bend", "range", "torque")
+KINDS = ("covariant", "root", "unit", "contact", "clearance", "planted", "bend", "range", "self", "torque")
 DEFAULT_WEIGHTS = {
     "covariant": 1.0,
     "root": 1.0,
@@ -51,6 +52,7 @@ OPTIONS = {
     "unit": {"form"},
     "contact": {"points", "margin"},
     "clearance": {"margin"},
+    "self": {"margin"},
     "bend": {"joints", "least", "sideways", "twist"},
 }
 
@@ -106,6 +108,8 @@ class Constraints:
             return Torque()
         if entry.kind == "range":
             return JointRange(joint_ranges(self.figure))
+        if entry.kind == "self":
+            return SelfContact.of(self.figure, entry.margin or 0.0)
         if entry.kind == "clearance":
             return self._clearance(entry.margin or 0.0)
         if entry.kind == "planted":

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 
-from solver.quaternion import Array
+from solver.quaternion import Array, Index
 
 NEAR = 0.02
 
@@ -76,6 +76,23 @@ def penetration(model: mujoco.MjModel, time: Array, qpos: Array) -> Penetration:
                     depth[k], when[k], into[k] = -distance, time[i], geom_name(model, solid)
     names = tuple(geom_name(model, int(g)) for g in movers)
     return Penetration(names, depth, when, tuple(into), over_time)
+
+
+def self_penetration(model: mujoco.MjModel, pairs: Index, time: Array, qpos: Array) -> tuple[float, str]:
+    """The deepest penetration [m] of pairs of moving geoms (2, g) in each other along qpos (T, nq), and where."""
+    data = mujoco.MjData(model)
+    reach = model.geom_rbound[pairs].sum(axis=0)
+    deepest, where = 0.0, "nothing"
+    for t, q in zip(time, qpos, strict=True):
+        data.qpos[:] = q
+        mujoco.mj_kinematics(model, data)
+        apart = data.geom_xpos[pairs[0]] - data.geom_xpos[pairs[1]]
+        for k in np.flatnonzero(np.einsum("ij,ij->i", apart, apart) < np.maximum(reach - deepest, 0) ** 2):
+            first, last = int(pairs[0, k]), int(pairs[1, k])
+            depth = -mujoco.mj_geomDistance(model, data, first, last, NEAR, None)
+            if depth > deepest:
+                deepest, where = depth, f"{geom_name(model, first)} in {geom_name(model, last)} at {t:.3f} s"
+    return deepest, where
 
 
 def lowest(model: mujoco.MjModel, qpos: Array, body: int, reach: float = 1.0) -> Array:

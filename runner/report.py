@@ -22,14 +22,14 @@ from solver.frame import Mask, Timeline
 from solver.inbetween import Motion
 from solver.kinematics import Samples
 from solver.objective import Objective
-from solver.penalty import BendLimits, Contact, JointRange, joint_ranges, stances
+from solver.penalty import BendLimits, Contact, JointRange, SelfContact, joint_ranges, stances
 from solver.quaternion import Array
 from solver.subdivision import by_weak_form, path_of
 from solver.surface import Box
 
 from .clip import Clip
 from .motion import continuous, samples_at
-from .penetration import lowest, penetration
+from .penetration import lowest, penetration, self_penetration
 
 RATE = 1000.0
 LOCAL_EVALUATIONS = 25
@@ -99,6 +99,7 @@ def _side(clip: Clip, objective: Objective, timeline: Timeline, grid: Grid) -> d
             "geoms": {deep.names[i]: float(deep.depth[i]) for i in order},
             "points": _point_depths(clip, grid),
         },
+        "self-penetration, m": _self_report(clip, grid),
         "bends, degrees": _bend_report(clip, grid),
         "beyond joint range": _range_report(clip, grid),
         "skate": _skate(clip, grid),
@@ -137,6 +138,15 @@ def _bend_report(clip: Clip, grid: Grid) -> dict[str, dict[str, float]]:
         }
         for i, bend in enumerate(clip.bends)
     }
+
+
+def _self_report(clip: Clip, grid: Grid) -> dict[str, Any]:
+    """The deepest that limbs are in the trunk or in each other; empty unless the clip asks for `self`."""
+    for penalty, _ in clip.penalties:
+        if isinstance(penalty, SelfContact):
+            deepest, where = self_penetration(clip.figure.model, penalty.geom_pairs, grid.time, grid.qpos)
+            return {"deepest": deepest, "where": where}
+    return {}
 
 
 def _range_report(clip: Clip, grid: Grid) -> dict[str, Any]:
@@ -376,6 +386,10 @@ def _lines(before: dict[str, Any], after: dict[str, Any]) -> list[tuple[str, str
     )
     for name in after["penetration, m"]["points"]:
         lines.append(row(f"  {name}", *(millimetres(d["points"][name]) for d in deepest)))
+    if after["self-penetration, m"]:
+        selves = [s["self-penetration, m"] for s in sides]
+        shown = [f"{millimetres(found['deepest'])}, {found['where']}" for found in selves]
+        lines.append(row("deepest of the figure in itself", *shown))
     for name in after["bends, degrees"]:
         angles = [s["bends, degrees"][name] for s in sides]
         shown = [f"{a['backward']:.1f}° / {a['sideways']:.1f}° / {a['twist']:.1f}°" for a in angles]

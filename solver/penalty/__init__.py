@@ -17,6 +17,7 @@ from .planted import Planted as Planted
 from .planted import Stance as Stance
 from .planted import stances as stances
 from .root import RootAcceleration as RootAcceleration
+from .self_contact import SelfContact as SelfContact
 from .together import Together as Together
 from .torque import Torque as Torque
 from .unit import UnitMagnitude as UnitMagnitude

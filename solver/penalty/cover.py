@@ -32,7 +32,7 @@ def covering_points(figure: Figure) -> tuple[Point, ...]:
         body = int(model.geom_bodyid[geom])
         if figure.body_link[body] == 0:
             continue
-        centres, radii = _filled(model, geom)
+        centres, radii = filling_spheres(model, geom)
         axes = np.stack([quat.rotated(model.geom_quat[geom], e) for e in np.eye(3)], axis=1)
         link = int(figure.body_link[body])
         places = np.array([figure.point_on_link(body, model.geom_pos[geom] + axes @ c)[1] for c in centres])
@@ -55,19 +55,19 @@ def _visible(centres: Array, radii: Array) -> list[int]:
     return sorted(kept)
 
 
-def _filled(model: mujoco.MjModel, geom: int) -> Spheres:
-    """Spheres that fill one geom, in its own axes: centres (n, 3) and radii (n,) [m]."""
+def filling_spheres(model: mujoco.MjModel, geom: int, gap: float = GAP) -> Spheres:
+    """Spheres that fill one geom but for a gap [m], in its own axes: centres (n, 3) and radii (n,) [m]; 0 at edges."""
     kinds, kind, size = mujoco.mjtGeom, int(model.geom_type[geom]), np.array(model.geom_size[geom])
     if kind == kinds.mjGEOM_SPHERE:
         return np.zeros((1, 3)), size[:1]
     if kind == kinds.mjGEOM_CAPSULE:
-        return _along(size[1], size[0])
+        return _along(size[1], size[0], gap)
     if kind == kinds.mjGEOM_CYLINDER:
-        return _cylinder(size[0], size[1])
+        return _cylinder(size[0], size[1], gap)
     if kind == kinds.mjGEOM_BOX:
-        return _box(size)
+        return _box(size, gap)
     if kind == kinds.mjGEOM_ELLIPSOID:
-        return _ellipsoid(size)
+        return _ellipsoid(size, gap)
     if kind == kinds.mjGEOM_MESH:
         mesh = int(model.geom_dataid[geom])
         first, count = int(model.mesh_vertadr[mesh]), int(model.mesh_vertnum[mesh])
@@ -75,23 +75,23 @@ def _filled(model: mujoco.MjModel, geom: int) -> Spheres:
     return np.zeros((0, 3)), np.zeros(0)
 
 
-def _spread(half: float, radius: float) -> Array:
+def _spread(half: float, radius: float, gap: float) -> Array:
     """Places from −half to half, as close as spheres of a radius need to be."""
-    pace = max(2 * np.sqrt(2 * radius * GAP), 1e-3) if radius > 0 else CLOSEST
+    pace = max(2 * np.sqrt(2 * radius * gap), 1e-3) if radius > 0 else CLOSEST
     return np.linspace(-half, half, int(np.ceil(2 * half / pace)) + 1) if half > 0 else np.zeros(1)
 
 
-def _along(half: float, radius: float) -> Spheres:
-    z = _spread(half, radius)
+def _along(half: float, radius: float, gap: float) -> Spheres:
+    z = _spread(half, radius, gap)
     return np.column_stack([0 * z, 0 * z, z]), np.full(z.size, radius)
 
 
-def _cylinder(radius: float, half: float) -> Spheres:
+def _cylinder(radius: float, half: float, gap: float) -> Spheres:
     """Spheres along the axis, or a disc of them in a flat one; points on the rims."""
     inner = min(radius, half)
-    x, y = (part.ravel() for part in np.meshgrid(*[_spread(radius - inner, inner)] * 2))
+    x, y = (part.ravel() for part in np.meshgrid(*[_spread(radius - inner, inner, gap)] * 2))
     disc = np.hypot(x, y) <= radius - inner + 1e-9
-    rest, _ = _along(half - inner, inner)
+    rest, _ = _along(half - inner, inner, gap)
     middle = np.array([[a, b, z] for a, b in zip(x[disc], y[disc], strict=True) for z in rest[:, 2]])
     count = max(8, int(np.ceil(2 * np.pi * radius / CLOSEST)))
     angle = 2 * np.pi * np.arange(count) / count
@@ -99,14 +99,14 @@ def _cylinder(radius: float, half: float) -> Spheres:
     return np.concatenate([middle, *rims]), np.repeat([inner, 0.0], [len(middle), 2 * count])
 
 
-def _box(half: Array) -> Spheres:
+def _box(half: Array, gap: float) -> Spheres:
     """Spheres as thick as the box in its middle plane, and points along its edges."""
     inner = float(half.min())
-    middle = np.array(np.meshgrid(*[_spread(size - inner, inner) for size in half])).reshape(3, -1).T
+    middle = np.array(np.meshgrid(*[_spread(size - inner, inner, gap) for size in half])).reshape(3, -1).T
     edges = []
     for axis in range(3):
         for sides in np.array(np.meshgrid([-1, 1], [-1, 1])).reshape(2, -1).T:
-            along = _spread(half[axis], 0.0)
+            along = _spread(half[axis], 0.0, gap)
             edge = np.empty((along.size, 3))
             edge[:, axis] = along
             edge[:, np.delete(np.arange(3), axis)] = sides * np.delete(half, axis)
@@ -115,11 +115,11 @@ def _box(half: Array) -> Spheres:
     return np.concatenate([middle, points]), np.repeat([inner, 0.0], [len(middle), len(points)])
 
 
-def _ellipsoid(half: Array) -> Spheres:
+def _ellipsoid(half: Array, gap: float) -> Spheres:
     order = np.argsort(-half)
     a, b, c = half[order]
     long, wide = (a * a - c * c) / a, (b * b - c * c) / b
-    x, y = (part.ravel() for part in np.meshgrid(_spread(long, c), _spread(wide, c)))
+    x, y = (part.ravel() for part in np.meshgrid(_spread(long, c, gap), _spread(wide, c, gap)))
     # rings of the grid on the ellipse, so that its rim is met wherever the grid ends
     reach = np.maximum(np.abs(x) / max(long, 1e-12), np.abs(y) / max(wide, 1e-12))
     size = np.hypot(x / max(long, 1e-12), y / max(wide, 1e-12))
