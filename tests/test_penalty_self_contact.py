@@ -147,12 +147,12 @@ SWING = """figure = "arms.xml"
 time = 0
 root.position = [0, 0, 1]
 root.rotation = {rotvec = [0, 0, 0]}
-joints = {shoulder = {rotvec = [-55, 25, 0]}, elbow = {rotvec = [0, 0, 0]}}
+joints = {shoulder = {rotvec = [-40, 40, 0]}, elbow = {rotvec = [0, 0, 0]}}
 [[keyframe]]
 time = 1
 root.position = [0, 0, 1]
 root.rotation = {rotvec = [0, 0, 0]}
-joints = {shoulder = {rotvec = [-55, -60, 0]}, elbow = {rotvec = [0, 0, 0]}}
+joints = {shoulder = {rotvec = [-40, -40, 0]}, elbow = {rotvec = [0, 0, 0]}}
 """
 
 
@@ -176,6 +176,6 @@ def test_an_arm_goes_through_the_trunk_without_the_penalty_and_at_most_two_milli
             time = np.linspace(0, 1, 1001)
             pairs = SelfContact.of(figure).geom_pairs
             deepest["without"], _ = self_penetration(figure.model, pairs, time, solved.motion.at(time))
-    assert deepest["without"] > 0.01
-    assert deepest["before"] > 0.01
+    assert deepest["without"] > 0.05
+    assert deepest["before"] > 0.05
     assert deepest["after"] <= 0.002

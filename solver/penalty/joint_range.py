@@ -12,7 +12,7 @@ from functools import cached_property
 
 import numpy as np
 
-from ..algebra import dot, hamilton, vector_product
+from ..algebra import add_at, dot, hamilton, vector_product
 from ..curvature import Curvature, Sides, jacobian
 from ..figure import Figure, JointKind
 from ..kinematics import Cotangent, Samples
@@ -158,8 +158,8 @@ class JointRange:
     def _pull_back(self, samples: Samples, into: Cotangent, torque: Array) -> None:
         """Gradients with respect to the children's turns relative to their parents, (3, b, S)."""
         own, room = self._links, into.room("turn")
-        np.add.at(room, (slice(None), own), torque)
-        np.subtract.at(room, (slice(None), samples.figure.tables.parents[own]), torque)
+        room[:, own] += torque
+        add_at(room, samples.figure.tables.parents[own], -torque)
 
 
 def joint_ranges(figure: Figure) -> tuple[Range, ...]:

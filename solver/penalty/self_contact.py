@@ -135,7 +135,7 @@ class SelfContact:
             gap = around[:, a] - around[:, b]
             at = np.flatnonzero(dot(gap, gap) < (reach[a] + reach[b] + room) ** 2)
             if at.size:
-                met = self._met(samples, at, pairs, room, (reach[a], reach[b]), (around[:, a, at], around[:, b, at]))
+                met = self._met(samples, at, pairs, room)
                 found.append(met.taken(np.flatnonzero(met.depth > -near)))
         if not any(met.at.size for met in found):
             return None
@@ -174,43 +174,26 @@ class SelfContact:
         centre, axis = (np.einsum("ijk,jn->ink", rotation, local[:, bars]) for local in (centres, axes))
         return centre, axis
 
-    def _met(
-        self,
-        samples: Samples,
-        at: Index,
-        pairs: Index,
-        room: float,
-        reach: tuple[float, float],
-        around: tuple[Array, Array],
-    ) -> Meeting:
-        """How all pairs of bars of two links meet at samples `at`, those whose bounding spheres do.
-
-        reach, around  radii and centres (3, k) of spheres round all bars of the two links
-        """
+    def _met(self, samples: Samples, at: Index, pairs: Index, room: float) -> Meeting:
+        """How all pairs of bars of two links meet at samples `at`, those whose bounding spheres do."""
         links, _, _, halves, radii = self._arrays
         (a, ia), (b, ib) = (np.unique(side, return_inverse=True) for side in pairs)
         (a_arm, a_axis), (b_arm, b_axis) = (self._placed(samples, at, bars) for bars in (a, b))
         first, last = int(links[a[0]]), int(links[b[0]])
-        x_first, x_last = (samples.links.x[:, link].take(at, axis=1) for link in (first, last))
-        size = halves + radii
-        far = reach[1] + size[a] + room, reach[0] + size[b] + room
-        gaps = a_arm + (x_first - around[1])[:, None], b_arm + (x_last - around[0])[:, None]
-        close = [dot(gap, gap) < most[:, None] ** 2 for gap, most in zip(gaps, far, strict=True)]
-        when = np.flatnonzero(close[0].any(axis=0) & close[1].any(axis=0))
-        close = [part[:, when] for part in close]
-        some = np.flatnonzero(close[0].any(axis=1)[ia] & close[1].any(axis=1)[ib])
-        pair, k = np.nonzero(close[0][ia[some]] & close[1][ib[some]])
-        pair, k = some[pair], when[k]
-        middle = a_arm[:, ia[pair], k] - b_arm[:, ib[pair], k] + (x_first - x_last)[:, k]
-        within = dot(middle, middle) < (size[pairs[0, pair]] + size[pairs[1, pair]] + room) ** 2
-        pair, k, middle = pair[within], k[within], middle[:, within]
-        d, u, v = middle, a_axis[:, ia[pair], k], b_axis[:, ib[pair], k]
-        s, t = nearest_on_segments(d, u, v, halves[pairs[0, pair]], halves[pairs[1, pair]])
+        between = (samples.links.x[:, first] - samples.links.x[:, last]).take(at, axis=1)
+        reach = np.full((a.size, b.size), -1.0)  # squared; less than any distance for pairs that are left out
+        reach[ia, ib] = (halves[a[ia]] + radii[a[ia]] + halves[b[ib]] + radii[b[ib]] + room) ** 2
+        from_last = a_arm + between[:, None]
+        squared = -2 * np.einsum("ink->kni", from_last) @ np.einsum("imk->kim", b_arm)
+        squared += dot(from_last, from_last).T[:, :, None] + dot(b_arm, b_arm).T[:, None, :]
+        k, i, j = np.nonzero(squared < reach)
+        d, u, v = from_last[:, i, k] - b_arm[:, j, k], a_axis[:, i, k], b_axis[:, j, k]
+        s, t = nearest_on_segments(d, u, v, halves[a[i]], halves[b[j]])
         apart = d + s * u - t * v
         gap = np.sqrt(dot(apart, apart))
-        depth = radii[pairs[0, pair]] + radii[pairs[1, pair]] + self.margin - gap
+        depth = radii[a[i]] + radii[b[j]] + self.margin - gap
         way = np.where(gap > 1e-12, apart / np.maximum(gap, 1e-12), np.array([[0.0], [0], [1]]))
-        arms = a_arm[:, ia[pair], k] + s * u, b_arm[:, ib[pair], k] + t * v
+        arms = a_arm[:, i, k] + s * u, b_arm[:, j, k] + t * v
         return Meeting(at[k], np.full(k.size, first), np.full(k.size, last), *arms, depth, way)
 
 
@@ -227,7 +210,7 @@ def nearest_on_segments(d: Array, u: Array, v: Array, h: Array, g: Array) -> tup
 
 
 def _pairs(figure: Figure, bars: Sequence[Bar]) -> Index:
-    """(2, n) all pairs of bars that could meet: not of one link, nor of joined links, nor of geoms that rest in touch."""
+    """(2, n) the pairs of bars that can meet: not of one link, of joined links, or of geoms that overlap at rest."""
     carrying = {bar.link for bar in bars}
     joined = {(_carrier(figure, link, carrying), link) for link in carrying}
     resting = _overlapping(figure.model, {bar.geom for bar in bars})
