@@ -19,7 +19,6 @@ import numpy as np
 from pydantic import ValidationError
 
 import models
-from solver import quaternion as quat
 from solver.descent import check_method
 from solver.figure import Figure, FigureError, JointKind, quaternion_columns
 from solver.frame import Frame, Mask, TimelineError
@@ -49,6 +48,8 @@ from .clip_table import (
 from .constraints import Constraints
 from .errors import UserError, unknown
 from .motion import read_arrays
+from .obstacle import obstacles
+from .rotation import quaternion_of as _rotation
 from .scene import Step, check_files, compose, figure_spec, first_line, quietly
 
 LONGEST_PANEL = 0.05
@@ -138,7 +139,7 @@ def from_text(
     step = table.scene.step
     try:
         spec = figure_spec(table.figure, folder)
-        mjcf = compose(spec, None if step is None else Step(**step.model_dump()))
+        mjcf = compose(spec, None if step is None else Step(**step.model_dump()), obstacles(table.scene))
     except UserError as error:
         raise UserError(f"{place}: {error}") from None
     figure = _figure(mjcf, table.solve.coordinates, place)
@@ -311,30 +312,6 @@ def _set_joint(qpos: Array, fixed: Mask, link: Any, value: RotationTable | float
         raise UserError(f"{place}: a ball joint takes a rotation, {ROTATION}, not a number")
     qpos[columns] = _rotation(value, place)
     fixed[columns] = True
-
-
-def _rotation(table: RotationTable, place: str) -> Array:
-    """The unit quaternion wxyz of a rotation given in degrees."""
-    given = [name for name in ("rotvec", "euler", "quat") if getattr(table, name) is not None]
-    if len(given) != 1:
-        raise UserError(f"{place}: give exactly one of rotvec, euler, quat, not {' and '.join(given) or 'none'}")
-    if table.order is not None and table.euler is None:
-        raise UserError(f"{place}: order goes with euler, not with {given[0]}")
-    if table.rotvec is not None:
-        return quat.from_rotation_vector(np.radians(table.rotvec))
-    if table.quat is not None:
-        if np.linalg.norm(table.quat) < 1e-6:
-            raise UserError(f"{place}: the quaternion is zero")
-        return quat.normalised(table.quat)
-    order, angles = "xyz" if table.order is None else table.order, table.euler or []
-    if not order or set(order) - set("xyz") or len(order) != len(angles):
-        raise UserError(
-            f"{place}: euler has {len(angles)} angles and order = '{order}'; order names an axis x, y or z for each"
-        )
-    out = np.array([1.0, 0, 0, 0])
-    for letter, angle in zip(order, np.radians(angles), strict=True):
-        out = quat.product(out, quat.from_rotation_vector(angle * np.eye(3)["xyz".index(letter)]))
-    return out
 
 
 def _from_mjcf(path: Path, fps: float | None) -> Clip:

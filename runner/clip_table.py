@@ -16,6 +16,8 @@ Whole = Annotated[int, Strict()]
 Length = Annotated[Real, Field(gt=0, le=1000)]
 Angle = Annotated[Real, Field(gt=0, le=360)]
 Axis = Number | Literal["free"]
+Share = Annotated[Real, Field(ge=0, le=1)]
+Place = tuple[Number, Number, Number]
 
 
 class _Table(BaseModel):
@@ -49,8 +51,36 @@ class StepTable(_Table):
     y: Number = 0.0
 
 
+class _ObstacleTable(_Table):
+    name: Annotated[str, Field(min_length=1)] | None = None
+    color: tuple[Share, Share, Share, Share] | None = None
+    position: Place | None = None
+    rotation: RotationTable | None = None
+
+
+class BoxTable(_ObstacleTable):
+    size: tuple[Length, Length, Length]
+
+
+class SphereTable(_ObstacleTable):
+    radius: Length
+
+
+class BarTable(_ObstacleTable):
+    """A capsule or cylinder: from one point to another, or a length about a position."""
+
+    radius: Length
+    length: Length | None = None
+    start: Place | None = Field(None, alias="from")
+    end: Place | None = Field(None, alias="to")
+
+
 class SceneTable(_Table):
     step: StepTable | None = None
+    box: list[BoxTable] = []
+    sphere: list[SphereTable] = []
+    capsule: list[BarTable] = []
+    cylinder: list[BarTable] = []
 
 
 class PenaltyTable(_Table):
@@ -99,7 +129,8 @@ def spoken(error: ValidationError, raw: dict[str, Any]) -> str:
     kind = first["type"]
     if kind == "extra_forbidden":
         inside = f"{'.'.join(names[:-1])}: " if names[:-1] else ""
-        return place + inside + unknown("key", names[-1], _schema(words, names[:-1]).model_fields)
+        fields = _schema(words, names[:-1]).model_fields
+        return place + inside + unknown("key", names[-1], [field.alias or name for name, field in fields.items()])
     if kind == "missing" and isinstance(first["loc"][-1], str):
         return f"{place}'{key}' is missing"
     if kind == "finite_number":
@@ -124,6 +155,10 @@ def _walked(location: tuple[int | str, ...], raw: Any) -> tuple[list[str], list[
     for i, part in enumerate(location):
         if isinstance(here, list) and isinstance(part, int) and part < len(here):
             here = here[part]
+            if i == 2 and names[0] == "scene":
+                name = here.get("name") if isinstance(here, dict) else None
+                words.append(f"{'.'.join(names)} {part + 1}" + (f" ('{name}')" if isinstance(name, str) else ""))
+                names.clear()
             if i == 1:
                 time = here.get("time") if isinstance(here, dict) else None
                 known = isinstance(time, int | float) and not isinstance(time, bool)
@@ -142,6 +177,8 @@ def _role(words: list[str], names: list[str]) -> str:
         return "bent joints"
     if len(names) == 2 and names[0] == "joints":
         return "joint"
+    if words and words[0].startswith("scene.") and names[-1:] in (["position"], ["rotation"]):
+        return f"obstacle's {names[-1]}"
     return names[-1] if names else ""
 
 
@@ -169,13 +206,31 @@ _TABLES: dict[str, type[_Table]] = {
     "penalty": PenaltyTable,
     "scene": SceneTable,
     "step": StepTable,
+    "scene.box": BoxTable,
+    "scene.sphere": SphereTable,
+    "scene.capsule": BarTable,
+    "scene.cylinder": BarTable,
     "solve": SolveTable,
     "root": RootTable,
     "rotation": RotationTable,
 }
 
 ROTATION = "{rotvec = [x, y, z]}, {euler = [...], order = ...} or {quat = [w, x, y, z]}"
-_NUMBERS = ("time", "fps", "x", "y", "height", "length", "width", "weight", "margin", "least", "sideways", "twist")
+_NUMBERS = (
+    "time",
+    "fps",
+    "x",
+    "y",
+    "height",
+    "length",
+    "width",
+    "weight",
+    "margin",
+    "least",
+    "sideways",
+    "twist",
+    "radius",
+)
 _WHOLE = ("variable", "frames", "evaluations", "samples")
 _EXPECTED = {
     **dict.fromkeys((*_NUMBERS, "threshold", "tolerance"), "a number"),
@@ -186,6 +241,12 @@ _EXPECTED = {
     "figure": "the name of a figure or a path in quotes",
     "keyframe": "[[keyframe]] tables",
     "penalty": "[[penalty]] tables",
+    **{kind: f"[[scene.{kind}]] tables" for kind in ("box", "sphere", "capsule", "cylinder")},
+    **dict.fromkeys(("obstacle's position", "from", "to"), "[x, y, z] in metres"),
+    "obstacle's rotation": ROTATION,
+    "size": "[length, width, height] in metres",
+    "color": "[red, green, blue, opacity], each from 0 to 1",
+    "name": "a name in quotes",
     "position": '[x, y, z] in metres, each a number or "free"',
     "rotation": f'{ROTATION} or "free"',
     "joint": f'{ROTATION}, a number or "free"',

@@ -12,23 +12,28 @@ from solver.penalty import (
     BendLimits,
     Contact,
     CovariantAcceleration,
+    JointRange,
     Penalty,
     Planted,
     Point,
     RootAcceleration,
+    SelfContact,
+    Together,
     Torque,
     UnitMagnitude,
     body_points,
+    covering_points,
+    joint_ranges,
     site_points,
     stances,
 )
 from solver.quaternion import Array
-from solver.surface import Surface
+from solver.surface import Box, Plane, Surface
 
 from .clip_table import PenaltyTable
 from .errors import UserError, unknown
 
-KINDS = ("covariant", "root", "unit", "contact", "clearance", "planted", "bend", "torque")
+KINDS = ("covariant", "root", "unit", "contact", "clearance", "planted", "bend", "range", "self", "torque")
 DEFAULT_WEIGHTS = {
     "covariant": 1.0,
     "root": 1.0,
@@ -37,6 +42,7 @@ DEFAULT_WEIGHTS = {
     "clearance": 30.0,
     "planted": 0.1,
     "bend": 1.0,
+    "range": 1.0,
 }
 KNEES, ELBOWS = ("knee", "shin"), ("elbow", "forearm", "farm")
 SOLES = ("heel", "toe")
@@ -46,6 +52,7 @@ OPTIONS = {
     "unit": {"form"},
     "contact": {"points", "margin"},
     "clearance": {"margin"},
+    "self": {"margin"},
     "bend": {"joints", "least", "sideways", "twist"},
 }
 
@@ -62,7 +69,7 @@ class Constraints:
         self.points = site_points(figure, [s for s in self.sites if any(word in s.lower() for word in SOLES)])
         self.bends = tuple(_bends(figure))
         if not surfaces:
-            notes.append("no static plane or box found: nothing to stay above")
+            notes.append("no static geom found: nothing to stay out of")
         if not self.points:
             notes.append("no site named heel or toe found: no contact points")
         if not self.bends:
@@ -70,6 +77,8 @@ class Constraints:
 
     def all(self, entries: list[PenaltyTable]) -> tuple[tuple[Penalty, float], ...]:
         chosen = {kind: PenaltyTable(kind=kind, weight=weight) for kind, weight in DEFAULT_WEIGHTS.items()}
+        if not joint_ranges(self.figure):
+            del chosen["range"]
         seen: dict[str, int] = {}
         for i, entry in enumerate(entries, 1):
             place = f"{self.place}: penalty {i}"
@@ -97,8 +106,12 @@ class Constraints:
             return RootAcceleration()
         if entry.kind == "torque":
             return Torque()
+        if entry.kind == "range":
+            return JointRange(joint_ranges(self.figure))
+        if entry.kind == "self":
+            return SelfContact.of(self.figure, entry.margin or 0.0)
         if entry.kind == "clearance":
-            return Contact(body_points(self.figure), self.surfaces, entry.margin or 0.0, name="clearance")
+            return self._clearance(entry.margin or 0.0)
         if entry.kind == "planted":
             return Planted(stances(self.figure, self.keys, self.points, self.surfaces))
         if entry.kind == "contact":
@@ -106,6 +119,15 @@ class Constraints:
                 self.points = self._sites(entry.points)
             return Contact(self.points, self.surfaces, entry.margin or 0.0)
         return self._bend(entry)
+
+    def _clearance(self, margin: float) -> Penalty:
+        """The body's corners out of floors and steps, all of its skin out of whatever is round, thin or in the air."""
+        ground = tuple(s for s in self.surfaces if isinstance(s, Plane) or (isinstance(s, Box) and s.buried))
+        others = tuple(s for s in self.surfaces if all(s is not g for g in ground))
+        clear = Contact(body_points(self.figure), ground, margin, name="clearance")
+        if not others:
+            return clear
+        return Together((clear, Contact(covering_points(self.figure), others, margin)), name="clearance")
 
     def _sites(self, names: list[str]) -> tuple[Point, ...]:
         for name in names:

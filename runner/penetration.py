@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 
-from solver.quaternion import Array
+from solver.quaternion import Array, Index
 
 NEAR = 0.02
 
@@ -47,13 +47,8 @@ def moving_geoms(model: mujoco.MjModel) -> list[int]:
 
 
 def solid_geoms(model: mujoco.MjModel) -> list[int]:
-    """Static planes and boxes: the surfaces."""
-    kinds = {int(mujoco.mjtGeom.mjGEOM_PLANE), int(mujoco.mjtGeom.mjGEOM_BOX)}
-    return [
-        g
-        for g in range(model.ngeom)
-        if model.body_weldid[model.geom_bodyid[g]] == 0 and int(model.geom_type[g]) in kinds
-    ]
+    """Static geoms: the surfaces."""
+    return [g for g in range(model.ngeom) if model.body_weldid[model.geom_bodyid[g]] == 0]
 
 
 def geom_name(model: mujoco.MjModel, geom: int) -> str:
@@ -62,7 +57,7 @@ def geom_name(model: mujoco.MjModel, geom: int) -> str:
 
 
 def penetration(model: mujoco.MjModel, time: Array, qpos: Array) -> Penetration:
-    """The deepest penetration of every moving geom in every static plane and box along qpos (T, nq)."""
+    """The deepest penetration of every moving geom in every static one along qpos (T, nq)."""
     data = mujoco.MjData(model)
     movers, solids = np.array(moving_geoms(model), int), solid_geoms(model)
     depth, when = np.zeros(movers.size), np.full(movers.size, time[0])
@@ -83,6 +78,23 @@ def penetration(model: mujoco.MjModel, time: Array, qpos: Array) -> Penetration:
     return Penetration(names, depth, when, tuple(into), over_time)
 
 
+def self_penetration(model: mujoco.MjModel, pairs: Index, time: Array, qpos: Array) -> tuple[float, str]:
+    """The deepest penetration [m] of pairs of moving geoms (2, g) in each other along qpos (T, nq), and where."""
+    data = mujoco.MjData(model)
+    reach = model.geom_rbound[pairs].sum(axis=0)
+    deepest, where = 0.0, "nothing"
+    for t, q in zip(time, qpos, strict=True):
+        data.qpos[:] = q
+        mujoco.mj_kinematics(model, data)
+        apart = data.geom_xpos[pairs[0]] - data.geom_xpos[pairs[1]]
+        for k in np.flatnonzero(np.einsum("ij,ij->i", apart, apart) < np.maximum(reach - deepest, 0) ** 2):
+            first, last = int(pairs[0, k]), int(pairs[1, k])
+            depth = -mujoco.mj_geomDistance(model, data, first, last, NEAR, None)
+            if depth > deepest:
+                deepest, where = depth, f"{geom_name(model, first)} in {geom_name(model, last)} at {t:.3f} s"
+    return deepest, where
+
+
 def lowest(model: mujoco.MjModel, qpos: Array, body: int, reach: float = 1.0) -> Array:
     """(T,) signed distance [m] of a body's nearest geom to the nearest surface, at most `reach`."""
     data = mujoco.MjData(model)
@@ -101,8 +113,9 @@ def lowest(model: mujoco.MjModel, qpos: Array, body: int, reach: float = 1.0) ->
 
 
 def _gap(model: mujoco.MjModel, data: mujoco.MjData, solid: int, points: Array) -> Array:
-    """Distance of points (n, 3) from a plane or box, negative inside a plane's half space, 0 inside a box."""
+    """Distance of points (n, 3) from a plane, negative inside its half space, or a geom's own box, 0 inside it."""
     local = (points - data.geom_xpos[solid]) @ data.geom_xmat[solid].reshape(3, 3)
     if model.geom_type[solid] == mujoco.mjtGeom.mjGEOM_PLANE:
         return local[:, 2]
-    return np.linalg.norm(np.maximum(np.abs(local) - model.geom_size[solid], 0), axis=1)
+    middle, half = np.split(model.geom_aabb[solid], 2)
+    return np.linalg.norm(np.maximum(np.abs(local - middle) - half, 0), axis=1)

@@ -22,14 +22,14 @@ from solver.frame import Mask, Timeline
 from solver.inbetween import Motion
 from solver.kinematics import Samples
 from solver.objective import Objective
-from solver.penalty import BendLimits, Contact, stances
+from solver.penalty import BendLimits, Contact, JointRange, SelfContact, joint_ranges, stances
 from solver.quaternion import Array
 from solver.subdivision import by_weak_form, path_of
 from solver.surface import Box
 
 from .clip import Clip
 from .motion import continuous, samples_at
-from .penetration import lowest, penetration
+from .penetration import lowest, penetration, self_penetration
 
 RATE = 1000.0
 LOCAL_EVALUATIONS = 25
@@ -99,7 +99,9 @@ def _side(clip: Clip, objective: Objective, timeline: Timeline, grid: Grid) -> d
             "geoms": {deep.names[i]: float(deep.depth[i]) for i in order},
             "points": _point_depths(clip, grid),
         },
+        "self-penetration, m": _self_report(clip, grid),
         "bends, degrees": _bend_report(clip, grid),
+        "beyond joint range": _range_report(clip, grid),
         "skate": _skate(clip, grid),
         "stances": _stance_report(clip, timeline),
         "edge clearance, m": _edge_clearance(clip, grid),
@@ -135,6 +137,32 @@ def _bend_report(clip: Clip, grid: Grid) -> dict[str, dict[str, float]]:
             "twist": float(np.abs(twist[i]).max()),
         }
         for i, bend in enumerate(clip.bends)
+    }
+
+
+def _self_report(clip: Clip, grid: Grid) -> dict[str, Any]:
+    """The deepest that limbs are in the trunk or in each other; empty unless the clip asks for `self`."""
+    for penalty, _ in clip.penalties:
+        if isinstance(penalty, SelfContact):
+            deepest, where = self_penetration(clip.figure.model, penalty.geom_pairs, grid.time, grid.qpos)
+            return {"deepest": deepest, "where": where}
+    return {}
+
+
+def _range_report(clip: Clip, grid: Grid) -> dict[str, Any]:
+    """Which joint is how far beyond its range, in degrees or for slides in metres; empty without limited joints."""
+    ranges = joint_ranges(clip.figure)
+    if not ranges:
+        return {}
+    beyond = np.maximum(JointRange(ranges).beyond(grid.samples), 0)
+    joint, at = np.unravel_index(beyond.argmax(), beyond.shape)
+    worst, far = ranges[int(joint)], float(beyond[joint, at])
+    slides = worst.kind is JointKind.SLIDE
+    return {
+        "joint": worst.name,
+        "at, s": float(grid.time[at]),
+        "most": far if slides else float(np.degrees(far)),
+        "unit": "m" if slides else "degrees",
     }
 
 
@@ -358,10 +386,16 @@ def _lines(before: dict[str, Any], after: dict[str, Any]) -> list[tuple[str, str
     )
     for name in after["penetration, m"]["points"]:
         lines.append(row(f"  {name}", *(millimetres(d["points"][name]) for d in deepest)))
+    if after["self-penetration, m"]:
+        selves = [s["self-penetration, m"] for s in sides]
+        shown = [f"{millimetres(found['deepest'])}, {found['where']}" for found in selves]
+        lines.append(row("deepest of the figure in itself", *shown))
     for name in after["bends, degrees"]:
         angles = [s["bends, degrees"][name] for s in sides]
         shown = [f"{a['backward']:.1f}° / {a['sideways']:.1f}° / {a['twist']:.1f}°" for a in angles]
         lines.append(row(f"{name}: backward / sideways / twist", *shown))
+    if after["beyond joint range"]:
+        lines.append(row("farthest beyond a joint's range", *(_beyond(s["beyond joint range"]) for s in sides)))
     for name in after["skate"]:
         skates = [s["skate"][name] for s in sides]
         lines.append(
@@ -386,3 +420,11 @@ def _lines(before: dict[str, Any], after: dict[str, Any]) -> list[tuple[str, str
         lines.append(row("centre of mass off before, largest", "", millimetres(drift["largest"])))
         lines.append(row("  away from where before is in a box", "", millimetres(drift["away from trouble"])))
     return lines
+
+
+def _beyond(found: dict[str, Any]) -> str:
+    """How far a joint is beyond its range, in words."""
+    if found["most"] == 0:
+        return "not at all"
+    far = f"{found['most']:.1f}°" if found["unit"] == "degrees" else f"{1000 * found['most']:.1f} mm"
+    return f"{far}, {found['joint']}"

@@ -1,10 +1,10 @@
-"""Figure and stage become one MJCF text: sky, light and floor where the model brings none of its own, and a step."""
+"""Figure and stage become one MJCF text: sky, light and floor where the model brings none of its own, and obstacles."""
 
 from __future__ import annotations
 
 import contextlib
 import io
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -13,6 +13,7 @@ import mujoco
 import models
 
 from .errors import UserError, unknown
+from .obstacle import Obstacle
 
 PREFIX = "stage_"
 
@@ -65,7 +66,7 @@ def check_files(spec: mujoco.MjSpec) -> None:
         raise UserError(f"the model refers to the file '{files[0]}': models with mesh or image files are not supported")
 
 
-def compose(spec: mujoco.MjSpec, step: Step | None = None) -> str:
+def compose(spec: mujoco.MjSpec, step: Step | None = None, obstacles: Sequence[Obstacle] = ()) -> str:
     """The complete MJCF text of a figure on its stage; from it alone the model is compiled from now on.
 
     Without the model's own <keyframe> elements: MuJoCo writes them with few digits and leaves out some.
@@ -95,6 +96,8 @@ def compose(spec: mujoco.MjSpec, step: Step | None = None) -> str:
                 spec.geom(PREFIX + "floor").name = "floor"
             if step is not None:
                 _add_step(spec, step)
+            for obstacle in obstacles:
+                obstacle.add_to(spec, PREFIX + "step")
             spec.compile()
             return spec.to_xml()
     except ValueError as error:

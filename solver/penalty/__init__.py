@@ -7,8 +7,12 @@ from .contact import Point as Point
 from .contact import body_points as body_points
 from .contact import site_points as site_points
 from .covariant import CovariantAcceleration as CovariantAcceleration
+from .cover import covering_points as covering_points
 from .grounded import Grounded as Grounded
 from .grounded import grounded_intervals as grounded_intervals
+from .joint_range import JointRange as JointRange
+from .joint_range import Range as Range
+from .joint_range import joint_ranges as joint_ranges
 from .penalty import Penalty as Penalty
 from .penalty import Scale as Scale
 from .planted import Planted as Planted
@@ -18,6 +22,8 @@ from .posture import Posture as Posture
 from .resting import Rest as Rest
 from .resting import Resting as Resting
 from .root import RootAcceleration as RootAcceleration
+from .self_contact import SelfContact as SelfContact
 from .skate import Skate as Skate
+from .together import Together as Together
 from .torque import Torque as Torque
 from .unit import UnitMagnitude as UnitMagnitude

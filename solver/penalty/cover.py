@@ -1,0 +1,131 @@
+"""The whole of a body as spheres: so close together that not even a thin rail slips in between.
+
+`body_points` is enough for planes and steps, which see a body's convex hull. A rail also sees what lies inside the
+hull, and whatever bulges between its corners. So here every geom is filled by spheres about its medial axis: segments
+in capsules and cylinders, rectangles in boxes, and in an ellipsoid of half axes a ≥ b ≥ c the ellipse of half axes
+(a² − c²)/a and (b² − c²)/b, on which the sphere at (x, y) has the radius c √(1 − x²/(a² − c²) − y²/(b² − c²)).
+"""
+
+from __future__ import annotations
+
+import mujoco
+import numpy as np
+
+from .. import quaternion as quat
+from ..figure import Figure
+from ..quaternion import Array
+from .contact import Point
+
+GAP = 0.001  # [m] by which something straight may dip in between two spheres
+CLOSEST = 0.02  # [m] between the points of sharp edges
+HIDDEN = 0.0002  # [m]
+
+Spheres = tuple[Array, Array]
+
+
+def covering_points(figure: Figure) -> tuple[Point, ...]:
+    """Spheres that fill all geoms of the figure's links; those inside another one of the same link are left out."""
+    model = figure.model
+    out: list[Point] = []
+    found: dict[int, list[tuple[str, Array, Array]]] = {}
+    for geom in range(model.ngeom):
+        body = int(model.geom_bodyid[geom])
+        if figure.body_link[body] == 0:
+            continue
+        centres, radii = filling_spheres(model, geom)
+        axes = np.stack([quat.rotated(model.geom_quat[geom], e) for e in np.eye(3)], axis=1)
+        link = int(figure.body_link[body])
+        places = np.array([figure.point_on_link(body, model.geom_pos[geom] + axes @ c)[1] for c in centres])
+        name = model.geom(geom).name or f"geom {geom}"
+        found.setdefault(link, []).append((name, places.reshape(-1, 3), radii))
+    for link, parts in found.items():
+        names = np.repeat([name for name, _, _ in parts], [len(radii) for _, _, radii in parts])
+        centres, radii = np.concatenate([c for _, c, _ in parts]), np.concatenate([r for _, _, r in parts])
+        out += [Point(str(names[i]), link, centres[i], float(radii[i])) for i in _visible(centres, radii)]
+    return tuple(out)
+
+
+def _visible(centres: Array, radii: Array) -> list[int]:
+    """Which spheres are not inside a larger one, but for a hair."""
+    kept: list[int] = []
+    for i in np.argsort(-radii, kind="stable"):
+        apart = np.linalg.norm(centres[kept] - centres[i], axis=1)
+        if not np.any(apart + radii[i] <= radii[kept] + HIDDEN):
+            kept.append(int(i))
+    return sorted(kept)
+
+
+def filling_spheres(model: mujoco.MjModel, geom: int, gap: float = GAP) -> Spheres:
+    """Spheres that fill one geom but for a gap [m], in its own axes: centres (n, 3) and radii (n,) [m]; 0 at edges."""
+    kinds, kind, size = mujoco.mjtGeom, int(model.geom_type[geom]), np.array(model.geom_size[geom])
+    if kind == kinds.mjGEOM_SPHERE:
+        return np.zeros((1, 3)), size[:1]
+    if kind == kinds.mjGEOM_CAPSULE:
+        return _along(size[1], size[0], gap)
+    if kind == kinds.mjGEOM_CYLINDER:
+        return _cylinder(size[0], size[1], gap)
+    if kind == kinds.mjGEOM_BOX:
+        return _box(size, gap)
+    if kind == kinds.mjGEOM_ELLIPSOID:
+        return _ellipsoid(size, gap)
+    if kind == kinds.mjGEOM_MESH:
+        mesh = int(model.geom_dataid[geom])
+        first, count = int(model.mesh_vertadr[mesh]), int(model.mesh_vertnum[mesh])
+        return np.array(model.mesh_vert[first : first + count], float), np.zeros(count)
+    return np.zeros((0, 3)), np.zeros(0)
+
+
+def _spread(half: float, radius: float, gap: float) -> Array:
+    """Places from −half to half, as close as spheres of a radius need to be."""
+    pace = max(2 * np.sqrt(2 * radius * gap), 1e-3) if radius > 0 else CLOSEST
+    return np.linspace(-half, half, int(np.ceil(2 * half / pace)) + 1) if half > 0 else np.zeros(1)
+
+
+def _along(half: float, radius: float, gap: float) -> Spheres:
+    z = _spread(half, radius, gap)
+    return np.column_stack([0 * z, 0 * z, z]), np.full(z.size, radius)
+
+
+def _cylinder(radius: float, half: float, gap: float) -> Spheres:
+    """Spheres along the axis, or a disc of them in a flat one; points on the rims."""
+    inner = min(radius, half)
+    x, y = (part.ravel() for part in np.meshgrid(*[_spread(radius - inner, inner, gap)] * 2))
+    disc = np.hypot(x, y) <= radius - inner + 1e-9
+    rest, _ = _along(half - inner, inner, gap)
+    middle = np.array([[a, b, z] for a, b in zip(x[disc], y[disc], strict=True) for z in rest[:, 2]])
+    count = max(8, int(np.ceil(2 * np.pi * radius / CLOSEST)))
+    angle = 2 * np.pi * np.arange(count) / count
+    rims = [np.column_stack([radius * np.cos(angle), radius * np.sin(angle), 0 * angle + z]) for z in (-half, half)]
+    return np.concatenate([middle, *rims]), np.repeat([inner, 0.0], [len(middle), 2 * count])
+
+
+def _box(half: Array, gap: float) -> Spheres:
+    """Spheres as thick as the box in its middle plane, and points along its edges."""
+    inner = float(half.min())
+    middle = np.array(np.meshgrid(*[_spread(size - inner, inner, gap) for size in half])).reshape(3, -1).T
+    edges = []
+    for axis in range(3):
+        for sides in np.array(np.meshgrid([-1, 1], [-1, 1])).reshape(2, -1).T:
+            along = _spread(half[axis], 0.0, gap)
+            edge = np.empty((along.size, 3))
+            edge[:, axis] = along
+            edge[:, np.delete(np.arange(3), axis)] = sides * np.delete(half, axis)
+            edges.append(edge)
+    points = np.concatenate(edges)
+    return np.concatenate([middle, points]), np.repeat([inner, 0.0], [len(middle), len(points)])
+
+
+def _ellipsoid(half: Array, gap: float) -> Spheres:
+    order = np.argsort(-half)
+    a, b, c = half[order]
+    long, wide = (a * a - c * c) / a, (b * b - c * c) / b
+    x, y = (part.ravel() for part in np.meshgrid(_spread(long, c, gap), _spread(wide, c, gap)))
+    # rings of the grid on the ellipse, so that its rim is met wherever the grid ends
+    reach = np.maximum(np.abs(x) / max(long, 1e-12), np.abs(y) / max(wide, 1e-12))
+    size = np.hypot(x / max(long, 1e-12), y / max(wide, 1e-12))
+    shrink = np.where(size > 0, reach / np.maximum(size, 1e-12), 1.0)
+    x, y = x * shrink, y * shrink
+    left = 1 - x**2 / max(a * a - c * c, 1e-24) - y**2 / max(b * b - c * c, 1e-24)
+    centres = np.zeros((x.size, 3))
+    centres[:, order[0]], centres[:, order[1]] = x, y
+    return centres, c * np.sqrt(np.maximum(left, 0))

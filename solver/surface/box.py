@@ -1,0 +1,94 @@
+"""A box: a point inside has a way out through every face.
+
+The distances to the faces are joined smoothly as d = (Σ_i (κ_i d_i)⁻²)^(-1/2): zero on the boundary, positive inside
+and led by the nearest face. The face that looks up has κ = 1, the others κ = 4: the way out of a step that a foot can
+take is on top of it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..quaternion import Array
+from .surface import UPRIGHT
+
+SIDEWAYS = 4.0
+
+
+@dataclass(frozen=True)
+class Box:
+    """A solid box: centre (3,) [m], axes (3, 3) by columns, half sizes (3,) [m]; buried: no way out downwards."""
+
+    name: str
+    centre: Array
+    axes: Array
+    half: Array
+    buried: bool = True
+
+    def depth(self, points: Array, radius: Array) -> tuple[Array, Array]:
+        local = self._local(points)
+        inside = self._within(local, self.half[:, None, None] + radius[:, None])
+        depth, gradient = np.zeros(inside.shape), np.zeros(points.shape)
+        which = np.flatnonzero(inside)
+        if not which.size:
+            return depth, gradient
+        outward, size, kappa, inward = self._faces
+        near = np.add.outer(size, radius.repeat(inside.shape[1]).take(which))
+        near -= outward @ local.reshape(3, -1).take(which, axis=1)
+        near *= kappa
+        np.divide(1, near, out=near)
+        squared = near * near
+        value = 1 / np.sqrt(np.add.reduce(squared, axis=0))
+        near *= squared
+        depth.put(which, value)
+        gradient.reshape(3, -1)[:, which] = (inward @ near) * (value * value * value)
+        return depth, gradient
+
+    @cached_property
+    def _faces(self) -> tuple[Array, Array, Array, Array]:
+        """The ways out: faces' outward axes (f, 3) in the box's own, distances from the centre (f,), κ (f, 1), and κ
+        times the inward axes in the world (3, f)."""
+        outward = np.concatenate([np.eye(3), -np.eye(3)])
+        rise = outward @ self.axes[2]
+        kept = ~((rise < -UPRIGHT) & self.buried)
+        kappa = np.where(rise > UPRIGHT, 1.0, SIDEWAYS)[kept, None]
+        return outward[kept], np.tile(self.half, 2)[kept], kappa, -self.axes @ (kappa * outward[kept]).T
+
+    def near(self, points: Array, radius: Array) -> NDArray[np.bool_]:
+        return self._within(self._local(points), self.half.reshape(3, *[1] * (points.ndim - 1)) + radius)
+
+    @staticmethod
+    def _within(local: Array, half: Array) -> NDArray[np.bool_]:
+        return np.logical_and.reduce(np.abs(local) < half)
+
+    def inside(self, points: Array) -> Array:
+        local = self._local(points)
+        nearest = np.full(points.shape[1:], np.inf)
+        for axis in range(3):
+            for sign in (1.0, -1.0):
+                if not (self.buried and sign * self.axes[2, axis] < -UPRIGHT):
+                    nearest = np.minimum(nearest, self.half[axis] - sign * local[axis])
+        return np.where(self._within(local, self.half.reshape(3, *[1] * (points.ndim - 1))), nearest, 0.0)
+
+    def _local(self, points: Array) -> Array:
+        """Points (3, ...) in the box's own axes."""
+        away = points.reshape(3, -1) - self.centre[:, None]
+        return (self.axes.T @ away).reshape(points.shape)
+
+    def up(self, points: Array) -> Array:
+        top = int(np.argmax(np.abs(self.axes[2])))
+        return np.repeat((self.axes[:, top] * np.sign(self.axes[2, top]))[:, None], points.shape[1], axis=1)
+
+    def height(self, points: Array) -> Array:
+        single = [1] * (points.ndim - 1)
+        local = self._local(points)
+        top = int(np.argmax(np.abs(self.axes[2])))
+        over = np.all(np.abs(np.delete(local, top, 0)) <= np.delete(self.half, top).reshape(2, *single), axis=0)
+        height = local[top] * np.sign(self.axes[2, top]) - self.half[top]
+        if not self.buried:
+            over &= height > -2 * self.half[top]
+        return np.where(over, height, np.inf)

@@ -1,0 +1,99 @@
+"""A convex hull, which is what MuJoCo makes of a mesh: inside, the distance to its faces; outside, to edges too."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from ..quaternion import Array, Index
+from .solid import TINY, Solid, lengths
+from .surface import GROUNDED, UPRIGHT
+
+SAME_FACE = 1e-7
+AT_ONCE = 200_000  # pairs of a point and an edge
+
+
+@dataclass(frozen=True)
+class Hull(Solid):
+    """corners (3, v) [m]; faces (f, 3) indices of triangles' corners, counterclockwise from outside; buried: the faces
+    that it stands on are no way out."""
+
+    corners: Array
+    faces: Index
+    buried: bool = False
+
+    def distance(self, points: Array) -> tuple[Array, Array]:
+        normals, offsets = self._planes
+        over = normals @ points - offsets[:, None]
+        face = np.argmax(over, axis=0)
+        distance, outward = over[face, np.arange(face.size)], normals[face].T
+        foot = points - distance * outward
+        # outside, the foot on the plane may lie beside the face: then an edge is nearest
+        out = np.flatnonzero(distance > 0)
+        aside = out[np.any(normals @ foot[:, out] - offsets[:, None] > SAME_FACE, axis=0)]
+        outward = outward.copy()
+        few = max(1, AT_ONCE // len(self._edges))
+        for some in (aside[i : i + few] for i in range(0, aside.size, few)):
+            away = self._from_edges(points[:, some])
+            distance[some] = lengths(away)
+            outward[:, some] = away / np.maximum(distance[some], TINY)
+        return distance, outward
+
+    def least(self, points: Array) -> Array:
+        normals, offsets = self._planes
+        low, high = self.corners.min(axis=1)[:, None], self.corners.max(axis=1)[:, None]
+        if self.buried:
+            low = np.array([*low[:2], [-np.inf]])
+        least = np.max(np.maximum(low - points, points - high), axis=0)
+        close = np.flatnonzero(least < self._size)
+        least[close] = np.max(normals @ points[:, close] - offsets[:, None], axis=0)
+        return least
+
+    def span(self, points: Array) -> tuple[Array, Array]:
+        normals, offsets = self._planes
+        room = offsets[:, None] - normals[:, :2] @ points[:2]
+        rise = normals[:, 2]
+        up, down, upright = rise > TINY, rise < -TINY, np.abs(rise) <= TINY
+        top = np.min(room[up] / rise[up, None], axis=0)
+        bottom = np.max(room[down] / rise[down, None], axis=0, initial=-np.inf)
+        hit = (bottom <= top) & np.all(room[upright] >= 0, axis=0)
+        return np.where(hit, bottom, np.nan), np.where(hit, top, np.nan)
+
+    @cached_property
+    def _size(self) -> float:
+        """[m] from end to end."""
+        return float(np.linalg.norm(self.corners.max(axis=1) - self.corners.min(axis=1)))
+
+    @cached_property
+    def _planes(self) -> tuple[Array, Array]:
+        """Outward unit normals (f, 3) and offsets (f,) of the half spaces, each plane once; none that it stands on."""
+        a, b, c = (self.corners[:, self.faces[:, k]].T for k in range(3))
+        normals = np.cross(b - a, c - a)
+        sizes = np.linalg.norm(normals, axis=1)
+        kept = sizes > TINY
+        if self.buried:
+            bottom = self.corners[2].min() + GROUNDED
+            kept &= (normals[:, 2] > -UPRIGHT * sizes) | (np.max([a[:, 2], b[:, 2], c[:, 2]], axis=0) > bottom)
+        normals = normals[kept] / sizes[kept, None]
+        planes = np.column_stack([normals, np.sum(normals * a[kept], axis=1)])
+        _, first = np.unique(np.round(planes / SAME_FACE), axis=0, return_index=True)
+        return planes[first, :3], planes[first, 3]
+
+    @cached_property
+    def _edges(self) -> Index:
+        """Pairs of corners (e, 2), each edge once."""
+        pairs = np.concatenate([self.faces[:, [0, 1]], self.faces[:, [1, 2]], self.faces[:, [2, 0]]])
+        return np.unique(np.sort(pairs, axis=1), axis=0)
+
+    def _from_edges(self, points: Array) -> Array:
+        """From the nearest point of any edge to points (3, p)."""
+        start = self.corners[:, self._edges[:, 0]]
+        along = self.corners[:, self._edges[:, 1]] - start
+        away = points[:, None, :] - start[:, :, None]
+        squared = np.maximum(np.einsum("ie,ie->e", along, along), TINY**2)
+        share = np.clip(np.einsum("ie,iep->ep", along, away) / squared[:, None], 0, 1)
+        away -= along[:, :, None] * share
+        nearest = np.argmin(np.einsum("iep,iep->ep", away, away), axis=0)
+        return away[:, nearest, np.arange(points.shape[1])]

@@ -1,0 +1,119 @@
+"""The surfaces of a model: every geom that is welded to the world."""
+
+from __future__ import annotations
+
+import mujoco
+import numpy as np
+
+from ..quaternion import Array, Index
+from .box import Box
+from .capsule import Capsule, Sphere
+from .cylinder import Cylinder
+from .ellipsoid import Ellipsoid
+from .height_field import HeightField
+from .hull import Hull
+from .plane import Plane
+from .surface import GROUNDED, UPRIGHT, Surface
+
+DOWN = 10.0  # [m] by which what stands on the floor goes on below it: no way out downwards
+
+
+def static_surfaces(model: mujoco.MjModel) -> tuple[Surface, ...]:
+    """Every geom welded to the world, whatever its contype, planes first; meshes by their convex hulls."""
+    data = mujoco.MjData(model)
+    mujoco.mj_kinematics(model, data)
+    ids = [g for g in range(model.ngeom) if model.body_weldid[model.geom_bodyid[g]] == 0]
+    planes = [_plane(model, data, g) for g in ids if model.geom_type[g] == mujoco.mjtGeom.mjGEOM_PLANE]
+    floor = max((p.point[2] for p in planes if p.normal[2] > 0.99), default=-np.inf)
+    solids = [_solid(model, data, g, floor) for g in ids]
+    return (*planes, *(solid for solid in solids if solid is not None))
+
+
+def _name(model: mujoco.MjModel, geom: int) -> str:
+    return model.geom(geom).name or f"geom {geom}"
+
+
+def _plane(model: mujoco.MjModel, data: mujoco.MjData, geom: int) -> Plane:
+    normal = data.geom_xmat[geom].reshape(3, 3)[:, 2].copy()
+    return Plane(_name(model, geom), data.geom_xpos[geom].copy(), normal)
+
+
+def _solid(model: mujoco.MjModel, data: mujoco.MjData, geom: int, floor: float) -> Surface | None:
+    """The surface of one geom that is not a plane; None for shapes that have none of their own."""
+    kinds, kind = mujoco.mjtGeom, int(model.geom_type[geom])
+    name, centre = _name(model, geom), data.geom_xpos[geom].copy()
+    axes, size = data.geom_xmat[geom].reshape(3, 3).copy(), np.array(model.geom_size[geom])
+    if kind == kinds.mjGEOM_BOX:
+        bottom = centre[2] - np.abs(axes[2]) @ size
+        return Box(name, centre, axes, size, bool(bottom <= floor + GROUNDED))
+    if kind == kinds.mjGEOM_SPHERE:
+        return Sphere(name, centre, float(size[0]))
+    if kind == kinds.mjGEOM_CAPSULE:
+        return Capsule(name, centre, axes[:, 2], float(size[1]), float(size[0]))
+    if kind == kinds.mjGEOM_CYLINDER:
+        return _cylinder(name, centre, axes[:, 2], size, floor)
+    if kind == kinds.mjGEOM_ELLIPSOID:
+        return Ellipsoid(name, centre, axes, size)
+    if kind == kinds.mjGEOM_MESH:
+        return _hull(model, name, centre, axes, int(model.geom_dataid[geom]), floor)
+    if kind == kinds.mjGEOM_HFIELD:
+        return _height_field(model, name, centre, axes, int(model.geom_dataid[geom]))
+    return None
+
+
+def _cylinder(name: str, centre: Array, axis: Array, size: Array, floor: float) -> Cylinder:
+    """A cylinder; one that stands on the floor goes on below it."""
+    radius, half = float(size[0]), float(size[1])
+    upward = axis if axis[2] > 0 else -axis
+    bottom = centre[2] - half * upward[2] - radius * np.sqrt(max(1 - upward[2] ** 2, 0))
+    if upward[2] > UPRIGHT and bottom <= floor + GROUNDED:
+        return Cylinder(name, centre - 0.5 * DOWN * upward, upward, half + 0.5 * DOWN, radius)
+    return Cylinder(name, centre, axis, half, radius)
+
+
+def _hull(model: mujoco.MjModel, name: str, centre: Array, axes: Array, mesh: int, floor: float) -> Hull | None:
+    """A mesh's convex hull as MuJoCo made it; None for a flat mesh, which encloses nothing."""
+    graph = int(model.mesh_graphadr[mesh])
+    first, count = int(model.mesh_vertadr[mesh]), int(model.mesh_vertnum[mesh])
+    vertices = centre + np.array(model.mesh_vert[first : first + count], float) @ axes.T
+    if graph < 0:
+        return _fresh_hull(name, vertices, floor)
+    corners, faces = int(model.mesh_graph[graph]), int(model.mesh_graph[graph + 1])
+    # numbers of corners and faces; per corner where its edges begin and its vertex; the edges; three vertices a face
+    at = graph + 2 + corners
+    used = np.array(model.mesh_graph[at : at + corners], np.intp)
+    at += corners + corners + 3 * faces
+    triangles = np.array(model.mesh_graph[at : at + 3 * faces], np.intp).reshape(-1, 3)
+    order = np.zeros(count, np.intp)
+    order[used] = np.arange(corners)
+    hull = vertices[used].T
+    return Hull(name, hull, _outward(hull, order[triangles]), bool(hull[2].min() <= floor + GROUNDED))
+
+
+def _fresh_hull(name: str, vertices: Array, floor: float) -> Hull | None:
+    """The hull of points (v, 3) in the world [m]; MuJoCo makes none for meshes that neither collide nor weigh by it."""
+    spec = mujoco.MjSpec()
+    spec.add_mesh(name="hull", uservert=vertices.ravel())
+    spec.worldbody.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname="hull")
+    try:
+        model = spec.compile()
+    except ValueError:
+        return None
+    data = mujoco.MjData(model)
+    mujoco.mj_kinematics(model, data)
+    return _hull(model, name, data.geom_xpos[0], data.geom_xmat[0].reshape(3, 3), 0, floor)
+
+
+def _outward(corners: Array, faces: Index) -> Index:
+    """Triangles (f, 3) with their corners counterclockwise from outside."""
+    a, b, c = (corners[:, faces[:, k]].T for k in range(3))
+    inward = np.sum(np.cross(b - a, c - a) * (a - corners.mean(axis=1)), axis=1) < 0
+    return np.where(inward[:, None], faces[:, ::-1], faces)
+
+
+def _height_field(model: mujoco.MjModel, name: str, centre: Array, axes: Array, field: int) -> HeightField:
+    rows, columns = int(model.hfield_nrow[field]), int(model.hfield_ncol[field])
+    first = int(model.hfield_adr[field])
+    data = np.array(model.hfield_data[first : first + rows * columns], float).reshape(rows, columns)
+    size = np.array(model.hfield_size[field])
+    return HeightField(name, centre, axes, size[:2], size[2] * data)

@@ -1,0 +1,65 @@
+"""A limb that goes through a hand rail, for tests of what keeps it out."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+LIMB = """
+<mujoco><compiler angle="degree"/>
+<asset><mesh name="rock" vertex="-.06 -.3 -.05 .06 -.3 -.05 -.06 .3 -.05 .06 .3 -.05 0 -.3 .06 0 .3 .06"/>
+  <hfield name="ridge" nrow="7" ncol="13" size=".3 .4 .12 .1" elevation="{ridge}"/></asset>
+<worldbody>
+  <geom name="obstacle" {obstacle}/>
+  <body name="shoulder" pos="0 0 1"><freejoint name="root"/><geom name="trunk" size=".05" mass="1"/>
+    <body name="arm"><joint name="shoulder" type="ball"/>
+      <geom name="arm" type="capsule" size=".04" fromto="0 0 -.1 0 0 -.5" mass="1"/>
+      <geom name="muscle" type="ellipsoid" size=".05 .06 .12" pos="0 0 -.3" mass="1"/></body></body>
+</worldbody></mujoco>""".replace("{ridge}", " ".join(["0 .2 .4 .6 .8 .9 1 .9 .8 .6 .4 .2 0"] * 7))
+
+OBSTACLES = {
+    "rail": 'type="capsule" size=".02 .6" euler="90 0 0" pos="0 0 .47"',
+    "ball": 'type="sphere" size=".05" pos="0 0 .44"',
+    "log": 'type="cylinder" size=".05 .5" euler="90 0 0" pos="0 0 .44"',
+    "egg": 'type="ellipsoid" size=".05 .3 .06" pos="0 0 .43"',
+    "rock": 'type="mesh" mesh="rock" pos="0 0 .43"',
+    "ridge": 'type="hfield" hfield="ridge" pos="0 0 .36"',
+    "beam": 'type="box" size=".03 .4 .03" pos="0 0 .46"',
+}
+
+CLIP = """
+figure = "limb.xml"
+[[keyframe]]
+time = 0
+root.position = [-0.5, 0, 1]
+root.rotation = {rotvec = [0, 0, 0]}
+joints.shoulder = {rotvec = [0, 0, 0]}
+[[keyframe]]
+time = 1
+root.position = [0.5, 0, 1]
+root.rotation = {rotvec = [0, 0, 0]}
+joints.shoulder = {rotvec = [0, 0, 0]}
+"""
+
+WITHOUT = """
+[[penalty]]
+kind = "clearance"
+weight = 0
+[[penalty]]
+kind = "contact"
+weight = 0
+"""
+
+
+WITH = """
+[[penalty]]
+kind = "clearance"
+weight = 30
+margin = 0.002
+"""
+
+
+def written(folder: Path, obstacle: str, penalties: str = WITH) -> str:
+    """A clip file of the limb going over an obstacle: its path."""
+    (folder / "limb.xml").write_text(LIMB.replace("{obstacle}", OBSTACLES[obstacle]), encoding="utf-8")
+    (folder / "limb.toml").write_text(CLIP + penalties, encoding="utf-8")
+    return str(folder / "limb.toml")

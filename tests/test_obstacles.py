@@ -1,0 +1,277 @@
+"""Spheres, capsules, cylinders, ellipsoids, meshes and height fields against MuJoCo's distances and rays."""
+
+from __future__ import annotations
+
+import mujoco
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from taylor import taylor_slope
+
+from solver.quaternion import Array
+from solver.surface import Capsule, Cylinder, Ellipsoid, HeightField, Hull, Sphere, Surface, static_surfaces
+from solver.surface.height_field import from_triangle
+
+rough = np.random.default_rng(3)
+ELEVATION = " ".join(f"{z:.3f}" for z in rough.uniform(0, 1, 42))
+CLOUD = " ".join(f"{x:.3f}" for x in rough.normal(size=90) * np.tile([0.3, 0.2, 0.25], 30))
+WEDGE = "-.4 -.3 0 .4 -.3 0 .4 .3 0 -.4 .3 0 .4 -.3 .3 .4 .3 .3"
+
+SCENE = f"""
+<mujoco><asset>
+  <mesh name="rock" vertex="{CLOUD}"/><mesh name="wedge" vertex="{WEDGE}"/>
+  <hfield name="ground" nrow="6" ncol="7" size="1.2 .9 .4 .1" elevation="{ELEVATION}"/></asset>
+<worldbody>
+  <geom name="stone" type="sphere" size=".4" pos="1 2 3"/>
+  <geom name="rail" type="capsule" size=".03 .8" pos="0 1 1" euler="70 10 5"/>
+  <geom name="pole" type="capsule" size=".05 .8" pos="0 1 1"/>
+  <geom name="log" type="cylinder" size=".2 .6" pos="1 -1 2" euler="70 20 5"/>
+  <geom name="post" type="cylinder" size=".2 .6" pos="1 -1 2"/>
+  <geom name="egg" type="ellipsoid" size=".5 .3 .2" pos="2 0 1" euler="20 30 40"/>
+  <geom name="rock" type="mesh" mesh="rock" pos="-2 0 1" euler="20 30 40"/>
+  <geom name="wedge" type="mesh" mesh="wedge" pos="-2 0 1" euler="0 0 30"/>
+  <geom name="ground" type="hfield" hfield="ground" pos="-4 0 .3" euler="0 0 20"/>
+  <body name="ball" pos="0 0 9"><freejoint/><geom name="ball" type="sphere" size=".15"/></body>
+</worldbody></mujoco>"""
+MODEL = mujoco.MjModel.from_xml_string(SCENE)
+SURFACES: dict[str, Surface] = {surface.name: surface for surface in static_surfaces(MODEL)}
+CONVEX = [name for name in SURFACES if name != "ground"]
+GROUND = SURFACES["ground"]
+
+
+def distance_by_mujoco(name: str, centre: Array, model: mujoco.MjModel = MODEL, reach: float = 10.0) -> float:
+    """Signed distance [m] of the ball's centre from the named geom, the ball's surface at most `reach` away."""
+    data = mujoco.MjData(model)
+    data.qpos[:3] = centre
+    mujoco.mj_kinematics(model, data)
+    return mujoco.mj_geomDistance(model, data, model.geom("ball").id, model.geom(name).id, reach, None) + 0.15
+
+
+def about(name: str, rng: np.random.Generator, count: int) -> Array:
+    """Points (3, count, 1) about a geom, inside and outside."""
+    box = MODEL.geom_aabb[MODEL.geom(name).id]
+    data = mujoco.MjData(MODEL)
+    mujoco.mj_kinematics(MODEL, data)
+    local = box[:3] + rng.uniform(-1.4, 1.4, (count, 3)) * box[3:]
+    world = data.geom(name).xpos + local @ data.geom(name).xmat.reshape(3, 3).T
+    return world.T[:, :, None]
+
+
+def signed(surface: Surface, points: Array) -> Array:
+    """Signed distance of points (3, n, 1) through the depth of spheres that reach them all, (n,)."""
+    radius = np.full(points.shape[1], 5.0)
+    return 5.0 - surface.depth(points, radius)[0][:, 0]
+
+
+def test_every_shape_becomes_its_surface():
+    kinds = {name: type(surface) for name, surface in SURFACES.items()}
+    assert kinds == {
+        "stone": Sphere, "rail": Capsule, "pole": Capsule, "log": Cylinder, "post": Cylinder,
+        "egg": Ellipsoid, "rock": Hull, "wedge": Hull, "ground": HeightField,
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize("name", CONVEX)
+def test_distances_inside_and_outside_are_mujocos(name, rng):
+    points = about(name, rng, 60)
+    expected = np.array([distance_by_mujoco(name, p) for p in points[:, :, 0].T])
+    assert expected.min() < -0.01
+    assert expected.max() > 0.01
+    found, inside = signed(SURFACES[name], points), SURFACES[name].inside(points)[:, 0]
+    shallow = expected > -0.1  # what MuJoCo says of the depth of an ellipsoid is good to millimetres
+    np.testing.assert_allclose(found[shallow], expected[shallow], atol=2e-6)
+    np.testing.assert_allclose(found, expected, atol=3e-3 if name == "egg" else 2e-6)
+    np.testing.assert_allclose(inside, np.maximum(-found, 0), atol=1e-12)
+
+
+@pytest.mark.parametrize("name", SURFACES)
+def test_the_gradient_of_depth_has_taylor_slope_two_and_length_one(name, rng):
+    points = about(name, rng, 24)
+    radius, surface = rng.uniform(0.2, 0.6, 24), SURFACES[name]
+    depth, gradient = surface.depth(points, radius)
+    assert np.count_nonzero(depth) > 8
+    np.testing.assert_allclose(np.linalg.norm(gradient, axis=0), depth > 0, atol=1e-9)
+    for k in np.flatnonzero(depth[:, 0] > 0.01):
+        slope = taylor_slope(
+            lambda p, k=k: float(surface.depth(p, radius[k : k + 1])[0][0, 0]),
+            points[:, k : k + 1],
+            gradient[:, k : k + 1],
+            rng,
+        )
+        assert slope > 1.9
+
+
+@pytest.mark.parametrize("name", SURFACES)
+def test_spheres_are_near_wherever_they_have_a_depth(name, rng):
+    points, radius = rng.normal(size=(3, 400, 2)), rng.uniform(0, 0.3, 400)
+    points = about(name, rng, 800).reshape(3, 400, 2)
+    radius[:3] = -np.inf
+    near, deep = SURFACES[name].near(points, radius[:, None]), SURFACES[name].depth(points, radius)[0] > 0
+    assert deep.any()
+    assert not (deep & ~near).any()
+    assert not near[:3].any()
+    if name != "ground":
+        np.testing.assert_array_equal(near, deep)
+
+
+@pytest.mark.parametrize("name", SURFACES)
+def test_a_height_is_that_over_the_top_which_a_ray_finds(name, rng):
+    points = about(name, rng, 200)
+    found = SURFACES[name].height(points)[:, 0]
+    data, geom = mujoco.MjData(MODEL), MODEL.geom(name).id
+    mujoco.mj_kinematics(MODEL, data)
+    hits = 0
+    for point, height in zip(points[:, :, 0].T, found, strict=True):
+        down, up = (_ray(data, geom, np.array([*point[:2], z]), side) for z, side in ((9.0, -1.0), (-9.0, 1.0)))
+        if down < 0:
+            assert height == np.inf
+        elif name == "ground" or point[2] > -9 + up:
+            assert height == pytest.approx(point[2] - (9 - down), abs=1e-5)
+            hits += 1
+        else:
+            assert height == np.inf
+    assert hits > 20
+
+
+@pytest.mark.parametrize("name", SURFACES)
+def test_the_way_up_is_the_gradient_of_the_height(name, rng):
+    surface, h = SURFACES[name], 1e-6
+    points = about(name, rng, 400)[:, :, 0]
+    points[2] += 5.0
+
+    def height(moved: Array) -> Array:
+        return surface.height(moved[:, :, None])[:, 0]
+
+    ways = np.eye(3)[:, :, None]
+    points = points[:, np.all([np.isfinite(height(points + 1e-3 * way)) for way in (*ways, *-ways)], axis=0)]
+    slopes, wider = (
+        np.array([(height(points + step * way) - height(points - step * way)) / (2 * step) for way in ways])
+        for step in (h, 100 * h)
+    )
+    smooth = np.all(np.abs(slopes - wider) < 1e-3, axis=0) & (np.linalg.norm(slopes, axis=0) < 5)
+    assert smooth.sum() > 15
+    np.testing.assert_allclose(surface.up(points[:, smooth]), slopes[:, smooth], atol=1e-5)
+
+
+def _ray(data: mujoco.MjData, geom: int, start: Array, side: float) -> float:
+    way = np.array([0, 0, side])
+    kind = MODEL.geom_type[geom]
+    if kind == mujoco.mjtGeom.mjGEOM_HFIELD:
+        return mujoco.mj_rayHfield(MODEL, data, geom, start, way)
+    if kind == mujoco.mjtGeom.mjGEOM_MESH:
+        return _ray_hull(SURFACES[MODEL.geom(geom).name], start, way)
+    return mujoco.mju_rayGeom(data.geom_xpos[geom], data.geom_xmat[geom], MODEL.geom_size[geom], start, way, kind)
+
+
+def _ray_hull(hull: Surface, start: Array, way: Array) -> float:
+    """The ray against every triangle of the hull, one by one; −1 for none."""
+    assert isinstance(hull, Hull)
+    found = []
+    for face in hull.faces:
+        a, b, c = hull.corners[:, face].T
+        system = np.column_stack([b - a, c - a, -way])
+        if abs(np.linalg.det(system)) > 1e-12:
+            u, v, t = np.linalg.solve(system, start - a)
+            if u >= 0 and v >= 0 and u + v <= 1 and t > 0:
+                found.append(t)
+    return min(found, default=-1.0)
+
+
+def test_spheres_whose_centres_are_over_a_height_field_are_as_deep_as_mujoco_says(rng):
+    points = about("ground", rng, 600)
+    over = GROUND.height(points)[:, 0]
+    points = points[:, np.isfinite(over) & (over > 0)]
+    expected = [distance_by_mujoco("ground", p, reach=0.4) for p in points[:, :, 0].T]
+    np.testing.assert_allclose(np.minimum(signed(GROUND, points), 0.55), expected, atol=1e-6)
+    assert np.count_nonzero(np.array(expected) < 0.15) > 40
+
+
+def test_under_a_height_field_the_nearest_triangle_or_wall_is_the_way_out(rng):
+    assert isinstance(GROUND, HeightField)
+    points = about("ground", rng, 300)
+    local = GROUND.axes.T @ (points[:, :, 0] - GROUND.centre[:, None])
+    over, wall = GROUND.height(points)[:, 0], np.max(np.abs(local[:2]) - GROUND.half[:, None], axis=0)
+    rows, columns = GROUND.elevation.shape
+    nearest = np.full(300, np.inf)
+    for r in range(rows - 1):
+        for c in range(columns - 1):
+            for corners in GROUND._triangles(np.full(300, c), np.full(300, r)):
+                nearest = np.minimum(nearest, np.linalg.norm(from_triangle(local, *corners), axis=0))
+    below = over < 0
+    assert np.count_nonzero(below) > 40
+    np.testing.assert_allclose(GROUND.inside(points)[below, 0], np.minimum(nearest, -wall)[below], atol=1e-9)
+    assert not GROUND.inside(points)[~below].any()
+
+
+def test_the_depth_of_a_sphere_is_continuous_wherever_it_goes_through_a_height_field(rng):
+    for _ in range(20):
+        ends = about("ground", rng, 2)[:, :, 0]
+        share = np.linspace(0, 1, 4001)
+        path = ends[:, :1] + (ends[:, 1:] - ends[:, :1]) * share
+        depth, _ = GROUND.depth(path[:, :, None], np.full(share.size, 0.1))
+        assert np.abs(np.diff(depth[:, 0])).max() < 1.01 * np.linalg.norm(ends[:, 1] - ends[:, 0]) / 4000 + 1e-9
+
+
+@settings(deadline=None, max_examples=80)
+@given(
+    st.tuples(*[st.floats(0.05, 2)] * 3),
+    st.tuples(*[st.one_of(st.just(0.0), st.floats(-3, 3))] * 3),
+)
+def test_an_ellipsoids_foot_is_on_it_and_along_its_normal_even_in_its_planes_of_symmetry(half, place):
+    egg = Ellipsoid("egg", np.zeros(3), np.eye(3), np.array(half))
+    point = np.array(place)[:, None]
+    distance, outward = egg.distance(point)
+    foot = (point - distance * outward)[:, 0]
+    np.testing.assert_allclose(np.sum((foot / half) ** 2), 1, atol=1e-6)
+    turn = np.pi * (1 + np.sqrt(5)) * np.arange(2000)
+    z = 1 - (2 * np.arange(2000) + 1) / 2000
+    cloud = np.array([np.sqrt(1 - z**2) * np.cos(turn), np.sqrt(1 - z**2) * np.sin(turn), z]) * np.reshape(half, (3, 1))
+    assert abs(distance[0]) <= np.linalg.norm(cloud - point, axis=0).min() + 1e-9
+
+
+@pytest.mark.parametrize("name", ["stone", "pole", "post", "egg"])
+def test_the_very_middle_has_some_way_out(name):
+    centre = MODEL.geom(name).pos.reshape(3, 1, 1)
+    depth, gradient = SURFACES[name].depth(centre, np.zeros(1))
+    assert depth[0, 0] > 0
+    np.testing.assert_allclose(np.linalg.norm(gradient), 1)
+
+
+GROUNDED = """
+<mujoco><asset><mesh name="wedge" vertex="{}"/></asset><worldbody>
+  <geom name="floor" type="plane" size="1 1 1"/>
+  <geom name="post" type="cylinder" size=".3 .5" pos="0 0 .5"/>
+  <geom name="wedge" type="mesh" mesh="wedge" pos="3 0 0"/></worldbody></mujoco>"""
+
+
+@pytest.mark.parametrize(("name", "x", "rise"), [("post", 0.25, 0.02), ("post", 0.0, 0.02), ("wedge", 3.3, 0.01)])
+def test_what_stands_on_the_floor_has_no_way_out_downwards(name, x, rise):
+    surfaces = {s.name: s for s in static_surfaces(mujoco.MjModel.from_xml_string(GROUNDED.format(WEDGE)))}
+    depth, gradient = surfaces[name].depth(np.array([x, 0, rise]).reshape(3, 1, 1), np.zeros(1))
+    assert depth[0, 0] > 0.04
+    assert gradient[2, 0, 0] < 1e-6
+
+
+def test_meshes_without_a_hull_of_mujocos_get_one_and_flat_ones_none():
+    text = """<mujoco><asset><mesh name="m" inertia="shell" vertex="{}" face="0 1 2 1 3 2"/></asset>
+      <worldbody><geom name="m" type="mesh" mesh="m" contype="0" conaffinity="0" pos="1 2 3"/>
+      <body name="ball"><freejoint/><geom name="ball" size=".15"/></body></worldbody></mujoco>"""
+    flat = mujoco.MjModel.from_xml_string(text.format("0 0 0 1 0 0 0 1 0 1 1 0"))
+    assert flat.mesh_graphadr[0] == -1
+    assert static_surfaces(flat) == ()
+    model = mujoco.MjModel.from_xml_string(text.format("0 0 0 1 0 0 0 1 0 1 1 0 .4 .5 .6"))
+    assert model.mesh_graphadr[0] == -1
+    (hull,) = static_surfaces(model)
+    for place in ([1.4, 2.5, 3.2], [1.4, 2.5, 4.0], [0.5, 2.0, 3.1]):
+        point = np.reshape(place, (3, 1, 1))
+        assert signed(hull, point)[0] == pytest.approx(distance_by_mujoco("m", np.array(place), model), abs=2e-6)
+
+
+def test_the_floor_under_a_table_is_not_below_the_table():
+    text = """<mujoco><worldbody><geom name="floor" type="plane" size="1 1 1"/>
+      <geom name="top" type="box" size="1 1 .02" pos="0 0 .8"/><geom name="bar" type="capsule" size=".02 1" pos="0 0 1"
+      euler="90 0 0"/></worldbody></mujoco>"""
+    point = np.array([[0.0], [0], [0.01]])
+    heights = {s.name: s.height(point)[0] for s in static_surfaces(mujoco.MjModel.from_xml_string(text))}
+    assert heights == {"floor": pytest.approx(0.01), "top": np.inf, "bar": np.inf}
