@@ -7,8 +7,11 @@ from .contact import Point as Point
 from .contact import body_points as body_points
 from .contact import site_points as site_points
 from .covariant import CovariantAcceleration as CovariantAcceleration
+from .penalty import Momentary as Momentary
 from .penalty import Penalty as Penalty
 from .penalty import Scale as Scale
+from .placement import Placed as Placed
+from .placement import Placement as Placement
 from .planted import Planted as Planted
 from .planted import Stance as Stance
 from .planted import stances as stances

@@ -1,0 +1,366 @@
+"""Posing: where sites are to be and how bodies are to be turned becomes a whole pose of the joints that are free.
+
+Damped least squares (K. Levenberg 1944; D. W. Marquardt 1963) in the tangent space of MuJoCo's configurations: the
+pose nearest to a given one that meets its goals, within the joints' ranges, knees and elbows bent the right way. Goals
+weigh little at first and in the end so much that what they miss cannot be seen.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Protocol
+
+import mujoco
+import numpy as np
+
+from . import quaternion as quat
+from .figure import Figure, JointKind, quaternion_columns
+from .frame import Mask
+from .penalty.bend import BendLimits, bent
+from .quaternion import Array, Index
+
+MET = 1e-6  # [m, rad] a goal that is missed by no more is met
+STAGES = (10.0, 1e2, 1e3, 1e4, 1e5)  # weight of the goals beside one radian of a joint
+FIRMER = 10.0  # weight of ranges and bends beside that of the goals
+PER_METRE, ROOT_TURN = 5.0, 4.0  # a metre of the root, a radian of it, in radians of a joint
+STRAIGHT = 3.0  # the same of knees and elbows sideways and twisted
+BENT = np.radians(15)  # a straight limb has no direction to shorten in: how far knees and elbows are bent to begin with
+INSIDE = 1e-4  # [rad, m] how far inside its range a joint stays
+STARTS, SPREAD = 8, 0.4  # other poses to begin with where one leads nowhere, and how far away they are [rad]
+AGREEING, ALIKE = 3, 1e-3  # so many starts that miss by the same, and what counts as the same, tell that none will do
+STEPS, FIRST_DAMPING, MOST_DAMPING = 60, 1e-3, 1e8
+SMALLEST_STEP, DIFFERENCE = 1e-11, 1e-6
+
+
+class Goal(Protocol):
+    """What is to hold of a pose."""
+
+    @property
+    def name(self) -> str:
+        """The site's or body's name in the model."""
+        ...
+
+    def body(self, model: mujoco.MjModel) -> int:
+        """MuJoCo's id of the body that it is about."""
+        ...
+
+    def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+        """(k,) what is missing [m or rad]."""
+        ...
+
+    def rows(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+        """(k, nv) how that changes with the joints."""
+        ...
+
+
+@dataclass(frozen=True, eq=False)
+class SiteGoal:
+    """A site at a place in the world: position (3,) [m], NaN along the axes that are free."""
+
+    name: str
+    position: Array
+
+    def body(self, model: mujoco.MjModel) -> int:
+        return int(model.site_bodyid[model.site(self.name).id])
+
+    def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+        return (data.site(self.name).xpos - self.position)[self._given]
+
+    def rows(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+        rows = np.zeros((3, model.nv))
+        mujoco.mj_jacSite(model, data, rows, None, model.site(self.name).id)
+        return rows[self._given]
+
+    @cached_property
+    def _given(self) -> Mask:
+        return ~np.isnan(self.position)
+
+
+@dataclass(frozen=True, eq=False)
+class BodyGoal:
+    """A body turned as said: its rotation in the world (4,) wxyz, or None for upright as at rest, the heading free."""
+
+    name: str
+    rotation: Array | None = None
+
+    def body(self, model: mujoco.MjModel) -> int:
+        return int(model.body(self.name).id)
+
+    def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+        here = data.body(self.name).xquat
+        if self.rotation is not None:
+            return quat.rotation_vector(quat.product(here, quat.inverse(self.rotation)))
+        up = quat.rotated(quat.product(here, quat.inverse(_at_rest(model, self.body(model)))), [0.0, 0, 1])
+        tilt = np.cross([0.0, 0, 1], up)
+        length = float(np.linalg.norm(tilt))
+        if length < 1e-12:
+            return np.array([0.0 if up[2] > 0 else np.pi, 0.0])
+        return tilt[:2] * np.arctan2(length, up[2]) / length
+
+    def rows(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+        rows = np.zeros((3, model.nv))
+        mujoco.mj_jacBody(model, data, None, rows, self.body(model))
+        return rows if self.rotation is not None else rows[:2]
+
+
+@dataclass(frozen=True, eq=False)
+class Posed:
+    """A pose and how far it misses each goal.
+
+    qpos     (nq,) of the whole figure
+    fixed    (nq,) the entries that the goals depend on: of the joints from the root to them
+    missed   (n,) [m or rad], of every goal
+    """
+
+    qpos: Array
+    fixed: Mask
+    missed: Array
+
+    @property
+    def is_met(self) -> bool:
+        return bool(np.all(self.missed <= MET))
+
+
+def posed(
+    figure: Figure, qpos: Array, free: Mask, goals: Sequence[Goal], bends: BendLimits | None = None
+) -> Posed:
+    """The pose nearest to qpos (nq,) that meets the goals, by the entries `free` (nq,) alone; else the one that
+    misses them least. What meets them already stays as it is.
+
+    bends  knees and elbows on ball joints, and how far they may go
+    """
+    search = _Search(figure, np.array(qpos, float), np.asarray(free, bool), tuple(goals), bends)
+    best = search.result(search.home)
+    if best.is_met or not search.dofs.size:
+        return best
+    missed: list[float] = []
+    for start in search.starts():
+        found = search.result(search.descended(start))
+        missed.append(float(found.missed.max()))
+        if missed[-1] < best.missed.max():
+            best = found
+        if best.is_met or sum(miss < min(missed) + ALIKE for miss in missed) == AGREEING:
+            break
+    return best
+
+
+def chain(figure: Figure, body: int) -> list[int]:
+    """The links from a body's own up to the root's."""
+    links, link = [], int(figure.body_link[body])
+    while link:
+        links.append(link)
+        link = figure.links[link].parent
+    return links
+
+
+def entries(figure: Figure, link: int) -> slice:
+    """The columns of qpos that belong to a link's joint."""
+    size = {JointKind.FREE: 7, JointKind.BALL: 4, JointKind.HINGE: 1, JointKind.SLIDE: 1}
+    own = figure.links[link]
+    return slice(own.qpos, own.qpos + size[own.kind])
+
+
+def _at_rest(model: mujoco.MjModel, body: int) -> Array:
+    """(4,) a body's orientation in the world at rest."""
+    turn = np.array([1.0, 0, 0, 0])
+    while body:
+        turn = quat.product(model.body_quat[body], turn)
+        body = int(model.body_parentid[body])
+    return quat.normalised(turn)
+
+
+class _Search:
+    """Least squares over the free degrees of freedom that the goals depend on."""
+
+    def __init__(self, figure: Figure, home: Array, free: Mask, goals: tuple[Goal, ...], bends: BendLimits | None):
+        self.figure, self.model, self.home, self.goals = figure, figure.model, home, goals
+        self.data = mujoco.MjData(self.model)
+        links = sorted({link for goal in goals for link in chain(figure, goal.body(self.model))})
+        self.fixed = np.zeros(figure.width, bool)
+        for link in links:
+            self.fixed[entries(figure, link)] = True
+        free = free & self.fixed
+        self.dofs, self.weights = self._freedoms(links, free)
+        self.ranged = [link for link in links if self._is_ranged(link) and free[entries(figure, link)].all()]
+        self.bends = None if bends is None else _Bends.of(figure, bends, free)
+
+    def _is_ranged(self, link: int) -> bool:
+        return bool(self.model.jnt_limited[self.figure.links[link].joint])
+
+    def _freedoms(self, links: list[int], free: Mask) -> tuple[Index, Array]:
+        """The free columns of qvel (n,), and what each weighs in the distance from home (n,)."""
+        dofs, weights = [], []
+        for i in links:
+            link = self.figure.links[i]
+            if link.kind in (JointKind.HINGE, JointKind.SLIDE):
+                if free[link.qpos]:
+                    dofs.append(link.dof)
+                    weights.append(1.0 if link.kind is JointKind.HINGE else PER_METRE)
+                continue
+            shift = 3 if link.kind is JointKind.FREE else 0
+            for k in range(shift):
+                if free[link.qpos + k]:
+                    dofs.append(link.dof + k)
+                    weights.append(PER_METRE)
+            if free[quaternion_columns(link)].all():
+                dofs.extend(link.dof + shift + k for k in range(3))
+                weights.extend([ROOT_TURN if shift else 1.0] * 3)
+        return np.array(dofs, np.intp), np.array(weights)
+
+    def starts(self) -> list[Array]:
+        """Poses to begin with: home with straight knees and elbows a little bent, then others around it."""
+        first = self.home if self.bends is None else self.bends.begun(self.home)
+        rng, out = np.random.default_rng(0), [first]
+        turns = self.weights != PER_METRE
+        for _ in range(STARTS):
+            step = np.zeros(self.dofs.size)
+            step[turns] = SPREAD * rng.normal(size=np.count_nonzero(turns))
+            out.append(self._moved(first, step))
+        return out
+
+    def result(self, qpos: Array) -> Posed:
+        self._place(qpos)
+        missed = [np.linalg.norm(goal.missed(self.model, self.data)) for goal in self.goals]
+        return Posed(qpos, self.fixed, np.array(missed))
+
+    def descended(self, qpos: Array) -> Array:
+        """The nearest minimum from a pose, at ever firmer goals."""
+        for weight in STAGES:
+            qpos = self._levenberg(qpos, weight)
+        return qpos
+
+    def _levenberg(self, qpos: Array, weight: float) -> Array:
+        damping = FIRST_DAMPING
+        residuals, rows = self._linearised(qpos, weight)
+        cost = float(residuals @ residuals)
+        for _ in range(STEPS):
+            size = np.sqrt(damping * np.maximum(np.einsum("rn,rn->n", rows, rows), 1e-12))
+            system = np.vstack([rows, np.diag(size)])
+            step = np.linalg.lstsq(system, np.append(-residuals, np.zeros(size.size)), rcond=None)[0]
+            there = self._moved(qpos, step)
+            residuals_there, rows_there = self._linearised(there, weight)
+            cost_there = float(residuals_there @ residuals_there)
+            if cost_there < cost:
+                settled = cost - cost_there <= 1e-10 * cost
+                qpos, residuals, rows, cost = there, residuals_there, rows_there, cost_there
+                damping = max(damping / 5, 1e-12)
+                if settled:
+                    break
+            else:
+                damping *= 8
+            if np.linalg.norm(step) < SMALLEST_STEP or damping > MOST_DAMPING:
+                break
+        return qpos
+
+    def _place(self, qpos: Array) -> None:
+        self.data.qpos[:] = qpos
+        mujoco.mj_kinematics(self.model, self.data)
+        mujoco.mj_comPos(self.model, self.data)
+
+    def _moved(self, qpos: Array, step: Array) -> Array:
+        """qpos with its free degrees of freedom moved by a step (n,); the rest stays to the bit."""
+        velocity, there = np.zeros(self.model.nv), np.array(qpos)
+        velocity[self.dofs] = step
+        mujoco.mj_integratePos(self.model, there, velocity, 1.0)
+        return there
+
+    def _linearised(self, qpos: Array, weight: float) -> tuple[Array, Array]:
+        """All residuals (r,) and their derivatives by the free degrees of freedom (r, n)."""
+        self._place(qpos)
+        from_home = np.zeros(self.model.nv)
+        mujoco.mj_differentiatePos(self.model, from_home, 1.0, self.home, qpos)
+        residuals, rows = [self.weights * from_home[self.dofs]], [np.diag(self.weights)]
+        for goal in self.goals:
+            residuals.append(weight * goal.missed(self.model, self.data))
+            rows.append(weight * goal.rows(self.model, self.data)[:, self.dofs])
+        beyond, by = self._beyond_ranges(qpos)
+        residuals.append(FIRMER * weight * beyond)
+        rows.append(FIRMER * weight * by[:, self.dofs])
+        if self.bends is not None:
+            off, by = self.bends.linearised(qpos, FIRMER * weight, self.model.nv)
+            residuals.append(off)
+            rows.append(by[:, self.dofs])
+        return np.concatenate(residuals), np.concatenate(rows)
+
+    def _beyond_ranges(self, qpos: Array) -> tuple[Array, Array]:
+        """How far joints are out of their ranges (k,) [rad, m], and the derivatives (k, nv)."""
+        beyond, rows = np.zeros(len(self.ranged)), np.zeros((len(self.ranged), self.model.nv))
+        for k, i in enumerate(self.ranged):
+            link = self.figure.links[i]
+            low, high = self.model.jnt_range[link.joint]
+            if link.kind is JointKind.BALL:
+                turn = quat.rotation_vector(qpos[link.qpos : link.qpos + 4])
+                angle = float(np.linalg.norm(turn))
+                beyond[k] = max(angle - (high - INSIDE), 0.0)
+                if beyond[k] > 0:
+                    rows[k, link.dof : link.dof + 3] = turn / angle
+            else:
+                margin = min(INSIDE, (high - low) / 4)
+                above, below = qpos[link.qpos] - (high - margin), (low + margin) - qpos[link.qpos]
+                beyond[k] = max(above, below, 0.0)
+                rows[k, link.dof] = 0.0 if beyond[k] == 0 else 1.0 if above > below else -1.0
+        return beyond, rows
+
+
+@dataclass(frozen=True, eq=False)
+class _Bends:
+    """The knees and elbows among the free joints: columns of their quaternions (n, 4) and dofs (n, 3)."""
+
+    figure: Figure
+    limits: BendLimits
+    columns: Index
+    dofs: Index
+
+    @classmethod
+    def of(cls, figure: Figure, limits: BendLimits, free: Mask) -> _Bends | None:
+        joints = tuple(joint for joint in limits.joints if free[entries(figure, joint.link)].all())
+        if not joints:
+            return None
+        links = [figure.links[joint.link] for joint in joints]
+        limits = BendLimits(joints, limits.least, limits.sideways, limits.twist)
+        columns = np.array([link.qpos for link in links])[:, None] + np.arange(4)
+        return cls(figure, limits, columns, np.array([link.dof for link in links])[:, None] + np.arange(3))
+
+    def begun(self, qpos: Array) -> Array:
+        """qpos with every joint bent the right way by a little at least."""
+        out = np.array(qpos)
+        flexion = self._angles(qpos[self.columns])[0]
+        for joint, columns, angle in zip(self.limits.joints, self.columns, flexion, strict=True):
+            if angle < BENT:
+                turn = self.figure.links[joint.link].turn
+                axis = quat.rotated(quat.inverse(turn), joint.lateral)
+                more = quat.from_rotation_vector((BENT + self.limits.least - angle) * axis)
+                out[columns] = quat.product(quat.normalised(out[columns]), more)
+        return out
+
+    def linearised(self, qpos: Array, firm: float, nv: int) -> tuple[Array, Array]:
+        """Residuals (7 n,) and rows (7 n, nv): sideways and twist, little; beyond their bounds, firmly."""
+        q = qpos[self.columns]
+        angles = self._angles(q)
+        by = np.empty((3, *self.dofs.shape))
+        for k in range(3):
+            more = quat.from_rotation_vector(DIFFERENCE * np.eye(3)[k])
+            ahead, behind = (self._angles(quat.product(q, turn)) for turn in (more, quat.inverse(more)))
+            by[:, :, k] = (ahead - behind) / (2 * DIFFERENCE)
+        limits, (flexion, sideways, twist) = self.limits, angles
+        over = [
+            limits.least + INSIDE - flexion,
+            sideways - limits.sideways + INSIDE,
+            -sideways - limits.sideways + INSIDE,
+            twist - limits.twist + INSIDE,
+            -twist - limits.twist + INSIDE,
+        ]
+        signs, which = [-1, 1, -1, 1, -1], [0, 1, 1, 2, 2]
+        residuals, rows = [STRAIGHT * sideways, STRAIGHT * twist], [STRAIGHT * by[1], STRAIGHT * by[2]]
+        for value, sign, angle in zip(over, signs, which, strict=True):
+            residuals.append(firm * np.maximum(value, 0))
+            rows.append(firm * sign * by[angle] * (value > 0)[:, None])
+        placed = np.zeros((len(residuals), *self.dofs.shape[:1], nv))
+        for k, row in enumerate(rows):
+            np.put_along_axis(placed[k], self.dofs, row, axis=1)
+        return np.concatenate(residuals), placed.reshape(-1, nv)
+
+    def _angles(self, q: Array) -> Array:
+        return bent(self.figure, self.limits.joints, q)
