@@ -78,7 +78,7 @@ class Objective:
         return replace(self, terms=tuple(terms))
 
     def nodes(self, times: Array) -> tuple[Array, Array, Array]:
-        """For a spline with knots at `times`: samples' times (S,) [s], rising, their weights in an integral (S,), and in
+        """For a spline with knots at `times`: sample times (S,) [s], rising, their weights in an integral (S,) and in
         every term (terms, S): the instants of momentary terms are samples too, which count there and nowhere else."""
         t, w = self.quadrature.nodes(times)
         own = [instants_of(term.penalty) for term in self.terms]

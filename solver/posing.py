@@ -123,9 +123,7 @@ class Posed:
         return bool(np.all(self.missed <= MET))
 
 
-def posed(
-    figure: Figure, qpos: Array, free: Mask, goals: Sequence[Goal], bends: BendLimits | None = None
-) -> Posed:
+def posed(figure: Figure, qpos: Array, free: Mask, goals: Sequence[Goal], bends: BendLimits | None = None) -> Posed:
     """The pose nearest to qpos (nq,) that meets the goals, by the entries `free` (nq,) alone; else the one that
     misses them least. What meets them already stays as it is.
 
