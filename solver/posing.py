@@ -24,13 +24,15 @@ from .quaternion import Array, Index
 MET = 1e-6  # [m, rad] a goal that is missed by no more is met
 STAGES = (10.0, 1e2, 1e3, 1e4, 1e5)  # weight of the goals beside one radian of a joint
 FIRMER = 10.0  # weight of ranges and bends beside that of the goals
-PER_METRE, ROOT_TURN = 5.0, 4.0  # a metre of the root, a radian of it, in radians of a joint
+TRUNK = 6.0  # a radian of a joint of the trunk, where limbs branch off, in radians of a limb's joint
+PER_METRE = 5.0  # a metre of the root or a slide, in the same
 STRAIGHT = 3.0  # the same of knees and elbows sideways and twisted
-BENT = np.radians(15)  # a straight limb has no direction to shorten in: how far knees and elbows are bent to begin with
+BENT = np.radians([15, 50, 90])  # how far knees and elbows are bent to begin with: a straight limb cannot shorten
 INSIDE = 1e-4  # [rad, m] how far inside its range a joint stays
 STARTS, SPREAD = 8, 0.4  # other poses to begin with where one leads nowhere, and how far away they are [rad]
 AGREEING, ALIKE = 3, 1e-3  # so many starts that miss by the same, and what counts as the same, tell that none will do
 STEPS, FIRST_DAMPING, MOST_DAMPING = 60, 1e-3, 1e8
+NEARLY, SETTLED = 1e-3, 1e-8  # how little a step gains where the descent goes on to the next stage, and ends
 SMALLEST_STEP, DIFFERENCE = 1e-11, 1e-6
 
 
@@ -133,15 +135,18 @@ def posed(figure: Figure, qpos: Array, free: Mask, goals: Sequence[Goal], bends:
     best = search.result(search.home)
     if best.is_met or not search.dofs.size:
         return best
-    missed: list[float] = []
-    for start in search.starts():
-        found = search.result(search.descended(start))
-        missed.append(float(found.missed.max()))
-        if missed[-1] < best.missed.max():
-            best = found
-        if best.is_met or sum(miss < min(missed) + ALIKE for miss in missed) == AGREEING:
+    found = [search.descended(start) for start in search.bent_starts()]
+    met = [pose for pose in found if pose.is_met]
+    if met:
+        return min(met, key=lambda pose: search.distance(pose.qpos))
+    for start in search.starts_around():
+        least = sorted(float(pose.missed.max()) for pose in found)
+        if len(found) >= AGREEING and least[AGREEING - 1] < least[0] + ALIKE:
             break
-    return best
+        found.append(search.descended(start))
+        if found[-1].is_met:
+            return found[-1]
+    return min([best, *found], key=lambda pose: float(pose.missed.max()))
 
 
 def chain(figure: Figure, body: int) -> list[int]:
@@ -192,44 +197,43 @@ class _Search:
         dofs, weights = [], []
         for i in links:
             link = self.figure.links[i]
-            if link.kind in (JointKind.HINGE, JointKind.SLIDE):
-                if free[link.qpos]:
-                    dofs.append(link.dof)
-                    weights.append(1.0 if link.kind is JointKind.HINGE else PER_METRE)
-                continue
-            shift = 3 if link.kind is JointKind.FREE else 0
-            for k in range(shift):
-                if free[link.qpos + k]:
+            turn = TRUNK if np.count_nonzero(self.figure.tables.parents[1:] == i) > 1 else 1.0
+            size = {JointKind.FREE: 6, JointKind.BALL: 3, JointKind.HINGE: 1, JointKind.SLIDE: 1}[link.kind]
+            shift = {JointKind.FREE: 3, JointKind.SLIDE: 1}.get(link.kind, 0)
+            for k in range(size):  # a dof of a position has an entry of its own, those of a turn have one for all
+                if free[link.qpos + min(k, shift)]:
                     dofs.append(link.dof + k)
-                    weights.append(PER_METRE)
-            if free[quaternion_columns(link)].all():
-                dofs.extend(link.dof + shift + k for k in range(3))
-                weights.extend([ROOT_TURN if shift else 1.0] * 3)
+                    weights.append(PER_METRE if k < shift else turn)
         return np.array(dofs, np.intp), np.array(weights)
 
-    def starts(self) -> list[Array]:
-        """Poses to begin with: home with straight knees and elbows a little bent, then others around it."""
-        first = self.home if self.bends is None else self.bends.begun(self.home)
-        rng, out = np.random.default_rng(0), [first]
+    def bent_starts(self) -> list[Array]:
+        """Poses to begin with: home with knees and elbows bent by so much at least."""
+        return [self.home] if self.bends is None else [self.bends.begun(self.home, angle) for angle in BENT]
+
+    def starts_around(self) -> list[Array]:
+        """Others, scattered around the first."""
+        first, rng = self.bent_starts()[0], np.random.default_rng(0)
         turns = self.weights != PER_METRE
-        for _ in range(STARTS):
-            step = np.zeros(self.dofs.size)
-            step[turns] = SPREAD * rng.normal(size=np.count_nonzero(turns))
-            out.append(self._moved(first, step))
-        return out
+        steps = SPREAD * rng.normal(size=(STARTS, self.dofs.size)) * turns
+        return [self._moved(first, step) for step in steps]
+
+    def distance(self, qpos: Array) -> float:
+        """How far a pose is from home, knees and elbows sideways and twisted included."""
+        residuals, _ = self._linearised(qpos, 0.0)
+        return float(residuals @ residuals)
 
     def result(self, qpos: Array) -> Posed:
         self._place(qpos)
         missed = [np.linalg.norm(goal.missed(self.model, self.data)) for goal in self.goals]
         return Posed(qpos, self.fixed, np.array(missed))
 
-    def descended(self, qpos: Array) -> Array:
+    def descended(self, qpos: Array) -> Posed:
         """The nearest minimum from a pose, at ever firmer goals."""
         for weight in STAGES:
-            qpos = self._levenberg(qpos, weight)
-        return qpos
+            qpos = self._levenberg(qpos, weight, SETTLED if weight == STAGES[-1] else NEARLY)
+        return self.result(qpos)
 
-    def _levenberg(self, qpos: Array, weight: float) -> Array:
+    def _levenberg(self, qpos: Array, weight: float, tolerance: float) -> Array:
         damping = FIRST_DAMPING
         residuals, rows = self._linearised(qpos, weight)
         cost = float(residuals @ residuals)
@@ -241,7 +245,7 @@ class _Search:
             residuals_there, rows_there = self._linearised(there, weight)
             cost_there = float(residuals_there @ residuals_there)
             if cost_there < cost:
-                settled = cost - cost_there <= 1e-10 * cost
+                settled = cost - cost_there <= tolerance * cost
                 qpos, residuals, rows, cost = there, residuals_there, rows_there, cost_there
                 damping = max(damping / 5, 1e-12)
                 if settled:
@@ -321,28 +325,24 @@ class _Bends:
         columns = np.array([link.qpos for link in links])[:, None] + np.arange(4)
         return cls(figure, limits, columns, np.array([link.dof for link in links])[:, None] + np.arange(3))
 
-    def begun(self, qpos: Array) -> Array:
-        """qpos with every joint bent the right way by a little at least."""
+    def begun(self, qpos: Array, least: float) -> Array:
+        """qpos with every joint bent the right way by so much at least."""
         out = np.array(qpos)
         flexion = self._angles(qpos[self.columns])[0]
         for joint, columns, angle in zip(self.limits.joints, self.columns, flexion, strict=True):
-            if angle < BENT:
+            if angle < least:
                 turn = self.figure.links[joint.link].turn
                 axis = quat.rotated(quat.inverse(turn), joint.lateral)
-                more = quat.from_rotation_vector((BENT + self.limits.least - angle) * axis)
+                more = quat.from_rotation_vector((least - angle) * axis)
                 out[columns] = quat.product(quat.normalised(out[columns]), more)
         return out
 
     def linearised(self, qpos: Array, firm: float, nv: int) -> tuple[Array, Array]:
         """Residuals (7 n,) and rows (7 n, nv): sideways and twist, little; beyond their bounds, firmly."""
-        q = qpos[self.columns]
-        angles = self._angles(q)
-        by = np.empty((3, *self.dofs.shape))
-        for k in range(3):
-            more = quat.from_rotation_vector(DIFFERENCE * np.eye(3)[k])
-            ahead, behind = (self._angles(quat.product(q, turn)) for turn in (more, quat.inverse(more)))
-            by[:, :, k] = (ahead - behind) / (2 * DIFFERENCE)
-        limits, (flexion, sideways, twist) = self.limits, angles
+        steps = quat.from_rotation_vector(DIFFERENCE * np.concatenate([np.zeros((1, 3)), np.eye(3), -np.eye(3)]))
+        angles = self._angles(quat.product(qpos[self.columns], steps[:, None]))
+        by = np.moveaxis((angles[:, 1:4] - angles[:, 4:]) / (2 * DIFFERENCE), 1, 2)
+        limits, (flexion, sideways, twist) = self.limits, angles[:, 0]
         over = [
             limits.least + INSIDE - flexion,
             sideways - limits.sideways + INSIDE,

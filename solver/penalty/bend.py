@@ -149,13 +149,13 @@ class BendLimits:
 
 
 def bent(figure: Figure, joints: Sequence[Bend], relative: Array) -> Array:
-    """(3, n) [rad]: flexion, sideways bend and twist of joints turned by `relative` (n, 4), as in MuJoCo's qpos."""
+    """(3, ..., n) [rad]: flexion, sideways bend and twist of n joints turned by `relative` (..., n, 4), as in qpos."""
     turn = np.array([figure.links[joint.link].turn for joint in joints])
     lateral = np.array([joint.lateral for joint in joints])
     down = np.array([joint.long_axis for joint in joints])
     seen = quat.product(quat.product(turn, relative), quat.inverse(turn))
     axes = np.array([np.cross(lateral, down), down, lateral])
-    v, u = (np.einsum("bni,ni->bn", axes, quat.rotated(seen, axis)) for axis in (lateral, down))
+    v, u = (np.einsum("bni,...ni->b...n", axes, quat.rotated(seen, axis)) for axis in (lateral, down))
     return _bent(u, v)[0]
 
 
