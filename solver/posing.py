@@ -2,7 +2,8 @@
 
 Damped least squares (K. Levenberg 1944; D. W. Marquardt 1963) in the tangent space of MuJoCo's configurations: the
 pose nearest to a given one that meets its goals, within the joints' ranges, knees and elbows bent the right way. Goals
-weigh little at first and in the end so much that what they miss cannot be seen.
+and bounds have multipliers (M. R. Hestenes 1969; R. T. Rockafellar 1973), so that they are met exactly at weights that
+leave the search its way.
 """
 
 from __future__ import annotations
@@ -16,24 +17,28 @@ import mujoco
 import numpy as np
 
 from . import quaternion as quat
-from .figure import Figure, JointKind, quaternion_columns
+from .figure import Figure, JointKind
 from .frame import Mask
 from .penalty.bend import BendLimits, bent
 from .quaternion import Array, Index
 
-MET = 1e-6  # [m, rad] a goal that is missed by no more is met
-STAGES = (10.0, 1e2, 1e3, 1e4, 1e5)  # weight of the goals beside one radian of a joint
-FIRMER = 10.0  # weight of ranges and bends beside that of the goals
+MET, EXACT = 1e-6, 1e-10  # [m, rad] a goal that is missed by no more is met; what is aimed at
+COARSE, FIRM = 30.0, 100.0  # weight of the goals beside one radian of a joint, at first and then
+FIRMER = 30.0  # weight of ranges and bends beside that of the goals
 TRUNK = 6.0  # a radian of a joint of the trunk, where limbs branch off, in radians of a limb's joint
 PER_METRE = 5.0  # a metre of the root or a slide, in the same
-STRAIGHT = 3.0  # the same of knees and elbows sideways and twisted
+STRAIGHT = 3.0  # a radian of knees and elbows sideways and twisted, in the same
 BENT = np.radians([15, 50, 90])  # how far knees and elbows are bent to begin with: a straight limb cannot shorten
 INSIDE = 1e-4  # [rad, m] how far inside its range a joint stays
 STARTS, SPREAD = 8, 0.4  # other poses to begin with where one leads nowhere, and how far away they are [rad]
 AGREEING, ALIKE = 3, 1e-3  # so many starts that miss by the same, and what counts as the same, tell that none will do
+ROUNDS, STALLED = 20, 0.7  # of the multipliers, and the share of what is missed that is left when they lead nowhere
 STEPS, FIRST_DAMPING, MOST_DAMPING = 60, 1e-3, 1e8
-NEARLY, SETTLED = 1e-3, 1e-8  # how little a step gains where the descent goes on to the next stage, and ends
+SETTLED = 1e-9  # share of what is left that a step gains where a descent ends
 SMALLEST_STEP, DIFFERENCE = 1e-11, 1e-6
+
+
+Part = tuple[Array, Array]  # values (k,) and their derivatives (k, n)
 
 
 class Goal(Protocol):
@@ -219,7 +224,7 @@ class _Search:
 
     def distance(self, qpos: Array) -> float:
         """How far a pose is from home, knees and elbows sideways and twisted included."""
-        residuals, _ = self._linearised(qpos, 0.0)
+        residuals = self._linearised(qpos)[0][0]
         return float(residuals @ residuals)
 
     def result(self, qpos: Array) -> Posed:
@@ -228,24 +233,35 @@ class _Search:
         return Posed(qpos, self.fixed, np.array(missed))
 
     def descended(self, qpos: Array) -> Posed:
-        """The nearest minimum from a pose, at ever firmer goals."""
-        for weight in STAGES:
-            qpos = self._levenberg(qpos, weight, SETTLED if weight == STAGES[-1] else NEARLY)
+        """The nearest minimum from a pose: at goals that weigh little, then with multipliers until they are met."""
+        shifts: tuple[Array, Array] | None = None
+        qpos = self._levenberg(qpos, COARSE, None)
+        last = np.inf
+        for k in range(ROUNDS):
+            qpos = self._levenberg(qpos, FIRM, shifts)
+            off, over = self._linearised(qpos)[1:3]
+            old = shifts or (0 * off[0], 0 * over[0])
+            shifts = off[0] + old[0], np.maximum(over[0] + old[1], 0)
+            worst = max(np.abs(off[0]).max(initial=0), over[0].max(initial=0))
+            if worst <= EXACT or (k > 3 and worst > STALLED * last):
+                break
+            last = worst
         return self.result(qpos)
 
-    def _levenberg(self, qpos: Array, weight: float, tolerance: float) -> Array:
+    def _levenberg(self, qpos: Array, weight: float, shifts: tuple[Array, Array] | None) -> Array:
+        """Least squares from a pose, the goals and bounds shifted by their multipliers."""
         damping = FIRST_DAMPING
-        residuals, rows = self._linearised(qpos, weight)
+        residuals, rows = self._weighed(qpos, weight, shifts)
         cost = float(residuals @ residuals)
         for _ in range(STEPS):
             size = np.sqrt(damping * np.maximum(np.einsum("rn,rn->n", rows, rows), 1e-12))
             system = np.vstack([rows, np.diag(size)])
             step = np.linalg.lstsq(system, np.append(-residuals, np.zeros(size.size)), rcond=None)[0]
             there = self._moved(qpos, step)
-            residuals_there, rows_there = self._linearised(there, weight)
+            residuals_there, rows_there = self._weighed(there, weight, shifts)
             cost_there = float(residuals_there @ residuals_there)
             if cost_there < cost:
-                settled = cost - cost_there <= tolerance * cost
+                settled = cost - cost_there <= SETTLED * cost and damping <= FIRST_DAMPING
                 qpos, residuals, rows, cost = there, residuals_there, rows_there, cost_there
                 damping = max(damping / 5, 1e-12)
                 if settled:
@@ -268,42 +284,57 @@ class _Search:
         mujoco.mj_integratePos(self.model, there, velocity, 1.0)
         return there
 
-    def _linearised(self, qpos: Array, weight: float) -> tuple[Array, Array]:
-        """All residuals (r,) and their derivatives by the free degrees of freedom (r, n)."""
+    def _weighed(self, qpos: Array, weight: float, shifts: tuple[Array, Array] | None) -> Part:
+        """All residuals (r,) of least squares and their derivatives by the free degrees of freedom (r, n)."""
+        near, (off, by_off), (over, by_over) = self._linearised(qpos)
+        if shifts is not None:
+            off, over = off + shifts[0], over + shifts[1]
+        firm = FIRMER * weight * (over > 0)
+        return (
+            np.concatenate([near[0], weight * off, firm * over]),
+            np.concatenate([near[1], weight * by_off, firm[:, None] * by_over]),
+        )
+
+    def _linearised(self, qpos: Array) -> tuple[Part, Part, Part]:
+        """How far a pose is from home, from the goals, and over its bounds (below zero: within), with derivatives."""
         self._place(qpos)
         from_home = np.zeros(self.model.nv)
         mujoco.mj_differentiatePos(self.model, from_home, 1.0, self.home, qpos)
-        residuals, rows = [self.weights * from_home[self.dofs]], [np.diag(self.weights)]
+        near, off = [(self.weights * from_home[self.dofs], np.diag(self.weights))], []
         for goal in self.goals:
-            residuals.append(weight * goal.missed(self.model, self.data))
-            rows.append(weight * goal.rows(self.model, self.data)[:, self.dofs])
-        beyond, by = self._beyond_ranges(qpos)
-        residuals.append(FIRMER * weight * beyond)
-        rows.append(FIRMER * weight * by[:, self.dofs])
+            missed, rows = goal.missed(self.model, self.data), goal.rows(self.model, self.data)
+            off.append((missed, rows[:, self.dofs]))
+        over = [self._over_ranges(qpos)]
         if self.bends is not None:
-            off, by = self.bends.linearised(qpos, FIRMER * weight, self.model.nv)
-            residuals.append(off)
-            rows.append(by[:, self.dofs])
-        return np.concatenate(residuals), np.concatenate(rows)
+            crooked, beyond = self.bends.linearised(qpos, self.model.nv)
+            near.append((crooked[0], crooked[1][:, self.dofs]))
+            over.append((beyond[0], beyond[1][:, self.dofs]))
+        return _joined(near), _joined(off), _joined(over)
 
-    def _beyond_ranges(self, qpos: Array) -> tuple[Array, Array]:
-        """How far joints are out of their ranges (k,) [rad, m], and the derivatives (k, nv)."""
-        beyond, rows = np.zeros(len(self.ranged)), np.zeros((len(self.ranged), self.model.nv))
-        for k, i in enumerate(self.ranged):
+    def _over_ranges(self, qpos: Array) -> Part:
+        """How far joints are over the ends of their ranges (k,) [rad, m], and the derivatives (k, n)."""
+        over: list[float] = []
+        rows: list[Array] = []
+        for i in self.ranged:
             link = self.figure.links[i]
             low, high = self.model.jnt_range[link.joint]
             if link.kind is JointKind.BALL:
                 turn = quat.rotation_vector(qpos[link.qpos : link.qpos + 4])
                 angle = float(np.linalg.norm(turn))
-                beyond[k] = max(angle - (high - INSIDE), 0.0)
-                if beyond[k] > 0:
-                    rows[k, link.dof : link.dof + 3] = turn / angle
+                ends = [(angle - (high - INSIDE), turn / max(angle, 1e-9))]
             else:
                 margin = min(INSIDE, (high - low) / 4)
-                above, below = qpos[link.qpos] - (high - margin), (low + margin) - qpos[link.qpos]
-                beyond[k] = max(above, below, 0.0)
-                rows[k, link.dof] = 0.0 if beyond[k] == 0 else 1.0 if above > below else -1.0
-        return beyond, rows
+                ends = [(qpos[link.qpos] - (high - margin), 1.0), (low + margin - qpos[link.qpos], -1.0)]
+            for value, slope in ends:
+                row = np.zeros(self.model.nv)
+                row[link.dof : link.dof + np.size(slope)] = slope
+                over.append(float(value))
+                rows.append(row[self.dofs])
+        return np.array(over), np.array(rows).reshape(-1, self.dofs.size)
+
+
+def _joined(parts: Sequence[Part]) -> Part:
+    return np.concatenate([values for values, _ in parts]), np.concatenate([rows for _, rows in parts])
 
 
 @dataclass(frozen=True, eq=False)
@@ -337,28 +368,20 @@ class _Bends:
                 out[columns] = quat.product(quat.normalised(out[columns]), more)
         return out
 
-    def linearised(self, qpos: Array, firm: float, nv: int) -> tuple[Array, Array]:
-        """Residuals (7 n,) and rows (7 n, nv): sideways and twist, little; beyond their bounds, firmly."""
+    def linearised(self, qpos: Array, nv: int) -> tuple[Part, Part]:
+        """How far the joints are sideways and twisted (2 n,), how far over their bounds (5 n,), with rows (..., nv)."""
         steps = quat.from_rotation_vector(DIFFERENCE * np.concatenate([np.zeros((1, 3)), np.eye(3), -np.eye(3)]))
         angles = self._angles(quat.product(qpos[self.columns], steps[:, None]))
-        by = np.moveaxis((angles[:, 1:4] - angles[:, 4:]) / (2 * DIFFERENCE), 1, 2)
-        limits, (flexion, sideways, twist) = self.limits, angles[:, 0]
-        over = [
-            limits.least + INSIDE - flexion,
-            sideways - limits.sideways + INSIDE,
-            -sideways - limits.sideways + INSIDE,
-            twist - limits.twist + INSIDE,
-            -twist - limits.twist + INSIDE,
-        ]
-        signs, which = [-1, 1, -1, 1, -1], [0, 1, 1, 2, 2]
-        residuals, rows = [STRAIGHT * sideways, STRAIGHT * twist], [STRAIGHT * by[1], STRAIGHT * by[2]]
-        for value, sign, angle in zip(over, signs, which, strict=True):
-            residuals.append(firm * np.maximum(value, 0))
-            rows.append(firm * sign * by[angle] * (value > 0)[:, None])
-        placed = np.zeros((len(residuals), *self.dofs.shape[:1], nv))
-        for k, row in enumerate(rows):
-            np.put_along_axis(placed[k], self.dofs, row, axis=1)
-        return np.concatenate(residuals), placed.reshape(-1, nv)
+        by = np.zeros((*angles.shape[::2], nv))
+        slopes = np.moveaxis((angles[:, 1:4] - angles[:, 4:]) / (2 * DIFFERENCE), 1, 2)
+        np.put_along_axis(by, np.broadcast_to(self.dofs, slopes.shape), slopes, axis=2)
+        flexion, sideways, twist = angles[:, 0]
+        limits = self.limits
+        over = [limits.least - flexion]
+        for value, bound in ((sideways, limits.sideways), (twist, limits.twist)):
+            over += [value - bound, -value - bound]
+        crooked = STRAIGHT * np.concatenate([sideways, twist]), STRAIGHT * np.concatenate([by[1], by[2]])
+        return crooked, (np.concatenate(over) + INSIDE, np.concatenate([-by[0], by[1], -by[1], by[2], -by[2]]))
 
     def _angles(self, q: Array) -> Array:
         return bent(self.figure, self.limits.joints, q)
