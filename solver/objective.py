@@ -88,7 +88,11 @@ class Objective:
         order = np.argsort(t, kind="stable")
         is_instant = np.append(np.zeros(w.size - instants.size, bool), np.ones(instants.size, bool))[order]
         t, w = t[order], w[order]
-        return t, w, np.array([np.isin(t, some) * is_instant if some.size else w for some in own]).reshape(-1, t.size)
+        each = np.tile(w, (len(own), 1))
+        for k, some in enumerate(own):
+            if some.size:
+                each[k] = np.isin(t, some) & is_instant
+        return t, w, each
 
     def integrals(self, path: Path) -> Array:
         """∫ f_j dt of every term, Σ f_j of momentary ones, without weight or factor."""

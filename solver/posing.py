@@ -22,8 +22,8 @@ from .frame import Mask
 from .penalty.bend import BendLimits, bent
 from .quaternion import Array, Index
 
-MET, EXACT = 1e-6, 1e-10  # [m, rad] a goal that is missed by no more is met; what is aimed at
-COARSE, FIRM = 30.0, 100.0  # weight of the goals beside one radian of a joint, at first and then
+MET, EXACT = 1e-6, 1e-9  # [m, rad] a goal that is missed by no more is met; what is aimed at
+COARSE, FIRM, FIRMEST = 30.0, 1e2, 1e5  # weight of the goals beside one radian of a joint, at first, then, at most
 FIRMER = 30.0  # weight of ranges and bends beside that of the goals
 TRUNK = 6.0  # a radian of a joint of the trunk, where limbs branch off, in radians of a limb's joint
 PER_METRE = 5.0  # a metre of the root or a slide, in the same
@@ -230,21 +230,26 @@ class _Search:
     def result(self, qpos: Array) -> Posed:
         self._place(qpos)
         missed = [np.linalg.norm(goal.missed(self.model, self.data)) for goal in self.goals]
-        return Posed(qpos, self.fixed, np.array(missed))
+        return Posed(qpos, self.fixed, np.array(missed, float))
 
     def descended(self, qpos: Array) -> Posed:
         """The nearest minimum from a pose: at goals that weigh little, then with multipliers until they are met."""
-        shifts: tuple[Array, Array] | None = None
         qpos = self._levenberg(qpos, COARSE, None)
-        last = np.inf
-        for k in range(ROUNDS):
-            qpos = self._levenberg(qpos, FIRM, shifts)
-            off, over = self._linearised(qpos)[1:3]
-            old = shifts or (0 * off[0], 0 * over[0])
-            shifts = off[0] + old[0], np.maximum(over[0] + old[1], 0)
-            worst = max(np.abs(off[0]).max(initial=0), over[0].max(initial=0))
-            if worst <= EXACT or (k > 3 and worst > STALLED * last):
+        weight, last, shifts = FIRM, np.inf, None
+        for _ in range(ROUNDS):
+            qpos = self._levenberg(qpos, weight, shifts)
+            off, over = (values for values, _ in self._linearised(qpos)[1:])
+            shifts = (
+                (off, np.maximum(over, 0)) if shifts is None else (off + shifts[0], np.maximum(over + shifts[1], 0))
+            )
+            worst = max(np.abs(off).max(initial=0), over.max(initial=0))
+            if worst <= EXACT:
                 break
+            if worst > STALLED * last:  # a nearly straight limb buckles under enough weight only
+                if weight >= FIRMEST:
+                    break
+                weight *= 10
+                shifts = shifts[0] / 100, shifts[1] / 100
             last = worst
         return self.result(qpos)
 
@@ -256,7 +261,7 @@ class _Search:
         for _ in range(STEPS):
             size = np.sqrt(damping * np.maximum(np.einsum("rn,rn->n", rows, rows), 1e-12))
             system = np.vstack([rows, np.diag(size)])
-            step = np.linalg.lstsq(system, np.append(-residuals, np.zeros(size.size)), rcond=None)[0]
+            step = np.asarray(np.linalg.lstsq(system, np.append(-residuals, 0 * size), rcond=None)[0], float)
             there = self._moved(qpos, step)
             residuals_there, rows_there = self._weighed(there, weight, shifts)
             cost_there = float(residuals_there @ residuals_there)
@@ -313,24 +318,21 @@ class _Search:
 
     def _over_ranges(self, qpos: Array) -> Part:
         """How far joints are over the ends of their ranges (k,) [rad, m], and the derivatives (k, n)."""
-        over: list[float] = []
-        rows: list[Array] = []
-        for i in self.ranged:
-            link = self.figure.links[i]
-            low, high = self.model.jnt_range[link.joint]
-            if link.kind is JointKind.BALL:
-                turn = quat.rotation_vector(qpos[link.qpos : link.qpos + 4])
-                angle = float(np.linalg.norm(turn))
-                ends = [(angle - (high - INSIDE), turn / max(angle, 1e-9))]
-            else:
-                margin = min(INSIDE, (high - low) / 4)
-                ends = [(qpos[link.qpos] - (high - margin), 1.0), (low + margin - qpos[link.qpos], -1.0)]
-            for value, slope in ends:
-                row = np.zeros(self.model.nv)
-                row[link.dof : link.dof + np.size(slope)] = slope
-                over.append(float(value))
-                rows.append(row[self.dofs])
-        return np.array(over), np.array(rows).reshape(-1, self.dofs.size)
+        links = [self.figure.links[i] for i in self.ranged]
+        limits = self.model.jnt_range[[link.joint for link in links]].reshape(-1, 2)
+        balls = np.array([link.kind is JointKind.BALL for link in links], bool)
+        columns, dofs = (np.array([getattr(link, name) for link in links], np.intp) for name in ("qpos", "dof"))
+        turn = quat.rotation_vector(qpos[columns[balls, None] + np.arange(4)])
+        angle = np.linalg.norm(turn, axis=-1)
+        at, margin = qpos[columns[~balls]], np.minimum(INSIDE, np.diff(limits[~balls], axis=1)[:, 0] / 4)
+        over = np.concatenate([
+            angle - (limits[balls, 1] - INSIDE), at - (limits[~balls, 1] - margin), limits[~balls, 0] + margin - at
+        ])  # fmt: skip
+        rows = np.zeros((over.size, self.model.nv))
+        ball, simple = np.arange(angle.size), angle.size + np.arange(at.size)
+        rows[ball[:, None], dofs[balls, None] + np.arange(3)] = turn / np.maximum(angle, 1e-9)[:, None]
+        rows[simple, dofs[~balls]], rows[simple + at.size, dofs[~balls]] = 1.0, -1.0
+        return over, rows[:, self.dofs]
 
 
 def _joined(parts: Sequence[Part]) -> Part:

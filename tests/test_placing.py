@@ -87,7 +87,7 @@ def test_a_site_is_where_the_keyframe_says_and_stays_so_in_the_motion(coordinate
     assert fixed_joints(problem, key) == (EVERY if others != "free" else {"root"} | leg)
     if others != "free":
         rest = problem.keys[0].state
-        same = {n for n in EVERY if np.array_equal(*(_own(problem, q, n) for q in (key.state, rest)))}
+        same = {n for n in EVERY if np.array_equal(_own(problem, key.state, n), _own(problem, rest, n))}
         assert same == EVERY - leg
     raw = work.unsolved(problem).motion
     there = seen(problem, raw.at(0.8)[0]).site("left_toe").xpos

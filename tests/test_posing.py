@@ -13,6 +13,7 @@ from runner.clip_table import PenaltyTable
 from runner.constraints import posing_bends
 from solver import quaternion as quat
 from solver.figure import Figure, JointKind, quaternion_columns
+from solver.frame import Mask
 from solver.kinematics import Samples
 from solver.penalty import Bend, BendLimits
 from solver.penalty.bend import bent
@@ -77,7 +78,7 @@ def assert_human(qpos: Array) -> None:
     assert np.all(np.abs(twist) <= BENDS.twist)
 
 
-def everything(figure: Figure) -> Array:
+def everything(figure: Figure) -> Mask:
     return np.ones(figure.width, bool)
 
 

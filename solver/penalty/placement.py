@@ -41,9 +41,9 @@ class Placement(Momentary):
     def scale(self) -> Scale:
         return Scale(1e-4, is_violation=True)
 
-    @cached_property
+    @property
     def instants(self) -> Array:
-        return np.unique([p.time for p in self.placed])
+        return np.unique(self._times)
 
     def away(self, samples: Samples) -> tuple[Index, Array]:
         """Which points (p,) have their time among the samples, and the ways from their targets (3, p) [m]."""
@@ -57,7 +57,7 @@ class Placement(Momentary):
         flat, arm, away = self._seen(samples, which, at)
         if into is not None:
             into.add_forces(flat, arm, (2 * scale + np.zeros(samples.count))[at] * away)
-        return np.bincount(at, dot(away, away), samples.count)
+        return np.bincount(at, dot(away, away), samples.count).astype(float)
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
         which, at = self._pairs(samples)
