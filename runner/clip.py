@@ -25,9 +25,12 @@ from solver.frame import Frame, Mask, TimelineError
 from solver.inbetween import Settings
 from solver.penalty import (
     Bend,
+    BendLimits,
     Penalty,
+    Placed,
     Point,
 )
+from solver.posing import entries
 from solver.quadrature import Quadrature
 from solver.quaternion import Array
 from solver.subdivision import CRITERIA
@@ -45,11 +48,12 @@ from .clip_table import (
     SolveTable,
     spoken,
 )
-from .constraints import Constraints
+from .constraints import Constraints, posing_bends
 from .errors import UserError, unknown
 from .motion import read_arrays
 from .obstacle import obstacles
-from .rotation import quaternion_of as _rotation
+from .placing import check_search, wanted, with_pose
+from .rotation import quaternion_of
 from .scene import Step, check_files, compose, figure_spec, first_line, quietly
 
 LONGEST_PANEL = 0.05
@@ -69,6 +73,7 @@ class Clip:
     mjcf    the complete MJCF text of figure and scene
     points  the sole points that stand on surfaces; bends: knees and elbows
     notes   one line each on what was looked for and not found
+    placed  points that keyframes leave to the search to place
     """
 
     name: str
@@ -85,6 +90,7 @@ class Clip:
     points: tuple[Point, ...]
     bends: tuple[Bend, ...]
     notes: tuple[str, ...]
+    placed: tuple[Placed, ...] = ()
 
 
 def load(source: str, *, model: str | None = None, keys: str | None = None, fps: float | None = None) -> Clip:
@@ -144,15 +150,18 @@ def from_text(
         raise UserError(f"{place}: {error}") from None
     figure = _figure(mjcf, table.solve.coordinates, place)
     _check_times([row.time for row in table.keyframe], place)
-    keys = _keys(figure, table.keyframe, place)
-    return _clip(name, text, mjcf, figure, fps or table.fps, keys, table.penalty, table.solve, place)
+    bends = posing_bends(figure, table.penalty)
+    keys, placed = _keys(figure, table.keyframe, bends, table.solve.ends, place)
+    return _clip(name, text, mjcf, figure, fps or table.fps, keys, table.penalty, table.solve, place, placed)
 
 
 def with_keys(clip: Clip, keys: Sequence[Frame]) -> Clip:
     """The same clip through other keyframes; what was found from the old ones is found again."""
     table = ClipTable.model_validate(tomllib.loads(clip.text)) if clip.text else None
     entries, solve = ([], SolveTable()) if table is None else (table.penalty, table.solve)
-    return _clip(clip.name, clip.text, clip.mjcf, clip.figure, clip.fps, list(keys), entries, solve, clip.name)
+    times = {key.time for key in keys}
+    placed = tuple(point for point in clip.placed if point.time in times)
+    return _clip(clip.name, clip.text, clip.mjcf, clip.figure, clip.fps, list(keys), entries, solve, clip.name, placed)
 
 
 def _clip(
@@ -165,6 +174,7 @@ def _clip(
     entries: list[PenaltyTable],
     solve: SolveTable,
     place: str,
+    placed: tuple[Placed, ...] = (),
 ) -> Clip:
     try:
         timeline = raw_timeline(figure, keys, solve.ends, np.zeros((2, figure.width)))
@@ -173,12 +183,12 @@ def _clip(
         raise UserError(f"{place}: {error}") from None
     surfaces = static_surfaces(figure.model)
     notes: list[str] = []
-    builder = Constraints(figure, timeline, surfaces, notes, place)
+    builder = Constraints(figure, timeline, surfaces, notes, place, placed)
     penalties = builder.all(entries)
     return Clip(
         name, text, mjcf, figure, fps, tuple(keys), penalties, settings, solve.ends,
         np.zeros((2, figure.width)) if solve.ends == "clamped" else None, surfaces,
-        builder.points, builder.bends, tuple(notes),
+        builder.points, builder.bends, tuple(notes), placed,
     )  # fmt: skip
 
 
@@ -245,23 +255,39 @@ def _settings(solve: SolveTable, keys: list[Frame]) -> Settings:
     return replace(settings, **{key: value for key, value in chosen.items() if value is not None})
 
 
-def _keys(figure: Figure, rows: list[KeyframeTable], place: str) -> list[Frame]:
-    """The keyframes, each of which may hold what the one before it says."""
+def _keys(
+    figure: Figure, rows: list[KeyframeTable], bends: BendLimits | None, ends: str, place: str
+) -> tuple[list[Frame], tuple[Placed, ...]]:
+    """The keyframes, each of which may hold what the one before it says, and the points that the search is to place."""
+    places = [f"{place}: {_called(number, row.time)}" for number, row in enumerate(rows, start=1)]
+    wants = [wanted(figure, row, where) for row, where in zip(rows, places, strict=True)]
+    loose = [want.loose(figure, row) for want, row in zip(wants, rows, strict=True)]
     keys: list[Frame] = []
-    for number, row in enumerate(rows, start=1):
-        where = f"{place}: {_called(number, row.time)}"
+    for row, where, free in zip(rows, places, loose, strict=True):
         if row.others == "hold" and not keys:
             raise UserError(f"{where}: others = 'hold' has no keyframe before it to hold")
-        keys.append(_key(figure, row, keys[-1] if keys else None, where))
-    return keys
+        keys.append(_key(figure, row, keys[-1] if keys else None, free, where))
+    if any(want.goals for want in wants):
+        for k, (row, want, where) in enumerate(zip(rows, wants, places, strict=True)):
+            keys[k] = _key(figure, row, keys[k - 1] if k else None, loose[k], where)  # holds what is solved by now
+            if want.goals:
+                keys[k] = with_pose(figure, keys, k, want.goals, bends, ends, where)
+    for key, want, where in zip(keys, wants, places, strict=True):
+        check_search(figure, key, want.placed, where)
+    return keys, tuple(point for want in wants for point in want.placed)
 
 
-def _key(figure: Figure, row: KeyframeTable, before: Frame | None, place: str) -> Frame:
-    """A keyframe's qpos and mask; what it leaves out is free, at rest, or as in the keyframe before."""
+def _key(figure: Figure, row: KeyframeTable, before: Frame | None, loose: Sequence[int], place: str) -> Frame:
+    """A keyframe's qpos and mask; what it leaves out is free, at rest, or as in the keyframe before.
+
+    loose  links whose joints are free whatever `others` says
+    """
     qpos = np.array(figure.model.qpos0)
     fixed = np.full(figure.width, row.others == "rest")
     if row.others == "hold" and before is not None:
         qpos, fixed = np.array(before.state), np.array(before.fixed)
+    for i in loose:
+        fixed[entries(figure, i)] = False
     roots = [link for link in figure.links[1:] if link.kind is JointKind.FREE]
     named = {link.name: link for link in figure.links[1:]}
     shared = {a.name for a, b in itertools.combinations(figure.links[1:], 2) if a.name == b.name}
@@ -294,7 +320,7 @@ def _set_root(qpos: Array, fixed: Mask, start: int, root: RootTable, place: str)
     if "rotation" in root.model_fields_set:
         fixed[start + 3 : start + 7] = root.rotation != "free"
         if root.rotation != "free":
-            qpos[start + 3 : start + 7] = _rotation(root.rotation, f"{place}: root.rotation")
+            qpos[start + 3 : start + 7] = quaternion_of(root.rotation, f"{place}: root.rotation")
 
 
 def _set_joint(qpos: Array, fixed: Mask, link: Any, value: RotationTable | float, place: str) -> None:
@@ -310,7 +336,7 @@ def _set_joint(qpos: Array, fixed: Mask, link: Any, value: RotationTable | float
         raise UserError(f"{place}: a free joint is placed by root.position and root.rotation")
     if not isinstance(value, RotationTable):
         raise UserError(f"{place}: a ball joint takes a rotation, {ROTATION}, not a number")
-    qpos[columns] = _rotation(value, place)
+    qpos[columns] = quaternion_of(value, place)
     fixed[columns] = True
 
 

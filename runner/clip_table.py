@@ -36,10 +36,21 @@ class RootTable(_Table):
     rotation: RotationTable | Literal["free"] = "free"
 
 
+class SiteTable(_Table):
+    position: tuple[Axis, Axis, Axis]
+    by: Literal["pose", "search"] = "pose"
+
+
+class BodyTable(RotationTable):
+    flat: bool | None = None
+
+
 class KeyframeTable(_Table):
     time: Number
     root: RootTable = RootTable()
     joints: dict[str, RotationTable | Number | Literal["free"]] = {}
+    sites: dict[str, SiteTable | tuple[Axis, Axis, Axis]] = {}
+    bodies: dict[str, BodyTable] = {}
     others: Literal["free", "rest", "hold"] = "free"
 
 
@@ -175,8 +186,8 @@ def _role(words: list[str], names: list[str]) -> str:
     """What kind of entry a key is: joints have names of their own."""
     if names[:1] == ["joints"] and words[0].startswith("penalty"):
         return "bent joints"
-    if len(names) == 2 and names[0] == "joints":
-        return "joint"
+    if len(names) == 2 and names[0] in _NAMED:
+        return _NAMED[names[0]][0]
     if words and words[0].startswith("scene.") and names[-1:] in (["position"], ["rotation"]):
         return f"obstacle's {names[-1]}"
     return names[-1] if names else ""
@@ -184,8 +195,8 @@ def _role(words: list[str], names: list[str]) -> str:
 
 def _schema(words: list[str], names: list[str]) -> type[_Table]:
     """The table that an unknown key stands in."""
-    if len(names) == 2 and names[0] == "joints":
-        return RotationTable
+    if len(names) == 2 and names[0] in _NAMED:
+        return _NAMED[names[0]][1]
     if names:
         return _TABLES[names[-1]]
     return _TABLES[words[0].split()[0]] if words else ClipTable
@@ -201,6 +212,11 @@ def _shown(value: Any) -> str:
     return text if len(text) <= 60 else text[:57] + "..."
 
 
+_NAMED: dict[str, tuple[str, type[_Table]]] = {
+    "joints": ("joint", RotationTable),
+    "sites": ("site", SiteTable),
+    "bodies": ("body", BodyTable),
+}
 _TABLES: dict[str, type[_Table]] = {
     "keyframe": KeyframeTable,
     "penalty": PenaltyTable,
@@ -250,6 +266,10 @@ _EXPECTED = {
     "position": '[x, y, z] in metres, each a number or "free"',
     "rotation": f'{ROTATION} or "free"',
     "joint": f'{ROTATION}, a number or "free"',
+    "site": '[x, y, z] in metres, each a number or "free", or {position = [x, y, z], by = "pose" or "search"}',
+    "body": f"{{flat = true}} or a rotation, {ROTATION}",
+    "by": "'pose' or 'search'",
+    "flat": "true",
     "rotvec": "three angles [x, y, z] in degrees",
     "euler": "a list of angles in degrees",
     "quat": "four numbers [w, x, y, z]",

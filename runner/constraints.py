@@ -14,6 +14,8 @@ from solver.penalty import (
     CovariantAcceleration,
     JointRange,
     Penalty,
+    Placed,
+    Placement,
     Planted,
     Point,
     RootAcceleration,
@@ -33,7 +35,9 @@ from solver.surface import Box, Plane, Surface
 from .clip_table import PenaltyTable
 from .errors import UserError, unknown
 
-KINDS = ("covariant", "root", "unit", "contact", "clearance", "planted", "bend", "range", "self", "torque")
+KINDS = (
+    "covariant", "root", "unit", "contact", "clearance", "planted", "bend", "range", "self", "placement", "torque",
+)  # fmt: skip
 DEFAULT_WEIGHTS = {
     "covariant": 1.0,
     "root": 1.0,
@@ -43,6 +47,7 @@ DEFAULT_WEIGHTS = {
     "planted": 0.1,
     "bend": 1.0,
     "range": 1.0,
+    "placement": 30.0,
 }
 KNEES, ELBOWS = ("knee", "shin"), ("elbow", "forearm", "farm")
 SOLES = ("heel", "toe")
@@ -61,9 +66,16 @@ class Constraints:
     """The table of soft constraints by kind."""
 
     def __init__(
-        self, figure: Figure, keys: Timeline, surfaces: tuple[Surface, ...], notes: list[str], place: str
+        self,
+        figure: Figure,
+        keys: Timeline,
+        surfaces: tuple[Surface, ...],
+        notes: list[str],
+        place: str,
+        placed: tuple[Placed, ...] = (),
     ) -> None:
         self.figure, self.keys, self.surfaces, self.notes, self.place = figure, keys, surfaces, notes, place
+        self.placed = placed
         model = figure.model
         self.sites = [model.site(i).name for i in range(model.nsite)]
         self.points = site_points(figure, [s for s in self.sites if any(word in s.lower() for word in SOLES)])
@@ -91,6 +103,8 @@ class Constraints:
                 raise UserError(f"{place}: '{option}' is not for kind '{entry.kind}', which takes: {takes}")
             seen[entry.kind] = i
             chosen[entry.kind] = entry
+        if not self.placed:
+            del chosen["placement"]
         built = [(self.one(entry), entry.weight) for entry in chosen.values()]
         return tuple((penalty, weight) for penalty, weight in built if weight > 0)
 
@@ -114,6 +128,8 @@ class Constraints:
             return self._clearance(entry.margin or 0.0)
         if entry.kind == "planted":
             return Planted(stances(self.figure, self.keys, self.points, self.surfaces))
+        if entry.kind == "placement":
+            return Placement(self.placed)
         if entry.kind == "contact":
             if entry.points is not None:
                 self.points = self._sites(entry.points)
@@ -142,9 +158,20 @@ class Constraints:
                 if name not in known:
                     raise UserError(f"{self.place}: penalty 'bend': {unknown('joint', name, known)}")
             self.bends = tuple(known[name] for name in entry.joints)
-        sideways, twist = entry.sideways or BEND_BOUND, entry.twist or BEND_BOUND
-        least, sideways, twist = np.radians([entry.least or 0.0, sideways, twist])
-        return BendLimits(self.bends, float(least), float(sideways), float(twist))
+        return _limits(self.bends, entry)
+
+
+def posing_bends(figure: Figure, entries: list[PenaltyTable]) -> BendLimits | None:
+    """How far knees and elbows may go in a pose: as in the motion, or None where their penalty is taken away."""
+    entry = next((entry for entry in entries if entry.kind == "bend"), PenaltyTable(kind="bend"))
+    bends = tuple(bend for bend in _bends(figure) if entry.joints is None or bend.name in entry.joints)
+    return _limits(bends, entry) if bends and entry.weight > 0 else None
+
+
+def _limits(bends: tuple[Bend, ...], entry: PenaltyTable) -> BendLimits:
+    sideways, twist = entry.sideways or BEND_BOUND, entry.twist or BEND_BOUND
+    least, sideways, twist = np.radians([entry.least or 0.0, sideways, twist])
+    return BendLimits(bends, float(least), float(sideways), float(twist))
 
 
 def _bends(figure: Figure) -> list[Bend]:

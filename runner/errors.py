@@ -20,5 +20,5 @@ def unknown(kind: str, name: str, known: Iterable[str]) -> str:
     names = list(known)
     close = difflib.get_close_matches(name, names, n=1)
     guess = f"; did you mean '{close[0]}'?" if close else "."
-    several = {"penalty": "Penalties", "criterion": "Criteria"}.get(kind, f"{kind.capitalize()}s")
+    several = {"penalty": "Penalties", "criterion": "Criteria", "body": "Bodies"}.get(kind, f"{kind.capitalize()}s")
     return f"no {kind} '{name}'{guess} {several}: {', '.join(names) or 'none'}"

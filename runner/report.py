@@ -22,7 +22,7 @@ from solver.frame import Mask, Timeline
 from solver.inbetween import Motion
 from solver.kinematics import Samples
 from solver.objective import Objective
-from solver.penalty import BendLimits, Contact, JointRange, SelfContact, joint_ranges, stances
+from solver.penalty import BendLimits, Contact, JointRange, Placement, SelfContact, joint_ranges, stances
 from solver.quaternion import Array
 from solver.subdivision import by_weak_form, path_of
 from solver.surface import Box
@@ -104,6 +104,7 @@ def _side(clip: Clip, objective: Objective, timeline: Timeline, grid: Grid) -> d
         "beyond joint range": _range_report(clip, grid),
         "skate": _skate(clip, grid),
         "stances": _stance_report(clip, timeline),
+        "off their places, m": _placement_report(clip, timeline),
         "edge clearance, m": _edge_clearance(clip, grid),
         "unit deviation": _unit_deviation(grid),
         "keyframe error": _keyframe_error(clip, timeline),
@@ -202,6 +203,16 @@ def _stance_report(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
         names = " and ".join(stance.point.name for stance in group)
         lift = float(height.max())
         out.append({"points": names, "from, s": first, "to, s": last, "lift, m": lift, "slide, m": slide})
+    return out
+
+
+def _placement_report(clip: Clip, timeline: Timeline) -> dict[str, float]:
+    """How far every point that the search was to place is from there, at its time."""
+    out: dict[str, float] = {}
+    for point in clip.placed:
+        samples = samples_at(clip.figure, path_of(timeline), np.array([point.time]))
+        _, away = Placement((point,)).away(samples)
+        out[f"{point.point.name} at {point.time:g} s"] = float(np.linalg.norm(away))
     return out
 
 
@@ -404,6 +415,8 @@ def _lines(before: dict[str, Any], after: dict[str, Any]) -> list[tuple[str, str
     for one, two in zip(before["stances"], after["stances"], strict=False):
         name = f"{two['points']} planted {two['from, s']:.2f} - {two['to, s']:.2f} s: lift / slide"
         lines.append(row(name, *(f"{millimetres(s['lift, m'])} / {millimetres(s['slide, m'])}" for s in (one, two))))
+    for name in after["off their places, m"]:
+        lines.append(row(f"{name}, off its place", *(millimetres(s["off their places, m"][name]) for s in sides)))
     for name, value in after["edge clearance, m"].items():
         lines.append(row(f"clearance of {name}", "", millimetres(value)))
     units = [s["unit deviation"] for s in sides]

@@ -335,6 +335,12 @@ class Model:
             layout.add_curvature(room, curvature, piece, pairs)
             if scale is None:
                 sizes.append(curvature.acceleration() / weights[:, None])
+        for term, sampling in layout.problem.instants:
+            samples = Samples(objective.figure, *sampling.whole.samples(path.coefficients), t=sampling.t)
+            curvature = Curvature(samples)
+            term.penalty.curvature(samples, curvature, np.full(samples.count, term.factor))
+            for at, rows in curvature.rows(sampling.values):
+                layout.add_squared(room, sampling.first[at], rows)
         diagonal = layout.diagonal(room)[:, 0]
         size = max(middle(diagonal), 1e-12)
         diagonal += FAINT * size

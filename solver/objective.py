@@ -15,6 +15,7 @@ from .figure import Figure
 from .frame import Timeline
 from .kinematics import Cotangent, Samples
 from .penalty import Penalty
+from .penalty.penalty import instants_of
 from .quadrature import Quadrature
 from .quaternion import Array
 from .spline import Path, Sampling, spline_of
@@ -69,8 +70,9 @@ class Objective:
         spacing = (last - first) / (raw.spline.times.size - 1)
         terms = []
         for term, integral in zip(self.terms, integrals, strict=True):
-            scale = term.penalty.scale
-            whole = scale.reference * (last - first) / spacing**scale.time_power
+            scale, instants = term.penalty.scale, instants_of(term.penalty)
+            length = instants.size or last - first
+            whole = scale.reference * length / spacing**scale.time_power
             most = whole if scale.is_violation else np.inf
             terms.append(replace(term, factor=term.weight / min(max(float(integral), SMALL_SHARE * whole), most)))
         measures = {term.penalty.name: term.factor / term.weight for term in terms if term.weight > 0}
@@ -80,13 +82,30 @@ class Objective:
                 terms[i] = replace(term, factor=term.weight * measures[beside] / term.penalty.scale.reference)
         return replace(self, terms=tuple(terms))
 
+    def nodes(self, times: Array) -> tuple[Array, Array, Array]:
+        """For a spline with knots at `times`: sample times (S,) [s], rising, their weights in an integral (S,) and in
+        every term (terms, S): the instants of momentary terms are samples too, which count there and nowhere else."""
+        t, w = self.quadrature.nodes(times)
+        own = [instants_of(term.penalty) for term in self.terms]
+        instants = np.unique(np.concatenate([*own, np.zeros(0)]))
+        instants = instants[(instants >= times[0]) & (instants <= times[-1])]
+        t, w = np.append(t, instants), np.append(w, 0 * instants)
+        order = np.argsort(t, kind="stable")
+        is_instant = np.append(np.zeros(w.size - instants.size, bool), np.ones(instants.size, bool))[order]
+        t, w = t[order], w[order]
+        each = np.tile(w, (len(own), 1))
+        for k, some in enumerate(own):
+            if some.size:
+                each[k] = np.isin(t, some) & is_instant
+        return t, w, each
+
     def integrals(self, path: Path) -> Array:
-        """∫ f_j dt of every term, without weight or factor."""
-        t, w = self.quadrature.nodes(path.spline.times)
+        """∫ f_j dt of every term, Σ f_j of momentary ones, without weight or factor."""
+        t, _, w = self.nodes(path.spline.times)
         out = np.zeros(len(self.terms))
         for piece in Sampling.of(path.spline, t).pieces(run_of(self.figure)):
             samples = Samples(self.figure, *piece.samples(path.coefficients), t=piece.t)
-            out += [w[piece.which] @ term.penalty.evaluate(samples) for term in self.terms]
+            out += [v[piece.which] @ term.penalty.evaluate(samples) for v, term in zip(w, self.terms, strict=True)]
         return out
 
     def samples(self, path: Path, t: Array) -> Samples:
@@ -139,6 +158,9 @@ class Evaluation:
 class Discretised:
     """E(x) for one timeline: the spline factorised, the samples placed, the unknowns laid out, once.
 
+    weights   (S,) of the samples in an integral
+    instants  the momentary terms, each with the sampling of its own times
+
     The samples are evaluated in runs (see `run_of`), whose arrays fit into the processor's cache, so that a sample of
     a long clip costs no more than one of a short clip.
     """
@@ -148,11 +170,16 @@ class Discretised:
         self.timeline = timeline
         self.spline = spline_of(timeline)
         self.unknowns = Unknowns.of(objective.figure, timeline)
-        t, self.weights = objective.quadrature.nodes(self.spline.times)
+        t, self.weights, each = objective.nodes(self.spline.times)
         self.sampling = Sampling.of(self.spline, t)
         self._pieces = self.sampling.pieces(run_of(objective.figure))
         factors = np.array([[term.factor] for term in objective.terms])
-        self._shares = [factors * self.weights[piece.which] for piece in self._pieces]
+        self.instants = [
+            (term, Sampling.of(self.spline, t[own > 0]))
+            for term, own in zip(objective.terms, each, strict=True)
+            if instants_of(term.penalty).size and own.any()
+        ]
+        self._shares = [factors * each[:, piece.which] for piece in self._pieces]
 
     def path(self, x: Array) -> Path:
         """The curve that x stands for."""

@@ -17,6 +17,7 @@ import numpy as np
 
 from .frame import Frame, Timeline
 from .objective import Objective, run_of
+from .penalty.penalty import instants_of
 from .quadrature import gauss_nodes
 from .quaternion import Array
 from .spline import Path
@@ -136,4 +137,10 @@ def segment_integrals(objective: Objective, path: Path, times: Array) -> Array:
         for k, term in enumerate(objective.terms):
             np.add.at(out[:, k], segment[some], term.factor * w[some] * term.penalty.evaluate(samples))
         first += samples.count
+    for k, term in enumerate(objective.terms):
+        at = instants_of(term.penalty)
+        at = at[(at >= times[0]) & (at <= times[-1])]
+        if at.size:
+            segment = np.clip(np.searchsorted(times, at, side="right") - 1, 0, times.size - 2)
+            np.add.at(out[:, k], segment, term.factor * term.penalty.evaluate(objective.samples(path, at)))
     return out

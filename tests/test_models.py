@@ -34,7 +34,7 @@ JOINTS = [
     "right_knee",
     "right_ankle",
 ]
-SITES = {f"{side}_{place}" for side in ("left", "right") for place in ("heel", "toe", "wrist")} | {"head_top"}
+SITES = {f"{side}_{place}" for side in ("left", "right") for place in ("heel", "toe", "wrist", "hand")} | {"head_top"}
 MIRROR = np.array([1.0, -1.0, 1.0])
 
 # De Leva (1996), Table 4, males: length [m], mass [% of the body], centre of mass [% of the length, from the upper or

@@ -42,8 +42,10 @@ def case(figure: Figure, rng: np.random.Generator, count: int = 6) -> tuple[Samp
 
 def test_the_value_by_hand(figure, rng):
     samples, grounded = case(figure, rng)
+    (floor,) = grounded.surfaces
+    assert isinstance(floor, Plane)
     centres, _, _ = Contact(grounded.points, ()).centres(samples)
-    height = centres[2] - grounded.surfaces[0].point[2] - np.array([0.05, 0])[:, None]
+    height = centres[2] - floor.point[2] - np.array([0.05, 0])[:, None]
     lowest = np.maximum(-0.2 * np.log(np.sum(np.exp(-height / 0.2), axis=0)), 0)
     expected = np.where([False, True, True, False, True, True], 0.64 * (1 - np.exp(-((lowest / 0.8) ** 2))), 0)
     np.testing.assert_allclose(grounded.evaluate(samples), expected, rtol=1e-9)

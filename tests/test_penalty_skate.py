@@ -79,12 +79,13 @@ def test_velocity_rows_are_differences_of_the_velocity(figure, rng):
 
 def test_its_curvature_is_that_of_the_weighted_velocities(figure, rng):
     samples = random_samples(figure, rng, 3)
-    skate, scale = Skate(some_points(samples), (below(samples),), 1.0), rng.uniform(1, 2, 3)
+    floor, scale = below(samples), rng.uniform(1, 2, 3)
+    skate = Skate(some_points(samples), (floor,), 1.0)
     curvature = Curvature(samples)
     skate.curvature(samples, curvature, scale)
     phi = rng.normal(size=(3, 3))
     centres, arms, links = Contact(skate.points, ()).centres(samples)
-    height = centres[2] - skate.surfaces[0].point[2] - np.array([0.05, 0])[:, None]
+    height = centres[2] - floor.point[2] - np.array([0.05, 0])[:, None]
     weight = np.exp(-(height**2))
     expected = 0
     for i, link in enumerate(links):

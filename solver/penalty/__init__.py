@@ -13,8 +13,11 @@ from .grounded import grounded_intervals as grounded_intervals
 from .joint_range import JointRange as JointRange
 from .joint_range import Range as Range
 from .joint_range import joint_ranges as joint_ranges
+from .penalty import Momentary as Momentary
 from .penalty import Penalty as Penalty
 from .penalty import Scale as Scale
+from .placement import Placed as Placed
+from .placement import Placement as Placement
 from .planted import Planted as Planted
 from .planted import Stance as Stance
 from .planted import stances as stances

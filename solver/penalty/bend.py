@@ -7,14 +7,16 @@ of u in the parent's sagittal plane, sideways bend the angle of u out of it, twi
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
+from .. import quaternion as quat
 from ..algebra import cross, gathered
 from ..curvature import Curvature, Sides, jacobian
-from ..figure import on_links
+from ..figure import Figure, on_links
 from ..kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
 from .penalty import Scale
@@ -86,13 +88,7 @@ class BendLimits:
         seen = seen.reshape(3, 5, own.size, samples.count).swapaxes(0, 1)
         world, frame = seen[:2], seen[2:]
         v, u = np.einsum("bins,kins->kbns", frame, world)
-        x, z, y = u
-        planar = np.maximum(np.hypot(x, z), 1e-9)
-        p = (x * v[1] - z * v[0]) / planar
-        angles = np.empty(u.shape)
-        np.arctan2(x, z, out=angles[0])
-        np.arctan2(y, planar, out=angles[1])
-        np.arctan2(p, v[2], out=angles[2])
+        angles, planar, p = _bent(u, v)
         return angles, (world, frame, u, v, planar, p)
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
@@ -150,6 +146,29 @@ class BendLimits:
         own = self._axes[0]
         incidence = identity[:, own] - identity[:, samples.figure.tables.parents[own]]
         into.hand("turn", gathered(incidence, torque))
+
+
+def bent(figure: Figure, joints: Sequence[Bend], relative: Array) -> Array:
+    """(3, ..., n) [rad]: flexion, sideways bend and twist of n joints turned by `relative` (..., n, 4), as in qpos."""
+    turn = np.array([figure.links[joint.link].turn for joint in joints])
+    lateral = np.array([joint.lateral for joint in joints])
+    down = np.array([joint.long_axis for joint in joints])
+    seen = quat.product(quat.product(turn, relative), quat.inverse(turn))
+    axes = np.array([np.cross(lateral, down), down, lateral])
+    v, u = (np.einsum("bni,...ni->b...n", axes, quat.rotated(seen, axis)) for axis in (lateral, down))
+    return _bent(u, v)[0]
+
+
+def _bent(u: Array, v: Array) -> tuple[Array, Array, Array]:
+    """The three angles of axes u and v along the parent's (3, ...), and |(x, z)| and p, the normal's part of v."""
+    x, z, y = u
+    planar = np.maximum(np.hypot(x, z), 1e-9)
+    p = (x * v[1] - z * v[0]) / planar
+    angles = np.empty(u.shape)
+    np.arctan2(x, z, out=angles[0])
+    np.arctan2(y, planar, out=angles[1])
+    np.arctan2(p, v[2], out=angles[2])
+    return angles, planar, p
 
 
 def _matrices(quaternions: Array) -> Array:

@@ -168,7 +168,8 @@ def point_gradients(samples: Samples, at: Index, link: Index, arm: Array, way: A
 
 
 def velocity_gradients(samples: Samples, at: Index, link: Index, arm: Array, way: Array) -> Array:
-    """(P, 2, N): the gradients of way · v with respect to y and y', v the velocities of points as `point_gradients`'s."""
+    """(P, 2, N): the gradients of way · v with respect to y and y', v the velocities of points as in
+    `point_gradients`."""
     if has_point_rows(samples.figure):
         return velocity_rows(samples, at, link, arm, way)
 

@@ -100,7 +100,8 @@ class Grounded:
         return np.flatnonzero(inside) if self.points and self.surfaces else np.zeros(0, np.intp)
 
     def _seen(self, samples: Samples, at: Index) -> tuple[Array, Array, Array, Array]:
-        """m (P,) at samples (P,), every point's share in it (n, P), the points' arms and heights' gradients (3, n, P)."""
+        """m (P,) at samples (P,), every point's share in it (n, P), and the points' arms and the gradients of their
+        heights, (3, n, P)."""
         links, positions, radius = self._arrays
         taken = samples.taken(at).links if at.size < samples.count else samples.links
         centre, arm = taken.points(links, positions)

@@ -9,6 +9,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Protocol
 
+import numpy as np
+
 from ..curvature import Curvature, Sides, add_differences
 from ..kinematics import Cotangent, Samples
 from ..quaternion import Array
@@ -58,3 +60,20 @@ class Penalty(Protocol):
     def sides(self, samples: Samples) -> Sides | None:
         """The part of f_j that is a sum of squares max(0, d)²: those that count or soon may. None: it has none ever."""
         return None
+
+
+class Momentary(Penalty):
+    """A soft constraint of instants: E holds the sum of f_j over `instants`, not an integral.
+
+    f_j is zero at all other times, depends on y alone, and its curvature has rows and nothing else.
+    """
+
+    @property
+    def instants(self) -> Array:
+        """(I,) [s], rising."""
+        raise NotImplementedError
+
+
+def instants_of(penalty: Penalty) -> Array:
+    """The instants that a soft constraint counts at; none if it counts all the time."""
+    return penalty.instants if isinstance(penalty, Momentary) else np.zeros(0)

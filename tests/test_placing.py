@@ -1,0 +1,308 @@
+"""Keyframes by position in a clip file: what they fix and free, where sites end up, and one line for every mistake."""
+
+from __future__ import annotations
+
+import io
+import sys
+from pathlib import Path
+
+import mujoco
+import numpy as np
+import pytest
+from rich.console import Console
+from tiny import HINGE
+
+from runner import cli, clip, motion, work
+from runner.clip import Clip
+from runner.errors import UserError
+from runner.progress import Teller
+from runner.report import report
+from solver import quaternion as quat
+from solver.frame import Frame
+from solver.penalty import Placement
+from solver.posing import MET
+
+HEAD = 'figure = "human"\n'
+REST = HEAD + '[[keyframe]]\ntime = 0.0\nothers = "rest"\n'
+STEP = "sites.left_toe = [0.4, 0.1, 0.27]\nbodies.left_foot = {flat = true}\n"
+RAIL = (
+    HEAD
+    + """
+[scene]
+step = {x = 0.25, height = 0.27}
+[[keyframe]]
+time = 0.0
+others = "rest"
+joints.left_elbow = {rotvec = [0, -15, 0]}
+joints.right_elbow = {rotvec = [0, -15, 0]}
+[[keyframe]]
+time = 0.8
+root.position = [0.12, 0.02, 0.9]
+sites.left_toe = [0.55, 0.10, 0.27]
+bodies.left_foot = {flat = true}
+sites.right_heel = [-0.055, -0.09, 0]
+bodies.right_foot = {flat = true}
+sites.left_hand = [0.4, 0.35, 1.0]
+sites.right_hand = {position = [0.5, -0.3, 1.1], by = "search"}
+"""
+)
+
+
+def read(text: str, name: str = "c") -> Clip:
+    return clip.from_text(text, name=name)
+
+
+def second(body: str, first: str = REST) -> str:
+    return f"{first}[[keyframe]]\ntime = 0.8\n{body}"
+
+
+def seen(problem: Clip, qpos: np.ndarray) -> mujoco.MjData:
+    data = mujoco.MjData(problem.figure.model)
+    data.qpos[:] = qpos
+    mujoco.mj_kinematics(problem.figure.model, data)
+    return data
+
+
+def fixed_joints(problem: Clip, key: Frame) -> set[str]:
+    size = {0: 7, 1: 4, 2: 1, 3: 1}
+    links = problem.figure.links[1:]
+    return {link.name for link in links if key.fixed[link.qpos : link.qpos + size[int(link.kind)]].all()}
+
+
+EVERY = {"root", "spine"} | {
+    f"{s}_{j}" for s in ("left", "right") for j in ("shoulder", "elbow", "hip", "knee", "ankle")
+}
+
+
+@pytest.mark.parametrize("coordinates", ["world", "joint"])
+@pytest.mark.parametrize("others", ["free", "rest", "hold"])
+def test_a_site_is_where_the_keyframe_says_and_stays_so_in_the_motion(coordinates, others):
+    text = second(f'others = "{others}"\n{STEP}') + f'[solve]\ncoordinates = "{coordinates}"\n'
+    problem = read(text)
+    key = problem.keys[1]
+    data = seen(problem, key.state)
+    np.testing.assert_allclose(data.site("left_toe").xpos, [0.4, 0.1, 0.27], atol=MET)
+    np.testing.assert_allclose(data.body("left_foot").xmat.reshape(3, 3)[2], [0, 0, 1], atol=1e-5)
+    leg = {"left_hip", "left_knee", "left_ankle"}
+    assert fixed_joints(problem, key) == (EVERY if others != "free" else {"root"} | leg)
+    if others != "free":
+        rest = problem.keys[0].state
+        same = {n for n in EVERY if np.array_equal(_own(problem, key.state, n), _own(problem, rest, n))}
+        assert same == EVERY - leg
+    raw = work.unsolved(problem).motion
+    there = seen(problem, raw.at(0.8)[0]).site("left_toe").xpos
+    np.testing.assert_allclose(there, [0.4, 0.1, 0.27], atol=MET)
+
+
+def _own(problem: Clip, qpos: np.ndarray, name: str) -> np.ndarray:
+    link = problem.figure.links[problem.figure.link_named(name) or 0]
+    return qpos[link.qpos : link.qpos + (7 if name == "root" else 4)]
+
+
+def test_what_is_given_stays_to_the_bit_and_the_rest_of_the_limb_gives_way():
+    body = 'others = "hold"\njoints.left_knee = {rotvec = [0, 70, 0]}\nsites.left_heel = [0.15, "free", 0.3]\n'
+    key = read(second(body)).keys[1]
+    problem = read(second(body))
+    np.testing.assert_array_equal(
+        _own(problem, key.state, "left_knee"), quat.from_rotation_vector([0, np.radians(70), 0])
+    )
+    heel = seen(problem, key.state).site("left_heel").xpos
+    np.testing.assert_allclose(heel[[0, 2]], [0.15, 0.3], atol=MET)
+    assert not np.array_equal(_own(problem, key.state, "left_hip"), [1, 0, 0, 0])
+
+
+def test_what_is_held_is_the_pose_that_was_found():
+    text = second(f'others = "hold"\n{STEP}') + '[[keyframe]]\ntime = 1.4\nothers = "hold"\n'
+    first, posed, held = read(text).keys
+    np.testing.assert_array_equal(held.state, posed.state)
+    assert not np.array_equal(first.state, posed.state)
+
+
+def test_the_first_and_the_last_keyframe_can_be_by_position():
+    text = HEAD + f"[[keyframe]]\ntime = 0\n{STEP}[[keyframe]]\ntime = 1\n{STEP.replace('0.27', '0.4')}"
+    problem = read(text)
+    for key, height in zip(problem.keys, (0.27, 0.4), strict=True):
+        np.testing.assert_allclose(seen(problem, key.state).site("left_toe").xpos, [0.4, 0.1, height], atol=MET)
+
+
+def test_a_loop_can_begin_and_end_by_position():
+    text = HEAD + '[solve]\nends = "periodic"\n'
+    for i in range(3):
+        text += f"[[keyframe]]\ntime = {i}\n{STEP if i != 1 else 'root.position = [0, 0, 0.9]'}\n"
+    problem = read(text)
+    np.testing.assert_allclose(problem.keys[0].state, problem.keys[2].state, atol=1e-12)
+    np.testing.assert_allclose(seen(problem, problem.keys[2].state).site("left_toe").xpos, [0.4, 0.1, 0.27], atol=MET)
+
+
+def test_it_takes_the_pose_nearest_to_the_neighbouring_path():
+    """A hand between two keyframes that hold it high and low stays near them; a knee bends forward."""
+    arm = "joints.left_shoulder = {{rotvec = [0, {}, 0]}}\njoints.left_elbow = {{rotvec = [0, -40, 0]}}\n"
+    text = f'{HEAD}[[keyframe]]\ntime = 0\nothers = "rest"\n{arm.format(-20)}'
+    text += '[[keyframe]]\ntime = 0.5\nothers = "rest"\nsites.left_hand = ["free", "free", 1.0]\n'
+    text += f'[[keyframe]]\ntime = 1\nothers = "rest"\n{arm.format(-60)}'
+    problem = read(text)
+    shoulder = np.degrees(quat.rotation_vector(_own(problem, problem.keys[1].state, "left_shoulder")))
+    assert -60 < shoulder[1] < -20
+    np.testing.assert_allclose(shoulder[[0, 2]], 0, atol=5)
+    assert seen(problem, problem.keys[1].state).site("left_hand").xpos[2] == pytest.approx(1.0, abs=MET)
+
+
+@pytest.mark.parametrize("rotation", ["{rotvec = [0, -20, 30]}", "{quat = [0.9, 0.1, 0.2, 0.3]}"])
+def test_a_bodys_rotation_is_in_the_world(rotation):
+    problem = read(second(f"root.rotation = {{rotvec = [0, 10, 40]}}\nbodies.left_foot = {rotation}\n"))
+    wanted = (
+        quat.from_rotation_vector(np.radians([0, -20, 30]))
+        if "rotvec" in rotation
+        else quat.normalised([0.9, 0.1, 0.2, 0.3])
+    )
+    assert quat.angle_between(seen(problem, problem.keys[1].state).body("left_foot").xquat, wanted) < 1e-5
+
+
+def test_hinges_and_slides_are_solved_too(tmp_path):
+    (tmp_path / "h.xml").write_text(
+        HINGE.format(keys="").replace('size=".04"', 'size=".04"').replace("</body>\n    </body>", "</body></body>")
+        .replace('mass="1"/>\n      </body>', 'mass="1"/><site name="tip" pos="0 0 -.3"/></body>'),
+        encoding="utf-8",
+    )  # fmt: skip
+    text = 'figure = "h.xml"\n[[keyframe]]\ntime = 0\njoints.swing = 0\njoints.slide = 0\n'
+    text += "[[keyframe]]\ntime = 1\nsites.tip = [0.5, 0, 0.6]\n"
+    (tmp_path / "h.toml").write_text(text, encoding="utf-8")
+    problem = clip.load(str(tmp_path / "h.toml"))
+    assert problem.keys[1].is_key
+    np.testing.assert_allclose(seen(problem, problem.keys[1].state).site("tip").xpos, [0.5, 0, 0.6], atol=MET)
+
+
+def quiet() -> Teller:
+    return Teller(Console(file=io.StringIO()))
+
+
+@pytest.mark.parametrize("coordinates", ["world", "joint"])
+def test_a_search_ends_within_a_millimetre_and_is_reported(coordinates):
+    problem = read(RAIL + f'[solve]\ncoordinates = "{coordinates}"\n')
+    assert [p.point.name for p in problem.placed] == ["right_hand"]
+    assert not problem.keys[1].fixed[_columns(problem, "right_shoulder")].any()
+    (weight,) = [w for p, w in problem.penalties if isinstance(p, Placement)]
+    assert weight == 30
+    solved = work.solve(problem, quiet())
+    data = seen(problem, solved.motion.at(0.8)[0])
+    off = np.linalg.norm(data.site("right_hand").xpos - [0.5, -0.3, 1.1])
+    assert off < 1e-3
+    np.testing.assert_allclose(data.site("left_hand").xpos, [0.4, 0.35, 1.0], atol=MET)
+    told = report(problem, solved.motion, 0.0)
+    assert told["after"]["off their places, m"] == {"right_hand at 0.8 s": pytest.approx(off, rel=1e-3)}
+    assert told["before"]["off their places, m"]["right_hand at 0.8 s"] > 0.1
+    assert told["after"]["keyframe error"] < 1e-9
+    assert max(abs(bend["backward"]) for bend in told["after"]["bends, degrees"].values()) < 1
+
+
+def _columns(problem: Clip, name: str) -> slice:
+    link = problem.figure.links[problem.figure.link_named(name) or 0]
+    return slice(link.qpos, link.qpos + 4)
+
+
+@pytest.mark.parametrize("which", ["first", "last"])
+@pytest.mark.parametrize("others", ["free", "rest"])
+def test_a_search_at_an_end_of_the_clip_is_met(which, others):
+    place = f'others = "{others}"\nsites.left_hand = {{position = [0.3, 0.2, 1.1], by = "search"}}\n'
+    rest = 'others = "rest"\n'
+    bodies = (place, rest) if which == "first" else (rest, place)
+    text = HEAD + "".join(f"[[keyframe]]\ntime = {i}\n{body}" for i, body in enumerate(bodies))
+    problem = read(text)
+    motion = work.solve(problem, quiet()).motion
+    at = motion.at(0.0 if which == "first" else 1.0)[0]
+    assert np.linalg.norm(seen(problem, at).site("left_hand").xpos - [0.3, 0.2, 1.1]) < 1e-3
+
+
+def test_only_given_axes_are_searched_for():
+    text = second('sites.left_hand = {position = ["free", "free", 1.3], by = "search"}\n')
+    problem = read(text)
+    at = work.solve(problem, quiet()).motion.at(0.8)[0]
+    assert seen(problem, at).site("left_hand").xpos[2] == pytest.approx(1.3, abs=1e-3)
+
+
+def test_a_penalty_table_changes_the_weight_of_places_and_takes_it_away():
+    entry = '[[penalty]]\nkind = "placement"\nweight = {}\n'
+    for weight, expected in ((3, [3]), (0, [])):
+        found = read(RAIL + entry.format(weight)).penalties
+        assert [w for p, w in found if isinstance(p, Placement)] == expected
+    assert not [p for p, _ in read(REST + entry.format(3) + second("", "")).penalties if isinstance(p, Placement)]
+
+
+def test_other_keyframes_keep_the_places_at_their_times():
+    problem = read(RAIL)
+    moved = clip.with_keys(problem, [problem.keys[0], Frame.key(1.0, problem.keys[1].state)])
+    assert moved.placed == ()
+    assert clip.with_keys(problem, problem.keys).placed == problem.placed
+
+
+def test_the_command_solves_and_reports_a_hand_on_a_rail(tmp_path: Path, monkeypatch, capsys):
+    (tmp_path / "rail.toml").write_text(RAIL, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    for command in (["solve", "rail.toml"], ["report", "rail.npz"]):
+        monkeypatch.setattr(sys, "argv", ["dynsplines", *command])
+        with pytest.raises(SystemExit) as ended:
+            cli.main()
+        assert not ended.value.code
+    told = " ".join(capsys.readouterr().out.split())
+    assert "right_hand at 0.8 s" in told
+    saved = motion.load(tmp_path / "rail.npz")
+    assert saved.report["after"]["off their places, m"]["right_hand at 0.8 s"] < 1e-3
+
+
+KEY = "c.toml: keyframe 2 (t = 0.8 s): "
+HELD = (
+    "left_hip = {rotvec = [0, 0, 0]}\njoints.left_knee = {rotvec = [0, 0, 0]}\njoints.left_ankle = {rotvec = [0, 0, 0]}"
+)
+MISTAKES = {
+    "an unknown site": ("sites.left_hel = [0, 0, 0]", ["no site 'left_hel'; did you mean 'left_heel'?", "right_hand"]),
+    "an unknown body": ("bodies.left_fot = {flat = true}", ["no body 'left_fot'", "mean 'left_foot'?", "Bodies:"]),
+    "out of reach": (
+        'others = "rest"\nsites.left_heel = [0, 0.09, -0.23]',
+        ["site 'left_heel' cannot be put at (0, 0.09, -0.23): 0.2", "m short", "left_hip, left_knee, left_ankle"],
+    ),
+    "a little out of reach": ('others = "rest"\nsites.left_toe = ["free", "free", -0.106]', [" mm short"]),
+    "nothing free": (
+        f'others = "rest"\njoints.{HELD}\nsites.left_heel = [0, 0, 0.2]',
+        ["site 'left_heel' cannot move", "every joint on the way to it", "(root, left_hip, left_knee, left_ankle)"],
+    ),
+    "nothing free to search with": (
+        f'others = "rest"\njoints.{HELD}\nsites.left_heel = {{position = [0, 0, 0.2], by = "search"}}',
+        ["site 'left_heel' cannot move"],
+    ),
+    "sites too far apart": (
+        "sites.left_heel = [0, 0.1, 0]\nsites.left_toe = [0.4, 0.1, 0]",
+        ["'left_heel' and 'left_toe' are 0.225 m apart on the figure, not 0.4 m", "bodies.left_foot"],
+    ),
+    "a body that cannot turn": (
+        'others = "rest"\nroot.position = [0, 0, 0.93]\nbodies.chest = {rotvec = [0, 0, 170]}',
+        ["body 'chest' cannot be turned so: 110 degrees short", "spine"],
+    ),
+    "every axis free": ('sites.left_heel = ["free", "free", "free"]', ["sites.left_heel: every axis is free"]),
+    "two numbers": ("sites.left_heel = [0, 1]", ["sites.left_heel must be [x, y, z] in metres", "not [0, 1]"]),
+    "a word": ('sites.left_heel = "free"', ["sites.left_heel must be [x, y, z] in metres", "not 'free'"]),
+    "a position that is not finite": ("sites.left_heel = [0, 0, nan]", ["sites.left_heel", "finite"]),
+    "an unknown way": (
+        'sites.left_heel = {position = [0, 0, 0], by = "guess"}', ["sites.left_heel.by must be 'pose' or 'search'"]),
+    "no position": ('sites.left_heel = {by = "pose"}', ["sites.left_heel.position", "missing"]),
+    "an unknown key of a site": (
+        "sites.left_heel = {position = [0, 0, 0], bye = 1}", ["no key 'bye'", "did you mean 'by'?"]),
+    "an unknown key of a body": ("bodies.left_foot = {flatt = true}", ["no key 'flatt'", "did you mean 'flat'?"]),
+    "flat and turned": ("bodies.left_foot = {flat = true, rotvec = [0, 0, 0]}", ["flat or a rotation, not both"]),
+    "not flat": ("bodies.left_foot = {flat = false}", ["bodies.left_foot: flat = false says nothing"]),
+    "neither flat nor turned": ("bodies.left_foot = {}", ["bodies.left_foot: give exactly one of"]),
+    "flat in quotes": ('bodies.left_foot = {flat = "very"}', ["bodies.left_foot.flat must be true"]),
+    "a body that is a number": ("bodies.left_foot = 3", ["bodies.left_foot must be {flat = true} or a rotation"]),
+    "a body that is the step's": ("bodies.world = {flat = true}", ["no body 'world'"]),
+    "sites that are a number": ("sites = 3", ["sites must be a table"]),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("mistake", MISTAKES)
+def test_a_mistake_is_one_line_that_says_where(mistake):
+    body, words = MISTAKES[mistake]
+    with pytest.raises(UserError) as caught:
+        read(second(body + "\n"))
+    told = str(caught.value)
+    assert told.startswith(KEY.rstrip(": ")) and "\n" not in told
+    for word in words:
+        assert word in told

@@ -1,0 +1,249 @@
+"""Poses by position: round trips through MuJoCo's kinematics, what stays as it was, ranges, bends, misses."""
+
+from __future__ import annotations
+
+import mujoco
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import models
+from runner.clip_table import PenaltyTable
+from runner.constraints import posing_bends
+from solver import quaternion as quat
+from solver.figure import Figure, JointKind, quaternion_columns
+from solver.frame import Mask
+from solver.kinematics import Samples
+from solver.penalty import Bend, BendLimits
+from solver.penalty.bend import bent
+from solver.posing import MET, BodyGoal, Goal, Posed, SiteGoal, chain, entries, posed
+from solver.quaternion import Array
+
+HUMAN = {c: Figure(mujoco.MjModel.from_xml_string(models.figure_text("human")), c) for c in ("world", "joint")}
+BENDS = posing_bends(HUMAN["world"], [PenaltyTable(kind="bend", least=2.0)])
+SITES = [f"{side}_{part}" for side in ("left", "right") for part in ("heel", "toe", "hand", "wrist")]
+ARM = """
+<mujoco><compiler angle="degree"/><worldbody>
+  <body name="one" pos="0 0 1"><joint name="one" type="hinge" axis="0 1 0"/><geom size=".05"/>
+    <body name="two" pos="1 0 0"><joint name="two" type="hinge" axis="0 1 0" range="-150 150"/><geom size=".05"/>
+      <body name="three" pos="1 0 0"><joint name="three" type="hinge" axis="0 1 0"/><geom size=".05"/>
+        <body name="rod" pos="1 0 0"><joint name="rod" type="slide" axis="1 0 0" range="-.1 .2"/><geom size=".05"/>
+          <site name="tip" pos="0 0 0"/></body></body></body></body>
+</worldbody></mujoco>"""
+
+
+def figure_of(text: str) -> Figure:
+    return Figure(mujoco.MjModel.from_xml_string(text))
+
+
+def seen(figure: Figure, qpos: Array) -> mujoco.MjData:
+    data = mujoco.MjData(figure.model)
+    data.qpos[:] = qpos
+    mujoco.mj_kinematics(figure.model, data)
+    return data
+
+
+def human_pose(rng: np.random.Generator) -> Array:
+    """Limbs turned within what people can do, knees and elbows bent forward only, the root anywhere."""
+    figure = HUMAN["world"]
+    assert BENDS is not None
+    bends = {joint.link: joint for joint in BENDS.joints}
+    qpos = np.array(figure.model.qpos0)
+    for i, link in enumerate(figure.links[1:], start=1):
+        if link.kind is JointKind.FREE:
+            qpos[:3] += rng.uniform(-0.3, 0.3, 3)
+        columns = quaternion_columns(link)
+        assert columns is not None
+        if i in bends:
+            turn = rng.uniform(np.radians(5), np.radians(110)) * bends[i].lateral
+        else:
+            turn = rng.uniform(0, 0.6) * quat.normalised(rng.normal(size=3))
+        qpos[columns] = quat.from_rotation_vector(turn)
+    return qpos
+
+
+def assert_human(qpos: Array) -> None:
+    """Within all joints' ranges, and no knee or elbow bent backward, sideways or twisted beyond its bound."""
+    figure = HUMAN["world"]
+    assert BENDS is not None
+    for link in figure.links[2:]:
+        angle = np.linalg.norm(quat.rotation_vector(qpos[link.qpos : link.qpos + 4]))
+        assert angle <= figure.model.jnt_range[link.joint, 1]
+    own = np.array([qpos[entries(figure, joint.link)] for joint in BENDS.joints])
+    flexion, sideways, twist = bent(figure, BENDS.joints, own)
+    changed = np.any(own != figure.model.qpos0[7:11], axis=1)
+    assert np.all(flexion[changed] >= BENDS.least)
+    assert np.all(np.abs(sideways) <= BENDS.sideways)
+    assert np.all(np.abs(twist) <= BENDS.twist)
+
+
+def everything(figure: Figure) -> Mask:
+    return np.ones(figure.width, bool)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_the_places_of_a_pose_that_can_be_taken_are_met_again(seed):
+    """A round trip: sites and rotations of a random pose, a pose found for them from rest, its sites by MuJoCo."""
+    figure, rng = HUMAN["world"], np.random.default_rng(seed)
+    wanted = seen(figure, human_pose(rng))
+    goals: list[Goal] = [SiteGoal(name, wanted.site(name).xpos.copy()) for name in SITES if "wrist" not in name]
+    goals.append(BodyGoal("chest", wanted.body("chest").xquat.copy()))
+    found = posed(figure, figure.model.qpos0, everything(figure), goals, BENDS)
+    assert found.is_met
+    there = seen(figure, found.qpos)
+    for goal in goals:
+        if isinstance(goal, SiteGoal):
+            np.testing.assert_allclose(there.site(goal.name).xpos, goal.position, atol=MET)
+    assert quat.angle_between(there.body("chest").xquat, wanted.body("chest").xquat) < MET
+    assert_human(found.qpos)
+
+
+@settings(max_examples=15, deadline=None)
+@given(seed=st.integers(0, 10**6), side=st.sampled_from(["left", "right"]), limb=st.sampled_from(["heel", "hand"]))
+def test_only_what_is_free_moves_and_what_is_missed_is_told(seed, side, limb):
+    figure, rng = HUMAN["world"], np.random.default_rng(seed)
+    home = human_pose(rng)
+    free = np.zeros(figure.width, bool)
+    for joint in ("knee", "hip", "ankle") if limb == "heel" else ("shoulder", "elbow"):
+        link = figure.link_named(f"{side}_{joint}")
+        assert link is not None
+        free[entries(figure, link)] = True
+    name = f"{side}_{limb}"
+    target = seen(figure, home).site(name).xpos + rng.uniform(-0.4, 0.4, 3)
+    found = posed(figure, home, free, [SiteGoal(name, target)], BENDS)
+    np.testing.assert_array_equal(found.qpos[~free], home[~free])
+    off = np.linalg.norm(seen(figure, found.qpos).site(name).xpos - target)
+    assert found.missed[0] == pytest.approx(off, abs=1e-9)
+    assert found.is_met == (off <= MET)
+    before = np.linalg.norm(seen(figure, home).site(name).xpos - target)
+    assert off <= before
+
+
+@pytest.mark.parametrize("coordinates", ["world", "joint"])
+def test_a_pose_that_is_there_already_stays_to_the_bit(coordinates):
+    figure = HUMAN[coordinates]
+    home = human_pose(np.random.default_rng(3))
+    goals = [SiteGoal(name, seen(figure, home).site(name).xpos.copy()) for name in SITES]
+    found = posed(figure, home, everything(figure), goals, BENDS)
+    np.testing.assert_array_equal(found.qpos, home)
+    assert found.is_met
+
+
+def test_the_joints_from_the_root_to_a_goal_are_what_it_fixes():
+    figure = HUMAN["world"]
+    target = seen(figure, figure.model.qpos0).site("left_heel").xpos + np.array([0, 0, 0.2])
+    found = posed(figure, figure.model.qpos0, everything(figure), [SiteGoal("left_heel", target)], BENDS)
+    fixed = [link.name for i, link in enumerate(figure.links) if i and found.fixed[entries(figure, i)].all()]
+    assert fixed == ["root", "left_hip", "left_knee", "left_ankle"]
+    np.testing.assert_array_equal(found.qpos[~found.fixed], figure.model.qpos0[~found.fixed])
+
+
+def test_a_straight_leg_shortens_forward_at_the_knee():
+    figure = HUMAN["world"]
+    target = seen(figure, figure.model.qpos0).site("right_heel").xpos + np.array([0.0, 0, 0.15])
+    free = everything(figure)
+    free[:7] = False
+    found = posed(figure, figure.model.qpos0, free, [SiteGoal("right_heel", target), BodyGoal("right_foot")], BENDS)
+    assert found.is_met
+    knee = figure.link_named("right_knee")
+    assert knee is not None
+    turn = np.degrees(quat.rotation_vector(found.qpos[entries(figure, knee)]))
+    assert turn[1] > 20
+    np.testing.assert_allclose(turn[[0, 2]], 0, atol=1)
+    assert_human(found.qpos)
+
+
+@pytest.mark.parametrize("rest", [[1.0, 0, 0, 0], [0.9, 0.1, -0.2, 0.3]])
+def test_flat_is_upright_as_at_rest_with_the_heading_free(rest):
+    turn = " ".join(map(str, rest))
+    figure = figure_of(
+        f'<mujoco><worldbody><body name="sole" quat="{turn}"><joint name="j" type="ball"/><geom size=".1"/></body>'
+        "</worldbody></mujoco>"
+    )
+    home = quat.from_rotation_vector(np.array([2.0, -1.0, 0.7]))
+    found = posed(figure, home, np.ones(4, bool), [BodyGoal("sole")])
+    up = quat.rotated(quat.product(seen(figure, found.qpos).body("sole").xquat, quat.inverse(rest)), [0.0, 0, 1])
+    np.testing.assert_allclose(up, [0, 0, 1], atol=1e-6)
+    assert found.is_met
+    turned = quat.angle_between(home, found.qpos)
+    tilt = quat.rotated(quat.product(quat.product(rest, home), quat.inverse(rest)), [0.0, 0, 1])
+    assert turned == pytest.approx(np.arccos(tilt[2]), abs=1e-6)  # the shortest way up, no turn about the vertical
+
+
+def test_upside_down_is_not_flat():
+    figure = figure_of(
+        '<mujoco><worldbody><body name="b"><joint type="ball"/><geom size=".1"/></body></worldbody></mujoco>'
+    )
+    over = np.array([0.0, 1, 0, 0])
+    assert not posed(figure, over, np.zeros(4, bool), [BodyGoal("b")]).is_met
+    assert posed(figure, over, np.ones(4, bool), [BodyGoal("b")]).is_met
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_hinges_and_slides_reach_within_their_ranges(seed):
+    figure, rng = figure_of(ARM), np.random.default_rng(seed)
+    wanted = np.array([*rng.uniform(-1, 1, 3), rng.uniform(-0.1, 0.2)])
+    target = seen(figure, wanted).site("tip").xpos.copy()
+    found = posed(figure, np.zeros(4), np.ones(4, bool), [SiteGoal("tip", target)])
+    assert found.is_met
+    np.testing.assert_allclose(seen(figure, found.qpos).site("tip").xpos, target, atol=MET)
+    assert abs(found.qpos[1]) <= np.radians(150)
+    assert -0.1 <= found.qpos[3] <= 0.2
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_of_all_poses_that_meet_the_goals_it_is_a_nearest_one(seed):
+    """Where no range is in the way, the step from home is normal to the poses that meet the goals."""
+    text = ARM.replace(' range="-150 150"', "").replace(' range="-.1 .2"', "")
+    figure, rng = figure_of(text), np.random.default_rng(seed)
+    home = rng.uniform(0.2, 0.9, 4)
+    target = seen(figure, home).site("tip").xpos + np.array([*rng.uniform(-0.3, 0.3, 1), 0, *rng.uniform(-0.3, 0.3, 1)])
+    found = posed(figure, home, np.ones(4, bool), [SiteGoal("tip", target)])
+    assert found.is_met
+    data, rows = seen(figure, found.qpos), np.zeros((3, 4))
+    mujoco.mj_comPos(figure.model, data)
+    mujoco.mj_jacSite(figure.model, data, rows, None, 0)
+    pull = (found.qpos - home) * np.array([1.0, 1, 1, 5]) ** 2
+    left = pull - rows.T @ np.linalg.lstsq(rows.T, pull, rcond=None)[0]
+    assert np.linalg.norm(left) < 1e-3 * np.linalg.norm(pull)
+
+
+def test_what_is_out_of_reach_is_missed_by_the_gap():
+    figure = figure_of(ARM)
+    found = posed(figure, np.array([0.5, 0.5, 0.5, 0]), np.ones(4, bool), [SiteGoal("tip", np.array([4.0, 0, 1]))])
+    assert not found.is_met
+    assert found.missed[0] == pytest.approx(4 - 3.2, abs=1e-3)
+    np.testing.assert_allclose(found.qpos, [0, 0, 0, 0.2], atol=1e-2)
+
+
+def test_axes_that_are_free_are_not_held():
+    figure = figure_of(ARM)
+    found = posed(figure, np.array([0.5, 0.5, 0.5, 0]), np.ones(4, bool), [SiteGoal("tip", np.array([np.nan, 0, 1.2]))])
+    assert found.is_met
+    assert seen(figure, found.qpos).site("tip").xpos[2] == pytest.approx(1.2, abs=MET)
+
+
+def test_with_nothing_free_the_pose_stays_and_the_miss_is_told():
+    figure, home = figure_of(ARM), np.array([0.1, 0.2, 0.3, 0.0])
+    target = seen(figure, home).site("tip").xpos + np.array([0, 0, 0.1])
+    found: Posed = posed(figure, home, np.zeros(4, bool), [SiteGoal("tip", target)])
+    np.testing.assert_array_equal(found.qpos, home)
+    np.testing.assert_allclose(found.missed, [0.1])
+
+
+def test_the_chain_of_a_body_leads_to_its_root():
+    figure = HUMAN["world"]
+    names = [figure.links[i].name for i in chain(figure, figure.model.body("left_foot").id)]
+    assert names == ["left_ankle", "left_knee", "left_hip", "root"]
+    assert chain(figure, 0) == []
+
+
+def test_the_angles_of_a_joint_are_those_of_the_penalty(figure, rng):
+    balls = list(figure.tables.ball_links)
+    limits = BendLimits(tuple(Bend(f"{i}", int(i), np.array([0.0, 1, 0]), np.array([0.0, 0, -1])) for i in balls))
+    qpos = figure.to_qpos(figure.to_state(rng.normal(size=(4, figure.width))))
+    y = figure.to_state(qpos)
+    own = np.stack([qpos[:, entries(figure, i)] for i in balls], axis=1)
+    expected = limits.angles(Samples(figure, y, 0 * y, 0 * y))
+    np.testing.assert_allclose(bent(figure, limits.joints, own).transpose(0, 2, 1), expected, atol=1e-9)
