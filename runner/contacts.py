@@ -1,0 +1,134 @@
+"""A clip's [[contact]] tables: which point rests from when to when, and where if anybody says so.
+
+Where: at the table's `position`, else where keyframes inside the interval put the point; without either the search
+finds the spot.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from solver.figure import Figure
+from solver.frame import Timeline
+from solver.kinematics import Samples
+from solver.penalty import Contact, Point, Rest, Stance, site_points
+from solver.penalty.planted import SAME_SPOT, placed
+from solver.quaternion import Array
+
+from .clip_table import ContactTable
+from .errors import UserError, unknown
+
+ROUNDING = 1e-9  # [s]
+STRETCH = 0.01  # [m] that two points of one body may be told to come nearer or apart
+
+
+@dataclass(frozen=True)
+class Contacts:
+    """What the tables say: stances whose spots are known, and rests whose are not."""
+
+    stances: tuple[Stance, ...] = ()
+    rests: tuple[Rest, ...] = ()
+
+    def overlaps(self, stance: Stance) -> bool:
+        """Whether a table speaks of a stance's point at some time of it."""
+        return any(
+            own.point.link == stance.point.link
+            and np.array_equal(own.point.position, stance.point.position)
+            and own.first < stance.last - ROUNDING
+            and stance.first < own.last - ROUNDING
+            for own in (*self.stances, *self.rests)
+        )
+
+
+def contacts(figure: Figure, keys: Timeline, tables: Sequence[ContactTable], place: str) -> Contacts:
+    """The contacts of a clip's tables. Raises UserError that names the table and what is wrong with it."""
+    sites = [figure.model.site(i).name for i in range(figure.model.nsite)]
+    names = [f"{place}: contact {i} ('{table.point}')" for i, table in enumerate(tables, start=1)]
+    for table, name in zip(tables, names, strict=True):
+        if table.point not in sites:
+            raise UserError(f"{name}: {unknown('site', table.point, sites)}")
+        _check_interval(table, keys, name)
+    _check_overlaps(tables, names)
+    stances: list[Stance] = []
+    rests: list[Rest] = []
+    for table, name in zip(tables, names, strict=True):
+        (point,) = site_points(figure, [table.point])
+        spots = _spots(figure, keys, point, table, name)
+        if spots:
+            stances += _stances(point, table, spots)
+        else:
+            rests.append(Rest(point, table.start, table.end))
+    _check_bodies(stances, place)
+    return Contacts(tuple(stances), tuple(rests))
+
+
+def _check_interval(table: ContactTable, keys: Timeline, name: str) -> None:
+    first, last = float(keys.times[0]), float(keys.times[-1])
+    if not table.start < table.end:
+        raise UserError(f"{name}: from = {table.start:g} s is not before to = {table.end:g} s")
+    if table.start < first - ROUNDING or table.end > last + ROUNDING:
+        raise UserError(
+            f"{name}: {table.start:g} to {table.end:g} s is not inside the clip, which runs from {first:g} to {last:g} s"
+        )
+
+
+def _check_overlaps(tables: Sequence[ContactTable], names: Sequence[str]) -> None:
+    for i, (table, name) in enumerate(zip(tables, names, strict=True)):
+        for k, other in enumerate(tables[:i], start=1):
+            shared = min(table.end, other.end) - max(table.start, other.start)
+            if other.point == table.point and shared > ROUNDING:
+                raise UserError(
+                    f"{name}: overlaps contact {k} of the same point from {max(table.start, other.start):g} to "
+                    f"{min(table.end, other.end):g} s; a point rests in one place at a time"
+                )
+
+
+def _spots(figure: Figure, keys: Timeline, point: Point, table: ContactTable, name: str) -> list[tuple[float, Array]]:
+    """Where the point is to be at some times of the interval, by the table and by keyframes that say where it is."""
+    samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
+    centres, _, _ = Contact((point,), ()).centres(samples)
+    inside = (keys.times >= table.start - ROUNDING) & (keys.times <= table.end + ROUNDING)
+    said = np.flatnonzero(inside & placed(figure, keys.fixed, [point])[0])
+    wanted = None if table.position is None else np.array(table.position, float)
+    for k in said:
+        reference = centres[:, 0, said[0]] if wanted is None else wanted
+        apart = float(np.linalg.norm(centres[:, 0, k] - reference))
+        if apart > SAME_SPOT:
+            where = f"keyframe {said[0] + 1} does" if wanted is None else "the contact's position"
+            raise UserError(
+                f"{name}: keyframe {k + 1} (t = {keys.times[k]:g} s) puts the point {apart:.3f} m from where {where}; "
+                f"a contact may drift by {SAME_SPOT:g} m"
+            )
+    if said.size:
+        return [(float(keys.times[k]), centres[:, 0, k].copy()) for k in said]
+    return [] if wanted is None else [(table.start, wanted)]
+
+
+def _stances(point: Point, table: ContactTable, spots: list[tuple[float, Array]]) -> list[Stance]:
+    """From spot to spot, held before the first and after the last."""
+    whole = [(table.start, spots[0][1]), *spots, (table.end, spots[-1][1])]
+    return [
+        Stance(point, start, end, spot, landed)
+        for (start, spot), (end, landed) in pairwise(whole)
+        if end > start + ROUNDING
+    ]
+
+
+def _check_bodies(stances: Sequence[Stance], place: str) -> None:
+    """Two points of one body cannot rest farther apart, or nearer, than they are on it."""
+    for i, one in enumerate(stances):
+        for other in stances[:i]:
+            start, end = max(one.first, other.first), min(one.last, other.last)
+            if one.point.link != other.point.link or end <= start + ROUNDING:
+                continue
+            apart = float(np.linalg.norm(one.spot - other.spot))
+            own = float(np.linalg.norm(one.point.position - other.point.position))
+            if abs(apart - own) > STRETCH:
+                raise UserError(
+                    f"{place}: contacts of '{other.point.name}' and '{one.point.name}' contradict each other from "
+                    f"{start:g} to {end:g} s: they are {apart:.3f} m apart there, but {own:.3f} m on their body"
+                )
