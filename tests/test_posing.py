@@ -154,6 +154,18 @@ def test_a_straight_leg_shortens_forward_at_the_knee():
     assert_human(found.qpos)
 
 
+@pytest.mark.parametrize("short", [1e-2, 1e-3, 1e-4, 1e-5])
+def test_a_leg_a_hair_shorter_than_straight_is_found(short):
+    figure = HUMAN["world"]
+    target = seen(figure, figure.model.qpos0).site("left_heel").xpos + np.array([0, 0, short])
+    free, bends = everything(figure), posing_bends(figure, [])
+    free[:7] = False
+    goals = [SiteGoal("left_heel", target), BodyGoal("left_foot")]
+    assert posed(figure, figure.model.qpos0, free, goals, bends).is_met
+    beyond = SiteGoal("left_heel", target - np.array([0, 0, 2 * short]))
+    assert posed(figure, figure.model.qpos0, free, [beyond, goals[1]], bends).missed[0] == pytest.approx(short, rel=0.1)
+
+
 @pytest.mark.parametrize("rest", [[1.0, 0, 0, 0], [0.9, 0.1, -0.2, 0.3]])
 def test_flat_is_upright_as_at_rest_with_the_heading_free(rest):
     turn = " ".join(map(str, rest))
