@@ -28,6 +28,7 @@ from solver.penalty import (
     Bend,
     Penalty,
     Point,
+    Support,
 )
 from solver.quadrature import Quadrature
 from solver.quaternion import Array
@@ -67,6 +68,7 @@ class Clip:
     text    the TOML text (empty for MJCF and NPZ clips)
     mjcf    the complete MJCF text of figure and scene
     points  the sole points that stand on surfaces; bends: knees and elbows
+    support  what carries the figure when; None without a free joint
     notes   one line each on what was looked for and not found
     """
 
@@ -83,6 +85,7 @@ class Clip:
     surfaces: tuple[Surface, ...]
     points: tuple[Point, ...]
     bends: tuple[Bend, ...]
+    support: Support | None
     notes: tuple[str, ...]
 
 
@@ -177,7 +180,7 @@ def _clip(
     return Clip(
         name, text, mjcf, figure, fps, tuple(keys), penalties, settings, solve.ends,
         np.zeros((2, figure.width)) if solve.ends == "clamped" else None, surfaces,
-        builder.points, builder.bends, tuple(notes),
+        builder.points, builder.bends, builder.support, tuple(notes),
     )  # fmt: skip
 
 

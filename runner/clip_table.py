@@ -63,6 +63,9 @@ class PenaltyTable(_Table):
     least: Annotated[Real, Field(ge=-360, le=360)] | None = None
     sideways: Angle | None = None
     twist: Angle | None = None
+    angular: Annotated[Real, Field(ge=0, le=1e6)] | None = None
+    friction: Annotated[Real, Field(gt=0, le=10)] | None = None
+    intervals: list[tuple[Number, Number]] | None = None
 
 
 class SolveTable(_Table):
@@ -175,13 +178,14 @@ _TABLES: dict[str, type[_Table]] = {
 }
 
 ROTATION = "{rotvec = [x, y, z]}, {euler = [...], order = ...} or {quat = [w, x, y, z]}"
-_NUMBERS = ("time", "fps", "x", "y", "height", "length", "width", "weight", "margin", "least", "sideways", "twist")
+_NUMBERS = ("time", "fps", "x", "y", "height", "length", "width", "weight", "margin", "least", "sideways", "twist", "angular", "friction")
 _WHOLE = ("variable", "frames", "evaluations", "samples")
 _EXPECTED = {
     **dict.fromkeys((*_NUMBERS, "threshold", "tolerance"), "a number"),
     **dict.fromkeys(_WHOLE, "a whole number"),
     **dict.fromkeys(("kind", "form", "criterion", "optimiser", "order"), "a word in quotes"),
     **dict.fromkeys(("points", "bent joints"), "a list of names"),
+    "intervals": "a list of [from, to] in seconds",
     "others": "'free', 'rest' or 'hold'",
     "figure": "the name of a figure or a path in quotes",
     "keyframe": "[[keyframe]] tables",

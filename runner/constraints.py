@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from solver import quaternion as quat
@@ -12,13 +14,17 @@ from solver.penalty import (
     BendLimits,
     Contact,
     CovariantAcceleration,
+    Flight,
     Penalty,
     Planted,
     Point,
     RootAcceleration,
+    Support,
     Torque,
     UnitMagnitude,
     body_points,
+    flights,
+    footings,
     site_points,
     stances,
 )
@@ -28,7 +34,7 @@ from solver.surface import Surface
 from .clip_table import PenaltyTable
 from .errors import UserError, unknown
 
-KINDS = ("covariant", "root", "unit", "contact", "clearance", "planted", "bend", "torque")
+KINDS = ("covariant", "root", "unit", "contact", "clearance", "planted", "bend", "flight", "support", "torque")
 DEFAULT_WEIGHTS = {
     "covariant": 1.0,
     "root": 1.0,
@@ -37,6 +43,8 @@ DEFAULT_WEIGHTS = {
     "clearance": 30.0,
     "planted": 0.1,
     "bend": 1.0,
+    "flight": 1.0,
+    "support": 1.0,
 }
 KNEES, ELBOWS = ("knee", "shin"), ("elbow", "forearm", "farm")
 SOLES = ("heel", "toe")
@@ -47,6 +55,8 @@ OPTIONS = {
     "contact": {"points", "margin"},
     "clearance": {"margin"},
     "bend": {"joints", "least", "sideways", "twist"},
+    "flight": {"intervals", "angular"},
+    "support": {"friction"},
 }
 
 
@@ -61,6 +71,7 @@ class Constraints:
         self.sites = [model.site(i).name for i in range(model.nsite)]
         self.points = site_points(figure, [s for s in self.sites if any(word in s.lower() for word in SOLES)])
         self.bends = tuple(_bends(figure))
+        self.support: Support | None = None
         if not surfaces:
             notes.append("no static plane or box found: nothing to stay above")
         if not self.points:
@@ -82,6 +93,12 @@ class Constraints:
                 raise UserError(f"{place}: '{option}' is not for kind '{entry.kind}', which takes: {takes}")
             seen[entry.kind] = i
             chosen[entry.kind] = entry
+        self.support = self._carried(chosen["flight"], "flight" in seen)
+        for kind in ("flight", "support"):
+            if self.support is None and kind in seen:
+                raise UserError(f"{self.place}: penalty '{kind}' needs a figure with a free joint; there is none")
+            if kind not in seen and (self.support is None or not self.support.tells):
+                del chosen[kind]
         built = [(self.one(entry), entry.weight) for entry in chosen.values()]
         return tuple((penalty, weight) for penalty, weight in built if weight > 0)
 
@@ -105,7 +122,33 @@ class Constraints:
             if entry.points is not None:
                 self.points = self._sites(entry.points)
             return Contact(self.points, self.surfaces, entry.margin or 0.0)
+        if entry.kind == "flight" and self.support is not None:
+            return Flight.of(self.figure, self.support.root, self.support.flights, entry.angular or 0.0)
+        if entry.kind == "support" and self.support is not None:
+            return replace(self.support, friction=entry.friction or self.support.friction)
         return self._bend(entry)
+
+    def _carried(self, entry: PenaltyTable, asked: bool) -> Support | None:
+        """What carries the figure when: the flights that the clip gives, or what its keyframes tell."""
+        figure, keys = self.figure, self.keys
+        if not figure.tables.free_links.size:
+            return None
+        root = next((r for r in figure.tables.free_links if self._stands(int(r))), figure.tables.free_links[0])
+        held = stances(figure, keys, self.points, self.surfaces)
+        if entry.intervals is not None:
+            aloft = tuple(entry.intervals)
+        elif asked and not self.surfaces:
+            aloft = ((float(keys.times[0]), float(keys.times[-1])),)
+        else:
+            aloft = flights(figure, int(root), keys, self.points, self.surfaces, held, body_points(figure))
+        for first, last in aloft:
+            if not keys.times[0] <= first < last <= keys.times[-1]:
+                raise UserError(f"{self.place}: penalty 'flight': [{first:g}, {last:g}] is no interval of the clip")
+        return Support.of(figure, int(root), footings(figure, keys, self.points, self.surfaces, held), aloft)
+
+    def _stands(self, root: int) -> bool:
+        """Whether sole points are on the tree of a free link."""
+        return any(self.figure.tables.path[point.link, root] for point in self.points)
 
     def _sites(self, names: list[str]) -> tuple[Point, ...]:
         for name in names:
