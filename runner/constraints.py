@@ -9,12 +9,14 @@ import numpy as np
 from solver import quaternion as quat
 from solver.figure import Figure, JointKind
 from solver.frame import Timeline
+from solver.kinematics import Samples
 from solver.penalty import (
     Bend,
     BendLimits,
     Contact,
     CovariantAcceleration,
     Flight,
+    Peaks,
     Penalty,
     Planted,
     Point,
@@ -25,16 +27,18 @@ from solver.penalty import (
     body_points,
     flights,
     footings,
+    relative_accelerations,
     site_points,
     stances,
 )
 from solver.quaternion import Array
+from solver.subdivision import path_of
 from solver.surface import Surface
 
 from .clip_table import PenaltyTable
 from .errors import UserError, unknown
 
-KINDS = ("covariant", "root", "unit", "contact", "clearance", "planted", "bend", "flight", "support", "torque")
+KINDS = ("covariant", "root", "unit", "contact", "clearance", "planted", "bend", "flight", "support", "peak", "torque")
 DEFAULT_WEIGHTS = {
     "covariant": 1.0,
     "root": 1.0,
@@ -43,9 +47,14 @@ DEFAULT_WEIGHTS = {
     "clearance": 30.0,
     "planted": 0.1,
     "bend": 1.0,
-    "flight": 1.0,
-    "support": 1.0,
+    "flight": 1.5,
+    "support": 0.1,
+    "peak": 1.0,
 }
+CARRIED = ("flight", "support", "peak")  # on by default where keyframes tell what carries the figure
+ROOT_WEIGHT_CARRIED = 0.1  # of "root", which flight and support then know better
+SHARE_OF_PEAK, LEAST_PEAK = 1.4, 100.0  # of the raw spline's; [rad/s²]
+PEAK_SAMPLES = 8  # a segment
 KNEES, ELBOWS = ("knee", "shin"), ("elbow", "forearm", "farm")
 SOLES = ("heel", "toe")
 BEND_BOUND = 8.0  # degrees; 10° with room for a soft constraint
@@ -57,6 +66,7 @@ OPTIONS = {
     "bend": {"joints", "least", "sideways", "twist"},
     "flight": {"intervals", "angular"},
     "support": {"friction"},
+    "peak": {"limit"},
 }
 
 
@@ -94,11 +104,14 @@ class Constraints:
             seen[entry.kind] = i
             chosen[entry.kind] = entry
         self.support = self._carried(chosen["flight"], "flight" in seen)
-        for kind in ("flight", "support"):
-            if self.support is None and kind in seen:
+        told = self.support is not None and self.support.tells
+        for kind in CARRIED:
+            if self.support is None and kind in seen and kind != "peak":
                 raise UserError(f"{self.place}: penalty '{kind}' needs a figure with a free joint; there is none")
-            if kind not in seen and (self.support is None or not self.support.tells):
+            if kind not in seen and not told:
                 del chosen[kind]
+        if told and "root" not in seen:
+            chosen["root"] = PenaltyTable(kind="root", weight=ROOT_WEIGHT_CARRIED)
         built = [(self.one(entry), entry.weight) for entry in chosen.values()]
         return tuple((penalty, weight) for penalty, weight in built if weight > 0)
 
@@ -126,7 +139,16 @@ class Constraints:
             return Flight.of(self.figure, self.support.root, self.support.flights, entry.angular or 0.0)
         if entry.kind == "support" and self.support is not None:
             return replace(self.support, friction=entry.friction or self.support.friction)
+        if entry.kind == "peak":
+            return Peaks(entry.limit or max(SHARE_OF_PEAK * self._raw_peak(), LEAST_PEAK))
         return self._bend(entry)
+
+    def _raw_peak(self) -> float:
+        """[rad/s²] the largest angular acceleration of a joint on the raw spline."""
+        times, path = np.asarray(self.keys.times), path_of(self.keys)
+        fine = np.linspace(times[:-1], times[1:], PEAK_SAMPLES, endpoint=False).T.ravel()
+        samples = Samples(self.figure, *path.motion(np.append(fine, times[-1])))
+        return float(relative_accelerations(samples)[1].max())
 
     def _carried(self, entry: PenaltyTable, asked: bool) -> Support | None:
         """What carries the figure when: the flights that the clip gives, or what its keyframes tell."""
@@ -134,17 +156,18 @@ class Constraints:
         if not figure.tables.free_links.size:
             return None
         root = next((r for r in figure.tables.free_links if self._stands(int(r))), figure.tables.free_links[0])
-        held = stances(figure, keys, self.points, self.surfaces)
+        held, body = stances(figure, keys, self.points, self.surfaces), body_points(figure)
+        carriers = footings(figure, keys, self.points, self.surfaces, held, body)
         if entry.intervals is not None:
             aloft = tuple(entry.intervals)
         elif asked and not self.surfaces:
             aloft = ((float(keys.times[0]), float(keys.times[-1])),)
         else:
-            aloft = flights(figure, int(root), keys, self.points, self.surfaces, held, body_points(figure))
+            aloft = flights(figure, int(root), keys, self.points, self.surfaces, held, body)
         for first, last in aloft:
             if not keys.times[0] <= first < last <= keys.times[-1]:
                 raise UserError(f"{self.place}: penalty 'flight': [{first:g}, {last:g}] is no interval of the clip")
-        return Support.of(figure, int(root), footings(figure, keys, self.points, self.surfaces, held), aloft)
+        return Support.of(figure, int(root), carriers, aloft)
 
     def _stands(self, root: int) -> bool:
         """Whether sole points are on the tree of a free link."""

@@ -66,11 +66,12 @@ def weight(figure: Figure, root: int) -> float:
     return tree_mass(figure, root)[0] * (g or STANDARD_GRAVITY)
 
 
-def gyration(figure: Figure, root: int) -> float:
-    """[m] the radius of gyration about the centre of mass at rest: the length that makes moments forces."""
+def height(figure: Figure, root: int) -> float:
+    """[m] how tall a slender rod would be that turns like a free link with all beyond it at rest: √12 times the radius
+    of gyration. The length that makes moments forces."""
     rest = figure.to_state(np.array(mujoco.MjData(figure.model).qpos))[None]
     inverse = InverseDynamics(Samples(figure, rest, 0 * rest, 0 * rest))
     mass, share = tree_mass(figure, root)
     away = inverse.centre[:, :, 0] - (inverse.centre[:, :, 0] @ share)[:, None]
     own = np.einsum("iil,l->", inverse.inertia[..., 0], figure.tables.path[:, root]) / 2
-    return float(np.sqrt(np.sum(share * np.sum(away**2, axis=0)) + own / mass))
+    return float(np.sqrt(12 * (np.sum(share * np.sum(away**2, axis=0)) + own / max(mass, 1e-12))))

@@ -15,7 +15,7 @@ from ..frame import Mask
 from ..kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
 from ..rows import Pushes, has_moment_rows, wrench_rows
-from ..wrench import RootWrench, gyration, weight
+from ..wrench import RootWrench, height, weight
 from .penalty import Scale
 
 A_TENTH = 0.01  # a tenth of the weight, squared
@@ -24,11 +24,11 @@ A_TENTH = 0.01  # a tenth of the weight, squared
 @dataclass(frozen=True)
 class Flight:
     """|F|² + angular · |N|² of a tree in flight: force in units of its weight, which is |a − g|²/g² of the centre of
-    mass, and moment about it in units of its weight times its radius of gyration.
+    mass, and moment about it in units of its weight times its height.
 
     root       index of the tree's free link
     intervals  (first, last) [s] of every flight
-    unit       [N] its weight;  length  [m] its radius of gyration
+    unit       [N] its weight;  length  [m] its height, see `height`
     angular    how much the moment counts
     """
 
@@ -41,7 +41,7 @@ class Flight:
 
     @classmethod
     def of(cls, figure: Figure, root: int, intervals: tuple[tuple[float, float], ...], angular: float = 0.0) -> Flight:
-        return cls(root, intervals, weight(figure, root), gyration(figure, root), angular)
+        return cls(root, intervals, weight(figure, root), height(figure, root), angular)
 
     @property
     def scale(self) -> Scale:

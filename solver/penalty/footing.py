@@ -42,20 +42,73 @@ def footings(
     points: Sequence[Point],
     surfaces: Sequence[Surface],
     stances: Sequence[Stance],
+    body: Sequence[Point] = (),
 ) -> tuple[Footing, ...]:
-    """A foot that stands from one keyframe to the next may push with every point that touches in one of them."""
+    """A foot that stands from one keyframe to the next may push with all of it that touches in one of them.
+
+    That are its points of the sole and of the `body`; those inside the others' hull are left out.
+    """
+    feet = {point.link for point in points}
+    every = (*points, *(point for point in body if point.link in feet))
     if not points or not surfaces:
         return ()
-    height, over = _heights(figure, keys, points, surfaces)
-    touches = (np.abs(height) < NEAR_SURFACE) & placed(figure, keys.fixed, points)
+    spots = _Spots.of(figure, keys, every, surfaces)
+    links = np.array([point.link for point in every])
+    begin, end = np.array([s.first for s in stances]), np.array([s.last for s in stances])
+    standing = np.array([s.point.link for s in stances])
     found = []
     for k, (first, last) in enumerate(zip(keys.times[:-1], keys.times[1:], strict=True)):
-        standing = {stance.point.link for stance in stances if stance.first <= first and last <= stance.last}
-        for i, point in enumerate(points):
-            on = [j for j in (k, k + 1) if touches[i, j]]
-            if on and point.link in standing:
-                found.append(Footing(point, float(first), float(last), _normal(surfaces[over[i, on[0]]])))
+        for link in np.unique(standing[(begin <= first) & (last <= end)]):
+            on, at = np.nonzero(spots.touches[:, k : k + 2] & (links == link)[:, None])
+            if on.size:
+                kept, normal = spots.outermost(int(link), on, k + at)
+                found += [
+                    Footing(Point(every[i].name, int(link), p), float(first), float(last), normal) for i, p in kept
+                ]
     return tuple(found)
+
+
+@dataclass(frozen=True)
+class _Spots:
+    """Where points touch surfaces in keyframes: touches (n, K), centres (3, n, K), over (n, K) which surface."""
+
+    samples: Samples
+    points: Sequence[Point]
+    surfaces: Sequence[Surface]
+    touches: Mask
+    centres: Array
+    over: NDArray[np.intp]
+
+    @classmethod
+    def of(cls, figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]) -> _Spots:
+        samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
+        centres, _, _ = Contact(tuple(points), ()).centres(samples)
+        height, over = _heights(figure, keys, points, surfaces)
+        touches = (np.abs(height) < NEAR_SURFACE) & placed(figure, keys.fixed, points)
+        return cls(samples, points, surfaces, touches, centres, over)
+
+    def outermost(
+        self, link: int, points: NDArray[np.intp], keys: NDArray[np.intp]
+    ) -> tuple[list[tuple[int, Array]], Array]:
+        """Of a link's points that touch in keyframes (m,), those that reach farthest some way along the surface, by
+        index and where they touch in the link's axes (3,); and the surface's normal (3,)."""
+        normal = _normal(self.surfaces[self.over[points[0], keys[0]]])
+        radius = np.array([self.points[i].radius for i in points])
+        touched = self.centres[:, points, keys] - radius * normal[:, None]
+        touched -= self.samples.links.x[:, link, keys]
+        rotation = self.samples.links.rotation[:, :, link, keys]
+        local = np.einsum("ijp,ip->jp", rotation, touched)
+        ways = rotation[:, :, 0].T @ _around(normal)
+        kept = np.unique(np.argmax(local.T @ ways, axis=0))
+        return [(int(points[i]), local[:, i]) for i in kept], normal
+
+
+def _around(normal: Array, count: int = 8) -> Array:
+    """(3, count): unit vectors across a normal (3,), all round, a little turned so that no two points tie."""
+    across = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
+    across /= np.linalg.norm(across)
+    angle = 2 * np.pi * (np.arange(count) + 0.3) / count
+    return np.outer(across, np.cos(angle)) + np.outer(np.cross(normal, across), np.sin(angle))
 
 
 def flights(

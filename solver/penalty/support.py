@@ -21,7 +21,7 @@ from ..frame import Mask
 from ..kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
 from ..rows import Pushes
-from ..wrench import RootWrench, gyration, weight
+from ..wrench import RootWrench, height, weight
 from .flight import A_TENTH, rows_of_wrench, within
 from .footing import Footing, Interval
 from .penalty import Scale
@@ -40,12 +40,12 @@ class _Found(NamedTuple):
 @dataclass(frozen=True)
 class Support:
     """|w − G λ|², least over λ ≥ 0: w the root's wrench, the columns of G the edges of friction pyramids at the points
-    in contact. Forces in units of the weight, moments about the centre of mass in units of the weight times the radius
-    of gyration. Nothing counts at moments that are neither in a footing nor in a flight.
+    in contact. Forces in units of the weight, moments about the centre of mass in units of the weight times the height.
+    Nothing counts at moments that are neither in a footing nor in a flight.
 
     root               index of the tree's free link
     footings, flights  when which point can push, and when nothing does, whatever the footings say
-    unit, length       weight [N] and radius of gyration [m]
+    unit, length       weight [N] and height [m]
     friction           coefficient μ
     softness           ε |λ|² is added, so that the forces are unique
     """
@@ -68,7 +68,7 @@ class Support:
         flights: Sequence[Interval],
         friction: float = 0.8,
     ) -> Support:
-        return cls(root, tuple(footings), tuple(flights), weight(figure, root), gyration(figure, root), friction)
+        return cls(root, tuple(footings), tuple(flights), weight(figure, root), height(figure, root), friction)
 
     @property
     def scale(self) -> Scale:
@@ -84,7 +84,7 @@ class Support:
         return within(self.flights, t) | (self._active(t).any(axis=0) if self.footings else np.zeros(t.size, bool))
 
     def rest(self, samples: Samples) -> Array:
-        """(6, S): force and moment that nothing can supply, in units of weight and weight times radius of gyration."""
+        """(6, S): force and moment that nothing can supply, in units of weight and weight times height."""
         return self._found(samples).left.rest * self.known(samples.t)
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
