@@ -64,7 +64,6 @@ class PenaltyTable(_Table):
     sideways: Angle | None = None
     twist: Angle | None = None
     angular: Annotated[Real, Field(ge=0, le=1e6)] | None = None
-    limit: Annotated[Real, Field(gt=0, le=1e9)] | None = None
     friction: Annotated[Real, Field(gt=0, le=10)] | None = None
     intervals: list[tuple[Number, Number]] | None = None
 
@@ -180,7 +179,7 @@ _TABLES: dict[str, type[_Table]] = {
 
 ROTATION = "{rotvec = [x, y, z]}, {euler = [...], order = ...} or {quat = [w, x, y, z]}"
 _NUMBERS = ("time", "fps", "x", "y", "height", "length", "width", "weight", "margin", "least", "sideways", "twist")
-_OF_PENALTIES = ("angular", "friction", "limit")
+_OF_PENALTIES = ("angular", "friction")
 _WHOLE = ("variable", "frames", "evaluations", "samples")
 _EXPECTED = {
     **dict.fromkeys((*_NUMBERS, *_OF_PENALTIES, "threshold", "tolerance"), "a number"),

@@ -9,14 +9,13 @@ import numpy as np
 from solver import quaternion as quat
 from solver.figure import Figure, JointKind
 from solver.frame import Timeline
-from solver.kinematics import Samples
 from solver.penalty import (
     Bend,
     BendLimits,
     Contact,
     CovariantAcceleration,
     Flight,
-    Peaks,
+    PeakAcceleration,
     Penalty,
     Planted,
     Point,
@@ -27,12 +26,10 @@ from solver.penalty import (
     body_points,
     flights,
     footings,
-    relative_accelerations,
     site_points,
     stances,
 )
 from solver.quaternion import Array
-from solver.subdivision import path_of
 from solver.surface import Surface
 
 from .clip_table import PenaltyTable
@@ -47,14 +44,12 @@ DEFAULT_WEIGHTS = {
     "clearance": 30.0,
     "planted": 0.1,
     "bend": 1.0,
-    "flight": 1.5,
-    "support": 0.1,
-    "peak": 1.0,
+    "flight": 3.0,
+    "support": 0.2,
+    "peak": 0.01,
 }
 CARRIED = ("flight", "support", "peak")  # on by default where keyframes tell what carries the figure
 ROOT_WEIGHT_CARRIED = 0.1  # of "root", which flight and support then know better
-SHARE_OF_PEAK, LEAST_PEAK = 1.4, 100.0  # of the raw spline's; [rad/s²]
-PEAK_SAMPLES = 8  # a segment
 KNEES, ELBOWS = ("knee", "shin"), ("elbow", "forearm", "farm")
 SOLES = ("heel", "toe")
 BEND_BOUND = 8.0  # degrees; 10° with room for a soft constraint
@@ -66,7 +61,6 @@ OPTIONS = {
     "bend": {"joints", "least", "sideways", "twist"},
     "flight": {"intervals", "angular"},
     "support": {"friction"},
-    "peak": {"limit"},
 }
 
 
@@ -140,15 +134,8 @@ class Constraints:
         if entry.kind == "support" and self.support is not None:
             return replace(self.support, friction=entry.friction or self.support.friction)
         if entry.kind == "peak":
-            return Peaks(entry.limit or max(SHARE_OF_PEAK * self._raw_peak(), LEAST_PEAK))
+            return PeakAcceleration()
         return self._bend(entry)
-
-    def _raw_peak(self) -> float:
-        """[rad/s²] the largest angular acceleration of a joint on the raw spline."""
-        times, path = np.asarray(self.keys.times), path_of(self.keys)
-        fine = np.linspace(times[:-1], times[1:], PEAK_SAMPLES, endpoint=False).T.ravel()
-        samples = Samples(self.figure, *path.motion(np.append(fine, times[-1])))
-        return float(relative_accelerations(samples)[1].max())
 
     def _carried(self, entry: PenaltyTable, asked: bool) -> Support | None:
         """What carries the figure when: the flights that the clip gives, or what its keyframes tell."""

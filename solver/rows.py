@@ -214,6 +214,25 @@ def wrench_rows(wrench: RootWrench, pushes: Pushes | None = None) -> Array:
     return out
 
 
+def relative_spin_rows(samples: Samples, at: Index, link: Index, way: Array) -> Array:
+    """(P, 3, N): gradients of way · (ω' − ω'_parent) with respect to y, y', y'', for figures in world coordinates.
+
+    at, link  (P,) sample and link of each;  way  (3, P) a direction in the world, held
+    """
+    tables = samples.figure.tables
+    block = np.full(len(samples.figure.links), -1)
+    block[tables.quaternion_links] = np.arange(tables.quaternion_links.size)
+    out = np.zeros((at.size, 3, samples.y.shape[1]))
+    for owner, sign in ((link, 1.0), (tables.parents[link], -1.0)):
+        some = np.flatnonzero(block[owner] >= 0)
+        nothing = np.zeros((3, some.size))
+        here = _Picked(samples.links, owner[some], at[some])
+        columns = tables.quaternion_columns[:, block[owner[some]]]
+        for order, gradient in enumerate(_quaternion_gradients(here, nothing, nothing, sign * way[:, some])):
+            out[some, order, columns] = gradient
+    return out
+
+
 def _attached_wrench(
     rates: tuple[Array, Array], s: Array, mass: Array, hold: Array, away: Array
 ) -> tuple[Array, Array, Array]:
@@ -236,6 +255,15 @@ class _Repeated:
         self.Q, self.Q_d, self.Q_dd = links.Q[:, index], links.Q_d[:, index], links.Q_dd[:, index]
         self.omega, self.alpha = links.omega[:, index], links.alpha[:, index]
         self.length_squared, self.stretch_rate = links.length_squared[index], links.stretch_rate[index]
+
+
+class _Picked:
+    """A LinkMotion's quaternions and rates for pairs of a link and a sample: (c, P)."""
+
+    def __init__(self, links: LinkMotion, link: Index, at: Index) -> None:
+        self.Q, self.Q_d, self.Q_dd = links.quaternions[:, :, link, at]
+        self.omega, self.alpha = links.spins[:, :, link, at]
+        self.length_squared, self.stretch_rate = links.length_squared[link, at], links.stretch_rate[link, at]
 
 
 def _link_gradients(
@@ -295,7 +323,9 @@ def _attached(rates: tuple[Array, Array], s: Array, g: Array, g_dd: Array) -> tu
     return cross(s, pull), cross(cross(omega, s), g_dd) + cross(s, through), cross(s, g_dd)
 
 
-def _quaternion_gradients(links: _Repeated, turn: Array, omega: Array, alpha: Array) -> tuple[Array, Array, Array]:
+def _quaternion_gradients(
+    links: _Repeated | _Picked, turn: Array, omega: Array, alpha: Array
+) -> tuple[Array, Array, Array]:
     """Gradients of (turn, ω, ω') as gradients of Q, Q', Q''; the reasons are in the kinematics."""
     b = links.length_squared
     rate = 2 * links.stretch_rate

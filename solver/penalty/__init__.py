@@ -11,8 +11,7 @@ from .flight import Flight as Flight
 from .footing import Footing as Footing
 from .footing import flights as flights
 from .footing import footings as footings
-from .peak import Peaks as Peaks
-from .peak import relative_accelerations as relative_accelerations
+from .peak import PeakAcceleration as PeakAcceleration
 from .penalty import Penalty as Penalty
 from .penalty import Scale as Scale
 from .planted import Planted as Planted

@@ -1,6 +1,6 @@
-"""Peaks: no joint whips. Angular accelerations of links relative to their parents count above a limit only.
+"""Peaks of joints' angular accelerations: a high power of them, for which the largest is all but all that counts.
 
-Squares spread an effort over time, but where a foot strikes or leaves they leave a spike; this one takes off its top.
+Squares spread an effort over time, but where a foot strikes or leaves they leave a spike; this takes off its top.
 """
 
 from __future__ import annotations
@@ -14,42 +14,48 @@ from ..curvature import Curvature, Sides, jacobian
 from ..figure import JointKind
 from ..kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
+from ..rows import relative_spin_rows
 from .penalty import Scale
 
-A_TENTH = 0.1
+POWER = 4
 
 
 @dataclass(frozen=True)
-class Peaks:
-    """Σ over ball joints and hinges of max(0, |α − α_parent| − limit)² [rad²/s⁴]; limit [rad/s²]."""
+class PeakAcceleration:
+    """Σ over ball joints and hinges of |α − α_parent|⁸ [rad⁸/s¹⁶]."""
 
-    limit: float
     name: str = "peak"
 
     @property
     def scale(self) -> Scale:
-        return Scale((A_TENTH * self.limit) ** 2, is_violation=True)
+        return Scale(8.0 ** (2 * POWER), time_power=4 * POWER)
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         ways, sizes = relative_accelerations(samples)
-        excess = np.maximum(sizes - self.limit, 0)
-        if into is not None and excess.any():
-            _pull_back(into, 2 * scale * excess * ways)
-        return np.einsum("ls,ls->s", excess, excess)
+        powers = sizes ** (2 * POWER - 1)
+        if into is not None:
+            _pull_back(into, 2 * POWER * scale * powers * ways)
+        return np.einsum("ls,ls->s", powers, sizes)
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
-        excess = relative_accelerations(samples)[1] - self.limit
-        at, link = np.nonzero(excess.T > 0)
-        if not at.size:
-            return
+        """Of residuals |α|⁴; times 7/4, which along α makes the second derivative exact."""
+        ways, sizes = relative_accelerations(samples)
+        joints = _turning(samples)
+        at, k = np.divmod(np.arange(samples.count * joints.size), max(joints.size, 1))
+        link = joints[k]
+        size = POWER * sizes[link, at] ** (POWER - 1) * np.sqrt((2 * POWER - 1) / POWER)
 
         def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
-            here, ways = np.arange(rows.size), relative_accelerations(copies)[0]
-            seeds = np.zeros_like(ways)
-            seeds[:, link[rows], here] = ways[:, link[rows], here]
+            here, own = np.arange(rows.size), relative_accelerations(copies)[0]
+            seeds = np.zeros_like(own)
+            seeds[:, link[rows], here] = own[:, link[rows], here]
             _pull_back(cotangent, seeds)
 
-        into.add_rows(at, scale[at], jacobian(samples, at, seeded))
+        if samples.figure.is_world:
+            rows = relative_spin_rows(samples, at, link, ways[:, link, at])
+        else:
+            rows = jacobian(samples, at, seeded)
+        into.add_rows(at, scale[at], rows * size[:, None, None])
 
     def sides(self, samples: Samples) -> Sides | None:
         return None
@@ -60,11 +66,17 @@ def relative_accelerations(samples: Samples) -> tuple[Array, Array]:
 
     Zero for links that no ball joint or hinge turns.
     """
-    links, figure = samples.links, samples.figure
-    turned = np.array([i > 0 and link.kind in (JointKind.BALL, JointKind.HINGE) for i, link in enumerate(figure.links)])
-    relative = (links.alpha - links.alpha[:, figure.tables.parents]) * turned[:, None]
+    links, joints = samples.links, _turning(samples)
+    relative = np.zeros_like(links.alpha)
+    relative[:, joints] = links.alpha[:, joints] - links.alpha[:, samples.figure.tables.parents[joints]]
     sizes = np.sqrt(np.einsum("ils,ils->ls", relative, relative))
     return relative / np.maximum(sizes, 1e-12), sizes
+
+
+def _turning(samples: Samples) -> Index:
+    """The links that a ball joint or a hinge turns."""
+    links = samples.figure.links
+    return np.array([i for i, k in enumerate(links) if i and k.kind in (JointKind.BALL, JointKind.HINGE)], np.intp)
 
 
 def _pull_back(into: Cotangent, gradient: Array) -> None:
