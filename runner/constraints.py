@@ -46,7 +46,7 @@ DEFAULT_WEIGHTS = {
     "bend": 1.0,
     "flight": 3.0,
     "support": 0.2,
-    "peak": 0.01,
+    "peak": 0.02,
 }
 CARRIED = ("flight", "support", "peak")  # on by default where keyframes tell what carries the figure
 ROOT_WEIGHT_CARRIED = 0.1  # of "root", which flight and support then know better

@@ -8,6 +8,7 @@ from .contact import body_points as body_points
 from .contact import site_points as site_points
 from .covariant import CovariantAcceleration as CovariantAcceleration
 from .flight import Flight as Flight
+from .flight import within as within
 from .footing import Footing as Footing
 from .footing import flights as flights
 from .footing import footings as footings

@@ -17,12 +17,13 @@ from ..quaternion import Array, Index
 from ..rows import relative_spin_rows
 from .penalty import Scale
 
-POWER = 4
+POWER = 3
+NEGLIGIBLE = 1e-3  # of the largest residual's gradient
 
 
 @dataclass(frozen=True)
 class PeakAcceleration:
-    """Σ over ball joints and hinges of |α − α_parent|⁸ [rad⁸/s¹⁶]."""
+    """Σ over ball joints and hinges of |α − α_parent|⁶ [rad⁶/s¹²]."""
 
     name: str = "peak"
 
@@ -38,12 +39,14 @@ class PeakAcceleration:
         return np.einsum("ls,ls->s", powers, sizes)
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
-        """Of residuals |α|⁴; times 7/4, which along α makes the second derivative exact."""
+        """Of residuals |α|³; times 5/3, which along α makes the second derivative exact."""
         ways, sizes = relative_accelerations(samples)
         joints = _turning(samples)
         at, k = np.divmod(np.arange(samples.count * joints.size), max(joints.size, 1))
         link = joints[k]
         size = POWER * sizes[link, at] ** (POWER - 1) * np.sqrt((2 * POWER - 1) / POWER)
+        large = np.flatnonzero(size > NEGLIGIBLE * size.max(initial=0.0))
+        at, link, size = at[large], link[large], size[large]
 
         def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
             here, own = np.arange(rows.size), relative_accelerations(copies)[0]
