@@ -74,8 +74,8 @@ def _line_search(step: Array, slope: Array, pull: Array, change: Array, softness
         turns = np.where(change != 0, -pull / change, 0.0)
     turns = np.where((turns > 0) & np.isfinite(turns), turns, 0.0)
     rises = derivative(turns)
-    low = np.max(np.where(rises <= 0, turns, 0.0), axis=1)
-    high = np.min(np.where((rises > 0) & (turns > low[:, None]), turns, np.inf), axis=1)
+    low = np.max(np.where(rises <= 0, turns, 0.0), axis=1, initial=0.0)
+    high = np.min(np.where((rises > 0) & (turns > low[:, None]), turns, np.inf), axis=1, initial=np.inf)
     middle = np.where(np.isfinite(high), (low + np.minimum(high, 1e300)) / 2, low + 1)
     active = pull + middle[:, None] * change > 0
     bent = straight + np.einsum("sk,sk->s", active * change, change) / softness
