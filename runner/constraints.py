@@ -46,7 +46,7 @@ DEFAULT_WEIGHTS = {
     "bend": 1.0,
     "flight": 3.0,
     "support": 0.2,
-    "peak": 0.02,
+    "peak": 0.01,
 }
 CARRIED = ("flight", "support", "peak")  # on by default where keyframes tell what carries the figure
 ROOT_WEIGHT_CARRIED = 0.1  # of "root", which flight and support then know better
@@ -153,7 +153,10 @@ class Constraints:
             aloft = flights(figure, int(root), keys, self.points, self.surfaces, held, body)
         for first, last in aloft:
             if not keys.times[0] <= first < last <= keys.times[-1]:
-                raise UserError(f"{self.place}: penalty 'flight': [{first:g}, {last:g}] is no interval of the clip")
+                given, span = f"[{first:g}, {last:g}]", f"{keys.times[0]:g} to {keys.times[-1]:g} s"
+                raise UserError(
+                    f"{self.place}: penalty 'flight': {given} is no interval of the clip, which runs from {span}"
+                )
         return Support.of(figure, int(root), carriers, aloft)
 
     def _stands(self, root: int) -> bool:

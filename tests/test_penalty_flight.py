@@ -4,7 +4,7 @@ import mujoco
 import numpy as np
 import pytest
 from conftest import BALL_TREE
-from test_curvature import assert_near, assembled, curvature_of, jacobians
+from test_curvature import assembled, assert_near, curvature_of, jacobians
 from test_dynamics import mujoco_forces
 from test_kinematics import random_samples
 from test_penalty_planted import at_times

@@ -17,13 +17,13 @@ from ..quaternion import Array, Index
 from ..rows import relative_spin_rows
 from .penalty import Scale
 
-POWER = 3
+POWER = 4
 NEGLIGIBLE = 1e-3  # of the largest residual's gradient
 
 
 @dataclass(frozen=True)
 class PeakAcceleration:
-    """Σ over ball joints and hinges of |α − α_parent|⁶ [rad⁶/s¹²]."""
+    """Σ over ball joints and hinges of |α − α_parent|⁸ [rad⁸/s¹⁶]."""
 
     name: str = "peak"
 
@@ -39,7 +39,7 @@ class PeakAcceleration:
         return np.einsum("ls,ls->s", powers, sizes)
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
-        """Of residuals |α|³; times 5/3, which along α makes the second derivative exact."""
+        """Of residuals |α|⁴; times 7/4, which along α makes the second derivative exact."""
         ways, sizes = relative_accelerations(samples)
         joints = _turning(samples)
         at, k = np.divmod(np.arange(samples.count * joints.size), max(joints.size, 1))
