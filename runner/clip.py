@@ -29,6 +29,7 @@ from solver.penalty import (
     Penalty,
     Placed,
     Point,
+    Support,
 )
 from solver.posing import entries
 from solver.quadrature import Quadrature
@@ -42,7 +43,6 @@ from .clip_table import (
     ROTATION,
     ClipTable,
     KeyframeTable,
-    PenaltyTable,
     RootTable,
     RotationTable,
     SolveTable,
@@ -72,6 +72,7 @@ class Clip:
     text    the TOML text (empty for MJCF and NPZ clips)
     mjcf    the complete MJCF text of figure and scene
     points  the sole points that stand on surfaces; bends: knees and elbows
+    support  what carries the figure when; None without a free joint
     notes   one line each on what was looked for and not found
     placed  points that keyframes leave to the search to place
     """
@@ -89,6 +90,7 @@ class Clip:
     surfaces: tuple[Surface, ...]
     points: tuple[Point, ...]
     bends: tuple[Bend, ...]
+    support: Support | None
     notes: tuple[str, ...]
     placed: tuple[Placed, ...] = ()
 
@@ -152,16 +154,15 @@ def from_text(
     _check_times([row.time for row in table.keyframe], place)
     bends = posing_bends(figure, table.penalty)
     keys, placed = _keys(figure, table.keyframe, bends, table.solve.ends, place)
-    return _clip(name, text, mjcf, figure, fps or table.fps, keys, table.penalty, table.solve, place, placed)
+    return _clip(name, text, mjcf, figure, fps or table.fps, keys, table, place, placed)
 
 
 def with_keys(clip: Clip, keys: Sequence[Frame]) -> Clip:
     """The same clip through other keyframes; what was found from the old ones is found again."""
     table = ClipTable.model_validate(tomllib.loads(clip.text)) if clip.text else None
-    entries, solve = ([], SolveTable()) if table is None else (table.penalty, table.solve)
     times = {key.time for key in keys}
     placed = tuple(point for point in clip.placed if point.time in times)
-    return _clip(clip.name, clip.text, clip.mjcf, clip.figure, clip.fps, list(keys), entries, solve, clip.name, placed)
+    return _clip(clip.name, clip.text, clip.mjcf, clip.figure, clip.fps, list(keys), table, clip.name, placed)
 
 
 def _clip(
@@ -171,11 +172,11 @@ def _clip(
     figure: Figure,
     fps: float,
     keys: list[Frame],
-    entries: list[PenaltyTable],
-    solve: SolveTable,
+    table: ClipTable | None,
     place: str,
     placed: tuple[Placed, ...] = (),
 ) -> Clip:
+    solve = SolveTable() if table is None else table.solve
     try:
         timeline = raw_timeline(figure, keys, solve.ends, np.zeros((2, figure.width)))
         settings = _settings(solve, keys)
@@ -183,12 +184,13 @@ def _clip(
         raise UserError(f"{place}: {error}") from None
     surfaces = static_surfaces(figure.model)
     notes: list[str] = []
-    builder = Constraints(figure, timeline, surfaces, notes, place, placed)
-    penalties = builder.all(entries)
+    contact, penalty = ([], []) if table is None else (table.contact, table.penalty)
+    builder = Constraints(figure, timeline, surfaces, notes, place, placed, contact)
+    penalties = builder.all(penalty)
     return Clip(
         name, text, mjcf, figure, fps, tuple(keys), penalties, settings, solve.ends,
         np.zeros((2, figure.width)) if solve.ends == "clamped" else None, surfaces,
-        builder.points, builder.bends, tuple(notes), placed,
+        builder.points, builder.bends, builder.support, tuple(notes), placed,
     )  # fmt: skip
 
 
@@ -403,4 +405,4 @@ def _plain(name: str, mjcf: str, time: Array, qpos: Array, fps: float | None, pl
             raise UserError(f"{place}: {_called(i, row[0])}: an entry {what}")
     _check_times(time.tolist(), place)
     keys = [Frame.key(t, q) for t, q in zip(time, qpos, strict=True)]
-    return _clip(name, "", mjcf, figure, fps or 30.0, keys, [], SolveTable(), place)
+    return _clip(name, "", mjcf, figure, fps or 30.0, keys, None, place)

@@ -101,9 +101,22 @@ class PenaltyTable(_Table):
     points: list[str] | None = None
     joints: list[str] | None = None
     margin: Annotated[Real, Field(ge=0, le=0.1)] | None = None
+    reach: Annotated[Real, Field(gt=0, le=1)] | None = None
     least: Annotated[Real, Field(ge=-360, le=360)] | None = None
     sideways: Angle | None = None
     twist: Angle | None = None
+    angular: Annotated[Real, Field(ge=0, le=1e6)] | None = None
+    friction: Annotated[Real, Field(gt=0, le=10)] | None = None
+    intervals: list[tuple[Number, Number]] | None = None
+
+
+class ContactTable(_Table):
+    """A point that rests, from one time to another [s]."""
+
+    point: str
+    start: Number = Field(alias="from")
+    end: Number = Field(alias="to")
+    position: Place | None = None
 
 
 class SolveTable(_Table):
@@ -126,6 +139,7 @@ class ClipTable(_Table):
     scene: SceneTable = SceneTable()
     solve: SolveTable = SolveTable()
     penalty: list[PenaltyTable] = []
+    contact: list[ContactTable] = []
     keyframe: list[KeyframeTable]
 
 
@@ -188,6 +202,8 @@ def _role(words: list[str], names: list[str]) -> str:
         return "bent joints"
     if len(names) == 2 and names[0] in _NAMED:
         return _NAMED[names[0]][0]
+    if words and words[0].startswith("contact") and names:
+        return {"from": "time", "to": "time", "position": "obstacle's position"}.get(names[-1], names[-1])
     if words and words[0].startswith("scene.") and names[-1:] in (["position"], ["rotation"]):
         return f"obstacle's {names[-1]}"
     return names[-1] if names else ""
@@ -220,6 +236,7 @@ _NAMED: dict[str, tuple[str, type[_Table]]] = {
 _TABLES: dict[str, type[_Table]] = {
     "keyframe": KeyframeTable,
     "penalty": PenaltyTable,
+    "contact": ContactTable,
     "scene": SceneTable,
     "step": StepTable,
     "scene.box": BoxTable,
@@ -232,31 +249,20 @@ _TABLES: dict[str, type[_Table]] = {
 }
 
 ROTATION = "{rotvec = [x, y, z]}, {euler = [...], order = ...} or {quat = [w, x, y, z]}"
-_NUMBERS = (
-    "time",
-    "fps",
-    "x",
-    "y",
-    "height",
-    "length",
-    "width",
-    "weight",
-    "margin",
-    "least",
-    "sideways",
-    "twist",
-    "radius",
-)
+_NUMBERS = ("time", "fps", "x", "y", "height", "length", "width", "weight", "margin", "least", "sideways", "twist")
+_OF_OTHERS = ("angular", "friction", "radius", "reach")
 _WHOLE = ("variable", "frames", "evaluations", "samples")
 _EXPECTED = {
-    **dict.fromkeys((*_NUMBERS, "threshold", "tolerance"), "a number"),
+    **dict.fromkeys((*_NUMBERS, *_OF_OTHERS, "threshold", "tolerance"), "a number"),
     **dict.fromkeys(_WHOLE, "a whole number"),
-    **dict.fromkeys(("kind", "form", "criterion", "optimiser", "order"), "a word in quotes"),
+    **dict.fromkeys(("kind", "form", "criterion", "optimiser", "order", "point"), "a word in quotes"),
     **dict.fromkeys(("points", "bent joints"), "a list of names"),
+    "intervals": "a list of [from, to] in seconds",
     "others": "'free', 'rest' or 'hold'",
     "figure": "the name of a figure or a path in quotes",
     "keyframe": "[[keyframe]] tables",
     "penalty": "[[penalty]] tables",
+    "contact": "[[contact]] tables",
     **{kind: f"[[scene.{kind}]] tables" for kind in ("box", "sphere", "capsule", "cylinder")},
     **dict.fromkeys(("obstacle's position", "from", "to"), "[x, y, z] in metres"),
     "obstacle's rotation": ROTATION,

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
+
 import numpy as np
 
 from solver import quaternion as quat
@@ -12,31 +15,43 @@ from solver.penalty import (
     BendLimits,
     Contact,
     CovariantAcceleration,
+    Flight,
+    Grounded,
     JointRange,
+    PeakAcceleration,
     Penalty,
     Placed,
     Placement,
     Planted,
     Point,
+    Posture,
+    Resting,
     RootAcceleration,
     SelfContact,
+    Skate,
+    Stance,
+    Support,
     Together,
     Torque,
     UnitMagnitude,
     body_points,
     covering_points,
+    flights,
+    footings,
+    grounded_intervals,
     joint_ranges,
     site_points,
     stances,
-)
 from solver.quaternion import Array
 from solver.surface import Box, Plane, Surface
 
-from .clip_table import PenaltyTable
+from .clip_table import ContactTable, PenaltyTable
+from .contacts import contacts
 from .errors import UserError, unknown
 
 KINDS = (
-    "covariant", "root", "unit", "contact", "clearance", "planted", "bend", "range", "self", "placement", "torque",
+    "covariant", "root", "unit", "contact", "clearance", "planted", "skate", "grounded", "posture", "bend", "range", "self",
+    "placement", "flight", "support", "peak", "torque",
 )  # fmt: skip
 DEFAULT_WEIGHTS = {
     "covariant": 1.0,
@@ -44,11 +59,19 @@ DEFAULT_WEIGHTS = {
     "unit": 1.0,
     "contact": 30.0,
     "clearance": 30.0,
-    "planted": 0.1,
+    "planted": 0.3,
+    "skate": 0.6,
+    "grounded": 0.5,
+    "posture": 1.0,
     "bend": 1.0,
     "range": 1.0,
     "placement": 30.0,
+    "flight": 3.0,
+    "support": 0.2,
+    "peak": 0.01,
 }
+CARRIED = ("flight", "support", "peak")  # on by default where keyframes tell what carries the figure
+ROOT_WEIGHT_CARRIED = 0.1  # of "root", which flight and support then know better
 KNEES, ELBOWS = ("knee", "shin"), ("elbow", "forearm", "farm")
 SOLES = ("heel", "toe")
 BEND_BOUND = 8.0  # degrees; 10° with room for a soft constraint
@@ -57,8 +80,12 @@ OPTIONS = {
     "unit": {"form"},
     "contact": {"points", "margin"},
     "clearance": {"margin"},
+    "skate": {"reach"},
+    "grounded": {"reach"},
     "self": {"margin"},
     "bend": {"joints", "least", "sideways", "twist"},
+    "flight": {"intervals", "angular"},
+    "support": {"friction"},
 }
 
 
@@ -73,6 +100,7 @@ class Constraints:
         notes: list[str],
         place: str,
         placed: tuple[Placed, ...] = (),
+        tables: Sequence[ContactTable] = (),
     ) -> None:
         self.figure, self.keys, self.surfaces, self.notes, self.place = figure, keys, surfaces, notes, place
         self.placed = placed
@@ -80,6 +108,8 @@ class Constraints:
         self.sites = [model.site(i).name for i in range(model.nsite)]
         self.points = site_points(figure, [s for s in self.sites if any(word in s.lower() for word in SOLES)])
         self.bends = tuple(_bends(figure))
+        self.contacts = contacts(figure, keys, tables, place)
+        self.support: Support | None = None
         if not surfaces:
             notes.append("no static geom found: nothing to stay out of")
         if not self.points:
@@ -105,6 +135,17 @@ class Constraints:
             chosen[entry.kind] = entry
         if not self.placed:
             del chosen["placement"]
+        if chosen["contact"].points is not None:
+            self.points = self._sites(chosen["contact"].points)
+        self.support = self._carried(chosen["flight"], "flight" in seen)
+        told = self.support is not None and self.support.tells
+        for kind in CARRIED:
+            if self.support is None and kind in seen and kind != "peak":
+                raise UserError(f"{self.place}: penalty '{kind}' needs a figure with a free joint; there is none")
+            if kind not in seen and not told:
+                del chosen[kind]
+        if told and "root" not in seen:
+            chosen["root"] = PenaltyTable(kind="root", weight=ROOT_WEIGHT_CARRIED)
         built = [(self.one(entry), entry.weight) for entry in chosen.values()]
         return tuple((penalty, weight) for penalty, weight in built if weight > 0)
 
@@ -127,13 +168,25 @@ class Constraints:
         if entry.kind == "clearance":
             return self._clearance(entry.margin or 0.0)
         if entry.kind == "planted":
-            return Planted(stances(self.figure, self.keys, self.points, self.surfaces))
+            planted = Planted(self.held)
+            rests = self.contacts.rests
+            return Together((planted, Resting(rests, self.surfaces)), name="planted") if rests else planted
+        if entry.kind == "skate":
+            return Skate(self.points, self.surfaces, entry.reach or Skate.reach)
+        if entry.kind == "grounded":
+            return self._grounded(entry.reach or Grounded.reach)
+        if entry.kind == "posture":
+            return Posture()
         if entry.kind == "placement":
             return Placement(self.placed)
         if entry.kind == "contact":
-            if entry.points is not None:
-                self.points = self._sites(entry.points)
             return Contact(self.points, self.surfaces, entry.margin or 0.0)
+        if entry.kind == "flight" and self.support is not None:
+            return Flight.of(self.figure, self.support.root, self.support.flights, entry.angular or 0.0)
+        if entry.kind == "support" and self.support is not None:
+            return replace(self.support, friction=entry.friction or self.support.friction)
+        if entry.kind == "peak":
+            return PeakAcceleration()
         return self._bend(entry)
 
     def _clearance(self, margin: float) -> Penalty:
@@ -144,6 +197,45 @@ class Constraints:
         if not others:
             return clear
         return Together((clear, Contact(covering_points(self.figure), others, margin)), name="clearance")
+
+    @property
+    def held(self) -> tuple[Stance, ...]:
+        """The stances that the clip's contacts give, and those that its keyframes tell where it gives none."""
+        found = stances(self.figure, self.keys, self.points, self.surfaces)
+        return (*self.contacts.stances, *(stance for stance in found if not self.contacts.overlaps(stance)))
+
+    def _grounded(self, reach: float) -> Penalty:
+        """The lowest point of sole or body stays down between keyframes that are, but for flights."""
+        points = (*self.points, *body_points(self.figure))
+        aloft = () if self.support is None else self.support.flights
+        intervals = grounded_intervals(self.figure, self.keys, points, self.surfaces, aloft)
+        return Grounded(points, self.surfaces, intervals, reach)
+
+    def _carried(self, entry: PenaltyTable, asked: bool) -> Support | None:
+        """What carries the figure when: the flights that the clip gives, or what its keyframes tell."""
+        figure, keys = self.figure, self.keys
+        if not figure.tables.free_links.size:
+            return None
+        root = next((r for r in figure.tables.free_links if self._stands(int(r))), figure.tables.free_links[0])
+        held, body = (*self.held, *self.contacts.rests), body_points(figure)
+        carriers = footings(figure, keys, self.points, self.surfaces, held, body)
+        if entry.intervals is not None:
+            aloft = tuple(entry.intervals)
+        elif asked and not self.surfaces:
+            aloft = ((float(keys.times[0]), float(keys.times[-1])),)
+        else:
+            aloft = flights(figure, int(root), keys, self.points, self.surfaces, held, body)
+        for first, last in aloft:
+            if not keys.times[0] <= first < last <= keys.times[-1]:
+                given, span = f"[{first:g}, {last:g}]", f"{keys.times[0]:g} to {keys.times[-1]:g} s"
+                raise UserError(
+                    f"{self.place}: penalty 'flight': {given} is no interval of the clip, which runs from {span}"
+                )
+        return Support.of(figure, int(root), carriers, aloft)
+
+    def _stands(self, root: int) -> bool:
+        """Whether sole points are on the tree of a free link."""
+        return any(self.figure.tables.path[point.link, root] for point in self.points)
 
     def _sites(self, names: list[str]) -> tuple[Point, ...]:
         for name in names:

@@ -6,7 +6,7 @@ Everything here is a plain dict, so that it goes into JSON, into the motion file
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -22,10 +22,11 @@ from solver.frame import Mask, Timeline
 from solver.inbetween import Motion
 from solver.kinematics import Samples
 from solver.objective import Objective
-from solver.penalty import BendLimits, Contact, JointRange, Placement, SelfContact, joint_ranges, stances
+from solver.penalty import BendLimits, Contact, JointRange, Placement, SelfContact, joint_ranges, stances, within
 from solver.quaternion import Array
 from solver.subdivision import by_weak_form, path_of
 from solver.surface import Box
+from solver.wrench import RootWrench
 
 from .clip import Clip
 from .motion import continuous, samples_at
@@ -34,6 +35,7 @@ from .penetration import lowest, penetration, self_penetration
 RATE = 1000.0
 LOCAL_EVALUATIONS = 25
 RESTING = 0.01
+STIFF = 1e-7
 
 
 @dataclass(frozen=True)
@@ -110,6 +112,7 @@ def _side(clip: Clip, objective: Objective, timeline: Timeline, grid: Grid) -> d
         "keyframe error": _keyframe_error(clip, timeline),
         "angular acceleration, rad/s²": _peak_acceleration(grid),
         "torque, N m": _torque(grid),
+        "support": _support(clip, grid),
     }
 
 
@@ -302,6 +305,27 @@ def _torque(grid: Grid) -> dict[str, Any]:
     }
 
 
+def _support(clip: Clip, grid: Grid) -> dict[str, float]:
+    """What moves the figure from outside although nothing can push: in flight, and beyond what its footings supply."""
+    if clip.support is None or not clip.support.tells:
+        return {}
+    # stiff, so that what is left is what cannot be supplied, and not what would cost force
+    carried = replace(clip.support, softness=STIFF)
+    rest = carried.rest(grid.samples)[:, carried.known(grid.time)]
+    force = np.linalg.norm(rest[:3], axis=0)
+    out = {"root mean square": float(np.sqrt(np.mean(force**2)))}
+    out["moment, root mean square"] = float(np.sqrt(np.mean(np.sum(rest[3:] ** 2, axis=0))))
+    aloft = within(carried.flights, grid.time)
+    if aloft.any():
+        wrench = RootWrench(grid.samples, carried.root)
+        up = -clip.figure.gravity / max(float(np.linalg.norm(clip.figure.gravity)), 1e-12)
+        lifted = np.maximum(up @ wrench.force[:, aloft], 0)
+        out["off free fall, g"] = float(np.mean(np.linalg.norm(wrench.force[:, aloft], axis=0)) / carried.unit)
+        out["upward force in flight, N"] = float(np.mean(lifted))
+        out["largest upward force in flight, N"] = float(lifted.max())
+    return out
+
+
 def _centre_of_mass(samples: Samples) -> Array:
     """(3, T) [m] of the whole figure."""
     tables = samples.figure.tables
@@ -428,6 +452,16 @@ def _lines(before: dict[str, Any], after: dict[str, Any]) -> list[tuple[str, str
     lines.append(row("all joint torques, root mean square", *(f"{t['root mean square']:.0f} N m" for t in torques)))
     lines.append(row("  peak of one joint", *(f"{t['peak of one joint']:.0f} N m, {t['joint']}" for t in torques)))
     lines.append(row("peak root force, the ground's to supply", *(f"{t['peak root force']:.0f} N" for t in torques)))
+    carried = [s["support"] for s in sides]
+    if "off free fall, g" in after["support"]:
+        lines.append(row("in flight: centre of mass off g, mean", *(f"{c['off free fall, g']:.1%}" for c in carried)))
+        lines.append(
+            row("  upward force from nothing, mean", *(f"{c['upward force in flight, N']:.0f} N" for c in carried))
+        )
+    if after["support"]:
+        name = "root force that no contact can supply, root mean square"
+        lines.append(row(name, *(f"{c['root mean square']:.2f} body weights" for c in carried)))
+        lines.append(row("  moment, body weight × height", *(f"{c['moment, root mean square']:.2f}" for c in carried)))
     drift = after.get("centre of mass off before, m")
     if drift:
         lines.append(row("centre of mass off before, largest", "", millimetres(drift["largest"])))

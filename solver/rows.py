@@ -1,4 +1,4 @@
-"""Jacobian rows in closed form: of points fixed on links, and of the moments at ball joints.
+"""Jacobian rows in closed form: of points fixed on links, of the moments at ball joints, of the wrench at a free root.
 
 They are what `curvature.jacobian` finds by one adjoint sweep a row, many times faster, for figures in world coordinates
 whose joints sit at their bodies' origins. A point p moves with every link on the way from the root: δp = δT + Σ δφ × s,
@@ -12,11 +12,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .algebra import cross, dot, gathered, turned_back, vector_product
+from .algebra import applied, cross, dot, gathered, turned_back, vector_product
 from .dynamics import InverseDynamics
 from .figure import Figure, JointKind
-from .kinematics import LinkMotion, Samples
+from .kinematics import Cotangent, LinkMotion, Samples
 from .quaternion import Array, Index
+from .wrench import RootWrench
 
 
 def has_point_rows(figure: Figure) -> bool:
@@ -173,6 +174,109 @@ def moment_rows(samples: Samples) -> Array:
     return out.reshape(samples.count, -1, 3, samples.y.shape[1])
 
 
+@dataclass(frozen=True)
+class Pushes:
+    """Forces that points of the figure get from outside: at samples `at` (P,), on links `link` (P,), at `arm` (3, P)
+    from the links' origins [m], force (3, P) [N]."""
+
+    at: Index
+    link: Index
+    arm: Array
+    force: Array
+
+    def pull_back(self, wrench: RootWrench, into: Cotangent, force_bar: Array, moment_bar: Array) -> None:
+        """Adds the gradient of a scalar of force and moment, the moments of these pushes, which are held, taken off."""
+        pull = cross(moment_bar[:, self.at], self.force)
+        into.add_forces(self.link * into.samples.count + self.at, self.arm, pull)
+        by_centre = np.array([np.bincount(self.at, -part, into.samples.count) for part in pull])
+        wrench.pull_back(into, force_bar, moment_bar, by_centre)
+
+
+def wrench_rows(wrench: RootWrench, pushes: Pushes | None = None) -> Array:
+    """(S, 6, 3, N): gradients of a free root's force and moment, world components, with respect to y, y', y''.
+
+    With pushes, their moments (p − c) × f about the centre of mass are taken off the moment; the forces are held.
+    """
+    samples, root, inverse = wrench.samples, wrench.root, wrench.inverse
+    links, tables, count = samples.links, samples.figure.tables, samples.count
+    mass = wrench.mass * wrench.share
+    # what holds a link's centre of mass in the moment: N = Σ m d × c'' + L'_own, d = c − centre
+    hold = inverse.net_force * tables.path[:, root, None] - wrench.share[:, None] * wrench.force[:, None]
+    away = mass[:, None] * (inverse.centre - wrench.centre[:, None])
+    beyond_hold = hold
+    if pushes is not None:
+        pushed = np.zeros_like(hold)
+        np.add.at(pushed, (slice(None), pushes.link, pushes.at), pushes.force)
+        hold = hold + wrench.share[:, None] * pushed.sum(axis=1)[:, None]
+        beyond_hold = hold - pushed
+    shape = (3, mass.size, 6, count)
+    arms = _attached_wrench((links.omega, links.alpha), inverse.arm, mass, hold, away)
+    beyond = (tables.beyond @ mass, gathered(tables.beyond, beyond_hold), gathered(tables.beyond, away))
+    parents = tables.parents
+    steps = _attached_wrench((links.omega[:, parents], links.alpha[:, parents]), links.step, *beyond)
+    to_parent = (parents[None, :] == np.arange(mass.size)[:, None]) * tables.path[:, root]
+    turn, omega, alpha = (
+        own + gathered(to_parent, part.reshape(3, mass.size, -1)).reshape(shape)
+        for own, part in zip(arms, steps, strict=True)
+    )
+    for axis, e in enumerate(np.eye(3)):
+        own = tables.path[:, root, None] * np.ones(count)
+        way = e[:, None, None] * own
+        tilt = cross(way, links.omega)
+        turned, tilted = applied(inverse.inertia, way), applied(inverse.inertia, tilt)
+        spin, spin_rate = inverse.momenta
+        turn[:, :, 3 + axis] += cross(spin_rate, way) + cross(turned, links.alpha)
+        turn[:, :, 3 + axis] += cross(spin, tilt) + cross(tilted, links.omega)
+        omega[:, :, 3 + axis] += cross(spin, way) + tilted
+        alpha[:, :, 3 + axis] += turned
+        if pushes is not None:
+            pull = cross(pushes.arm, cross(e[:, None], pushes.force))
+            np.add.at(turn[:, :, 3 + axis], (slice(None), pushes.link, pushes.at), pull)
+    here = _Repeated(links, np.repeat(np.arange(mass.size), 2))
+    gradients = _quaternion_gradients(here, *(part.reshape(3, -1, count) for part in (turn, omega, alpha)))
+    out = np.zeros((count, 6, 3, samples.y.shape[1]))
+    for order, gradient in enumerate(gradients):
+        blocks = gradient.reshape(4, mass.size, 6, count)[:, tables.quaternion_links]
+        for k, columns in enumerate(tables.quaternion_columns):
+            out[:, :, order, columns] = blocks[k].transpose(2, 1, 0)
+    position = tables.position_columns[:, tables.free_links == root][:, 0]
+    out[:, np.arange(3), 2, position] = wrench.mass
+    return out
+
+
+def relative_spin_rows(samples: Samples, at: Index, link: Index, way: Array) -> Array:
+    """(P, 3, N): gradients of way · (ω' − ω'_parent) with respect to y, y', y'', for figures in world coordinates.
+
+    at, link  (P,) sample and link of each;  way  (3, P) a direction in the world, held
+    """
+    tables = samples.figure.tables
+    block = np.full(len(samples.figure.links), -1)
+    block[tables.quaternion_links] = np.arange(tables.quaternion_links.size)
+    out = np.zeros((at.size, 3, samples.y.shape[1]))
+    for owner, sign in ((link, 1.0), (tables.parents[link], -1.0)):
+        some = np.flatnonzero(block[owner] >= 0)
+        nothing = np.zeros((3, some.size))
+        here = _Picked(samples.links, owner[some], at[some])
+        columns = tables.quaternion_columns[:, block[owner[some]]]
+        for order, gradient in enumerate(_quaternion_gradients(here, nothing, nothing, sign * way[:, some])):
+            out[some, order, columns] = gradient
+    return out
+
+
+def _attached_wrench(
+    rates: tuple[Array, Array], s: Array, mass: Array, hold: Array, away: Array
+) -> tuple[Array, Array, Array]:
+    """Gradients of (turn, ω, ω'), (3, n, 6, S) each, of the force Σ m s'' and the moment Σ s × hold + away × s'' of
+    vectors s (3, n, S) that turn at rates (ω, ω')."""
+    g, g_dd = np.zeros((2, 3, *s.shape[1:2], 6, s.shape[2]))
+    for axis, e in enumerate(np.eye(3)):
+        g_dd[axis, :, axis] = mass[:, None]
+        g[:, :, 3 + axis] = cross(hold, e[:, None, None])
+        g_dd[:, :, 3 + axis] = cross(e[:, None, None], away)
+    omega, alpha = (rate[:, :, None] for rate in rates)
+    return _attached((omega + 0 * g, alpha + 0 * g), s[:, :, None] + 0 * g, g, g_dd)
+
+
 class _Repeated:
     """A LinkMotion's quaternions and rates for (link, axis) pairs: (c, 3 R, S)."""
 
@@ -181,6 +285,15 @@ class _Repeated:
         self.Q, self.Q_d, self.Q_dd = links.Q[:, index], links.Q_d[:, index], links.Q_dd[:, index]
         self.omega, self.alpha = links.omega[:, index], links.alpha[:, index]
         self.length_squared, self.stretch_rate = links.length_squared[index], links.stretch_rate[index]
+
+
+class _Picked:
+    """A LinkMotion's quaternions and rates for pairs of a link and a sample: (c, P)."""
+
+    def __init__(self, links: LinkMotion, link: Index, at: Index) -> None:
+        self.Q, self.Q_d, self.Q_dd = links.quaternions[:, :, link, at]
+        self.omega, self.alpha = links.spins[:, :, link, at]
+        self.length_squared, self.stretch_rate = links.length_squared[link, at], links.stretch_rate[link, at]
 
 
 def _link_gradients(
@@ -240,7 +353,9 @@ def _attached(rates: tuple[Array, Array], s: Array, g: Array, g_dd: Array) -> tu
     return cross(s, pull), cross(cross(omega, s), g_dd) + cross(s, through), cross(s, g_dd)
 
 
-def _quaternion_gradients(links: _Repeated, turn: Array, omega: Array, alpha: Array) -> tuple[Array, Array, Array]:
+def _quaternion_gradients(
+    links: _Repeated | _Picked, turn: Array, omega: Array, alpha: Array
+) -> tuple[Array, Array, Array]:
     """Gradients of (turn, ω, ω') as gradients of Q, Q', Q''; the reasons are in the kinematics."""
     b = links.length_squared
     rate = 2 * links.stretch_rate

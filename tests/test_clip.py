@@ -361,3 +361,53 @@ def test_joints_without_names_of_their_own_cannot_be_told_apart(tmp_path):
     keys = "".join(f"[[keyframe]]\ntime = {t}\njoints.a = 30\n" for t in (0, 1))
     with pytest.raises(UserError, match="several joints of 'a'"):
         clip.from_text('figure = "two.xml"\n' + keys, name="two", folder=tmp_path)
+
+
+HOVER = """
+[[keyframe]]
+time = 0
+root.position = [0, 0, 1]
+root.rotation = {rotvec = [0, 0, 0]}
+joints.left_knee = {rotvec = [0, 0, 0]}
+
+[[keyframe]]
+time = 0.4
+root.position = [0, 0, 1]
+root.rotation = {rotvec = [0, 0, 0]}
+joints.left_knee = {rotvec = [0, 0, 0]}
+"""
+
+
+def hovering(tmp_path, penalties: str = "") -> Clip:
+    return loaded(tmp_path, 'figure = "tiny.xml"\n' + penalties + HOVER)
+
+
+def test_flight_support_and_peak_come_with_what_keyframes_tell_and_root_steps_back(tmp_path):
+    found = by_name(hovering(tmp_path))
+    assert found["flight"][0].intervals == ((0.0, 0.4),)
+    assert {name: found[name][1] for name in ("flight", "support", "peak", "root")} == {
+        "flight": 3.0,
+        "support": 0.2,
+        "peak": 0.01,
+        "root": 0.1,
+    }
+    assert not {"flight", "support", "peak"} & set(by_name(loaded(tmp_path)))
+    assert by_name(hovering(tmp_path, '[[penalty]]\nkind = "root"\nweight = 2\n'))["root"][1] == 2
+
+
+def test_a_clip_can_say_when_it_flies_itself(tmp_path):
+    penalties = '[[penalty]]\nkind = "flight"\nintervals = [[0.1, 0.2], [0.3, 0.4]]\nangular = 0.5\n'
+    penalties += '[[penalty]]\nkind = "support"\nfriction = 0.3\n'
+    found = by_name(hovering(tmp_path, penalties))
+    assert found["flight"][0].intervals == found["support"][0].flights == ((0.1, 0.2), (0.3, 0.4))
+    assert (found["flight"][0].angular, found["support"][0].friction) == (0.5, 0.3)
+    assert found["flight"][1] == 1.0
+    with pytest.raises(UserError, match=r"'flight': \[0.3, 0.2\] is no interval of the clip, which runs from 0 to 0.4"):
+        hovering(tmp_path, '[[penalty]]\nkind = "flight"\nintervals = [[0.3, 0.2]]\n')
+
+
+def test_without_a_free_joint_there_is_nothing_to_fly(tmp_path):
+    (tmp_path / "hinge.xml").write_text(HINGE.format(keys=""), encoding="utf-8")
+    text = 'figure = "hinge.xml"\n[[penalty]]\nkind = "support"\n[[keyframe]]\ntime = 0\n[[keyframe]]\ntime = 1\n'
+    with pytest.raises(UserError, match="'support' needs a figure with a free joint; there is none"):
+        loaded(tmp_path, text)

@@ -52,6 +52,25 @@ def test_penetration_of_a_known_pose_is_what_it_is(tmp_path):
     assert found["points"] == {name: pytest.approx(0.03, abs=1e-4) for name in ("heel", "toe")}
 
 
+def test_a_box_that_hovers_in_flight_is_a_whole_weight_off_free_fall(tmp_path):
+    data = side(unsolved(tmp_path, [(0, 0, 0, 1), (0.4, 0, 0, 1)]))["support"]
+    assert data["off free fall, g"] == pytest.approx(1)
+    assert data["upward force in flight, N"] == pytest.approx(2 * 9.81)
+    assert data["largest upward force in flight, N"] == pytest.approx(2 * 9.81)
+    assert data["root mean square"] == pytest.approx(1)
+    assert data["moment, root mean square"] == pytest.approx(0, abs=1e-9)
+
+
+def test_a_box_that_stands_is_carried_by_the_floor(tmp_path):
+    data = side(unsolved(tmp_path, [(0, 0, 0, 0.1), (0.4, 0, 0, 0.1)]))["support"]
+    assert data["root mean square"] < 1e-3
+    assert "off free fall, g" not in data
+
+
+def test_of_a_clip_that_tells_of_no_contact_nothing_is_reported(tmp_path):
+    assert side(unsolved(tmp_path, [(0, 0, 0, 1), (3, 0, 0, 1)]))["support"] == {}
+
+
 def test_nothing_in_the_floor_is_told_as_nothing(tmp_path):
     data = side(unsolved(tmp_path, [(0, 0, 0, 1), (1, 0, 0, 1)]))
     assert data["penetration, m"]["deepest"] == 0

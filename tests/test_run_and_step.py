@@ -107,6 +107,28 @@ def test_the_peak_angular_acceleration_is_at_most_half_as_much_again_as_before(r
     assert after <= 1.5 * before
 
 
+def test_in_flight_the_centre_of_mass_falls_freely_and_before_it_does_not(run_and_step):
+    before, after = (run_and_step.report[side]["support"] for side in ("before", "after"))
+    assert before["off free fall, g"] >= 0.2
+    assert after["off free fall, g"] <= 0.05
+    assert before["upward force in flight, N"] >= 200
+    assert after["upward force in flight, N"] <= 20
+
+
+def test_at_least_half_of_the_root_force_that_no_contact_can_supply_is_gone(run_and_step):
+    before, after = (run_and_step.report[side]["support"]["root mean square"] for side in ("before", "after"))
+    assert after <= 0.5 * before
+
+
+def test_without_the_flight_and_support_penalties_the_figure_is_carried_by_nothing():
+    clip = clips.from_text(TEXT, name="carried")
+    kept = tuple((penalty, weight) for penalty, weight in clip.penalties if penalty.name not in ("flight", "support"))
+    assert len(kept) == len(clip.penalties) - 2
+    motion = solved(replace(clip, penalties=kept), frames=0)
+    samples = motion.objective.samples(path_of(motion.timeline), np.linspace(0.13, 0.25, 100))
+    assert np.mean(np.linalg.norm(clip.support.rest(samples)[:3], axis=0)) >= 0.2
+
+
 def test_the_centre_of_mass_stays_where_the_keyframes_put_it(run_and_step):
     assert run_and_step.report["after"]["centre of mass off before, m"]["largest"] <= 0.10
 

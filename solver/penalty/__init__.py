@@ -8,11 +8,17 @@ from .contact import body_points as body_points
 from .contact import site_points as site_points
 from .covariant import CovariantAcceleration as CovariantAcceleration
 from .cover import covering_points as covering_points
+from .flight import Flight as Flight
+from .flight import within as within
+from .footing import Footing as Footing
+from .footing import flights as flights
+from .footing import footings as footings
 from .grounded import Grounded as Grounded
 from .grounded import grounded_intervals as grounded_intervals
 from .joint_range import JointRange as JointRange
 from .joint_range import Range as Range
 from .joint_range import joint_ranges as joint_ranges
+from .peak import PeakAcceleration as PeakAcceleration
 from .penalty import Momentary as Momentary
 from .penalty import Penalty as Penalty
 from .penalty import Scale as Scale
@@ -27,6 +33,7 @@ from .resting import Resting as Resting
 from .root import RootAcceleration as RootAcceleration
 from .self_contact import SelfContact as SelfContact
 from .skate import Skate as Skate
+from .support import Support as Support
 from .together import Together as Together
 from .torque import Torque as Torque
 from .unit import UnitMagnitude as UnitMagnitude

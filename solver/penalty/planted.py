@@ -122,7 +122,7 @@ def stances(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: S
     centres, _, _ = Contact(tuple(points), ()).centres(samples)
     radius = np.array([point.radius for point in points])[:, None]
     height = np.min([surface.height(centres) for surface in surfaces], axis=0) - radius
-    low = (np.abs(height) < NEAR_SURFACE) & _placed(figure, keys.fixed, points)
+    low = (np.abs(height) < NEAR_SURFACE) & placed(figure, keys.fixed, points)
     found = []
     for k, (first, last) in enumerate(zip(keys.times[:-1], keys.times[1:], strict=True)):
         for i, point in enumerate(points):
@@ -132,7 +132,7 @@ def stances(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: S
     return tuple(found)
 
 
-def _placed(figure: Figure, fixed: Mask, points: Sequence[Point]) -> NDArray[np.bool_]:
+def placed(figure: Figure, fixed: Mask, points: Sequence[Point]) -> NDArray[np.bool_]:
     """(n, K): whether a keyframe fixes every joint from the root to a point, so that it says where the point is."""
     entries = {JointKind.FREE: 7, JointKind.BALL: 4, JointKind.HINGE: 1, JointKind.SLIDE: 1}
     whole = [fixed[:, link.qpos : link.qpos + entries[link.kind]].all(axis=1) for link in figure.links[1:]]

@@ -1,0 +1,147 @@
+"""What carries the figure when: flights and footings that keyframes tell, and what they do not tell."""
+
+import mujoco
+import numpy as np
+import pytest
+
+from runner import clip as clips
+from solver.figure import Figure
+from solver.frame import Frame, Timeline
+from solver.penalty import Footing, Point, flights, footings, stances
+from solver.surface import Plane
+from solver.unknowns import raw_timeline
+
+FLOOR = Plane("floor", np.zeros(3), np.array([0.0, 0, 1]))
+WALKER = """<mujoco><worldbody><body pos="0 0 1"><freejoint name="root"/><geom size=".1" mass="50"/>
+  <body pos="0 .1 0"><joint name="left" type="slide" axis="0 0 1"/><geom size=".05" pos="0 0 -.95" mass="1"/></body>
+  <body pos="0 -.1 0"><joint name="right" type="slide" axis="0 0 1"/><geom size=".05" pos="0 0 -.95" mass="1"/></body>
+</body></worldbody></mujoco>"""
+FIGURE = Figure(mujoco.MjModel.from_xml_string(WALKER))
+# two feet on sliding legs; a foot is lifted on its toe by tilting the figure, so that heels are 0.1 m behind toes
+SOLES = tuple(
+    Point(f"{name}_{end}", link, np.array([x, 0, -1.0]))
+    for link, name in ((2, "left"), (3, "right"))
+    for end, x in (("heel", -0.1), ("toe", 0.0))
+)
+HEAD = (Point("head", 1, np.array([0.0, 0, 0.1]), 0.1),)
+# what a figure does with its two feet in one keyframe: how much each leg is drawn in [m]
+STAND, LEFT, RIGHT, AIR = (0.0, 0.0), (0.0, 0.3), (0.3, 0.0), (0.3, 0.3)
+
+
+def key(time: float, x: float, feet: tuple[float, float], *, z: float = 1.0, tiptoe: bool = False) -> Frame:
+    """A keyframe with the root at (x, 0, z), on its toes where it is told so."""
+    turn = np.array([np.cos(0.15), 0, np.sin(0.15), 0]) if tiptoe else np.array([1.0, 0, 0, 0])
+    reach = -1.0 + np.array(feet)
+    # the toes stay where they are when the body tilts about the root
+    height = z * np.cos(0.3) if tiptoe and max(feet) == 0 else z
+    return Frame.key(time, [x, 0, height, *turn, *(reach + 1.0)])
+
+
+def tell(*keys: Frame, body: tuple[Point, ...] = ()) -> tuple[tuple[float, float], ...]:
+    timeline = raw_timeline(FIGURE, list(keys))
+    held = stances(FIGURE, timeline, SOLES, (FLOOR,))
+    return flights(FIGURE, 1, timeline, SOLES, (FLOOR,), held, body)
+
+
+def toes(time: float, x: float, raised: tuple[bool, bool]) -> Frame:
+    """A keyframe on one foot's toe, tilted forward, the other leg drawn in."""
+    turn = np.array([np.cos(0.15), 0, np.sin(0.15), 0])
+    return Frame.key(time, [x, 0, np.cos(0.3), *turn, *(0.3 * np.array(raised))])
+
+
+def test_a_run_flies_from_the_toe_of_one_foot_to_the_other_foot():
+    left, right = (False, True), (True, False)
+    run = [key(0, 0, LEFT), toes(0.1, 0.3, left), key(0.25, 0.8, RIGHT), toes(0.35, 1.1, right), key(0.5, 1.6, LEFT)]
+    assert tell(*run) == ((0.1, 0.25), (0.35, 0.5))
+
+
+def test_the_shipped_run_has_its_three_flights():
+    assert clips.load("run_and_step").support.flights == ((0.12, 0.26), (0.49, 0.63), (0.88, 1.20))
+
+
+def test_standing_and_walking_never_fly():
+    assert tell(*(key(t, 0, STAND) for t in (0, 0.5, 1))) == ()
+    walk = [key(0, 0, LEFT), key(0.3, 0, STAND), key(0.6, 0.0, RIGHT), key(0.9, 0.02, STAND)]
+    assert tell(*walk) == ()
+
+
+def test_steps_keyed_in_mid_stance_only_are_no_flights():
+    """The foot that leaves is flat on the ground: it stands on, nobody says for how long."""
+    assert tell(key(0, 0, LEFT), key(0.4, 0.5, RIGHT), key(0.8, 1.0, LEFT)) == ()
+
+
+def test_a_foot_that_touches_for_one_keyframe_between_two_segments_without_a_stance_tells_of_no_flight():
+    left, right = (False, True), (True, False)
+    assert tell(toes(0, 0, left), toes(0.35, 1.0, right), toes(0.7, 2.0, left)) == ()
+
+
+def test_a_clip_in_the_air_is_one_flight_if_it_falls():
+    t = np.array([0.0, 0.2, 0.4, 0.6])
+    fall = [key(float(s), float(s), AIR, z=2 + 3 * s - 9.81 * s**2 / 2) for s in t]
+    assert tell(*fall) == ((0.0, 0.6),)
+    assert tell(*(key(2 * float(s), 0, AIR, z=2) for s in t)) == ()
+
+
+@pytest.mark.parametrize(("length", "found"), [(0.9, True), (1.1, False)])
+def test_nobody_leaps_more_than_125_centimetres_unasked(length, found):
+    assert bool(tell(key(0, 0, AIR, z=2), key(length, 1, AIR, z=2))) is found
+
+
+def test_who_lies_on_the_floor_does_not_fly():
+    low = [key(t, t, AIR, z=z) for t, z in ((0.0, 1.5), (0.3, 1.5))]
+    assert tell(*low, body=HEAD) == ((0.0, 0.3),)
+    head_stand = [key(0.0, 0, AIR, z=0.9), key(0.3, 0.3, AIR, z=1.5)]
+    # upside down, the head on the floor
+    turned = Frame.key(0.0, [0, 0, 0.2, 0, 1, 0, 0, 0.3, 0.3])
+    assert tell(turned, head_stand[1], body=HEAD) == ()
+    assert tell(turned, head_stand[1]) == ((0.0, 0.3),)
+
+
+def test_keyframes_that_leave_a_foot_open_tell_nothing():
+    partial = key(0.3, 0.3, AIR, z=1.5)
+    fixed = np.array(partial.fixed)
+    fixed[7] = False
+    assert tell(key(0, 0, AIR, z=1.5), Frame(0.3, partial.state, fixed), key(0.6, 0.6, AIR, z=1.5)) == ()
+
+
+def timeline_of(*keys: Frame) -> Timeline:
+    return raw_timeline(FIGURE, list(keys))
+
+
+def test_without_a_surface_points_or_gravity_there_is_no_flight():
+    timeline = timeline_of(key(0, 0, AIR, z=1.5), key(0.3, 0, AIR, z=1.5))
+    assert flights(FIGURE, 1, timeline, SOLES, (FLOOR,), ()) == ((0.0, 0.3),)
+    assert flights(FIGURE, 1, timeline, SOLES, (), ()) == ()
+    assert flights(FIGURE, 1, timeline, (), (FLOOR,), ()) == ()
+    text = WALKER.replace("<mujoco>", '<mujoco><option gravity="0 0 0"/>')
+    assert flights(Figure(mujoco.MjModel.from_xml_string(text)), 1, timeline, SOLES, (FLOOR,), ()) == ()
+
+
+def footings_of(*keys: Frame, body: tuple[Point, ...] = ()) -> tuple[Footing, ...]:
+    timeline = timeline_of(*keys)
+    held = stances(FIGURE, timeline, SOLES, (FLOOR,))
+    return footings(FIGURE, timeline, SOLES, (FLOOR,), held, body)
+
+
+def test_a_foot_that_stands_may_push_with_all_that_touches_in_one_of_the_keyframes():
+    found = footings_of(key(0, 0, LEFT), toes(0.1, 0.295, (False, True)), key(0.3, 0.8, RIGHT))
+    assert [(f.point.name, f.first, f.last) for f in found] == [("left_heel", 0.0, 0.1), ("left_toe", 0.0, 0.1)]
+    for footing, x in zip(found, (-0.1, 0.0), strict=True):
+        np.testing.assert_allclose(footing.normal, [0, 0, 1])
+        np.testing.assert_allclose(footing.point.position, [x, 0, -1], atol=1e-12)
+
+
+def test_points_of_the_body_make_a_foot_wide_and_those_inside_are_left_out():
+    wide = [Point(f"{x} {y}", 2, np.array([x, y, -0.98]), 0.02) for x in (-0.2, 0.1) for y in (-0.05, 0.05)]
+    elsewhere = (Point("high", 2, np.array([0.0, 0, -0.5]), 0.02), Point("pelvis", 1, np.array([0.0, 0, -1])))
+    found = footings_of(key(0, 0, LEFT), key(0.1, 0, LEFT), body=(*wide, *elsewhere))
+    assert {f.point.name for f in found} == {p.name for p in wide}
+    for footing in found:
+        np.testing.assert_allclose(footing.point.position[2], -1)
+
+
+def test_who_does_not_stand_has_no_footing():
+    assert footings_of(key(0, 0, AIR), key(0.3, 0, AIR)) == ()
+    timeline = timeline_of(key(0, 0, LEFT), key(0.1, 0, LEFT))
+    held = stances(FIGURE, timeline, SOLES, (FLOOR,))
+    assert footings(FIGURE, timeline, (), (FLOOR,), held) == footings(FIGURE, timeline, SOLES, (), held) == ()
