@@ -66,6 +66,7 @@ class Clip:
 
     text    the TOML text (empty for MJCF and NPZ clips)
     mjcf    the complete MJCF text of figure and scene
+    travel  (3,) [m] how far a loop's root comes in a period; None: as the keyframes say
     points  the sole points that stand on surfaces; bends: knees and elbows
     notes   one line each on what was looked for and not found
     """
@@ -80,6 +81,7 @@ class Clip:
     settings: Settings
     ends: str
     end_slope: Array | None
+    travel: tuple[float, float, float] | None
     surfaces: tuple[Surface, ...]
     points: tuple[Point, ...]
     bends: tuple[Bend, ...]
@@ -166,7 +168,7 @@ def _clip(
     place: str,
 ) -> Clip:
     try:
-        timeline = raw_timeline(figure, keys, solve.ends, np.zeros((2, figure.width)))
+        timeline = raw_timeline(figure, keys, solve.ends, np.zeros((2, figure.width)), solve.travel)
         settings = _settings(solve, keys)
     except (TimelineError, ValueError) as error:
         raise UserError(f"{place}: {error}") from None
@@ -176,7 +178,7 @@ def _clip(
     penalties = builder.all(entries)
     return Clip(
         name, text, mjcf, figure, fps, tuple(keys), penalties, settings, solve.ends,
-        np.zeros((2, figure.width)) if solve.ends == "clamped" else None, surfaces,
+        np.zeros((2, figure.width)) if solve.ends == "clamped" else None, solve.travel, surfaces,
         builder.points, builder.bends, tuple(notes),
     )  # fmt: skip
 

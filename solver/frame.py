@@ -103,7 +103,7 @@ class Timeline:
     """Frames in order of time, and what holds at the two ends of the clip.
 
     ends       "free": both end slopes are unknowns; "clamped": they are `end_slope`; "periodic": the last frame repeats
-               the first and the curve is C² across the seam
+               the first, its free roots as far on as the two frames say, and the curve is C² across the seam
     end_slope  (2, N)  y' at the first and the last frame [state/s]; a starting value where the slopes are free. Of a
                periodic clip the jumps of y' and y'' from the end to the start: zero, but for quaternions that come
                back as −q

@@ -26,6 +26,7 @@ from .kinematics import Samples
 from .objective import Discretised
 from .quadrature import gauss_nodes
 from .quaternion import Array, Index
+from .seam import Seam
 from .spline import DEGREE, Path, Piece, Sampling, Spline
 
 POINTS = 2
@@ -193,12 +194,12 @@ class Layout:
         np.add.at(room.reshape(-1), flat.ravel(), values.ravel())
 
     def _tie_seam(self, room: Array, spline: Spline, order: int) -> None:
-        """y, y' or y'' at the end equal to that at the start, or its negative for quaternions that come back so."""
+        """y, y' or y'' of the step at the end equal to that at the start, or its negative for quaternions that come back so.
+
+        A loop's travel is constant: no step has any.
+        """
         start, end = (spline.basis([t], order) for t in spline.times[[0, -1]])
-        states = self.problem.timeline.rows
-        sign = np.ones(self.width)
-        for columns in self.problem.objective.figure.tables.quaternion_columns.T:
-            sign[columns] = 1.0 if states[0, columns] @ states[self.count - 3, columns] >= 0 else -1.0
+        sign = Seam.of(self.problem.objective.figure, self.problem.timeline).signs
         both = sparse.csr_matrix(sparse.vstack([start, end]))
         weights = np.array(both.data, float)[:, None] + np.zeros(self.width)
         weights[: start.nnz] *= -sign
