@@ -170,6 +170,9 @@ class Layout:
             held[-3:] = False
             for order in range(3):
                 self._tie_seam(room, spline, order)
+        if spline.ends == "held":
+            held[[1, -4]] = False
+            self._hold_curvature(room, spline)
         if unknowns.ties is not None:
             tied = held & np.diff(unknowns.ties.indptr).reshape(free.shape).any(axis=1)
             for i in np.flatnonzero(tied):
@@ -204,6 +207,13 @@ class Layout:
         weights = np.array(both.data, float)[:, None] + np.zeros(self.width)
         weights[: start.nnz] *= -sign
         self._hold(room, np.asarray(both.indices, np.intp), weights, np.eye(self.width))
+
+    def _hold_curvature(self, room: Array, spline: Spline) -> None:
+        """No step of y'' at either end."""
+        for end in spline.times[[0, -1]]:
+            seen = spline.basis([end], 2)
+            weights = np.tile(np.asarray(seen.data, float)[:, None], self.width)
+            self._hold(room, np.asarray(seen.indices, np.intp), weights, np.eye(self.width))
 
     def _hold(self, room: Array, coefficients: Index, weights: Array, hold: Array) -> None:
         """A spring on `hold` (N, N) of Σ_j weights_j * c_j, weights (k, N)."""

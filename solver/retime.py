@@ -29,7 +29,7 @@ def retimed(timeline: Timeline, speed: float) -> Timeline:
 
 
 def trimmed(timeline: Timeline, first: float, last: float) -> Timeline:
-    """The part of a timeline from `first` to `last` [s], with free ends; at new ends there are keyframes on the curve."""
+    """The part of a timeline from `first` to `last` [s], with free ends; both are keyframes, on the curve."""
     times = timeline.times
     if not first < last:
         raise TimelineError(f"an interval ends after it begins, not from {first:g} to {last:g} s")

@@ -2,12 +2,12 @@
 
 x holds the entries that nobody fixed, and nothing else, so the keyframes are met for *every* x (§2 of the paper). A
 fixed joint of a partial keyframe is a relative rotation: in world coordinates its row is Q_parent ⊗ q, linear in the
-unknown Q_parent. A loop's last frame repeats the first, moved on by its travel. All of this is Y = constant + A x with a sparse A.
+unknown Q_parent. A loop's last frame repeats the first, moved on by its travel. Held ends take the two frames beside
+them along. All of this is Y = constant + A x with a sparse A.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -93,14 +93,23 @@ class Unknowns:
         if timeline.ends == "periodic":
             seam = Seam.of(figure, timeline)
             ties.repeat(0, last, seam)
-            ties.close(np.flatnonzero(seam.signs < 0), spline_of(timeline).opposite_jumps)
+            back = np.flatnonzero(seam.signs < 0)
+            if back.size:
+                ties.follow(np.array([last + 1, last + 2]), spline_of(timeline).opposite_jumps(), back)
+        if timeline.ends == "held":
+            beside = np.array([1, last - 1])
+            shares = spline_of(timeline).held_shares()
+            ties.follow(beside, shares, np.arange(width), rows[beside] - shares @ rows)
         whole = np.flatnonzero(loose.all(axis=1))
         blocks = np.searchsorted(place, whole * width)[:, None] + np.arange(width)
         return cls(constant, start, whole, blocks, place, ties.matrix())
 
 
 def _loose(figure: Figure, timeline: Timeline) -> Mask:
-    """(M + 2, N): which entries of the rows are unknowns, quaternions whole; a loop's last frame repeats the first."""
+    """(M + 2, N): which entries of the rows are unknowns, quaternions whole.
+
+    A loop's last frame repeats the first; of held ends the frames beside them follow the others.
+    """
     loose = np.empty((len(timeline.frames) + 2, figure.width), bool)
     np.logical_not(timeline.fixed, out=loose[:-2])
     for columns in figure.tables.quaternion_columns.T:
@@ -108,6 +117,8 @@ def _loose(figure: Figure, timeline: Timeline) -> Mask:
     loose[-2:] = timeline.ends == "free"
     if timeline.ends == "periodic":
         loose[-3] = False
+    if timeline.ends == "held":
+        loose[[0, 1, -4, -3]] = False
     return loose
 
 
@@ -164,19 +175,15 @@ class _Ties:
         entries, unknowns, factors = self._of(source, source + 1)
         self._put(entries + (row - source) * self.width, unknowns, factors * seam.signs[entries % self.width])
 
-    def close(self, columns: Index, opposite_jumps: Callable[[], Array]) -> None:
-        """Lays the seam's jumps for the columns that come back with the other sign."""
-        if not columns.size:
-            return
-        jumps = opposite_jumps()
-        count = jumps.shape[1]
-        self.constant[np.ix_([count, count + 1], columns)] = jumps @ self.constant[:count, columns]
+    def follow(self, followers: Index, shares: Array, columns: Index, beyond: Array | float = 0.0) -> None:
+        """Makes rows (F,) in some columns a sum of the first R rows, with shares (F, R), and what is beyond (F, C)."""
+        count = shares.shape[1]
+        self.constant[np.ix_(followers, columns)] = shares @ self.constant[:count, columns] + beyond
         entries, unknowns, factors = self._of(0, count)
         row, column = np.divmod(entries, self.width)
         some = np.flatnonzero(np.isin(column, columns))
-        for k in range(2):
-            jump = jumps[k, row[some]]
-            self._put((count + k) * self.width + column[some], unknowns[some], factors[some] * jump)
+        for follower, share in zip(followers, shares, strict=True):
+            self._put(follower * self.width + column[some], unknowns[some], factors[some] * share[row[some]])
 
     def matrix(self) -> sparse.csr_matrix | None:
         if not self.entries.size:
