@@ -31,6 +31,7 @@ from solver.penalty import (
 )
 from solver.quadrature import Quadrature
 from solver.quaternion import Array
+from solver.seam import Seam
 from solver.subdivision import CRITERIA
 from solver.surface import Surface, static_surfaces
 from solver.unknowns import raw_timeline
@@ -48,7 +49,7 @@ from .clip_table import (
 )
 from .constraints import Constraints
 from .errors import UserError, unknown
-from .motion import read_arrays
+from .motion import Saved, read_arrays
 from .scene import Step, check_files, compose, figure_spec, first_line, quietly
 
 LONGEST_PANEL = 0.05
@@ -126,6 +127,21 @@ def from_text(
 ) -> Clip:
     """A clip from TOML text; `place` is how errors call it, `folder` where the figure's path starts."""
     place = place or f"{name}.toml"
+    table = table_of(text, place)
+    step = table.scene.step
+    try:
+        spec = figure_spec(table.figure, folder)
+        mjcf = compose(spec, None if step is None else Step(**step.model_dump()))
+    except UserError as error:
+        raise UserError(f"{place}: {error}") from None
+    figure = _figure(mjcf, table.solve.coordinates, place)
+    check_times([row.time for row in table.keyframe], place)
+    keys = _keys(figure, table.keyframe, place)
+    return _clip(name, text, mjcf, figure, fps or table.fps, keys, table.penalty, table.solve, place)
+
+
+def table_of(text: str, place: str) -> ClipTable:
+    """The tables of a clip's TOML text; raises UserError for what they cannot hold."""
     try:
         raw = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
@@ -134,19 +150,21 @@ def from_text(
         raise UserError(f"{place}: not valid TOML: nested too deeply") from None
     _check_filled(raw, place)
     try:
-        table = ClipTable.model_validate(raw)
+        return ClipTable.model_validate(raw)
     except ValidationError as error:
         raise UserError(f"{place}: {spoken(error, raw)}") from None
-    step = table.scene.step
-    try:
-        spec = figure_spec(table.figure, folder)
-        mjcf = compose(spec, None if step is None else Step(**step.model_dump()))
-    except UserError as error:
-        raise UserError(f"{place}: {error}") from None
-    figure = _figure(mjcf, table.solve.coordinates, place)
-    _check_times([row.time for row in table.keyframe], place)
-    keys = _keys(figure, table.keyframe, place)
-    return _clip(name, text, mjcf, figure, fps or table.fps, keys, table.penalty, table.solve, place)
+
+
+def of_motion(saved: Saved) -> Clip:
+    """The problem that a saved motion answers, its keyframes and ends those of the motion itself."""
+    table = table_of(saved.text, saved.name) if saved.text else None
+    entries, solve = ([], SolveTable()) if table is None else (table.penalty, table.solve)
+    ends, travel, roots = saved.timeline.ends, None, saved.figure.tables.position_columns
+    if ends == "periodic" and roots.size:
+        travel = tuple(Seam.of(saved.figure, saved.timeline).travel[roots[:, 0]].tolist())
+    solve = solve.model_copy(update={"ends": ends, "travel": travel})
+    keys = list(saved.keys)
+    return _clip(saved.name, saved.text, saved.mjcf, saved.figure, saved.fps, keys, entries, solve, saved.name)
 
 
 def with_keys(clip: Clip, keys: Sequence[Frame]) -> Clip:
@@ -202,7 +220,7 @@ def _called(number: int, time: float) -> str:
     return f"keyframe {number} (t = {time:g} s)"
 
 
-def _check_times(times: Sequence[float], place: str) -> None:
+def check_times(times: Sequence[float], place: str) -> None:
     """Two keyframes or more, in order, apart, and no longer than a report can look at every millisecond of."""
     if len(times) < 2:
         raise UserError(f"{place}: {len(times) or 'no'} keyframe{'s' if not times else ''}; a clip needs at least two")
@@ -400,6 +418,6 @@ def _plain(name: str, mjcf: str, time: Array, qpos: Array, fps: float | None, pl
         if not np.all(np.abs(row) <= LARGEST):
             what = "is too large" if np.all(np.isfinite(row)) else "is not a finite number"
             raise UserError(f"{place}: {_called(i, row[0])}: an entry {what}")
-    _check_times(time.tolist(), place)
+    check_times(time.tolist(), place)
     keys = [Frame.key(t, q) for t, q in zip(time, qpos, strict=True)]
     return _clip(name, "", mjcf, figure, fps or 30.0, keys, [], SolveTable(), place)

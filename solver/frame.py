@@ -133,7 +133,9 @@ class Timeline:
             raise TimelineError(f"end_slope has shape {self.end_slope.shape}, not (2, {self.width})")
         if self.ends not in ("free", "clamped", "periodic", "held"):
             raise TimelineError(f"ends = {self.ends!r}: not one of 'free', 'clamped', 'periodic', 'held'")
-        if self.ends == "held" and not (len(self.frames) > 3 and self.frames[1].is_variable and self.frames[-2].is_variable):
+        if self.ends == "held" and not (
+            len(self.frames) > 3 and self.frames[1].is_variable and self.frames[-2].is_variable
+        ):
             raise TimelineError("held ends need a variable frame beside each")
 
     @property

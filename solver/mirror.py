@@ -1,8 +1,8 @@
 """Left and right exchanged: a figure's motion reflected in the x-z plane, as a linear map of its states.
 
 A reflection S = diag(1, −1, 1) takes a rotation R of one side to S R S on the other: its quaternion w, x, y, z becomes
-w, −x, y, −z, a point x, −y, z. The map only moves columns and changes their signs, so the mirrored spline is the spline
-of the mirrored frames, and twice mirrored is the same to the last bit (but for hinges and slides that do not begin at 0).
+w, −x, y, −z, a point x, −y, z. The map moves columns and changes signs, no more: the mirrored spline is the spline
+of the mirrored frames, and twice mirrored is the same to the last bit (but for hinges and slides that rest off zero).
 """
 
 from __future__ import annotations
@@ -104,7 +104,9 @@ def _partners(figure: Figure) -> Index:
     for i, link in enumerate(figure.links[1:], start=1):
         other = figure.links[partner[i]]
         if other.kind is not link.kind or partner[link.parent] != other.parent:
-            raise MirrorError(f"'{link.name}' and '{other.name}' are not alike: other kinds of joints, or other parents")
+            raise MirrorError(
+                f"'{link.name}' and '{other.name}' are not alike: other kinds of joints, or other parents"
+            )
         turned = quat.angle_between(link.turn * TURN, other.turn)
         if link.kind is not JointKind.FREE and turned > SAME_ANGLE:
             raise MirrorError(f"'{link.name}' at rest is no mirror image of '{other.name}'")

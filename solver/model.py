@@ -197,7 +197,7 @@ class Layout:
         np.add.at(room.reshape(-1), flat.ravel(), values.ravel())
 
     def _tie_seam(self, room: Array, spline: Spline, order: int) -> None:
-        """y, y' or y'' of the step at the end equal to that at the start, or its negative for quaternions that come back so.
+        """y, y' or y'' of a step at the end equal to that at the start, or its negative where quaternions come back so.
 
         A loop's travel is constant: no step has any.
         """

@@ -1,8 +1,8 @@
 """The C² cubic B-spline through a timeline's frames (eqs. 2-6): linear in the frames, so every sample is a fixed linear
 map of them, and a gradient with respect to samples pulls back to frames by the transposed map.
 
-M frames and M knots span M + 2 cubic B-splines; the two rows that eq. 5 leaves open are the end slopes (free or
-clamped or held) or the two conditions of a periodic curve. The collocation matrix is banded: factorised once, O(M) a solve.
+M frames and M knots span M + 2 cubic B-splines; the two rows that eq. 5 leaves open are the end slopes (free, clamped
+or held) or the two conditions of a periodic curve. The collocation matrix is banded: factorised once, O(M) a solve.
 """
 
 from __future__ import annotations
@@ -159,7 +159,7 @@ class Spline:
         beside = [1, self.times.size - 2]
         own = by_rows[:, beside]
         by_rows[:, beside] = 0
-        return -np.linalg.solve(own, by_rows)
+        return np.negative(np.linalg.solve(own, by_rows), dtype=float)
 
     def evaluate(self, rows: Array, t: ArrayLike, order: int = 0) -> Array:
         """y, y', y'' or y''' at t (S,): (S, N)."""
