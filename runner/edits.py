@@ -30,7 +30,8 @@ from .work import Solved
 
 Edit = Callable[[dict[str, Any]], dict[str, Any]]
 
-FRAME_SECONDS = 0.1  # a variable frame of a transition, about
+FRAME_SECONDS = 0.025  # a variable frame of a transition, about: its ends leave no time to get out of the floor
+LEAST_FRAMES = 6
 TOLERANCE = 1e-5
 
 
@@ -139,12 +140,12 @@ def check_transition(transition: float) -> None:
 
 
 def _transition(saved: Saved, one: Timeline, two: Timeline, ends: tuple[Frame, Frame], teller: Teller) -> Timeline:
-    """The in-between from the end of one timeline to the start of the other, under the first motion's penalties."""
-    count = max(join.LEAST_FRAMES, round((ends[1].time - ends[0].time) / FRAME_SECONDS))
+    """The in-between from the end of one timeline to the start of the other, weighed as in the first motion."""
+    count = max(LEAST_FRAMES, round((ends[1].time - ends[0].time) / FRAME_SECONDS))
     begin = join.bridge(saved.figure, one, two, variable=count)
     problem = clips.of_motion(replace(saved, keys=ends, timeline=one))
     objective = Objective.of(saved.figure, problem.penalties, quadrature=problem.settings.quadrature)
-    objective = objective.renormalised(path_of(begin))
+    objective = objective.renormalised(path_of(saved.raw))
     teller.step("solving the transition", 0.0, force=True)
     return optimised(objective, begin, tolerance=TOLERANCE)
 
@@ -160,7 +161,7 @@ def _check_alike(before: Saved, after: Saved) -> None:
         )
     if one.coordinates != two.coordinates:
         raise UserError(
-            f"'{before.name}' is in {one.coordinates} coordinates, '{after.name}' in {two.coordinates}: "
+            f"'{before.name}' is in {one.coordinates} coordinates, '{after.name}' in {two.coordinates} coordinates; "
             "solve both in the same"
         )
     for a, b in zip(one.links[1:], two.links[1:], strict=True):
