@@ -13,6 +13,7 @@ import models
 from . import clip as clips
 from . import edits, motion, work
 from .clip import Clip
+from .clip_mirror import mirrored_tables
 from .clip_text import tables, written
 from .errors import UserError
 from .motion import Replacement, Saved
@@ -21,11 +22,15 @@ from .progress import Teller
 
 @dataclass(frozen=True)
 class Edit:
-    """What is done: its word for file names and reports, to motions, and to a clip's tables where that can be."""
+    """What is done: its word for file names and reports, to motions, and to a clip's tables where that can be.
+
+    check  raises UserError for what cannot be done, before anything is solved
+    """
 
     word: str
     motions: Callable[[Sequence[Saved], Teller], Saved]
     clip: Callable[[dict[str, Any], Clip], dict[str, Any]] | None = None
+    check: Callable[[Sequence[Clip | Saved]], object] = lambda found: None
 
 
 def run(sources: list[str], edit: Edit, target: Path | None, *, overwrite: bool, teller: Teller) -> Path:
@@ -35,6 +40,7 @@ def run(sources: list[str], edit: Edit, target: Path | None, *, overwrite: bool,
     target = target or Path(f"{Path(sources[0]).stem}_{edit.word}{ending}")
     _check_target(target, sources, overwrite)
     found = [motion.load(Path(s)) if motion.is_motion(s) else clips.load(s) for s in sources]
+    edit.check(found)
     if target.suffix == ".toml":
         one = found[0]
         text = _clip_text(one, sources[0], edit, target) if direct and isinstance(one, Clip) else ""
@@ -81,7 +87,8 @@ def mirrored() -> Edit:
     return Edit(
         "mirrored",
         lambda saved, _: edits.mirrored(saved[0]),
-        lambda said, found: edits.mirrored_clip(said, found.figure, found.name),
+        lambda said, found: mirrored_tables(said, found.figure, edits.mirror_of(found)),
+        lambda found: edits.mirror_of(found[0]),
     )
 
 
@@ -108,11 +115,15 @@ def trimmed(first: float | None, last: float | None) -> Edit:
     if first is None and last is None:
         raise UserError("give --from, --to, or both, in seconds")
 
-    def cut(saved: Sequence[Saved], _: Teller) -> Saved:
-        begin, end = saved[0].keys[0].time, saved[0].keys[-1].time
-        return edits.trimmed(saved[0], begin if first is None else first, end if last is None else last)
+    def interval(found: Sequence[Clip | Saved]) -> tuple[float, float]:
+        begin, end = found[0].keys[0].time, found[0].keys[-1].time
+        return begin if first is None else first, end if last is None else last
 
-    return Edit("trimmed", cut)
+    return Edit(
+        "trimmed",
+        lambda saved, _: edits.trimmed(saved[0], *interval(saved)),
+        check=lambda found: edits.check_interval(found[0], *interval(found)),
+    )
 
 
 def joined(transition: float) -> Edit:
@@ -125,4 +136,4 @@ def joined(transition: float) -> Edit:
             teller.say(f"note: the scene is that of '{before.name}'")
         return edits.joined(before, after, transition, teller)
 
-    return Edit("joined", both)
+    return Edit("joined", both, check=lambda found: edits.check_alike(*found))

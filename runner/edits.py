@@ -21,6 +21,7 @@ from solver.subdivision import path_of
 from solver.unknowns import raw_timeline
 
 from . import clip as clips
+from .clip import Clip
 from .clip_mirror import mirrored_tables
 from .clip_text import keyframe_tables, tables, written
 from .errors import UserError
@@ -44,10 +45,15 @@ def _told(name: str) -> Iterator[None]:
         raise UserError(f"{name}: {error}") from None
 
 
+def mirror_of(found: Clip | Saved) -> Mirror:
+    """How left and right are exchanged; raises UserError for a figure without them."""
+    with _told(found.name):
+        return Mirror.of(found.figure)
+
+
 def mirrored(saved: Saved) -> Saved:
     """Left and right exchanged, in the x-z plane; the scene stays."""
-    with _told(saved.name):
-        mirror = Mirror.of(saved.figure)
+    mirror = mirror_of(saved)
     return replace(
         saved,
         text=_text(saved, lambda clip: mirrored_tables(clip, saved.figure, mirror)),
@@ -55,12 +61,6 @@ def mirrored(saved: Saved) -> Saved:
         timeline=mirror.timeline(saved.timeline),
         raw=mirror.timeline(saved.raw),
     )
-
-
-def mirrored_clip(clip: dict[str, Any], figure: Figure, name: str) -> dict[str, Any]:
-    """A clip's tables with left and right exchanged."""
-    with _told(name):
-        return mirrored_tables(clip, figure, Mirror.of(figure))
 
 
 def retimed(saved: Saved, speed: float) -> Saved:
@@ -82,14 +82,20 @@ def retimed_tables(clip: dict[str, Any], speed: float) -> dict[str, Any]:
     return clip | {"keyframe": rows}
 
 
+def check_interval(found: Clip | Saved, first: float, last: float) -> None:
+    """Raises UserError unless there is motion from `first` to `last` [s]."""
+    with _told(found.name):
+        retime.check_interval((found.keys[0].time, found.keys[-1].time), first, last)
+    clips.check_times([first, last], found.name)
+
+
 def trimmed(saved: Saved, first: float, last: float) -> Saved:
     """The part from `first` to `last` [s]; before is the raw spline through its keyframes."""
-    with _told(saved.name):
-        timeline = retime.trimmed(saved.timeline, first, last)
+    check_interval(saved, first, last)
+    timeline = retime.trimmed(saved.timeline, first, last)
     begin, end = float(timeline.times[0]), float(timeline.times[-1])
     inside = [key for key in saved.keys if begin < key.time < end]
     keys = (_key_on(saved.figure, timeline, 0), *inside, _key_on(saved.figure, timeline, -1))
-    clips.check_times([begin, end], saved.name)
     return _with_keys(saved, keys, timeline)
 
 
@@ -117,7 +123,7 @@ def _repeated_travel(solve: dict[str, Any], count: int) -> dict[str, Any]:
 def joined(before: Saved, after: Saved, transition: float, teller: Teller) -> Saved:
     """The second motion from where the first ends, after a transition [s] that is solved as an in-between."""
     check_transition(transition)
-    _check_alike(before, after)
+    check_alike(before, after)
     figure = before.figure
     one, two = (retime.trimmed(each.timeline, *each.timeline.times[[0, -1]].tolist()) for each in (before, after))
     place = join.following(figure, one, two, transition)
@@ -150,7 +156,7 @@ def _transition(saved: Saved, one: Timeline, two: Timeline, ends: tuple[Frame, F
     return optimised(objective, begin, tolerance=TOLERANCE)
 
 
-def _check_alike(before: Saved, after: Saved) -> None:
+def check_alike(before: Clip | Saved, after: Clip | Saved) -> None:
     """Raises UserError unless two motions are of one figure."""
     one, two = before.figure, after.figure
     names = [[link.name for link in figure.links[1:]] for figure in (one, two)]

@@ -28,13 +28,18 @@ def retimed(timeline: Timeline, speed: float) -> Timeline:
     return Timeline(tuple(frames), timeline.end_slope * speed ** powers[:, None], timeline.ends)
 
 
+def check_interval(span: tuple[float, float], first: float, last: float) -> None:
+    """Raises TimelineError unless `first` to `last` [s] lies in a motion's span."""
+    if not first < last:
+        raise TimelineError(f"an interval ends after it begins, not from {first:g} to {last:g} s")
+    if first < span[0] - SAME_TIME or last > span[1] + SAME_TIME:
+        raise TimelineError(f"from {first:g} to {last:g} s is not inside {span[0]:g} to {span[1]:g} s")
+
+
 def trimmed(timeline: Timeline, first: float, last: float) -> Timeline:
     """The part of a timeline from `first` to `last` [s], with free ends; both are keyframes, on the curve."""
     times = timeline.times
-    if not first < last:
-        raise TimelineError(f"an interval ends after it begins, not from {first:g} to {last:g} s")
-    if first < times[0] - SAME_TIME or last > times[-1] + SAME_TIME:
-        raise TimelineError(f"from {first:g} to {last:g} s is not inside {times[0]:g} to {times[-1]:g} s")
+    check_interval((float(times[0]), float(times[-1])), first, last)
     near = times[np.abs(times[:, None] - np.array([first, last])).argmin(axis=0)]
     edges = np.where(np.abs(near - np.array([first, last])) <= SAME_TIME, near, [first, last])
     path = path_of(timeline)
