@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from .clip import Clip
+    from .edit_files import Edit
     from .graphics import Graphics
     from .motion import Saved
     from .progress import Teller
@@ -39,6 +40,8 @@ ClipSource = Annotated[str, typer.Argument(metavar="CLIP", help="a shipped clip,
 Model = Annotated[str | None, typer.Option("--model", help="a figure, instead of a clip; with --keys")]
 Keys = Annotated[str | None, typer.Option("--keys", help=".npz with time (K,) and qpos (K, nq); with --model")]
 Output = Annotated[Path | None, typer.Option("-o", "--output", help="the file to write")]
+Overwrite = Annotated[bool, typer.Option("--overwrite", help="let -o be the file that is edited")]
+Repeat = Annotated[int | None, typer.Option("--repeat", help="play a loop so many times, without a seam")]
 AsJson = Annotated[bool, typer.Option("--json", help="print JSON")]
 
 
@@ -101,6 +104,7 @@ def render(
     workers: Annotated[
         int | None, typer.Option(help="processes that draw [default: one a core for rays, else 1]")
     ] = None,
+    repeat: Repeat = None,
     model: Model = None,
     keys: Keys = None,
 ) -> None:
@@ -127,12 +131,14 @@ def render(
 
     with Teller() as teller:
         found = _found(source, model, keys)
+        _check_repeat(found, repeat)
         _check_camera(found, camera)
-        _check_at(found, at)
+        _check_at(found, at, repeat)
         look = Look(width, height, fps or found.fps, only, ghosts, camera, slow, at)
-        _check_length(found, look)
+        _check_length(found, look, repeat)
         teller.say(graphics.line)
         saved = _saved(found, teller, solve=only not in ("keys", "before"), with_report=False)
+        saved = _repeated(saved, repeat)
         _film(saved, look, graphics, target, workers, teller)
         teller.say(f"wrote {target}")
 
@@ -142,6 +148,7 @@ def solve(
     source: ClipSource = "",
     output: Output = None,
     fps: Annotated[float | None, typer.Option(help="samples a second in the file [default: the clip's, 30]")] = None,
+    repeat: Repeat = None,
     as_json: AsJson = False,
     model: Model = None,
     keys: Keys = None,
@@ -162,8 +169,13 @@ def solve(
         found = _found(source, model, keys, fps)
         if isinstance(found, motion.Saved):
             raise UserError(f"{source}: a motion is solved already; report, plot and render take it")
-        motion.sample_count(found.keys[-1].time - found.keys[0].time, found.fps)
-        saved = _saved(found, teller, with_report=True)
+        _check_repeat(found, repeat)
+        motion.sample_count((found.keys[-1].time - found.keys[0].time) * (repeat or 1), found.fps)
+        saved = _saved(found, teller, with_report=not repeat)
+        if repeat:
+            from .edits import measured
+
+            saved = measured(_repeated(saved, repeat), teller, f"one period was solved and is played {repeat} times")
         motion.save(saved, target)
         teller.say(f"wrote {target}")
     if as_json:
@@ -210,6 +222,62 @@ def plot(source: Source = "", output: Output = None, model: Model = None, keys: 
 
 
 @app.command()
+def mirror(source: Source, output: Output = None, overwrite: Overwrite = False) -> None:
+    """Exchange left and right of a motion (.npz) or a clip (.toml), in the x-z plane."""
+    _without_graphics()
+    from . import edit_files
+
+    _edited([source], edit_files.mirrored(), output, overwrite)
+
+
+@app.command()
+def retime(
+    source: Source,
+    output: Output = None,
+    speed: Annotated[float | None, typer.Option(help="how many times as fast")] = None,
+    duration: Annotated[float | None, typer.Option(help="how long it shall last, seconds")] = None,
+    overwrite: Overwrite = False,
+) -> None:
+    """Play a motion (.npz) or a clip (.toml) faster or slower."""
+    _without_graphics()
+    from . import edit_files
+
+    _edited([source], edit_files.retimed(speed, duration), output, overwrite)
+
+
+@app.command()
+def trim(
+    source: Source,
+    output: Output = None,
+    first: Annotated[float | None, typer.Option("--from", help="seconds of the clip")] = None,
+    last: Annotated[float | None, typer.Option("--to", help="seconds of the clip")] = None,
+    overwrite: Overwrite = False,
+) -> None:
+    """Cut a motion to an interval; inside it stays the same."""
+    _without_graphics()
+    from . import edit_files
+
+    _edited([source], edit_files.trimmed(first, last), output, overwrite)
+
+
+@app.command()
+def join(
+    first: Source,
+    second: Source,
+    output: Output = None,
+    transition: Annotated[
+        float, typer.Option(help="seconds from the end of the first to the start of the second")
+    ] = 0.4,
+    overwrite: Overwrite = False,
+) -> None:
+    """Let a second motion follow a first: moved to where that one goes on, with a transition in between."""
+    _without_graphics()
+    from . import edit_files
+
+    _edited([first, second], edit_files.joined(transition), output, overwrite)
+
+
+@app.command()
 def paper(seeds: Annotated[int, typer.Option(help="sets of keyframes", min=1)] = 20, as_json: AsJson = False) -> None:
     """Reproduce the paper's claims on fixed sets: claim | paper | here."""
     _without_graphics()
@@ -246,6 +314,16 @@ def list_models() -> None:
 
     for name, line in models.figures().items():
         print(f"{name:16} {line}")
+
+
+def _edited(sources: list[str], edit: Edit, output: Path | None, overwrite: bool) -> None:
+    """An edit of files, told as it goes."""
+    from .edit_files import run
+    from .progress import Teller
+
+    with Teller() as teller:
+        target = run(sources, edit, output, overwrite=overwrite, teller=teller)
+        teller.say(f"wrote {target}")
 
 
 def _name(source: str, model: str | None, keys: str | None) -> str:
@@ -334,6 +412,27 @@ def _saved(found: Clip | Saved, teller: Teller, *, with_report: bool, solve: boo
     return (work.solve(found, teller) if solve else work.unsolved(found)).saved(teller, with_report)
 
 
+def _check_repeat(found: Clip | Saved, repeat: int | None) -> None:
+    """Raises UserError unless what is to be repeated is a loop, and not for hours."""
+    from . import clip, motion
+    from .errors import UserError
+
+    ends = found.timeline.ends if isinstance(found, motion.Saved) else found.ends
+    period = found.keys[-1].time - found.keys[0].time
+    if repeat is None:
+        return
+    if ends != "periodic":
+        raise UserError(f"--repeat: '{found.name}' is no loop; its ends are '{ends}', not 'periodic'")
+    if repeat < 1 or repeat * period > clip.LONGEST:
+        raise UserError(f"--repeat {repeat}: give a number of periods from 1 on that last {clip.LONGEST:g} s at most")
+
+
+def _repeated(saved: Saved, repeat: int | None) -> Saved:
+    from .edits import repeated
+
+    return saved if repeat is None else repeated(saved, repeat)
+
+
 def _check_camera(found: Clip | Saved, camera: str) -> None:
     """Raises UserError for a camera that is not there, before anything long begins."""
     from .camera import ANGLES
@@ -345,20 +444,26 @@ def _check_camera(found: Clip | Saved, camera: str) -> None:
         raise UserError(f"--camera: {unknown('camera', camera, known)}")
 
 
-def _check_at(found: Clip | Saved, at: float | None) -> None:
+def _span(found: Clip | Saved, repeat: int | None) -> tuple[float, float]:
+    """First and last time of what is shown [s]."""
+    first, last = found.keys[0].time, found.keys[-1].time
+    return first, first + (last - first) * (repeat or 1)
+
+
+def _check_at(found: Clip | Saved, at: float | None, repeat: int | None) -> None:
     """Raises UserError for a time outside the clip."""
     from .errors import UserError
 
-    first, last = found.keys[0].time, found.keys[-1].time
+    first, last = _span(found, repeat)
     if at is not None and not first <= at <= last:
         raise UserError(f"--at {at:g}: the clip goes from {first:g} to {last:g} s")
 
 
-def _check_length(found: Clip | Saved, look: Look) -> None:
+def _check_length(found: Clip | Saved, look: Look, repeat: int | None) -> None:
     """Raises UserError for more images than anybody waits for, or one at a time that the clip does not have."""
     from .errors import UserError
 
-    first, last = found.keys[0].time, found.keys[-1].time
+    first, last = _span(found, repeat)
     if look.at is not None and not first <= look.at <= last:
         raise UserError(f"--at {look.at:g}: the clip runs from {first:g} to {last:g} s")
     count = (last - first) * look.fps * look.slow

@@ -34,6 +34,7 @@ from solver.penalty import (
 from solver.posing import entries
 from solver.quadrature import Quadrature
 from solver.quaternion import Array
+from solver.seam import Seam
 from solver.subdivision import CRITERIA
 from solver.surface import Surface, static_surfaces
 from solver.unknowns import raw_timeline
@@ -50,7 +51,7 @@ from .clip_table import (
 )
 from .constraints import Constraints, posing_bends
 from .errors import UserError, unknown
-from .motion import read_arrays
+from .motion import Saved, read_arrays
 from .obstacle import obstacles
 from .placing import check_search, wanted, with_pose
 from .rotation import quaternion_of
@@ -71,6 +72,7 @@ class Clip:
 
     text    the TOML text (empty for MJCF and NPZ clips)
     mjcf    the complete MJCF text of figure and scene
+    travel  (3,) [m] how far a loop's root comes in a period; None: as the keyframes say
     points  the sole points that stand on surfaces; bends: knees and elbows
     support  what carries the figure when; None without a free joint
     notes   one line each on what was looked for and not found
@@ -87,6 +89,7 @@ class Clip:
     settings: Settings
     ends: str
     end_slope: Array | None
+    travel: tuple[float, float, float] | None
     surfaces: tuple[Surface, ...]
     points: tuple[Point, ...]
     bends: tuple[Bend, ...]
@@ -133,6 +136,22 @@ def from_text(
 ) -> Clip:
     """A clip from TOML text; `place` is how errors call it, `folder` where the figure's path starts."""
     place = place or f"{name}.toml"
+    table = table_of(text, place)
+    step = table.scene.step
+    try:
+        spec = figure_spec(table.figure, folder)
+        mjcf = compose(spec, None if step is None else Step(**step.model_dump()), obstacles(table.scene))
+    except UserError as error:
+        raise UserError(f"{place}: {error}") from None
+    figure = _figure(mjcf, table.solve.coordinates, place)
+    check_times([row.time for row in table.keyframe], place)
+    bends = posing_bends(figure, table.penalty)
+    keys, placed = _keys(figure, table.keyframe, bends, table.solve.ends, place)
+    return _clip(name, text, mjcf, figure, fps or table.fps, keys, table, place, placed)
+
+
+def table_of(text: str, place: str) -> ClipTable:
+    """The tables of a clip's TOML text; raises UserError for what they cannot hold."""
     try:
         raw = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
@@ -141,20 +160,24 @@ def from_text(
         raise UserError(f"{place}: not valid TOML: nested too deeply") from None
     _check_filled(raw, place)
     try:
-        table = ClipTable.model_validate(raw)
+        return ClipTable.model_validate(raw)
     except ValidationError as error:
         raise UserError(f"{place}: {spoken(error, raw)}") from None
-    step = table.scene.step
-    try:
-        spec = figure_spec(table.figure, folder)
-        mjcf = compose(spec, None if step is None else Step(**step.model_dump()), obstacles(table.scene))
-    except UserError as error:
-        raise UserError(f"{place}: {error}") from None
-    figure = _figure(mjcf, table.solve.coordinates, place)
-    _check_times([row.time for row in table.keyframe], place)
-    bends = posing_bends(figure, table.penalty)
-    keys, placed = _keys(figure, table.keyframe, bends, table.solve.ends, place)
-    return _clip(name, text, mjcf, figure, fps or table.fps, keys, table, place, placed)
+
+
+def of_motion(saved: Saved) -> Clip:
+    """The problem that a saved motion answers, its keyframes and ends those of the motion itself."""
+    table = table_of(saved.text, saved.name) if saved.text else None
+    solve = SolveTable() if table is None else table.solve
+    ends, travel, roots = saved.timeline.ends, None, saved.figure.tables.position_columns
+    if ends == "periodic" and roots.size:
+        travel = tuple(Seam.of(saved.figure, saved.timeline).travel[roots[:, 0]].tolist())
+    solve = solve.model_copy(update={"ends": ends, "travel": travel})
+    if table is not None:  # whose contacts and places are those of the clip that it was
+        table = table.model_copy(update={"contact": []})
+    return _clip(
+        saved.name, saved.text, saved.mjcf, saved.figure, saved.fps, list(saved.keys), table, saved.name, solve=solve
+    )
 
 
 def with_keys(clip: Clip, keys: Sequence[Frame]) -> Clip:
@@ -175,10 +198,11 @@ def _clip(
     table: ClipTable | None,
     place: str,
     placed: tuple[Placed, ...] = (),
+    solve: SolveTable | None = None,
 ) -> Clip:
-    solve = SolveTable() if table is None else table.solve
+    solve = solve or (SolveTable() if table is None else table.solve)
     try:
-        timeline = raw_timeline(figure, keys, solve.ends, np.zeros((2, figure.width)))
+        timeline = raw_timeline(figure, keys, solve.ends, np.zeros((2, figure.width)), solve.travel)
         settings = _settings(solve, keys)
     except (TimelineError, ValueError) as error:
         raise UserError(f"{place}: {error}") from None
@@ -189,7 +213,7 @@ def _clip(
     penalties = builder.all(penalty)
     return Clip(
         name, text, mjcf, figure, fps, tuple(keys), penalties, settings, solve.ends,
-        np.zeros((2, figure.width)) if solve.ends == "clamped" else None, surfaces,
+        np.zeros((2, figure.width)) if solve.ends == "clamped" else None, solve.travel, surfaces,
         builder.points, builder.bends, builder.support, tuple(notes), placed,
     )  # fmt: skip
 
@@ -213,7 +237,7 @@ def _called(number: int, time: float) -> str:
     return f"keyframe {number} (t = {time:g} s)"
 
 
-def _check_times(times: Sequence[float], place: str) -> None:
+def check_times(times: Sequence[float], place: str) -> None:
     """Two keyframes or more, in order, apart, and no longer than a report can look at every millisecond of."""
     if len(times) < 2:
         raise UserError(f"{place}: {len(times) or 'no'} keyframe{'s' if not times else ''}; a clip needs at least two")
@@ -403,6 +427,6 @@ def _plain(name: str, mjcf: str, time: Array, qpos: Array, fps: float | None, pl
         if not np.all(np.abs(row) <= LARGEST):
             what = "is too large" if np.all(np.isfinite(row)) else "is not a finite number"
             raise UserError(f"{place}: {_called(i, row[0])}: an entry {what}")
-    _check_times(time.tolist(), place)
+    check_times(time.tolist(), place)
     keys = [Frame.key(t, q) for t, q in zip(time, qpos, strict=True)]
     return _clip(name, "", mjcf, figure, fps or 30.0, keys, None, place)

@@ -122,6 +122,7 @@ class ContactTable(_Table):
 class SolveTable(_Table):
     coordinates: Literal["auto", "world", "joint"] = "auto"
     ends: Literal["free", "clamped", "periodic"] = "free"
+    travel: tuple[Number, Number, Number] | None = None
     variable: Annotated[Whole, Field(ge=0, le=50)] | None = None
     frames: Annotated[Whole, Field(ge=0, le=100_000)] | None = None
     criterion: str | None = None
@@ -281,5 +282,6 @@ _EXPECTED = {
     "quat": "four numbers [w, x, y, z]",
     "coordinates": "'auto', 'world' or 'joint'",
     "ends": "'free', 'clamped' or 'periodic'",
+    "travel": "[x, y, z] in metres",
     "quadrature": "'gauss' or 'uniform'",
 }

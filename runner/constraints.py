@@ -42,6 +42,7 @@ from solver.penalty import (
     joint_ranges,
     site_points,
     stances,
+)
 from solver.quaternion import Array
 from solver.surface import Box, Plane, Surface
 
@@ -50,8 +51,8 @@ from .contacts import contacts
 from .errors import UserError, unknown
 
 KINDS = (
-    "covariant", "root", "unit", "contact", "clearance", "planted", "skate", "grounded", "posture", "bend", "range", "self",
-    "placement", "flight", "support", "peak", "torque",
+    "covariant", "root", "unit", "contact", "clearance", "planted", "skate", "grounded", "posture", "bend", "range",
+    "self", "placement", "flight", "support", "peak", "torque",
 )  # fmt: skip
 DEFAULT_WEIGHTS = {
     "covariant": 1.0,

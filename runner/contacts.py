@@ -72,7 +72,7 @@ def _check_interval(table: ContactTable, keys: Timeline, name: str) -> None:
         raise UserError(f"{name}: from = {table.start:g} s is not before to = {table.end:g} s")
     if table.start < first - ROUNDING or table.end > last + ROUNDING:
         raise UserError(
-            f"{name}: {table.start:g} to {table.end:g} s is not inside the clip, which runs from {first:g} to {last:g} s"
+            f"{name}: {table.start:g} to {table.end:g} s is outside the clip, which runs from {first:g} to {last:g} s"
         )
 
 

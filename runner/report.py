@@ -24,6 +24,7 @@ from solver.kinematics import Samples
 from solver.objective import Objective
 from solver.penalty import BendLimits, Contact, JointRange, Placement, SelfContact, joint_ranges, stances, within
 from solver.quaternion import Array
+from solver.seam import Seam
 from solver.subdivision import by_weak_form, path_of
 from solver.surface import Box
 from solver.wrench import RootWrench
@@ -110,6 +111,7 @@ def _side(clip: Clip, objective: Objective, timeline: Timeline, grid: Grid) -> d
         "edge clearance, m": _edge_clearance(clip, grid),
         "unit deviation": _unit_deviation(grid),
         "keyframe error": _keyframe_error(clip, timeline),
+        **_seam(clip, timeline),
         "angular acceleration, rad/s²": _peak_acceleration(grid),
         "torque, N m": _torque(grid),
         "support": _support(clip, grid),
@@ -267,6 +269,17 @@ def _keyframe_error(clip: Clip, timeline: Timeline) -> float:
                 wanted[columns] *= -1
         worst = max(worst, float(np.abs(wanted - qpos)[key.fixed].max(initial=0.0)))
     return worst
+
+
+def _seam(clip: Clip, timeline: Timeline) -> dict[str, Any]:
+    """How far a loop's root travels in a period, and by how much y, y', y'' at the end miss the start, moved on."""
+    if timeline.ends != "periodic":
+        return {}
+    seam = Seam.of(clip.figure, timeline)
+    roots = clip.figure.tables.position_columns
+    position, velocity, acceleration = map(float, seam.apart(path_of(timeline)))
+    mismatch = {"state": position, "first derivative": velocity, "second derivative": acceleration}
+    return {"seam": {"travel, m": seam.travel[roots[:, 0]].tolist() if roots.size else [], **mismatch}}
 
 
 def _peak_acceleration(grid: Grid) -> dict[str, Any]:
@@ -446,6 +459,9 @@ def _lines(before: dict[str, Any], after: dict[str, Any]) -> list[tuple[str, str
     units = [s["unit deviation"] for s in sides]
     lines.append(row("length of quaternions", *(f"{u['shortest']:.4f} - {u['longest']:.4f}" for u in units)))
     lines.append(row("keyframe error", *(f"{s['keyframe error']:.1e}" for s in sides)))
+    if "seam" in after:
+        apart = ([s["seam"][k] for k in ("state", "first derivative", "second derivative")] for s in sides)
+        lines.append(row("seam of the loop: y / y' / y'' apart", *(" / ".join(f"{a:.0e}" for a in s) for s in apart)))
     peaks = [s["angular acceleration, rad/s²"] for s in sides]
     lines.append(row("peak angular acceleration", *(f"{p['peak']:.0f} rad/s², {p['joint']}" for p in peaks)))
     torques = [s["torque, N m"] for s in sides]

@@ -85,7 +85,14 @@ def solve(clip: Clip, teller: Teller, *, stop_after: int | None = None) -> Solve
     begin = time.perf_counter()
     settings = clip.settings
     found = inbetween(
-        clip.figure, clip.keys, clip.penalties, settings, ends=clip.ends, end_slope=clip.end_slope, improved=improved
+        clip.figure,
+        clip.keys,
+        clip.penalties,
+        settings,
+        ends=clip.ends,
+        end_slope=clip.end_slope,
+        travel=clip.travel,
+        improved=improved,
     )
     seconds = time.perf_counter() - begin
     if found.trace:
@@ -96,6 +103,6 @@ def solve(clip: Clip, teller: Teller, *, stop_after: int | None = None) -> Solve
 
 def unsolved(clip: Clip) -> Solved:
     """A clip as its raw spline, for looking at keyframes."""
-    raw = raw_timeline(clip.figure, list(clip.keys), clip.ends, clip.end_slope)
+    raw = raw_timeline(clip.figure, list(clip.keys), clip.ends, clip.end_slope, clip.travel)
     objective = Objective.of(clip.figure, clip.penalties, quadrature=clip.settings.quadrature)
     return Solved(clip, Motion(clip.figure, objective, raw, raw, (), 0, Stop.CONVERGED), 0.0)

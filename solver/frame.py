@@ -103,7 +103,8 @@ class Timeline:
     """Frames in order of time, and what holds at the two ends of the clip.
 
     ends       "free": both end slopes are unknowns; "clamped": they are `end_slope`; "periodic": the last frame repeats
-               the first and the curve is C² across the seam
+               the first, its free roots as far on as the two frames say, and the curve is C² across the seam; "held":
+               y, y' and y'' of both ends stay as they are, for which the variable frames beside them make way
     end_slope  (2, N)  y' at the first and the last frame [state/s]; a starting value where the slopes are free. Of a
                periodic clip the jumps of y' and y'' from the end to the start: zero, but for quaternions that come
                back as −q
@@ -130,8 +131,12 @@ class Timeline:
         object.__setattr__(self, "end_slope", frozen(self.end_slope))
         if self.end_slope.shape != (2, self.width):
             raise TimelineError(f"end_slope has shape {self.end_slope.shape}, not (2, {self.width})")
-        if self.ends not in ("free", "clamped", "periodic"):
-            raise TimelineError(f"ends = {self.ends!r}: not one of 'free', 'clamped', 'periodic'")
+        if self.ends not in ("free", "clamped", "periodic", "held"):
+            raise TimelineError(f"ends = {self.ends!r}: not one of 'free', 'clamped', 'periodic', 'held'")
+        if self.ends == "held" and not (
+            len(self.frames) > 3 and self.frames[1].is_variable and self.frames[-2].is_variable
+        ):
+            raise TimelineError("held ends need a variable frame beside each")
 
     @property
     def width(self) -> int:

@@ -123,6 +123,7 @@ def inbetween(
     *,
     ends: str = "free",
     end_slope: Array | None = None,
+    travel: ArrayLike | None = None,
     improved: Callable[[Improvement], None] | None = None,
 ) -> Motion:
     """Smooth motion through keyframes that keeps to soft constraints.
@@ -130,12 +131,13 @@ def inbetween(
     keys       keyframes holding *qpos* (nq,) and the mask of what is fixed, at least two, in order of time
     penalties  soft constraints with their weights α
     ends       "free", "clamped" (with end_slope (2, N), in the figure's coordinates) or "periodic"
+    travel     (3,) [m] how far the root of a loop comes in one period; None: as far in x and y as the keyframes say
     improved   gets every evaluation that lowers E; raise optimiser.StopSearch in it to stop and keep the best path
 
     The keyframes are met exactly whenever the search is stopped. Raises TimelineError for frames that make no clip.
     """
     settings = settings or Settings()
-    raw = raw_timeline(figure, list(keys), ends, end_slope)
+    raw = raw_timeline(figure, list(keys), ends, end_slope, travel)
     objective = Objective.of(figure, penalties, quadrature=settings.quadrature)
     if settings.renormalise:
         objective = objective.renormalised(path_of(raw))

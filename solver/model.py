@@ -26,6 +26,7 @@ from .kinematics import Samples
 from .objective import Discretised
 from .quadrature import gauss_nodes
 from .quaternion import Array, Index
+from .seam import Seam
 from .spline import DEGREE, Path, Piece, Sampling, Spline
 
 POINTS = 2
@@ -169,6 +170,9 @@ class Layout:
             held[-3:] = False
             for order in range(3):
                 self._tie_seam(room, spline, order)
+        if spline.ends == "held":
+            held[[1, -4]] = False
+            self._hold_curvature(room, spline)
         if unknowns.ties is not None:
             tied = held & np.diff(unknowns.ties.indptr).reshape(free.shape).any(axis=1)
             for i in np.flatnonzero(tied):
@@ -193,16 +197,23 @@ class Layout:
         np.add.at(room.reshape(-1), flat.ravel(), values.ravel())
 
     def _tie_seam(self, room: Array, spline: Spline, order: int) -> None:
-        """y, y' or y'' at the end equal to that at the start, or its negative for quaternions that come back so."""
+        """y, y' or y'' of a step at the end equal to that at the start, or its negative where quaternions come back so.
+
+        A loop's travel is constant: no step has any.
+        """
         start, end = (spline.basis([t], order) for t in spline.times[[0, -1]])
-        states = self.problem.timeline.rows
-        sign = np.ones(self.width)
-        for columns in self.problem.objective.figure.tables.quaternion_columns.T:
-            sign[columns] = 1.0 if states[0, columns] @ states[self.count - 3, columns] >= 0 else -1.0
+        sign = Seam.of(self.problem.objective.figure, self.problem.timeline).signs
         both = sparse.csr_matrix(sparse.vstack([start, end]))
         weights = np.array(both.data, float)[:, None] + np.zeros(self.width)
         weights[: start.nnz] *= -sign
         self._hold(room, np.asarray(both.indices, np.intp), weights, np.eye(self.width))
+
+    def _hold_curvature(self, room: Array, spline: Spline) -> None:
+        """No step of y'' at either end."""
+        for end in spline.times[[0, -1]]:
+            seen = spline.basis([end], 2)
+            weights = np.tile(np.asarray(seen.data, float)[:, None], self.width)
+            self._hold(room, np.asarray(seen.indices, np.intp), weights, np.eye(self.width))
 
     def _hold(self, room: Array, coefficients: Index, weights: Array, hold: Array) -> None:
         """A spring on `hold` (N, N) of Σ_j weights_j * c_j, weights (k, N)."""

@@ -1,8 +1,8 @@
 """The C² cubic B-spline through a timeline's frames (eqs. 2-6): linear in the frames, so every sample is a fixed linear
 map of them, and a gradient with respect to samples pulls back to frames by the transposed map.
 
-M frames and M knots span M + 2 cubic B-splines; the two rows that eq. 5 leaves open are the end slopes (free or
-clamped) or the two conditions of a periodic curve. The collocation matrix is banded: factorised once, O(M) a solve.
+M frames and M knots span M + 2 cubic B-splines; the two rows that eq. 5 leaves open are the end slopes (free, clamped
+or held) or the two conditions of a periodic curve. The collocation matrix is banded: factorised once, O(M) a solve.
 """
 
 from __future__ import annotations
@@ -148,6 +148,18 @@ class Spline:
         sums = sparse.vstack([self.basis(last, k) + self.basis(first, k) for k in (1, 2)])
         by_rows = self.coefficients_transposed(sums.toarray().T).T
         return np.negative(np.linalg.solve(by_rows[:, -2:], by_rows[:, :-2]), dtype=float)
+
+    def held_shares(self) -> Array:
+        """(2, M + 2): with which shares of all rows the second and the last frame but one keep y'' at both ends.
+
+        They are no shares of each other, nor of themselves.
+        """
+        seen = self.basis(self.times[[0, -1]], 2).toarray()
+        by_rows = self.coefficients_transposed(seen.T).T
+        beside = [1, self.times.size - 2]
+        own = by_rows[:, beside]
+        by_rows[:, beside] = 0
+        return np.negative(np.linalg.solve(own, by_rows), dtype=float)
 
     def evaluate(self, rows: Array, t: ArrayLike, order: int = 0) -> Array:
         """y, y', y'' or y''' at t (S,): (S, N)."""

@@ -2,24 +2,28 @@
 
 x holds the entries that nobody fixed, and nothing else, so the keyframes are met for *every* x (§2 of the paper). A
 fixed joint of a partial keyframe is a relative rotation: in world coordinates its row is Q_parent ⊗ q, linear in the
-unknown Q_parent. A loop's last frame repeats the first. All of this is Y = constant + A x with a sparse A.
+unknown Q_parent. A loop's last frame repeats the first, moved on by its travel. Held ends take the two frames beside
+them along. All of this is Y = constant + A x with a sparse A.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import ArrayLike
 from scipy import sparse
 
 from . import quaternion as quat
 from .figure import Figure, JointKind, Link, quaternion_columns
 from .frame import Frame, Mask, Timeline, TimelineError
 from .quaternion import Array, Index
+from .seam import Seam, sameness
 from .spline import Spline, natural_end_slopes, natural_spline, spline_of
 from .winding import signs
+
+SAME = 1e-9  # entries of a loop's ends that differ by no more agree
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,16 +91,25 @@ class Unknowns:
             for i in np.flatnonzero(loose.any(axis=1) & ~loose.all(axis=1)):
                 ties.turn(figure, timeline.frames[i], int(i))
         if timeline.ends == "periodic":
-            signs = _sameness(figure, rows[0], rows[last])
-            ties.repeat(0, last, signs)
-            ties.close(np.flatnonzero(signs < 0), spline_of(timeline).opposite_jumps)
+            seam = Seam.of(figure, timeline)
+            ties.repeat(0, last, seam)
+            back = np.flatnonzero(seam.signs < 0)
+            if back.size:
+                ties.follow(np.array([last + 1, last + 2]), spline_of(timeline).opposite_jumps(), back)
+        if timeline.ends == "held":
+            beside = np.array([1, last - 1])
+            shares = spline_of(timeline).held_shares()
+            ties.follow(beside, shares, np.arange(width), rows[beside] - shares @ rows)
         whole = np.flatnonzero(loose.all(axis=1))
         blocks = np.searchsorted(place, whole * width)[:, None] + np.arange(width)
         return cls(constant, start, whole, blocks, place, ties.matrix())
 
 
 def _loose(figure: Figure, timeline: Timeline) -> Mask:
-    """(M + 2, N): which entries of the rows are unknowns, quaternions whole; a loop's last frame repeats the first."""
+    """(M + 2, N): which entries of the rows are unknowns, quaternions whole.
+
+    A loop's last frame repeats the first; of held ends the frames beside them follow the others.
+    """
     loose = np.empty((len(timeline.frames) + 2, figure.width), bool)
     np.logical_not(timeline.fixed, out=loose[:-2])
     for columns in figure.tables.quaternion_columns.T:
@@ -104,6 +117,8 @@ def _loose(figure: Figure, timeline: Timeline) -> Mask:
     loose[-2:] = timeline.ends == "free"
     if timeline.ends == "periodic":
         loose[-3] = False
+    if timeline.ends == "held":
+        loose[[0, 1, -4, -3]] = False
     return loose
 
 
@@ -154,25 +169,21 @@ class _Ties:
             )
             self.constant[row, columns] = matrix @ self.constant[row, parent]
 
-    def repeat(self, source: int, row: int, signs: Array) -> None:
-        """Makes a row equal to an earlier one, up to the columns' signs."""
-        self.constant[row] = self.constant[source] * signs
+    def repeat(self, source: int, row: int, seam: Seam) -> None:
+        """Makes a row equal to an earlier one, as it comes back after a period."""
+        self.constant[row] = seam.moved(self.constant[source])
         entries, unknowns, factors = self._of(source, source + 1)
-        self._put(entries + (row - source) * self.width, unknowns, factors * signs[entries % self.width])
+        self._put(entries + (row - source) * self.width, unknowns, factors * seam.signs[entries % self.width])
 
-    def close(self, columns: Index, opposite_jumps: Callable[[], Array]) -> None:
-        """Lays the seam's jumps for the columns that come back with the other sign."""
-        if not columns.size:
-            return
-        jumps = opposite_jumps()
-        count = jumps.shape[1]
-        self.constant[np.ix_([count, count + 1], columns)] = jumps @ self.constant[:count, columns]
+    def follow(self, followers: Index, shares: Array, columns: Index, beyond: Array | float = 0.0) -> None:
+        """Makes rows (F,) in some columns a sum of the first R rows, with shares (F, R), and what is beyond (F, C)."""
+        count = shares.shape[1]
+        self.constant[np.ix_(followers, columns)] = shares @ self.constant[:count, columns] + beyond
         entries, unknowns, factors = self._of(0, count)
         row, column = np.divmod(entries, self.width)
         some = np.flatnonzero(np.isin(column, columns))
-        for k in range(2):
-            jump = jumps[k, row[some]]
-            self._put((count + k) * self.width + column[some], unknowns[some], factors[some] * jump)
+        for follower, share in zip(followers, shares, strict=True):
+            self._put(follower * self.width + column[some], unknowns[some], factors[some] * share[row[some]])
 
     def matrix(self) -> sparse.csr_matrix | None:
         if not self.entries.size:
@@ -181,25 +192,28 @@ class _Ties:
         return sparse.csr_matrix((self.factors, (self.entries, self.unknowns)), shape=shape)
 
 
-def _sameness(figure: Figure, first: Array, last: Array) -> Array:
-    """+1, or −1 in the columns of quaternions that come back on the other hemisphere."""
-    signs = np.ones(first.size)
-    for columns in figure.tables.quaternion_columns.T:
-        if first[columns] @ last[columns] < 0:
-            signs[columns] = -1.0
-    return signs
-
-
-def raw_timeline(figure: Figure, keys: list[Frame], ends: str = "free", end_slope: Array | None = None) -> Timeline:
+def raw_timeline(
+    figure: Figure,
+    keys: list[Frame],
+    ends: str = "free",
+    end_slope: Array | None = None,
+    travel: ArrayLike | None = None,
+) -> Timeline:
     """The keyframes' timeline in the figure's coordinates, and the natural spline's end slopes (method of §2).
 
     keys hold *qpos* and the fixed mask. Signs of quaternions are such that joints turn by the shortest arcs. An entry
     that a partial keyframe leaves out starts on the natural spline of its neighbours, one left out everywhere at the
     rest pose. The first and the last keyframe of a loop are one: what either fixes is fixed in both.
+
+    travel  (3,) [m] how far the root of a loop comes in one period; None: as far in x and y as the keyframes say
     """
     _check(figure, keys)
+    offset = np.zeros(figure.width)
     if ends == "periodic" and len(keys) > 1:
-        keys = _closed(figure, keys)
+        offset = _travelled(figure, keys[0], keys[-1], travel)
+        keys = _closed(figure, keys, offset)
+    elif travel is not None:
+        raise TimelineError(f"travel is for ends = 'periodic', not '{ends}'")
     plain = Timeline(tuple(keys), np.zeros((2, figure.width)))
     states = np.array(plain.states)
     rest = np.array(figure.model.qpos0)
@@ -223,7 +237,7 @@ def raw_timeline(figure: Figure, keys: list[Frame], ends: str = "free", end_slop
                 states[:, columns] = quat.normalised(states[:, columns])
         states[:, columns] = _laid_along(link, plain.times, base, states[:, columns])
     if ends == "periodic":
-        states[-1] = states[0] * _sameness(figure, states[0], states[-2])
+        states[-1] = states[0] * sameness(figure, states[0], states[-2]) + offset
     frames = tuple(Frame.many(plain.times, states, fixed))
     return Timeline(frames, _end_slope(figure, keys, states, ends, end_slope), ends)
 
@@ -232,7 +246,7 @@ def _end_slope(figure: Figure, keys: list[Frame], states: Array, ends: str, give
     """(2, N): the rows below the frames' states, for any ends."""
     times = np.array([frame.time for frame in keys])
     if ends == "periodic":
-        back = np.flatnonzero(_sameness(figure, states[0], states[-1]) < 0)
+        back = np.flatnonzero(sameness(figure, states[0], states[-1]) < 0)
         jumps = np.zeros((2, figure.width))
         if back.size:
             jumps[:, back] = Spline(times, ends).opposite_jumps() @ states[:, back]
@@ -245,11 +259,28 @@ def _end_slope(figure: Figure, keys: list[Frame], states: Array, ends: str, give
     # a quaternion that was laid on the other hemisphere takes its slope along
     rest = np.array(figure.model.qpos0)
     as_given = [figure.to_state(np.where(keys[i].fixed, keys[i].state, rest)) for i in (0, -1)]
-    signs = [_sameness(figure, a, b) for a, b in zip(as_given, states[[0, -1]], strict=True)]
+    signs = [sameness(figure, a, b) for a, b in zip(as_given, states[[0, -1]], strict=True)]
     return np.asarray(given, float) * signs
 
 
-def _closed(figure: Figure, keys: list[Frame]) -> list[Frame]:
+def _travelled(figure: Figure, first: Frame, last: Frame, travel: ArrayLike | None) -> Array:
+    """(N,) by how much the last state of a loop lies beyond its first: the travel of its root."""
+    offset, roots = np.zeros(figure.width), figure.tables.position_columns
+    if travel is None:
+        ground = roots[:2, :1].ravel()
+        apart = np.where(first.fixed & last.fixed, last.state - first.state, 0.0)[ground]
+        offset[ground] = np.where(np.abs(apart) > SAME, apart, 0.0)
+        return offset
+    travel = np.asarray(travel, float)
+    if travel.shape != (3,) or not np.all(np.isfinite(travel)):
+        raise TimelineError(f"travel must be three finite numbers [x, y, z] in metres, not {travel.tolist()}")
+    if not roots.size:
+        raise TimelineError("the figure has no free joint, so no root to travel")
+    offset[roots[:, 0]] = travel
+    return offset
+
+
+def _closed(figure: Figure, keys: list[Frame], offset: Array) -> list[Frame]:
     """The keyframes of a loop: the first and the last with the entries that either fixes."""
     first, last = keys[0], keys[-1]
     a, b = (np.array(frame.state) for frame in (first, last))
@@ -257,16 +288,27 @@ def _closed(figure: Figure, keys: list[Frame]) -> list[Frame]:
     for columns in figure.tables.quaternion_columns.T:
         if both[columns].all():
             a[columns], b[columns] = quat.normalised(a[columns]), quat.normalised(b[columns])
-    apart = np.abs(a * _sameness(figure, a, b) - b) * both
-    if apart.max() > 1e-9:
-        link = next(link for link in reversed(figure.links) if link.qpos <= np.argmax(apart))
+    apart = np.abs(a * sameness(figure, a, b) + offset - b) * both
+    if apart.max() > SAME:
         raise TimelineError(
-            f"periodic ends: the last keyframe (t = {last.time:g} s) differs from the first at '{link.name}' by "
-            f"{apart.max():.3g}; they must agree, or leave it free in one of them"
+            f"periodic ends: the last keyframe (t = {last.time:g} s) differs from the first at "
+            f"{_where(figure, int(np.argmax(apart)), offset)} by {apart.max():.3g}; "
+            "they must agree, or leave it free in one of them"
         )
-    state = np.where(first.fixed, a, b)
+    state = np.where(first.fixed, a, b - offset)
     fixed = first.fixed | last.fixed
-    return [replace(first, state=state, fixed=fixed), *keys[1:-1], replace(last, state=state, fixed=fixed)]
+    return [replace(first, state=state, fixed=fixed), *keys[1:-1], replace(last, state=state + offset, fixed=fixed)]
+
+
+def _where(figure: Figure, column: int, offset: Array) -> str:
+    """How an error calls an entry of a loop's ends: its joint, for a root with what may differ."""
+    link = next(link for link in reversed(figure.links) if link.qpos <= column)
+    if link.kind is not JointKind.FREE:
+        return f"'{link.name}'"
+    if column >= link.qpos + 3:
+        return f"'{link.name}' (a loop may travel, not turn)"
+    travel = ", ".join(f"{metres:g}" for metres in offset[link.qpos : link.qpos + 3])
+    return f"'{link.name}' along {'xyz'[column - link.qpos]} (with travel = [{travel}])"
 
 
 def _bases(figure: Figure, states: Array, link: Link) -> Array:

@@ -686,3 +686,87 @@ def test_a_second_ctrl_c_only_cuts_the_measuring_short_and_the_motion_is_written
     with np.load(tmp_path / "tiny.npz") as data:
         assert json.loads(str(data["report"]))["after"]["keyframe error"] < 1e-12
     assert names(tmp_path) == ["hinge.xml", "tiny.npz", "tiny.toml", "tiny.xml"]
+
+
+# loops and edits
+
+LOOP = changed("frames = 2", 'frames = 2\nends = "periodic"').replace(
+    "root.position = [0.3, 0, 1]\nroot.rotation = {rotvec = [0, 10, 170]}", "root.position = [0.3, 0, 1]"
+)
+
+
+def test_a_travelling_loop_is_solved_repeated_and_rendered(run, tmp_path):
+    (tmp_path / "loop.toml").write_text(LOOP, encoding="utf-8")
+    assert run("solve", "loop.toml").code == 0
+    done = run("solve", "loop.toml", "--repeat", 3, "-o", "three.npz", "--json")
+    assert done.code == 0
+    assert json.loads(done.out)["after"]["seam"]["travel, m"] == pytest.approx([0.9, 0, 0])
+    with np.load("loop.npz") as one, np.load("three.npz") as three:
+        assert len(three["time"]) == int(3 * 0.41 * 20) + 1
+        np.testing.assert_allclose(three["qpos"][:9], one["qpos"], atol=1e-9)
+        assert len(three["key_time"]) == 7
+    assert "seam of the loop" in run("report", "loop.npz").out
+    for source in ("loop.toml", "loop.npz"):
+        assert run("render", source, *SMALL, "--fps", 5, "--repeat", 2, "-o", "twice.gif").code == 0
+        with Image.open(tmp_path / "twice.gif") as film:
+            assert getattr(film, "n_frames", 1) == int(2 * 0.41 * 5) + 1
+    assert run("render", "loop.npz", *SMALL, "--repeat", 2, "--at", 0.8, "-o", "late.png").code == 0
+
+
+def test_what_is_no_loop_is_not_repeated(run, motion_file, tmp_path):
+    (tmp_path / "loop.toml").write_text(LOOP, encoding="utf-8")
+    with nothing_written(tmp_path):
+        assert_refused(run("solve", "tiny.toml", "--repeat", 2), "--repeat", "'tiny' is no loop", "'periodic'")
+        assert_refused(run("render", motion_file, *SMALL, "--repeat", 2), "is no loop")
+        assert_refused(run("solve", "loop.toml", "--repeat", 0), "--repeat 0", "from 1 on")
+        assert_refused(run("solve", "loop.toml", "--repeat", 5000), "600 s at most")
+
+
+@pytest.mark.parametrize(
+    ("travel", "words"),
+    [
+        ("travel = [0.2, 0, 0]", ["differs from the first at 'root' along x", "by 0.1"]),
+        ("travel = [0.3, 0]", ["solve.travel must be [x, y, z] in metres, not [0.3, 0]"]),
+        ("travel = 1", ["solve.travel must be [x, y, z] in metres"]),
+    ],
+)
+def test_a_travel_that_does_not_fit_is_refused(run, tmp_path, travel, words):
+    (tmp_path / "loop.toml").write_text(LOOP.replace("frames = 2", f"frames = 2\n{travel}"), encoding="utf-8")
+    assert_refused(run("solve", "loop.toml"), "loop.toml", *words)
+
+
+def test_travel_without_a_loop_is_refused(run, tmp_path):
+    (tmp_path / "free.toml").write_text(changed("frames = 2", "travel = [1, 0, 0]"), encoding="utf-8")
+    assert_refused(run("solve", "free.toml"), "travel is for ends = 'periodic', not 'free'")
+
+
+def test_edits_write_a_motion_named_after_what_is_done(run, motion_file, tmp_path):
+    assert run("trim", motion_file, "--from", 0.1, "--to", 0.3).err.splitlines()[-1] == "wrote tiny_trimmed.npz"
+    assert run("retime", motion_file, "--speed", 2).err.splitlines()[-1] == "wrote tiny_retimed.npz"
+    assert run("retime", "tiny.toml", "--duration", 3).err.splitlines()[-1] == "wrote tiny_retimed.toml"
+    assert run("join", motion_file, "tiny_trimmed.npz", "--transition", 0.2).code == 0
+    with np.load("tiny_joined.npz") as joined:
+        np.testing.assert_allclose(joined["key_time"], [0, 0.2, 0.41, 0.61, 0.71, 0.81])
+    report = json.loads(run("report", "tiny_joined.npz", "--json").out)
+    assert report["stopped because"] == "not searched: joined"
+    assert run("plot", "tiny_joined.npz").code == 0
+    assert run("render", "tiny_retimed.npz", *SMALL, "--fps", 5, "-o", "film.gif").code == 0
+    assert run("solve", "tiny_retimed.toml").code == 0
+
+
+def test_edits_that_cannot_be_are_told_in_one_line(run, motion_file, tmp_path):
+    with nothing_written(tmp_path):
+        assert_refused(run("mirror", motion_file), "no partner on the other side for: 'left_knee'")
+        assert_refused(run("mirror", "tiny.toml", "-o", "out.toml"), "no partner on the other side for: 'left_knee'")
+        assert_refused(run("retime", motion_file), "--speed", "--duration")
+        assert_refused(run("retime", motion_file, "--speed", 2, "--duration", 2), "one of them")
+        assert_refused(run("retime", motion_file, "--speed", 0), "--speed 0: give a number above 0")
+        assert_refused(run("trim", motion_file), "--from, --to, or both")
+        assert_refused(run("trim", motion_file, "--from", 0.3, "--to", 0.1), "ends after it begins")
+        assert_refused(run("trim", motion_file, "--to", 5), "not inside 0 to 0.41 s")
+        assert_refused(run("trim", "tiny.toml", "--from", -1), "from -1 to 0.41 s is not inside 0 to 0.41 s")
+        assert_refused(run("mirror", "tiny.toml", "-o", "out.npz"), "no partner on the other side for: 'left_knee'")
+        assert_refused(run("join", motion_file, motion_file, "--transition", 0), "a transition lasts")
+        assert_refused(run("join", motion_file, "run_and_step"), "of different figures; they differ in")
+        assert_refused(run("trim", "tiny.toml", "--to", 0.3, "-o", "tiny.toml"), "is what is edited", "--overwrite")
+        assert_refused(run("retime", "none.npz", "--speed", 2), "no file 'none.npz'")

@@ -1,0 +1,96 @@
+"""Left and right exchanged in a clip's tables, in the words of the file: angles stay angles, free stays free."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from solver.figure import Figure, JointKind
+from solver.mirror import AXIAL, POLAR, TURN, Mirror, other_side
+
+from .errors import UserError
+
+KNOWN = {"keyframe": {"time", "root", "joints", "others"}, "scene": {"step"}, "root": {"position", "rotation"}}
+
+
+def mirrored_tables(clip: dict[str, Any], figure: Figure, mirror: Mirror) -> dict[str, Any]:
+    """A clip's tables for the mirrored figure; the step, which has a place, changes sides as well."""
+    rest = np.array(figure.model.qpos0)
+    if any(row.get("others") == "rest" for row in clip["keyframe"]) and not np.allclose(
+        mirror.states(rest), rest, atol=1e-9
+    ):
+        raise UserError("the figure's rest is no mirror image of itself: say every joint instead of others = 'rest'")
+    out = clip | {"keyframe": [_keyframe(row, figure, mirror) for row in clip["keyframe"]]}
+    if "scene" in clip:
+        _check_known("scene", clip["scene"])
+        step = clip["scene"].get("step")
+        out["scene"] = {"step": step | {"y": -step["y"]}} if step and "y" in step else clip["scene"]
+    if clip.get("solve", {}).get("travel") is not None:
+        out["solve"] = clip["solve"] | {"travel": _signed(clip["solve"]["travel"], POLAR)}
+    if "penalty" in clip:
+        out["penalty"] = [_renamed(entry, figure) for entry in clip["penalty"]]
+    return out
+
+
+def _check_known(table: str, entries: dict[str, Any]) -> None:
+    """What this does not know may have sides, too."""
+    for key in entries:
+        if key not in KNOWN[table]:
+            raise UserError(f"{table}: '{key}' has no mirror image yet; mirror the solved motion instead")
+
+
+def _renamed(entry: dict[str, Any], figure: Figure) -> dict[str, Any]:
+    """A penalty for the points and joints of the other side."""
+    model = figure.model
+    known = {model.site(i).name for i in range(model.nsite)} | {link.name for link in figure.links}
+    swap = {name: other if (other := other_side(name)) in known else name for name in known}
+    lists = {key: [swap.get(name, name) for name in entry[key]] for key in ("points", "joints") if entry.get(key)}
+    return entry | lists
+
+
+def _keyframe(row: dict[str, Any], figure: Figure, mirror: Mirror) -> dict[str, Any]:
+    _check_known("keyframe", row)
+    out = dict(row)
+    if "root" in row:
+        _check_known("root", row["root"])
+        out["root"] = dict(row["root"])
+        position, rotation = row["root"].get("position", "free"), row["root"].get("rotation", "free")
+        if position != "free":
+            out["root"]["position"] = _signed(position, POLAR)
+        if rotation != "free":
+            out["root"]["rotation"] = _rotation(rotation)
+    if "joints" in row:
+        out["joints"] = dict(_joint(name, value, figure, mirror) for name, value in row["joints"].items())
+    return out
+
+
+def _joint(name: str, value: Any, figure: Figure, mirror: Mirror) -> tuple[str, Any]:
+    """What a keyframe says of one joint, said of its partner."""
+    number = next(i for i, link in enumerate(figure.links) if i and link.name == name)
+    partner = figure.links[mirror.partner[number]]
+    if isinstance(value, dict):
+        return partner.name, _rotation(value)
+    if value == "free":
+        return partner.name, value
+    shift = mirror.shift[partner.qpos]
+    shift = float(np.degrees(shift)) if partner.kind is JointKind.HINGE else float(shift)
+    return partner.name, float(mirror.sign[partner.qpos]) * value + shift
+
+
+def _rotation(table: dict[str, Any]) -> dict[str, Any]:
+    """A rotation vector and a quaternion by their entries, Euler angles by their axes."""
+    out = dict(table)
+    if table.get("rotvec") is not None:
+        out["rotvec"] = _signed(table["rotvec"], AXIAL)
+    if table.get("quat") is not None:
+        out["quat"] = _signed(table["quat"], TURN)
+    if table.get("euler") is not None:
+        signs = [AXIAL["xyz".index(letter)] for letter in table.get("order") or "xyz"]
+        out["euler"] = _signed(table["euler"], signs)
+    return out
+
+
+def _signed(values: Any, signs: Any) -> list[Any]:
+    """Numbers with signs changed; "free" stays, and a zero has no sign."""
+    return [x if x == "free" else float(sign) * x + 0.0 for x, sign in zip(values, signs, strict=True)]

@@ -1,0 +1,307 @@
+"""Edits of solved motions: the samples of the edited are those of the original, transformed; and of clips' files."""
+
+from __future__ import annotations
+
+import io
+import re
+import tomllib
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import tiny
+from rich.console import Console
+
+import models
+from runner import clip, edit_files, edits, motion, work
+from runner.clip_text import keyframe_tables, tables, written
+from runner.errors import UserError
+from runner.motion import Saved, sampled
+from runner.progress import Teller
+from solver import quaternion as quat
+from solver.mirror import Mirror
+from solver.quaternion import Array
+from solver.seam import Seam
+from solver.subdivision import path_of
+from solver.surface import Box
+
+FPS = 97.0
+
+
+def teller() -> Teller:
+    return Teller(Console(file=io.StringIO()))
+
+
+def solved(text: str, name: str) -> Saved:
+    return work.solve(clip.from_text(text, name=name), teller()).saved(teller(), with_report=False)
+
+
+@pytest.fixture(scope="module")
+def cycle() -> Saved:
+    """The run cycle: a loop that travels."""
+    return solved(models.clip_text("run_cycle"), "run_cycle")
+
+
+@pytest.fixture(scope="module")
+def steps() -> Saved:
+    """The same with free ends, and the second knee left free at one keyframe."""
+    text = models.clip_text("run_cycle").replace('ends = "periodic"', "frames = 8")
+    keyframes = text.split("[[keyframe]]")
+    keyframes[3] = re.sub(r"joints.right_knee = .*\n", "", keyframes[3])
+    text = "[[keyframe]]".join(keyframes[:-1])
+    return solved(text, "steps")
+
+
+def assert_same(saved: Saved, got: Array, wanted: Array) -> None:
+    """Configurations (T, nq), whatever the signs of quaternions."""
+    got = got.copy()
+    for columns in saved.figure.tables.quaternion_columns.T:
+        got[:, columns] *= np.sign(np.sum(got[:, columns] * wanted[:, columns], axis=1))[:, None]
+    np.testing.assert_allclose(got, wanted, rtol=0, atol=1e-9)
+
+
+def test_mirrored_samples_are_the_mirror_images_of_samples(cycle, steps):
+    for saved in (cycle, steps):
+        mirror, mirrored = Mirror.of(saved.figure), edits.mirrored(saved)
+        for before, after in ((saved.timeline, mirrored.timeline), (saved.raw, mirrored.raw)):
+            one, two = (sampled(saved.figure, each, FPS) for each in (before, after))
+            assert_same(saved, two.qpos, mirror.states(one.qpos))
+        twice = edits.mirrored(mirrored)
+        np.testing.assert_array_equal(twice.timeline.rows, saved.timeline.rows)
+        for a, b in zip(twice.keys, saved.keys, strict=True):
+            np.testing.assert_array_equal(a.state, b.state)
+            np.testing.assert_array_equal(a.fixed, b.fixed)
+
+
+def test_the_run_cycle_is_its_own_mirror_image_half_a_period_on(cycle):
+    t = np.linspace(0, 0.37, 30)
+    later, other = cycle.timeline, edits.mirrored(cycle).timeline
+    wanted = cycle.figure.to_qpos(path_of(later).at(t + 0.37))
+    got = cycle.figure.to_qpos(path_of(other).at(t)) + np.eye(cycle.figure.width)[0]
+    for columns in cycle.figure.tables.quaternion_columns.T:
+        got[:, columns] *= np.sign(np.sum(got[:, columns] * wanted[:, columns], axis=1))[:, None]
+    assert np.abs(got - wanted).max() < 0.02  # frames stand elsewhere in the halves
+
+
+@pytest.mark.parametrize("speed", [0.4, 1.5])
+def test_retimed_samples_are_those_at_other_times(cycle, steps, speed):
+    for saved in (cycle, steps):
+        fast = edits.retimed(saved, speed)
+        one, two = sampled(saved.figure, saved.timeline, FPS), sampled(saved.figure, fast.timeline, FPS * speed)
+        assert_same(saved, two.qpos, one.qpos)
+        np.testing.assert_allclose(two.qvel, one.qvel * speed, atol=1e-9 * np.abs(one.qvel).max() + 1e-9)
+        np.testing.assert_allclose(two.qacc, one.qacc * speed**2, atol=1e-9 * np.abs(one.qacc).max() * 10)
+        assert [key.time * speed for key in fast.keys] == pytest.approx([key.time for key in saved.keys])
+
+
+def test_trimmed_samples_are_those_of_the_interval(cycle, steps):
+    for saved in (cycle, steps):
+        part = edits.trimmed(saved, 10 / FPS, 50 / FPS)
+        one, two = sampled(saved.figure, saved.timeline, FPS), sampled(saved.figure, part.timeline, FPS)
+        assert_same(saved, two.qpos, one.qpos[10:51])
+        assert part.keys[0].is_key
+        assert part.keys[-1].is_key
+        assert [key.time for key in part.keys[1:-1]] == [0.12, 0.26, 0.37, 0.49]
+        np.testing.assert_array_equal(part.keys[2].fixed, saved.keys[2].fixed)
+
+
+@pytest.mark.parametrize("fps", [30.0, FPS])
+def test_a_repeated_loop_is_sampled_without_a_doubled_image(cycle, fps):
+    many, seam = edits.repeated(cycle, 3), Seam.of(cycle.figure, cycle.timeline)
+    run = sampled(cycle.figure, many.timeline, fps)
+    assert len(run.time) == int(3 * 0.74 * fps + 1e-9) + 1
+    number = np.minimum((run.time / 0.74).astype(int), 2)
+    within = path_of(cycle.timeline).at(run.time - 0.74 * number)
+    wanted = cycle.figure.to_qpos(np.array([seam.moved(y, k) for y, k in zip(within, number, strict=True)]))
+    assert_same(cycle, run.qpos, wanted)
+    pace = np.diff(run.qpos[:, 0]) * fps
+    assert pace.min() > 2
+    assert [key.time for key in many.keys] == pytest.approx(
+        [k.time + 0.74 * i for i in range(3) for k in cycle.keys[i > 0 :]]
+    )
+    assert clip.of_motion(many).ends == "periodic"
+    assert edits.repeated(cycle, 1) is cycle
+
+
+def test_a_joined_motion_goes_on_where_the_first_ends_and_as_the_second_is(steps):
+    after = edits.trimmed(steps, 0.2, 0.55)
+    whole = edits.joined(steps, after, 0.25, teller())
+    figure, path = steps.figure, path_of(whole.timeline)
+    end = steps.timeline.times[-1]
+    t = np.linspace(0, end, 80)
+    np.testing.assert_allclose(path.at(t), path_of(steps.timeline).at(t), atol=1e-9)
+    t = np.linspace(0.2, 0.55, 40)
+    got, was = figure.to_qpos(path.at(t - 0.2 + end + 0.25)), figure.to_qpos(path_of(after.timeline).at(t))
+    for columns in figure.tables.quaternion_columns.T[1:]:
+        np.testing.assert_allclose(quat.angle_between(got[:, columns], was[:, columns]), 0, atol=1e-7)
+    np.testing.assert_allclose(got[:, 2], was[:, 2], atol=1e-9)
+    turn = quat.product(got[:, 3:7], quat.inverse(was[:, 3:7]))
+    np.testing.assert_allclose(turn[:, 1:3], 0, atol=1e-9)
+    np.testing.assert_allclose(quat.angle_between(turn, turn[0]), 0, atol=1e-7)
+    np.testing.assert_allclose(got[:, :3] - got[0, :3], quat.rotated(turn[0], was[:, :3] - was[0, :3]), atol=1e-9)
+    bounds = path.at(np.linspace(end, end + 0.25, 40))[:, 2]
+    assert 0.8 < bounds.min() < bounds.max() < 1
+    times = [key.time for key in whole.keys]
+    assert times == sorted(times)
+    assert len(times) == len(steps.keys) + len(after.keys)
+
+
+def test_an_edited_motion_is_measured_saved_and_read_again(saved, tmp_path):
+    part = edits.measured(replace(edits.trimmed(saved, 0.1, 0.3), name="part"), teller(), "not searched: trimmed")
+    assert part.report["keyframes"] == 3
+    assert part.report["stopped because"] == "not searched: trimmed"
+    assert part.report["after"]["keyframe error"] < 1e-9
+    assert part.report["before"]["keyframe error"] < 1e-9
+    motion.save(part, tmp_path / "part.npz")
+    again = motion.load(tmp_path / "part.npz")
+    np.testing.assert_array_equal(again.timeline.rows, part.timeline.rows)
+    assert again.report == part.report
+
+
+LOOP = tiny.changed("frames = 2", 'frames = 2\nends = "periodic"\ntravel = [0.3, 0, 0.1]').replace(
+    "root.position = [0.3, 0, 1]\nroot.rotation = {rotvec = [0, 10, 170]}", 'root.position = [0.3, "free", 1.1]'
+)
+
+
+def test_an_edited_loop_is_still_measured_as_one(tmp_path):
+    found = clip.load(str(tiny.written(tmp_path, LOOP)))
+    saved = work.solve(found, teller()).saved(teller(), with_report=False)
+    for edited in (saved, edits.retimed(saved, 2.0), edits.repeated(saved, 2)):
+        report = edits.measured(edited, teller(), "edited").report
+        count = len(edited.keys) // 2
+        for side in ("before", "after"):
+            seam = report[side]["seam"]
+            np.testing.assert_allclose(seam["travel, m"], [0.3 * count, 0, 0.1 * count], atol=1e-12)
+            for name in ("state", "first derivative", "second derivative"):
+                assert seam[name] < 1e-9
+        again = clip.table_of(edited.text, "again").solve
+        assert (again.ends, again.travel) == ("periodic", pytest.approx((0.3 * count, 0, 0.1 * count)))
+
+
+# what cannot be
+
+
+def test_edits_that_make_no_motion_are_refused(steps, cycle, saved):
+    with pytest.raises(UserError, match=r"steps: from 0\.1 to 0\.7 s is not inside 0 to 0\.63 s"):
+        edits.trimmed(steps, 0.1, 0.7)
+    with pytest.raises(UserError, match="steps: an interval ends after it begins"):
+        edits.trimmed(steps, 0.5, 0.1)
+    with pytest.raises(UserError, match=r"less than 0\.001 s"):
+        edits.trimmed(steps, 0.5, 0.5004)
+    with pytest.raises(UserError, match=r"less than 0\.001 s"):
+        edits.retimed(steps, 500)
+    with pytest.raises(UserError, match="over 600 s"):
+        edits.retimed(steps, 1e-3)
+    with pytest.raises(UserError, match="only a loop"):
+        edits.repeated(steps, 2)
+    with pytest.raises(UserError, match="over 600 s"):
+        edits.repeated(cycle, 1000)
+    for transition in (0.0, -1.0, np.nan, np.inf):
+        with pytest.raises(UserError, match=r"a transition lasts 0\.001 to 600 s"):
+            edits.joined(steps, steps, transition, teller())
+    with pytest.raises(UserError, match="of different figures; they differ in: left_ankle, left_elbow"):
+        edits.joined(steps, saved, 0.4, teller())
+    with pytest.raises(UserError, match="tiny: no partner on the other side for: 'left_knee'"):
+        edits.mirrored(saved)
+
+
+def test_motions_in_different_coordinates_are_not_joined(steps):
+    text = steps.text.replace("[solve]", '[solve]\ncoordinates = "joint"')
+    other = work.unsolved(clip.from_text(text, name="other")).saved(teller(), with_report=False)
+    with pytest.raises(UserError, match="'steps' is in world coordinates, 'other' in joint coordinates"):
+        edits.joined(steps, other, 0.4, teller())
+
+
+# clips' files
+
+
+def test_a_clip_written_again_says_the_same():
+    for name in models.clips():
+        text = models.clip_text(name)
+        said = tables(clip.table_of(text, name))
+        assert tables(clip.table_of(written(said), name)) == said
+
+
+def test_odd_names_and_texts_survive_being_written():
+    said = {"figure": 'a "quoted" \\ ünïcode\x7f\n', "scene": {"odd key": [1, 2.5, True, {"a b": "free"}]}}
+    said["keyframe"] = [{"time": 1e-9, "joints": {"left knee": {"quat": [1.0, 0.0, -0.0, 1e300]}, "b": "free"}}]
+    assert tomllib.loads(written(said)) == said
+
+
+def test_keyframes_of_a_motion_become_a_clip_of_the_same_keyframes(steps):
+    said = tables(clip.table_of(steps.text, "steps")) | {"keyframe": keyframe_tables(steps.figure, steps.keys)}
+    again = clip.from_text(written(said), name="again")
+    for a, b in zip(again.keys, steps.keys, strict=True):
+        np.testing.assert_array_equal(a.fixed, b.fixed)
+        np.testing.assert_allclose(a.state[a.fixed], b.state[b.fixed], atol=1e-12)
+
+
+def test_hinges_and_slides_come_back_in_degrees_and_metres(tmp_path):
+    keyframes = "".join(f"[[keyframe]]\ntime = {i}\njoints = {{slide = 0.1, swing = {30 * i}}}\n" for i in range(2))
+    path = tiny.written(tmp_path, f'figure = "hinge.xml"\n{keyframes}')
+    found = clip.load(str(path))
+    assert [row["joints"] for row in keyframe_tables(found.figure, found.keys)] == [
+        {"slide": 0.1, "swing": pytest.approx(30 * i)} for i in range(2)
+    ]
+
+
+def test_a_mirrored_clip_is_the_clip_of_the_mirrored_keyframes(tmp_path):
+    text = models.clip_text("run_and_step").replace("height = 0.35}", "height = 0.35, y = 0.2}")
+    text = text.replace('kind = "bend"', 'kind = "bend"\njoints = ["left_knee", "right_elbow"]')
+    text = text.replace(
+        "joints.spine = {rotvec = [2.258, 1.991, -12.803]}", "joints.spine = {euler = [5, 6, 7], order = 'zyx'}"
+    )
+    text = text.replace("root.position = [0.4200, 0.0000, 0.9150]", 'root.position = [0.4200, 0.1000, "free"]')
+    source = tmp_path / "run.toml"
+    source.write_text(text, encoding="utf-8")
+    target = tmp_path / "deeper" / "mirrored.toml"
+    target.parent.mkdir()
+    edit_files.run([str(source)], edit_files.mirrored(), target, overwrite=False, teller=teller())
+    before, after = clip.load(str(source)), clip.load(str(target))
+    mirror = Mirror.of(before.figure)
+    for a, b in zip(after.keys, map(mirror.frame, before.keys), strict=True):
+        np.testing.assert_array_equal(a.fixed, b.fixed)
+        np.testing.assert_allclose(a.state[a.fixed], b.state[b.fixed], atol=1e-12)
+    assert [bend.name for bend in after.bends] == ["right_knee", "left_elbow"]
+    steps = [next(each for each in found.surfaces if isinstance(each, Box)) for found in (before, after)]
+    assert [step.centre[1] for step in steps] == [0.2, -0.2]
+    edit_files.run([str(target)], edit_files.mirrored(), tmp_path / "again.toml", overwrite=False, teller=teller())
+    twice = clip.load(str(tmp_path / "again.toml"))
+    for a, b in zip(twice.keys, before.keys, strict=True):
+        np.testing.assert_array_equal(a.state, b.state)
+
+
+def test_a_retimed_clip_has_other_times_and_nothing_else(tmp_path):
+    path = tiny.written(tmp_path)
+    (tmp_path / "sub").mkdir()
+    target = tmp_path / "sub" / "fast.toml"
+    edit_files.run([str(path)], edit_files.retimed(2.0, None), target, overwrite=False, teller=teller())
+    before, after = clip.load(str(path)), clip.load(str(target))
+    assert [key.time for key in after.keys] == pytest.approx([key.time / 2 for key in before.keys])
+    for a, b in zip(after.keys, before.keys, strict=True):
+        np.testing.assert_array_equal(a.state, b.state)
+    assert after.settings == before.settings
+    edit_files.run([str(path)], edit_files.retimed(None, 3.0), target, overwrite=False, teller=teller())
+    assert clip.load(str(target)).keys[-1].time == pytest.approx(3)
+
+
+def test_nothing_is_written_over_what_is_edited_unasked(tmp_path, saved):
+    source = tmp_path / "tiny.npz"
+    motion.save(saved, source)
+    was = source.read_bytes()
+    edit = edit_files.trimmed(0.1, None)
+    with pytest.raises(UserError, match="is what is edited; give another -o, or --overwrite"):
+        edit_files.run([str(source)], edit, source, overwrite=False, teller=teller())
+    with pytest.raises(UserError, match=r"as a motion, \.npz, or as a clip, \.toml"):
+        edit_files.run([str(source)], edit, tmp_path / "out.mp4", overwrite=False, teller=teller())
+    with pytest.raises(UserError, match="not inside"):
+        edit_files.run([str(source)], edit_files.trimmed(-7, None), source, overwrite=True, teller=teller())
+    assert source.read_bytes() == was
+    assert tiny.names(tmp_path) == ["tiny.npz"]
+    edit_files.run([str(source)], edit, source, overwrite=True, teller=teller())
+    assert motion.load(source).keys[0].time == 0.1
+    edit_files.run(
+        [str(source)], edit_files.trimmed(None, 0.3), tmp_path / "cut.toml", overwrite=False, teller=teller()
+    )
+    tiny.written(tmp_path)
+    assert [key.time for key in clip.load(str(tmp_path / "cut.toml")).keys] == [0.1, 0.2, 0.3]

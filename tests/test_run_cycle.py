@@ -1,0 +1,58 @@
+"""The shipped run cycle: a loop of two steps that are mirror images, out of the floor, and smooth across its seam."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from runner import clip
+from runner.motion import sampled
+from runner.penetration import penetration
+from solver.inbetween import Motion, inbetween
+from solver.mirror import Mirror
+from solver.quaternion import Array
+from solver.seam import Seam
+
+PROBLEM = clip.load("run_cycle")
+STRIDE, PERIOD = 2.0, 0.74
+
+
+@pytest.fixture(scope="module")
+def run() -> Motion:
+    return inbetween(PROBLEM.figure, PROBLEM.keys, PROBLEM.penalties, PROBLEM.settings, ends=PROBLEM.ends)
+
+
+def test_it_travels_and_goes_on_across_the_seam(run):
+    seam = Seam.of(run.figure, run.timeline)
+    np.testing.assert_allclose(seam.travel, STRIDE * np.eye(run.figure.width)[0], atol=1e-12)
+    assert seam.apart(run.path).max() < 1e-9
+
+
+def test_what_the_first_keyframe_says_is_met_at_the_end_as_well(run):
+    first, last = run.at([0.0, PERIOD])
+    wanted = PROBLEM.keys[0].state
+    assert not PROBLEM.keys[-1].is_key
+    for qpos in (first, last - STRIDE * np.eye(first.size)[0]):
+        for columns in run.figure.tables.quaternion_columns.T:
+            qpos[columns] *= np.sign(qpos[columns] @ wanted[columns])
+        np.testing.assert_allclose(qpos, wanted, atol=1e-9)
+
+
+def test_it_stays_out_of_the_floor_that_the_raw_spline_runs_into(run):
+    deepest = []
+    for timeline in (run.raw, run.timeline):
+        fine = sampled(run.figure, timeline, 1000.0)
+        deepest.append(penetration(run.figure.model, fine.time, fine.qpos).deepest)
+    assert deepest[0] > 0.015
+    assert deepest[1] < 0.001
+
+
+def test_its_keyframes_are_mirror_images_half_a_period_apart():
+    mirror, ahead = Mirror.of(PROBLEM.figure), STRIDE / 2 * np.eye(PROBLEM.figure.width)[0]
+
+    def turned(state: Array) -> Array:
+        return np.round(state, 12) + 0.0
+
+    for one, two in zip(PROBLEM.keys[:3], PROBLEM.keys[3:6], strict=True):
+        np.testing.assert_allclose(turned(two.state), turned(mirror.states(one.state) + ahead), atol=1e-12)
+        assert two.time - one.time == pytest.approx(PERIOD / 2)
