@@ -194,10 +194,11 @@ class Constraints:
         """The body's corners out of floors and steps, all of its skin out of whatever is round, thin or in the air."""
         ground = tuple(s for s in self.surfaces if isinstance(s, Plane) or (isinstance(s, Box) and s.buried))
         others = tuple(s for s in self.surfaces if all(s is not g for g in ground))
-        clear = Contact(body_points(self.figure), ground, margin, name="clearance")
+        clear = Contact(body_points(self.figure), ground, margin, name="clearance").allowing(self.figure, self.keys)
         if not others:
             return clear
-        return Together((clear, Contact(covering_points(self.figure), others, margin)), name="clearance")
+        skin = Contact(covering_points(self.figure), others, margin).allowing(self.figure, self.keys)
+        return Together((clear, skin), name="clearance")
 
     @property
     def held(self) -> tuple[Stance, ...]:
@@ -251,7 +252,7 @@ class Constraints:
                 if name not in known:
                     raise UserError(f"{self.place}: penalty 'bend': {unknown('joint', name, known)}")
             self.bends = tuple(known[name] for name in entry.joints)
-        return _limits(self.bends, entry)
+        return _limits(self.bends, entry).allowing(self.figure, self.keys)
 
 
 def posing_bends(figure: Figure, entries: list[PenaltyTable]) -> BendLimits | None:
