@@ -95,7 +95,7 @@ class _Spots:
     ) -> tuple[list[tuple[int, Array]], Array]:
         """Of a link's points that touch in keyframes (m,), those that reach farthest some way along the surface, by
         index and where they touch in the link's axes (3,); and the surface's normal (3,)."""
-        normal = _normal(self.surfaces[self.over[points[0], keys[0]]])
+        normal = _normal(self.surfaces[int(self.over[points[0], keys[0]])])
         radius = np.array([self.points[i].radius for i in points])
         touched = self.centres[:, points, keys] - radius * normal[:, None]
         touched -= self.samples.links.x[:, link, keys]
@@ -111,7 +111,8 @@ def _around(normal: Array, count: int = 8) -> Array:
     across = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
     across /= np.linalg.norm(across)
     angle = 2 * np.pi * (np.arange(count) + 0.3) / count
-    return np.outer(across, np.cos(angle)) + np.outer(np.cross(normal, across), np.sin(angle))
+    both = np.column_stack([across, np.cross(normal, across)])
+    return np.asarray(both @ np.array([np.cos(angle), np.sin(angle)]), float)
 
 
 def flights(
@@ -168,16 +169,21 @@ class _Keys:
     ) -> _Keys:
         height = _heights(figure, keys, points, surfaces)[0]
         low = np.abs(height) < NEAR_SURFACE
-        known = placed(figure, keys.fixed, points).all(axis=0)
-        known &= low.any(axis=0) | (height.min(axis=0) > ALOFT)  # else who can say whether it touches
+        known = np.logical_and.reduce(placed(figure, keys.fixed, points))
+        known &= np.logical_or.reduce(low) | (np.min(height, axis=0) > ALOFT)  # else who can say whether it touches
         feet = [np.array([p.link == link for p in points]) for link in sorted({p.link for p in points})]
-        flat = np.any([low[foot].all(axis=0) for foot in feet if foot.sum() > 1] or [0 * known], axis=0)
+        flat = np.zeros_like(known)
+        for foot in feet:
+            if foot.sum() > 1:
+                flat |= np.logical_and.reduce(low[foot])
         others = [point for point in body if point.link not in {p.link for p in points}]
         if others:
-            known &= ~np.any(_heights(figure, keys, others, surfaces)[0] < NEAR_SURFACE, axis=0)
+            known &= ~np.logical_or.reduce(_heights(figure, keys, others, surfaces)[0] < NEAR_SURFACE)
         begin, end = keys.times[:-1], keys.times[1:]
-        carried = np.any([(s.first < end) & (begin < s.last) for s in stances] or [np.zeros(begin.size, bool)], axis=0)
-        return cls(~carried & known[:-1] & known[1:], low.any(axis=0), flat)
+        carried = np.zeros(begin.size, bool)
+        for stance in stances:
+            carried |= (stance.first < end) & (begin < stance.last)
+        return cls(~carried & known[:-1] & known[1:], np.logical_or.reduce(low), flat)
 
     def leaves(self, k: int) -> bool:
         """Whether a flight may begin at a keyframe."""
