@@ -28,7 +28,7 @@ ENERGY = ((CovariantAcceleration(), 1.0),)
 FINE = Quadrature("gauss", 8, 0.05)
 OTHER_CLASS = 0.05
 CLOSED, NEWTON_STEPS = 1e-10, 25
-LEAST_GAIN, MOST_WASTED = 0.5, 3
+LEAST_GAIN, MOST_WASTED = 0.5, 2
 
 
 @cache
@@ -143,8 +143,8 @@ def exact_energy_from(found: Track, path: Path) -> float | None:
 def _closed_energy(times: Array, keys: Array, states: Array) -> float | None:
     """The oracle's Newton iteration with its line search; None where it does not close.
 
-    It is given up after 25 steps, or when three in succession leave more than half of the gap: those that close take
-    about five, most of them whole.
+    It is given up after 25 steps, or when two in succession leave more than half of the gap: those that close take about
+    five, most of them whole.
     """
     module = oracle()
     gap = module._gaps(times, keys, states)
