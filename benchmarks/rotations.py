@@ -143,8 +143,8 @@ def exact_energy_from(found: Track, path: Path) -> float | None:
 def _closed_energy(times: Array, keys: Array, states: Array) -> float | None:
     """The oracle's Newton iteration with its line search; None where it does not close.
 
-    It is given up after 25 steps, or when two in succession leave more than half of the gap: those that close take about
-    five, most of them whole.
+    It is given up after 25 steps, or when two in succession leave more than half of the gap: those that close take
+    about five, most of them whole.
     """
     module = oracle()
     gap = module._gaps(times, keys, states)
