@@ -23,7 +23,7 @@ Array = NDArray[np.float64]
 
 ORDER = 20
 STEPS, MOST_STEPS = 4, 24
-TURN = 3.0  # radians a Taylor step
+TURN = 3.0  # radians a Taylor step, which leaves a millionth of ω'' at most
 CLOSED = 1e-12
 TINY = 1e-30
 
