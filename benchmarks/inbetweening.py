@@ -52,7 +52,13 @@ def whole(name: str) -> Motion:
     """A shipped clip, solved, at 30 images a second."""
     clip = clips.load(name)
     found = inbetween(
-        clip.figure, clip.keys, clip.penalties, clip.settings, ends=clip.ends, end_slope=clip.end_slope, travel=clip.travel
+        clip.figure,
+        clip.keys,
+        clip.penalties,
+        clip.settings,
+        ends=clip.ends,
+        end_slope=clip.end_slope,
+        travel=clip.travel,
     )
     first, last = found.path.span
     time = first + np.arange(int((last - first) * FPS + 1e-9) + 1) / FPS

@@ -54,7 +54,10 @@ def test_a_contact_takes_its_spot_from_the_keyframes_inside_and_holds_it_beyond(
 
 
 def test_a_contact_with_a_position_and_one_that_nobody_placed():
-    contacts = 'point = "left_heel"\nfrom = 0.6\nto = 0.9\nposition = [0.3, 0.1, 0]', 'point = "right_toe"\nfrom = 0.6\nto = 0.9'
+    contacts = (
+        'point = "left_heel"\nfrom = 0.6\nto = 0.9\nposition = [0.3, 0.1, 0]',
+        'point = "right_toe"\nfrom = 0.6\nto = 0.9',
+    )
     stances, rests = planted(clips.from_text(text(*contacts, x=0.2, y=0.4), name="walk"))
     (own,) = [s for s in stances if s.point.name == "left_heel"]
     np.testing.assert_allclose(own.place(np.array([0.6, 0.75, 0.9])), np.array([[0.3, 0.1, 0]] * 3).T)
@@ -102,7 +105,7 @@ def test_a_foot_rests_where_a_contact_says_and_without_it_does_not():
         (('point = "left_heel"\nfrom = "soon"\nto = 1',), ["contact 1", "from must be a number"]),
         (('point = "left_heel"\nfrom = 0\nuntil = 1',), ["contact 1", "until", "to"]),
         (('point = "left_heel"\nto = 1',), ["contact 1", "'from' is missing"]),
-        (('point = 3\nfrom = 0\nto = 1',), ["contact 1", "point must be a word in quotes"]),
+        (("point = 3\nfrom = 0\nto = 1",), ["contact 1", "point must be a word in quotes"]),
     ],
 )
 def test_mistakes_are_told_in_one_line(contacts, words):
