@@ -11,11 +11,15 @@ from solver.mirror import AXIAL, POLAR, TURN, Mirror, other_side
 
 from .errors import UserError
 
-KNOWN = {"keyframe": {"time", "root", "joints", "others"}, "scene": {"step"}, "root": {"position", "rotation"}}
+KNOWN = {
+    "keyframe": {"time", "root", "joints", "sites", "bodies", "others"},
+    "scene": {"step", "box", "sphere", "capsule", "cylinder"},
+    "root": {"position", "rotation"},
+}
 
 
 def mirrored_tables(clip: dict[str, Any], figure: Figure, mirror: Mirror) -> dict[str, Any]:
-    """A clip's tables for the mirrored figure; the step, which has a place, changes sides as well."""
+    """A clip's tables for the mirrored figure; step and obstacles, which have places, change sides as well."""
     rest = np.array(figure.model.qpos0)
     if any(row.get("others") == "rest" for row in clip["keyframe"]) and not np.allclose(
         mirror.states(rest), rest, atol=1e-9
@@ -24,8 +28,9 @@ def mirrored_tables(clip: dict[str, Any], figure: Figure, mirror: Mirror) -> dic
     out = clip | {"keyframe": [_keyframe(row, figure, mirror) for row in clip["keyframe"]]}
     if "scene" in clip:
         _check_known("scene", clip["scene"])
-        step = clip["scene"].get("step")
-        out["scene"] = {"step": step | {"y": -step["y"]}} if step and "y" in step else clip["scene"]
+        out["scene"] = {kind: _obstacles(said) for kind, said in clip["scene"].items()}
+    if "contact" in clip:
+        out["contact"] = [_placed(row | {"point": _other(row["point"], figure)}) for row in clip["contact"]]
     if clip.get("solve", {}).get("travel") is not None:
         out["solve"] = clip["solve"] | {"travel": _signed(clip["solve"]["travel"], POLAR)}
     if "penalty" in clip:
@@ -40,12 +45,31 @@ def _check_known(table: str, entries: dict[str, Any]) -> None:
             raise UserError(f"{table}: '{key}' has no mirror image yet; mirror the solved motion instead")
 
 
+def _obstacles(said: Any) -> Any:
+    """The step, or the obstacles of one kind, on the other side."""
+    if isinstance(said, dict):
+        return said | {"y": -said["y"]} if "y" in said else said
+    return [_placed(row) for row in said]
+
+
+def _placed(row: dict[str, Any]) -> dict[str, Any]:
+    """A table with a place of its own, where its reflection is."""
+    places = ("position", "from", "to")
+    out = row | {key: _signed(row[key], POLAR) for key in places if isinstance(row.get(key), list | tuple)}
+    return out | {"rotation": _rotation(row["rotation"])} if row.get("rotation") else out
+
+
+def _other(name: str, figure: Figure) -> str:
+    """The site, body or joint on the other side; itself where there is none."""
+    model = figure.model
+    known = {model.site(i).name for i in range(model.nsite)} | {model.body(i).name for i in range(model.nbody)}
+    known |= {link.name for link in figure.links}
+    return other if (other := other_side(name)) in known else name
+
+
 def _renamed(entry: dict[str, Any], figure: Figure) -> dict[str, Any]:
     """A penalty for the points and joints of the other side."""
-    model = figure.model
-    known = {model.site(i).name for i in range(model.nsite)} | {link.name for link in figure.links}
-    swap = {name: other if (other := other_side(name)) in known else name for name in known}
-    lists = {key: [swap.get(name, name) for name in entry[key]] for key in ("points", "joints") if entry.get(key)}
+    lists = {key: [_other(name, figure) for name in entry[key]] for key in ("points", "joints") if entry.get(key)}
     return entry | lists
 
 
@@ -62,7 +86,18 @@ def _keyframe(row: dict[str, Any], figure: Figure, mirror: Mirror) -> dict[str, 
             out["root"]["rotation"] = _rotation(rotation)
     if "joints" in row:
         out["joints"] = dict(_joint(name, value, figure, mirror) for name, value in row["joints"].items())
+    if "sites" in row:
+        out["sites"] = {_other(name, figure): _site(value) for name, value in row["sites"].items()}
+    if "bodies" in row:
+        out["bodies"] = {_other(name, figure): _rotation(value) for name, value in row["bodies"].items()}
     return out
+
+
+def _site(value: Any) -> Any:
+    """Where a site is to be: a position, or a table with one."""
+    if isinstance(value, dict):
+        return value | {"position": _signed(value["position"], POLAR)}
+    return _signed(value, POLAR)
 
 
 def _joint(name: str, value: Any, figure: Figure, mirror: Mirror) -> tuple[str, Any]:

@@ -20,7 +20,7 @@ BARE = re.compile(r"[A-Za-z0-9_-]+")
 
 def tables(table: ClipTable) -> dict[str, Any]:
     """What a clip's file says, as plain tables."""
-    return table.model_dump(exclude_unset=True)
+    return table.model_dump(exclude_unset=True, by_alias=True)
 
 
 def written(clip: dict[str, Any]) -> str:
@@ -40,10 +40,10 @@ def _is_table(value: Any) -> bool:
 
 
 def _rows(row: dict[str, Any]) -> list[str]:
-    """The lines of a table; each joint, and each part of the root, has one of its own."""
+    """The lines of a table; each joint, site and body, and each part of the root, has one of its own."""
     lines = []
     for key, value in row.items():
-        if key in ("root", "joints") and isinstance(value, dict):
+        if key in ("root", "joints", "sites", "bodies") and isinstance(value, dict):
             lines += [f"{_key(key)}.{_entry(*entry)}" for entry in value.items()]
         else:
             lines.append(_entry(key, value))

@@ -1,4 +1,4 @@
-"""The shipped run cycle: a loop of two steps that are mirror images, out of the floor, and smooth across its seam."""
+"""The shipped run loop: a loop of two steps that are mirror images, out of the floor, and smooth across its seam."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from solver.mirror import Mirror
 from solver.quaternion import Array
 from solver.seam import Seam
 
-PROBLEM = clip.load("run_cycle")
+PROBLEM = clip.load("run_loop")
 STRIDE, PERIOD = 2.0, 0.74
 
 
