@@ -166,7 +166,7 @@ def measure(effort: Effort) -> Section:
         "In-betweening the motions of the shipped clips, every n-th of 30 images a second kept, means over clips",
         ("every", "method", "clips", "joints [°]", "hands, ankles [cm]", "deepest sole [cm]", "skate [cm/s]", "npss"),
     )
-    names = models.clips()[: effort.count(len(models.clips()), 2)]
+    names = list(models.clips())[: effort.count(len(models.clips()), 2)]
     rows: list[dict[str, Any]] = []
     with tempfile.TemporaryDirectory() as folder:
         for name in names:

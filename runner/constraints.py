@@ -61,18 +61,18 @@ DEFAULT_WEIGHTS = {
     "contact": 30.0,
     "clearance": 30.0,
     "planted": 0.3,
-    "skate": 0.6,
-    "grounded": 0.5,
-    "posture": 1.0,
+    "skate": 0.55,
+    "grounded": 0.3,
+    "posture": 0.7,
     "bend": 1.0,
     "range": 1.0,
     "placement": 30.0,
     "flight": 3.0,
-    "support": 0.2,
+    "support": 0.01,
     "peak": 0.01,
 }
 CARRIED = ("flight", "support", "peak")  # on by default where keyframes tell what carries the figure
-ROOT_WEIGHT_CARRIED = 0.1  # of "root", which flight and support then know better
+ROOT_WEIGHT_CARRIED = 0.45  # of "root", which flight and support then know better
 KNEES, ELBOWS = ("knee", "shin"), ("elbow", "forearm", "farm")
 SOLES = ("heel", "toe")
 BEND_BOUND = 8.0  # degrees; 10° with room for a soft constraint
