@@ -37,24 +37,13 @@ def point_rows(samples: Samples, at: Index, link: Index, arm: Array, way: Array)
     at    (P,) sample of each point;  link  (P,) the link it is fixed on
     way   (3, P) a direction in the world
     """
-    figure, links = samples.figure, samples.links
-    tables = figure.tables
-    chain, following = _chains(figure)
-    carrier, onward = chain[:, link], following[:, link]
-    used = carrier > 0
-    lever = np.where(onward > 0, links.step[:, onward, at], arm[:, None, :])
-    turn = cross(lever, way[:, None, :]) * used
+    links = samples.links
+    carrier, lever = _levers(samples, at, link, arm)
+    turn = cross(lever, way[:, None, :]) * (carrier > 0)
     per_length = (2 / links.length_squared)[carrier, at]
     gradient = turned_back(vector_product(links.Q[:, carrier, at] * per_length), turn)
-    out = np.zeros((at.size, samples.y.shape[1]))
-    block = np.zeros(len(figure.links), np.intp)
-    block[tables.quaternion_links] = np.arange(tables.quaternion_links.size)
-    level, pair = np.nonzero(used)
-    columns = tables.quaternion_columns[:, block[carrier[level, pair]]]
-    out[pair, columns] = gradient[:, level, pair]
-    for free, position in zip(tables.free_links, tables.position_columns.T, strict=True):
-        carried = np.flatnonzero((carrier == free).any(axis=0))
-        out[carried[:, None], position] = way[:, carried].T
+    out = _by_columns(samples, carrier, gradient)
+    _add_positions(out, samples.figure, carrier, way)
     return out
 
 
@@ -63,29 +52,43 @@ def velocity_rows(samples: Samples, at: Index, link: Index, arm: Array, way: Arr
 
     v = (∂p/∂y) y', so that the second is the row of the point itself, and the first that row's rate of change.
     """
-    figure, links = samples.figure, samples.links
-    tables = figure.tables
-    chain, following = _chains(figure)
-    carrier, onward = chain[:, link], following[:, link]
-    used = carrier > 0
-    lever = np.where(onward > 0, links.step[:, onward, at], arm[:, None, :])
-    turn = cross(lever, way[:, None, :]) * used
-    turn_d = cross(cross(links.omega[:, carrier, at], lever), way[:, None, :]) * used
+    links = samples.links
+    carrier, lever = _levers(samples, at, link, arm)
+    turn = cross(lever, way[:, None, :]) * (carrier > 0)
+    turn_d = cross(cross(links.omega[:, carrier, at], lever), way[:, None, :]) * (carrier > 0)
     scale, rate = links.scale[carrier, at], links.rates[0][carrier, at]
     product = vector_product(links.Q[:, carrier, at] * scale)
     product_d = vector_product((links.Q_d[:, carrier, at] - rate * links.Q[:, carrier, at]) * scale)
-    gradients = turned_back(product_d, turn) + turned_back(product, turn_d), turned_back(product, turn)
-    out = np.zeros((at.size, 2, samples.y.shape[1]))
-    block = np.zeros(len(figure.links), np.intp)
+    first = _by_columns(samples, carrier, turned_back(product_d, turn) + turned_back(product, turn_d))
+    second = _by_columns(samples, carrier, turned_back(product, turn))
+    _add_positions(second, samples.figure, carrier, way)
+    return np.stack([first, second], axis=1)
+
+
+def _levers(samples: Samples, at: Index, link: Index, arm: Array) -> tuple[Index, Array]:
+    """The links on the way to each point, (depth, P), 0 where there are fewer, and the part of the way that turns with
+    each, (3, depth, P)."""
+    chain, following = _chains(samples.figure)
+    onward = following[:, link]
+    return chain[:, link], np.where(onward > 0, samples.links.step[:, onward, at], arm[:, None, :])
+
+
+def _by_columns(samples: Samples, carrier: Index, gradient: Array) -> Array:
+    """(P, N): gradients (4, depth, P) with respect to the quaternions of links (depth, P) in their columns."""
+    tables = samples.figure.tables
+    out = np.zeros((carrier.shape[1], samples.y.shape[1]))
+    block = np.zeros(len(samples.figure.links), np.intp)
     block[tables.quaternion_links] = np.arange(tables.quaternion_links.size)
-    level, pair = np.nonzero(used)
-    columns = tables.quaternion_columns[:, block[carrier[level, pair]]]
-    for order, gradient in enumerate(gradients):
-        out[pair, order, columns] = gradient[:, level, pair]
-    for free, position in zip(tables.free_links, tables.position_columns.T, strict=True):
-        carried = np.flatnonzero((carrier == free).any(axis=0))
-        out[carried[:, None], 1, position] = way[:, carried].T
+    level, pair = np.nonzero(carrier > 0)
+    out[pair, tables.quaternion_columns[:, block[carrier[level, pair]]]] = gradient[:, level, pair]
     return out
+
+
+def _add_positions(out: Array, figure: Figure, carrier: Index, way: Array) -> None:
+    """The columns of free roots' positions."""
+    for free, position in zip(figure.tables.free_links, figure.tables.position_columns.T, strict=True):
+        carried = np.flatnonzero((carrier == free).any(axis=0))
+        out[carried[:, None], position] = way[:, carried].T
 
 
 def _chains(figure: Figure) -> tuple[Index, Index]:

@@ -41,6 +41,13 @@ class Point:
     radius: float = 0.0
 
 
+def arrays_of(points: Sequence[Point]) -> tuple[Index, Array, Array]:
+    """Links (n,), positions (3, n) and radii (n,) of points."""
+    links = np.array([point.link for point in points], np.intp)
+    positions = np.array([point.position for point in points]).reshape(-1, 3).T
+    return links, positions, np.array([point.radius for point in points])
+
+
 @dataclass(frozen=True)
 class Contact:
     """Σ over points and surfaces of depth² [m²], every point grown by `margin` [m].
@@ -70,9 +77,8 @@ class Contact:
     @cached_property
     def _arrays(self) -> tuple[Index, Array, Array]:
         """Links (n,), positions (3, n) and radii (n,) of the points, margin included."""
-        links = np.array([point.link for point in self.points], np.intp)
-        positions = np.array([point.position for point in self.points]).reshape(-1, 3).T
-        return links, positions, np.array([point.radius for point in self.points]) + self.margin
+        links, positions, radius = arrays_of(self.points)
+        return links, positions, radius + self.margin
 
     @cached_property
     def _bounds(self) -> tuple[Index, Array, Array]:

@@ -18,7 +18,7 @@ from ..frame import Timeline
 from ..kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
 from ..surface import Surface
-from .contact import Contact, Point, height_over, point_gradients
+from .contact import Contact, Point, arrays_of, height_over, point_gradients
 from .penalty import Scale
 
 TOUCHING = 0.05  # [m] that the lowest point of a keyframe on the ground may be over it
@@ -51,9 +51,7 @@ class Grounded:
     @cached_property
     def _arrays(self) -> tuple[Index, Array, Array]:
         """Links (n,), positions (3, n) and radii (n,) of the points."""
-        links = np.array([point.link for point in self.points], np.intp)
-        positions = np.array([point.position for point in self.points]).reshape(-1, 3).T
-        return links, positions, np.array([point.radius for point in self.points])
+        return arrays_of(self.points)
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         at = self._during(samples.t)

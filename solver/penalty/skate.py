@@ -15,7 +15,7 @@ from ..curvature import Curvature, Sides
 from ..kinematics import Cotangent, Samples, attached_pulled_back
 from ..quaternion import Array, Index
 from ..surface import Surface
-from .contact import Point, height_over, velocity_gradients
+from .contact import Point, arrays_of, height_over, velocity_gradients
 from .penalty import Scale
 
 NEGLIGIBLE = 1e-3  # of the weight: higher up a point is free
@@ -44,9 +44,7 @@ class Skate:
     @cached_property
     def _arrays(self) -> tuple[Index, Array, Array]:
         """Links (n,), positions (3, n) and radii (n,) of the points."""
-        links = np.array([point.link for point in self.points], np.intp)
-        positions = np.array([point.position for point in self.points]).reshape(-1, 3).T
-        return links, positions, np.array([point.radius for point in self.points])
+        return arrays_of(self.points)
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         if not self.points or not self.surfaces:
