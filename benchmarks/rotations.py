@@ -28,6 +28,7 @@ ENERGY = ((CovariantAcceleration(), 1.0),)
 FINE = Quadrature("gauss", 8, 0.05)
 OTHER_CLASS = 0.05
 CLOSED, NEWTON_STEPS = 1e-10, 25
+LEAST_GAIN, MOST_WASTED = 0.5, 2
 
 
 @cache
@@ -126,7 +127,7 @@ def oracle() -> Any:
 
 
 def exact_energy(found: Track) -> float | None:
-    """The exact minimiser's energy, or None where its Newton iteration does not close within 25 steps."""
+    """The exact minimiser's energy, or None where its Newton iteration does not close from the natural cubic."""
     keys = quat.aligned(found.orientations)
     with np.errstate(all="ignore"):
         return _closed_energy(found.times, keys, oracle()._start(found.times, keys))
@@ -136,17 +137,20 @@ def exact_energy_from(found: Track, path: Path) -> float | None:
     """The same from our path's own rates: the exact path in the winding class that ours is in."""
     keys = quat.normalised(path.at(found.times))
     with np.errstate(all="ignore"):
-        starts = [np.array([_rates(path, a, b, n) for a, b in pairwise(found.times)]) for n in (2, 3, 4, 5)]
-        gaps = [np.linalg.norm(oracle()._gaps(found.times, keys, start)) for start in starts]
-        return _closed_energy(found.times, keys, starts[int(np.argmin(gaps))])
+        return _closed_energy(found.times, keys, np.array([_rates(path, a, b) for a, b in pairwise(found.times)]))
 
 
 def _closed_energy(times: Array, keys: Array, states: Array) -> float | None:
-    """The oracle's Newton iteration with its line search, given up after 25 steps: those that close take about ten."""
+    """The oracle's Newton iteration with its line search; None where it does not close.
+
+    It is given up after 25 steps, or when two in succession leave more than half of the gap: those that close take
+    about five, most of them whole.
+    """
     module = oracle()
     gap = module._gaps(times, keys, states)
+    wasted = 0
     for _ in range(NEWTON_STEPS):
-        if np.linalg.norm(gap) < CLOSED:
+        if np.linalg.norm(gap) < CLOSED or wasted == MOST_WASTED:
             break
         try:
             step = np.linalg.solve(module._jacobian(times, keys, states), -gap).reshape(states.shape)
@@ -155,6 +159,7 @@ def _closed_energy(times: Array, keys: Array, states: Array) -> float | None:
         closer = module._shortened(times, keys, states, step)
         if closer is None:
             return None
+        wasted = wasted + 1 if np.linalg.norm(closer[1]) > LEAST_GAIN * np.linalg.norm(gap) else 0
         states, gap = closer
     if np.linalg.norm(gap) >= CLOSED:
         return None
@@ -162,12 +167,21 @@ def _closed_energy(times: Array, keys: Array, states: Array) -> float | None:
     return float(value) if np.isfinite(value) else None
 
 
-def _rates(path: Path, a: float, b: float, degree: int) -> Array:
-    """(9,) the body's ω, ω', ω'' just after a, from a polynomial over the segment to b."""
-    t = np.linspace(a, b, 25)
-    omega = 2 * quat.product(quat.inverse(path.at(t)), path.at(t, 1))[:, 1:]
-    fit = np.polynomial.polynomial.polyfit((t - a) / (b - a), omega, degree)
-    return np.concatenate([fit[0], fit[1] / (b - a), 2 * fit[2] / (b - a) ** 2])
+def _rates(path: Path, a: float, b: float) -> Array:
+    """(9,) the body's ω, ω', ω'' just after a; ω'' from all of the segment to b: seen from the world it is constant.
+
+    With the world's Ω that is Ω'' − Ω × Ω', whose mean takes no third derivative.
+    """
+    t, w = FINE.nodes(np.unique(np.clip(path.spline.times, a, b)))
+    (omega, omega_d), (ends, ends_d) = (_world_rates(path, times) for times in (t, np.array([a, b])))
+    constant = (ends_d[1] - ends_d[0] - w @ np.cross(omega, omega_d)) / (b - a)
+    return quat.rotated(quat.inverse(path.at(np.array([a]))), np.array([ends[0], ends_d[0], constant])).ravel()
+
+
+def _world_rates(path: Path, t: Array) -> tuple[Array, Array]:
+    """Ω and Ω' (S, 3) at times t (S,)."""
+    q, q_d, q_dd = (path.at(t, order) for order in range(3))
+    return quat.angular_velocity(q, q_d), quat.angular_acceleration(q, q_d, q_dd)
 
 
 def in_other_class(ratio: float) -> bool:

@@ -28,7 +28,8 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
 SECTIONS = (
-    "evaluation", "runner39", "quaternions", "shooting", "uneven", "barr", "subdivision", "length", "clip", "rendering",
+    "evaluation", "runner39", "quaternions", "shooting", "uneven", "barr", "subdivision", "length", "clip",
+    "inbetweening", "rendering",
 )  # fmt: skip
 PACKAGES = ("numpy", "scipy", "mujoco", "nlopt", "imageio", "av", "interpolatepy", "casadi")
 

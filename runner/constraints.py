@@ -61,18 +61,18 @@ DEFAULT_WEIGHTS = {
     "contact": 30.0,
     "clearance": 30.0,
     "planted": 0.3,
-    "skate": 0.6,
-    "grounded": 0.5,
-    "posture": 1.0,
+    "skate": 0.55,
+    "grounded": 0.3,
+    "posture": 0.7,
     "bend": 1.0,
     "range": 1.0,
     "placement": 30.0,
     "flight": 3.0,
-    "support": 0.2,
+    "support": 0.01,
     "peak": 0.01,
 }
 CARRIED = ("flight", "support", "peak")  # on by default where keyframes tell what carries the figure
-ROOT_WEIGHT_CARRIED = 0.1  # of "root", which flight and support then know better
+ROOT_WEIGHT_CARRIED = 0.45  # of "root", which flight and support then know better
 KNEES, ELBOWS = ("knee", "shin"), ("elbow", "forearm", "farm")
 SOLES = ("heel", "toe")
 BEND_BOUND = 8.0  # degrees; 10° with room for a soft constraint
@@ -194,10 +194,11 @@ class Constraints:
         """The body's corners out of floors and steps, all of its skin out of whatever is round, thin or in the air."""
         ground = tuple(s for s in self.surfaces if isinstance(s, Plane) or (isinstance(s, Box) and s.buried))
         others = tuple(s for s in self.surfaces if all(s is not g for g in ground))
-        clear = Contact(body_points(self.figure), ground, margin, name="clearance")
+        clear = Contact(body_points(self.figure), ground, margin, name="clearance").allowing(self.figure, self.keys)
         if not others:
             return clear
-        return Together((clear, Contact(covering_points(self.figure), others, margin)), name="clearance")
+        skin = Contact(covering_points(self.figure), others, margin).allowing(self.figure, self.keys)
+        return Together((clear, skin), name="clearance")
 
     @property
     def held(self) -> tuple[Stance, ...]:
@@ -251,7 +252,7 @@ class Constraints:
                 if name not in known:
                     raise UserError(f"{self.place}: penalty 'bend': {unknown('joint', name, known)}")
             self.bends = tuple(known[name] for name in entry.joints)
-        return _limits(self.bends, entry)
+        return _limits(self.bends, entry).allowing(self.figure, self.keys)
 
 
 def posing_bends(figure: Figure, entries: list[PenaltyTable]) -> BendLimits | None:

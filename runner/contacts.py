@@ -16,7 +16,8 @@ from solver.figure import Figure
 from solver.frame import Timeline
 from solver.kinematics import Samples
 from solver.penalty import Contact, Point, Rest, Stance, site_points
-from solver.penalty.planted import SAME_SPOT, placed
+from solver.penalty.contact import placed
+from solver.penalty.planted import SAME_SPOT
 from solver.quaternion import Array
 
 from .clip_table import ContactTable

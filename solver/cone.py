@@ -50,6 +50,7 @@ def unsupplied(w: Array, edges: Array, softness: float) -> Unsupplied:
     pull = np.einsum("skn,sn->sk", edges, rest)
     shares = np.maximum(pull, 0) / softness
     projection = np.linalg.inv(identity + _squares(edges, pull > 0) / softness)
+    projection = np.asarray(projection, float)
     return Unsupplied(rest.T, shares.T, np.einsum("sn,sn->s", w, rest), projection)
 
 

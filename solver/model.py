@@ -97,8 +97,11 @@ class Layout:
 
     def add_curvature(self, room: Array, curvature: Curvature, piece: Piece, pairs: list[Pair]) -> None:
         """Adds a curvature whose samples are the nodes of neighbouring spans."""
-        for at, rows in curvature.rows(piece.values):
-            self.add_squared(room, piece.first[at], rows)
+        found = curvature.rows(piece.values)
+        if found:
+            spans, rows = np.concatenate([piece.first[at] for at, _ in found]), np.concatenate([r for _, r in found])
+            order = np.argsort(spans, kind="stable")
+            self.add_squared(room, spans[order], rows[order])
         for columns, blocks in curvature.blocks(piece.values, POINTS):
             local = blocks.transpose(0, 2, 4, 1, 3, 5)
             own_blocks = _own_blocks(room, columns)

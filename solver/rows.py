@@ -184,11 +184,16 @@ class Pushes:
     arm: Array
     force: Array
 
+    def by_link(self, vectors: Array, like: Array) -> Array:
+        """Vectors (3, P) of the pushes, summed over those of one link and sample: (3, L, S), the shape of `like`."""
+        flat, size = self.link * like.shape[2] + self.at, like[0].size
+        return np.array([np.bincount(flat, part, size) for part in vectors], float).reshape(like.shape)
+
     def pull_back(self, wrench: RootWrench, into: Cotangent, force_bar: Array, moment_bar: Array) -> None:
         """Adds the gradient of a scalar of force and moment, the moments of these pushes, which are held, taken off."""
         pull = cross(moment_bar[:, self.at], self.force)
         into.add_forces(self.link * into.samples.count + self.at, self.arm, pull)
-        by_centre = np.array([np.bincount(self.at, -part, into.samples.count) for part in pull])
+        by_centre = np.array([np.bincount(self.at, -part, into.samples.count) for part in pull], float)
         wrench.pull_back(into, force_bar, moment_bar, by_centre)
 
 
@@ -205,8 +210,7 @@ def wrench_rows(wrench: RootWrench, pushes: Pushes | None = None) -> Array:
     away = mass[:, None] * (inverse.centre - wrench.centre[:, None])
     beyond_hold = hold
     if pushes is not None:
-        pushed = np.zeros_like(hold)
-        np.add.at(pushed, (slice(None), pushes.link, pushes.at), pushes.force)
+        pushed = pushes.by_link(pushes.force, hold)
         hold = hold + wrench.share[:, None] * pushed.sum(axis=1)[:, None]
         beyond_hold = hold - pushed
     shape = (3, mass.size, 6, count)
@@ -231,7 +235,7 @@ def wrench_rows(wrench: RootWrench, pushes: Pushes | None = None) -> Array:
         alpha[:, :, 3 + axis] += turned
         if pushes is not None:
             pull = cross(pushes.arm, cross(e[:, None], pushes.force))
-            np.add.at(turn[:, :, 3 + axis], (slice(None), pushes.link, pushes.at), pull)
+            turn[:, :, 3 + axis] += pushes.by_link(pull, hold)
     here = _Repeated(links, np.repeat(np.arange(mass.size), 2))
     gradients = _quaternion_gradients(here, *(part.reshape(3, -1, count) for part in (turn, omega, alpha)))
     out = np.zeros((count, 6, 3, samples.y.shape[1]))

@@ -15,7 +15,7 @@ import models
 from runner import clip
 from runner.clip import Clip
 from runner.errors import UserError
-from solver.penalty import Bend, Contact, CovariantAcceleration, RootAcceleration, UnitMagnitude
+from solver.penalty import Bend, Contact, CovariantAcceleration, Flight, RootAcceleration, Support, UnitMagnitude
 
 KNEE = "joints.left_knee = {rotvec = [0, 0, 0]}"
 TWO_KEYS = '<keyframe><key time="0" qpos="0 0"/><key time="0.5" qpos="0.1 0.2"/></keyframe>'
@@ -384,7 +384,9 @@ def hovering(tmp_path, penalties: str = "") -> Clip:
 
 def test_flight_support_and_peak_come_with_what_keyframes_tell_and_root_steps_back(tmp_path):
     found = by_name(hovering(tmp_path))
-    assert found["flight"][0].intervals == ((0.0, 0.4),)
+    flight = found["flight"][0]
+    assert isinstance(flight, Flight)
+    assert flight.intervals == ((0.0, 0.4),)
     assert {name: found[name][1] for name in ("flight", "support", "peak", "root")} == {
         "flight": 3.0,
         "support": 0.2,
@@ -399,8 +401,11 @@ def test_a_clip_can_say_when_it_flies_itself(tmp_path):
     penalties = '[[penalty]]\nkind = "flight"\nintervals = [[0.1, 0.2], [0.3, 0.4]]\nangular = 0.5\n'
     penalties += '[[penalty]]\nkind = "support"\nfriction = 0.3\n'
     found = by_name(hovering(tmp_path, penalties))
-    assert found["flight"][0].intervals == found["support"][0].flights == ((0.1, 0.2), (0.3, 0.4))
-    assert (found["flight"][0].angular, found["support"][0].friction) == (0.5, 0.3)
+    flight, support = found["flight"][0], found["support"][0]
+    assert isinstance(flight, Flight)
+    assert isinstance(support, Support)
+    assert flight.intervals == support.flights == ((0.1, 0.2), (0.3, 0.4))
+    assert (flight.angular, support.friction) == (0.5, 0.3)
     assert found["flight"][1] == 1.0
     with pytest.raises(UserError, match=r"'flight': \[0.3, 0.2\] is no interval of the clip, which runs from 0 to 0.4"):
         hovering(tmp_path, '[[penalty]]\nkind = "flight"\nintervals = [[0.3, 0.2]]\n')

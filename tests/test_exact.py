@@ -9,7 +9,7 @@ from typing import cast
 import mujoco
 import numpy as np
 import pytest
-from exact_path import ExactPath, exact_path
+from exact_path import ExactPath, _advanced, exact_path
 from scipy.spatial.transform import Rotation
 
 from solver import euler_lagrange
@@ -83,6 +83,15 @@ def test_the_oracle_obeys_its_equation_and_meets_the_keyframes(seed: int, even: 
     faults = exact(seed, even).faults()
     assert faults.equation < 1e-5
     assert max(faults.keyframes, faults.continuity, faults.ends) < 1e-11
+
+
+def test_the_oracle_is_as_exact_over_many_turns_as_in_short_pieces() -> None:
+    q, state = np.array([[1.0, 0, 0, 0]]), np.array([[12.0, -5, 3, 4, 7, -2, 3, -8, 6]])
+    whole = _advanced(q, state, np.array([2.0]))
+    for _ in range(16):
+        q, state = _advanced(q, state, np.array([0.125]))
+    np.testing.assert_allclose(whole[0], q, atol=1e-8)
+    np.testing.assert_allclose(whole[1], state, rtol=1e-6)
 
 
 def test_the_oracle_finds_a_turn_about_one_axis_to_be_the_natural_cubic_of_the_angle() -> None:

@@ -56,7 +56,9 @@ def test_a_run_flies_from_the_toe_of_one_foot_to_the_other_foot():
 
 
 def test_the_shipped_run_has_its_three_flights():
-    assert clips.load("run_and_step").support.flights == ((0.12, 0.26), (0.49, 0.63), (0.88, 1.20))
+    support = clips.load("run_and_step").support
+    assert support is not None
+    assert support.flights == ((0.12, 0.26), (0.49, 0.63), (0.88, 1.20))
 
 
 def test_standing_and_walking_never_fly():

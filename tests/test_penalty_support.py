@@ -152,7 +152,7 @@ def test_the_curvature_is_the_second_derivative_the_wrench_itself_taken_as_linea
         lever = x + np.einsum("ijp,jp->ip", rotation, position) - wrench.centre[:, shares.pushes.at]
         both = np.concatenate([wrench.force, wrench.moment / support.length])
         pushed = np.concatenate([shares.pushes.force, np.cross(lever, shares.pushes.force, axis=0) / support.length])
-        np.add.at(both, (slice(None), shares.pushes.at), -pushed)
+        both -= np.array([np.bincount(shares.pushes.at, part, seen.count) for part in pushed], float)
         return both / support.unit
 
     slope = (residual(shifted(samples, h * by)) - residual(shifted(samples, -h * by))) / (2 * h)

@@ -91,8 +91,8 @@ def test_feet_planted_in_two_neighbouring_keyframes_stay_on_the_ground_and_in_th
     stances = run_and_step.report["after"]["stances"]
     assert len(stances) >= 6
     for stance in stances:
-        assert stance["lift, m"] <= 0.015
-        assert stance["slide, m"] <= 0.030
+        assert stance["lift, m"] <= 0.005
+        assert stance["slide, m"] <= 0.005
 
 
 def test_feet_cross_the_edge_of_the_step_close_above_it(run_and_step):
@@ -124,6 +124,7 @@ def test_without_the_flight_and_support_penalties_the_figure_is_carried_by_nothi
     clip = clips.from_text(TEXT, name="carried")
     kept = tuple((penalty, weight) for penalty, weight in clip.penalties if penalty.name not in ("flight", "support"))
     assert len(kept) == len(clip.penalties) - 2
+    assert clip.support is not None
     motion = solved(replace(clip, penalties=kept), frames=0)
     samples = motion.objective.samples(path_of(motion.timeline), np.linspace(0.13, 0.25, 100))
     assert np.mean(np.linalg.norm(clip.support.rest(samples)[:3], axis=0)) >= 0.2

@@ -73,8 +73,8 @@ def test_its_rows_are_its_differences_pushes_taken_off(rng, kind, pushed):
             wrench = RootWrench(seen, root)
             x, rotation = seen.links.poses(link * seen.count + at)
             lever = x + np.einsum("ijp,jp->ip", rotation, position) - wrench.centre[:, at]
-            moment = wrench.moment.copy()
-            np.add.at(moment, (slice(None), at), -np.cross(lever, force, axis=0))
+            turning = np.cross(lever, force, axis=0)
+            moment = wrench.moment - np.array([np.bincount(at, part, seen.count) for part in turning], float)
             return np.concatenate([wrench.force, moment])
 
         arm = np.einsum("ijp,jp->ip", samples.links.rotation[:, :, link, at], position)

@@ -8,15 +8,17 @@ of u in the parent's sagittal plane, sideways bend the angle of u out of it, twi
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
 from .. import quaternion as quat
 from ..algebra import cross, gathered
+from ..allowance import Allowance
 from ..curvature import Curvature, Sides, jacobian
-from ..figure import Figure, on_links
+from ..figure import Figure, on_links, quaternion_columns
+from ..frame import Timeline
 from ..kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
 from .penalty import Scale
@@ -46,13 +48,38 @@ class BendLimits:
     """Σ over joints of squared excess angles [rad²]: of flexion below `least`, of |sideways| and |twist| over bounds.
 
     least, sideways, twist  [rad]
+    allowed                 (5, n, K) beyond flexion, both sides and both twists, what keyframes do themselves
     """
 
     joints: tuple[Bend, ...]
     least: float = 0.0
     sideways: float = np.radians(10)
     twist: float = np.radians(10)
+    allowed: Allowance | None = None
     name: str = "bend"
+
+    def allowing(self, figure: Figure, keys: Timeline) -> BendLimits:
+        """The same that lets pass how far joints that keyframes fix are beyond their bounds in them."""
+        if not self.joints:
+            return self
+        samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
+        columns = [quaternion_columns(figure.links[joint.link]) for joint in self.joints]
+        fixed = np.array([keys.fixed[:, some].all(axis=1) for some in columns])
+        excess = np.maximum(self._excess(self.angles(samples)), 0) * fixed
+        return replace(self, allowed=Allowance(keys.times, excess))
+
+    def _excess(self, angles: Array) -> Array:
+        """(5, n, S): how far angles (3, n, S) are beyond each bound, negative within."""
+        flexion, sideways, twist = angles
+        return np.array(
+            [
+                self.least - flexion,
+                sideways - self.sideways,
+                -sideways - self.sideways,
+                twist - self.twist,
+                -twist - self.twist,
+            ]
+        )
 
     @property
     def scale(self) -> Scale:
@@ -70,11 +97,15 @@ class BendLimits:
         forward = np.cross(lateral.T, down.T).T
         return np.array([joint.link for joint in self.joints], np.intp), np.array([forward, down, lateral])
 
-    @cached_property
-    def _bounds(self) -> tuple[Array, Array]:
-        """Least and most flexion, sideways bend and twist, (3, 1, 1) [rad]."""
-        least, most = [self.least, -self.sideways, -self.twist], [np.inf, self.sideways, self.twist]
-        return np.reshape(least, (3, 1, 1)), np.reshape(most, (3, 1, 1))
+    def _bounds(self, t: Array) -> tuple[Array, Array]:
+        """Least and most flexion, sideways bend and twist, (3, n, S) or (3, 1, 1) [rad]."""
+        least, most = [-np.inf, -self.sideways, -self.twist], [np.inf, self.sideways, self.twist]
+        low, high = np.reshape(least, (3, 1, 1)), np.reshape(most, (3, 1, 1))
+        low[0] = self.least
+        if self.allowed is None or not self.allowed.excess.any():
+            return low, high
+        allowed = self.allowed.at(t)
+        return low - allowed[[0, 2, 4]], high + allowed[[1, 1, 3]]
 
     def _seen(self, samples: Samples) -> tuple[Array, Seen]:
         own, axes = self._axes
@@ -95,7 +126,7 @@ class BendLimits:
         if not self.joints:
             return np.zeros(samples.count)
         angles, seen = self._seen(samples)
-        least, most = self._bounds
+        least, most = self._bounds(samples.t)
         excess = np.maximum(angles, least)
         np.minimum(excess, most, out=excess)
         np.subtract(angles, excess, out=excess)
@@ -109,16 +140,9 @@ class BendLimits:
     def sides(self, samples: Samples) -> Sides | None:
         if not self.joints:
             return None
-        flexion, sideways, twist = self._seen(samples)[0]
-        excess = np.array(
-            [
-                self.least - flexion,
-                sideways - self.sideways,
-                -sideways - self.sideways,
-                twist - self.twist,
-                -twist - self.twist,
-            ]
-        )
+        excess = self._excess(self._seen(samples)[0])
+        if self.allowed is not None:
+            excess -= self.allowed.at(samples.t)
         side, joint, at = np.nonzero(excess > -NEAR)
         angle, sign = np.array([0, 1, 1, 2, 2])[side], np.array([-1.0, 1, -1, 1, -1])[side]
 

@@ -7,16 +7,19 @@ boxes by such points, so that the whole body stays out; for spheres and capsules
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import mujoco
 import numpy as np
+from numpy.typing import NDArray
 
 from .. import quaternion as quat
 from ..algebra import cross, dot
+from ..allowance import Allowance
 from ..curvature import Curvature, Sides, jacobian
-from ..figure import Figure
+from ..figure import Figure, JointKind
+from ..frame import Mask, Timeline
 from ..kinematics import Cotangent, Samples, attached_pulled_back
 from ..quaternion import Array, Index
 from ..rows import has_point_rows, point_rows, velocity_rows
@@ -40,12 +43,25 @@ class Point:
 
 @dataclass(frozen=True)
 class Contact:
-    """Σ over points and surfaces of depth² [m²], every point grown by `margin` [m]."""
+    """Σ over points and surfaces of depth² [m²], every point grown by `margin` [m].
+
+    allowed  (n, K) [m] how much smaller points are, for what keyframes do themselves
+    """
 
     points: tuple[Point, ...]
     surfaces: tuple[Surface, ...]
     margin: float = 0.0
+    allowed: Allowance | None = None
     name: str = "contact"
+
+    def allowing(self, figure: Figure, keys: Timeline) -> Contact:
+        """The same that lets pass how deep points whose places keyframes fix are in them, margin and all."""
+        if not self.points or not self.surfaces:
+            return self
+        samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
+        centres, _, _ = self.centres(samples)
+        deep = np.max([surface.depth(centres, self._arrays[2])[0] for surface in self.surfaces], axis=0)
+        return replace(self, allowed=Allowance(keys.times, deep * placed(figure, keys.fixed, self.points)))
 
     @property
     def scale(self) -> Scale:
@@ -78,6 +94,19 @@ class Contact:
         radii = np.full(padded.shape[1:], -np.inf)
         padded[:, rank, owner[order]], radii[rank, owner[order]] = positions[:, order], radius[order]
         return padded, radii
+
+    @cached_property
+    def _allowed_by_link(self) -> Allowance | None:
+        """The allowances as `_by_link` lays the points out, (p, m, K), or None where there are none."""
+        if self.allowed is None or not self.allowed.excess.any():
+            return None
+        links, _, _ = self._arrays
+        _, owner, counts = np.unique(links, return_inverse=True, return_counts=True)
+        order = np.argsort(owner, kind="stable")
+        rank = np.arange(owner.size) - np.repeat(np.cumsum(counts) - counts, counts)
+        padded = np.zeros((counts.max(), counts.size, self.allowed.times.size))
+        padded[rank, owner[order]] = self.allowed.excess[order]
+        return Allowance(self.allowed.times, padded)
 
     def centres(self, samples: Samples) -> tuple[Array, Array, Index]:
         """Centres (3, n, S) [m], the vectors to them from their links' origins, and the links' indices (n,)."""
@@ -124,7 +153,10 @@ class Contact:
         x, rotation = samples.links.poses(flat)
         arms = np.einsum("ijk,jpk->ipk", rotation, positions.take(carrier, axis=2))
         centres = (arms + x[:, None]).reshape(3, -1, 1)
-        return flat, arms.reshape(3, -1), centres, radii.take(carrier, axis=1).ravel()
+        radii = radii.take(carrier, axis=1)
+        if self._allowed_by_link is not None:
+            radii = radii - self._allowed_by_link.at(samples.t)[:, carrier, at]
+        return flat, arms.reshape(3, -1), centres, radii.ravel()
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
         """Nothing: depths count on one side only."""
@@ -276,3 +308,11 @@ def _cover(kind: int, size: Array) -> list[tuple[Array, float]]:
     if kind == geom.mjGEOM_ELLIPSOID:
         return [(sign * e * (size - size.min()), float(size.min())) for e in np.eye(3) for sign in (-1, 1)]
     return []
+
+
+def placed(figure: Figure, fixed: Mask, points: Sequence[Point]) -> NDArray[np.bool_]:
+    """(n, K): whether a keyframe fixes every joint from the root to a point, so that it says where the point is."""
+    entries = {JointKind.FREE: 7, JointKind.BALL: 4, JointKind.HINGE: 1, JointKind.SLIDE: 1}
+    whole = [fixed[:, link.qpos : link.qpos + entries[link.kind]].all(axis=1) for link in figure.links[1:]]
+    path = figure.tables.path[:, 1:] > 0
+    return np.array([np.all(np.array(whole)[path[point.link]], axis=0) for point in points])

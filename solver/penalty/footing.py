@@ -18,11 +18,13 @@ from ..kinematics import Samples
 from ..quaternion import Array
 from ..surface import Plane, Surface
 from ..wrench import RootWrench
-from .contact import Contact, Point
-from .planted import NEAR_SURFACE, Stance, placed
+from .contact import Contact, Point, placed
+from .planted import NEAR_SURFACE, Stance
 from .resting import Rest
 
-HIGHEST = 1.25  # [m] that a centre of mass rises in a flight that nobody asked for
+HIGHEST = 0.6  # [m] that a centre of mass rises in a flight that nobody asked for
+PUSHED = 0.2  # of its speed at take-off and landing, the centre of mass has on the average in the segments beside
+ALOFT = 0.05  # [m] over which all soles are in the air beyond doubt
 STRAY = 0.15  # [m] that keyframes in the air may be off the free fall between the ends of the flight
 Interval = tuple[float, float]
 
@@ -93,7 +95,7 @@ class _Spots:
     ) -> tuple[list[tuple[int, Array]], Array]:
         """Of a link's points that touch in keyframes (m,), those that reach farthest some way along the surface, by
         index and where they touch in the link's axes (3,); and the surface's normal (3,)."""
-        normal = _normal(self.surfaces[self.over[points[0], keys[0]]])
+        normal = _normal(self.surfaces[int(self.over[points[0], keys[0]])])
         radius = np.array([self.points[i].radius for i in points])
         touched = self.centres[:, points, keys] - radius * normal[:, None]
         touched -= self.samples.links.x[:, link, keys]
@@ -109,7 +111,8 @@ def _around(normal: Array, count: int = 8) -> Array:
     across = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
     across /= np.linalg.norm(across)
     angle = 2 * np.pi * (np.arange(count) + 0.3) / count
-    return np.outer(across, np.cos(angle)) + np.outer(np.cross(normal, across), np.sin(angle))
+    both = np.column_stack([across, np.cross(normal, across)])
+    return np.asarray(both @ np.array([np.cos(angle), np.sin(angle)]), float)
 
 
 def flights(
@@ -127,7 +130,8 @@ def flights(
     which the first foot lands or the clip ends. No foot stands on one spot in two of its neighbouring keyframes, all
     of them fix the feet, and no other point of the `body` touches a surface. A foot that leaves has stood before, and
     is no more flat on the ground; a foot that lands stands afterwards. The free fall through both ends rises by no
-    more than 1.25 m and passes keyframes in between within 15 cm.
+    more than 0.6 m and passes keyframes in between within 15 cm; in the segments before and after the centre of mass
+    rises and sinks at a fifth of its speeds at least, as a body does that pushes itself off and catches itself.
     """
     if not points or not surfaces or not figure.gravity.any():
         return ()
@@ -138,8 +142,7 @@ def flights(
         if not seen.free[k]:
             first = k + 1
         elif k + 2 == times.size or seen.touched[k + 1] or not seen.free[k + 1]:
-            some = slice(first, k + 2)
-            if seen.leaves(first) and seen.lands(k + 1) and _falls(figure, times[some], rising[some]):
+            if seen.leaves(first) and seen.lands(k + 1) and _falls(figure, times, rising, first, k + 1):
                 found.append((float(times[first]), float(times[k + 1])))
             first = k + 1
     return tuple(found)
@@ -164,16 +167,23 @@ class _Keys:
         stances: Sequence[Stance | Rest],
         body: Sequence[Point],
     ) -> _Keys:
-        low = np.abs(_heights(figure, keys, points, surfaces)[0]) < NEAR_SURFACE
-        known = placed(figure, keys.fixed, points).all(axis=0)
+        height = _heights(figure, keys, points, surfaces)[0]
+        low = np.abs(height) < NEAR_SURFACE
+        known = np.logical_and.reduce(placed(figure, keys.fixed, points))
+        known &= np.logical_or.reduce(low) | (np.min(height, axis=0) > ALOFT)  # else who can say whether it touches
         feet = [np.array([p.link == link for p in points]) for link in sorted({p.link for p in points})]
-        flat = np.any([low[foot].all(axis=0) for foot in feet if foot.sum() > 1] or [0 * known], axis=0)
+        flat = np.zeros_like(known)
+        for foot in feet:
+            if foot.sum() > 1:
+                flat |= np.logical_and.reduce(low[foot])
         others = [point for point in body if point.link not in {p.link for p in points}]
         if others:
-            known &= ~np.any(_heights(figure, keys, others, surfaces)[0] < NEAR_SURFACE, axis=0)
+            known &= ~np.logical_or.reduce(_heights(figure, keys, others, surfaces)[0] < NEAR_SURFACE)
         begin, end = keys.times[:-1], keys.times[1:]
-        carried = np.any([(s.first < end) & (begin < s.last) for s in stances] or [np.zeros(begin.size, bool)], axis=0)
-        return cls(~carried & known[:-1] & known[1:], low.any(axis=0), flat)
+        carried = np.zeros(begin.size, bool)
+        for stance in stances:
+            carried |= (stance.first < end) & (begin < stance.last)
+        return cls(~carried & known[:-1] & known[1:], np.logical_or.reduce(low), flat)
 
     def leaves(self, k: int) -> bool:
         """Whether a flight may begin at a keyframe."""
@@ -207,10 +217,17 @@ def _rising(figure: Figure, root: int, keys: Timeline) -> Array:
     return -figure.gravity @ RootWrench(samples, root).centre / np.linalg.norm(figure.gravity)
 
 
-def _falls(figure: Figure, times: Array, height: Array) -> bool:
-    """Whether heights of a centre of mass at times (k,) look like one free fall."""
-    g, t = float(np.linalg.norm(figure.gravity)), times - times[0]
-    speed = (height[-1] - height[0]) / t[-1] + g * t[-1] / 2
+def _falls(figure: Figure, times: Array, height: Array, first: int, last: int) -> bool:
+    """Whether heights (K,) of a centre of mass look like one free fall between two keyframes, and like a push-off and
+    a landing in the segments beside."""
+    g, t = float(np.linalg.norm(figure.gravity)), times[first : last + 1] - times[first]
+    speed = (height[last] - height[first]) / t[-1] + g * t[-1] / 2
     rise = speed**2 / (2 * g) if 0 < speed < g * t[-1] else 0.0
-    path = height[0] + speed * t - g * t**2 / 2
-    return bool(rise + min(height[0] - height[-1], 0) <= HIGHEST and np.abs(height - path).max() <= STRAY)
+    path = height[first] + speed * t - g * t**2 / 2
+    falls = rise + min(height[first] - height[last], 0) <= HIGHEST
+    falls &= np.abs(height[first : last + 1] - path).max() <= STRAY
+    if first > 0:
+        falls &= height[first] - height[first - 1] >= PUSHED * speed * (times[first] - times[first - 1])
+    if last + 1 < times.size:
+        falls &= height[last + 1] - height[last] <= PUSHED * (speed - g * t[-1]) * (times[last + 1] - times[last])
+    return bool(falls)

@@ -10,16 +10,15 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..algebra import applied, dot
 from ..curvature import Curvature, Sides
-from ..figure import Figure, JointKind
-from ..frame import Mask, Timeline
+from ..figure import Figure
+from ..frame import Timeline
 from ..kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
 from ..surface import Surface
-from .contact import Contact, Point, point_gradients
+from .contact import Contact, Point, placed, point_gradients
 from .penalty import Scale
 
 NEAR_SURFACE = 0.012
@@ -130,11 +129,3 @@ def stances(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: S
             if low[i, k] and low[i, k + 1] and np.linalg.norm(landed - spot) < SAME_SPOT:
                 found.append(Stance(point, float(first), float(last), spot.copy(), landed.copy()))
     return tuple(found)
-
-
-def placed(figure: Figure, fixed: Mask, points: Sequence[Point]) -> NDArray[np.bool_]:
-    """(n, K): whether a keyframe fixes every joint from the root to a point, so that it says where the point is."""
-    entries = {JointKind.FREE: 7, JointKind.BALL: 4, JointKind.HINGE: 1, JointKind.SLIDE: 1}
-    whole = [fixed[:, link.qpos : link.qpos + entries[link.kind]].all(axis=1) for link in figure.links[1:]]
-    path = figure.tables.path[:, 1:] > 0
-    return np.array([np.all(np.array(whole)[path[point.link]], axis=0) for point in points])

@@ -142,7 +142,8 @@ class Support:
     def _pairs(self, t: Array) -> tuple[Index, Index, Index]:
         """The pairs of a footing and a sample that it holds for, by sample, and which one of the sample's each is."""
         if not self.footings:
-            return (np.zeros(0, np.intp),) * 3
+            none = np.zeros(0, np.intp)
+            return none, none, none
         at, which = np.nonzero(self._active(t).T)
         begin = np.searchsorted(at, np.arange(t.size))
         return which, at, np.arange(at.size) - begin[at]

@@ -1,0 +1,121 @@
+"""The clip's [[contact]] tables: what they become, what they replace, and every mistake in one line."""
+
+import numpy as np
+import pytest
+
+from runner import clip as clips
+from runner.errors import UserError
+from solver.inbetween import inbetween
+from solver.kinematics import Samples
+from solver.penalty import Contact, Planted, Rest, Resting, Stance, Together
+from solver.subdivision import path_of
+
+STEP = """
+figure = "human"
+[[keyframe]]
+time = 0.0
+others = "rest"
+[[keyframe]]
+time = 0.5
+root.position = [{x}, 0, 0.93]
+others = "rest"
+[[keyframe]]
+time = 1.0
+root.position = [{y}, 0, 0.93]
+others = "rest"
+"""
+
+
+def text(*contacts: str, x: float = 0.0, y: float = 0.0) -> str:
+    return STEP.format(x=x, y=y) + "".join(f"[[contact]]\n{contact}\n" for contact in contacts)
+
+
+def planted(clip: clips.Clip) -> tuple[tuple[Stance, ...], tuple[Rest, ...]]:
+    (penalty,) = [penalty for penalty, _ in clip.penalties if penalty.name == "planted"]
+    parts = penalty.parts if isinstance(penalty, Together) else (penalty,)
+    stances = tuple(stance for part in parts if isinstance(part, Planted) for stance in part.stances)
+    return stances, tuple(rest for part in parts if isinstance(part, Resting) for rest in part.rests)
+
+
+def test_without_a_table_keyframes_tell_where_feet_stand():
+    stances, rests = planted(clips.from_text(text(), name="stand"))
+    assert {(s.point.name, s.first, s.last) for s in stances} >= {("left_heel", 0.0, 0.5), ("right_toe", 0.5, 1.0)}
+    assert not rests
+
+
+def test_a_contact_takes_its_spot_from_the_keyframes_inside_and_holds_it_beyond():
+    contact = 'point = "left_heel"\nfrom = 0.25\nto = 0.8'
+    stances, rests = planted(clips.from_text(text(contact), name="stand"))
+    own = sorted((s for s in stances if s.point.name == "left_heel"), key=lambda s: s.first)
+    assert [(s.first, s.last) for s in own] == [(0.25, 0.5), (0.5, 0.8)]
+    np.testing.assert_allclose([s.spot for s in own], [own[0].landed] * 2)
+    assert not rests
+    assert any(s.point.name == "left_toe" and s.first == 0 for s in stances)
+
+
+def test_a_contact_with_a_position_and_one_that_nobody_placed():
+    contacts = (
+        'point = "left_heel"\nfrom = 0.6\nto = 0.9\nposition = [0.3, 0.1, 0]',
+        'point = "right_toe"\nfrom = 0.6\nto = 0.9',
+    )
+    stances, rests = planted(clips.from_text(text(*contacts, x=0.2, y=0.4), name="walk"))
+    (own,) = [s for s in stances if s.point.name == "left_heel"]
+    np.testing.assert_allclose(own.place(np.array([0.6, 0.75, 0.9])), np.array([[0.3, 0.1, 0]] * 3).T)
+    assert [(r.point.name, r.first, r.last) for r in rests] == [("right_toe", 0.6, 0.9)]
+
+
+def test_a_foot_rests_where_a_contact_says_and_without_it_does_not():
+    contact = 'point = "left_toe"\nfrom = 0.55\nto = 0.75\n[[penalty]]\nkind = "planted"\nweight = 30'
+
+    def moved(clip: clips.Clip) -> float:
+        motion = inbetween(clip.figure, clip.keys, clip.penalties, clip.settings)
+        y, y_d, y_dd = path_of(motion.timeline).motion(t := np.linspace(0.55, 0.75, 101))
+        toe = tuple(point for point in clip.points if point.name == "left_toe")
+        centres, _, _ = Contact(toe, ()).centres(Samples(clip.figure, y, y_d, y_dd, t))
+        return float(np.ptp(centres[0, 0]))
+
+    free = text(x=0.2, y=0.4) + '[[penalty]]\nkind = "skate"\nweight = 0'
+    held = text(contact, x=0.2, y=0.4) + '[[penalty]]\nkind = "skate"\nweight = 0'
+    assert moved(clips.from_text(free, name="slides")) > 0.05
+    assert moved(clips.from_text(held, name="rests")) < 0.005
+
+
+@pytest.mark.parametrize(
+    ("contacts", "words"),
+    [
+        (('point = "left_hee"\nfrom = 0\nto = 1',), ["contact 1 ('left_hee')", "left_heel"]),
+        (('point = "left_heel"\nfrom = 0.8\nto = 0.3',), ["contact 1 ('left_heel')", "0.8", "not before", "0.3"]),
+        (('point = "left_heel"\nfrom = 0.3\nto = 0.3',), ["not before"]),
+        (('point = "left_heel"\nfrom = 0.5\nto = 1.5',), ["outside the clip", "from 0 to 1 s"]),
+        (
+            ('point = "left_heel"\nfrom = 0\nto = 0.6', 'point = "left_heel"\nfrom = 0.4\nto = 1'),
+            ["contact 2 ('left_heel')", "overlaps contact 1", "0.4 to 0.6"],
+        ),
+        (
+            ('point = "left_heel"\nfrom = 0.2\nto = 0.8\nposition = [0.4, 0.1, 0]',),
+            ["contact 1 ('left_heel')", "keyframe 2 (t = 0.5 s)", "the contact's position"],
+        ),
+        (
+            (
+                'point = "left_heel"\nfrom = 0.6\nto = 0.8\nposition = [0, 0.1, 0]',
+                'point = "left_toe"\nfrom = 0.7\nto = 0.9\nposition = [0.5, 0.1, 0]',
+            ),
+            ["'left_heel' and 'left_toe' contradict each other", "0.7 to 0.8", "0.500 m apart"],
+        ),
+        (('point = "left_heel"\nfrom = "soon"\nto = 1',), ["contact 1", "from must be a number"]),
+        (('point = "left_heel"\nfrom = 0\nuntil = 1',), ["contact 1", "until", "to"]),
+        (('point = "left_heel"\nto = 1',), ["contact 1", "'from' is missing"]),
+        (("point = 3\nfrom = 0\nto = 1",), ["contact 1", "point must be a word in quotes"]),
+    ],
+)
+def test_mistakes_are_told_in_one_line(contacts, words):
+    with pytest.raises(UserError) as told:
+        clips.from_text(text(*contacts), name="wrong")
+    assert "\n" not in str(told.value)
+    for word in words:
+        assert word in str(told.value)
+
+
+def test_a_contact_over_keyframes_that_put_the_point_far_apart_says_which():
+    with pytest.raises(UserError, match=r"keyframe 3 .* 0\.400 m from where keyframe 1 does"):
+        clips.from_text(text('point = "left_heel"\nfrom = 0\nto = 1', x=0.02, y=0.4), name="far")
