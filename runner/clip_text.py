@@ -20,7 +20,7 @@ BARE = re.compile(r"[A-Za-z0-9_-]+")
 
 def tables(table: ClipTable) -> dict[str, Any]:
     """What a clip's file says, as plain tables."""
-    return table.model_dump(exclude_unset=True)
+    return table.model_dump(exclude_unset=True, by_alias=True)
 
 
 def written(clip: dict[str, Any]) -> str:

@@ -76,10 +76,23 @@ def retimed(saved: Saved, speed: float) -> Saved:
 
 
 def retimed_tables(clip: dict[str, Any], speed: float) -> dict[str, Any]:
-    """A clip's tables with the keyframes' times at another speed, from the first on."""
+    """A clip's tables with the times of keyframes, contacts and flights at another speed, from the first on."""
     start = clip["keyframe"][0]["time"]
-    rows = [row | {"time": start + (row["time"] - start) / speed} for row in clip["keyframe"]]
-    return clip | {"keyframe": rows}
+
+    def at(time: float) -> float:
+        return start + (time - start) / speed
+
+    out = clip | {"keyframe": [row | {"time": at(row["time"])} for row in clip["keyframe"]]}
+    if "contact" in clip:
+        out["contact"] = [row | {"from": at(row["from"]), "to": at(row["to"])} for row in clip["contact"]]
+    if "penalty" in clip:
+        out["penalty"] = [
+            row | {"intervals": [[at(time) for time in ends] for ends in row["intervals"]]}
+            if row.get("intervals")
+            else row
+            for row in clip["penalty"]
+        ]
+    return out
 
 
 def check_interval(found: Clip | Saved, first: float, last: float) -> None:
