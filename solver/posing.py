@@ -31,7 +31,7 @@ STRAIGHT = 3.0  # a radian of knees and elbows sideways and twisted, in the same
 BENT = np.radians([15, 50, 90])  # how far knees and elbows are bent to begin with: a straight limb cannot shorten
 INSIDE = 1e-4  # [rad, m] how far inside its range a joint stays
 STARTS, SPREAD = 8, 0.4  # other poses to begin with where one leads nowhere, and how far away they are [rad]
-AGREEING, ALIKE = 3, 1e-3  # so many starts that miss by the same, and what counts as the same, tell that none will do
+AGREEING, ALIKE = 3, 1e-4  # so many starts that miss by the same, and what counts as the same, tell that none will do
 ROUNDS, STALLED = 20, 0.7  # of the multipliers, and the share of what is missed that is left when they lead nowhere
 STEPS, FIRST_DAMPING, MOST_DAMPING = 60, 1e-3, 1e8
 SETTLED = 1e-9  # share of what is left that a step gains where a descent ends
@@ -144,6 +144,9 @@ def posed(figure: Figure, qpos: Array, free: Mask, goals: Sequence[Goal], bends:
     met = [pose for pose in found if pose.is_met]
     if met:
         return min(met, key=lambda pose: search.distance(pose.qpos))
+    found.append(search.descended(search.rest_start()))
+    if found[-1].is_met:
+        return found[-1]
     for start in search.starts_around():
         least = sorted(float(pose.missed.max()) for pose in found)
         if len(found) >= AGREEING and least[AGREEING - 1] < least[0] + ALIKE:
@@ -191,6 +194,9 @@ class _Search:
             self.fixed[entries(figure, link)] = True
         free = free & self.fixed
         self.dofs, self.weights = self._freedoms(links, free)
+        self.joints = [
+            i for i in links if figure.links[i].kind is not JointKind.FREE and free[entries(figure, i)].all()
+        ]
         self.ranged = [link for link in links if self._is_ranged(link) and free[entries(figure, link)].all()]
         self.bends = None if bends is None else _Bends.of(figure, bends, free)
 
@@ -214,6 +220,14 @@ class _Search:
     def bent_starts(self) -> list[Array]:
         """Poses to begin with: home with knees and elbows bent by so much at least."""
         return [self.home] if self.bends is None else [self.bends.begun(self.home, angle) for angle in BENT]
+
+    def rest_start(self) -> Array:
+        """The pose of home with the joints that are free as the model has them at rest, all but the root's, and bent a
+        little: a limb that home has turned far round may be stuck there."""
+        start = np.array(self.home)
+        for i in self.joints:
+            start[entries(self.figure, i)] = self.model.qpos0[entries(self.figure, i)]
+        return start if self.bends is None else self.bends.begun(start, BENT[0])
 
     def starts_around(self) -> list[Array]:
         """Others, scattered around the first."""

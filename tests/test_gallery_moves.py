@@ -18,6 +18,8 @@ from rich.console import Console
 from runner import clip as clips
 from runner import work
 from runner.clip import Clip
+from runner.clip_text import tables, written
+from runner.edits import retimed_tables
 from runner.motion import continuous, sampled
 from runner.penetration import penetration
 from runner.progress import Teller
@@ -151,6 +153,18 @@ def test_keyframes_are_met_exactly(move):
         for columns in move.clip.figure.tables.quaternion_columns.T:
             wanted[columns] *= np.sign(wanted[columns] @ qpos[columns]) / np.linalg.norm(wanted[columns])
         np.testing.assert_allclose(qpos[key.fixed], wanted[key.fixed], atol=1e-9)
+
+
+@pytest.mark.parametrize("name", ["hand_on_rail", "jump_over_box"])
+def test_at_another_speed_contacts_and_flights_keep_their_place_in_the_move(name):
+    move = solved(name)
+    said = tables(clips.table_of(move.clip.text, move.clip.name))
+    fast = clips.from_text(written(retimed_tables(said, 2.0)), name="fast")
+    assert fast.keys[-1].time == pytest.approx(move.clip.keys[-1].time / 2)
+    table, own = clips.table_of(fast.text, "fast"), clips.table_of(move.clip.text, "own")
+    assert [(c.start, c.end) for c in table.contact] == [(c.start / 2, c.end / 2) for c in own.contact]
+    assert fast.support is not None and move.clip.support is not None
+    np.testing.assert_allclose(fast.support.flights, np.array(move.clip.support.flights) / 2)
 
 
 def test_knees_and_elbows_bend_the_right_way(move):

@@ -166,6 +166,32 @@ def test_a_leg_a_hair_shorter_than_straight_is_found(short):
     assert posed(figure, figure.model.qpos0, free, [beyond, goals[1]], bends).missed[0] == pytest.approx(short, rel=0.1)
 
 
+def test_legs_that_home_has_turned_far_round_stand_all_the_same():
+    """As where a path is gone on with, beyond its last keyframe: two homes of three at least, as such are hard."""
+    figure = HUMAN["world"]
+    turns = {
+        "left": ([0.731, -0.312, 0.303, -0.526], [0.996, 0, 0.087, 0], [0.966, 0, 0.259, 0]),
+        "right": ([0.54, -0.549, 0.615, -0.17], [0.995, 0, 0.105, 0], [0.966, 0, 0.259, 0]),
+    }
+    goals: list[Goal] = []
+    for side, heel, heading in (("left", [-0.02, 0.09, 0], -8), ("right", [-0.09, -0.09, 0], -40)):
+        goals.append(SiteGoal(f"{side}_heel", np.array(heel)))
+        goals.append(BodyGoal(f"{side}_foot", quat.from_rotation_vector([0, 0, np.radians(heading)])))
+    met = 0
+    for seed in (0, 5, 15):
+        rng = np.random.default_rng(seed)
+        home, free = np.array(figure.model.qpos0), np.zeros(figure.width, bool)
+        home[:7] = [0, 0, 0.915, *quat.from_rotation_vector([0, 0, np.radians(-20)])]
+        for side, own in turns.items():
+            for name, turn in zip(("hip", "knee", "ankle"), own, strict=True):
+                columns = entries(figure, figure.link_named(f"{side}_{name}") or 0)
+                home[columns] = quat.normalised(turn + 0.01 * rng.normal(size=4))
+                free[columns] = True
+        found = posed(figure, home, free, goals, posing_bends(figure, [PenaltyTable(kind="bend", least=4.0)]))
+        met += found.is_met
+    assert met >= 2
+
+
 @pytest.mark.parametrize("rest", [[1.0, 0, 0, 0], [0.9, 0.1, -0.2, 0.3]])
 def test_flat_is_upright_as_at_rest_with_the_heading_free(rest):
     turn = " ".join(map(str, rest))

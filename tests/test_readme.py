@@ -24,11 +24,12 @@ def test_the_python_example_runs(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 def test_the_example_clip_solves() -> None:
-    (text,) = blocks("toml")
+    text, more = blocks("toml")
     assert len(text.splitlines()) <= 12
-    problem = clip.from_text(text, name="readme")
-    motion = inbetween(problem.figure, problem.keys, problem.penalties, problem.settings)
-    assert motion.trace[-1][2] < motion.trace[0][2]
+    for name, whole in (("readme", text), ("with places", text + more)):
+        problem = clip.from_text(whole, name=name)
+        motion = inbetween(problem.figure, problem.keys, problem.penalties, problem.settings)
+        assert motion.trace[-1][2] < motion.trace[0][2]
 
 
 def test_every_picture_and_linked_file_is_there() -> None:
