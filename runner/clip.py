@@ -29,6 +29,7 @@ from solver.penalty import (
     Penalty,
     Placed,
     Point,
+    Rest,
     Support,
 )
 from solver.posing import entries
@@ -77,6 +78,7 @@ class Clip:
     support  what carries the figure when; None without a free joint
     notes   one line each on what was looked for and not found
     placed  points that keyframes leave to the search to place
+    contacts  the clip's own
     """
 
     name: str
@@ -96,6 +98,7 @@ class Clip:
     support: Support | None
     notes: tuple[str, ...]
     placed: tuple[Placed, ...] = ()
+    contacts: tuple[Rest, ...] = ()
 
 
 def load(source: str, *, model: str | None = None, keys: str | None = None, fps: float | None = None) -> Clip:
@@ -214,7 +217,7 @@ def _clip(
     return Clip(
         name, text, mjcf, figure, fps, tuple(keys), penalties, settings, solve.ends,
         np.zeros((2, figure.width)) if solve.ends == "clamped" else None, solve.travel, surfaces,
-        builder.points, builder.bends, builder.support, tuple(notes), placed,
+        builder.points, builder.bends, builder.support, tuple(notes), placed, builder.contacts.given,
     )  # fmt: skip
 
 

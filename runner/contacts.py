@@ -29,10 +29,11 @@ STRETCH = 0.01  # [m] that two points of one body may be told to come nearer or 
 
 @dataclass(frozen=True)
 class Contacts:
-    """What the tables say: stances whose spots are known, and rests whose are not."""
+    """What the tables say: stances whose spots are known, rests whose are not, and all of them as they were given."""
 
     stances: tuple[Stance, ...] = ()
     rests: tuple[Rest, ...] = ()
+    given: tuple[Rest, ...] = ()
 
     def overlaps(self, stance: Stance) -> bool:
         """Whether a table speaks of a stance's point at some time of it."""
@@ -56,15 +57,17 @@ def contacts(figure: Figure, keys: Timeline, tables: Sequence[ContactTable], pla
     _check_overlaps(tables, names)
     stances: list[Stance] = []
     rests: list[Rest] = []
+    given: list[Rest] = []
     for table, name in zip(tables, names, strict=True):
         (point,) = site_points(figure, [table.point])
+        given.append(Rest(point, table.start, table.end))
         spots = _spots(figure, keys, point, table, name)
         if spots:
             stances += _stances(point, table, spots)
         else:
-            rests.append(Rest(point, table.start, table.end))
+            rests.append(given[-1])
     _check_bodies(stances, place)
-    return Contacts(tuple(stances), tuple(rests))
+    return Contacts(tuple(stances), tuple(rests), tuple(given))
 
 
 def _check_interval(table: ContactTable, keys: Timeline, name: str) -> None:

@@ -107,6 +107,7 @@ def _side(clip: Clip, objective: Objective, timeline: Timeline, grid: Grid) -> d
         "beyond joint range": _range_report(clip, grid),
         "skate": _skate(clip, grid),
         "stances": _stance_report(clip, timeline),
+        "contacts": _contact_report(clip, timeline),
         "off their places, m": _placement_report(clip, timeline),
         "edge clearance, m": _edge_clearance(clip, grid),
         "unit deviation": _unit_deviation(grid),
@@ -208,6 +209,21 @@ def _stance_report(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
         names = " and ".join(stance.point.name for stance in group)
         lift = float(height.max())
         out.append({"points": names, "from, s": first, "to, s": last, "lift, m": lift, "slide, m": slide})
+    return out
+
+
+def _contact_report(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
+    """Every contact that the clip gives: how far its point gets from where it is in the middle of it, and its path."""
+    out = []
+    for rest in clip.contacts:
+        time = np.linspace(rest.first, rest.last, max(3, round((rest.last - rest.first) * RATE)))
+        centres, _, _ = Contact((rest.point,), ()).centres(samples_at(clip.figure, path_of(timeline), time))
+        track = centres[:, 0]
+        moved = float(np.linalg.norm(track - track[:, [time.size // 2]], axis=0).max())
+        path = float(np.linalg.norm(np.diff(track, axis=1), axis=0).sum())
+        speed = path / (rest.last - rest.first)
+        told = {"point": rest.point.name, "from, s": rest.first, "to, s": rest.last}
+        out.append(told | {"moved, m": moved, "path, m": path, "speed, m/s": speed})
     return out
 
 
@@ -452,6 +468,9 @@ def _lines(before: dict[str, Any], after: dict[str, Any]) -> list[tuple[str, str
     for one, two in zip(before["stances"], after["stances"], strict=False):
         name = f"{two['points']} planted {two['from, s']:.2f} - {two['to, s']:.2f} s: lift / slide"
         lines.append(row(name, *(f"{millimetres(s['lift, m'])} / {millimetres(s['slide, m'])}" for s in (one, two))))
+    for one, two in zip(before.get("contacts", []), after.get("contacts", []), strict=False):
+        name = f"{two['point']} rests {two['from, s']:.2f} - {two['to, s']:.2f} s: moved / path"
+        lines.append(row(name, *(f"{millimetres(c['moved, m'])} / {millimetres(c['path, m'])}" for c in (one, two))))
     for name in after["off their places, m"]:
         lines.append(row(f"{name}, off its place", *(millimetres(s["off their places, m"][name]) for s in sides)))
     for name, value in after["edge clearance, m"].items():

@@ -5,6 +5,7 @@ import pytest
 
 from runner import clip as clips
 from runner.errors import UserError
+from runner.report import report
 from solver.inbetween import inbetween
 from solver.kinematics import Samples
 from solver.penalty import Contact, Planted, Rest, Resting, Stance, Together
@@ -78,6 +79,19 @@ def test_a_foot_rests_where_a_contact_says_and_without_it_does_not():
     held = text(contact, x=0.2, y=0.4) + '[[penalty]]\nkind = "skate"\nweight = 0'
     assert moved(clips.from_text(free, name="slides")) > 0.05
     assert moved(clips.from_text(held, name="rests")) < 0.005
+
+
+def test_the_report_tells_how_far_every_contact_moves():
+    contact = 'point = "left_toe"\nfrom = 0.55\nto = 0.75\n[[penalty]]\nkind = "planted"\nweight = 30'
+    clip = clips.from_text(text(contact, x=0.2, y=0.4), name="rests")
+    motion = inbetween(clip.figure, clip.keys, clip.penalties, clip.settings)
+    told = report(clip, motion, 0.0)
+    (before,), (after,) = told["before"]["contacts"], told["after"]["contacts"]
+    assert (after["point"], after["from, s"], after["to, s"]) == ("left_toe", 0.55, 0.75)
+    assert before["moved, m"] > 0.03
+    assert after["moved, m"] < 0.005
+    assert after["path, m"] >= after["moved, m"]
+    assert after["speed, m/s"] == pytest.approx(after["path, m"] / 0.2)
 
 
 @pytest.mark.parametrize(
