@@ -51,8 +51,8 @@ from .contacts import contacts
 from .errors import UserError, unknown
 
 KINDS = (
-    "covariant", "root", "unit", "contact", "clearance", "planted", "skate", "grounded", "posture", "bend", "range",
-    "self", "placement", "flight", "support", "peak", "torque",
+    "covariant", "root", "unit", "contact", "clearance", "planted", "resting", "skate", "grounded", "posture", "bend",
+    "range", "self", "placement", "flight", "support", "peak", "torque",
 )  # fmt: skip
 DEFAULT_WEIGHTS = {
     "covariant": 1.0,
@@ -61,6 +61,7 @@ DEFAULT_WEIGHTS = {
     "contact": 30.0,
     "clearance": 30.0,
     "planted": 0.3,
+    "resting": 300.0,
     "skate": 0.55,
     "grounded": 0.3,
     "posture": 0.7,
@@ -134,8 +135,9 @@ class Constraints:
                 raise UserError(f"{place}: '{option}' is not for kind '{entry.kind}', which takes: {takes}")
             seen[entry.kind] = i
             chosen[entry.kind] = entry
-        if not self.placed:
-            del chosen["placement"]
+        for kind, given in (("placement", self.placed), ("resting", self.contacts.given)):
+            if not given and kind not in seen:
+                del chosen[kind]
         if chosen["contact"].points is not None:
             self.points = self._sites(chosen["contact"].points)
         self.support = self._carried(chosen["flight"], "flight" in seen)
@@ -169,9 +171,10 @@ class Constraints:
         if entry.kind == "clearance":
             return self._clearance(entry.margin or 0.0)
         if entry.kind == "planted":
-            planted = Planted(self.held)
-            rests = self.contacts.rests
-            return Together((planted, Resting(rests, self.surfaces)), name="planted") if rests else planted
+            return Planted(self._found)
+        if entry.kind == "resting":
+            parts = Planted(self.contacts.stances), Resting(self.contacts.rests, self.surfaces)
+            return Together(parts, name="resting")
         if entry.kind == "skate":
             return Skate(self.points, self.surfaces, entry.reach or Skate.reach)
         if entry.kind == "grounded":
@@ -201,10 +204,10 @@ class Constraints:
         return Together((clear, skin), name="clearance")
 
     @property
-    def held(self) -> tuple[Stance, ...]:
-        """The stances that the clip's contacts give, and those that its keyframes tell where it gives none."""
+    def _found(self) -> tuple[Stance, ...]:
+        """The stances that keyframes tell, where the clip's contacts do not speak of the same point."""
         found = stances(self.figure, self.keys, self.points, self.surfaces)
-        return (*self.contacts.stances, *(stance for stance in found if not self.contacts.overlaps(stance)))
+        return tuple(stance for stance in found if not self.contacts.overlaps(stance))
 
     def _grounded(self, reach: float) -> Penalty:
         """The lowest point of sole or body stays down between keyframes that are, but for flights."""
@@ -219,7 +222,7 @@ class Constraints:
         if not figure.tables.free_links.size:
             return None
         root = next((r for r in figure.tables.free_links if self._stands(int(r))), figure.tables.free_links[0])
-        held, body = (*self.held, *self.contacts.rests), body_points(figure)
+        held, body = (*self._found, *self.contacts.stances, *self.contacts.rests), body_points(figure)
         carriers = footings(figure, keys, self.points, self.surfaces, held, body)
         if entry.intervals is not None:
             aloft = tuple(entry.intervals)

@@ -32,8 +32,8 @@ def text(*contacts: str, x: float = 0.0, y: float = 0.0) -> str:
 
 
 def planted(clip: clips.Clip) -> tuple[tuple[Stance, ...], tuple[Rest, ...]]:
-    (penalty,) = [penalty for penalty, _ in clip.penalties if penalty.name == "planted"]
-    parts = penalty.parts if isinstance(penalty, Together) else (penalty,)
+    penalties = [penalty for penalty, _ in clip.penalties if penalty.name in ("planted", "resting")]
+    parts = [p for penalty in penalties for p in (penalty.parts if isinstance(penalty, Together) else (penalty,))]
     stances = tuple(stance for part in parts if isinstance(part, Planted) for stance in part.stances)
     return stances, tuple(rest for part in parts if isinstance(part, Resting) for rest in part.rests)
 
@@ -66,7 +66,7 @@ def test_a_contact_with_a_position_and_one_that_nobody_placed():
 
 
 def test_a_foot_rests_where_a_contact_says_and_without_it_does_not():
-    contact = 'point = "left_toe"\nfrom = 0.55\nto = 0.75\n[[penalty]]\nkind = "planted"\nweight = 30'
+    contact = 'point = "left_toe"\nfrom = 0.55\nto = 0.75'
 
     def moved(clip: clips.Clip) -> float:
         motion = inbetween(clip.figure, clip.keys, clip.penalties, clip.settings)
@@ -82,7 +82,7 @@ def test_a_foot_rests_where_a_contact_says_and_without_it_does_not():
 
 
 def test_the_report_tells_how_far_every_contact_moves():
-    contact = 'point = "left_toe"\nfrom = 0.55\nto = 0.75\n[[penalty]]\nkind = "planted"\nweight = 30'
+    contact = 'point = "left_toe"\nfrom = 0.55\nto = 0.75'
     clip = clips.from_text(text(contact, x=0.2, y=0.4), name="rests")
     motion = inbetween(clip.figure, clip.keys, clip.penalties, clip.settings)
     told = report(clip, motion, 0.0)

@@ -18,7 +18,7 @@ from runner.progress import Teller
 from solver.inbetween import Motion
 from solver.kinematics import Samples
 from solver.mirror import Mirror
-from solver.penalty import BendLimits, Contact, Planted, SelfContact, Stance
+from solver.penalty import BendLimits, Contact, Planted, SelfContact, Stance, Together
 from solver.quaternion import Array
 from solver.seam import Seam
 from solver.subdivision import path_of
@@ -77,7 +77,9 @@ class Found:
         return self.samples(self.clip.keys[0].time, self.clip.keys[-1].time, 500)
 
     def stances(self) -> tuple[Stance, ...]:
-        return next(penalty for penalty, _ in self.clip.penalties if isinstance(penalty, Planted)).stances
+        penalties = [penalty for penalty, _ in self.clip.penalties]
+        parts = [p for penalty in penalties for p in (penalty.parts if isinstance(penalty, Together) else (penalty,))]
+        return tuple(stance for part in parts if isinstance(part, Planted) for stance in part.stances)
 
     def away(self, stance: Stance) -> Array:
         """(3, S) how far a point at rest is from its spot."""
