@@ -136,7 +136,7 @@ class Constraints:
             seen[entry.kind] = i
             chosen[entry.kind] = entry
         for kind, given in (("placement", self.placed), ("resting", self.contacts.given)):
-            if not given and kind not in seen:
+            if not given:
                 del chosen[kind]
         if chosen["contact"].points is not None:
             self.points = self._sites(chosen["contact"].points)

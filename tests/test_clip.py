@@ -389,9 +389,9 @@ def test_flight_support_and_peak_come_with_what_keyframes_tell_and_root_steps_ba
     assert flight.intervals == ((0.0, 0.4),)
     assert {name: found[name][1] for name in ("flight", "support", "peak", "root")} == {
         "flight": 3.0,
-        "support": 0.2,
+        "support": 0.01,
         "peak": 0.01,
-        "root": 0.1,
+        "root": 0.45,
     }
     assert not {"flight", "support", "peak"} & set(by_name(loaded(tmp_path)))
     assert by_name(hovering(tmp_path, '[[penalty]]\nkind = "root"\nweight = 2\n'))["root"][1] == 2
