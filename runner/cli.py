@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 UsageError = cast("type[typer.BadParameter]", typer.BadParameter.__mro__[1])  # typer's own, or click's
 
 MOST_IMAGES = 100_000
+THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")  # on small matrices threads only wait
 BEFORE_MUJOCO = ("scipy.interpolate", "scipy.sparse.linalg", ".clip_table", ".progress")
 
 app = typer.Typer(
@@ -49,6 +50,8 @@ def main() -> None:
     """The command, with bad input told in one line and exit code 2."""
     from .errors import UserError, one_line
 
+    for name in THREADS:
+        os.environ.setdefault(name, "1")
     try:
         code = app(sys.argv[1:] or ["--help"], prog_name="dynsplines", standalone_mode=False)
     except UserError as error:
