@@ -14,6 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from .frame import Mask
 from .quaternion import Array
 
 MOST_STEPS = 60
@@ -21,12 +22,11 @@ SETTLED = 1e-14  # promised decrease beside |w|² at which a step is the last on
 
 
 class Unsupplied(NamedTuple):
-    """What is left of w (n, S): rest r (n, S), the edges' shares λ (K, S), value E (S,) and ½ ∂²E/∂w² (S, n, n)."""
+    """What is left of w (n, S): rest r (n, S), the edges' shares λ (K, S) and value E (S,)."""
 
     rest: Array
     shares: Array
     value: Array
-    projection: Array
 
 
 def unsupplied(w: Array, edges: Array, softness: float) -> Unsupplied:
@@ -34,8 +34,10 @@ def unsupplied(w: Array, edges: Array, softness: float) -> Unsupplied:
     w, edges = np.ascontiguousarray(w.T), np.ascontiguousarray(edges.transpose(2, 1, 0))
     count, size = w.shape
     rest, identity = w.copy(), np.eye(size)
-    todo = np.arange(count)
+    todo = np.arange(count if edges.shape[1] else 0)
     for _ in range(MOST_STEPS):
+        if not todo.size:
+            break
         g = edges[todo]
         pull = np.einsum("skn,sn->sk", g, rest[todo])
         slope = rest[todo] - w[todo] + np.einsum("skn,sk->sn", g, np.maximum(pull, 0)) / softness
@@ -45,40 +47,50 @@ def unsupplied(w: Array, edges: Array, softness: float) -> Unsupplied:
         rest[todo] += share[:, None] * step
         promised = -np.einsum("sn,sn->s", slope, step)
         todo = todo[promised > SETTLED * np.einsum("sn,sn->s", w[todo], w[todo])]
-        if not todo.size:
-            break
     pull = np.einsum("skn,sn->sk", edges, rest)
     shares = np.maximum(pull, 0) / softness
-    projection = np.linalg.inv(identity + _squares(edges, pull > 0) / softness)
-    projection = np.asarray(projection, float)
-    return Unsupplied(rest.T, shares.T, np.einsum("sn,sn->s", w, rest), projection)
+    return Unsupplied(rest.T, shares.T, np.einsum("sn,sn->s", w, rest))
 
 
-def _squares(edges: Array, active: Array) -> Array:
+def projection(left: Unsupplied, edges: Array, softness: float) -> Array:
+    """½ ∂²E/∂w², (S, n, n), of what is left of vectors when cones of edges (n, K, S) supply what they can."""
+    edges = np.ascontiguousarray(edges.transpose(2, 1, 0))
+    return np.asarray(np.linalg.inv(np.eye(edges.shape[2]) + _squares(edges, left.shares.T > 0) / softness), float)
+
+
+def _squares(edges: Array, active: Mask) -> Array:
     """Σ g gᵀ over the active edges, (S, n, n)."""
     chosen = edges * active[:, :, None]
     return np.matmul(chosen.swapaxes(1, 2), chosen)
 
 
 def _line_search(step: Array, slope: Array, pull: Array, change: Array, softness: float) -> Array:
-    """(S,) how far along the step the convex function is least: its derivative is piecewise linear and rises."""
+    """(S,) how far along the step the convex function is least: its derivative is piecewise linear and rises.
+
+    It begins at slope · step; its own slope grows by change²/ε where an edge begins to pull, and
+    shrinks where one ends.
+    """
     straight = np.einsum("sn,sn->s", step, step)
     here = np.einsum("sn,sn->s", slope, step)
-    base = here - np.einsum("sk,sk->s", np.maximum(pull, 0), change) / softness
-
-    def derivative(t: Array) -> Array:
-        """(S, m) at t (S, m)."""
-        along = np.maximum(pull[:, None] + t[:, :, None] * change[:, None], 0)
-        return base[:, None] + straight[:, None] * t + np.einsum("smk,sk->sm", along, change) / softness
-
+    squares = change * change / softness
     with np.errstate(divide="ignore", invalid="ignore"):
-        turns = np.where(change != 0, -pull / change, 0.0)
-    turns = np.where((turns > 0) & np.isfinite(turns), turns, 0.0)
-    rises = derivative(turns)
-    low = np.max(np.where(rises <= 0, turns, 0.0), axis=1, initial=0.0)
-    high = np.min(np.where((rises > 0) & (turns > low[:, None]), turns, np.inf), axis=1, initial=np.inf)
-    middle = np.where(np.isfinite(high), (low + np.minimum(high, 1e300)) / 2, low + 1)
-    active = pull + middle[:, None] * change > 0
-    bent = straight + np.einsum("sk,sk->s", active * change, change) / softness
-    found = low - derivative(low[:, None])[:, 0] / np.maximum(bent, 1e-300)
-    return np.where(straight > 0, np.minimum(found, high), 1.0)
+        turns = -pull / change
+    ahead = (turns > 0) & np.isfinite(turns)
+    order = np.argsort(np.where(ahead, turns, np.inf), axis=1)
+    count = np.arange(len(order))[:, None]
+    turns = np.where(ahead, turns, 0.0)[count, order]
+    turns = np.maximum.accumulate(turns, axis=1)  # those that never come, as the last that does
+    jumps = np.where(ahead, np.sign(change) * squares, 0.0)[count, order]
+    pulls = (pull > 0) | ((pull == 0) & (change > 0))
+    first = straight + np.einsum("sk,sk->s", squares, pulls)
+    rises = first[:, None] + np.cumsum(jumps, axis=1) - jumps  # of the derivative, before each turn
+    gaps = np.diff(turns, axis=1, prepend=0.0)
+    at_turns = here[:, None] + np.cumsum(rises * gaps, axis=1)
+    past = (at_turns >= 0) & (turns > 0)
+    which = np.where(past.any(axis=1), past.argmax(axis=1), past.shape[1] - 1)
+    row = np.arange(len(order))
+    last = ~past.any(axis=1)
+    rise = np.where(last, rises[row, which] + jumps[row, which], rises[row, which])
+    low = np.where(last, turns[row, which], turns[row, which] - gaps[row, which])
+    value = np.where(last, at_turns[row, which], at_turns[row, which] - rises[row, which] * gaps[row, which])
+    return np.where(straight > 0, low - value / np.maximum(rise, 1e-300), 1.0)

@@ -12,6 +12,7 @@ from test_penalty_planted import at_times
 from test_penalty_unit import penalty_slope, scaled_like
 from test_rows import WOOD
 
+from solver.cone import projection
 from solver.figure import Figure
 from solver.kinematics import Cotangent, Samples
 from solver.penalty import Flight, Footing, Point, Support
@@ -156,5 +157,7 @@ def test_the_curvature_is_the_second_derivative_the_wrench_itself_taken_as_linea
         return both / support.unit
 
     slope = (residual(shifted(samples, h * by)) - residual(shifted(samples, -h * by))) / (2 * h)
-    expected = 2 * scale * np.einsum("is,sij,js->s", slope, shares.left.projection, slope)
+    expected = (
+        2 * scale * np.einsum("is,sij,js->s", slope, projection(shares.left, shares.edges, support.softness), slope)
+    )
     np.testing.assert_allclose(np.einsum("n,snm,m->s", way, found, way), expected, rtol=1e-5)

@@ -229,16 +229,29 @@ def height_over(surfaces: Sequence[Surface], points: Array, radius: Array) -> tu
     points  (3, n, S) centres [m];  radius  (n,) [m]
     Returns (n, S) [m], FAR where there is none or it is deep below, and (3, n, S).
     """
-    heights = np.array([surface.height(points) for surface in surfaces]) - radius[:, None]
-    heights[heights < -DEEP] = np.inf
-    nearest = heights.argmin(axis=0)
-    height = np.take_along_axis(heights, nearest[None], axis=0)[0]
+    height, nearest = heights(surfaces, points, radius)
+    return height, ways_up(surfaces, nearest.ravel(), points.reshape(3, -1)).reshape(points.shape)
+
+
+def heights(surfaces: Sequence[Surface], points: Array, radius: Array) -> tuple[Array, Index]:
+    """`height_over` without the gradient, and which surface each is over, −1 for none, (n, S) each."""
+    height, nearest = np.full(points.shape[1:], FAR), np.full(points.shape[1:], -1)
+    for i, surface in enumerate(surfaces):
+        over = surface.height(points) - radius[:, None]
+        lower = (over >= -DEEP) & (over < height)
+        np.copyto(height, over, where=lower)
+        nearest[lower] = i
+    return height, nearest
+
+
+def ways_up(surfaces: Sequence[Surface], nearest: Index, points: Array) -> Array:
+    """(3, p): the gradients of the heights of points (3, p) over the surfaces with these indices (p,)."""
     up = np.zeros(points.shape)
     for i, surface in enumerate(surfaces):
-        mine = np.flatnonzero((nearest == i) & np.isfinite(height))
+        mine = np.flatnonzero(nearest == i)
         if mine.size:
-            up.reshape(3, -1)[:, mine] = surface.up(points.reshape(3, -1)[:, mine])
-    return np.where(np.isfinite(height), height, FAR), up
+            up[:, mine] = surface.up(points[:, mine])
+    return up
 
 
 def site_points(figure: Figure, names: Sequence[str]) -> tuple[Point, ...]:

@@ -6,7 +6,7 @@ is let go: the pull fades with the height.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -18,12 +18,13 @@ from ..frame import Timeline
 from ..kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
 from ..surface import Surface
-from .contact import Contact, Point, arrays_of, height_over, point_gradients
+from .contact import Contact, Point, arrays_of, heights, point_gradients, ways_up
 from .penalty import Scale
 
 TOUCHING = 0.05  # [m] that the lowest point of a keyframe on the ground may be over it
-NEGLIGIBLE = 1e-3  # of a point's share
+NEGLIGIBLE = 1e-9  # of the lowest point's share
 Interval = tuple[float, float]
+_Shares = tuple[Index, Index, Array, Array, Array]  # points and samples (q,), shares (q,), arms and ways up (3, q)
 
 
 @dataclass(frozen=True)
@@ -58,14 +59,13 @@ class Grounded:
         values = np.zeros(samples.count)
         if not at.size:
             return values
-        lowest, share, arm, up = self._seen(samples, at)
+        lowest, seen = self._seen(samples, at)
         fading = np.exp(-((lowest / self.reach) ** 2))
         values[at] = self.reach**2 * (1 - fading)
         if into is not None and lowest.any():
             pull = 2 * (scale + np.zeros(samples.count))[at] * lowest * fading
-            which, pair = np.nonzero((share > NEGLIGIBLE * share.max(axis=0)) & (lowest > 0))
-            force = (share * pull)[which, pair] * up[:, which, pair]
-            into.add_forces(self._arrays[0][which] * samples.count + at[pair], arm[:, which, pair], force)
+            which, pair, share, arm, up = seen()
+            into.add_forces(self._arrays[0][which] * samples.count + at[pair], arm, share * pull[pair] * up)
         return values
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
@@ -73,13 +73,11 @@ class Grounded:
         at = self._during(samples.t)
         if not at.size:
             return
-        lowest, share, arm, up = self._seen(samples, at)
-        which, pair = np.nonzero((share > NEGLIGIBLE * share.max(axis=0)) & (lowest > 0))
+        lowest, seen = self._seen(samples, at)
+        which, pair, share, arm, up = seen()
         if not pair.size:
             return
-        gradients = point_gradients(
-            samples, at[pair], self._arrays[0][which], arm[:, which, pair], up[:, which, pair] * share[which, pair]
-        )
+        gradients = point_gradients(samples, at[pair], self._arrays[0][which], arm, up * share)
         rows = np.zeros((at.size, gradients.shape[1]))
         np.add.at(rows, pair, gradients)
         some = np.flatnonzero(lowest > 0)
@@ -97,17 +95,27 @@ class Grounded:
             inside |= (t >= first) & (t <= last)
         return np.flatnonzero(inside) if self.points and self.surfaces else np.zeros(0, np.intp)
 
-    def _seen(self, samples: Samples, at: Index) -> tuple[Array, Array, Array, Array]:
-        """m (P,) at samples (P,), every point's share in it (n, P), and the points' arms and the gradients of their
-        heights, (3, n, P)."""
+    def _seen(self, samples: Samples, at: Index) -> tuple[Array, Callable[[], _Shares]]:
+        """m (P,) at samples `at` (P,), and the points that have a share in it where it is not zero."""
         links, positions, radius = self._arrays
-        taken = samples.taken(at).links if at.size < samples.count else samples.links
-        centre, arm = taken.points(links, positions)
-        height, up = height_over(self.surfaces, centre, radius)
+        centre, arm = samples.links.points(links, positions)
+        if at.size < samples.count:
+            centre, arm = centre[:, :, at], arm[:, :, at]
+        height, nearest = heights(self.surfaces, centre, radius)
         least = height.min(axis=0)
-        part = np.exp((least - height) / self.blend)
-        total = part.sum(axis=0)
-        return np.maximum(least - self.blend * np.log(total), 0), part / total, arm, up
+        near = height < least + self.blend * np.log(1 / NEGLIGIBLE)
+        which, pair = np.nonzero(near)
+        part = np.exp((least[pair] - height[which, pair]) / self.blend)
+        total = np.bincount(pair, part, at.size)
+        lowest = np.maximum(least - self.blend * np.log(total), 0)
+
+        def shares() -> _Shares:
+            high = np.flatnonzero(lowest[pair] > 0)
+            i, k = which[high], pair[high]
+            up = ways_up(self.surfaces, nearest[i, k], centre[:, i, k])
+            return i, k, part[high] / total[k], arm[:, i, k], up
+
+        return lowest, shares
 
 
 def grounded_intervals(
@@ -122,7 +130,7 @@ def grounded_intervals(
         return ()
     samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
     centres, _, _ = Contact(tuple(points), ()).centres(samples)
-    height, _ = height_over(surfaces, centres, np.array([point.radius for point in points]))
+    height, _ = heights(surfaces, centres, np.array([point.radius for point in points]))
     down = height.min(axis=0) < TOUCHING
     segments = zip(keys.times[:-1].tolist(), keys.times[1:].tolist(), down[:-1] & down[1:], strict=True)
     return tuple(

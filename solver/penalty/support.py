@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..algebra import applied, cross
-from ..cone import Unsupplied, unsupplied
+from ..cone import Unsupplied, projection, unsupplied
 from ..curvature import Curvature, Sides
 from ..figure import Figure
 from ..frame import Mask
@@ -30,11 +30,12 @@ EDGES = 4
 
 
 class _Found(NamedTuple):
-    """A wrench, what cannot supply it, and the forces that do: pushes [N] at all points in contact."""
+    """A wrench, what of it is left, the forces [N] at all contacts that supply the rest, and the cones' edges."""
 
     wrench: RootWrench
     left: Unsupplied
     pushes: Pushes
+    edges: Array
 
 
 @dataclass(frozen=True)
@@ -107,7 +108,7 @@ class Support:
         found = self._found(chosen)
         rows = rows_of_wrench(chosen, self.root, found.pushes)
         rows *= (np.repeat([1.0, 1 / self.length], 3) / self.unit)[:, None, None]
-        root = np.linalg.cholesky(found.left.projection)
+        root = np.linalg.cholesky(projection(found.left, found.edges, self.softness))
         rows = np.einsum("scd,scon->sdon", root, rows)
         each = np.repeat(at, 6)
         into.add_rows(each, scale[each], rows.reshape(each.size, 3, -1))
@@ -132,7 +133,7 @@ class Support:
         left = unsupplied(w, pyramid.reshape(6, -1, samples.count), self.softness)
         shares = left.shares.reshape(-1, EDGES, samples.count)[slot, :, at]
         force = self.unit * np.einsum("ipe,pe->ip", ways, shares)
-        return _Found(wrench, left, Pushes(at, link, arm, force))
+        return _Found(wrench, left, Pushes(at, link, arm, force), pyramid.reshape(6, -1, samples.count))
 
     def _active(self, t: Array) -> Mask:
         """(n, S) whether a footing holds at times t (S,)."""
