@@ -91,7 +91,11 @@ def compose(spec: mujoco.MjSpec, step: Step | None = None, obstacles: Sequence[O
     spec.visual.global_.offheight = stage.visual.global_.offheight
     try:
         with quietly():
-            spec.attach(stage, frame=spec.worldbody.add_frame(), prefix=PREFIX)
+            own = {PREFIX + material.name for material in stage.materials}
+            if not (
+                has_floor and own <= {material.name for material in spec.materials}
+            ):  # else it has been here before
+                spec.attach(stage, frame=spec.worldbody.add_frame(), prefix=PREFIX)
             if not has_floor and all(geom.name != "floor" for geom in spec.geoms):
                 spec.geom(PREFIX + "floor").name = "floor"
             if step is not None:

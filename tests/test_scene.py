@@ -146,3 +146,13 @@ def test_mujocos_warnings_leave_no_log_and_no_words(tmp_path, monkeypatch, capfd
         print("hidden")
     assert names(tmp_path) == ["odd.xml"]
     assert capfd.readouterr() == ("", "")
+
+
+def test_a_model_that_has_its_stage_already_is_composed_as_it_is():
+    once = compose(figure_spec("human"), Step(1.0, 0.3))
+    twice = compose(mujoco.MjSpec.from_string(once))
+    counts = [
+        [getattr(mujoco.MjModel.from_xml_string(text), name) for name in ("ngeom", "nmat", "ntex", "nlight")]
+        for text in (once, twice)
+    ]
+    assert counts[0] == counts[1]
