@@ -6,6 +6,7 @@ residual. A new soft constraint is one class here, one Taylor test, one row in t
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -69,9 +70,9 @@ class Momentary(Penalty):
     """
 
     @property
+    @abstractmethod
     def instants(self) -> Array:
         """(I,) [s], rising."""
-        raise NotImplementedError
 
 
 def instants_of(penalty: Penalty) -> Array:

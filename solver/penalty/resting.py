@@ -63,8 +63,6 @@ class Resting:
         for rest, at in self._during(samples.t):
             _, up, arm, _ = self._seen(samples, rest.point, at)
             links = np.full(at.size, rest.point.link)
-            order = np.argsort(at, kind="stable")
-            at, arm, up = at[order], arm[:, order], up[:, order]
             into.add_rows(at, scale[at], point_gradients(samples, at, links, arm, up)[:, None], (0,))
             for way in np.eye(3):
                 ways = np.repeat(way[:, None], at.size, axis=1)
