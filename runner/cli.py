@@ -281,6 +281,72 @@ def join(
 
 
 @app.command()
+def export(
+    source: Source,
+    to: Annotated[str, typer.Option("--to", help="the format; `dynsplines formats` lists them")],
+    output: Output = None,
+    fps: Annotated[float | None, typer.Option(help="samples a second [default: the motion's]")] = None,
+    repeat: Repeat = None,
+) -> None:
+    """Write a motion in the format of another program."""
+    _without_graphics()
+    from .errors import UserError
+    from .exchange import formats
+    from .motion import check_target
+    from .progress import Teller
+
+    formats.writer(to)
+    if fps is not None and not 0.01 <= fps <= 100_000:
+        raise UserError(f"--fps {fps:g}: give a number of samples a second, 0.01 to 100000")
+    if output is not None:
+        check_target(output)
+    with Teller() as teller:
+        found = _found(source, None, None)
+        _check_repeat(found, repeat)
+        saved = _repeated(_saved(found, teller, with_report=False), repeat)
+        target = formats.export(saved, to, output, fps=fps)
+        teller.say(f"wrote {target}")
+
+
+@app.command(name="import")
+def import_motion(
+    source: Annotated[Path, typer.Argument(metavar="FILE", help="a recorded motion of another program")],
+    figure: Annotated[str | None, typer.Option(help="the figure it is for: a shipped one or MJCF")] = None,
+    kind: Annotated[str | None, typer.Option("--from", help="its format, where the ending does not tell it")] = None,
+    fps: Annotated[float | None, typer.Option(help="images a second, where the file does not tell")] = None,
+    output: Output = None,
+) -> None:
+    """Read a recorded motion; every instant of it becomes a keyframe, and nothing is searched."""
+    _without_graphics()
+    from . import motion
+    from .errors import UserError
+    from .exchange.imported import imported
+    from .progress import Teller
+
+    if fps is not None and not 0.01 <= fps <= 1000:
+        raise UserError(f"--fps {fps:g}: give a number of images a second, 0.01 to 1000")
+    target = output or Path(f"{source.stem}.npz")
+    if target.suffix != ".npz":
+        raise UserError(f"{target}: a motion file's name ends in .npz")
+    motion.check_target(target)
+    if target.exists() and source.exists() and target.samefile(source):
+        raise UserError(f"'{target}' is what is read; give another -o")
+    with Teller() as teller:
+        motion.save(imported(source, kind, figure=figure, fps=fps), target)
+        teller.say(f"wrote {target}")
+
+
+@app.command(name="formats")
+def list_formats() -> None:
+    """The formats of other programs that export writes and import reads."""
+    from .exchange.formats import FORMATS
+
+    for each in FORMATS:
+        ways = " and ".join(word for word, yes in (("reads", each.reads), ("writes", each.writes)) if yes)
+        print(f"{each.name:12} {each.ending:6} {ways:16} {each.says}")
+
+
+@app.command()
 def paper(seeds: Annotated[int, typer.Option(help="sets of keyframes", min=1)] = 20, as_json: AsJson = False) -> None:
     """Reproduce the paper's claims on fixed sets: claim | paper | here."""
     _without_graphics()

@@ -390,7 +390,7 @@ def _from_mjcf(path: Path, fps: float | None) -> Clip:
             raise UserError(f"{path.name}: {at}: qpos has {own.size} numbers, not the figure's {model.nq}")
         if own.size:
             qpos[i] = own  # as written: MuJoCo turns a zero quaternion into no rotation
-    return _plain(path.stem, _composed(str(path), path.name), time, qpos, fps, path.name)
+    return from_qpos(path.stem, _composed(str(path), path.name), time, qpos, fps, path.name)
 
 
 def _from_arrays(model: str, keys: Path, fps: float | None) -> Clip:
@@ -403,7 +403,7 @@ def _from_arrays(model: str, keys: Path, fps: float | None) -> Clip:
         if arrays[name].dtype.kind not in "fiu":
             raise UserError(f"{keys.name}: '{name}' holds {arrays[name].dtype.name}, not numbers")
     time, qpos = (np.asarray(arrays[name], float) for name in names)
-    return _plain(keys.stem, _composed(model, model), time, qpos, fps, keys.name)
+    return from_qpos(keys.stem, _composed(model, model), time, qpos, fps, keys.name)
 
 
 def _composed(figure: str, place: str) -> str:
@@ -418,8 +418,11 @@ def _placed(error: UserError, place: str) -> str:
     return str(error) if place in str(error) else f"{place}: {error}"
 
 
-def _plain(name: str, mjcf: str, time: Array, qpos: Array, fps: float | None, place: str) -> Clip:
-    """Whole keyframes from arrays, everything else by default."""
+def from_qpos(name: str, mjcf: str, time: Array, qpos: Array, fps: float | None, place: str) -> Clip:
+    """Whole keyframes from arrays, time (K,) [s] and qpos (K, nq), everything else by default.
+
+    mjcf   the complete text of figure and stage; place is how errors call it. Raises UserError for what does not fit.
+    """
     figure = _figure(mjcf, "auto", place)
     if time.ndim != 1 or qpos.shape != (time.size, figure.width):
         raise UserError(

@@ -1,0 +1,80 @@
+"""CSV: a row an instant, the time and MuJoCo's qpos, under a heading that names joint and component."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+
+import mujoco
+import numpy as np
+
+from ..errors import UserError
+from .take import Recording, Take
+
+FREE = ("x", "y", "z", "qw", "qx", "qy", "qz")
+
+
+def columns(model: mujoco.MjModel) -> list[str]:
+    """The heading of qpos (nq,): "root.x" … "root.qz", "left_hip.qw" …, and a hinge's or slide's name alone."""
+    out: list[str] = []
+    for joint in range(model.njnt):
+        name = model.joint(joint).name or f"joint{joint}"
+        match model.jnt_type[joint]:
+            case mujoco.mjtJoint.mjJNT_FREE:
+                out += [f"{name}.{part}" for part in FREE]
+            case mujoco.mjtJoint.mjJNT_BALL:
+                out += [f"{name}.{part}" for part in FREE[3:]]
+            case _:
+                out.append(name)
+    return out
+
+
+def write(take: Take, path: Path) -> None:
+    """Every number with the digits that bring it back exactly."""
+    with path.open("w", newline="", encoding="utf-8") as stream:
+        rows = csv.writer(stream)
+        rows.writerow(["time", *columns(take.model)])
+        rows.writerows([repr(float(x)) for x in (t, *q)] for t, q in zip(take.time, take.qpos, strict=True))
+
+
+def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
+    """With our heading, columns in any order; without one nq columns, or the time and nq columns."""
+    if model is None:
+        raise UserError(f"{path}: a table of qpos is for a figure; give --figure")
+    with path.open(newline="", encoding="utf-8-sig") as stream:
+        rows = [row for row in csv.reader(stream) if any(cell.strip() for cell in row)]
+    if not rows:
+        raise UserError(f"{path}: the file is empty")
+    heading = None if _is_number(rows[0][0]) else [cell.strip() for cell in rows[0]]
+    body = rows if heading is None else rows[1:]
+    width = len(rows[0])
+    try:
+        table = np.array([[float(cell) for cell in row] for row in body]).reshape(-1, width)
+    except ValueError:
+        bad = next(i for i, row in enumerate(body) if len(row) != width or not all(map(_is_number, row)))
+        line = bad + 1 + (heading is not None)
+        raise UserError(f"{path}: row {line} does not hold {width} numbers") from None
+    if heading is not None:
+        wanted = columns(model)
+        missing = [name for name in wanted if name not in heading]
+        if missing:
+            raise UserError(f"{path}: no column '{missing[0]}'; the figure's columns: {', '.join(wanted)}")
+        qpos = table[:, [heading.index(name) for name in wanted]]
+        time = table[:, heading.index("time")] if "time" in heading else None
+    elif width in (model.nq, model.nq + 1):
+        qpos, time = table[:, width - model.nq :], table[:, 0] if width > model.nq else None
+    else:
+        raise UserError(f"{path}: {width} columns without a heading; the figure's qpos has {model.nq}")
+    if time is None:
+        if fps is None:
+            raise UserError(f"{path}: it has no column of times; give --fps")
+        time = np.arange(len(qpos)) / fps
+    return Recording(time, qpos)
+
+
+def _is_number(cell: str) -> bool:
+    try:
+        float(cell)
+    except ValueError:
+        return False
+    return True

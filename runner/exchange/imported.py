@@ -1,0 +1,29 @@
+"""A file of others becomes a motion of ours: every instant a keyframe, nothing searched."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import mujoco
+import numpy as np
+
+from .. import clip as clips
+from ..motion import Saved
+from ..progress import Teller
+from ..scene import compose, figure_spec
+from ..work import unsolved
+from .formats import recording
+
+
+def imported(source: Path, kind: str | None = None, *, figure: str | None = None, fps: float | None = None) -> Saved:
+    """The motion in a file of another program, as the spline through all that was recorded.
+
+    figure  a shipped figure's name or a path to MJCF, for files that bring none; raises UserError
+    """
+    spec = None if figure is None else figure_spec(figure)
+    told = recording(source, kind, model=None if spec is None else spec.compile(), fps=fps)
+    spec = mujoco.MjSpec.from_string(told.mjcf) if told.mjcf is not None else spec
+    assert spec is not None, "a reader gives a figure or asks for one"
+    rate = float(np.round(1 / np.median(np.diff(told.time)), 6)) if told.time.size > 1 else 30.0
+    found = clips.from_qpos(source.stem, compose(spec), told.time, told.qpos, rate, source.name)
+    return unsolved(found).saved(Teller(), with_report=False)

@@ -1,0 +1,100 @@
+"""What formats are made of: a motion at equal times as MuJoCo has it (Take), and what a file told (Recording)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import mujoco
+import numpy as np
+
+from solver.figure import Figure
+from solver.quaternion import Array
+
+from ..motion import Saved, sampled
+
+
+@dataclass(frozen=True)
+class Take:
+    """A motion to be written: time[i] = time[0] + i / fps.
+
+    time (T,) [s]; qpos (T, nq), qvel and qacc (T, nv) in MuJoCo's order and units, quaternions wxyz, unit and
+    sign-continuous; saved: the motion that it was taken from, with its keyframes, frames and scene
+    """
+
+    saved: Saved
+    fps: float
+    time: Array
+    qpos: Array
+    qvel: Array
+    qacc: Array
+
+    @classmethod
+    def of(cls, saved: Saved, fps: float | None = None) -> Take:
+        """A saved motion at its own rate, or at another; raises UserError for more samples than memory is made for."""
+        rate = fps or saved.fps
+        at = sampled(saved.figure, saved.timeline, rate)
+        return cls(saved, rate, at.time, at.qpos, at.qvel, at.qacc)
+
+    @property
+    def figure(self) -> Figure:
+        return self.saved.figure
+
+    @property
+    def model(self) -> mujoco.MjModel:
+        return self.saved.figure.model
+
+    @property
+    def name(self) -> str:
+        return self.saved.name
+
+    @cached_property
+    def bodies(self) -> Bodies:
+        """Where MuJoCo has every body, and how fast."""
+        return Bodies.of(self.model, self.qpos, self.qvel)
+
+
+@dataclass(frozen=True)
+class Bodies:
+    """Every body in the world's axes, the world itself first.
+
+    position (T, nbody, 3) [m] and rotation (T, nbody, 4), wxyz and sign-continuous, of the bodies' frames;
+    velocity (T, nbody, 3) [m/s] of the frames' origins, spin (T, nbody, 3) [rad/s]
+    """
+
+    position: Array
+    rotation: Array
+    velocity: Array
+    spin: Array
+
+    @classmethod
+    def of(cls, model: mujoco.MjModel, qpos: Array, qvel: Array) -> Bodies:
+        """By mj_kinematics and mj_comVel, sample after sample."""
+        data = mujoco.MjData(model)
+        count = len(qpos)
+        position, velocity, spin = (np.zeros((count, model.nbody, 3)) for _ in range(3))
+        rotation = np.zeros((count, model.nbody, 4))
+        both = np.zeros(6)
+        for i in range(count):
+            data.qpos, data.qvel = qpos[i], qvel[i]
+            mujoco.mj_fwdPosition(model, data)
+            mujoco.mj_fwdVelocity(model, data)
+            position[i], rotation[i] = data.xpos, data.xquat
+            for body in range(model.nbody):
+                mujoco.mj_objectVelocity(model, data, mujoco.mjtObj.mjOBJ_XBODY, body, both, 0)
+                spin[i, body], velocity[i, body] = both[:3], both[3:]
+        flips = np.where(np.sum(rotation[1:] * rotation[:-1], axis=-1) < 0, -1.0, 1.0)
+        rotation[1:] *= np.cumprod(flips, axis=0)[..., None]
+        return cls(position, rotation, velocity, spin)
+
+
+@dataclass(frozen=True)
+class Recording:
+    """A motion that was read: time (T,) [s], rising; qpos (T, nq) of the figure, in MuJoCo's order and units.
+
+    mjcf   the figure that the file brings along (BVH's hierarchy, say), or None: it is for the figure that was given
+    """
+
+    time: Array
+    qpos: Array
+    mjcf: str | None = None
