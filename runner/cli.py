@@ -304,7 +304,7 @@ def export(
         found = _found(source, None, None)
         _check_repeat(found, repeat)
         saved = _repeated(_saved(found, teller, with_report=False), repeat)
-        target = formats.export(saved, to, output, fps=fps)
+        target = formats.export(saved, to, output, fps=fps, tell=teller.say)
         teller.say(f"wrote {target}")
 
 
