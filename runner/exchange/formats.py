@@ -107,10 +107,14 @@ def recording(
     known = readers()
     if kind is not None and kind not in known:
         raise UserError(unknown("format", kind, known))
+    form = known[kind] if kind is not None else _told(source)
+    _check_file(source)
+    return _module(form).read(source, model, fps)
+
+
+def _check_file(source: Path) -> None:
     if not source.is_file():
         raise UserError(f"'{source}' is a folder, not a file" if source.is_dir() else f"no file '{source}'")
-    form = known[kind] if kind is not None else _told(source)
-    return _module(form).read(source, model, fps)
 
 
 def _told(source: Path) -> Format:
@@ -120,6 +124,8 @@ def _told(source: Path) -> Format:
     if own:
         return max(own, key=lambda each: len(each.ending))
     sharing = [each for each in known if name.endswith((Path(each.ending).suffix, *each.also))]
+    if sharing:
+        _check_file(source)
     fitting = [each for each in sharing if not hasattr(_module(each), "recognises") or _module(each).recognises(source)]
     if len(fitting) != 1:
         names = ", ".join(each.name for each in fitting or sharing or known)
