@@ -5,7 +5,8 @@ qpos (T, nq), qvel, qacc (T, nv) MuJoCo's order and units; quaternions wxyz, uni
 joint_names (njnt,), body_names (nbody,)
 mjcf ()                          the whole scene: mujoco.MjModel.from_xml_string(str(numpy.load(FILE)["mjcf"]))
 
-Read are `qpos` and `time` or `fps`, and `mjcf` where no figure is named; `joint_names`, if there, must be the figure's.
+Read are `qpos` and `time` or `fps`, and `mjcf` where no figure is named; `joint_names`, if there, must be the
+figure's.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ import numpy as np
 from ..errors import UserError
 from ..scene import first_line, quietly
 from .held import Held, held, names_in, times
+from .robot import needs_figure
 from .take import Recording, Take
 
 
@@ -52,11 +54,13 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
         if "mjcf" not in found:
             raise UserError(f"{path}: it has no 'mjcf', the figure; give --figure")
         mjcf = str(found.of("mjcf"))
-        model = _compiled(mjcf, path)
-    names = [model.joint(i).name for i in range(model.njnt)]
+    figure = _compiled(mjcf, path) if mjcf is not None else needs_figure(model, path)
+    names = [figure.joint(i).name for i in range(figure.njnt)]
     if "joint_names" in found and found.texts("joint_names") != names:
-        raise UserError(f"{path}: its joints are {', '.join(found.texts('joint_names'))}; the figure's {', '.join(names)}")
-    qpos = found.numbers("qpos", "samples", model.nq)
+        raise UserError(
+            f"{path}: its joints are {', '.join(found.texts('joint_names'))}; the figure's {', '.join(names)}"
+        )
+    qpos = found.numbers("qpos", "samples", figure.nq)
     return Recording(_time(found, len(qpos), fps), qpos, mjcf)
 
 

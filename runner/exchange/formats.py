@@ -40,13 +40,14 @@ class Format:
 FORMATS = (
     Format("csv", ".csv", "a row an instant: time, then qpos, under the joints' names", "csv_table", reads=True),
     Format("npz", ".qpos.npz", "time, qpos, qvel, qacc, names and the figure as plain arrays", "arrays", reads=True),
-    Format("mjcf", ".keys.xml", "the figure and its scene with an MJCF <key> an instant", "mjcf_keys", reads=True, also=(".xml",)),
+    Format("mjcf", ".keys.xml", "figure and scene with a <key> an instant", "mjcf_keys", reads=True, also=(".xml",)),
     Format("mjlab", ".mjlab.npz", "mjlab, BeyondMimic: hinges and bodies in the world", "mjlab", reads=True),
-    Format("mjlab-csv", ".mjlab.csv", "their input: root, quaternion xyzw, hinges; no heading", "mjlab_csv", reads=True),
+    Format("mjlab-csv", ".mjlab.csv", "their input: root, quaternion xyzw, hinges; no names", "mjlab_csv", reads=True),
     Format("locomujoco", ".loco.npz", "a trajectory of LocoMuJoCo, with all of its arrays", "locomujoco", reads=True),
     Format("gmr", ".gmr.pkl", "GMR: root, quaternion xyzw, hinges, bodies about the root", "gmr", reads=True),
     Format("mimickit", ".mimickit.pkl", "MimicKit: root and ball joints as rotation vectors", "mimickit", reads=True),
-    Format("deepmimic", ".deepmimic.json", "DeepMimic's humanoid: y up, quaternions wxyz", "deepmimic", reads=True, also=(".txt", ".json")),
+    Format("deepmimic", ".deepmimic.json", "DeepMimic's humanoid", "deepmimic", reads=True, also=(".txt", ".json")),
+    Format("amass", ".amass.npz", "AMASS: motion capture on the SMPL body", "amass", writes=False, reads=True),
 )  # fmt: skip
 
 
@@ -92,8 +93,9 @@ def export(
         with Replacement(other) as temporary:
             temporary.write_text(text, encoding="utf-8")
         take.notes.append(f"wrote {other}")
-    for note in take.notes if tell is not None else ():
-        tell(note)
+    if tell is not None:
+        for note in take.notes:
+            tell(note)
     return target
 
 

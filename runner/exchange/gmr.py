@@ -7,8 +7,9 @@ dof_pos (T, n) [rad]      hinges, MuJoCo's order
 local_body_pos (T, b, 3)  bodies' origins as if the root lay unturned at the origin; None in some of their files
 link_body_list            names of the bodies, depth first, the root first; None with the former
 
-Source: GMR, scripts/smplx_to_robot_dataset.py and general_motion_retargeting/data_loader.py. A ball joint is three hinges
-(`hinged`); the model that has them is written beside the file. Pickles are read by `plain_pickle`, which runs nothing.
+Source: GMR, scripts/smplx_to_robot_dataset.py and general_motion_retargeting/data_loader.py. A ball joint is three
+hinges (`hinged`); the model that has them is written beside the file. Pickles are read by `plain_pickle`, which runs
+nothing.
 """
 
 from __future__ import annotations

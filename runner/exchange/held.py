@@ -1,4 +1,4 @@
-"""The arrays that a file holds, by name, taken out with their shapes checked; and .npz files, without what is pickled."""
+"""The arrays that a file holds, by name, their shapes checked as they are taken out; .npz files, without pickles."""
 
 from __future__ import annotations
 
@@ -62,7 +62,9 @@ class Held:
         array = self.numbers(name, *shape)
         length = np.linalg.norm(array, axis=-1, keepdims=True)
         if np.any(np.abs(length - 1) > 0.01):
-            raise UserError(f"{self.place}: '{name}': a quaternion of length {length.flat[np.argmax(abs(length - 1))]:.3g}")
+            raise UserError(
+                f"{self.place}: '{name}': a quaternion of length {length.flat[np.argmax(abs(length - 1))]:.3g}"
+            )
         array = array / length
         return np.roll(array, 1, -1) if scalar_last else array
 

@@ -1,10 +1,11 @@
 """Ball joints as three hinges each, for formats and simulators that know hinges only: the model, its motion, and back.
 
-A ball joint `left_hip` becomes the hinges `left_hip_x`, `left_hip_z`, `left_hip_y`, in this order, about the axes of the
-body at rest: R = R_x(a) R_z(b) R_y(c). Three hinges in series lock where the middle one is at ±90°. Limbs lie along z, so
-that the middle hinge is the twist about the limb, the narrowest of the three: over eighteen motions, cartwheels, hops and
-high kicks among them, it stayed within 85°, where the other five orders come to 89° or 90°. Angles are continuous in time
-and go beyond ±180° where the motion does; a motion through the lock goes through it, and does not jump.
+A ball joint `left_hip` becomes the hinges `left_hip_x`, `left_hip_z`, `left_hip_y`, in this order, about the axes of
+the body at rest: R = R_x(a) R_z(b) R_y(c). Three hinges in series lock where the middle one is at ±90°. Limbs lie
+along z, so that the middle hinge is the twist about the limb, the narrowest of the three: over eighteen motions,
+cartwheels, hops and high kicks among them, it stayed within 85° and mostly below 50°, where the other orders come to
+86° to 90°. Angles are continuous in time and go beyond ±180° where the motion does; a motion through the lock goes
+through it, and does not jump.
 
 Tait-Bryan angles of any order: with i, j, k the axes of the order and e = ±1 its parity,
 R_ik = e sin b, R_jk = -e sin a cos b, R_kk = cos a cos b.
@@ -30,7 +31,17 @@ LOCKED = 1e-6  # cos b below which a and c cannot be told apart
 WIDTHS = {0: (7, 6), 1: (4, 3), 2: (1, 1), 3: (1, 1)}  # of a joint's type in qpos and qvel
 BALL = int(mujoco.mjtJoint.mjJNT_BALL)
 REFERRING = ("actuator", "sensor", "equality", "tendon")
-ROTATION_ONLY = ("range", "ref", "springref", "axis", "limited", "type", "name", "actuatorfrcrange", "actuatorfrclimited")
+ROTATION_ONLY = (
+    "range",
+    "ref",
+    "springref",
+    "axis",
+    "limited",
+    "type",
+    "name",
+    "actuatorfrcrange",
+    "actuatorfrclimited",
+)
 
 
 def angles(rotation: Array, order: str = ORDER) -> Array:
@@ -164,7 +175,7 @@ class Layout:
         return min(found, default=None)
 
     def mjcf(self, text: str) -> str:
-        """The variant's complete MJCF text, of the model's. Its keyframes, and what acts on or measures ball joints, go.
+        """The variant's complete MJCF text, of the model's; keyframes, and what acts on or measures ball joints, go.
 
         The joints keep damping, stiffness and armature, each hinge the ball's, and have no ranges.
         """

@@ -8,8 +8,8 @@ joint_names, body_names, site_names, frequency [1/s]
 njnt, jnt_type, nbody, body_rootid, body_weldid, body_mocapid, body_pos, body_quat, body_ipos, body_iquat,
 nsite, site_bodyid, site_pos, site_quat        of mjModel
 
-Source: LocoMuJoCo 1.0, loco_mujoco/trajectory/dataclasses.py: `load` refuses every name that it does not know, and ball
-joints raise. So a ball joint is three hinges (`hinged`), and the model that has them is written beside the file.
+Source: LocoMuJoCo 1.0, loco_mujoco/trajectory/dataclasses.py: `load` refuses every name that it does not know, and
+ball joints raise. So a ball joint is three hinges (`hinged`), and the model that has them is written beside the file.
 `metadata` is left out: None would be a pickle.
 """
 

@@ -1,4 +1,4 @@
-"""NPZ of mjlab and BeyondMimic (whole_body_tracking): a robot's hinges, and its bodies in the world, sample after sample.
+"""NPZ of mjlab and BeyondMimic (whole_body_tracking): a robot's hinges, and its bodies in the world.
 
 fps (1,)                             [1/s]
 joint_pos, joint_vel (T, n)          [rad, rad/s] hinges, MuJoCo's order

@@ -1,8 +1,10 @@
-"""CSV that mjlab and BeyondMimic convert from: a row an instant, no heading; root xyz [m], root quaternion xyzw, hinges [rad].
+"""CSV that mjlab and BeyondMimic convert from, without a heading.
 
-Source: mjlab, src/mjlab/scripts/csv_to_npz.py, MotionLoader._load_motion; LAFAN1 retargeted by Unitree is kept so. The
-rate is not in the file: it is theirs to be given, `--input-fps`, 30 by default. Hinges are in MuJoCo's order; a ball
-joint is three of them (`hinged`), and the model that has them is written beside the file.
+A row an instant: root xyz [m], root quaternion xyzw, hinges [rad].
+
+Source: mjlab, src/mjlab/scripts/csv_to_npz.py, MotionLoader._load_motion; LAFAN1 retargeted by Unitree is kept so.
+The rate is not in the file: it is theirs to be given, `--input-fps`, 30 by default. Hinges are in MuJoCo's order; a
+ball joint is three of them (`hinged`), and the model that has them is written beside the file.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Pickles of plain data: dicts, lists, numbers, texts and numpy arrays; whatever else is in one is refused unread.
 
-A pickle is a program, and one from elsewhere can do anything when it is loaded. This reader knows only the functions that
-make an array, by name; every other one ends in an error before it is even imported.
+A pickle is a program, and one from elsewhere can do anything when it is loaded. This reader knows only the functions
+that make an array, by name; every other one ends in an error before it is even imported.
 """
 
 from __future__ import annotations
@@ -51,7 +51,9 @@ def load(source: Path) -> Held:
         with source.open("rb") as stream:
             found = _Reader(stream).load()
     except Refused as error:
-        raise UserError(f"{source}: it holds '{error}'; only numbers, texts, lists and numpy arrays are loaded") from None
+        raise UserError(
+            f"{source}: it holds '{error}'; only numbers, texts, lists and numpy arrays are loaded"
+        ) from None
     except Exception as error:  # a damaged pickle raises nearly anything
         raise UserError(f"{source}: not a readable pickle: {' '.join(str(error).split())}") from None
     if not isinstance(found, dict):

@@ -44,7 +44,9 @@ class Robot:
         outside = next((joint for joint in joints if int(model.jnt_bodyid[joint]) not in bodies), None)
         if outside is not None:
             name = model.joint(outside).name
-            raise UserError(f"the format '{form}' holds one figure on a free root; the joint '{name}' is of another body")
+            raise UserError(
+                f"the format '{form}' holds one figure on a free root; the joint '{name}' is of another body"
+            )
         return cls(model, bodies, joints, int(model.jnt_qposadr[free]))
 
     @property
@@ -78,7 +80,7 @@ def configurations(
     """qpos (T, nq) of a figure, of ball joints too, from what robotics records of it.
 
     position (T, 3), rotation (T, 4) wxyz of the root; joints (T, n) [rad, m], of the names, or in the figure's order if
-    there are none: three hinges for a ball joint, named and ordered as `hinged` does. place is how errors call the file.
+    there are none: three hinges for a ball joint, as `hinged` names and orders them. place: how errors call the file.
     """
     layout = Layout(model)
     kinds = model.jnt_type.tolist()
@@ -99,7 +101,9 @@ def _order(names: list[str], wanted: list[str], place: object) -> list[int]:
     """Where the file has the figure's joints; raises UserError unless they are the same."""
     missing = [name for name in wanted if name not in names]
     if missing:
-        raise UserError(f"{place}: no joint '{missing[0]}'; it has: {', '.join(names)}; the figure: {', '.join(wanted)}")
+        raise UserError(
+            f"{place}: no joint '{missing[0]}'; it has: {', '.join(names)}; the figure: {', '.join(wanted)}"
+        )
     foreign = [name for name in names if name not in wanted]
     if foreign:
         raise UserError(f"{place}: the figure has no joint '{foreign[0]}'; it has: {', '.join(wanted)}")

@@ -58,7 +58,7 @@ class Take:
 
     @cached_property
     def period(self) -> Take:
-        """A loop at the rate nearest to its own that samples a whole period, the end included; another motion itself."""
+        """A loop at the rate nearest to its own whose last sample is the end of the period; other motions as they are."""
         if not self.is_loop:
             return self
         times = self.saved.timeline.times
