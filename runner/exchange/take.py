@@ -58,7 +58,7 @@ class Take:
 
     @cached_property
     def period(self) -> Take:
-        """A loop at the rate nearest to its own whose last sample is the end of the period; other motions as they are."""
+        """A loop at the rate nearest to its own that samples its end too; other motions as they are."""
         if not self.is_loop:
             return self
         times = self.saved.timeline.times

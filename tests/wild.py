@@ -1,0 +1,91 @@
+"""Motions without any symmetry, for tests of formats: a root that travels and turns about all axes, joints anywhere."""
+
+from __future__ import annotations
+
+import mujoco
+import numpy as np
+
+from runner import clip, motion, work
+from runner.motion import Sampled, Saved
+from runner.progress import Teller
+from runner.scene import compose, figure_spec
+from solver import quaternion as quat
+
+FPS = 50.0
+ROBOT = """
+<mujoco model="robot">
+  <compiler angle="radian"/>
+  <worldbody>
+    <body name="base" pos="0 0 .8"><freejoint name="floating"/>
+      <geom type="box" size=".1 .15 .1" pos=".02 0 0" mass="5"/>
+      <body name="left_leg" pos="0 .1 -.1" quat=".9 .1 -.2 .3">
+        <joint name="left_hip_pitch" type="hinge" axis="0 1 0"/>
+        <joint name="left_hip_roll" type="hinge" axis="1 0 0"/>
+        <joint name="left_hip_yaw" type="hinge" axis="0 0 1"/>
+        <geom type="capsule" size=".04" fromto="0 0 0 .03 0 -.3" mass="1"/>
+        <body name="left_shin" pos=".03 0 -.3"><joint name="left_knee" type="hinge" axis="0 1 .1"/>
+          <geom type="capsule" size=".03" fromto="0 0 0 0 .02 -.3" mass=".5"/>
+          <site name="left_toe" pos=".1 0 -.3"/></body>
+      </body>
+      <body name="arm" pos="0 -.2 .2"><joint name="arm_pitch" type="hinge" axis="0 1 0"/>
+        <geom type="capsule" size=".03" fromto="0 0 0 0 0 -.3" mass=".5"/></body>
+    </body>
+  </worldbody>
+</mujoco>
+"""
+
+
+def motion_of(figure: str, *, seed: int = 3, spread: float = 0.9, start: float = 0.25, hinge: str = "") -> Saved:
+    """The spline through five random keyframes, 0.3 s apart.
+
+    figure   as the clip file names it; spread [rad] of joints; hinge: joints of these endings turn about y alone
+    """
+    mjcf = compose(figure_spec(figure))
+    model = mujoco.MjModel.from_xml_string(mjcf)
+    rng = np.random.default_rng(seed)
+    qpos = np.tile(model.qpos0, (5, 1))
+    qpos[:, :3] += np.cumsum(rng.uniform(-0.2, 0.5, (5, 3)), axis=0)
+    qpos[:, 3:7] = quat.from_rotation_vector(rng.uniform(-1.2, 1.2, (5, 3)))
+    for joint in range(1, model.njnt):
+        at, name = model.jnt_qposadr[joint], model.joint(joint).name
+        turn = spread * rng.uniform(-1, 1, (5, 3))
+        if model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_BALL:
+            about = turn * [0, 1, 0] if hinge and name.endswith(tuple(hinge.split())) else turn
+            qpos[:, at : at + 4] = quat.from_rotation_vector(about)
+        else:
+            qpos[:, at] = turn[:, 0]
+    found = clip.from_qpos("wild", mjcf, start + 0.3 * np.arange(5), qpos, FPS, "wild")
+    return work.unsolved(found).saved(Teller(), with_report=False)
+
+
+def loop() -> Saved:
+    """A walk that comes back to its first pose, further on; its period is not a whole number of samples."""
+    return work.unsolved(clip.load("walk_loop")).saved(Teller(), with_report=False)
+
+
+def samples(saved: Saved, fps: float | None = None) -> Sampled:
+    return motion.sampled(saved.figure, saved.timeline, fps or saved.fps)
+
+
+def poses(model: mujoco.MjModel, qpos: np.ndarray, qvel: np.ndarray | None = None) -> dict[str, np.ndarray]:
+    """MuJoCo's own positions, rotations (matrices) and velocities (spin, velocity of the origin; world) of every body."""
+    data = mujoco.MjData(model)
+    out = {"xpos": [], "xmat": [], "velocity": []}
+    for i, row in enumerate(qpos):
+        data.qpos = row
+        data.qvel = 0 if qvel is None else qvel[i]
+        mujoco.mj_forward(model, data)
+        both = np.zeros((model.nbody, 6))
+        for body in range(model.nbody):
+            mujoco.mj_objectVelocity(model, data, mujoco.mjtObj.mjOBJ_XBODY, body, both[body], 0)
+        for name, value in (("xpos", data.xpos), ("xmat", data.xmat), ("velocity", both)):
+            out[name].append(np.array(value))
+    return {name: np.array(rows) for name, rows in out.items()}
+
+
+def same_poses(model: mujoco.MjModel, first: np.ndarray, second: np.ndarray, tolerance: float = 1e-9) -> None:
+    """Bodies stand in the same places, whatever the signs of quaternions."""
+    a, b = poses(model, first), poses(model, second)
+    assert a["xpos"].shape == b["xpos"].shape
+    np.testing.assert_allclose(a["xpos"], b["xpos"], atol=tolerance)
+    np.testing.assert_allclose(a["xmat"], b["xmat"], atol=tolerance)
