@@ -343,7 +343,7 @@ def list_formats() -> None:
 
     for each in FORMATS:
         ways = " and ".join(word for word, yes in (("reads", each.reads), ("writes", each.writes)) if yes)
-        print(f"{each.name:12} {each.ending:6} {ways:16} {each.says}")
+        print(f"{each.name:12} {each.ending:15} {ways:16} {each.says}")
 
 
 @app.command()

@@ -63,9 +63,12 @@ def readers() -> dict[str, Format]:
 
 def writer(name: str) -> Format:
     """The format to export to; raises UserError that lists them."""
-    if name not in writers():
-        raise UserError(unknown("format", name, writers()))
-    return writers()[name]
+    known = writers()
+    if name not in known and name in readers():
+        raise UserError(f"the format '{name}' is read only; written are: {', '.join(known)}")
+    if name not in known:
+        raise UserError(unknown("format", name, known))
+    return known[name]
 
 
 def export(
@@ -125,7 +128,7 @@ def _told(source: Path) -> Format:
     own = [each for each in known if name.endswith(each.ending)]
     if own:
         return max(own, key=lambda each: len(each.ending))
-    sharing = [each for each in known if name.endswith((Path(each.ending).suffix, *each.also))]
+    sharing = [each for each in known if name.endswith(("." + each.ending.rpartition(".")[2], *each.also))]
     if sharing:
         _check_file(source)
     fitting = [each for each in sharing if not hasattr(_module(each), "recognises") or _module(each).recognises(source)]
