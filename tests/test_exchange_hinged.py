@@ -39,7 +39,15 @@ def test_all_bodies_of_the_variant_stand_and_move_as_those_of_the_figure(take):
 def test_joints_carry_the_names_of_the_balls_and_their_axes_in_order(take):
     model = take.hinged.model
     names = [model.joint(i).name for i in range(model.njnt)]
-    assert names[:7] == ["root", "spine_x", "spine_z", "spine_y", "left_shoulder_x", "left_shoulder_z", "left_shoulder_y"]
+    assert names[:7] == [
+        "root",
+        "spine_x",
+        "spine_z",
+        "spine_y",
+        "left_shoulder_x",
+        "left_shoulder_z",
+        "left_shoulder_y",
+    ]
     assert names == take.hinged.layout.names
     np.testing.assert_array_equal(model.jnt_axis[1:4], [[1, 0, 0], [0, 0, 1], [0, 1, 0]])
 
@@ -71,7 +79,9 @@ def test_angles_go_on_through_the_lock_and_beyond_whole_turns(order):
     np.testing.assert_allclose(found[:200], smooth[:200], atol=1e-7)
     np.testing.assert_allclose(found[:, 1], smooth[:, 1], atol=1e-6)
     assert np.max(np.abs(np.diff(found, axis=0))) < 0.06
-    spin = quat.rotation_vector(quat.product(quat.inverse(rotation_of(smooth[99], order)), rotation_of(smooth[101], order)))
+    spin = quat.rotation_vector(
+        quat.product(quat.inverse(rotation_of(smooth[99], order)), rotation_of(smooth[101], order))
+    )
     np.testing.assert_allclose(rates(smooth[100], spin * 200, order), [8, np.pi, -9], rtol=2e-3)
     assert np.all(np.isfinite(rates(smooth[200], np.array([5.0, 6, 7]), order)))
 

@@ -35,11 +35,8 @@ ROBOT = """
 """
 
 
-def motion_of(figure: str, *, seed: int = 3, spread: float = 0.9, start: float = 0.25, hinge: str = "") -> Saved:
-    """The spline through five random keyframes, 0.3 s apart.
-
-    figure   as the clip file names it; spread [rad] of joints; hinge: joints of these endings turn about y alone
-    """
+def motion_of(figure: str, *, seed: int = 3, spread: float = 0.9, start: float = 0.25) -> Saved:
+    """The spline through five random keyframes, 0.3 s apart, of a figure as a clip file names it; spread [rad]."""
     mjcf = compose(figure_spec(figure))
     model = mujoco.MjModel.from_xml_string(mjcf)
     rng = np.random.default_rng(seed)
@@ -47,15 +44,30 @@ def motion_of(figure: str, *, seed: int = 3, spread: float = 0.9, start: float =
     qpos[:, :3] += np.cumsum(rng.uniform(-0.2, 0.5, (5, 3)), axis=0)
     qpos[:, 3:7] = quat.from_rotation_vector(rng.uniform(-1.2, 1.2, (5, 3)))
     for joint in range(1, model.njnt):
-        at, name = model.jnt_qposadr[joint], model.joint(joint).name
+        at = model.jnt_qposadr[joint]
         turn = spread * rng.uniform(-1, 1, (5, 3))
         if model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_BALL:
-            about = turn * [0, 1, 0] if hinge and name.endswith(tuple(hinge.split())) else turn
-            qpos[:, at : at + 4] = quat.from_rotation_vector(about)
+            qpos[:, at : at + 4] = quat.from_rotation_vector(turn)
         else:
             qpos[:, at] = turn[:, 0]
-    found = clip.from_qpos("wild", mjcf, start + 0.3 * np.arange(5), qpos, FPS, "wild")
-    return work.unsolved(found).saved(Teller(), with_report=False)
+    return through(mjcf, start + 0.3 * np.arange(5), qpos)
+
+
+def through(mjcf: str, time: np.ndarray, qpos: np.ndarray) -> Saved:
+    """The spline through keyframes, which it is saved with."""
+    return work.unsolved(clip.from_qpos("wild", mjcf, time, qpos, FPS, "wild")).saved(Teller(), with_report=False)
+
+
+def with_hinges(saved: Saved, *endings: str) -> Saved:
+    """The same with the ball joints of these endings turning about y alone, in every sample."""
+    model, at = saved.figure.model, samples(saved)
+    qpos = at.qpos.copy()
+    for joint in range(model.njnt):
+        if model.joint(joint).name.endswith(endings):
+            start = model.jnt_qposadr[joint]
+            qpos[:, [start + 1, start + 3]] = 0
+            qpos[:, start : start + 4] = quat.normalised(qpos[:, start : start + 4])
+    return through(saved.mjcf, at.time, qpos)
 
 
 def loop() -> Saved:
@@ -68,7 +80,7 @@ def samples(saved: Saved, fps: float | None = None) -> Sampled:
 
 
 def poses(model: mujoco.MjModel, qpos: np.ndarray, qvel: np.ndarray | None = None) -> dict[str, np.ndarray]:
-    """MuJoCo's own positions, rotations (matrices) and velocities (spin, velocity of the origin; world) of every body."""
+    """MuJoCo's own positions, rotations (matrices) and velocities (spin, then the origin's; world) of every body."""
     data = mujoco.MjData(model)
     out = {"xpos": [], "xmat": [], "velocity": []}
     for i, row in enumerate(qpos):
