@@ -111,7 +111,7 @@ def test_a_loop_wraps_and_its_last_frame_is_the_first_moved_on(kind, tmp_path):
 
 
 def deepmimic_bodies(frame):
-    """World rotations of their humanoid's bodies of a frame, in our axes, by our joints' names; and the root's place."""
+    """The root's place in a frame, and world rotations of their humanoid's bodies, in our axes, by their names."""
     assert len(frame) == 44
     root = Rotation.from_quat(frame[4:8], scalar_first=True)
     world, start = {"root": root}, 8
@@ -206,29 +206,10 @@ def test_other_figures_than_people_are_refused_with_their_joints(tmp_path):
 
 
 SMPL = [
-    "pelvis",
-    "left_hip",
-    "right_hip",
-    "spine1",
-    "left_knee",
-    "right_knee",
-    "spine2",
-    "left_ankle",
-    "right_ankle",
-    "spine3",
-    "left_foot",
-    "right_foot",
-    "neck",
-    "left_collar",
-    "right_collar",
-    "head",
-    "left_shoulder",
-    "right_shoulder",
-    "left_elbow",
-    "right_elbow",
-    "left_wrist",
-    "right_wrist",
-]
+    "pelvis", "left_hip", "right_hip", "spine1", "left_knee", "right_knee", "spine2", "left_ankle",
+    "right_ankle", "spine3", "left_foot", "right_foot", "neck", "left_collar", "right_collar",
+    "head", "left_shoulder", "right_shoulder", "left_elbow", "right_elbow", "left_wrist", "right_wrist",
+]  # fmt: skip
 
 
 def amass(folder, **turns):
