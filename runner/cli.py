@@ -332,7 +332,7 @@ def import_motion(
     if target.exists() and source.exists() and target.samefile(source):
         raise UserError(f"'{target}' is what is read; give another -o")
     with Teller() as teller:
-        motion.save(imported(source, kind, figure=figure, fps=fps), target)
+        motion.save(imported(source, kind, figure=figure, fps=fps, teller=teller), target)
         teller.say(f"wrote {target}")
 
 

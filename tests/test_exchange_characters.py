@@ -108,6 +108,17 @@ def test_a_loop_wraps_and_its_last_frame_is_the_first_moved_on(kind, tmp_path):
     np.testing.assert_allclose(last[3:], first[3:], atol=1e-9)
     back = imported(target, figure="human")
     assert back.timeline.times[-1] - back.timeline.times[0] == pytest.approx(period, abs=1e-9)
+    assert back.timeline.ends == "periodic" and len(wild.samples(back).time) == len(frames)
+    if kind == "mimickit":
+        before = wild.samples(walk, held["fps"])
+        wild.same_poses(walk.figure.model, before.qpos, wild.samples(back).qpos, 1e-4)
+
+
+def test_a_file_that_only_says_that_it_loops_is_read_as_it_is(hinged_knees, tmp_path):
+    target, _ = exported(hinged_knees, "deepmimic", tmp_path)
+    target.write_text(target.read_text().replace('"none"', '"wrap"'))
+    assert imported(target, figure="human").timeline.ends == "free"
+    came_back(hinged_knees, target)
 
 
 def deepmimic_bodies(frame):

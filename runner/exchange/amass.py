@@ -76,7 +76,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     qpos[:, person.root + 2] -= _lowest(model, qpos)
     key = next((name for name in ("mocap_framerate", "mocap_frame_rate") if name in found), None)
     rate = fps if key is None and fps is not None else found.rate(key or "mocap_framerate")
-    return Recording(times(len(qpos), rate), qpos)
+    return Recording(times(len(qpos), rate), qpos, fps=rate)
 
 
 def _in_world(local: Array) -> Array:

@@ -16,6 +16,8 @@ from pathlib import Path
 import mujoco
 import numpy as np
 
+from solver.quaternion import Array
+
 from ..errors import UserError
 from ..scene import first_line, quietly
 from .held import Held, held, names_in, times
@@ -61,14 +63,13 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
             f"{path}: its joints are {', '.join(found.texts('joint_names'))}; the figure's {', '.join(names)}"
         )
     qpos = found.numbers("qpos", "samples", figure.nq)
-    return Recording(_time(found, len(qpos), fps), qpos, mjcf)
+    rate = found.rate("fps") if "fps" in found else fps
+    return Recording(_time(found, len(qpos), rate), qpos, mjcf, fps=rate)
 
 
-def _time(found: Held, count: int, fps: float | None) -> np.ndarray:
+def _time(found: Held, count: int, fps: float | None) -> Array:
     if "time" in found:
         return found.numbers("time", "samples")
-    if "fps" in found:
-        return times(count, found.rate("fps"))
     if fps is None:
         raise UserError(f"{found.place}: it has neither 'time' nor 'fps'; give --fps")
     return times(count, fps)

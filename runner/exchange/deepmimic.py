@@ -1,6 +1,6 @@
 """JSON of DeepMimic (and its data/motions/*.txt): the frames of its humanoid, y up.
 
-Loop    "wrap" or "none"; of our motions, loops wrap
+Loop    "none", "wrap" (the last frame is the first again, moved on) or "mirror"; of our motions, loops wrap
 Frames  [[duration to the next frame [s], root position (3) [m], root rotation wxyz (4), chest (4), neck (4),
         right_hip (4), right_knee (1), right_ankle (4), right_shoulder (4), right_elbow (1), the left likewise], ...]:
         rotations wxyz relative to the parent, angles [rad] about z
@@ -114,7 +114,11 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
         joints[OURS.get(name, name)] = rotation
     position = ours(frames[:, 1:4]) * (person.height / HIPS)
     qpos = person.posed(position, _our_rotation(frames[:, 4:8], "root", path), joints)
-    return Recording(np.concatenate([[0.0], np.cumsum(frames[:-1, 0])]), qpos)
+    steps = frames[:-1, 0]
+    rate = float(1 / steps.mean()) if steps.size and np.ptp(steps) < 1e-9 else None
+    return Recording(
+        np.concatenate([[0.0], np.cumsum(steps)]), qpos, fps=rate, loops=found.entries.get("Loop") == "wrap"
+    )
 
 
 def _our_rotation(part: Array, name: str, path: Path) -> Array:

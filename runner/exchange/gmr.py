@@ -61,4 +61,5 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     position = found.numbers("root_pos", "samples", 3)
     rotation = found.quaternions("root_rot", "samples", 4, scalar_last=True)
     joints = found.numbers("dof_pos", "samples", "joints")
-    return Recording(times(len(joints), rate), configurations(model, NAME, path, position, rotation, joints))
+    qpos = configurations(model, NAME, path, position, rotation, joints)
+    return Recording(times(len(joints), rate), qpos, fps=rate)

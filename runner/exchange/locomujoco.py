@@ -93,4 +93,4 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     joints, called = qpos[:, [starts[i] for i in hinges]], [names[i] for i in hinges]
     rate = found.rate("frequency") if "frequency" in found or fps is None else fps
     qpos = configurations(model, NAME, path, qpos[:, root : root + 3], turned, joints, called)
-    return Recording(times(len(qpos), rate), qpos)
+    return Recording(times(len(qpos), rate), qpos, fps=rate)

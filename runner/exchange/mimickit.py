@@ -138,4 +138,5 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     for part in joints:
         qpos[:, part.columns] = part.configuration(frames[:, start : start + part.width])
         start += part.width
-    return Recording(times(len(frames), rate), qpos)
+    loops = "loop_mode" in found and found.of("loop_mode") == WRAP
+    return Recording(times(len(frames), rate), qpos, fps=rate, loops=loops)

@@ -66,4 +66,5 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     position = found.numbers("body_pos_w", "samples", "bodies", 3)[:, 0]
     rotation = found.quaternions("body_quat_w", "samples", "bodies", 4)[:, 0]
     names = found.texts("joint_names") if "joint_names" in found else None
-    return Recording(times(len(joints), rate), configurations(model, NAME, path, position, rotation, joints, names))
+    qpos = configurations(model, NAME, path, position, rotation, joints, names)
+    return Recording(times(len(joints), rate), qpos, fps=rate)

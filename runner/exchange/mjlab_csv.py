@@ -48,4 +48,5 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     found = Held(path, {"root": table[:, :3], "quaternion (columns 4 to 7)": table[:, 3:7], "hinges": table[:, 7:]})
     position, joints = found.numbers("root", "T", 3), found.numbers("hinges", "T", "n")
     rotation = found.quaternions("quaternion (columns 4 to 7)", "T", 4, scalar_last=True)
-    return Recording(times(len(table), fps), configurations(model, NAME, path, position, rotation, joints))
+    qpos = configurations(model, NAME, path, position, rotation, joints)
+    return Recording(times(len(table), fps), qpos, fps=fps)
