@@ -473,11 +473,12 @@ def _found(source: str, model: str | None, keys: str | None, fps: float | None =
 
 
 def _saved(found: Clip | Saved, teller: Teller, *, with_report: bool, solve: bool = True) -> Saved:
-    """A saved motion as it is, or a clip solved now."""
+    """A saved motion as it is, measured if it never was, or a clip solved now."""
     from . import motion, work
+    from .edits import measured
 
     if isinstance(found, motion.Saved):
-        return found
+        return measured(found, teller, "not searched: imported") if with_report and not found.report else found
     return (work.solve(found, teller) if solve else work.unsolved(found)).saved(teller, with_report)
 
 
