@@ -12,7 +12,6 @@ from runner import motion
 from runner.errors import UserError
 from runner.exchange import formats
 from runner.exchange.imported import imported
-from runner.scene import compose, figure_spec
 
 JOINTS = ["left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "arm_pitch"]
 
@@ -254,8 +253,7 @@ def test_figures_that_a_format_cannot_hold_are_refused(tmp_path):
     (tmp_path / "post.xml").write_text(
         wild.ROBOT.replace('<freejoint name="floating"/>', '<joint name="swing" axis="0 1 0"/>')
     )
-    mjcf = compose(figure_spec(str(tmp_path / "post.xml")))
-    fixed = wild.through(mjcf, np.array([0, 0.5]), np.zeros((2, 6)))
+    fixed = wild.through(str(tmp_path / "post.xml"), np.array([0, 0.5]), np.zeros((2, 6)))
     for kind in ("mjlab", "mjlab-csv", "gmr"):
         with pytest.raises(
             UserError, match=f"'{kind}' is for a figure with one free joint, its root; this one has none"

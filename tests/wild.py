@@ -10,6 +10,7 @@ from runner.motion import Sampled, Saved
 from runner.progress import Teller
 from runner.scene import compose, figure_spec
 from solver import quaternion as quat
+from solver.frame import Frame
 
 FPS = 50.0
 ROBOT = """
@@ -37,8 +38,7 @@ ROBOT = """
 
 def motion_of(figure: str, *, seed: int = 3, spread: float = 0.9, start: float = 0.25) -> Saved:
     """The spline through five random keyframes, 0.3 s apart, of a figure as a clip file names it; spread [rad]."""
-    mjcf = compose(figure_spec(figure))
-    model = mujoco.MjModel.from_xml_string(mjcf)
+    model = figure_spec(figure).compile()
     rng = np.random.default_rng(seed)
     qpos = np.tile(model.qpos0, (5, 1))
     qpos[:, :3] += np.cumsum(rng.uniform(-0.2, 0.5, (5, 3)), axis=0)
@@ -50,12 +50,13 @@ def motion_of(figure: str, *, seed: int = 3, spread: float = 0.9, start: float =
             qpos[:, at : at + 4] = quat.from_rotation_vector(turn)
         else:
             qpos[:, at] = turn[:, 0]
-    return through(mjcf, start + 0.3 * np.arange(5), qpos)
+    return through(figure, start + 0.3 * np.arange(5), qpos)
 
 
-def through(mjcf: str, time: np.ndarray, qpos: np.ndarray) -> Saved:
-    """The spline through keyframes, which it is saved with."""
-    return work.unsolved(clip.from_qpos("wild", mjcf, time, qpos, FPS, "wild")).saved(Teller(), with_report=False)
+def through(figure: str, time: np.ndarray, qpos: np.ndarray) -> Saved:
+    """The spline through keyframes."""
+    found = clip.from_qpos("wild", compose(figure_spec(figure)), time, qpos, FPS, "wild")
+    return work.unsolved(found).saved(Teller(), with_report=False)
 
 
 def with_hinges(saved: Saved, *endings: str) -> Saved:
@@ -67,7 +68,8 @@ def with_hinges(saved: Saved, *endings: str) -> Saved:
             start = model.jnt_qposadr[joint]
             qpos[:, [start + 1, start + 3]] = 0
             qpos[:, start : start + 4] = quat.normalised(qpos[:, start : start + 4])
-    return through(saved.mjcf, at.time, qpos)
+    keys = [Frame.key(time, row) for time, row in zip(at.time, qpos, strict=True)]
+    return work.unsolved(clip.with_keys(clip.of_motion(saved), keys)).saved(Teller(), with_report=False)
 
 
 def loop() -> Saved:
