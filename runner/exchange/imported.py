@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import mujoco
 import numpy as np
+
+from solver.frame import TimelineError
 
 from .. import clip as clips
 from ..motion import Saved
@@ -15,15 +18,31 @@ from ..work import unsolved
 from .formats import recording
 
 
-def imported(source: Path, kind: str | None = None, *, figure: str | None = None, fps: float | None = None) -> Saved:
+def imported(
+    source: Path,
+    kind: str | None = None,
+    *,
+    figure: str | None = None,
+    fps: float | None = None,
+    teller: Teller | None = None,
+) -> Saved:
     """The motion in a file of another program, as the spline through all that was recorded.
 
-    figure  a shipped figure's name or a path to MJCF, for files that bring none; raises UserError
+    figure  a shipped figure's name or a path to MJCF, for files that bring none; teller hears how the file was read
+    Raises UserError. What loops in the file is a loop, if its last pose is its first, moved on.
     """
+    teller = teller or Teller()
     spec = None if figure is None else figure_spec(figure)
     told = recording(source, kind, model=None if spec is None else spec.compile(), fps=fps)
+    for note in told.notes:
+        teller.say(f"note: {note}")
     spec = mujoco.MjSpec.from_string(told.mjcf) if told.mjcf is not None else spec
     assert spec is not None, "a reader gives a figure or asks for one"
-    rate = float(np.round(1 / np.median(np.diff(told.time)), 6)) if told.time.size > 1 else 30.0
+    rate = told.fps or (float(np.round(1 / np.median(np.diff(told.time)), 6)) if told.time.size > 1 else 30.0)
     found = clips.from_qpos(source.stem, compose(spec), told.time, told.qpos, rate, source.name)
-    return unsolved(found).saved(Teller(), with_report=False)
+    if told.loops:
+        try:
+            return unsolved(replace(found, ends="periodic")).saved(teller, with_report=False)
+        except TimelineError:
+            teller.say("note: the file says that it loops, but its last pose is not its first; it is read as it is")
+    return unsolved(found).saved(teller, with_report=False)
