@@ -34,6 +34,7 @@ class Format:
 
 FORMATS = (
     Format("csv", ".csv", "a row an instant: time, then qpos, under the joints' names", "csv_table", reads=True),
+    Format("gltf", ".glb", "meshes and one animation, for Blender, engines and the web", "gltf", extra="gltf"),
 )  # fmt: skip
 
 
