@@ -239,19 +239,24 @@ def joined(parts: list[Triangles]) -> Triangles:
 
 
 def _mesh(model: mujoco.MjModel, mesh: int) -> Triangles:
-    """A corner for every pair of point and normal that a face has."""
-    points = model.mesh_vert[model.mesh_vertadr[mesh] :][: model.mesh_vertnum[mesh]]
-    normals = model.mesh_normal[model.mesh_normaladr[mesh] :][: model.mesh_normalnum[mesh]]
+    """MuJoCo's own smooth normals, but a face's where those look away from it, as they do at sharp corners."""
+    points = model.mesh_vert[model.mesh_vertadr[mesh] :][: model.mesh_vertnum[mesh]].astype(float)
+    smooth = model.mesh_normal[model.mesh_normaladr[mesh] :][: model.mesh_normalnum[mesh]].astype(float)
     rows = slice(model.mesh_faceadr[mesh], model.mesh_faceadr[mesh] + model.mesh_facenum[mesh])
-    corner = np.stack([model.mesh_face[rows].ravel(), model.mesh_facenormal[rows].ravel()], axis=-1)
-    pairs, faces = np.unique(corner, axis=0, return_inverse=True)
-    faces = faces.reshape(-1, 3)
-    corners = points[pairs[:, 0]].astype(float)
-    across = np.cross(corners[faces[:, 1]] - corners[faces[:, 0]], corners[faces[:, 2]] - corners[faces[:, 0]])
-    faces = faces[np.linalg.norm(across, axis=1) > 0]
-    length = np.linalg.norm(normals[pairs[:, 1]], axis=1, keepdims=True)
-    unit = np.where(length > 0.5, normals[pairs[:, 1]] / np.maximum(length, 0.5), [0, 0, 1])
-    return _used(Triangles(corners, unit.astype(float), faces.astype(np.uint32)))
+    faces = model.mesh_face[rows]
+    a, b, c = (points[faces[:, k]] for k in range(3))
+    across = np.cross(b - a, c - a)
+    area = np.linalg.norm(across, axis=1)
+    whole = area > 0
+    flat = (across[whole] / area[whole, None])[:, None]
+    normals = smooth[model.mesh_facenormal[rows][whole]]
+    length = np.linalg.norm(normals, axis=-1, keepdims=True)
+    normals = np.where(np.sum(normals * flat, axis=-1, keepdims=True) > 0.5, normals / np.maximum(length, 0.5), flat)
+    corners = np.concatenate([points[faces[whole]], normals], axis=-1).reshape(-1, 6)
+    kept, index = np.unique(corners.astype(np.float32), axis=0, return_inverse=True)
+    unit = kept[:, 3:].astype(float)
+    unit /= np.linalg.norm(unit, axis=1, keepdims=True)
+    return Triangles(kept[:, :3].astype(float), unit, index.reshape(-1, 3).astype(np.uint32))
 
 
 def _height_field(model: mujoco.MjModel, field: int) -> Triangles:
