@@ -15,17 +15,36 @@ import numpy as np
 from solver import quaternion as quat
 from solver.quaternion import Array
 
-from . import euler, hierarchy
+from . import bvh_file, captured_figure, euler, hierarchy, retarget
 from .bvh_file import Joint, Skeleton, written
-from .take import Take
+from .captured import Captured
+from .take import Recording, Take
 
 CENTIMETRES = 100.0
 FIXED = 1e-7  # [m]: less is no movement
+LIFTED = 0.002  # [m] worth a note
 PLACES = ("Xposition", "Yposition", "Zposition")
 
 
 def write(take: Take, path: Path) -> None:
     path.write_text(written(skeleton(take)), encoding="utf-8", newline="\n")
+
+
+def read(path: Path, model: mujoco.MjModel | None, fps: float | None, *, scale: float | None = None) -> Recording:
+    """As a figure of its own, or on a figure whose bodies have like names.
+
+    fps is for files that do not tell it; these do. scale [m]: the file's unit of length, guessed if not said
+    """
+    found, rate = bvh_file.read(path)
+    captured = Captured.of(found, scale)
+    time = np.arange(len(found.values)) / rate
+    if model is not None:
+        qpos, notes = retarget.onto(captured, model, str(path))
+        return Recording(time, qpos, fps=rate, notes=(*captured.notes, *notes))
+    lift = -captured.ground
+    note = (f"raised by {lift:+.3f} m, so that feet meet the ground",) if abs(lift) > LIFTED else ()
+    mjcf, qpos = captured_figure.figure(captured.raised(lift))
+    return Recording(time, qpos, mjcf, rate, (*captured.notes, *note))
 
 
 def skeleton(take: Take) -> Skeleton:

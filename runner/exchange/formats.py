@@ -20,6 +20,7 @@ class Format:
 
     The module has `write(take, path)` if others can read what we write, and `read(path, model, fps)`, which gives a
     Recording, if we can read what others write; model is None where the user named no figure. Both raise UserError.
+    scales the files do not say their unit of length: `read` takes `scale` [m], None to guess
     extra  of `pip install 'dynamic-splines[...]'`, where the format needs more than the main job
     """
 
@@ -29,12 +30,13 @@ class Format:
     module: str
     writes: bool = True
     reads: bool = False
+    scales: bool = False
     extra: str | None = None
 
 
 FORMATS = (
     Format("csv", ".csv", "a row an instant: time, then qpos, under the joints' names", "csv_table", reads=True),
-    Format("bvh", ".bvh", "a skeleton and its angles, y up, centimetres", "bvh"),
+    Format("bvh", ".bvh", "a skeleton and its angles, y up, centimetres", "bvh", reads=True, scales=True),
     Format("gltf", ".glb", "meshes and one animation, for Blender, engines and the web", "gltf", extra="gltf"),
     Format("html", ".html", "one page that plays before and after, in any browser, from the disk", "html"),
 )  # fmt: skip
@@ -72,11 +74,16 @@ def export(saved: Saved, kind: str, target: Path | None = None, *, fps: float | 
 
 
 def recording(
-    source: Path, kind: str | None = None, *, model: mujoco.MjModel | None = None, fps: float | None = None
+    source: Path,
+    kind: str | None = None,
+    *,
+    model: mujoco.MjModel | None = None,
+    fps: float | None = None,
+    scale: float | None = None,
 ) -> Recording:
     """Reads a file of others, of the format that it is said to be or that its ending tells.
 
-    model  the figure that it is for; fps [1/s] of files that do not tell it
+    model  the figure that it is for; fps [1/s] of files that do not tell it; scale [m], their unit of length, likewise
     """
     known = readers()
     if kind is None:
@@ -91,6 +98,10 @@ def recording(
         form = known[kind]
     if not source.is_file():
         raise UserError(f"'{source}' is a folder, not a file" if source.is_dir() else f"no file '{source}'")
+    if form.scales:
+        return _module(form).read(source, model, fps, scale=scale)
+    if scale is not None:
+        raise UserError(f"{source}: lengths of the format '{form.name}' are metres; --scale is not for it")
     return _module(form).read(source, model, fps)
 
 

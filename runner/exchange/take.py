@@ -93,8 +93,11 @@ class Recording:
     """A motion that was read: time (T,) [s], rising; qpos (T, nq) of the figure, in MuJoCo's order and units.
 
     mjcf   the figure that the file brings along (BVH's hierarchy, say), or None: it is for the figure that was given
+    fps    [1/s] if the file says it more exactly than its times; notes  what the user should know of how it was read
     """
 
     time: Array
     qpos: Array
     mjcf: str | None = None
+    fps: float | None = None
+    notes: tuple[str, ...] = ()
