@@ -119,8 +119,6 @@ def render(
         raise UserError(f"--only {only}: not one of before, after, keys")
     if fps is not None and not 0.01 <= fps <= 1000:
         raise UserError(f"--fps {fps:g}: give a number of images a second, 0.01 to 1000")
-    if scale is not None and not 1e-6 <= scale <= 1e6:
-        raise UserError(f"--scale {scale:g}: give the file's unit in metres, 0.01 for centimetres")
     if not 0.01 <= slow <= 1000:
         raise UserError(f"--slow {slow:g}: give how many times slower, 0.01 to 1000, such as 4")
     from .workers import MOST_WORKERS
@@ -328,6 +326,8 @@ def import_motion(
 
     if fps is not None and not 0.01 <= fps <= 1000:
         raise UserError(f"--fps {fps:g}: give a number of images a second, 0.01 to 1000")
+    if scale is not None and not 1e-6 <= scale <= 1e6:
+        raise UserError(f"--scale {scale:g}: give the file's unit in metres, 0.01 for centimetres")
     target = output or Path(f"{source.stem}.npz")
     if target.suffix != ".npz":
         raise UserError(f"{target}: a motion file's name ends in .npz")

@@ -53,9 +53,8 @@ def moved(fps: float = 24.0, text: str = FIGURE, name: str = "puppet", count: in
     model = mujoco.MjModel.from_xml_string(text)
     qpos = np.tile(model.qpos0, (count, 1))
     for i in range(model.njnt):
-        at = model.jnt_qposadr[i]
-        if model.jnt_type[i] in (mujoco.mjtJoint.mjJNT_FREE, mujoco.mjtJoint.mjJNT_BALL):
-            free = model.jnt_type[i] == mujoco.mjtJoint.mjJNT_FREE
+        at, free = int(model.jnt_qposadr[i]), int(model.jnt_type[i]) == int(mujoco.mjtJoint.mjJNT_FREE)
+        if free or int(model.jnt_type[i]) == int(mujoco.mjtJoint.mjJNT_BALL):
             turn = np.cumsum(rng.normal([0.25, -0.2, 0.35], 0.2, (count, 3)), axis=0)
             columns = slice(at + 3 * free, at + 3 * free + 4)
             qpos[:, columns] = quat.product(qpos[:, columns], quat.from_rotation_vector(turn))
@@ -63,6 +62,7 @@ def moved(fps: float = 24.0, text: str = FIGURE, name: str = "puppet", count: in
                 qpos[:, at : at + 3] += np.cumsum(rng.normal(0.05, 0.1, (count, 3)), axis=0)
         else:
             qpos[:, at] += np.cumsum(rng.normal(0.05, 0.1, count))
+    assert np.all(np.ptp(qpos, axis=0) > 0.01)
     spec = mujoco.MjSpec.from_string(text)
     found = clip.from_qpos(name, compose(spec), np.arange(count) / 12.0, qpos, fps, name)
     return work.unsolved(found).saved(Teller(), with_report=False)

@@ -19,6 +19,7 @@ LEAST = 1e-3  # [m]: a shorter bone gets a ball
 THICKNESS = {"": (0.16, 0.007, 0.045), "thigh": (0.17, 0.03, 0.075), "shin": (0.13, 0.02, 0.055), "foot": (0.2, 0.015, 0.035),
              "upper_arm": (0.16, 0.02, 0.05), "forearm": (0.15, 0.015, 0.04), "pelvis": (0.5, 0.05, 0.1),
              "chest": (0.4, 0.04, 0.1), "neck": (0.5, 0.03, 0.055), "head": (0.5, 0.05, 0.09)}  # fmt: skip
+SIDES = ("left", "right")
 COLOURS = {"left": "0.17 0.45 0.56 1", "right": "0.93 0.55 0.22 1", "": "0.45 0.5 0.56 1"}
 
 
@@ -64,7 +65,7 @@ def _side(captured: Captured, joint: int, by_joint: dict[int, str]) -> str:
     """Of the limb that a joint is of."""
     for i in lineage(joint, captured.parents):
         side = by_joint.get(i, "").partition("_")[0]
-        if side in ("left", "right"):
+        if side in SIDES:
             return side
     return ""
 
@@ -75,17 +76,41 @@ def _row(values: Iterable[float]) -> str:
 
 def _bones(body: ET.Element, captured: Captured, joint: int, name: str, role: str, colour: str) -> None:
     """A capsule to every child and to the end; a ball where there is none."""
-    tips = [captured.offset[child] for child in captured.children(joint)]
-    tips += [captured.ends[joint]] if joint in captured.ends else []
     share, least, most = THICKNESS[role]
-    long = [tip for tip in tips if np.linalg.norm(tip) > LEAST]
-    for count, tip in enumerate(long):
-        radius = float(np.clip(share * np.linalg.norm(tip), least, most))
-        radius = min(radius, 0.45 * float(np.linalg.norm(tip)) + least)
-        suffix = f"_{count + 1}" if count else ""
-        ET.SubElement(body, "geom", name=f"{name}{suffix}", size=f"{radius:.4g}", fromto=_row([0, 0, 0, *tip]), rgba=colour)
-    if not long:
+    count = 0
+    for start, tip in _lines(captured, joint, role):
+        length = float(np.linalg.norm(tip - start))
+        if length > LEAST:
+            radius = min(float(np.clip(share * length, least, most)), 0.45 * length + least)
+            count += 1
+            called = f"{name}_{count}" if count > 1 else name
+            line = _row([*start, *tip])
+            ET.SubElement(body, "geom", name=called, size=f"{radius:.4g}", fromto=line, rgba=colour)
+    if not count:
         ET.SubElement(body, "geom", name=name, type="sphere", size=f"{least:.4g}", rgba=colour)
+
+
+def _lines(captured: Captured, joint: int, role: str) -> list[tuple[Array, Array]]:
+    """From where to where (3,) its bones go; where left and right begin, up to between them, and from one to the other."""
+    below = captured.children(joint)
+    origin, tips = np.zeros(3), [captured.offset[child] for child in below]
+    if role in ("pelvis", "chest"):
+        sides = [[tip for child, tip in zip(below, tips, strict=True) if _begins(captured, child) == side] for side in SIDES]
+        if len(sides[0]) == len(sides[1]) == 1:
+            left, right = sides[0][0], sides[1][0]
+            rest = [(origin, tip) for tip in tips if tip is not left and tip is not right]
+            return [(origin, 0.5 * (left + right)), (0.8 * left + 0.2 * right, 0.2 * left + 0.8 * right), *rest]
+    tips += [captured.ends[joint]] if joint in captured.ends else []
+    return [(origin, tip) for tip in tips]
+
+
+def _begins(captured: Captured, joint: int) -> str:
+    """Which side's limb this joint or one below it begins."""
+    for side in SIDES:
+        limb = [captured.roles[role] for role in captured.roles if role.startswith(side)]
+        if any(joint in lineage(i, captured.parents) for i in limb):
+            return side
+    return ""
 
 
 def _soles(bodies: list[ET.Element], captured: Captured) -> None:
@@ -100,7 +125,7 @@ def _soles(bodies: list[ET.Element], captured: Captured) -> None:
 
 
 def _hands(bodies: list[ET.Element], captured: Captured) -> None:
-    for side in ("left", "right"):
+    for side in SIDES:
         joint = captured.roles.get(f"{side}_hand")
         if joint is not None:
             ET.SubElement(bodies[joint], "site", name=f"{side}_hand", pos=_row(0.5 * _middle(captured, joint)))

@@ -35,8 +35,8 @@ def angles(q: Array, order: str) -> Array:
     first = np.arctan2(-sign * turn[:, j, k], turn[:, k, k])
     last = np.arctan2(-sign * turn[:, i, j], turn[:, i, i])
     locked = np.hypot(turn[:, i, i], turn[:, i, j]) < LOCKED
-    both = np.arctan2(sign * turn[:, k, j], turn[:, j, j])  # a + c or a - c, by the middle's sign
-    side = sign * np.sign(turn[:, i, k])
+    both = np.arctan2(sign * turn[:, k, j], turn[:, j, j])  # a + side c
+    side = np.sign(turn[:, i, k])
     out = np.stack([first, middle, last], axis=-1)
     before = np.zeros(3)
     for row in range(len(out)):

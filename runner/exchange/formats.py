@@ -38,6 +38,7 @@ FORMATS = (
     Format("csv", ".csv", "a row an instant: time, then qpos, under the joints' names", "csv_table", reads=True),
     Format("bvh", ".bvh", "a skeleton and its angles, y up, centimetres", "bvh", reads=True, scales=True),
     Format("gltf", ".glb", "meshes and one animation, for Blender, engines and the web", "gltf", extra="gltf"),
+    Format("usd", ".usdc", "meshes and one time code a sample; .usda for text", "usd", extra="usd"),
     Format("html", ".html", "one page that plays before and after, in any browser, from the disk", "html"),
 )  # fmt: skip
 

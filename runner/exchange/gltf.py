@@ -15,12 +15,12 @@ import numpy as np
 import pygltflib as gl
 from numpy.typing import NDArray
 
-from solver.quaternion import Array
 from solver import quaternion as quat
+from solver.quaternion import Array
 
 from . import hierarchy
 from .take import Take
-from .triangles import Piece, Triangles, joined, pieces, png, triangles
+from .triangles import Piece, Triangles, joined, linear, pieces, png, triangles
 
 STILL = 1e-7  # [m, or of a quaternion's entries]: less is no movement
 KINDS = {1: gl.SCALAR, 2: gl.VEC2, 3: gl.VEC3, 4: gl.VEC4}
@@ -159,8 +159,3 @@ def _material(asset: gl.GLTF2, blob: _Blob, model: mujoco.MjModel, piece: Piece)
     see_through = piece.colour[3] < 1
     return gl.Material(name=name, pbrMetallicRoughness=look, alphaMode=gl.BLEND if see_through else gl.OPAQUE,
                        alphaCutoff=None)  # fmt: skip
-
-
-def linear(colour: Array) -> Array:
-    """sRGB in [0, 1] to linear light, IEC 61966-2-1."""
-    return np.where(colour <= 0.04045, colour / 12.92, ((colour + 0.055) / 1.055) ** 2.4)

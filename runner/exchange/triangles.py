@@ -89,6 +89,11 @@ def _piece(model: mujoco.MjModel, geom: int) -> Piece:
     )  # fmt: skip
 
 
+def linear(colour: Array) -> Array:
+    """sRGB in [0, 1] to linear light, IEC 61966-2-1."""
+    return np.where(colour <= 0.04045, colour / 12.92, ((colour + 0.055) / 1.055) ** 2.4)
+
+
 def texels(model: mujoco.MjModel, texture: int) -> NDArray[np.uint8]:
     """(h, w, 3) a texture's colours."""
     height, width = int(model.tex_height[texture]), int(model.tex_width[texture])

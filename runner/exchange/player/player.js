@@ -192,7 +192,7 @@ const aim = (name) => {
   $("camera").value = name;
   centre = middleAt(now * fps);
   controls.target.copy(centre);
-  const away = 2.6 * Math.max(1, motion.size) / Math.min(1, camera.aspect * 0.9);
+  const away = 2.9 * Math.max(1, motion.size) / Math.min(1, camera.aspect * 0.9);
   camera.position.copy(centre).addScaledVector(new THREE.Vector3(...VIEWS[name]).normalize(), away);
   controls.update();
   wanted = true;
