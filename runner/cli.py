@@ -314,7 +314,9 @@ def import_motion(
     figure: Annotated[str | None, typer.Option(help="the figure it is for: a shipped one or MJCF")] = None,
     kind: Annotated[str | None, typer.Option("--from", help="its format, where the ending does not tell it")] = None,
     fps: Annotated[float | None, typer.Option(help="images a second, where the file does not tell")] = None,
-    scale: Annotated[float | None, typer.Option(help="the file's unit of length in metres, where it is guessed")] = None,
+    scale: Annotated[
+        float | None, typer.Option(help="the file's unit of length in metres, where it is guessed")
+    ] = None,
     output: Output = None,
 ) -> None:
     """Read a recorded motion; every instant of it becomes a keyframe, and nothing is searched."""

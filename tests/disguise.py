@@ -43,7 +43,7 @@ def disguised(
 ) -> Skeleton:
     """The human's motion; zero: by body, its rotation (4,) in the pose where all angles are nought, from our rest.
 
-    unit [m]; orders, in turn; every_place: positions for all joints, not just the root; larger: everything but the angles
+    unit [m]; orders, in turn; every_place: positions for all joints, not just the root; larger: all but the angles
     """
     model, zero = take.model, zero or {}
 
@@ -59,14 +59,20 @@ def disguised(
     joints, columns = [], []
     for i, body in enumerate(bodies):
         order, parent = orders[i % len(orders)], int(model.body_parentid[body])
-        offset = larger / unit * theirs(quat.rotated(zeros.get(parent, zeros[body]), model.body_pos[body])) if i else np.zeros(3)
+        offset = (
+            larger / unit * theirs(quat.rotated(zeros.get(parent, zeros[body]), model.body_pos[body]))
+            if i
+            else np.zeros(3)
+        )
         sites = np.flatnonzero(model.site_bodyid == body)
         leaf = body not in model.body_parentid[bodies]
         end = larger / unit * theirs(quat.rotated(zeros[body], model.site_pos[sites[-1]])) if leaf else None
         places = PLACES if i == 0 or every_place else ()
         name = names.get(model.body(body).name, model.body(body).name)
         joints.append(
-            Joint(name, bodies.index(parent) if i else -1, offset, (*places, *(f"{axis}rotation" for axis in order)), end)
+            Joint(
+                name, bodies.index(parent) if i else -1, offset, (*places, *(f"{axis}rotation" for axis in order)), end
+            )
         )
         local = quat.product(quat.conjugate(world[parent]), world[body]) if i else world[body]
         if places:

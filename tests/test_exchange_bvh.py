@@ -1,4 +1,4 @@
-"""BVH, out: other readers find every joint where MuJoCo has it. In: other makers' skeletons on ours, and on their own."""
+"""BVH, out: other readers find every joint where MuJoCo has it. In: other makers' skeletons, on ours and alone."""
 
 from __future__ import annotations
 
@@ -227,7 +227,9 @@ def test_bones_of_other_lengths_keep_their_directions_and_the_feet_the_ground(ca
     for row in qpos:
         data.qpos = row
         mujoco.mj_kinematics(model, data)
-        lowest.append(data.site_xpos[[model.site(f"{s}_{p}").id for s in ("left", "right") for p in ("heel", "toe")], 2].min())
+        lowest.append(
+            data.site_xpos[[model.site(f"{s}_{p}").id for s in ("left", "right") for p in ("heel", "toe")], 2].min()
+        )
     assert abs(np.percentile(lowest, 2)) < 0.002
 
 
@@ -235,18 +237,18 @@ NAMES = {
     "CMU": "Hips -1,LHipJoint 0,LeftUpLeg 1,LeftLeg 2,LeftFoot 3,LeftToeBase 4,RHipJoint 0,RightUpLeg 6,RightLeg 7,"
     "RightFoot 8,LowerBack 0,Spine 10,Spine1 11,Neck 12,Head 13,LeftShoulder 12,LeftArm 15,LeftForeArm 16,LeftHand 17,"
     "LThumb 18,RightShoulder 12,RightArm 20,RightForeArm 21,RightHand 22",
-    "CMU's ASF": "root -1,lhipjoint 0,lfemur 1,ltibia 2,lfoot 3,ltoes 4,rhipjoint 0,rfemur 6,rtibia 7,rfoot 8,lowerback 0,"
-    "upperback 10,thorax 11,lowerneck 12,head 13,lclavicle 12,lhumerus 15,lradius 16,lwrist 17,lfingers 18,rclavicle 12,"
-    "rhumerus 20,rradius 21,rwrist 22",
+    "CMU's ASF": "root -1,lhipjoint 0,lfemur 1,ltibia 2,lfoot 3,ltoes 4,rhipjoint 0,rfemur 6,rtibia 7,rfoot 8,"
+    "lowerback 0,upperback 10,thorax 11,lowerneck 12,head 13,lclavicle 12,lhumerus 15,lradius 16,lwrist 17,lfingers 18,"
+    "rclavicle 12,rhumerus 20,rradius 21,rwrist 22",
     "ankles": "Hips -1,LeftHip 0,LeftKnee 1,LeftAnkle 2,RightHip 0,RightKnee 4,RightAnkle 5,Chest 0,Neck 7,Head 8,"
     "LeftCollar 7,LeftShoulder 10,LeftElbow 11,LeftWrist 12,RightCollar 7,RightShoulder 14,RightElbow 15,RightWrist 16",
     "Unreal": "pelvis -1,thigh_l 0,calf_l 1,foot_l 2,ball_l 3,thigh_r 0,calf_r 5,foot_r 6,spine_01 0,spine_02 8,"
     "clavicle_l 9,upperarm_l 10,lowerarm_l 11,hand_l 12,clavicle_r 9,upperarm_r 14,lowerarm_r 15,hand_r 16,neck_01 9,"
     "head 18",
-    "Poser": "hip -1,abdomen 0,chest 1,neck 2,head 3,lCollar 2,lShldr 5,lForeArm 6,lHand 7,rCollar 2,rShldr 9,rForeArm 10,"
-    "rHand 11,lThigh 0,lShin 13,lFoot 14,rThigh 0,rShin 16,rFoot 17",
-    "ours, short": "pelvis -1,chest 0,uarm_l 1,farm_l 2,uarm_r 1,farm_r 4,thigh_l 0,shin_l 6,foot_l 7,thigh_r 0,shin_r 9,"
-    "foot_r 10",
+    "Poser": "hip -1,abdomen 0,chest 1,neck 2,head 3,lCollar 2,lShldr 5,lForeArm 6,lHand 7,rCollar 2,rShldr 9,"
+    "rForeArm 10,rHand 11,lThigh 0,lShin 13,lFoot 14,rThigh 0,rShin 16,rFoot 17",
+    "ours, short": "pelvis -1,chest 0,uarm_l 1,farm_l 2,uarm_r 1,farm_r 4,thigh_l 0,shin_l 6,foot_l 7,thigh_r 0,"
+    "shin_r 9,foot_r 10",
 }
 LIMBS = {
     "CMU": (2, 3, 4, 16, 17, 0, 12), "CMU's ASF": (2, 3, 4, 16, 17, 0, 12), "ankles": (1, 2, 3, 11, 12, 0, 7),
@@ -259,7 +261,9 @@ def test_parts_are_known_by_the_names_of_many_makers(maker):
     names, parents = zip(*(entry.split() for entry in NAMES[maker].split(",")), strict=True)
     found = roles(names, [int(parent) for parent in parents])
     parts = ("left_thigh", "left_shin", "left_foot", "left_upper_arm", "left_forearm", "pelvis", "chest")
-    assert {part: names[found[part]] for part in parts} == dict(zip(parts, (names[i] for i in LIMBS[maker]), strict=True))
+    assert {part: names[found[part]] for part in parts} == dict(
+        zip(parts, (names[i] for i in LIMBS[maker]), strict=True)
+    )
     prefixed = roles([f"mixamorig:{name}" for name in names], [int(parent) for parent in parents])
     assert prefixed == found
 
@@ -353,8 +357,8 @@ def test_the_unit_is_guessed_told_and_may_be_said(tmp_path, cartwheel):
     said = []
 
     class Ear(Teller):
-        def say(self, text):
-            said.append(text)
+        def say(self, line):
+            said.append(line)
 
     imported(path, teller=Ear())
     assert any("taken for centimetres" in text for text in said)

@@ -13,8 +13,7 @@ from runner.exchange import formats, hierarchy
 from runner.exchange.take import Take
 from runner.progress import Teller
 
-pytest.importorskip("pxr.UsdGeom")
-from pxr import Usd, UsdGeom  # noqa: E402
+Usd, UsdGeom = (pytest.importorskip(f"pxr.{name}") for name in ("Usd", "UsdGeom"))
 
 
 @pytest.fixture(scope="module", params=["puppet", "hand_on_rail"])
@@ -54,7 +53,8 @@ def test_geoms_reach_as_far_as_mujocos(take, stage):
     prims = {p.GetName(): p for p in stage.Traverse() if p.IsA(UsdGeom.Gprim)}
     assert len(prims) == len(shown)
     for geom in shown:
-        prim = prims[f"{model.geom(geom).name or f'geom{geom}'}_geom"]
+        name = model.geom(geom).name or f"geom{geom}"
+        prim = prims[f"{name.replace(' ', '_')}_geom"]
         matrix = np.array(cache.GetLocalToWorldTransform(prim))
         np.testing.assert_allclose(matrix[3, :3], data.geom_xpos[geom], atol=1e-6)
         if model.geom_type[geom] in (int(mujoco.mjtGeom.mjGEOM_PLANE), int(mujoco.mjtGeom.mjGEOM_HFIELD)):

@@ -1,8 +1,9 @@
 """BVH: centimetres, y up, the figure looks along z; a joint a body, its rotations relative to the model's own pose.
 
 A body's axes at rest may be turned against the world's; a joint's here never are: all angles are nought in the model's
-own pose, qpos0. Roots turn in the order Y X Z, joints in Z Y X, so that neither a turn nor a bent knee comes near a right
-angle in the middle. A body whose place in its parent changes (a slide, a joint off the body's origin) has positions, too.
+own pose, qpos0. Roots turn in the order Y X Z, joints in Z Y X, so that neither a turn nor a bent knee comes near a
+right angle in the middle. A body whose place in its parent changes (a slide, a joint off the body's origin) has
+positions, too.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """The text of a BVH file, Biovision's hierarchy and motion, to numbers and back; every complaint names the line.
 
-M. Meredith, S. Maddock, "Motion Capture File Formats Explained", University of Sheffield, 2001. Rotations are degrees about
-the axes in the order of the channels, each about what the ones before have turned. Where a joint has positions among its
-channels they take its offset's place, as Blender and MotionBuilder have it.
+M. Meredith, S. Maddock, "Motion Capture File Formats Explained", University of Sheffield, 2001. Rotations are degrees
+about the axes in the order of the channels, each about what the ones before have turned. Where a joint has positions
+among its channels they take its offset's place, as Blender has it.
 """
 
 from __future__ import annotations

@@ -111,7 +111,7 @@ class Captured:
         return min((float(self.at(toe, end)[low, 2]) for _, toe, end, low in self.feet.values()), default=0.0)
 
     def raised(self, by: float) -> Captured:
-        return replace(self, position=self.position + [0, 0, by])
+        return replace(self, position=self.position + np.array([0, 0, by]))
 
 
 def _unique(names: list[str]) -> list[str]:
@@ -142,7 +142,9 @@ def _unit(
         likely = {name: unit for name, unit in units.items() if LIKELY[0] <= longest * unit <= LIKELY[1]}
         if likely:
             name = min(likely, key=lambda each: abs(np.log(longest * likely[each] / REACH)))
-            return likely[name], (f"taken for {name}: the longest limb reaches {longest * likely[name]:.2f} m; else --scale",)
+            return likely[name], (
+                f"taken for {name}: the longest limb reaches {longest * likely[name]:.2f} m; else --scale",
+            )
     unit = REACH / longest
     return unit, (f"of no unit that fits a person: made {REACH:g} m from hips to toes; --scale says it",)
 

@@ -16,16 +16,19 @@ from .roles import lineage
 DENSITY = 1000.0  # [kg/m³]
 LEAST = 1e-3  # [m]: a shorter bone gets a ball
 # Radius by its bone's length, and the least and most of it [m]; by role, the trunk is thick and a foot flat
-THICKNESS = {"": (0.16, 0.007, 0.045), "thigh": (0.17, 0.03, 0.075), "shin": (0.13, 0.02, 0.055), "foot": (0.2, 0.015, 0.035),
-             "upper_arm": (0.16, 0.02, 0.05), "forearm": (0.15, 0.015, 0.04), "pelvis": (0.5, 0.05, 0.1),
-             "chest": (0.4, 0.04, 0.1), "neck": (0.5, 0.03, 0.055), "head": (0.5, 0.05, 0.09)}  # fmt: skip
+THICKNESS = {"": (0.16, 0.007, 0.045), "thigh": (0.17, 0.03, 0.075), "shin": (0.13, 0.02, 0.055),
+             "foot": (0.2, 0.015, 0.035), "upper_arm": (0.16, 0.02, 0.05), "forearm": (0.15, 0.015, 0.04),
+             "pelvis": (0.5, 0.05, 0.1), "chest": (0.4, 0.04, 0.1), "neck": (0.5, 0.03, 0.055),
+             "head": (0.5, 0.05, 0.09)}  # fmt: skip
 SIDES = ("left", "right")
 COLOURS = {"left": "0.17 0.45 0.56 1", "right": "0.93 0.55 0.22 1", "": "0.45 0.5 0.56 1"}
 
 
 def figure(captured: Captured) -> tuple[str, Array]:
     """The MJCF text and qpos (T, nq). The angles of the file's own zero are this figure's rest."""
-    lowest = min(captured.at_zero[:, 2].min(), *(captured.at_zero[i, 2] + end[2] for i, end in captured.ends.items()), 0.0)
+    lowest = min(
+        captured.at_zero[:, 2].min(), *(captured.at_zero[i, 2] + end[2] for i, end in captured.ends.items()), 0.0
+    )
     root = ET.Element("mujoco", model="captured")
     ET.SubElement(root, "compiler", angle="radian")
     default = ET.SubElement(root, "default")
@@ -51,7 +54,8 @@ def figure(captured: Captured) -> tuple[str, Array]:
     for body in bodies:  # what belongs to a body before what hangs on it
         body[:] = sorted(body, key=lambda child: child.tag == "body")
     qpos = np.concatenate(
-        [captured.position[:, 0], captured.rotation[:, 0], captured.local[:, 1:].reshape(len(captured.local), -1)], axis=1
+        [captured.position[:, 0], captured.rotation[:, 0], captured.local[:, 1:].reshape(len(captured.local), -1)],
+        axis=1,
     )
     ET.indent(root)
     return ET.tostring(root, encoding="unicode"), qpos
@@ -91,11 +95,13 @@ def _bones(body: ET.Element, captured: Captured, joint: int, name: str, role: st
 
 
 def _lines(captured: Captured, joint: int, role: str) -> list[tuple[Array, Array]]:
-    """From where to where (3,) its bones go; where left and right begin, up to between them, and from one to the other."""
+    """From where to where (3,) its bones go; where left and right begin, up between them, and from one to the other."""
     below = captured.children(joint)
     origin, tips = np.zeros(3), [captured.offset[child] for child in below]
     if role in ("pelvis", "chest"):
-        sides = [[tip for child, tip in zip(below, tips, strict=True) if _begins(captured, child) == side] for side in SIDES]
+        sides = [
+            [tip for child, tip in zip(below, tips, strict=True) if _begins(captured, child) == side] for side in SIDES
+        ]
         if len(sides[0]) == len(sides[1]) == 1:
             left, right = sides[0][0], sides[1][0]
             rest = [(origin, tip) for tip in tips if tip is not left and tip is not right]

@@ -1,8 +1,8 @@
 """glTF 2.0 (.glb): a node a body with its geoms as a mesh, moved by one animation; the root node turns z up to y up.
 
-https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html; metres, the figure looks along +z. Times are i / fps from 0 in
-float32, the format's only kind, so at 10 s they are off by up to half a microsecond; between samples viewers interpolate
-positions linearly and rotations along the arc. What never moves is a node's own place, and not animated.
+https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html; metres, the figure looks along +z. Times are i / fps from 0
+in float32, the format's only kind, so at 10 s they are off by up to half a microsecond; between samples viewers
+interpolate positions linearly and rotations along the arc. What never moves is a node's own place, and not animated.
 """
 
 from __future__ import annotations
@@ -53,9 +53,7 @@ class _Blob:
         flat = faces.ravel().astype(np.uint16 if small else np.uint32)
         view = self.view(flat.tobytes(), gl.ELEMENT_ARRAY_BUFFER)
         width = gl.UNSIGNED_SHORT if small else gl.UNSIGNED_INT
-        self.asset.accessors.append(
-            gl.Accessor(bufferView=view, componentType=width, count=len(flat), type=gl.SCALAR)
-        )
+        self.asset.accessors.append(gl.Accessor(bufferView=view, componentType=width, count=len(flat), type=gl.SCALAR))
         return len(self.asset.accessors) - 1
 
 
@@ -70,8 +68,8 @@ def write(take: Take, path: Path) -> None:
         gl.Node(name=name, translation=_least(position[0, body]), rotation=_least(hierarchy.xyzw(rotation[0, body])))
         for body, name in enumerate(names)
     ]
-    for body in range(1, model.nbody):
-        asset.nodes[int(model.body_parentid[body])].children.append(body)
+    for body in range(model.nbody):
+        asset.nodes[body].children = [int(child) for child in np.flatnonzero(model.body_parentid == body) if child]
     asset.nodes[0].rotation = hierarchy.xyzw(hierarchy.Y_UP).tolist()
     asset.nodes[0].translation = None
     _meshes(asset, blob, model, names, 10.0 + float(np.abs(take.bodies.position).max()))

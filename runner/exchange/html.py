@@ -43,7 +43,7 @@ def write(take: Take, path: Path) -> None:
 
 def page(take: Take) -> str:
     """The complete HTML text."""
-    folder = files(__package__) / "player"
+    folder = files("runner.exchange") / "player"
     parts = {
         "title": html.escape(take.name),
         "data": json.dumps(content(take), separators=(",", ":")).replace("<", "\\u003c"),

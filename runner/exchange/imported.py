@@ -26,7 +26,11 @@ def imported(
 ) -> Saved:
     """The motion in a file of another program, as the spline through all that was recorded.
 
-    figure  a shipped figure's name or a path to MJCF, for files that bring none; teller hears how the file was read; raises UserError
+    figure  a shipped figure's name or a path to MJCF, for files that bring none
+    fps, scale  [1/s], [m] the file's rate and unit of length, where it does not tell them
+    teller  hears how the file was read
+
+    Raises UserError.
     """
     teller = teller or Teller()
     spec = None if figure is None else figure_spec(figure)

@@ -2,8 +2,8 @@
 
 Every body that has a counterpart by its role turns with it: R_body(t) = R_joint(t) A, A constant. Where the captured
 skeleton stands upright when nothing is turned, as in a T-pose, A takes the figure's bones at rest to the skeleton's
-there by the shortest way. Where it does not (LAFAN1's bones all lie along x), A is made of two directions: the bone's, and
-the axis about which knee and elbow bend in the motion itself; hips and shoulders give those of pelvis and chest.
+there by the shortest way. Where it does not (LAFAN1's bones all lie along x), A is made of two directions: the bone's,
+and the axis about which knee and elbow bend in the motion itself; hips and shoulders give those of pelvis and chest.
 """
 
 from __future__ import annotations
@@ -22,13 +22,22 @@ from .captured import Captured
 from .roles import lineage, roles
 
 NEEDED = ("left_thigh", "right_thigh", "left_shin", "right_shin")
-NEXT = {"upper_arm": "forearm", "forearm": "hand", "thigh": "shin", "shin": "foot", "foot": "toe", "clavicle": "upper_arm"}
+NEXT = {
+    "upper_arm": "forearm",
+    "forearm": "hand",
+    "thigh": "shin",
+    "shin": "foot",
+    "foot": "toe",
+    "clavicle": "upper_arm",
+}
 UPRIGHT = 0.8  # cosine to the vertical of legs and trunk in a pose that counts as standing
 BENT = 0.15  # mean sine of an elbow's or knee's bend that tells its axis
 LOWEST = 2.0  # per cent of the images whose soles may be in the ground
 LEVEL = 0.001  # [m] that soles may be off the ground and be left there
 LISTED = 12
 STEPS = 40  # of Gauss-Newton on hinges
+STUCK = 0.02  # [rad] more than this off, it is tried again
+RETRIES = 4
 
 
 @dataclass(frozen=True)
@@ -67,14 +76,17 @@ def onto(captured: Captured, model: mujoco.MjModel, place: str) -> tuple[Array, 
         missing = [role for role in NEEDED if role not in found]
         if missing:
             listed = captured.names if found is captured.roles else hierarchy.names(model)[1:]
-            raise UserError(f"{place}: among {what} none is a {missing[0].replace('_', ' ')} by its name: {_some(listed)}")
+            raise UserError(
+                f"{place}: among {what} none is a {missing[0].replace('_', ' ')} by its name: {_some(listed)}"
+            )
     if model.jnt_type[0] != mujoco.mjtJoint.mjJNT_FREE or model.jnt_bodyid[0] != _root(standing):
         raise UserError(f"{place}: the figure's root, '{model.body(_root(standing)).name}', needs a free joint")
     shared = [role for role in standing.roles if role in captured.roles]
     alignment = _upright(captured, standing, shared) if _stands(captured) else _by_bends(captured, standing, shared)
     turns = {
         standing.roles[role]: quat.product(
-            quat.product(captured.rotation[:, captured.roles[role]], alignment[role]), standing.turn[standing.roles[role]]
+            quat.product(captured.rotation[:, captured.roles[role]], alignment[role]),
+            standing.turn[standing.roles[role]],
         )
         for role in shared
     }
@@ -202,8 +214,8 @@ def _by_bends(captured: Captured, standing: _Standing, shared: list[str]) -> dic
     out: dict[str, Array] = {}
     lateral: dict[str, Array] = {}
     for role, limb, top in (("pelvis", "thigh", "chest"), ("chest", "upper_arm", "neck")):
-        ends = [captured.roles.get(f"{side}_{limb}") for side in ("left", "right")]
-        if role not in shared or None in ends:
+        ends = [captured.roles[f"{side}_{limb}"] for side in ("left", "right") if f"{side}_{limb}" in captured.roles]
+        if role not in shared or len(ends) < 2:
             continue
         place = captured.position
         across = place[:, ends[0]] - place[:, ends[1]]
@@ -282,6 +294,9 @@ def _angles(model: mujoco.MjModel, turns: dict[int, Array]) -> Array:
         for each in chain:
             world[:, each] = _forward(model, qpos, [each], world[:, parent[each]])
         settled.update(chain)
+    for joint in range(model.njnt):
+        if model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_HINGE and not model.jnt_limited[joint]:
+            qpos[:, model.jnt_qposadr[joint]] = np.unwrap(qpos[:, model.jnt_qposadr[joint]])
     return qpos
 
 
@@ -331,13 +346,36 @@ def _reach(model: mujoco.MjModel, qpos: Array, chain: list[int], start: Array, w
     for i, joint in enumerate(hinges):
         if model.jnt_limited[joint]:
             low[i], high[i] = model.jnt_range[joint]
-    for _ in range(STEPS if hinges else 0):
-        now = _forward(model, qpos, chain, start)
-        short = quat.rotation_vector(quat.product(wanted, quat.conjugate(now)))
+    if not hinges:
+        return
+    short = _descend(model, qpos, chain, start, wanted, (hinges, columns, low, high))
+    for _ in range(RETRIES):  # from where a neighbouring image came to
+        far = np.linalg.norm(short, axis=1) > STUCK
+        if not far.any() or far.all():
+            return
+        near = np.flatnonzero(~far)
+        rows = np.flatnonzero(far)
+        donor = near[np.argmin(np.abs(rows[:, None] - near), axis=1)]
+        again = qpos[rows]
+        again[:, columns] = qpos[donor][:, columns]
+        left = _descend(model, again, chain, start[rows], wanted[rows], (hinges, columns, low, high))
+        better = np.linalg.norm(left, axis=1) < np.linalg.norm(short[rows], axis=1)
+        qpos[rows[better]], short[rows[better]] = again[better], left[better]
+
+
+def _descend(
+    model: mujoco.MjModel, qpos: Array, chain: list[int], start: Array, wanted: Array,
+    what: tuple[list[int], list[int], Array, Array],
+) -> Array:  # fmt: skip
+    """Gauss-Newton on hinges, their columns of qpos, and their least and greatest; (T, 3) what is left to turn."""
+    hinges, columns, low, high = what
+    for _ in range(STEPS):
+        short = quat.rotation_vector(quat.product(wanted, quat.conjugate(_forward(model, qpos, chain, start))))
         axes = np.stack([_axis(model, qpos, chain, start, joint) for joint in hinges], axis=-1)
         normal = np.swapaxes(axes, 1, 2) @ axes + 1e-6 * np.eye(len(hinges))
         step = np.linalg.solve(normal, np.swapaxes(axes, 1, 2) @ short[..., None])[..., 0]
         qpos[:, columns] = np.clip(qpos[:, columns] + np.clip(step, -0.5, 0.5), low, high)
+    return quat.rotation_vector(quat.product(wanted, quat.conjugate(_forward(model, qpos, chain, start))))
 
 
 def _axis(model: mujoco.MjModel, qpos: Array, chain: list[int], start: Array, hinge: int) -> Array:

@@ -23,9 +23,16 @@ MIDDLE = {
     "neck": ("neck",),
     "head": ("head",),
 }
-EITHER = {"arm": ("upper_arm", "forearm"), "leg": ("shin", "thigh"), "shoulder": ("clavicle", "upper_arm"), "hip": ("thigh",)}
+EITHER = {
+    "arm": ("upper_arm", "forearm"),
+    "leg": ("shin", "thigh"),
+    "shoulder": ("clavicle", "upper_arm"),
+    "hip": ("thigh",),
+}
 KNOWN = {word for words in WORDS.values() for word in words} | set(EITHER)
-PREFIX = re.compile(r"^(.*[:|])|^(mixamorig\d*|bip\d*|bip\d+|character\d*|b|def|org|skel|bone|jnt)[ _](?=.)", re.IGNORECASE)
+PREFIX = re.compile(
+    r"^(.*[:|])|^(mixamorig\d*|bip\d*|bip\d+|character\d*|b|def|org|skel|bone|jnt)[ _](?=.)", re.IGNORECASE
+)
 SPLIT = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+")
 
 
@@ -86,7 +93,7 @@ def _first(found: dict[str, int], role: str, fitting: list[int]) -> None:
 
 
 def _fits(found: dict[str, int], side: str, role: str, word: str, same: list[int], parents: Sequence[int]) -> bool:
-    """"Arm" is the upper arm above a forearm, and the forearm below an upper arm; "Shoulder" the collar above an arm."""
+    """An "arm" is the upper arm above a forearm and the forearm below an upper arm, a "shoulder" its collar."""
     if not same:
         return False
     if word == "shoulder" and role == "clavicle":

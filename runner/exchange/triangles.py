@@ -1,6 +1,7 @@
 """What is seen of a model: its visible geoms, how they look, and the triangles that draw them.
 
-What MuJoCo's own viewer hides unless told otherwise is left out: geoms of group 3 and above, and fully transparent ones.
+What MuJoCo's own viewer hides unless told otherwise is left out: geoms of group 3 and above, and fully transparent
+ones.
 """
 
 from __future__ import annotations
@@ -25,8 +26,8 @@ PLAIN = np.float32(0.5)  # MuJoCo's grey: a geom of this colour takes its materi
 class Piece:
     """A visible geom.
 
-    position (3,) [m] and rotation (4,), wxyz, in its body's frame; size (3,) as MuJoCo has it; colour (4,) RGBA,
-    linear or not as the model's author saw it on a screen; gloss in [0, 1]; picture: MuJoCo's id of the texture of a
+    position (3,) [m] and rotation (4,), wxyz, in its body's frame; size (3,) as MuJoCo has it; colour (4,) RGBA
+    as on a screen; gloss in [0, 1]; picture: MuJoCo's id of the texture of a
     plane, -1 for none
     """
 

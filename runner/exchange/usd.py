@@ -138,7 +138,11 @@ def _mesh(stage: Usd.Stage, model: mujoco.MjModel, piece: Piece, path: Sdf.Path,
 
 
 def _bind(
-    prim: UsdGeom.Gprim, model: mujoco.MjModel, piece: Piece, looks: dict[tuple[object, ...], UsdShade.Material], scope: Usd.Prim
+    prim: UsdGeom.Gprim,
+    model: mujoco.MjModel,
+    piece: Piece,
+    looks: dict[tuple[object, ...], UsdShade.Material],
+    scope: Usd.Prim,
 ) -> None:
     """Its colour, in linear light, and a material that it shares with all that look alike; a picture is one colour."""
     shown = piece.colour[:3] * (texels(model, piece.picture).mean(axis=(0, 1)) / 255 if piece.picture >= 0 else 1.0)
