@@ -125,6 +125,12 @@ const cast = (side, pieces, ghost) => {
     new THREE.MeshBasicMaterial({ colorWrite: false }),
     new THREE.MeshStandardMaterial({ color: 0xd9603b, transparent: true, opacity: 0.42, depthWrite: false, roughness: 0.9 }),
   ];
+  // Where both nearly coincide the solid one shows: to the depth test the ghost lies a few centimetres behind its place
+  for (const paint of veil || []) paint.onBeforeCompile = (shader) => {
+    shader.vertexShader = shader.vertexShader.replace("#include <project_vertex>", `#include <project_vertex>
+      vec4 behind = projectionMatrix * vec4(mvPosition.xyz + 0.05 * normalize(mvPosition.xyz), 1.0);
+      gl_Position.z = behind.z / behind.w * gl_Position.w;`);
+  };
   for (const piece of pieces) {
     if (!ghost) {
       const mesh = put(new THREE.Mesh(shape(piece), look(piece)), piece);
