@@ -304,7 +304,7 @@ def export(
         found = _found(source, None, None)
         _check_repeat(found, repeat)
         saved = _repeated(_saved(found, teller, with_report=False), repeat)
-        target = formats.export(saved, to, output, fps=fps)
+        target = formats.export(saved, to, output, fps=fps, tell=teller.say)
         teller.say(f"wrote {target}")
 
 
@@ -348,7 +348,7 @@ def list_formats() -> None:
 
     for each in FORMATS:
         ways = " and ".join(word for word, yes in (("reads", each.reads), ("writes", each.writes)) if yes)
-        print(f"{each.name:12} {each.ending:6} {ways:16} {each.says}")
+        print(f"{each.name:12} {each.ending:15} {ways:16} {each.says}")
 
 
 @app.command()
@@ -478,11 +478,12 @@ def _found(source: str, model: str | None, keys: str | None, fps: float | None =
 
 
 def _saved(found: Clip | Saved, teller: Teller, *, with_report: bool, solve: bool = True) -> Saved:
-    """A saved motion as it is, or a clip solved now."""
+    """A saved motion as it is, measured if it never was, or a clip solved now."""
     from . import motion, work
+    from .edits import measured
 
     if isinstance(found, motion.Saved):
-        return found
+        return measured(found, teller, "not searched: imported") if with_report and not found.report else found
     return (work.solve(found, teller) if solve else work.unsolved(found)).saved(teller, with_report)
 
 

@@ -60,6 +60,9 @@ def test_a_row_cut_short_and_an_unknown_format_are_told(saved, tmp_path):
     path.write_text("0,1,2\n0,1\n")
     with pytest.raises(UserError, match="row 2 does not hold 3 numbers"):
         csv_table.read(path, saved.figure.model, None)
+    path.write_bytes(b"time,x\n\xff\xfe1")
+    with pytest.raises(UserError, match="not a table of text"):
+        csv_table.read(path, saved.figure.model, None)
     with pytest.raises(UserError, match="did you mean 'csv'"):
         formats.export(saved, "cvs", tmp_path / "a")
     with pytest.raises(UserError, match="give --from"):

@@ -41,8 +41,11 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     """With our heading, columns in any order; without one nq columns, or the time and nq columns."""
     if model is None:
         raise UserError(f"{path}: a table of qpos is for a figure; give --figure")
-    with path.open(newline="", encoding="utf-8-sig") as stream:
-        rows = [row for row in csv.reader(stream) if any(cell.strip() for cell in row)]
+    try:
+        with path.open(newline="", encoding="utf-8-sig") as stream:
+            rows = [row for row in csv.reader(stream) if any(cell.strip() for cell in row)]
+    except (UnicodeDecodeError, csv.Error) as error:
+        raise UserError(f"{path}: not a table of text: {error}") from None
     if not rows:
         raise UserError(f"{path}: the file is empty")
     heading = None if _is_number(rows[0][0]) else [cell.strip() for cell in rows[0]]

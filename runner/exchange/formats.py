@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
@@ -20,6 +21,9 @@ class Format:
 
     The module has `write(take, path)` if others can read what we write, and `read(path, model, fps)`, which gives a
     Recording, if we can read what others write; model is None where the user named no figure. Both raise UserError.
+    It may have `beside(take)`, texts by the ending of the file, beside the motion's, that receives it (the hinge model
+    that a motion is for), and `recognises(path)`, for endings that several formats share.
+    also   endings of the same format that are read
     scales the files do not say their unit of length: `read` takes `scale` [m], None to guess
     extra  of `pip install 'dynamic-splines[...]'`, where the format needs more than the main job
     """
@@ -32,10 +36,20 @@ class Format:
     reads: bool = False
     scales: bool = False
     extra: str | None = None
+    also: tuple[str, ...] = ()
 
 
 FORMATS = (
     Format("csv", ".csv", "a row an instant: time, then qpos, under the joints' names", "csv_table", reads=True),
+    Format("npz", ".qpos.npz", "time, qpos, qvel, qacc, names and the figure as plain arrays", "arrays", reads=True),
+    Format("mjcf", ".keys.xml", "figure and scene with a <key> an instant", "mjcf_keys", reads=True, also=(".xml",)),
+    Format("mjlab", ".mjlab.npz", "mjlab, BeyondMimic: hinges and bodies in the world", "mjlab", reads=True),
+    Format("mjlab-csv", ".mjlab.csv", "their input: root, quaternion xyzw, hinges; no names", "mjlab_csv", reads=True),
+    Format("locomujoco", ".loco.npz", "a trajectory of LocoMuJoCo, with all of its arrays", "locomujoco", reads=True),
+    Format("gmr", ".gmr.pkl", "GMR: root, quaternion xyzw, hinges, bodies about the root", "gmr", reads=True),
+    Format("mimickit", ".mimickit.pkl", "MimicKit: root and ball joints as rotation vectors", "mimickit", reads=True),
+    Format("deepmimic", ".deepmimic.json", "DeepMimic's humanoid", "deepmimic", reads=True, also=(".txt", ".json")),
+    Format("amass", ".amass.npz", "AMASS: motion capture on the SMPL body", "amass", writes=False, reads=True),
     Format("bvh", ".bvh", "a skeleton and its angles, y up, centimetres", "bvh", reads=True, scales=True),
     Format("gltf", ".glb", "meshes and one animation, for Blender, engines and the web", "gltf", extra="gltf"),
     Format("usd", ".usdc", "meshes and one time code a sample; .usda for text", "usd", extra="usd"),
@@ -55,22 +69,42 @@ def readers() -> dict[str, Format]:
 
 def writer(name: str) -> Format:
     """The format to export to; raises UserError that lists them."""
-    if name not in writers():
-        raise UserError(unknown("format", name, writers()))
-    return writers()[name]
+    known = writers()
+    if name not in known and name in readers():
+        raise UserError(f"the format '{name}' is read only; written are: {', '.join(known)}")
+    if name not in known:
+        raise UserError(unknown("format", name, known))
+    return known[name]
 
 
-def export(saved: Saved, kind: str, target: Path | None = None, *, fps: float | None = None) -> Path:
+def export(
+    saved: Saved,
+    kind: str,
+    target: Path | None = None,
+    *,
+    fps: float | None = None,
+    tell: Callable[[str], None] | None = None,
+) -> Path:
     """Writes a motion in another format, whole or not at all; where to, if not said, its name and the format's ending.
 
+    tell   takes lines for the user: what else was written, and what the format could not hold
     Raises UserError for an unknown format, a missing extra, and what the format cannot hold.
     """
     form = writer(kind)
     target = target or Path(f"{saved.name}{form.ending}")
     check_target(target)
-    write = _module(form).write
+    module = _module(form)
+    take = Take.of(saved, fps)
     with Replacement(target) as temporary:
-        write(Take.of(saved, fps), temporary)
+        module.write(take, temporary)
+    for ending, text in module.beside(take).items() if hasattr(module, "beside") else ():
+        other = target.with_suffix(ending)
+        with Replacement(other) as temporary:
+            temporary.write_text(text, encoding="utf-8")
+        take.notes.append(f"wrote {other}")
+    if tell is not None:
+        for note in take.notes:
+            tell(note)
     return target
 
 
@@ -87,23 +121,36 @@ def recording(
     model  the figure that it is for; fps [1/s] of files that do not tell it; scale [m], their unit of length, likewise
     """
     known = readers()
-    if kind is None:
-        fitting = [each for each in known.values() if source.name.lower().endswith(each.ending)]
-        if len(fitting) != 1:
-            names = ", ".join(each.name for each in fitting or known.values())
-            raise UserError(f"'{source}': its ending does not tell its format; give --from, one of: {names}")
-        form = fitting[0]
-    elif kind not in known:
+    if kind is not None and kind not in known:
         raise UserError(unknown("format", kind, known))
-    else:
-        form = known[kind]
-    if not source.is_file():
-        raise UserError(f"'{source}' is a folder, not a file" if source.is_dir() else f"no file '{source}'")
+    form = known[kind] if kind is not None else _told(source)
+    _check_file(source)
     if form.scales:
         return _module(form).read(source, model, fps, scale=scale)
     if scale is not None:
         raise UserError(f"{source}: lengths of the format '{form.name}' are metres; --scale is not for it")
     return _module(form).read(source, model, fps)
+
+
+def _check_file(source: Path) -> None:
+    if not source.is_file():
+        raise UserError(f"'{source}' is a folder, not a file" if source.is_dir() else f"no file '{source}'")
+
+
+def _told(source: Path) -> Format:
+    """The format that a file's ending tells, or, where several share it, what is in the file."""
+    name, known = source.name.lower(), readers().values()
+    own = [each for each in known if name.endswith(each.ending)]
+    if own:
+        return max(own, key=lambda each: len(each.ending))
+    sharing = [each for each in known if name.endswith(("." + each.ending.rpartition(".")[2], *each.also))]
+    if sharing:
+        _check_file(source)
+    fitting = [each for each in sharing if not hasattr(_module(each), "recognises") or _module(each).recognises(source)]
+    if len(fitting) != 1:
+        names = ", ".join(each.name for each in fitting or sharing or known)
+        raise UserError(f"'{source}': its ending does not tell its format; give --from, one of: {names}")
+    return fitting[0]
 
 
 def _module(form: Format) -> Any:

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import mujoco
 import numpy as np
+
+from solver.frame import TimelineError
 
 from .. import clip as clips
 from ..motion import Saved
@@ -30,7 +33,7 @@ def imported(
     fps, scale  [1/s], [m] the file's rate and unit of length, where it does not tell them
     teller  hears how the file was read
 
-    Raises UserError.
+    Raises UserError. What loops in the file is a loop, if its last pose is its first, moved on.
     """
     teller = teller or Teller()
     spec = None if figure is None else figure_spec(figure)
@@ -41,4 +44,9 @@ def imported(
     assert spec is not None, "a reader gives a figure or asks for one"
     rate = told.fps or (float(np.round(1 / np.median(np.diff(told.time)), 6)) if told.time.size > 1 else 30.0)
     found = clips.from_qpos(source.stem, compose(spec), told.time, told.qpos, rate, source.name)
+    if told.loops:
+        try:
+            return unsolved(replace(found, ends="periodic")).saved(teller, with_report=False)
+        except TimelineError:
+            teller.say("note: the file says that it loops, but its last pose is not its first; it is read as it is")
     return unsolved(found).saved(teller, with_report=False)

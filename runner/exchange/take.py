@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import mujoco
@@ -12,6 +12,7 @@ from solver.figure import Figure
 from solver.quaternion import Array
 
 from ..motion import Saved, sampled
+from .hinged import Hinged
 
 
 @dataclass(frozen=True)
@@ -19,7 +20,8 @@ class Take:
     """A motion to be written: time[i] = time[0] + i / fps.
 
     time (T,) [s]; qpos (T, nq), qvel and qacc (T, nv) in MuJoCo's order and units, quaternions wxyz, unit and
-    sign-continuous; saved: the motion that it was taken from, with its keyframes, frames and scene
+    sign-continuous; saved: the motion that it was taken from, with its keyframes, frames and scene; notes: lines for
+    the user that a format adds to
     """
 
     saved: Saved
@@ -28,6 +30,7 @@ class Take:
     qpos: Array
     qvel: Array
     qacc: Array
+    notes: list[str] = field(default_factory=list)
 
     @classmethod
     def of(cls, saved: Saved, fps: float | None = None) -> Take:
@@ -47,6 +50,28 @@ class Take:
     @property
     def name(self) -> str:
         return self.saved.name
+
+    @property
+    def is_loop(self) -> bool:
+        """Whether the last sample is the first again, further on by what the root has travelled."""
+        return self.saved.timeline.ends == "periodic"
+
+    @cached_property
+    def period(self) -> Take:
+        """A loop at the rate nearest to its own that samples its end too; other motions as they are."""
+        if not self.is_loop:
+            return self
+        times = self.saved.timeline.times
+        lasts = float(times[-1] - times[0])
+        return Take.of(self.saved, max(1, round(lasts * self.fps)) / lasts)
+
+    @cached_property
+    def hinged(self) -> Hinged:
+        """The motion of the figure with three hinges for every ball joint."""
+        out = Hinged.of(self.model, self.saved.mjcf, self.qpos, self.qvel)
+        if (warning := out.warning(self.time)) is not None:
+            self.notes.append(warning)
+        return out
 
     @cached_property
     def bodies(self) -> Bodies:
@@ -94,6 +119,7 @@ class Recording:
 
     mjcf   the figure that the file brings along (BVH's hierarchy, say), or None: it is for the figure that was given
     fps    [1/s] if the file says it more exactly than its times; notes  what the user should know of how it was read
+    loops  the file says that its last sample is the first again, moved on
     """
 
     time: Array
@@ -101,3 +127,4 @@ class Recording:
     mjcf: str | None = None
     fps: float | None = None
     notes: tuple[str, ...] = ()
+    loops: bool = False

@@ -1,0 +1,122 @@
+"""The arrays that a file holds, by name, their shapes checked as they are taken out; .npz files, without pickles."""
+
+from __future__ import annotations
+
+import zipfile
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from solver.quaternion import Array
+
+from ..errors import UserError
+
+LARGEST = 1e9
+
+
+class Held:
+    """What a file holds, by name; errors say which file, what is missing, and what is there instead.
+
+    place   how errors call the file
+    """
+
+    def __init__(self, place: object, entries: Mapping[str, Any]) -> None:
+        self.place, self.entries = place, entries
+        self.sizes: dict[str, int] = {}
+
+    def __contains__(self, name: str) -> bool:
+        return self.entries.get(name) is not None
+
+    def of(self, name: str) -> Any:
+        """An entry as it is; raises UserError if there is none."""
+        if name not in self:
+            there = ", ".join(map(str, self.entries)) or "nothing"
+            raise UserError(f"{self.place}: no '{name}'; it holds: {there}")
+        return self.entries[name]
+
+    def numbers(self, name: str, *shape: int | str) -> Array:
+        """An array of finite numbers; letters in its shape are sizes that it shares with others, any at first."""
+        found = self.of(name)
+        try:
+            array = np.asarray(found)
+        except ValueError:
+            raise UserError(f"{self.place}: '{name}' has rows of different lengths") from None
+        if array.dtype.kind not in "fiu":
+            raise UserError(f"{self.place}: '{name}' holds {array.dtype.name}, not numbers")
+        wanted = [self.sizes.get(size, size) if isinstance(size, str) else size for size in shape]
+        fits = array.ndim == len(shape)
+        if not fits or any(isinstance(w, int) and w != n for w, n in zip(wanted, array.shape, strict=True)):
+            told = ", ".join(map(str, wanted)) + ("," if len(wanted) == 1 else "")
+            raise UserError(f"{self.place}: '{name}' has the shape {array.shape}, not ({told})")
+        self.sizes |= {size: n for size, n in zip(shape, array.shape, strict=True) if isinstance(size, str)}
+        array = array.astype(float)
+        if not np.all(np.abs(array) <= LARGEST):
+            what = "is too large" if np.all(np.isfinite(array)) else "is not a finite number"
+            raise UserError(f"{self.place}: '{name}': an entry {what}")
+        return array
+
+    def quaternions(self, name: str, *shape: int | str, scalar_last: bool = False) -> Array:
+        """Unit quaternions wxyz, of an array of quaternions wxyz, or xyzw if the scalar comes last."""
+        array = self.numbers(name, *shape)
+        length = np.linalg.norm(array, axis=-1, keepdims=True)
+        if np.any(np.abs(length - 1) > 0.01):
+            raise UserError(
+                f"{self.place}: '{name}': a quaternion of length {length.flat[np.argmax(abs(length - 1))]:.3g}"
+            )
+        array = array / length
+        return np.roll(array, 1, -1) if scalar_last else array
+
+    def rate(self, name: str) -> float:
+        """Samples a second, a number or an array of one."""
+        array = np.asarray(self.of(name))
+        if array.dtype.kind not in "fiu" or array.size != 1 or not 0.01 <= float(array.reshape(())) <= 100_000:
+            raise UserError(f"{self.place}: '{name}' is not a number of samples a second from 0.01 to 100000")
+        return float(array.reshape(()))
+
+    def texts(self, name: str) -> list[str]:
+        """A list of names."""
+        array = np.asarray(self.of(name))
+        if array.ndim != 1 or array.dtype.kind not in "UO" or not all(isinstance(each, str) for each in array.tolist()):
+            raise UserError(f"{self.place}: '{name}' is not a list of names")
+        return array.tolist()
+
+
+def held(source: Path) -> Held:
+    """The arrays of an .npz; those that are pickled objects count as not there, for pickles are never loaded."""
+    try:
+        with source.open("rb") as stream:
+            if not zipfile.is_zipfile(stream):
+                raise UserError(f"{source}: not an .npz file, or cut short")
+            stream.seek(0)
+            with np.load(stream, allow_pickle=False) as archive:
+                found = {name: _unpickled(archive, name) for name in archive.files}
+    except UserError:
+        raise
+    except Exception as error:  # a damaged zip raises nearly anything
+        raise UserError(f"{source}: not a readable .npz file: {' '.join(str(error).split())}") from None
+    return Held(source, {name: array for name, array in found.items() if isinstance(array, np.ndarray)})
+
+
+def _unpickled(archive: Any, name: str) -> Any:
+    try:
+        return archive[name]
+    except ValueError as error:
+        if "allow_pickle" in str(error):
+            return None
+        raise
+
+
+def names_in(source: Path) -> set[str]:
+    """The names of an .npz file's arrays, without reading them; none if it is no such file."""
+    try:
+        with zipfile.ZipFile(source) as archive:
+            return {name.removesuffix(".npy") for name in archive.namelist()}
+    except (OSError, zipfile.BadZipFile):
+        return set()
+
+
+def times(count: int, fps: float) -> Array:
+    """(count,) [s]: samples from 0 on."""
+    return np.arange(count) / fps

@@ -1,0 +1,117 @@
+"""A figure as robotics has it: one tree of bodies on a free root, and a row of hinges (and slides)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import mujoco
+import numpy as np
+
+from solver.quaternion import Array
+
+from ..errors import UserError
+from .hinged import Layout
+
+FREE, BALL = int(mujoco.mjtJoint.mjJNT_FREE), int(mujoco.mjtJoint.mjJNT_BALL)
+
+
+@dataclass(frozen=True, eq=False)
+class Robot:
+    """The tree of a model of free joint and hinges.
+
+    bodies   MuJoCo's ids, the root first; joints  ids of hinges and slides; root  first column of the root in qpos
+    """
+
+    model: mujoco.MjModel
+    bodies: list[int]
+    joints: list[int]
+    root: int
+
+    @classmethod
+    def of(cls, model: mujoco.MjModel, form: str) -> Robot:
+        """Of a model without ball joints; raises UserError, which names the format, unless it is such a tree."""
+        kinds = model.jnt_type.tolist()
+        if BALL in kinds:
+            raise UserError(f"{form}: '{model.joint(kinds.index(BALL)).name}' is a ball joint")
+        if kinds.count(FREE) != 1:
+            many = kinds.count(FREE) or "none"
+            raise UserError(f"the format '{form}' is for a figure with one free joint, its root; this one has {many}")
+        free = kinds.index(FREE)
+        root = int(model.jnt_bodyid[free])
+        bodies = [body for body in range(model.nbody) if model.body_rootid[body] == root]
+        joints = [joint for joint in range(model.njnt) if joint != free]
+        outside = next((joint for joint in joints if int(model.jnt_bodyid[joint]) not in bodies), None)
+        if outside is not None:
+            name = model.joint(outside).name
+            raise UserError(
+                f"the format '{form}' holds one figure on a free root; the joint '{name}' is of another body"
+            )
+        return cls(model, bodies, joints, int(model.jnt_qposadr[free]))
+
+    @property
+    def joint_names(self) -> list[str]:
+        return [self.model.joint(joint).name or f"joint{joint}" for joint in self.joints]
+
+    @property
+    def body_names(self) -> list[str]:
+        return [self.model.body(body).name or f"body{body}" for body in self.bodies]
+
+    @property
+    def columns(self) -> list[int]:
+        """Of the joints in qpos."""
+        return [int(self.model.jnt_qposadr[joint]) for joint in self.joints]
+
+    @property
+    def dofs(self) -> list[int]:
+        """Of the joints in qvel."""
+        return [int(self.model.jnt_dofadr[joint]) for joint in self.joints]
+
+
+def configurations(
+    model: mujoco.MjModel,
+    form: str,
+    place: object,
+    position: Array,
+    rotation: Array,
+    joints: Array,
+    names: Sequence[str] | None = None,
+) -> Array:
+    """qpos (T, nq) of a figure, of ball joints too, from what robotics records of it.
+
+    position (T, 3), rotation (T, 4) wxyz of the root; joints (T, n) [rad, m], of the names, or in the figure's order if
+    there are none: three hinges for a ball joint, as `hinged` names and orders them. place: how errors call the file.
+    """
+    layout = Layout(model)
+    kinds = model.jnt_type.tolist()
+    if kinds.count(FREE) != 1:
+        raise UserError(f"{place}: the format '{form}' is for a figure with one free joint, its root")
+    free = kinds.index(FREE)
+    wanted = [name for joint, own in layout.joints if joint != free for name in own]
+    if names is None and joints.shape[1] != len(wanted):
+        raise UserError(f"{place}: {joints.shape[1]} joints; the figure has {len(wanted)}: {', '.join(wanted)}")
+    order = list(range(len(wanted))) if names is None else _order(list(names), wanted, place)
+    sorted_joints = joints[:, order]
+    before = sum(len(own) for joint, own in layout.joints if joint < free)
+    hinges = [sorted_joints[:, :before], position, rotation, sorted_joints[:, before:]]
+    return layout.back(np.concatenate(hinges, 1))
+
+
+def _order(names: list[str], wanted: list[str], place: object) -> list[int]:
+    """Where the file has the figure's joints; raises UserError unless they are the same."""
+    missing = [name for name in wanted if name not in names]
+    if missing:
+        raise UserError(
+            f"{place}: no joint '{missing[0]}'; it has: {', '.join(names)}; the figure: {', '.join(wanted)}"
+        )
+    foreign = [name for name in names if name not in wanted]
+    if foreign:
+        raise UserError(f"{place}: the figure has no joint '{foreign[0]}'; it has: {', '.join(wanted)}")
+    return [names.index(name) for name in wanted]
+
+
+def needs_figure(model: mujoco.MjModel | None, place: object) -> mujoco.MjModel:
+    """The figure that a file is for; raises UserError if the user named none."""
+    if model is None:
+        raise UserError(f"{place}: it is for a figure, which it does not hold; give --figure")
+    return model

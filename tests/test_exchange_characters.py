@@ -1,0 +1,299 @@
+"""MimicKit, DeepMimic and AMASS: their kinematics written out by hand from their own conventions, against MuJoCo's."""
+
+import json
+import pickle
+
+import mujoco
+import numpy as np
+import pytest
+import wild
+from scipy.spatial.transform import Rotation
+
+import models
+from runner.errors import UserError
+from runner.exchange import formats, mimickit
+from runner.exchange.imported import imported
+
+HUMAN = mujoco.MjModel.from_xml_string(models.figure_text("human"))
+Y_UP = Rotation.from_matrix([[1, 0, 0], [0, 0, 1], [0, -1, 0]])  # from our axes to DeepMimic's: x, up, right
+
+
+@pytest.fixture(scope="module")
+def human():
+    return wild.motion_of("human")
+
+
+@pytest.fixture(scope="module")
+def hinged_knees():
+    """Knees and elbows turn about their axis alone, as DeepMimic's do."""
+    return wild.with_hinges(wild.motion_of("human", spread=1.2), "knee", "elbow")
+
+
+def exported(saved, kind, folder):
+    notes = []
+    target = formats.export(saved, kind, folder / f"out{formats.writer(kind).ending}", tell=notes.append)
+    return target, notes
+
+
+def came_back(saved, target, figure="human", tolerance=1e-9):
+    back = imported(target, figure=figure)
+    before, after = wild.samples(saved), wild.samples(back, saved.fps)
+    np.testing.assert_allclose(after.time - after.time[0], before.time - before.time[0], atol=1e-9)
+    wild.same_poses(saved.figure.model, before.qpos, after.qpos, tolerance)
+
+
+def test_mimickit_frames_are_root_and_joints_as_rotation_vectors(human, tmp_path):
+    target, notes = exported(human, "mimickit", tmp_path)
+    with target.open("rb") as stream:
+        held = pickle.load(stream)
+    assert (held["fps"], held["loop_mode"]) == (wild.FPS, 0)
+    frames, before = np.array(held["frames"]), wild.samples(human)
+    model = mujoco.MjModel.from_xml_path(str(target.with_suffix(".character.xml")))
+    assert notes == [f"wrote {target.with_suffix('.character.xml')}"]
+    truth = wild.poses(human.figure.model, before.qpos)
+    # forward_kinematics of kin_char_model.py: parent, then the body's rest, then the joint
+    for t in (0, 17, 60):
+        position, rotation = {0: frames[t, :3]}, {0: Rotation.from_rotvec(frames[t, 3:6])}
+        bodies = [i for i in range(1, model.nbody) if model.body_jntnum[i]]
+        place = {body: n for n, body in enumerate(bodies)}
+        for n, body in enumerate(bodies[1:], 1):
+            joints = [model.joint(model.body_jntadr[body] + i).name for i in range(3)]
+            assert [name[-2:] for name in joints] == ["_x", "_y", "_z"]  # which makes it a ball joint there
+            above = place[int(model.body_parentid[body])]
+            rest = Rotation.from_quat(model.body_quat[body], scalar_first=True)
+            position[n] = position[above] + rotation[above].apply(model.body_pos[body])
+            rotation[n] = rotation[above] * rest * Rotation.from_rotvec(frames[t, 3 + 3 * n : 6 + 3 * n])
+        np.testing.assert_allclose([position[n] for n in place.values()], truth["xpos"][t, bodies], atol=1e-9)
+        own = np.array([rotation[n].as_matrix() for n in place.values()])
+        np.testing.assert_allclose(own, truth["xmat"][t, bodies].reshape(-1, 3, 3), atol=1e-9)
+    came_back(human, target)
+
+
+def test_mimickit_takes_three_hinges_on_a_body_for_a_ball_joint(tmp_path):
+    (tmp_path / "robot.xml").write_text(wild.ROBOT)
+    robot = wild.motion_of(str(tmp_path / "robot.xml"))
+    target, notes = exported(robot, "mimickit", tmp_path)
+    with target.open("rb") as stream:
+        frames = np.array(pickle.load(stream)["frames"])
+    before = wild.samples(robot)
+    assert frames.shape[1] == 6 + 3 + 1 + 1 and notes == []
+    leg = Rotation.from_euler("YXZ", before.qpos[:, 7:10])
+    np.testing.assert_allclose(Rotation.from_rotvec(frames[:, 6:9]).as_matrix(), leg.as_matrix(), atol=1e-12)
+    np.testing.assert_array_equal(frames[:, 9:], before.qpos[:, 10:])
+    came_back(robot, target, str(tmp_path / "robot.xml"))
+    slides = mujoco.MjModel.from_xml_string(
+        wild.ROBOT.replace('name="arm_pitch" type="hinge"', 'name="arm" type="slide"')
+    )
+    with pytest.raises(UserError, match="a body; 'arm' has others"):
+        mimickit.parts(slides)
+
+
+@pytest.mark.parametrize("kind", ["mimickit", "deepmimic"])
+def test_a_loop_wraps_and_its_last_frame_is_the_first_moved_on(kind, tmp_path):
+    walk = wild.loop()
+    period = walk.timeline.times[-1] - walk.timeline.times[0]
+    target, _ = exported(walk, kind, tmp_path)
+    if kind == "mimickit":
+        held = pickle.loads(target.read_bytes())
+        frames = np.array(held["frames"])
+        assert held["loop_mode"] == 1 and (len(frames) - 1) / held["fps"] == pytest.approx(period, abs=1e-12)
+        first, last = frames[0], frames[-1]
+    else:
+        held = json.loads(target.read_text())
+        frames = np.array(held["Frames"])
+        assert held["Loop"] == "wrap" and frames[:-1, 0].sum() == pytest.approx(period, abs=1e-12)
+        assert frames[-1, 0] == 0
+        first, last = frames[0, 1:], frames[-1, 1:]
+    assert last[0] - first[0] > 0.5
+    np.testing.assert_allclose(last[3:], first[3:], atol=1e-9)
+    back = imported(target, figure="human")
+    assert back.timeline.times[-1] - back.timeline.times[0] == pytest.approx(period, abs=1e-9)
+    assert back.timeline.ends == "periodic" and len(wild.samples(back).time) == len(frames)
+    if kind == "mimickit":
+        before = wild.samples(walk, held["fps"])
+        wild.same_poses(walk.figure.model, before.qpos, wild.samples(back).qpos, 1e-4)
+
+
+def test_a_file_that_only_says_that_it_loops_is_read_as_it_is(hinged_knees, tmp_path):
+    target, _ = exported(hinged_knees, "deepmimic", tmp_path)
+    target.write_text(target.read_text().replace('"none"', '"wrap"'))
+    assert imported(target, figure="human").timeline.ends == "free"
+    came_back(hinged_knees, target)
+
+
+def deepmimic_bodies(frame):
+    """The root's place in a frame, and world rotations of their humanoid's bodies, in our axes, by their names."""
+    assert len(frame) == 44
+    root = Rotation.from_quat(frame[4:8], scalar_first=True)
+    world, start = {"root": root}, 8
+    above = {"chest": "root", "neck": "chest", "shoulder": "chest", "elbow": "shoulder", "hip": "root", "knee": "hip"}
+    above["ankle"] = "knee"
+    limbs = [f"{side}_{part}" for side in ("right", "left") for part in ("hip", "knee", "ankle", "shoulder", "elbow")]
+    for name in ("chest", "neck", *limbs):
+        part = name.split("_")[-1]
+        if part in ("knee", "elbow"):
+            own, width = Rotation.from_rotvec([0, 0, frame[start]]), 1
+        else:
+            own, width = Rotation.from_quat(frame[start : start + 4], scalar_first=True), 4
+        parent = above[part] if above[part] in ("root", "chest") else name.replace(part, above[part])
+        world[name] = world[parent] * own
+        start += width
+    return frame[1:4], {name: (Y_UP.inv() * own * Y_UP).as_matrix() for name, own in world.items()}
+
+
+def test_deepmimic_has_y_up_and_angles_about_z_at_knees_and_elbows(hinged_knees, tmp_path):
+    target, notes = exported(hinged_knees, "deepmimic", tmp_path)
+    held, before = json.loads(target.read_text()), wild.samples(hinged_knees)
+    model = hinged_knees.figure.model
+    truth = wild.poses(model, before.qpos)
+    assert held["Loop"] == "none" and len(held["Frames"]) == len(before.time)
+    np.testing.assert_allclose(np.array(held["Frames"])[:-1, 0], 1 / wild.FPS, atol=1e-15)
+    sole = 0.421546 + 0.409870 + 0.05  # of their legs and feet; ours stands with its hips at 0.93
+    for t in (0, 23, 60):
+        at, world = deepmimic_bodies(held["Frames"][t])
+        np.testing.assert_allclose(np.array([at[0], -at[2], at[1]]) * 0.93 / sole, before.qpos[t, :3], atol=1e-9)
+        for name, rotation in world.items():
+            if name == "neck":
+                continue
+            body = model.body("pelvis").id if name == "root" else None
+            joint = {"chest": "spine"}.get(name, name)
+            body = int(model.jnt_bodyid[model.joint(joint).id]) if body is None else body
+            np.testing.assert_allclose(rotation, truth["xmat"][t, body].reshape(3, 3), atol=1e-9, err_msg=name)
+    assert notes == []
+    came_back(hinged_knees, target)
+
+
+def test_deepmimic_bends_the_right_way_and_keeps_left_and_right(tmp_path):
+    """A frame as their files have it: a bent right knee, a bent left elbow, and the root tipped forward."""
+    frame = [1.0, 0.3, 0.9, -0.2, *np.roll(Rotation.from_rotvec([0, 0, -0.4]).as_quat(), 1)]
+    frame += [1, 0, 0, 0, 1, 0, 0, 0]  # chest, neck
+    for side in ("right", "left"):
+        frame += [1, 0, 0, 0, -1.1 if side == "right" else 0, 1, 0, 0, 0, 1, 0, 0, 0, 1.3 if side == "left" else 0]
+    qpos = _read({"Loop": "none", "Frames": [frame, frame]}, tmp_path)
+    data = mujoco.MjData(HUMAN)
+    data.qpos = qpos[0]
+    mujoco.mj_kinematics(HUMAN, data)
+    np.testing.assert_allclose(qpos[0, :3], np.array([0.3, 0.2, 0.9]) * 0.93 / 0.881416, atol=1e-9)
+    assert data.body("chest").xpos[0] > data.body("pelvis").xpos[0]  # forward
+    foot, other = (data.body(f"{side}_foot").xpos for side in ("right", "left"))
+    assert foot[1] < other[1] and foot[0] < other[0] and foot[2] > other[2]  # to the right, heel to the back and up
+    hands = [data.site(f"{side}_hand").xpos - data.body(f"{side}_forearm").xpos for side in ("left", "right")]
+    assert hands[0][0] > hands[1][0] + 0.2 and hands[0][1] == pytest.approx(-hands[1][1])  # the left one forward
+
+
+def _read(content, folder):
+    (folder / "out.deepmimic.json").write_text(json.dumps(content))
+    return formats.recording(folder / "out.deepmimic.json", model=HUMAN).qpos
+
+
+def test_what_a_deepmimic_hinge_cannot_hold_is_told(human, tmp_path):
+    _, notes = exported(human, "deepmimic", tmp_path)
+    assert len(notes) == 1 and "of twist and swing are left out" in notes[0]
+
+
+@pytest.mark.parametrize(
+    ("content", "says"),
+    [
+        ({"Loop": "wrap"}, "no 'Frames'; it holds: Loop"),
+        ({"Frames": [[0.1] * 43] * 2}, "43 numbers a frame, not the humanoid's 44: time, root, chest, neck"),
+        ({"Frames": [[0.1] * 44, [0.1]]}, "rows of different lengths"),
+        ({"Frames": [[0.1] * 44] * 2}, "the rotation of chest': a quaternion of length 0.2"),
+        ({"Frames": [[0.0] * 44] * 2}, "frame 1 lasts 0 s"),
+        ([1], "a list, not an object"),
+    ],
+)
+def test_bad_deepmimic_files_are_told(content, says, tmp_path):
+    with pytest.raises(UserError, match=says) as error:
+        _read(content, tmp_path)
+    assert "out.deepmimic.json" in str(error.value) and "\n" not in str(error.value)
+
+
+def test_other_figures_than_people_are_refused_with_their_joints(tmp_path):
+    (tmp_path / "robot.xml").write_text(wild.ROBOT)
+    robot = wild.motion_of(str(tmp_path / "robot.xml"))
+    says = "'deepmimic' is for a person .* no ball joint 'spine', only: floating, left_hip_pitch"
+    with pytest.raises(UserError, match=says):
+        formats.export(robot, "deepmimic", tmp_path / "out.json")
+
+
+SMPL = [
+    "pelvis", "left_hip", "right_hip", "spine1", "left_knee", "right_knee", "spine2", "left_ankle",
+    "right_ankle", "spine3", "left_foot", "right_foot", "neck", "left_collar", "right_collar",
+    "head", "left_shoulder", "right_shoulder", "left_elbow", "right_elbow", "left_wrist", "right_wrist",
+]  # fmt: skip
+
+
+def amass(folder, **turns):
+    """A file of AMASS: some of SMPL's joints turned, rotation vectors in its axes (x left, y up, z forward)."""
+    poses = np.zeros((3, 156))
+    for name, turn in turns.items():
+        poses[:, 3 * SMPL.index(name) : 3 * SMPL.index(name) + 3] = turn
+    walk = np.array([[0, 0, 1.0], [0.1, -0.2, 1.1], [0.2, -0.4, 1.3]])
+    np.savez(folder / "a.npz", poses=poses, trans=walk, mocap_framerate=120.0, gender="male", betas=np.zeros(16))
+    return formats.recording(folder / "a.npz", model=HUMAN)
+
+
+def _posed(qpos):
+    data = mujoco.MjData(HUMAN)
+    data.qpos = qpos
+    mujoco.mj_kinematics(HUMAN, data)
+    return data
+
+
+STANDING = [np.pi / 2, 0, 0]  # the root of SMPL's body when it stands in AMASS's world and looks along -y
+
+
+def test_amass_at_rest_stands_with_its_arms_to_the_sides(tmp_path):
+    told = amass(tmp_path, pelvis=STANDING)
+    data = _posed(told.qpos[0])
+    np.testing.assert_allclose(told.time, [0, 1 / 120, 2 / 120])
+    np.testing.assert_allclose(np.diff(told.qpos[:, :3], axis=0), [[0.1, -0.2, 0.1], [0.1, -0.2, 0.2]])
+    np.testing.assert_allclose(data.site_xpos[:, 2].min(), 0, atol=1e-9)
+    np.testing.assert_allclose(data.body("pelvis").xmat.reshape(3, 3)[:, 0], [0, -1, 0], atol=1e-9)
+    arm = data.body("left_forearm").xpos - data.body("left_upper_arm").xpos
+    np.testing.assert_allclose(arm / np.linalg.norm(arm), [1, 0, 0], atol=1e-9)  # its left, when it looks along -y
+    np.testing.assert_allclose(data.site("right_hand").xpos[0], -data.site("left_hand").xpos[0], atol=1e-9)
+    assert data.site("left_toe").xpos[1] < data.site("left_heel").xpos[1]
+
+
+def test_amass_bends_knees_backward_and_turns_what_follows_a_joint(tmp_path):
+    data = _posed(
+        amass(tmp_path, pelvis=STANDING, left_knee=[1.0, 0, 0], spine2=[0.3, 0, 0], left_elbow=[0, -1.2, 0]).qpos[0]
+    )
+    foot, other = data.body("left_foot").xpos, data.body("right_foot").xpos
+    assert foot[1] > other[1] + 0.2 and foot[2] > other[2] + 0.1  # to the back and up
+    assert data.body("chest").xmat.reshape(3, 3)[1, 2] == pytest.approx(-np.sin(0.3))  # its up leans forward, to -y
+    hand, elbow = data.site("left_hand").xpos, data.body("left_forearm").xpos
+    assert hand[1] < elbow[1] - 0.1  # the forearm comes forward
+
+
+def test_amass_rotations_are_those_of_smpl_in_the_world(tmp_path):
+    rng = np.random.default_rng(4)
+    turns = {name: rng.uniform(-0.8, 0.8, 3) for name in SMPL[:20]}
+    data = _posed(amass(tmp_path, **turns).qpos[0])
+    chain = {"left_hip": ["left_hip"], "left_ankle": ["left_hip", "left_knee", "left_ankle"]}
+    chain["chest"] = ["spine1", "spine2", "spine3"]
+    chain["right_elbow"] = [*chain["chest"], "right_collar", "right_shoulder", "right_elbow"]
+    for name, body in (
+        ("left_hip", "left_thigh"),
+        ("left_ankle", "left_foot"),
+        ("chest", "chest"),
+        ("right_elbow", "right_forearm"),
+    ):
+        world = Rotation.from_rotvec(turns["pelvis"])
+        for joint in chain[name]:
+            world = world * Rotation.from_rotvec(turns[joint])
+        axes = data.body(body).xmat.reshape(3, 3)
+        forward = [0, 0, 1]  # stays forward in our arms as well: they are raised about it
+        np.testing.assert_allclose(axes[:, 0], world.apply(forward), atol=1e-9, err_msg=name)
+        along = [-1, 0, 0] if name == "right_elbow" else [0, -1, 0]
+        np.testing.assert_allclose(-axes[:, 2], world.apply(along), atol=1e-9, err_msg=name)
+
+
+def test_bad_amass_files_are_told(tmp_path):
+    np.savez(tmp_path / "b.npz", poses=np.zeros((3, 60)), trans=np.zeros((3, 3)), mocap_framerate=60)
+    with pytest.raises(UserError, match=r"'poses' has the shape \(3, 60\), not \(3, 156\)"):
+        formats.recording(tmp_path / "b.npz", model=HUMAN)
+    np.savez(tmp_path / "b.npz", poses=np.zeros((3, 156)), trans=np.zeros((3, 3)))
+    with pytest.raises(UserError, match="no 'mocap_framerate'"):
+        formats.recording(tmp_path / "b.npz", model=HUMAN)

@@ -1,0 +1,51 @@
+"""The commands export and import as a user meets them: what they say, and what can be done with an imported motion."""
+
+import sys
+
+import pytest
+import wild
+
+from runner import cli, motion
+
+
+@pytest.fixture
+def run(tmp_path, monkeypatch, capsys):
+    """Runs the command in a folder with a robot's motion in it."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "robot.xml").write_text(wild.ROBOT)
+    motion.save(wild.motion_of("robot.xml"), tmp_path / "wild.npz")
+
+    def run(*words):
+        monkeypatch.setattr(sys, "argv", ["dynsplines", *words])
+        with pytest.raises(SystemExit) as ended:
+            cli.main()
+        said = capsys.readouterr()
+        return ended.value.code or 0, said.out, said.err
+
+    return run
+
+
+def test_an_imported_motion_is_measured_when_a_report_is_asked_for(run, tmp_path):
+    code, _, said = run("export", "wild.npz", "--to", "mjlab")
+    assert code == 0 and said.splitlines()[-1] == "wrote wild.mjlab.npz"  # beside it, no other: it has no ball joints
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["robot.xml", "wild.mjlab.npz", "wild.npz"]
+    assert run("import", "wild.mjlab.npz", "--figure", "robot.xml", "-o", "back.npz")[0] == 0
+    code, told, _ = run("report", "back.npz")
+    assert code == 0 and "not searched: imported" in " ".join(told.split()) and "objective" in told
+
+
+def test_formats_are_listed_and_a_wrong_one_is_told(run):
+    _, told, _ = run("formats")
+    rows = {line.split()[0]: line for line in told.splitlines()}
+    assert {"csv", "npz", "mjcf", "mjlab", "mjlab-csv", "locomujoco", "gmr", "mimickit", "deepmimic"} <= rows.keys()
+    assert "reads and writes" in rows["gmr"] and "writes" not in rows["amass"]
+    code, _, said = run("export", "wild.npz", "--to", "amass")
+    assert code == 2 and "read only; written are: csv" in said
+    code, _, said = run("export", "wild.npz", "--to", "mjlb")
+    assert code == 2 and "did you mean 'mjlab" in said
+
+
+def test_what_a_format_cannot_hold_leaves_no_file_behind(run, tmp_path):
+    code, _, said = run("export", "wild.npz", "--to", "deepmimic")
+    assert code == 2 and "no ball joint 'spine', only: floating, left_hip_pitch" in " ".join(said.split())
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["robot.xml", "wild.npz"]

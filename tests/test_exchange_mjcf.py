@@ -1,0 +1,58 @@
+"""MJCF with keys: MuJoCo itself reads what is written, and other people's models with keys become motions."""
+
+import mujoco
+import numpy as np
+import pytest
+import tiny
+import wild
+
+from runner import clip
+from runner.errors import UserError
+from runner.exchange import formats
+from runner.exchange.imported import imported
+
+
+@pytest.fixture(scope="module")
+def human():
+    return wild.motion_of("human")
+
+
+def test_mujoco_reads_every_key_to_the_last_digit(human, tmp_path):
+    target = formats.export(human, "mjcf", tmp_path / "out.keys.xml")
+    model, before = mujoco.MjModel.from_xml_path(str(target)), wild.samples(human)
+    np.testing.assert_array_equal(model.key_time, before.time)
+    np.testing.assert_allclose(model.key_qpos, before.qpos, atol=1e-15)  # quaternions are made unit once more
+    np.testing.assert_array_equal(model.key_qvel, before.qvel)
+    assert [model.key(i).name for i in (0, 60)] == ["wild_0", "wild_60"]
+    for name in ("body_pos", "body_mass", "geom_size", "site_pos", "jnt_range"):
+        np.testing.assert_array_equal(getattr(model, name), getattr(human.figure.model, name))
+    wild.same_poses(model, before.qpos, model.key_qpos)
+
+
+def test_the_keys_come_back_as_a_motion_and_as_a_clip(human, tmp_path):
+    target = formats.export(human, "mjcf", tmp_path / "out.keys.xml")
+    before = wild.samples(human)
+    for back in (imported(target), imported(target, figure="human")):
+        after = wild.samples(back)
+        np.testing.assert_array_equal(after.time, before.time)
+        wild.same_poses(back.figure.model, before.qpos, after.qpos)
+    found = clip.load(str(target))
+    np.testing.assert_array_equal([key.time for key in found.keys], before.time)
+
+
+def test_keys_of_others_are_read_with_their_figure_and_faults_are_told(tmp_path):
+    def written(keys):
+        (tmp_path / "own.xml").write_text(tiny.HINGE.format(keys=keys))
+        return tmp_path / "own.xml"
+
+    good = '<keyframe><key time="0" qpos="0 0"/><key time="0.5" qpos="0.1 1.2"/></keyframe>'
+    back = imported(written(good))
+    np.testing.assert_allclose(wild.samples(back).qpos[-1], [0.1, 1.2])
+    with pytest.raises(UserError, match="no <key> elements; a motion needs two or more"):
+        imported(written(""))
+    with pytest.raises(UserError, match="all its keys are of the time 0"):
+        imported(written(good.replace("0.5", "0")))
+    with pytest.raises(UserError, match="its qpos has 2 numbers; the figure's 51"):
+        imported(written(good), figure="human")
+    with pytest.raises(UserError, match="MuJoCo cannot"):
+        imported(written("<keyframe><key nonsense='1'/></keyframe>"))
