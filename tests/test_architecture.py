@@ -16,6 +16,8 @@ ONLY_IN = {
     "imageio": {"runner/film.py"},
     "tomllib": {"runner/clip.py"},
     "typer": {"runner/cli.py"},
+    "pygltflib": {"runner/exchange/gltf.py"},
+    "pxr": {"runner/exchange/usd.py"},
 }
 SCIPY_IN_SOLVER = {
     "solver/banded.py",
