@@ -281,6 +281,35 @@ def join(
 
 
 @app.command()
+def thin(
+    source: Annotated[
+        str, typer.Argument(metavar="MOTION", help="a motion (.npz), a recording of another program, or a clip")
+    ],
+    max_error: Annotated[str, typer.Option(help="how far any body or site may be off, such as 2cm")] = "2cm",
+    max_angle: Annotated[float, typer.Option(help="how far any body may be turned off, degrees")] = 5.0,
+    output: Output = None,
+    solve: Annotated[
+        bool, typer.Option("--solve", help="let the solved motion keep the bound, and not only the spline")
+    ] = False,
+    figure: Annotated[str | None, typer.Option(help="of a recording: a shipped figure or MJCF")] = None,
+    kind: Annotated[
+        str | None, typer.Option("--from", help="the recording's format, if its ending is not enough")
+    ] = None,
+    fps: Annotated[float | None, typer.Option(help="the recording's images a second, if it does not tell")] = None,
+    overwrite: Overwrite = False,
+) -> None:
+    """The fewest keyframes that keep a motion within a bound, as a clip (.toml) or a motion (.npz)."""
+    _without_graphics()
+    from . import thin_files
+    from .progress import Teller
+
+    recording = thin_files.Recording(source, figure, kind, fps)
+    bound = thin_files.bound(max_error, max_angle)
+    with Teller() as teller:
+        thin_files.run(recording, bound, output, solve=solve, overwrite=overwrite, teller=teller)
+
+
+@app.command()
 def export(
     source: Source,
     to: Annotated[str, typer.Option("--to", help="the format; `dynsplines formats` lists them")],

@@ -168,15 +168,18 @@ def table_of(text: str, place: str) -> ClipTable:
         raise UserError(f"{place}: {spoken(error, raw)}") from None
 
 
-def of_motion(saved: Saved) -> Clip:
-    """The problem that a saved motion answers, its keyframes and ends those of the motion itself."""
+def of_motion(saved: Saved, *, contacts: bool = False) -> Clip:
+    """The problem that a saved motion answers, its keyframes and ends those of the motion itself.
+
+    contacts  whether those of its text hold for it still
+    """
     table = table_of(saved.text, saved.name) if saved.text else None
     solve = SolveTable() if table is None else table.solve
     ends, travel, roots = saved.timeline.ends, None, saved.figure.tables.position_columns
     if ends == "periodic" and roots.size:
         travel = tuple(Seam.of(saved.figure, saved.timeline).travel[roots[:, 0]].tolist())
     solve = solve.model_copy(update={"ends": ends, "travel": travel})
-    if table is not None:  # whose contacts and places are those of the clip that it was
+    if table is not None and not contacts:  # which are those of the clip that it was
         table = table.model_copy(update={"contact": []})
     return _clip(
         saved.name, saved.text, saved.mjcf, saved.figure, saved.fps, list(saved.keys), table, saved.name, solve=solve

@@ -22,7 +22,6 @@ from .figure import Figure, on_links
 from .frame import Frame, Timeline
 from .kinematics import LinkMotion, States
 from .quaternion import Array, Index
-from .spline import natural_spline
 from .subdivision import path_of
 from .unknowns import raw_timeline
 
@@ -129,22 +128,17 @@ class Recorded:
         Σ max(0, excess − 1)² (len(sets),), of splines through REACH + MARGIN keyframes on either side, with the signs
         that the recording has; see `excess` for all there is to say. The sets have one length.
         """
-        states, instants, sizes = [], [], []
         count = len(sets[0])
-        low, high = max(0, at - REACH - MARGIN), min(count, at + REACH + MARGIN + 1)
-        first, last = max(0, at - REACH), min(count - 1, at + REACH)
-        for kept in sets:
-            if self.ends == "free":
-                some = np.arange(kept[first], kept[last] + 1)
-                own = list(kept[low:high])
-                states.append(natural_spline(self.times[own], self._states[own])(self.times[some]))
-            else:
-                some = np.arange(len(self.times))
-                states.append(path_of(self.spline(self.frames(kept))).at(self.times))
-            instants.append(some)
-            sizes.append(some.size)
-        over = np.maximum(self._excess(*self._misses(np.concatenate(states), np.concatenate(instants))) - 1 - FINE, 0)
-        return np.add.reduceat(over**2, np.concatenate([[0], np.cumsum(sizes)[:-1]]))
+        if self.ends != "free":
+            over = [self.excess(self.spline(self.frames(kept))) - 1 - FINE for kept in sets]
+            return np.sum(np.maximum(over, 0) ** 2, axis=1)
+        some = np.array([kept[max(0, at - REACH - MARGIN) : at + REACH + MARGIN + 1] for kept in sets])
+        seen = [range(kept[max(0, at - REACH)], kept[min(count - 1, at + REACH)] + 1) for kept in sets]
+        instants = np.concatenate([np.asarray(each) for each in seen])
+        owner = np.repeat(np.arange(len(sets)), [len(each) for each in seen])
+        states = natural_splines(self.times[some], self._states[some], owner, self.times[instants])
+        over = np.maximum(self._excess(*self._misses(states, instants)) - 1 - FINE, 0)
+        return np.bincount(owner, over**2, len(sets))
 
     def worst(self, timeline: Timeline) -> tuple[Worst, Worst]:
         """The point furthest off and the link turned most differently."""
@@ -207,6 +201,29 @@ def refined(
         chosen = sorted([*chosen, *(peak for peak in peaks if excess[peak] >= min(least, excess.max()))])
 
 
+def natural_splines(times: Array, values: Array, owner: Index, t: Array) -> Array:
+    """Natural cubic splines, many at once: values (C, K, N) at times (C, K), seen at t (S,) by spline owner (S,).
+
+    The second derivatives solve the usual tridiagonal system, here dense: the splines are short.
+    """
+    h = np.diff(times)
+    count = times.shape[1]
+    inner = np.arange(1, count - 1)
+    matrix = np.tile(np.eye(count), (len(times), 1, 1))
+    matrix[:, inner, inner - 1], matrix[:, inner, inner + 1] = h[:, :-1], h[:, 1:]
+    matrix[:, inner, inner] = 2 * (h[:, :-1] + h[:, 1:])
+    bends = np.zeros(values.shape)
+    bends[:, 1:-1] = 6 * np.diff(np.diff(values, axis=1) / h[:, :, None], axis=1)
+    bends = np.linalg.solve(matrix, bends)
+    left = np.clip((times[owner] <= t[:, None]).sum(axis=1) - 1, 0, count - 2)
+    step = h[owner, left, None]
+    ahead = (t - times[owner, left])[:, None] / step
+    behind = 1 - ahead
+    straight = behind * values[owner, left] + ahead * values[owner, left + 1]
+    bent = (behind**3 - behind) * bends[owner, left] + (ahead**3 - ahead) * bends[owner, left + 1]
+    return straight + bent * step**2 / 6
+
+
 def _holds(recorded: Recorded, kept: Sequence[int]) -> bool:
     return float(recorded.excess(recorded.spline(recorded.frames(kept))).max()) <= 1 + FINE
 
@@ -217,7 +234,9 @@ def _without(recorded: Recorded, kept: list[int], told: Callable[[str], None]) -
     while True:
         loss = {i: recorded.breaches([_dropped(kept, i)], n)[0] for n, i in enumerate(kept) if i not in needed}
         gone = 0
-        for i in sorted((i for i in loss if loss[i] == 0), key=lambda i: kept[kept.index(i) + 1] - kept[kept.index(i) - 1]):
+        for i in sorted(
+            (i for i in loss if loss[i] == 0), key=lambda i: kept[kept.index(i) + 1] - kept[kept.index(i) - 1]
+        ):
             fewer = _dropped(kept, i)
             if recorded.breaches([fewer], kept.index(i))[0] == 0 and _holds(recorded, fewer):
                 kept, gone = fewer, gone + 1
