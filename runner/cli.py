@@ -130,6 +130,7 @@ def render(
     _film_target(target, width, height, halves=not only and not (ghosts and target.suffix.lower() == ".png"))
     graphics = _graphics()
     from .progress import Teller
+    from .rendering import draw
     from .show import Look
 
     with Teller() as teller:
@@ -142,7 +143,7 @@ def render(
         teller.say(graphics.line)
         saved = _saved(found, teller, solve=only not in ("keys", "before"), with_report=False)
         saved = _repeated(saved, repeat)
-        _film(saved, look, graphics, target, workers, teller)
+        draw(saved, look, graphics, target, workers, teller)
         teller.say(f"wrote {target}")
 
 
@@ -567,26 +568,6 @@ def _check_length(found: Clip | Saved, look: Look, repeat: int | None) -> None:
     count = (last - first) * look.fps * look.slow
     if count > MOST_IMAGES:
         raise UserError(f"{count:.0f} images; over {MOST_IMAGES}: lower --fps or --slow")
-
-
-def _film(saved: Saved, look: Look, graphics: Graphics, target: Path, asked: int | None, teller: Teller) -> None:
-    from . import film, show
-    from .errors import UserError
-    from .workers import MOST_WORKERS, cores
-
-    still = target.suffix.lower() == ".png"
-    workers = asked or (min(cores(), MOST_WORKERS) if graphics.kind == "rays" else 1)
-    try:
-        if look.ghosts and still:
-            film.write(target, [show.figure_six(saved, look, graphics, workers=workers)], look.fps)
-            return
-        count = show.image_count(saved, look, still_keys=still)
-        with contextlib.closing(show.images(saved, look, graphics, still_keys=still, workers=workers)) as images:
-            film.write(target, teller.over(images, "rendering", count), look.fps, count=count)
-    except (film.FilmError, ValueError) as error:
-        raise UserError(str(error)) from None
-    except OSError as error:
-        raise UserError(f"cannot write '{target}': {error.strerror or error}") from None
 
 
 def _plain(report: dict) -> dict:

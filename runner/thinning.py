@@ -14,7 +14,6 @@ from typing import Any
 
 import numpy as np
 
-import models
 from solver.frame import Frame, Timeline
 from solver.quaternion import Array
 from solver.seam import Seam
@@ -22,12 +21,11 @@ from solver.subdivision import path_of
 from solver.thin import Bound, Recorded, Worst, refined, thin
 
 from . import clip as clips
-from . import work
+from . import clip_file, work
 from .clip_text import keyframe_tables, tables, written
 from .errors import UserError
-from .motion import Replacement, Saved, check_target, save
+from .motion import Saved, check_target, save
 from .progress import Teller
-from .scene import compose, figure_spec
 
 RATE = 100.0  # instants a second, at least, that a motion between keyframes is looked at
 LOOSE = 4.0  # times the bound: what the spline keeps through keyframes of which the search is to make the rest
@@ -138,6 +136,9 @@ def _with_keys(said: dict[str, Any], saved: Saved, keys: Sequence[Frame], solve:
     """A clip's tables through other keyframes, with the contacts that are inside them."""
     search = {key: value for key, value in said.get("solve", {}).items() if key not in SEARCH or solve}
     search |= {} if solve else AS_SPLINE
+    roots = saved.figure.tables.position_columns
+    if saved.timeline.ends == "periodic" and roots.size:
+        search |= {"travel": Seam.of(saved.figure, saved.timeline).travel[roots[:, 0]].tolist()}
     out = said | {"solve": search, "keyframe": keyframe_tables(saved.figure, keys)}
     if not search:
         del out["solve"]
@@ -148,33 +149,15 @@ def _with_keys(said: dict[str, Any], saved: Saved, keys: Sequence[Frame], solve:
 
 
 def write(found: Thinned, target: Path, *, solve: bool, overwrite: bool = False) -> list[Path]:
-    """Writes a thinned motion as a clip, .toml, or as a motion, .npz; gives the files written.
-
-    A clip whose figure does not ship gets the whole scene as MJCF beside it.
-    """
+    """Writes a thinned motion as a clip, .toml, or as a motion, .npz; gives the files written."""
     check(target)
     saved = replace(found.motion, name=target.stem)
-    if target.suffix == ".npz":
-        save(saved, target)
-        return [target]
-    said = (
-        tables(clips.table_of(saved.text, saved.name)) if saved.text else {"figure": _figure(saved), "fps": saved.fps}
-    )
-    files: list[tuple[Path, str]] = []
-    if said["figure"] not in models.figures() or (saved.text and not _tells_scene(saved)):
-        scene = target.with_suffix(".xml")
-        if scene.exists() and scene.read_text(encoding="utf-8") != saved.mjcf and not overwrite:
-            raise UserError(
-                f"'{scene}' is there already, and the clip's figure goes there; give another -o, or --overwrite"
-            )
-        said = {key: value for key, value in said.items() if key != "scene"} | {"figure": scene.name}
-        files.append((scene, saved.mjcf))
-    said = _with_keys(_closed(said, saved), saved, saved.keys, solve)
-    files.append((target, f"# {found.line}\n{written(said)}"))
-    for path, text in files:
-        with Replacement(path) as temporary:
-            temporary.write_text(text, encoding="utf-8")
-    return [path for path, _ in files]
+    if target.suffix == ".toml":
+        return clip_file.write(
+            saved, target, note=found.line, search=None if solve else AS_SPLINE, overwrite=overwrite
+        )
+    save(saved, target)
+    return [target]
 
 
 def check(target: Path) -> None:
@@ -182,25 +165,3 @@ def check(target: Path) -> None:
     if target.suffix not in (".npz", ".toml"):
         raise UserError(f"{target}: a thinned motion is written as a clip, .toml, or as a motion, .npz")
     check_target(target)
-
-
-def _figure(saved: Saved) -> str:
-    """The shipped figure that a motion from no clip is of, on the bare stage, or none."""
-    return next((name for name in models.figures() if compose(figure_spec(name)) == saved.mjcf), "")
-
-
-def _tells_scene(saved: Saved) -> bool:
-    """Whether the tables alone make the scene that the motion is in."""
-    return clips.from_text(saved.text, name=saved.name).mjcf == saved.mjcf
-
-
-def _closed(said: dict[str, Any], saved: Saved) -> dict[str, Any]:
-    """A loop's tables say that it is one, and how far it travels."""
-    ends = saved.timeline.ends
-    solve = said.get("solve", {}) | ({"ends": ends} if ends in ("periodic", "clamped") else {})
-    roots = saved.figure.tables.position_columns
-    if ends == "periodic" and roots.size:
-        solve |= {"travel": Seam.of(saved.figure, saved.timeline).travel[roots[:, 0]].tolist()}
-    if saved.figure.coordinates == "joint" and "coordinates" not in solve:
-        solve |= {"coordinates": "joint"}
-    return said | {"solve": solve}

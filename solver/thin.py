@@ -14,6 +14,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -197,7 +198,7 @@ def refined(
             return Thinned(tuple(chosen), timeline)
         excess[chosen] = 0.0
         least = max(1.0, SHARE * excess.max())
-        peaks = [a + 1 + int(excess[a + 1 : b].argmax()) for a, b in zip(chosen, chosen[1:], strict=False) if b > a + 1]
+        peaks = [a + 1 + int(excess[a + 1 : b].argmax()) for a, b in pairwise(chosen) if b > a + 1]
         chosen = sorted([*chosen, *(peak for peak in peaks if excess[peak] >= min(least, excess.max()))])
 
 

@@ -131,7 +131,7 @@ def test_another_scene_is_written_beside_the_clip(motion_file, tmp_path):
     assert [link.name for link in found.figure.links[1:]] == ["root", "left_knee"]
     run(motion_file, target)  # the same scene is no other one
     (tmp_path / "small.xml").write_text("<mujoco/>")
-    with pytest.raises(UserError, match=r"small\.xml' is there already.*--overwrite"):
+    with pytest.raises(UserError, match=r"small\.xml' is there already.*overwrite"):
         run(motion_file, target)
     run(motion_file, target, overwrite=True)
 
