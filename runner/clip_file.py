@@ -15,7 +15,9 @@ from .motion import Replacement, Saved, check_target
 from .scene import compose, figure_spec
 
 
-def write(saved: Saved, target: Path, *, note: str = "", search: dict[str, Any] | None = None, overwrite: bool) -> list[Path]:
+def write(
+    saved: Saved, target: Path, *, note: str = "", search: dict[str, Any] | None = None, overwrite: bool
+) -> list[Path]:
     """Writes a clip, .toml, and gives the files written: its figure's whole scene is one, if it is none that ships.
 
     note    the comment at its head
@@ -31,7 +33,9 @@ def write(saved: Saved, target: Path, *, note: str = "", search: dict[str, Any] 
     if said["figure"] not in models.figures() or (saved.text and not _tells_scene(saved)):
         scene = target.with_suffix(".xml")
         if scene.exists() and scene.read_text(encoding="utf-8") != saved.mjcf and not overwrite:
-            raise UserError(f"'{scene}' is there already, and the clip's figure goes there; choose another name or overwrite it")
+            raise UserError(
+                f"'{scene}' is there already, and the clip's figure goes there; choose another name or overwrite it"
+            )
         said = {key: value for key, value in said.items() if key != "scene"} | {"figure": scene.name}
         files.append((scene, saved.mjcf))
     files.append((target, (f"# {note}\n" if note else "") + written(said)))

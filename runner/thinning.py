@@ -153,9 +153,7 @@ def write(found: Thinned, target: Path, *, solve: bool, overwrite: bool = False)
     check(target)
     saved = replace(found.motion, name=target.stem)
     if target.suffix == ".toml":
-        return clip_file.write(
-            saved, target, note=found.line, search=None if solve else AS_SPLINE, overwrite=overwrite
-        )
+        return clip_file.write(saved, target, note=found.line, search=None if solve else AS_SPLINE, overwrite=overwrite)
     save(saved, target)
     return [target]
 
