@@ -139,7 +139,7 @@ class Recorded:
         owner = np.repeat(np.arange(len(sets)), [len(each) for each in seen])
         states = natural_splines(self.times[some], self._states[some], owner, self.times[instants])
         over = np.maximum(self._excess(*self._misses(states, instants)) - 1 - FINE, 0)
-        return np.bincount(owner, over**2, len(sets))
+        return np.bincount(owner, over**2, len(sets)).astype(float)
 
     def worst(self, timeline: Timeline) -> tuple[Worst, Worst]:
         """The point furthest off and the link turned most differently."""

@@ -88,10 +88,7 @@ def build(
 
     Raises UserError, in one line that names the keyframe and the key, for what does not fit the figure.
     """
-    spec = figure if isinstance(figure, mujoco.MjSpec) else figure_spec(os.fspath(figure))
-    called = f"{spec.modelname or 'figure'}.xml" if isinstance(figure, mujoco.MjSpec) else os.fspath(figure)
-    if called not in models.figures() and not isinstance(figure, mujoco.MjSpec):
-        called = Path(called).resolve().as_posix()
+    spec, called = _spec(figure)
     own = _figure(spec, called) if any(key.qpos is not None for key in keyframes) else None
     raw: dict[str, Any] = {"figure": called, "fps": float(fps)}
     raw |= {key: _plain(value) for key, value in (("scene", scene), ("solve", solve)) if value}
@@ -99,6 +96,14 @@ def build(
     raw |= {"penalty": [_penalty(*entry) for entry in penalties.items()]} if penalties else {}
     raw |= {"keyframe": [key.table(own) for key in keyframes]}
     return clips.from_text(written(raw), name=name, place=name, spec=spec)
+
+
+def _spec(figure: str | os.PathLike[str] | mujoco.MjSpec) -> tuple[mujoco.MjSpec, str]:
+    """The figure, and what the clip's text calls it: a name that ships, or a path."""
+    if isinstance(figure, mujoco.MjSpec):
+        return figure.copy(), f"{figure.modelname or 'figure'}.xml"
+    called = os.fspath(figure)
+    return figure_spec(called), called if called in models.figures() else Path(called).resolve().as_posix()
 
 
 def _figure(spec: mujoco.MjSpec, called: str) -> Figure:
