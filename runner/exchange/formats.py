@@ -34,6 +34,8 @@ class Format:
 
 FORMATS = (
     Format("csv", ".csv", "a row an instant: time, then qpos, under the joints' names", "csv_table", reads=True),
+    Format("gltf", ".glb", "meshes and one animation, for Blender, engines and the web", "gltf", extra="gltf"),
+    Format("html", ".html", "one page that plays before and after, in any browser, from the disk", "html"),
 )  # fmt: skip
 
 
