@@ -61,9 +61,10 @@ class Keyframe:
         if self.qpos is None or figure is None:
             return out
         qpos = np.asarray(self.qpos, float)
-        if qpos.shape != (figure.width,):
-            raise UserError(f"keyframe (t = {self.time:g} s): qpos is {qpos.shape}, not ({figure.width},)")
-        (whole,) = keyframe_tables(figure, [Frame.key(self.time, qpos)])
+        if qpos.shape != (figure.width,) or not np.all(np.isfinite(qpos)):
+            wrong = "its numbers are not finite" if qpos.shape == (figure.width,) else f"it is {qpos.shape}"
+            raise UserError(f"keyframe (t = {self.time} s): qpos is ({figure.width},) of finite numbers; {wrong}")
+        (whole,) = keyframe_tables(figure, [Frame.key(0.0, qpos)])
         return whole | out | {key: whole.get(key, {}) | out.get(key, {}) for key in ("root", "joints")}
 
 

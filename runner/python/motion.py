@@ -160,7 +160,7 @@ class Motion:
         if times.size and not (self.start - 1e-9 <= times.min() and times.max() <= self.end + 1e-9):
             raise UserError(f"{self.name}: the motion runs from {self.start:g} to {self.end:g} s; nothing is outside")
         qpos = self.saved.figure.to_qpos(path_of(self.saved.timeline).at(times.ravel()))
-        return qpos.reshape(*times.shape, -1)
+        return qpos.reshape(*times.shape, self.model.nq)
 
     def sampled(self, fps: float | None = None) -> Sampled:
         """time (T,) [s], qpos (T, nq), qvel and qacc (T, nv), `fps` a second; MuJoCo's order, units and axes."""
