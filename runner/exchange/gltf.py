@@ -53,7 +53,9 @@ class _Blob:
         flat = faces.ravel().astype(np.uint16 if small else np.uint32)
         view = self.view(flat.tobytes(), gl.ELEMENT_ARRAY_BUFFER)
         width = gl.UNSIGNED_SHORT if small else gl.UNSIGNED_INT
-        self.asset.accessors.append(gl.Accessor(bufferView=view, componentType=width, count=len(flat), type=gl.SCALAR))
+        self.asset.accessors.append(
+            gl.Accessor(bufferView=view, componentType=width, count=len(flat), type=gl.SCALAR)
+        )
         return len(self.asset.accessors) - 1
 
 

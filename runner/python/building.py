@@ -101,10 +101,10 @@ def build(
 
 def _spec(figure: str | os.PathLike[str] | mujoco.MjSpec) -> tuple[mujoco.MjSpec, str]:
     """The figure, and what the clip's text calls it: a name that ships, or a path."""
-    if isinstance(figure, mujoco.MjSpec):
-        return figure.copy(), f"{figure.modelname or 'figure'}.xml"
-    called = os.fspath(figure)
-    return figure_spec(called), called if called in models.figures() else Path(called).resolve().as_posix()
+    if isinstance(figure, str | os.PathLike):
+        called = os.fspath(figure)
+        return figure_spec(called), called if called in models.figures() else Path(called).resolve().as_posix()
+    return figure.copy(), f"{figure.modelname or 'figure'}.xml"
 
 
 def _figure(spec: mujoco.MjSpec, called: str) -> Figure:
