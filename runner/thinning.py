@@ -115,7 +115,9 @@ def _instants(saved: Saved, keys: Array) -> Array:
         return keys
     rate = min(saved.fps * np.ceil(RATE / saved.fps), 1 / clips.SHORTEST)
     grid = first + np.arange(int((last - first) * rate) + 1) / rate
-    apart = np.abs(grid[:, None] - keys).min(axis=1)
+    after = keys[np.searchsorted(keys, grid).clip(1, keys.size - 1)]
+    before = keys[np.searchsorted(keys, grid, side="right").clip(1, keys.size - 1) - 1]
+    apart = np.minimum(np.abs(after - grid), np.abs(grid - before))
     return np.sort(np.concatenate([keys, grid[apart > clips.SHORTEST]]))
 
 

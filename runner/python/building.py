@@ -51,22 +51,6 @@ class Keyframe:
     others: Literal["free", "rest", "hold"] = "free"
     qpos: ArrayLike | None = None
 
-    def table(self, figure: Figure | None) -> dict[str, Any]:
-        """The keyframe as a table of a clip's file; `figure` is needed for qpos."""
-        said = {"root": self.root, "joints": self.joints, "sites": self.sites, "bodies": self.bodies}
-        out: dict[str, Any] = {"time": _plain(self.time)}
-        out |= {key: _plain(value) for key, value in said.items() if value}
-        if self.others != "free":
-            out["others"] = self.others
-        if self.qpos is None or figure is None:
-            return out
-        qpos = np.asarray(self.qpos, float)
-        if qpos.shape != (figure.width,) or not np.all(np.isfinite(qpos)):
-            wrong = "its numbers are not finite" if qpos.shape == (figure.width,) else f"it is {qpos.shape}"
-            raise UserError(f"keyframe (t = {self.time} s): qpos is ({figure.width},) of finite numbers; {wrong}")
-        (whole,) = keyframe_tables(figure, [Frame.key(0.0, qpos)])
-        return whole | out | {key: whole.get(key, {}) | out.get(key, {}) for key in ("root", "joints")}
-
 
 def build(
     figure: str | os.PathLike[str] | mujoco.MjSpec,
@@ -95,7 +79,7 @@ def build(
     raw |= {key: _plain(value) for key, value in (("scene", scene), ("solve", solve)) if value}
     raw |= {"contact": [_plain(row) for row in contacts]} if contacts else {}
     raw |= {"penalty": [_penalty(*entry) for entry in penalties.items()]} if penalties else {}
-    raw |= {"keyframe": [key.table(own) for key in keyframes]}
+    raw |= {"keyframe": [_table(key, own) for key in keyframes]}
     return clips.from_text(written(raw), name=name, place=name, spec=spec)
 
 
@@ -113,6 +97,23 @@ def _figure(spec: mujoco.MjSpec, called: str) -> Figure:
             return Figure(spec.copy().compile())
     except (FigureError, ValueError) as error:
         raise UserError(f"{called}: {first_line(error)}") from None
+
+
+def _table(key: Keyframe, figure: Figure | None) -> dict[str, Any]:
+    """The keyframe as a table of a clip's file; `figure` is needed for qpos."""
+    said = {"root": key.root, "joints": key.joints, "sites": key.sites, "bodies": key.bodies}
+    out: dict[str, Any] = {"time": _plain(key.time)}
+    out |= {name: _plain(value) for name, value in said.items() if value}
+    if key.others != "free":
+        out["others"] = key.others
+    if key.qpos is None or figure is None:
+        return out
+    qpos = np.asarray(key.qpos, float)
+    if qpos.shape != (figure.width,) or not np.all(np.isfinite(qpos)):
+        wrong = "its numbers are not finite" if qpos.shape == (figure.width,) else f"it is {qpos.shape}"
+        raise UserError(f"keyframe (t = {key.time} s): qpos is ({figure.width},) of finite numbers; {wrong}")
+    (whole,) = keyframe_tables(figure, [Frame.key(0.0, qpos)])
+    return whole | out | {name: whole.get(name, {}) | out.get(name, {}) for name in ("root", "joints")}
 
 
 def _penalty(kind: str, said: float | Table) -> dict[str, Any]:
