@@ -1,9 +1,9 @@
 """Thinning: as few keyframes of a recorded motion as keep it within a bound, in the in-between through them.
 
 Keyframes stand at instants of the recording, so every choice of them is a set of instants. Greedy insertion where the
-in-between is furthest off gives one that keeps the bound; then keyframes go that are not missed, two make way for one
-between them, and it is tried again with neighbours in other places, until nothing more goes. The fewest of all would
-take a search of every set: this comes within one of it on short motions.
+in-between is furthest off gives one that keeps the bound; then keyframes go that are not missed, and those whose
+neighbours can make up for them from other places, until nothing more goes. The fewest of all would take a search of
+every set: this comes within one of it on short motions.
 
 The insertion at the worst point is that of U. Ramer (1972), D. Douglas and T. Peucker (1973), for a spline instead of
 a polygon: it runs through all keyframes, so each trial looks at the whole of it near what it changes.
@@ -171,18 +171,12 @@ class Thinned:
 
 def thin(recorded: Recorded, told: Callable[[str], None] = lambda note: None) -> Thinned:
     """The fewest instants found whose raw spline keeps the bound at every instant of the recording."""
-    kept = refined(recorded, ends_of(recorded), recorded.spline, told).kept
+    kept = refined(recorded, (0, len(recorded.times) - 1), recorded.spline, told).kept
     while True:
         fewer = _repaired(recorded, _without(recorded, list(kept), told), told)
         if len(fewer) == len(kept):
             return Thinned(tuple(fewer), recorded.spline(recorded.frames(fewer)))
         kept = tuple(fewer)
-
-
-def ends_of(recorded: Recorded) -> tuple[int, ...]:
-    """The instants that any choice holds: the first, the last, and for a loop one in the middle."""
-    last = len(recorded.times) - 1
-    return (0, last // 2, last) if recorded.ends == "periodic" and last > 1 else (0, last)
 
 
 def refined(
@@ -230,8 +224,8 @@ def _holds(recorded: Recorded, kept: Sequence[int]) -> bool:
 
 
 def _without(recorded: Recorded, kept: list[int], told: Callable[[str], None]) -> list[int]:
-    """Without the keyframes that are not missed, the least missed first."""
-    needed = set(ends_of(recorded))
+    """Without the keyframes that are not missed, those with the nearest neighbours first."""
+    needed = {kept[0], kept[-1]}
     while True:
         loss = {i: recorded.breaches([_dropped(kept, i)], n)[0] for n, i in enumerate(kept) if i not in needed}
         gone = 0
@@ -248,7 +242,7 @@ def _without(recorded: Recorded, kept: list[int], told: Callable[[str], None]) -
 
 def _repaired(recorded: Recorded, kept: list[int], told: Callable[[str], None]) -> list[int]:
     """Without keyframes that are missed only until their neighbours stand elsewhere."""
-    needed = set(ends_of(recorded))
+    needed = {kept[0], kept[-1]}
     for i in list(kept):
         if i in kept and i not in needed:
             at = kept.index(i)
@@ -264,7 +258,7 @@ def _moved(recorded: Recorded, kept: list[int], at: int) -> list[int] | None:
 
     Steps are half the way to the neighbour at first, and shorter where none helps, down to one instant.
     """
-    needed = set(ends_of(recorded))
+    needed = {kept[0], kept[-1]}
     near = [n for n in range(max(0, at - NEAR), min(len(kept), at + NEAR)) if kept[n] not in needed]
     breach, share = float(recorded.breaches([kept], at)[0]), FIRST_STEP
     while breach > 0:
