@@ -23,6 +23,7 @@ from .figure import Figure, on_links
 from .frame import Frame, Timeline
 from .kinematics import LinkMotion, States
 from .quaternion import Array, Index
+from .seam import Seam
 from .subdivision import path_of
 from .unknowns import raw_timeline
 
@@ -129,17 +130,44 @@ class Recorded:
         Σ max(0, excess − 1)² (len(sets),), of splines through REACH + MARGIN keyframes on either side, with the signs
         that the recording has; see `excess` for all there is to say. The sets have one length.
         """
-        count = len(sets[0])
-        if self.ends != "free":
+        if self.ends == "clamped":
             over = [self.excess(self.spline(self.frames(kept))) - 1 - FINE for kept in sets]
             return np.sum(np.maximum(over, 0) ** 2, axis=1)
-        some = np.array([kept[max(0, at - REACH - MARGIN) : at + REACH + MARGIN + 1] for kept in sets])
-        seen = [range(kept[max(0, at - REACH)], kept[min(count - 1, at + REACH)] + 1) for kept in sets]
-        instants = np.concatenate([np.asarray(each) for each in seen])
-        owner = np.repeat(np.arange(len(sets)), [len(each) for each in seen])
-        states = natural_splines(self.times[some], self._states[some], owner, self.times[instants])
+        chosen, last = np.array(sets), len(self.times) - 1
+        numbers, first, end = self._near(chosen.shape[1], at)
+        turns, numbers = np.divmod(numbers, chosen.shape[1] - 1) if self.ends == "periodic" else (0 * numbers, numbers)
+        some = chosen[:, numbers] + turns * last  # instants, counted on through the turns of a loop
+        seen = [np.arange(row[first], row[end] + 1) for row in some]
+        owner = np.repeat(np.arange(len(sets)), [each.size for each in seen])
+        instants = np.concatenate(seen)
+        times, values = self._unrolled(some)
+        states = natural_splines(times, values, owner, self._unrolled(instants)[0])
+        if self.ends == "periodic":
+            turns, instants = np.divmod(instants, last)
+            states = (states - turns[:, None] * self._seam.travel) * self._seam.signs ** turns[:, None]
         over = np.maximum(self._excess(*self._misses(states, instants)) - 1 - FINE, 0)
         return np.bincount(owner, over**2, len(sets)).astype(float)
+
+    def _near(self, count: int, at: int) -> tuple[Index, int, int]:
+        """Numbers of the keyframes, of `count`, around number `at`, and which two of these bound what is looked at."""
+        if self.ends == "periodic":
+            before = min(REACH, (count - 1) // 2)
+            after = min(REACH, count - 1 - before)
+            return np.arange(at - before - MARGIN, at + after + MARGIN + 1), MARGIN, MARGIN + before + after
+        low, high = max(0, at - REACH - MARGIN), min(count, at + REACH + MARGIN + 1)
+        return np.arange(low, high), max(0, at - REACH) - low, min(count - 1, at + REACH) - low
+
+    @cached_property
+    def _seam(self) -> Seam:
+        return Seam.between(self.figure, self._states[0], self._states[-1])
+
+    def _unrolled(self, instants: Index) -> tuple[Array, Array]:
+        """Times (...) and states (..., N) at instants (...), in a loop also those before its start and beyond its end."""
+        if self.ends != "periodic":
+            return self.times[instants], self._states[instants]
+        turns, within = np.divmod(instants, len(self.times) - 1)
+        states = self._states[within] * self._seam.signs ** turns[..., None] + turns[..., None] * self._seam.travel
+        return self.times[within] + turns * (self.times[-1] - self.times[0]), states
 
     def worst(self, timeline: Timeline) -> tuple[Worst, Worst]:
         """The point furthest off and the link turned most differently."""
