@@ -162,7 +162,7 @@ class Recorded:
         return Seam.between(self.figure, self._states[0], self._states[-1])
 
     def _unrolled(self, instants: Index) -> tuple[Array, Array]:
-        """Times (...) and states (..., N) at instants (...), in a loop also those before its start and beyond its end."""
+        """Times (...) and states (..., N) at instants (...), for a loop also before its start and beyond its end."""
         if self.ends != "periodic":
             return self.times[instants], self._states[instants]
         turns, within = np.divmod(instants, len(self.times) - 1)
