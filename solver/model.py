@@ -16,7 +16,7 @@ its minimum after a few factorisations (semismooth Newton; M. Hintermüller, K. 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise, product
 from typing import NamedTuple
@@ -27,7 +27,7 @@ from scipy import sparse
 from . import banded
 from .curvature import Curvature
 from .kinematics import Samples
-from .objective import Discretised
+from .objective import Discretised, Term
 from .quadrature import gauss_nodes
 from .quaternion import Array, Index
 from .seam import Seam
@@ -70,8 +70,10 @@ class Layout:
         sampling = Sampling.of(spline, t)
         at_once = max(SPANS_AT_ONCE, SPAN_ENTRIES // self.width)
         edges = [*range(0, spline.times.size - 1, at_once), spline.times.size - 1]
+        own = np.searchsorted(problem.sampling.first, edges)
         self.pieces = [
-            (sampling.piece(slice(POINTS * a, POINTS * b)), self._pairs(a, b - a)) for a, b in pairwise(edges)
+            (sampling.piece(slice(POINTS * a, POINTS * b)), self._pairs(a, b - a), problem.sampling.piece(slice(c, d)))
+            for (a, b), (c, d) in zip(pairwise(edges), pairwise(own.tolist()), strict=True)
         ]
         self.sided = problem.objective.terms
         self.springs = self._springs()
@@ -99,27 +101,26 @@ class Layout:
             found.append(Pair(some, b, slice(a, a + 1), column[some], (row - column)[some]))
         return found
 
-    def add_curvature(self, room: Array, curvature: Curvature, piece: Piece, pairs: list[Pair]) -> None:
-        """Adds a curvature whose samples are the nodes of neighbouring spans."""
-        self.add_rows(room, curvature, piece)
+    def add_blocks(self, room: Array, curvature: Curvature, piece: Piece, pairs: list[Pair]) -> None:
+        """Adds what a curvature has as blocks; its samples are the nodes of neighbouring spans."""
         for columns, blocks in curvature.blocks(piece.values, POINTS):
             local = blocks.transpose(0, 2, 4, 1, 3, 5)
             for part, seen in _seen_blocks(room, columns, local):
                 for spot in pairs:
                     seen[spot.j, spot.k] += part[spot.spans, spot.b, spot.a]
 
-    def add_rows(self, room: Array, curvature: Curvature, piece: Piece) -> None:
-        """Adds what a curvature has as rows, at any samples."""
-        found = curvature.rows(piece.values)
+    def add_rows(self, room: Array, *parts: tuple[Curvature, Piece]) -> None:
+        """Adds what curvatures, each at any samples, have as rows."""
+        found = [(piece.first[at], rows) for curvature, piece in parts for at, rows in curvature.rows(piece.values)]
         if not found:
             return
-        spans = np.concatenate([piece.first[at] for at, _ in found])
+        spans = np.concatenate([own for own, _ in found])
         order = np.argsort(spans, kind="stable")
         place, rows, begin = np.empty_like(order), np.empty((order.size, LOCAL * self.width)), 0
         place[order] = np.arange(order.size)
-        for at, part in found:
-            rows[place[begin : begin + at.size]] = part
-            begin += at.size
+        for own, part in found:
+            rows[place[begin : begin + own.size]] = part
+            begin += own.size
         self.add_squared(room, spans[order], rows)
 
     def add_squared(self, room: Array, spans: Index, rows: Array) -> None:
@@ -346,29 +347,27 @@ class Model:
 
     def _add_smooth(self, path: Path, scale: float | None) -> float:
         """Adds the curvature of the two-sided residuals; its median density in y'', unless it is known."""
-        layout, objective = self.layout, self.layout.problem.objective
+        layout, problem = self.layout, self.layout.problem
         room, sizes = layout.empty(), []
-        for piece, pairs in layout.pieces:
-            samples = Samples(objective.figure, *piece.samples(path.coefficients), t=piece.t)
-            curvature, weights = Curvature(samples), layout.weights[piece.which]
-            for term in objective.terms:
-                if not term.penalty.scale.is_sharp:
-                    term.penalty.curvature(samples, curvature, term.factor * weights)
-            layout.add_curvature(room, curvature, piece, pairs)
+        terms = problem.objective.terms
+        smooth, sharp = ([term for term in terms if term.penalty.scale.is_sharp is kind] for kind in (False, True))
+
+        def seen(piece: Piece, some: Sequence[Term], weights: Array) -> Curvature:
+            samples = Samples(problem.objective.figure, *piece.samples(path.coefficients), t=piece.t)
+            curvature = Curvature(samples)
+            for term in some:
+                term.penalty.curvature(samples, curvature, term.factor * weights)
+            return curvature
+
+        for piece, pairs, own in layout.pieces:
+            weights = layout.weights[piece.which]
+            few, every = seen(piece, smooth, weights), seen(own, sharp, problem.weights[own.which])
+            layout.add_rows(room, (few, piece), (every, own))
+            layout.add_blocks(room, few, piece, pairs)
             if scale is None:
-                sizes.append(curvature.acceleration() / weights[:, None])
-        sharp = [term for term in objective.terms if term.penalty.scale.is_sharp]
-        for piece in layout.problem.pieces if sharp else ():
-            samples = Samples(objective.figure, *piece.samples(path.coefficients), t=piece.t)
-            curvature = Curvature(samples)
-            for term in sharp:
-                term.penalty.curvature(samples, curvature, term.factor * layout.problem.weights[piece.which])
-            layout.add_rows(room, curvature, piece)
-        for term, sampling in layout.problem.instants:
-            samples = Samples(objective.figure, *sampling.whole.samples(path.coefficients), t=sampling.t)
-            curvature = Curvature(samples)
-            term.penalty.curvature(samples, curvature, np.full(samples.count, term.factor))
-            layout.add_rows(room, curvature, sampling.whole)
+                sizes.append(few.acceleration() / weights[:, None])
+        for term, sampling in problem.instants:
+            layout.add_rows(room, (seen(sampling.whole, [term], np.ones(sampling.t.size)), sampling.whole))
         diagonal = layout.diagonal(room)[:, 0]
         size = max(middle(diagonal), 1e-12)
         diagonal += FAINT * size
