@@ -130,6 +130,7 @@ def render(
     _film_target(target, width, height, halves=not only and not (ghosts and target.suffix.lower() == ".png"))
     graphics = _graphics()
     from .progress import Teller
+    from .rendering import draw
     from .show import Look
 
     with Teller() as teller:
@@ -142,7 +143,7 @@ def render(
         teller.say(graphics.line)
         saved = _saved(found, teller, solve=only not in ("keys", "before"), with_report=False)
         saved = _repeated(saved, repeat)
-        _film(saved, look, graphics, target, workers, teller)
+        draw(saved, look, graphics, target, workers, teller)
         teller.say(f"wrote {target}")
 
 
@@ -278,6 +279,35 @@ def join(
     from . import edit_files
 
     _edited([first, second], edit_files.joined(transition), output, overwrite)
+
+
+@app.command()
+def thin(
+    source: Annotated[
+        str, typer.Argument(metavar="MOTION", help="a motion (.npz), a recording of another program, or a clip")
+    ],
+    max_error: Annotated[str, typer.Option(help="how far any body or site may be off, such as 2cm")] = "2cm",
+    max_angle: Annotated[float, typer.Option(help="how far any body may be turned off, degrees")] = 5.0,
+    output: Output = None,
+    solve: Annotated[
+        bool, typer.Option("--solve", help="let the solved motion keep the bound, and not only the spline")
+    ] = False,
+    figure: Annotated[str | None, typer.Option(help="of a recording: a shipped figure or MJCF")] = None,
+    kind: Annotated[
+        str | None, typer.Option("--from", help="the recording's format, if its ending is not enough")
+    ] = None,
+    fps: Annotated[float | None, typer.Option(help="the recording's images a second, if it does not tell")] = None,
+    overwrite: Overwrite = False,
+) -> None:
+    """The fewest keyframes that keep a motion within a bound, as a clip (.toml) or a motion (.npz)."""
+    _without_graphics()
+    from . import thin_files
+    from .progress import Teller
+
+    recording = thin_files.Recording(source, figure, kind, fps)
+    bound = thin_files.bound(max_error, max_angle)
+    with Teller() as teller:
+        thin_files.run(recording, bound, output, solve=solve, overwrite=overwrite, teller=teller)
 
 
 @app.command()
@@ -544,26 +574,6 @@ def _check_length(found: Clip | Saved, look: Look, repeat: int | None) -> None:
     count = (last - first) * look.fps * look.slow
     if count > MOST_IMAGES:
         raise UserError(f"{count:.0f} images; over {MOST_IMAGES}: lower --fps or --slow")
-
-
-def _film(saved: Saved, look: Look, graphics: Graphics, target: Path, asked: int | None, teller: Teller) -> None:
-    from . import film, show
-    from .errors import UserError
-    from .workers import MOST_WORKERS, cores
-
-    still = target.suffix.lower() == ".png"
-    workers = asked or (min(cores(), MOST_WORKERS) if graphics.kind == "rays" else 1)
-    try:
-        if look.ghosts and still:
-            film.write(target, [show.figure_six(saved, look, graphics, workers=workers)], look.fps)
-            return
-        count = show.image_count(saved, look, still_keys=still)
-        with contextlib.closing(show.images(saved, look, graphics, still_keys=still, workers=workers)) as images:
-            film.write(target, teller.over(images, "rendering", count), look.fps, count=count)
-    except (film.FilmError, ValueError) as error:
-        raise UserError(str(error)) from None
-    except OSError as error:
-        raise UserError(f"cannot write '{target}': {error.strerror or error}") from None
 
 
 def _plain(report: dict) -> dict:

@@ -67,7 +67,7 @@ SHORTEST = 0.001  # [s] between neighbouring keyframes
 LONGEST = 600.0  # [s] from the first keyframe to the last
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Clip:
     """A problem ready to solve, and what the report looks at.
 
@@ -99,6 +99,16 @@ class Clip:
     notes: tuple[str, ...]
     placed: tuple[Placed, ...] = ()
     contacts: tuple[Rest, ...] = ()
+
+    def __repr__(self) -> str:
+        """ "<Clip run_and_step: 2.20 s, 12 keyframes (3 partial), 15 penalties, 39 DOF>" """
+        seconds, partial = self.keys[-1].time - self.keys[0].time, sum(not key.is_key for key in self.keys)
+        some = f" ({partial} partial)" if partial else ""
+        loop = ", loop" if self.ends == "periodic" else ""
+        return (
+            f"<Clip {self.name}: {seconds:.2f} s{loop}, {len(self.keys)} keyframes{some}, "
+            f"{len(self.penalties)} penalties, {self.figure.model.nv} DOF>"
+        )
 
 
 def load(source: str, *, model: str | None = None, keys: str | None = None, fps: float | None = None) -> Clip:
@@ -135,14 +145,23 @@ def load(source: str, *, model: str | None = None, keys: str | None = None, fps:
 
 
 def from_text(
-    text: str, *, name: str, place: str | None = None, folder: Path | None = None, fps: float | None = None
+    text: str,
+    *,
+    name: str,
+    place: str | None = None,
+    folder: Path | None = None,
+    fps: float | None = None,
+    spec: mujoco.MjSpec | None = None,
 ) -> Clip:
-    """A clip from TOML text; `place` is how errors call it, `folder` where the figure's path starts."""
+    """A clip from TOML text; `place` is how errors call it, `folder` where the figure's path starts.
+
+    spec  the figure itself, whatever the text calls it
+    """
     place = place or f"{name}.toml"
     table = table_of(text, place)
     step = table.scene.step
     try:
-        spec = figure_spec(table.figure, folder)
+        spec = figure_spec(table.figure, folder) if spec is None else spec
         mjcf = compose(spec, None if step is None else Step(**step.model_dump()), obstacles(table.scene))
     except UserError as error:
         raise UserError(f"{place}: {error}") from None
@@ -168,15 +187,18 @@ def table_of(text: str, place: str) -> ClipTable:
         raise UserError(f"{place}: {spoken(error, raw)}") from None
 
 
-def of_motion(saved: Saved) -> Clip:
-    """The problem that a saved motion answers, its keyframes and ends those of the motion itself."""
+def of_motion(saved: Saved, *, contacts: bool = False) -> Clip:
+    """The problem that a saved motion answers, its keyframes and ends those of the motion itself.
+
+    contacts  whether those of its text hold for it still
+    """
     table = table_of(saved.text, saved.name) if saved.text else None
     solve = SolveTable() if table is None else table.solve
     ends, travel, roots = saved.timeline.ends, None, saved.figure.tables.position_columns
     if ends == "periodic" and roots.size:
         travel = tuple(Seam.of(saved.figure, saved.timeline).travel[roots[:, 0]].tolist())
     solve = solve.model_copy(update={"ends": ends, "travel": travel})
-    if table is not None:  # whose contacts and places are those of the clip that it was
+    if table is not None and not contacts:  # which are those of the clip that it was
         table = table.model_copy(update={"contact": []})
     return _clip(
         saved.name, saved.text, saved.mjcf, saved.figure, saved.fps, list(saved.keys), table, saved.name, solve=solve

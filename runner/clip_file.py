@@ -1,0 +1,73 @@
+"""A motion as a clip's file again: the tables that it came from, or its keyframes as tables, beside it its scene."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import models
+from solver.seam import Seam
+
+from . import clip as clips
+from .clip_text import keyframe_tables, tables, written
+from .errors import UserError
+from .motion import Replacement, Saved, check_target
+from .scene import compose, figure_spec
+
+
+def write(
+    saved: Saved, target: Path, *, note: str = "", search: dict[str, Any] | None = None, overwrite: bool
+) -> list[Path]:
+    """Writes a clip, .toml, and gives the files written: its figure's whole scene is one, if it is none that ships.
+
+    note    the comment at its head
+    search  what its [solve] says if the motion came from no clip
+    """
+    check(target)
+    if saved.text:
+        said = tables(clips.table_of(saved.text, saved.name))
+    else:
+        said = {"figure": _shipped(saved), "fps": saved.fps, "solve": (search or {}) | _ends(saved)}
+        said["keyframe"] = keyframe_tables(saved.figure, saved.keys)
+    files: list[tuple[Path, str]] = []
+    if said["figure"] not in models.figures() or (saved.text and not _tells_scene(saved)):
+        scene = target.with_suffix(".xml")
+        if scene.exists() and scene.read_text(encoding="utf-8") != saved.mjcf and not overwrite:
+            raise UserError(
+                f"'{scene}' is there already, and the clip's figure goes there; choose another name or overwrite it"
+            )
+        said = {key: value for key, value in said.items() if key != "scene"} | {"figure": scene.name}
+        files.append((scene, saved.mjcf))
+    files.append((target, (f"# {note}\n" if note else "") + written(said)))
+    for path, text in files:
+        with Replacement(path) as temporary:
+            temporary.write_text(text, encoding="utf-8")
+    return [path for path, _ in files]
+
+
+def check(target: Path) -> None:
+    """Raises UserError unless a clip can be written there."""
+    if target.suffix != ".toml":
+        raise UserError(f"{target}: a clip's name ends in .toml")
+    check_target(target)
+
+
+def _shipped(saved: Saved) -> str:
+    """The shipped figure that a motion from no clip is of, on the bare stage, or none."""
+    return next((name for name in models.figures() if compose(figure_spec(name)) == saved.mjcf), "")
+
+
+def _tells_scene(saved: Saved) -> bool:
+    """Whether the tables alone make the scene that the motion is in."""
+    return clips.from_text(saved.text, name=saved.name).mjcf == saved.mjcf
+
+
+def _ends(saved: Saved) -> dict[str, Any]:
+    """What [solve] says of a motion's ends and coordinates."""
+    out: dict[str, Any] = {"coordinates": saved.figure.coordinates}
+    if saved.timeline.ends in ("periodic", "clamped"):
+        out["ends"] = saved.timeline.ends
+    roots = saved.figure.tables.position_columns
+    if saved.timeline.ends == "periodic" and roots.size:
+        out["travel"] = Seam.of(saved.figure, saved.timeline).travel[roots[:, 0]].tolist()
+    return out

@@ -1,0 +1,133 @@
+"""A clip without a file: keyframes in Python, in the words of the clip's file, and `build`, which makes them a Clip."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Literal
+
+import mujoco
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.spatial.transform import Rotation
+
+import models
+from solver.figure import Figure, FigureError
+from solver.frame import Frame
+
+from .. import clip as clips
+from ..clip import Clip
+from ..clip_text import keyframe_tables, written
+from ..errors import UserError
+from ..scene import figure_spec, first_line, quietly
+
+Turn = Mapping[str, Any] | Rotation
+Table = Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class Keyframe:
+    """The figure at one time, as much of it as is given; everything means what it means in a clip's file.
+
+    time    [s]
+    root    {"position": [x, y, z], "rotation": ...}, in the world; metres, any axis may be "free"
+    joints  by name: a rotation relative to the parent for a ball joint, degrees for a hinge, metres for a slide
+    sites   by name: [x, y, z], metres in the world; a pose is found for it
+    bodies  by name: {"flat": True}, or a rotation in the world
+    others  what becomes of the rest: "free" for the search to fill in, "rest", or "hold" as in the keyframe before
+    qpos    (nq,) the whole configuration in MuJoCo's order; what else is given goes over it
+
+    A rotation is {"rotvec": [x, y, z]}, {"euler": [...], "order": "xyz"}, both in degrees, {"quat": [w, x, y, z]}, or
+    a scipy Rotation.
+    """
+
+    time: float
+    root: Table = field(default_factory=dict)
+    joints: Mapping[str, Turn | float | Literal["free"]] = field(default_factory=dict)
+    sites: Mapping[str, ArrayLike | Table] = field(default_factory=dict)
+    bodies: Mapping[str, Turn] = field(default_factory=dict)
+    others: Literal["free", "rest", "hold"] = "free"
+    qpos: ArrayLike | None = None
+
+
+def build(
+    figure: str | os.PathLike[str] | mujoco.MjSpec,
+    keyframes: Sequence[Keyframe],
+    *,
+    name: str = "clip",
+    fps: float = 30.0,
+    scene: Table | None = None,
+    contacts: Sequence[Table] = (),
+    penalties: Mapping[str, float | Table] | None = None,
+    solve: Table | None = None,
+) -> Clip:
+    """A clip from keyframes in Python.
+
+    figure     the name of a figure that ships (see `figures()`), a path to MJCF, or an MjSpec
+    scene      as the file's [scene]: {"step": {"x": 0.3, "height": 0.27}, "box": [{...}, ...]}
+    contacts   as [[contact]]: {"point": "right_heel", "from": 0.0, "to": 0.8}
+    penalties  what differs from the defaults: {"torque": 0.1, "clearance": {"weight": 100, "margin": 0.002}}
+    solve      as [solve]: {"ends": "periodic", "variable": 3}
+
+    Raises UserError, in one line that names the keyframe and the key, for what does not fit the figure.
+    """
+    spec, called = _spec(figure)
+    own = _figure(spec, called) if any(key.qpos is not None for key in keyframes) else None
+    raw: dict[str, Any] = {"figure": called, "fps": float(fps)}
+    raw |= {key: _plain(value) for key, value in (("scene", scene), ("solve", solve)) if value}
+    raw |= {"contact": [_plain(row) for row in contacts]} if contacts else {}
+    raw |= {"penalty": [_penalty(*entry) for entry in penalties.items()]} if penalties else {}
+    raw |= {"keyframe": [_table(key, own) for key in keyframes]}
+    return clips.from_text(written(raw), name=name, place=name, spec=spec)
+
+
+def _spec(figure: str | os.PathLike[str] | mujoco.MjSpec) -> tuple[mujoco.MjSpec, str]:
+    """The figure, and what the clip's text calls it: a name that ships, or a path."""
+    if isinstance(figure, str | os.PathLike):
+        called = os.fspath(figure)
+        return figure_spec(called), called if called in models.figures() else Path(called).resolve().as_posix()
+    return figure.copy(), f"{figure.modelname or 'figure'}.xml"
+
+
+def _figure(spec: mujoco.MjSpec, called: str) -> Figure:
+    try:
+        with quietly():
+            return Figure(spec.copy().compile())
+    except (FigureError, ValueError) as error:
+        raise UserError(f"{called}: {first_line(error)}") from None
+
+
+def _table(key: Keyframe, figure: Figure | None) -> dict[str, Any]:
+    """The keyframe as a table of a clip's file; `figure` is needed for qpos."""
+    said = {"root": key.root, "joints": key.joints, "sites": key.sites, "bodies": key.bodies}
+    out: dict[str, Any] = {"time": _plain(key.time)}
+    out |= {name: _plain(value) for name, value in said.items() if value}
+    if key.others != "free":
+        out["others"] = key.others
+    if key.qpos is None or figure is None:
+        return out
+    qpos = np.asarray(key.qpos, float)
+    if qpos.shape != (figure.width,) or not np.all(np.isfinite(qpos)):
+        wrong = "its numbers are not finite" if qpos.shape == (figure.width,) else f"it is {qpos.shape}"
+        raise UserError(f"keyframe (t = {key.time} s): qpos is ({figure.width},) of finite numbers; {wrong}")
+    (whole,) = keyframe_tables(figure, [Frame.key(0.0, qpos)])
+    return whole | out | {name: whole.get(name, {}) | out.get(name, {}) for name in ("root", "joints")}
+
+
+def _penalty(kind: str, said: float | Table) -> dict[str, Any]:
+    return {"kind": kind} | (_plain(said) if isinstance(said, Mapping) else {"weight": float(said)})
+
+
+def _plain(value: Any) -> Any:
+    """Arrays, numpy's numbers and scipy's rotations as a file has them."""
+    if isinstance(value, Mapping):
+        return {str(key): _plain(each) for key, each in value.items()}
+    if isinstance(value, Rotation):
+        return {"quat": value.as_quat(scalar_first=True).tolist()}
+    if isinstance(value, np.ndarray | np.generic):
+        return value.tolist()
+    if isinstance(value, list | tuple):
+        return [_plain(each) for each in value]
+    return value

@@ -1,0 +1,53 @@
+"""From files: `load` a clip, `load_motion` a solved one, `import_motion` what another program recorded."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from .. import clip as clips
+from .. import motion as files
+from ..clip import Clip
+from ..errors import UserError
+from .motion import Motion
+
+
+def load(source: str | os.PathLike[str], *, fps: float | None = None) -> Clip:
+    """A clip, ready to be in-betweened.
+
+    source  the name of a clip that ships (see `clips()`), a .toml file, an MJCF file with <keyframe> elements, or TOML
+            text itself, which has a line break in it
+    fps     samples a second of what is made of it, instead of the clip's own
+
+    Raises UserError, in one line that names the file, the keyframe and the key.
+    """
+    source = os.fspath(source)
+    if "\n" in source:
+        return clips.from_text(source, name="clip", place="clip", fps=fps)
+    if files.is_motion(source):
+        raise UserError(f"'{source}' is a motion, solved already; load_motion opens it")
+    return clips.load(source, fps=fps)
+
+
+def load_motion(source: str | os.PathLike[str]) -> Motion:
+    """A motion that `Motion.save` or `dynsplines solve` wrote, .npz; raises UserError for any other file."""
+    return Motion(files.load(Path(source)))
+
+
+def import_motion(
+    source: str | os.PathLike[str],
+    figure: str | os.PathLike[str] | None = None,
+    *,
+    format: str | None = None,
+    fps: float | None = None,
+) -> Motion:
+    """A recording of another program; every instant of it is a keyframe, and nothing is searched.
+
+    figure  whose motion it is, where the file brings none: the name of a figure that ships, or a path to MJCF
+    format  by name (`dynsplines formats` lists them), where the file's ending does not tell it
+    fps     images a second, where the file does not tell them
+    """
+    from ..exchange.imported import imported
+
+    figure = None if figure is None else os.fspath(figure)
+    return Motion(imported(Path(source), format, figure=figure, fps=fps))

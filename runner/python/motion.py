@@ -1,0 +1,332 @@
+"""Motion: what in-betweening gives. It is never changed: every edit gives a new one."""
+
+from __future__ import annotations
+
+import html
+import io
+import os
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from pathlib import Path
+from typing import Any, Literal
+
+import mujoco
+import numpy as np
+from numpy.typing import ArrayLike
+from rich.console import Console
+
+from solver.quaternion import Array
+from solver.subdivision import path_of
+
+from .. import clip as clips
+from .. import clip_file, edits, thinning, work
+from .. import motion as files
+from ..clip import Clip
+from ..errors import UserError, unknown
+from ..motion import Sampled, Saved
+from ..progress import Teller
+from ..quantity import length
+from ..report import tables
+from ..work import Solved
+
+PLAYER_HEIGHT = 480  # pixels, in a notebook
+
+
+def inbetween(clip: Clip, *, progress: bool = False) -> Motion:
+    """Smooth motion through a clip's keyframes that keeps to its soft constraints.
+
+    progress  tell on stderr how far it is
+
+    Ctrl-C (in a notebook: interrupt) stops the search and keeps the best motion so far; the keyframes are met exactly
+    whenever it stops.
+    """
+    teller = Teller() if progress else _silent()
+    solved = work.solve(clip, teller)
+    return Motion(solved.saved(teller, with_report=False), solved)
+
+
+class Report(dict[str, Any]):
+    """What a motion is like, measured at 1 kHz: plain numbers by name, and as text two tables to read."""
+
+    def __str__(self) -> str:
+        out = io.StringIO()
+        Console(file=out, width=110, highlight=False).print(tables(self), markup=False)
+        return out.getvalue()
+
+    __repr__ = __str__
+
+    def _repr_html_(self) -> str:
+        return f"<pre>{html.escape(str(self))}</pre>"
+
+
+@dataclass(frozen=True)
+class Apart:
+    """How far two motions are apart at most.
+
+    distance, angle  [m] of a body's origin or a site, [degrees] of a body's rotation
+    """
+
+    distance: float
+    where: str
+    time: float
+    angle: float
+    turned: str
+    turned_time: float
+
+    def __str__(self) -> str:
+        return (
+            f"at most {100 * self.distance:.3g} cm at {self.time:.2f} s ({self.where}), "
+            f"{self.angle:.3g}° at {self.turned_time:.2f} s ({self.turned})"
+        )
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Motion:
+    """A motion of a figure over time, with the keyframes that it goes through and its scene.
+
+    saved  all of it, as its file holds it
+    """
+
+    saved: Saved
+    _solved: Solved | None = field(default=None)
+
+    def __repr__(self) -> str:
+        """ "<Motion run_and_step: 2.20 s, 12 keyframes, 33 variable frames, 39 DOF>" """
+        frames, loop = self.saved.timeline.variable_count, ", loop" if self.is_loop else ""
+        between = f"{frames} variable frames, " if frames else ""
+        count = len(self.saved.keys)
+        return f"<Motion {self.name}: {self.duration:.2f} s{loop}, {count} keyframes, {between}{self.model.nv} DOF>"
+
+    @property
+    def name(self) -> str:
+        """What files made of it are called."""
+        return self.saved.name
+
+    @property
+    def start(self) -> float:
+        """When it begins [s], at the first keyframe's time."""
+        return float(self.saved.timeline.times[0])
+
+    @property
+    def end(self) -> float:
+        """When it ends [s]."""
+        return float(self.saved.timeline.times[-1])
+
+    @property
+    def duration(self) -> float:
+        """How long it lasts [s]."""
+        return self.end - self.start
+
+    @property
+    def fps(self) -> float:
+        """Samples a second, where nobody asks for others."""
+        return self.saved.fps
+
+    @property
+    def is_loop(self) -> bool:
+        """Whether it goes on from its end to its start."""
+        return self.saved.timeline.ends == "periodic"
+
+    @property
+    def key_times(self) -> Array:
+        """(K,) the times of the keyframes [s]."""
+        return np.array([key.time for key in self.saved.keys])
+
+    @property
+    def model(self) -> mujoco.MjModel:
+        """The figure in its scene."""
+        return self.saved.figure.model
+
+    @property
+    def mjcf(self) -> str:
+        """The same as MJCF text."""
+        return self.saved.mjcf
+
+    @cached_property
+    def clip(self) -> Clip:
+        """The problem that it answers, to be in-betweened again."""
+        return clips.of_motion(self.saved) if self._solved is None else self._solved.clip
+
+    @cached_property
+    def before(self) -> Motion:
+        """The raw spline through the same keyframes, nothing searched: what it is compared with."""
+        return Motion(replace(self.saved, timeline=self.saved.raw, trace=[], report={}))
+
+    def at(self, t: ArrayLike) -> Array:
+        """MuJoCo configurations at times t [s]: (nq,) for one time, (S, nq) for S; quaternions wxyz and unit."""
+        times = np.asarray(t, float)
+        if times.ndim > 1:
+            raise UserError(f"{self.name}: times are one number or a list of them, not {times.shape}")
+        if times.size and not (self.start - 1e-9 <= times.min() and times.max() <= self.end + 1e-9):
+            raise UserError(f"{self.name}: the motion runs from {self.start:g} to {self.end:g} s; nothing is outside")
+        qpos = self.saved.figure.to_qpos(path_of(self.saved.timeline).at(times.ravel()))
+        return qpos.reshape(*times.shape, self.model.nq)
+
+    def sampled(self, fps: float | None = None) -> Sampled:
+        """time (T,) [s], qpos (T, nq), qvel and qacc (T, nv), `fps` a second; MuJoCo's order, units and axes."""
+        if fps is not None and not 0 < fps < np.inf:
+            raise UserError(f"{self.name}: {fps} samples a second; give a number above 0")
+        return files.sampled(self.saved.figure, self.saved.timeline, fps or self.fps)
+
+    def report(self) -> Report:
+        """Before and after, measured between the samples that the optimiser saw; takes some seconds, the first time."""
+        return self._report
+
+    @cached_property
+    def _report(self) -> Report:
+        data = self.saved.report
+        if not data and self._solved is not None:
+            data = self._solved.saved(_silent()).report
+        elif not data:
+            data = edits.measured(self.saved, _silent(), "not searched").report
+        return Report(data)
+
+    def apart(self, other: Motion) -> Apart:
+        """How far another motion of the same figure is from this, at this one's instants."""
+        edits.check_alike(self.saved, other.saved)
+        recorded = thinning.recorded_of(self.saved, 1.0, 1.0)
+        first, last = recorded.times[[0, -1]]
+        if other.start > first + 1e-9 or other.end < last - 1e-9:
+            raise UserError(
+                f"'{other.name}' runs from {other.start:g} to {other.end:g} s, not all of {first:g} to {last:g}"
+            )
+        far, turned = recorded.worst(other.saved.timeline)
+        times = recorded.times[[far.instant, turned.instant]].tolist()
+        return Apart(far.value, far.name, times[0], float(np.degrees(turned.value)), turned.name, times[1])
+
+    def render(
+        self,
+        path: str | os.PathLike[str] | None = None,
+        *,
+        only: Literal["", "before", "after", "keys"] = "",
+        camera: str = "side",
+        size: tuple[int, int] = (1280, 720),
+        fps: float | None = None,
+        slow: float = 1.0,
+        ghosts: bool = False,
+        at: float | None = None,
+        workers: int | None = None,
+        progress: bool = False,
+    ) -> Path:
+        """Draws it into .mp4, .webm, .gif, or .png for a contact sheet, and gives the file's path.
+
+        path     where to; NAME.mp4, or for a still NAME.png, if not said
+        only     "" for before and after side by side, or one of them alone, or the keyframes
+        camera   "side", "left", "front", "three_quarter", "back", or one of the model's own
+        size     (width, height) of the whole picture [pixels]
+        slow     how many times slower than life
+        ghosts   in a .png: keyframes darkest, variable frames lighter, in-betweens lightest
+        at       one image, at this time [s]
+        workers  processes that draw; more than one, or rays, need a script's main part behind
+                 `if __name__ == "__main__":`
+        """
+        from ..graphics import GraphicsError, choose
+        from ..rendering import draw
+        from ..show import Look
+
+        self._check_look(only, camera, at)
+        target = Path(path) if path is not None else Path(f"{self.name}.{'png' if ghosts or at is not None else 'mp4'}")
+        try:
+            graphics = choose()
+        except GraphicsError as error:
+            raise UserError(str(error)) from None
+        look = Look(*size, fps or self.fps, only, ghosts, camera, slow, at)
+        draw(self.saved, look, graphics, target, workers or 1, Teller() if progress else _silent())
+        return target
+
+    def _check_look(self, only: str, camera: str, at: float | None) -> None:
+        from ..camera import ANGLES
+
+        cameras = [*ANGLES, *(name for i in range(self.model.ncam) if (name := self.model.camera(i).name))]
+        if only not in ("", "before", "after", "keys"):
+            raise UserError(f"only = '{only}': not one of before, after, keys")
+        if camera not in cameras:
+            raise UserError(unknown("camera", camera, cameras))
+        if at is not None and not self.start <= at <= self.end:
+            raise UserError(f"{self.name}: the motion runs from {self.start:g} to {self.end:g} s; nothing is at {at:g}")
+
+    def export(self, path: str | os.PathLike[str], to: str | None = None, *, fps: float | None = None) -> Path:
+        """Writes it in the format of another program, by the path's ending or by name, and gives the file's path."""
+        from ..exchange import formats
+
+        target, known = Path(path), formats.writers()
+        if to is None:
+            fitting = [each.name for each in known.values() if target.name.lower().endswith(each.ending)]
+            if len(fitting) != 1:
+                raise UserError(
+                    f"'{target}': its ending does not tell its format; say to=, one of: {', '.join(fitting or known)}"
+                )
+            to = fitting[0]
+        return formats.export(self.saved, to, target, fps=fps)
+
+    def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> Path:
+        """Writes it as a motion, .npz, which `load_motion` opens, or as a clip, .toml, of its keyframes.
+
+        overwrite  a scene that lies beside the clip and is another one
+        """
+        target = Path(path)
+        if target.suffix == ".toml":
+            search = thinning.AS_SPLINE if self.saved.timeline.variable_count == 0 else None
+            clip_file.write(replace(self.saved, name=target.stem), target, search=search, overwrite=overwrite)
+        elif target.suffix == ".npz":
+            files.check_target(target)
+            files.save(replace(self.saved, report=dict(self.report())), target)
+        else:
+            raise UserError(
+                f"'{target}': a motion is saved as .npz, or as a clip, .toml; `export` writes other formats"
+            )
+        return target
+
+    def mirrored(self) -> Motion:
+        """Left and right exchanged, in the x-z plane; the scene stays."""
+        return self._edited(edits.mirrored(self.saved))
+
+    def retimed(self, speed: float | None = None, *, duration: float | None = None) -> Motion:
+        """Played `speed` times as fast, or so that it lasts `duration` [s]."""
+        if (speed is None) == (duration is None):
+            raise UserError("give speed, such as 1.5, or duration, in seconds: one of them")
+        if duration is not None and not 0 < duration < np.inf:
+            raise UserError(f"duration = {duration:g}: give seconds, above 0")
+        rate = speed if speed is not None else self.duration / (duration or self.duration)
+        return self._edited(edits.retimed(self.saved, rate))
+
+    def trimmed(self, first: float | None = None, last: float | None = None) -> Motion:
+        """The part from one time to another [s]; inside it stays the same."""
+        begin, end = self.start if first is None else first, self.end if last is None else last
+        return self._edited(edits.trimmed(self.saved, begin, end))
+
+    def repeated(self, count: int) -> Motion:
+        """A loop played so many times over, without a seam."""
+        return self._edited(edits.repeated(self.saved, count))
+
+    def joined(self, other: Motion, transition: float = 0.4) -> Motion:
+        """This and then another one, moved to where this goes on, with a transition [s] between them."""
+        return self._edited(edits.joined(self.saved, other.saved, transition, _silent()))
+
+    def thinned(self, max_error: float | str = 0.02, *, max_angle: float = 5.0, solve: bool = False) -> Motion:
+        """The fewest keyframes found that keep it within a bound of what it is, at every instant looked at.
+
+        max_error  of any body's origin and any site: metres, or text such as "2cm"
+        max_angle  of any body's rotation [degrees]
+        solve      let the in-between through the keyframes keep the bound, and not only the spline
+        """
+        if not 0 < max_angle <= 180:
+            raise UserError(f"max_angle = {max_angle:g}: give degrees, above 0 and up to 180")
+        bound = length(max_error, "max_error ="), float(np.radians(max_angle))
+        return self._edited(thinning.thinned(self.saved, *bound, solve=solve, teller=_silent()).motion)
+
+    def _edited(self, saved: Saved) -> Motion:
+        return Motion(replace(saved, trace=[], report={}))
+
+    def _repr_html_(self) -> str:
+        """The motion playing, before and after, in a notebook: a page that needs nothing from elsewhere."""
+        from ..exchange.html import page
+        from ..exchange.take import Take
+
+        inside = html.escape(page(Take.of(self.saved)))
+        style = f"width: 100%; height: {PLAYER_HEIGHT}px; border: 0"
+        return f'<iframe title="{html.escape(self.name)}" style="{style}" srcdoc="{inside}"></iframe>'
+
+
+def _silent() -> Teller:
+    return Teller(Console(quiet=True))

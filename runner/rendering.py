@@ -1,0 +1,31 @@
+"""A motion drawn into a file, with whatever goes wrong told as the user's error."""
+
+from __future__ import annotations
+
+import contextlib
+from pathlib import Path
+
+from . import film, show
+from .errors import UserError
+from .graphics import Graphics
+from .motion import Saved
+from .progress import Teller
+from .show import Look
+from .workers import MOST_WORKERS, cores
+
+
+def draw(saved: Saved, look: Look, graphics: Graphics, target: Path, asked: int | None, teller: Teller) -> None:
+    """Writes .mp4, .webm, .gif or .png; `asked` is how many processes may draw, None: one, or with rays one a core."""
+    still = target.suffix.lower() == ".png"
+    workers = asked or (min(cores(), MOST_WORKERS) if graphics.kind == "rays" else 1)
+    try:
+        if look.ghosts and still:
+            film.write(target, [show.figure_six(saved, look, graphics, workers=workers)], look.fps)
+            return
+        count = show.image_count(saved, look, still_keys=still)
+        with contextlib.closing(show.images(saved, look, graphics, still_keys=still, workers=workers)) as images:
+            film.write(target, teller.over(images, "rendering", count), look.fps, count=count)
+    except (film.FilmError, ValueError) as error:
+        raise UserError(str(error)) from None
+    except OSError as error:
+        raise UserError(f"cannot write '{target}': {error.strerror or error}") from None

@@ -1,0 +1,71 @@
+"""The command `thin`: from a motion's file to the clip of its keyframes, and what is said of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+import models
+
+from . import clip as clips
+from . import motion, thinning, work
+from .errors import UserError
+from .exchange.imported import imported
+from .motion import Saved
+from .progress import Teller
+from .quantity import length
+
+
+@dataclass(frozen=True)
+class Recording:
+    """A motion's file, and what a file of another program may not tell: figure, format, images a second."""
+
+    source: str
+    figure: str | None = None
+    kind: str | None = None
+    fps: float | None = None
+
+    def read(self, teller: Teller) -> Saved:
+        """A saved motion as it is, a clip solved, any other file imported."""
+        told = self.figure is not None or self.kind is not None
+        path = Path(self.source)
+        if not told and motion.is_motion(self.source):
+            return motion.load(path)
+        if not told and (self.source in models.clips() or path.suffix.lower() == ".toml"):
+            return work.solve(clips.load(self.source), teller).saved(teller, with_report=False)
+        return imported(path, self.kind, figure=self.figure, fps=self.fps)
+
+
+def bound(error: str, angle: float) -> tuple[float, float]:
+    """Metres and radians of the two options; raises UserError for what is no bound."""
+    if not 0 < angle <= 180:
+        raise UserError(f"--max-angle {angle:g}: give degrees, above 0 and up to 180")
+    return length(error, "--max-error"), float(np.radians(angle))
+
+
+def run(
+    recording: Recording,
+    bound: tuple[float, float],
+    target: Path | None,
+    *,
+    solve: bool,
+    overwrite: bool,
+    teller: Teller,
+) -> Path:
+    """Thins a motion and writes what is left; a clip's file is read and solved again, and its misses are told."""
+    source = Path(recording.source)
+    target = target or Path(f"{source.stem}_thin.toml")
+    thinning.check(target)
+    if target.exists() and source.exists() and target.samefile(source) and not overwrite:
+        raise UserError(f"'{target}' is what is read; give another -o, or --overwrite")
+    saved = recording.read(teller)
+    found = thinning.thinned(saved, *bound, solve=solve, teller=teller)
+    written = thinning.write(found, target, solve=solve, overwrite=overwrite)
+    if target.suffix == ".toml":
+        again = work.solve(clips.load(str(target)), teller).motion.timeline
+        found = thinning.measured(thinning.recorded_of(saved, *bound), replace(found.motion, timeline=again))
+    teller.say(found.line)
+    teller.say(f"wrote {' and '.join(map(str, written))}")
+    return target

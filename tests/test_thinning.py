@@ -1,0 +1,170 @@
+"""`dynsplines thin`: from motions and recordings to clips that give the same motion, measured on what was written."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from tiny import names, written
+
+from runner import clip, edits, motion, thin_files, work
+from runner.cli import app
+from runner.errors import UserError
+from runner.exchange import formats
+from runner.motion import Saved
+from runner.progress import Teller
+from runner.quantity import length
+from runner.thinning import recorded_of, thinned
+from solver.subdivision import path_of
+
+BOUND = (0.02, np.radians(5))
+
+
+@pytest.fixture(scope="module")
+def walk() -> Saved:
+    """The loop as its raw spline, which is quick to have."""
+    return work.unsolved(clip.load("walk_loop")).saved(Teller(), with_report=False)
+
+
+@pytest.fixture(scope="module")
+def straight(walk: Saved) -> Saved:
+    return edits.trimmed(walk, 0.1, 0.6)
+
+
+def run(
+    source: Path | str, target: Path | None = None, *, solve: bool = False, overwrite: bool = False, **told
+) -> Path:
+    recording = thin_files.Recording(str(source), **told)
+    return thin_files.run(recording, BOUND, target, solve=solve, overwrite=overwrite, teller=Teller())
+
+
+def apart(one: Saved, other: Saved) -> float:
+    """The largest distance of a body or site [m] between two motions."""
+    recorded = recorded_of(one, *BOUND)
+    return recorded.worst(other.timeline)[0].value
+
+
+@pytest.mark.parametrize(
+    ("text", "metres"), [("2cm", 0.02), ("20 mm", 0.02), ("0.02", 0.02), ("0.02m", 0.02), ("1e-3", 0.001)]
+)
+def test_lengths_are_read_as_people_write_them(text, metres):
+    assert length(text, "--max-error") == pytest.approx(metres, rel=1e-12)
+
+
+@pytest.mark.parametrize("text", ["0", "-1cm", "cm", "2 inches", "nan", "", "1..2", "inf"])
+def test_what_is_no_length_is_refused(text):
+    with pytest.raises(UserError, match=r"--max-error .*such as 2cm"):
+        length(text, "--max-error")
+
+
+@pytest.mark.parametrize("angle", [0.0, -3.0, 181.0])
+def test_what_is_no_angle_is_refused(angle):
+    with pytest.raises(UserError, match="--max-angle"):
+        thin_files.bound("2cm", angle)
+
+
+def test_solving_the_clip_gives_the_motion_that_was_measured(straight, tmp_path, capsys):
+    source, target = tmp_path / "step.npz", tmp_path / "step.toml"
+    motion.save(straight, source)
+    run(source, target)
+    again = work.solve(clip.load(str(target)), Teller()).saved(Teller(), with_report=False)
+    said = re.search(r"(\d+) keyframes of (\d+); at most ([\d.]+) cm at ([\d.]+) s \((\w+)\)", capsys.readouterr().err)
+    assert said
+    assert int(said[1]) == len(again.keys) < 15
+    assert float(said[3]) == pytest.approx(100 * apart(straight, again), rel=0.01)
+    assert apart(straight, again) <= 0.02
+    # between the instants looked at, too
+    fine = np.arange(0.1, 0.6, 1e-3)
+    one, other = (each.figure.to_qpos(path_of(each.timeline).at(fine)) for each in (straight, again))
+    assert np.abs(one - other)[:, :3].max() < 0.025
+
+
+def test_a_loop_stays_a_loop_in_its_clip(walk, tmp_path):
+    source, target = tmp_path / "walk.npz", tmp_path / "walk_thin.toml"
+    motion.save(walk, source)
+    run(source, target)
+    found = clip.load(str(target))
+    assert found.ends == "periodic"
+    assert found.travel is not None
+    assert found.travel[0] == pytest.approx(walk.timeline.states[-1, 0] - walk.timeline.states[0, 0])
+    assert names(tmp_path) == ["walk.npz", "walk_thin.toml"]  # the figure ships, so it is only named
+    assert {contact.point.name for contact in found.contacts} == {
+        contact.point.name for contact in clip.load("walk_loop").contacts
+    }
+
+
+def test_the_solved_motion_keeps_the_bound_where_that_is_asked(straight, tmp_path):
+    source, target = tmp_path / "step.npz", tmp_path / "step.toml"
+    motion.save(straight, source)
+    run(source, target, solve=True)
+    found = clip.load(str(target))
+    again = work.solve(found, Teller()).saved(Teller(), with_report=False)
+    assert again.timeline.variable_count > 0
+    assert apart(straight, again) <= 0.02 * (1 + 1e-6)
+
+
+def test_a_recording_is_thinned_at_its_own_instants(straight, tmp_path, capsys):
+    source = tmp_path / "step.csv"
+    formats.export(straight, "csv", source, fps=120)
+    target = run(source, tmp_path / "step.npz", figure="human")
+    assert "keyframes of 61;" in capsys.readouterr().err
+    found = motion.load(target)
+    on_grid = (found.timeline.times - 0.1) * 120
+    np.testing.assert_allclose(on_grid, on_grid.round(), atol=1e-6)
+    assert found.name == "step"
+
+
+def test_the_figure_of_a_recording_is_named_if_it_ships(straight, tmp_path):
+    source = tmp_path / "step.csv"
+    formats.export(straight, "csv", source, fps=60)
+    run(source, tmp_path / "again.toml", figure="human")
+    assert names(tmp_path) == ["again.toml", "step.csv"]
+    assert 'figure = "human"' in (tmp_path / "again.toml").read_text()
+
+
+def test_another_scene_is_written_beside_the_clip(motion_file, tmp_path):
+    target = run(motion_file, tmp_path / "small.toml")
+    assert names(tmp_path) == ["small.toml", "small.xml"]
+    found = clip.load(str(target))
+    assert [link.name for link in found.figure.links[1:]] == ["root", "left_knee"]
+    run(motion_file, target)  # the same scene is no other one
+    (tmp_path / "small.xml").write_text("<mujoco/>")
+    with pytest.raises(UserError, match=r"small\.xml' is there already.*overwrite"):
+        run(motion_file, target)
+    run(motion_file, target, overwrite=True)
+
+
+def test_a_clip_is_solved_first(tmp_path):
+    target = run(written(tmp_path), tmp_path / "out.npz")
+    assert len(motion.load(target).keys) >= 2
+
+
+def test_what_is_read_is_not_written_over(motion_file, tmp_path):
+    copy = tmp_path / "own.npz"
+    copy.write_bytes(motion_file.read_bytes())
+    with pytest.raises(UserError, match="is what is read"):
+        run(copy, copy)
+    run(copy, copy, overwrite=True)
+
+
+@pytest.mark.parametrize("ending", [".csv", ".bvh", ""])
+def test_other_endings_are_refused_before_anything_is_read(ending, tmp_path):
+    with pytest.raises(UserError, match=r"as a clip, \.toml, or as a motion, \.npz"):
+        run("nowhere.npz", tmp_path / f"out{ending}")
+
+
+@pytest.mark.parametrize("value", [0.0, -0.1, np.nan, np.inf])
+def test_a_bound_that_is_none_is_refused(saved, value):
+    with pytest.raises(UserError, match="more than 0"):
+        thinned(saved, value, 0.1)
+
+
+def test_the_command_line_knows_it(motion_file, tmp_path, monkeypatch):
+    from typer.testing import CliRunner
+
+    monkeypatch.chdir(tmp_path)
+    done = CliRunner().invoke(app, ["thin", str(motion_file), "--max-error", "20mm"], catch_exceptions=False)
+    assert done.exit_code == 0
+    assert names(tmp_path) == ["tiny_thin.toml", "tiny_thin.xml"]
