@@ -101,9 +101,17 @@ class Clip:
     contacts: tuple[Rest, ...] = ()
 
 
-def load(source: str, *, model: str | None = None, keys: str | None = None, fps: float | None = None) -> Clip:
+def load(
+    source: str,
+    *,
+    model: str | None = None,
+    keys: str | None = None,
+    figure_file: str | None = None,
+    fps: float | None = None,
+) -> Clip:
     """A clip by the name of a shipped one, a TOML or MJCF file, or a figure and an .npz of keyframes.
 
+    figure_file  where a TOML clip's figure is now, if not where the clip says
     Raises UserError, in one line that names the file, the keyframe and the key.
     """
     if keys is not None or model is not None:
@@ -131,18 +139,27 @@ def load(source: str, *, model: str | None = None, keys: str | None = None, fps:
         raise UserError(f"{source}: not UTF-8 text (byte {error.start + 1})") from None
     except OSError as error:
         raise UserError(f"{source}: cannot be read: {error.strerror}") from None
-    return from_text(text, name=path.stem, place=path.name, folder=path.parent, fps=fps)
+    return from_text(text, name=path.stem, place=path.name, folder=path.parent, figure_file=figure_file, fps=fps)
 
 
 def from_text(
-    text: str, *, name: str, place: str | None = None, folder: Path | None = None, fps: float | None = None
+    text: str,
+    *,
+    name: str,
+    place: str | None = None,
+    folder: Path | None = None,
+    figure_file: str | None = None,
+    fps: float | None = None,
 ) -> Clip:
-    """A clip from TOML text; `place` is how errors call it, `folder` where the figure's path starts."""
+    """A clip from TOML text; `place` is how errors call it, `folder` where the figure's path starts.
+
+    figure_file  where the figure is now, if not where the text says
+    """
     place = place or f"{name}.toml"
     table = table_of(text, place)
     step = table.scene.step
     try:
-        spec = figure_spec(table.figure, folder)
+        spec = figure_spec(figure_file or table.figure, folder)
         mjcf = compose(spec, None if step is None else Step(**step.model_dump()), obstacles(table.scene))
     except UserError as error:
         raise UserError(f"{place}: {error}") from None
@@ -166,6 +183,15 @@ def table_of(text: str, place: str) -> ClipTable:
         return ClipTable.model_validate(raw)
     except ValidationError as error:
         raise UserError(f"{place}: {spoken(error, raw)}") from None
+
+
+def figure_named(text: str) -> str | None:
+    """What a clip's TOML text calls its figure; None if it does not say or cannot be read."""
+    try:
+        figure = tomllib.loads(text).get("figure")
+    except (tomllib.TOMLDecodeError, RecursionError):
+        return None
+    return figure if isinstance(figure, str) else None
 
 
 def of_motion(saved: Saved) -> Clip:
