@@ -56,7 +56,7 @@ def run(
         raise UserError(f"--limit-time {seconds:g}: give seconds, 0.1 to {MOST_SECONDS:g}")
     if megabytes is not None and not LEAST_MEGABYTES <= megabytes <= MOST_MEGABYTES:
         raise UserError(
-            f"--limit-memory {megabytes:g}: give MB, {LEAST_MEGABYTES} (200 are taken by an idle process) to {MOST_MEGABYTES}"
+            f"--limit-memory {megabytes:g}: give MB, {LEAST_MEGABYTES} to {MOST_MEGABYTES}; an idle process has 200"
         )
     if fps is not None and not 0.01 <= fps <= 100_000:
         raise UserError(f"--fps {fps:g}: give a number of samples a second, 0.01 to 100000")

@@ -77,7 +77,7 @@ class Bounded:
 
     def run(self, do: Do, task: object, bounds: Bounds) -> Outcome:
         """do(task, an empty folder) in the process. Does not raise: whatever happens is an outcome."""
-        line = None
+        line, words = None, ""
         for _ in range(STARTS):
             try:
                 line = self._line or self._started()

@@ -26,10 +26,7 @@ def opened(batch: str, workers: int, scheduler: str | None, teller: Teller) -> I
     """
     with ExitStack() as stack:
         with ctrl_c_blocked():  # for their threads and processes: Ctrl-C is ours alone
-            if scheduler is None:
-                address = stack.enter_context(_local(workers)).scheduler_address
-            else:
-                address = scheduler
+            address = scheduler or _local(workers, stack)
             client = _connected(address)
             stack.callback(client.close, timeout=CLOSE_SECONDS)
         if scheduler is not None:
@@ -38,9 +35,7 @@ def opened(batch: str, workers: int, scheduler: str | None, teller: Teller) -> I
             client.register_plugin(Crew(batch))
         except Exception as error:
             words = f"{type(error).__name__}: {one_line(error)}"
-            raise UserError(
-                f"a worker of {address} cannot take part ({words}); is dynamic-splines installed?"
-            ) from None
+            raise UserError(f"a worker of {address} cannot help ({words}); is dynamic-splines installed?") from None
         try:
             yield client
         finally:
@@ -49,8 +44,9 @@ def opened(batch: str, workers: int, scheduler: str | None, teller: Teller) -> I
                     client.unregister_worker_plugin(batch)
 
 
-def _local(workers: int) -> LocalCluster:
-    return LocalCluster(
+def _local(workers: int, stack: ExitStack) -> str:
+    """The address of a scheduler in this process, which listens to this machine alone; it goes with the stack."""
+    cluster = LocalCluster(
         n_workers=workers,
         threads_per_worker=1,
         processes=True,
@@ -59,6 +55,8 @@ def _local(workers: int) -> LocalCluster:
         scheduler_kwargs={"dashboard": False},
         silence_logs=logging.CRITICAL,
     )
+    stack.callback(cluster.close, timeout=CLOSE_SECONDS)
+    return str(cluster.scheduler.address)  # type: ignore[union-attr]
 
 
 def _connected(address: str) -> Client:

@@ -1,4 +1,4 @@
-"""At every Dask worker: processes that solve clips, as many as it has threads. The worker itself only waits for them."""
+"""At every Dask worker: processes that solve clips, as many as it has threads. The worker itself only waits."""
 
 from __future__ import annotations
 

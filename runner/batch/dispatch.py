@@ -1,4 +1,4 @@
-"""The verb: every clip is solved once, few are under way at a time, and what becomes of each is written down at once."""
+"""The verb: every clip is solved once, few are under way at a time, and what becomes of each is written down."""
 
 from __future__ import annotations
 
@@ -33,6 +33,7 @@ Do = Callable[[Task, Path], bytes]
 TRIES = 3  # of a clip whose process or worker goes away, in one run
 AHEAD = 2  # clips handed over for every thread there is
 TICK_SECONDS = 0.5
+TOLD_EVERY = 500
 GATHER_SECONDS = 60
 LEFTOVER = re.compile(r"\.[a-z0-9_]{8}\.\w+")  # of a Replacement whose program was killed
 
@@ -141,20 +142,19 @@ def _planned(
     clips = [_Clip(named[source.place(folder)], source) for source in found]
     figures: dict[Path, dict[Path, bytes]] = {}
     left, queued = [], []
-    for i, clip in enumerate(clips):
+    for number, clip in enumerate(clips, 1):
+        if number % TOLD_EVERY == 0:
+            teller.step("reading", number / len(clips), f"{number} of {len(clips)} clips")
         before = manifest.entries.get(clip.name)
         digest = _digest(clip.source, figures, options)
         if before is None or before.input != digest:
             now = Entry(clip.name, clip.source.place(folder), input=digest)
-        elif (before.state == "done" and before.holds(folder)) or (
-            before.state == "failed" and not (options.retry_failed or _again(before, bounds))
-        ):
+        elif before.holds(folder) if before.state == "done" else _final(before, options, bounds):
             continue
         else:
             now = replace(before, state="queued", error="", cause="", bound=None)
         queued.append(now)
         left.append(clip)
-        teller.step("reading", (i + 1) / len(clips), f"{i + 1} of {len(clips)}")
     if queued:
         manifest.record(queued)
     return _Plan(clips, left, figures)
@@ -169,11 +169,13 @@ def _digest(source: Source, figures: dict[Path, dict[Path, bytes]], options: Opt
     return files.digest(program(), options.to, options.fps, options.report)
 
 
-def _again(before: Entry, bounds: Bounds) -> bool:
-    """Whether what failed may go better now: its worker had gone, or the bound that it came up against is another."""
-    if before.cause in ("time", "memory"):
-        return before.bound != (bounds.seconds if before.cause == "time" else bounds.megabytes)
-    return before.cause == "lost"
+def _final(before: Entry, options: Options, bounds: Bounds) -> bool:
+    """Whether a failure would be one again: not if its worker had gone, or the bound that it hit is another now."""
+    if before.state != "failed" or before.cause == "lost" or options.retry_failed:
+        return False
+    if before.cause == "time":
+        return before.bound == bounds.seconds
+    return before.cause == "error" or bounds.megabytes in (None, before.bound)
 
 
 def _tidied(folder: Path) -> None:

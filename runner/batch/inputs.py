@@ -134,8 +134,8 @@ def _named(word: str) -> Iterator[Source]:
         yield Source(_absolute(path), PurePosixPath(path.stem))
         return
     if glob.has_magic(word):
-        matching = [Path(name) for name in sorted(glob.glob(word, recursive=True))]
-        matching = [file for file in matching if file.is_file() and file.suffix.lower() in ENDINGS]
+        called = sorted(Path(path.anchor).glob(str(path.relative_to(path.anchor))))
+        matching = [file for file in called if file.is_file() and file.suffix.lower() in ENDINGS]
         if not matching:
             raise UserError(f"'{word}': no .toml or .xml file is called so")
         yield from (Source(_absolute(file), PurePosixPath(file.stem)) for file in matching)
@@ -147,7 +147,7 @@ def _named(word: str) -> Iterator[Source]:
 
 def _absolute(path: Path) -> Path:
     """Without following links: a clip that is a link is called after the link."""
-    return Path(os.path.abspath(path))  # normalised, too
+    return Path(os.path.normpath(path.absolute()))
 
 
 def _above(source: Source, count: int) -> PurePosixPath | None:
