@@ -89,15 +89,19 @@ class Bounded:
             words = self._end()
         else:
             return Outcome(0.0, cause="lost", error=words)
-        begin = time.monotonic()
-        outcome = self._watched(line, bounds, begin)
+        outcome = self._watched(line, bounds, time.monotonic())
         if outcome.cause not in ("", "error"):
             self._end()
         return outcome
 
     def stop(self) -> None:
-        """Ends the process, whatever it is at."""
+        """Ends the process; not while another thread waits for it in `run`."""
         self._end()
+
+    def interrupt(self) -> None:
+        """Ends the process from another thread: `run` then finds that it has gone."""
+        if self._process is not None:
+            self._process.kill()
 
     def _watched(self, line: Line, bounds: Bounds, begin: float) -> Outcome:
         assert self._process is not None
@@ -151,7 +155,7 @@ class Bounded:
             self._line = None
         if self._process is not None:
             with suppress(subprocess.TimeoutExpired):
-                self._process.wait(0 if self._line else WATCH_SECONDS)
+                self._process.wait(WATCH_SECONDS)
             words = _ending(self._process.returncode)
             self._process.kill()
             self._process.wait()

@@ -5,6 +5,7 @@ from __future__ import annotations
 import logging
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager, suppress
+from typing import cast
 
 from distributed import Client, LocalCluster
 
@@ -30,7 +31,7 @@ def opened(batch: str, workers: int, scheduler: str | None, teller: Teller) -> I
             client = _connected(address)
             stack.callback(client.close, timeout=CLOSE_SECONDS)
         if scheduler is not None:
-            teller.say(f"Dask: {address}, {len(client.nthreads())} workers{_dashboard(client)}")
+            teller.say(f"Dask: {address}, {len(threads(client))} workers{_dashboard(client)}")
         try:
             client.register_plugin(Crew(batch))
         except Exception as error:
@@ -64,6 +65,11 @@ def _connected(address: str) -> Client:
         return Client(address, timeout=CONNECT_SECONDS, set_as_default=False, direct_to_workers=False)
     except (OSError, ValueError) as error:
         raise UserError(f"no Dask scheduler answers at '{address}': {one_line(error)}") from None
+
+
+def threads(client: Client) -> dict[str, int]:
+    """Of every worker."""
+    return cast("dict[str, int]", client.nthreads())
 
 
 def _dashboard(client: Client) -> str:

@@ -23,7 +23,7 @@ class Crew(WorkerPlugin):
 
     def setup(self, worker: Worker) -> None:
         self._lock = threading.Lock()
-        self._all: list[Bounded] = []
+        self._busy: list[Bounded] = []
         self._idle: list[Bounded] = []
         self._over = False
         self._folder = Path(worker.local_directory)
@@ -33,8 +33,10 @@ class Crew(WorkerPlugin):
     def teardown(self, worker: Worker) -> None:
         with self._lock:
             self._over = True
-            for each in self._all:
+            for each in self._idle:
                 each.stop()
+            for each in self._busy:
+                each.interrupt()
 
     def run(self, do: Do, task: object, bounds: Bounds) -> Outcome:
         """By a process that has nothing else to do."""
@@ -43,15 +45,17 @@ class Crew(WorkerPlugin):
         with self._lock:
             if self._over:
                 return Outcome(0.0, cause="lost", error="the batch is over")
-            if not self._idle:
-                self._all.append(Bounded(self._folder))
-                self._idle.append(self._all[-1])
-            one = self._idle.pop()
+            one = self._idle.pop() if self._idle else Bounded(self._folder)
+            self._busy.append(one)
         try:
             return one.run(do, task, bounds)
         finally:
             with self._lock:
-                self._idle.append(one)
+                self._busy.remove(one)
+                if self._over:
+                    one.stop()
+                else:
+                    self._idle.append(one)
 
 
 def work(batch: str, clip: str, do: Do, task: object, bounds: Bounds) -> Outcome:

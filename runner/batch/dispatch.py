@@ -20,7 +20,7 @@ from ..exchange import formats
 from ..motion import Replacement
 from ..progress import Teller
 from .bounded import Bounds, Outcome
-from .cluster import opened
+from .cluster import opened, threads
 from .crew import work
 from .inputs import Source, files_of, named_apart, sources
 from .lock import Lock
@@ -316,7 +316,7 @@ class _Dispatch:
     def _threads_there(self) -> int:
         """Of all workers, asked for once in a while: they come and go."""
         if time.monotonic() - self._asked > 2 * TICK_SECONDS:
-            self._threads = sum(self.client.nthreads().values())
+            self._threads = sum(threads(self.client).values())
             self._asked = time.monotonic()
         return self._threads
 
