@@ -13,7 +13,7 @@ import zipfile
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
-from typing import IO, Any, Literal
+from typing import Any, Literal
 
 from ..errors import UserError
 from ..motion import Replacement
@@ -89,7 +89,7 @@ class Manifest:
 
     path: Path
     entries: dict[str, Entry] = field(default_factory=dict)
-    _stream: IO[bytes] | None = None
+    _whole: bool = False  # its last line, that is
 
     @classmethod
     def of(cls, folder: Path) -> Manifest:
@@ -104,26 +104,24 @@ class Manifest:
 
         firmly  wait until the disk has it; what is not firm survives the end of this program, but not of the machine
         """
-        if self._stream is None:
+        if not self._whole:
             self.rewrite()
-            self._stream = self.path.open("ab")
         entries = list(entries)
-        self._stream.write("".join(entry.line() for entry in entries).encode())
-        self._stream.flush()
-        if firmly:
-            os.fsync(self._stream.fileno())
+        with self.path.open("ab") as stream:
+            stream.write("".join(entry.line() for entry in entries).encode())
+            stream.flush()
+            if firmly:
+                os.fsync(stream.fileno())
         self.entries |= {entry.clip: entry for entry in entries}
 
     def rewrite(self) -> None:
         """One line a clip, whole or not at all."""
-        if self._stream is not None:
-            self._stream.close()
-            self._stream = None
         with Replacement(self.path) as temporary, temporary.open("wb") as stream:
             stream.write(f"{json.dumps({'dynsplines batch': VERSION})}\n".encode())
             stream.write("".join(entry.line() for entry in self.entries.values()).encode())
             stream.flush()
             os.fsync(stream.fileno())
+        self._whole = True
 
 
 def _read(path: Path) -> dict[str, Entry]:
