@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-import os
 import sys
 from pathlib import Path, PurePosixPath
 
@@ -172,5 +171,5 @@ def test_a_worker_with_another_version_says_so(tmp_path: Path):
 
 def test_a_link_is_called_after_the_link(tmp_path: Path):
     written(tmp_path)
-    os.symlink(tmp_path / "tiny.toml", tmp_path / "other.toml")
+    (tmp_path / "other.toml").symlink_to(tmp_path / "tiny.toml")
     assert names(sources([str(tmp_path / "other.toml")])) == ["other"]

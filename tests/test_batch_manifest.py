@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import signal
 import socket
 import subprocess
 import sys
@@ -47,9 +48,8 @@ def test_wherever_the_last_line_is_cut_what_came_before_it_stands(tmp_path: Path
     whole = manifest.path.read_bytes()
     for end in range(before, len(whole)):
         manifest.path.write_bytes(whole[:end])
-        again = Manifest.of(tmp_path)
-        assert again.entries == {"walk": WALK, "sub/run": RUN}
-    again.record([DONE])
+        assert Manifest.of(tmp_path).entries == {"walk": WALK, "sub/run": RUN}
+    Manifest.of(tmp_path).record([DONE])
     assert Manifest.of(tmp_path).entries == {"walk": DONE, "sub/run": RUN}
 
 
@@ -84,7 +84,8 @@ def test_an_output_counts_only_if_it_is_whole(tmp_path: Path):
 
 def test_a_second_program_is_refused_and_told_who_is_at_work(tmp_path: Path):
     with Lock(tmp_path):
-        with pytest.raises(UserError, match=f"by process {os.getpid()} on {socket.gethostname()} since"), Lock(tmp_path):
+        who = f"by process {os.getpid()} on {socket.gethostname()} since"
+        with pytest.raises(UserError, match=who), Lock(tmp_path):
             pass
         with pytest.raises(UserError, match="wait for it, or end it"), Lock(tmp_path):
             pass
@@ -98,8 +99,9 @@ def test_the_lock_of_a_killed_program_is_taken_over(tmp_path: Path):
         "import os, signal, sys; from pathlib import Path; from runner.batch.lock import Lock\n"
         "with Lock(Path(sys.argv[1])): os.kill(os.getpid(), signal.SIGKILL)"
     )
-    paths = {"PYTHONPATH": os.pathsep.join(sys.path)}
-    assert subprocess.run([sys.executable, "-c", code, tmp_path], env={**os.environ, **paths}, check=False).returncode < 0
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
+    ended = subprocess.run([sys.executable, "-c", code, tmp_path], env=environment, check=False)
+    assert ended.returncode == -signal.SIGKILL
     assert json.loads((tmp_path / "manifest.lock").read_text(encoding="utf-8"))["host"] == socket.gethostname()
     with Lock(tmp_path):
         assert json.loads((tmp_path / "manifest.lock").read_text(encoding="utf-8"))["pid"] == os.getpid()

@@ -8,6 +8,7 @@ child.py      the process that does it, warm from clip to clip
 bounded.py    the other end of that process: it is ended when it takes too long or too much
 crew.py       such processes at every Dask worker
 cluster.py    the Dask workers, here or elsewhere
+plan.py       what a command asks for, and what of it is left to do
 dispatch.py   the verb: few clips under way at a time, each done once
 """
 
@@ -44,7 +45,7 @@ def run(
     report: bool = True,
     retry_failed: bool = False,
 ) -> Tally:
-    """Solves every clip that the words name into a folder; dispatch.Options says what the rest means.
+    """Solves every clip that the words name into a folder; plan.Options says what the rest means.
 
     seconds, megabytes  that a clip may take. Raises UserError for what cannot be meant, or if Dask is not there.
     """

@@ -22,9 +22,10 @@ from ..progress import Teller
 from .bounded import Bounds, Outcome
 from .cluster import opened, threads
 from .crew import work
-from .inputs import Source, files_of, named_apart, sources
+from .inputs import files_of, sources
 from .lock import Lock
 from .manifest import Entry, Manifest
+from .plan import Clip, Options, Plan, planned
 from .solving import solved
 from .task import NPZ, Task, program
 
@@ -33,33 +34,8 @@ Do = Callable[[Task, Path], bytes]
 TRIES = 3  # of a clip whose process or worker goes away, in one run
 AHEAD = 2  # clips handed over for every thread there is
 TICK_SECONDS = 0.5
-TOLD_EVERY = 500
 GATHER_SECONDS = 60
-LEFTOVER = re.compile(r"\.[a-z0-9_]{8}\.\w+")  # of a Replacement whose program was killed
-
-
-@dataclass(frozen=True)
-class Options:
-    """What a batch is to do.
-
-    listed        a file with more clips, one a line
-    workers       processes on this machine; scheduler: the address of a Dask cluster to use instead
-    to, fps       the kind of file to make, and samples a second if not the clip's
-    report        measure every motion, too
-    retry_failed  solve again what failed for a reason of its own and has not changed since
-    """
-
-    listed: str | None = None
-    workers: int = 1
-    scheduler: str | None = None
-    to: str = NPZ
-    fps: float | None = None
-    report: bool = True
-    retry_failed: bool = False
-
-    @property
-    def ending(self) -> str:
-        return ".npz" if self.to == NPZ else formats.writer(self.to).ending
+LEFTOVER = re.compile(r"\.[a-z0-9_]{8}")  # of a Replacement whose program was killed
 
 
 @dataclass(frozen=True)
@@ -82,15 +58,7 @@ class Tally:
         return [*lines, f"... and {more} more; the manifest has them all"] if more > 0 else lines
 
 
-@dataclass(frozen=True)
-class _Clip:
-    """Something to do."""
-
-    name: str
-    source: Source
-
-
-def run(words: list[str], folder: Path, options: Options, bounds: Bounds, teller: Teller, do: Do = solved) -> Tally:
+def run(words: list[str], folder: Path, options: Options, bounds: Bounds, teller: Teller, *, do: Do = solved) -> Tally:
     """Solves every clip that the words name, one file each in the folder, and goes on where it once stopped.
 
     A clip that fails is written down and stops nothing. Ctrl-C stops; nothing is half done. Raises UserError for words
@@ -105,83 +73,28 @@ def run(words: list[str], folder: Path, options: Options, bounds: Bounds, teller
         raise UserError(f"cannot write to '{folder}': {error.strerror}") from None
     folder = folder.resolve()
     with Lock(folder):
-        _tidied(folder)
+        _tidied(folder, options.ending)
         manifest = Manifest.of(folder)
-        planned = _planned(found, manifest, folder, options, bounds, teller)
-        names = {clip.name for clip in planned.all}
-        if planned.left:
-            try:
+        plan = planned(found, manifest, options, bounds, teller)
+        names = {clip.name for clip in plan.all}
+        try:
+            if plan.left:
                 batch = f"dynsplines-{uuid.uuid4().hex[:12]}"
                 with opened(batch, options.workers, options.scheduler, teller) as client:
-                    _Dispatch(client, batch, manifest, planned, options, bounds, teller, do).all()
-            finally:
-                stopped = [entry for entry in manifest.entries.values() if entry.state == "running"]
-                manifest.entries |= {entry.clip: replace(entry, state="queued") for entry in stopped}
-                manifest.rewrite()
+                    _Dispatch(client, batch, manifest, plan, options, bounds, teller, do).all()
+        finally:
+            stopped = [entry for entry in manifest.entries.values() if entry.state == "running"]
+            manifest.entries |= {entry.clip: replace(entry, state="queued") for entry in stopped}
+            manifest.rewrite()
         failed = tuple(manifest.entries[name] for name in names if manifest.entries[name].state == "failed")
-        done = sum(manifest.entries[clip.name].state == "done" for clip in planned.left)
+        done = sum(manifest.entries[clip.name].state == "done" for clip in plan.left)
         return Tally(done, len(names) - len(failed) - done, tuple(sorted(failed, key=lambda entry: entry.clip)))
 
 
-@dataclass(frozen=True)
-class _Plan:
-    """All clips of the command, those of them that are left to do, and the figures that were read for them."""
-
-    all: list[_Clip]
-    left: list[_Clip]
-    figures: dict[Path, dict[Path, bytes]]
-
-
-def _planned(
-    found: list[Source], manifest: Manifest, folder: Path, options: Options, bounds: Bounds, teller: Teller
-) -> _Plan:
-    """Whatever has changed, has not been done, or is not there any more is queued."""
-    known = {entry.source: entry.clip for entry in manifest.entries.values()}
-    fresh = [source for source in found if source.place(folder) not in known]
-    named = {source.place(folder): str(source.name) for source in named_apart(fresh, manifest.entries.keys())} | known
-    clips = [_Clip(named[source.place(folder)], source) for source in found]
-    figures: dict[Path, dict[Path, bytes]] = {}
-    left, queued = [], []
-    for number, clip in enumerate(clips, 1):
-        if number % TOLD_EVERY == 0:
-            teller.step("reading", number / len(clips), f"{number} of {len(clips)} clips")
-        before = manifest.entries.get(clip.name)
-        digest = _digest(clip.source, figures, options)
-        if before is None or before.input != digest:
-            now = Entry(clip.name, clip.source.place(folder), input=digest)
-        elif before.holds(folder) if before.state == "done" else _final(before, options, bounds):
-            continue
-        else:
-            now = replace(before, state="queued", error="", cause="", bound=None)
-        queued.append(now)
-        left.append(clip)
-    if queued:
-        manifest.record(queued)
-    return _Plan(clips, left, figures)
-
-
-def _digest(source: Source, figures: dict[Path, dict[Path, bytes]], options: Options) -> str:
-    """Empty for what cannot be read, which is told when it is its turn."""
-    try:
-        files = files_of(source, figures)
-    except OSError:
-        return ""
-    return files.digest(program(), options.to, options.fps, options.report)
-
-
-def _final(before: Entry, options: Options, bounds: Bounds) -> bool:
-    """Whether a failure would be one again: not if its worker had gone, or the bound that it hit is another now."""
-    if before.state != "failed" or before.cause == "lost" or options.retry_failed:
-        return False
-    if before.cause == "time":
-        return before.bound == bounds.seconds
-    return before.cause == "error" or bounds.megabytes in (None, before.bound)
-
-
-def _tidied(folder: Path) -> None:
+def _tidied(folder: Path, ending: str) -> None:
     """Removes files that a killed program had begun."""
-    for path in [*folder.glob(".*"), *folder.glob("**/.*")]:
-        if LEFTOVER.fullmatch(path.name) and path.is_file():
+    for path in folder.rglob(".*"):
+        if LEFTOVER.fullmatch(path.stem) and path.suffix in (ending, ".jsonl") and path.is_file():
             path.unlink(missing_ok=True)
 
 
@@ -196,7 +109,7 @@ class _Dispatch:
         client: Client,
         batch: str,
         manifest: Manifest,
-        plan: _Plan,
+        plan: Plan,
         options: Options,
         bounds: Bounds,
         teller: Teller,
@@ -206,7 +119,7 @@ class _Dispatch:
         self.options, self.bounds, self.teller, self.do = options, bounds, teller, do
         self.folder = manifest.path.parent
         self.waiting = deque(plan.left)
-        self.flying: dict[str, tuple[_Clip, Future]] = {}
+        self.flying: dict[str, tuple[Clip, Future]] = {}
         self.running: set[str] = set()
         self.tries: dict[str, int] = {}
         self.events: queue.SimpleQueue[Callable[[], None]] = queue.SimpleQueue()
@@ -231,7 +144,7 @@ class _Dispatch:
             if self.flying and self.client.status == "running":
                 self.client.cancel([future for _, future in self.flying.values()], force=True)
 
-    def _submit(self, clip: _Clip) -> None:
+    def _submit(self, clip: Clip) -> None:
         try:
             files = files_of(clip.source, self.plan.figures)
         except OSError as error:
@@ -240,7 +153,7 @@ class _Dispatch:
             return
         options = self.options
         entry = self.manifest.entries[clip.name]
-        digest = files.digest(program(), options.to, options.fps, options.report)
+        digest = options.digest(files)
         self.manifest.entries[clip.name] = replace(entry, input=digest)  # it may have changed since it was queued
         task = Task(files, options.to, options.fps, options.report, program())
         self.tries[clip.name] = self.tries.get(clip.name, 0) + 1
@@ -249,7 +162,7 @@ class _Dispatch:
         self.flying[clip.name] = (clip, future)
         self._listen(clip)
 
-    def _listen(self, clip: _Clip) -> None:
+    def _listen(self, clip: Clip) -> None:
         self.flying[clip.name][1].add_done_callback(lambda _: self.events.put(partial(self._finished, clip)))
 
     def _heard(self, event: tuple[float, dict[str, str]]) -> None:
@@ -263,7 +176,7 @@ class _Dispatch:
         self.manifest.record([begun], firmly=False)
         self.running.add(name)
 
-    def _finished(self, clip: _Clip) -> None:
+    def _finished(self, clip: Clip) -> None:
         future = self.flying[clip.name][1]
         try:
             outcome: Outcome = future.result(timeout=GATHER_SECONDS)
@@ -288,7 +201,7 @@ class _Dispatch:
         else:
             self._failed(clip, outcome)
 
-    def _done(self, clip: _Clip, data: bytes, seconds: float) -> None:
+    def _done(self, clip: Clip, data: bytes, seconds: float) -> None:
         """The file first: a manifest that says so is right."""
         output = f"{clip.name}{self.options.ending}"
         target = self.folder / output
@@ -300,7 +213,7 @@ class _Dispatch:
         self.manifest.record([done])
         self.solved += 1
 
-    def _failed(self, clip: _Clip, outcome: Outcome) -> None:
+    def _failed(self, clip: Clip, outcome: Outcome) -> None:
         entry = self.manifest.entries[clip.name]
         failed = replace(
             entry,
