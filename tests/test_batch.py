@@ -35,7 +35,7 @@ if __name__ == "__main__":
         print(cluster.scheduler_address, flush=True)
         input()
 """
-PATIENCE = 60.0
+PATIENCE = 120.0
 
 
 @pytest.fixture
