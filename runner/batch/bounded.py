@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 PROGRAM = "import sys; sys.path[:] = {path!r}; from runner.batch.child import serve; serve({handle}, {parent})"
 READY, BEGUN = "ready", "begun"
 START_SECONDS = 120.0
-WATCH_SECONDS = 0.05
+WATCH_SECONDS = 0.1
 STARTS = 3  # a process may have gone for want of work just when it gets some
 
 

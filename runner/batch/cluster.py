@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager, suppress
 from typing import cast
 
+import dask
 from distributed import Client, LocalCluster
 
 from ..errors import UserError, one_line
@@ -16,6 +17,12 @@ from .crew import Crew
 
 CONNECT_SECONDS = 10
 CLOSE_SECONDS = 10
+CALM = {  # what Dask watches of itself every few milliseconds would cost a tenth of a small clip
+    "distributed.worker.profile.enabled": False,
+    "distributed.admin.tick.interval": "1s",
+    "distributed.admin.system-monitor.interval": "5s",
+    "distributed.admin.system-monitor.gil.enabled": False,
+}
 
 
 @contextmanager
@@ -27,6 +34,7 @@ def opened(batch: str, workers: int, scheduler: str | None, teller: Teller) -> I
     """
     with ExitStack() as stack:
         with ctrl_c_blocked():  # for their threads and processes: Ctrl-C is ours alone
+            stack.enter_context(dask.config.set(CALM))
             address = scheduler or _local(workers, stack)
             client = _connected(address)
             stack.callback(client.close, timeout=CLOSE_SECONDS)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cache
 from importlib import metadata
 
 NPZ = "npz"
@@ -48,6 +49,7 @@ class Task:
     program: str = ""
 
 
+@cache
 def program() -> str:
     """The version of this program."""
     try:
