@@ -9,6 +9,7 @@ from typing import cast
 
 import dask
 from distributed import Client, LocalCluster
+from distributed.utils import silence_logging_cmgr
 
 from ..errors import UserError, one_line
 from ..progress import Teller
@@ -35,6 +36,7 @@ def opened(batch: str, workers: int, scheduler: str | None, teller: Teller) -> I
     with ExitStack() as stack:
         with ctrl_c_blocked():  # for their threads and processes: Ctrl-C is ours alone
             stack.enter_context(dask.config.set(CALM))
+            stack.enter_context(silence_logging_cmgr(logging.CRITICAL))  # what matters is told otherwise
             address = scheduler or _local(workers, stack)
             client = _connected(address)
             stack.callback(client.close, timeout=CLOSE_SECONDS)

@@ -186,11 +186,10 @@ class _Dispatch:
         except KilledWorker as error:
             words = f"the worker went away {error.allowed_failures + 1} times, lastly {error.last_worker.address}"
             outcome = Outcome(0.0, cause="lost", error=words)
-        except CancelledError:
+        except (Exception, CancelledError) as error:
             self._check_connected()
-            outcome = Outcome(0.0, cause="lost", error="the scheduler dropped it")
-        except Exception as error:
-            outcome = Outcome(0.0, cause="error", error=f"{type(error).__name__}: {one_line(error)}")
+            cause = "lost" if future.cancelled() else "error"
+            outcome = Outcome(0.0, cause=cause, error=f"{type(error).__name__}: {one_line(error)}")
         del self.flying[clip.name]
         self.running.discard(clip.name)
         future.release()
