@@ -154,7 +154,7 @@ def moment_rows(samples: Samples) -> Array:
     """(S, 3 J, 3, N): gradients of the J ball joints' moments, their world components, with respect to y, y', y''."""
     figure, links = samples.figure, samples.links
     tables, relations = figure.tables, _Relations.of(figure)
-    inverse = InverseDynamics(samples)
+    inverse = samples.once(InverseDynamics)
     turn, omega, alpha, root = _link_gradients(links, inverse, relations)
     pairs = relations.related.shape[1]
     here = _Repeated(links, relations.related[0])
