@@ -13,6 +13,10 @@ from runner.batch.task import Task
 from runner.errors import UserError
 
 
+def ready() -> None:
+    """Nothing to prepare."""
+
+
 def lasts(seconds: float, folder: Path) -> bytes:
     time.sleep(seconds)
     return str(os.getpid()).encode()

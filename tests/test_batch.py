@@ -225,6 +225,28 @@ def test_ctrl_c_stops_and_another_program_is_refused_meanwhile(tmp_path: Path, s
     assert not (out / "manifest.lock").exists()
 
 
+def test_a_scheduler_that_goes_away_is_told_and_costs_no_clip_anything(tmp_path: Path, start):
+    cluster = start(program=CLUSTER)
+    assert cluster.stdout is not None
+    address = cluster.stdout.readline().strip()
+    (tmp_path / "clips").mkdir()
+    for i in range(6):
+        (tmp_path / "clips" / f"{i}.toml").write_text("hang" if i % 2 else "fine", encoding="utf-8")
+    hasty = "from runner.batch import cluster; cluster.CONNECT_SECONDS = 3; "
+    process = start("batch", "clips", "-o", "out", "--scheduler", address, program=hasty + INJECTED)
+    out = tmp_path / "out"
+    until(lambda: len({entry.clip for entry in journal(out) if entry.state == "running"}) >= 3, "two that hang")
+    family = descendants(cluster.pid)
+    cluster.kill()
+    _, said = process.communicate(timeout=PATIENCE)
+    assert process.returncode == 2
+    assert said.splitlines()[-1].startswith("dynsplines: the Dask scheduler is gone; the same command goes on")
+    until(lambda: not any(map(alive, family)), "the end of all processes")
+    entries = Manifest.of(out).entries
+    assert {name for name, entry in entries.items() if entry.state != "done"} >= {"1", "3", "5"}
+    assert {entry.state for entry in entries.values()} == {"done", "queued"}
+
+
 def test_a_cluster_elsewhere_gets_all_it_needs_and_gives_back_the_files(tmp_path: Path, start):
     cluster = start(program=CLUSTER)
     assert cluster.stdout is not None

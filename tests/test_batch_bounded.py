@@ -25,7 +25,7 @@ AMPLE = Bounds(60.0)
 @pytest.fixture(scope="module")
 def kept(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Bounded]:
     """One process for all tests that do not end it."""
-    bounded = Bounded(tmp_path_factory.mktemp("bounded"))
+    bounded = Bounded(tmp_path_factory.mktemp("bounded"), deeds.ready)
     yield bounded
     bounded.stop()
 
@@ -67,8 +67,8 @@ def test_what_takes_too_much_memory_little_by_little_is_ended(kept: Bounded):
     kept.run(deeds.lasts, 0.0, AMPLE)
     number = kept.process
     assert number is not None
-    outcome = kept.run(deeds.grows, None, Bounds(60.0, 330.0))
-    assert (outcome.cause, outcome.error) == ("memory", "it took more memory than 330 MB")
+    outcome = kept.run(deeds.grows, None, Bounds(60.0, 300.0))
+    assert (outcome.cause, outcome.error) == ("memory", "it took more memory than 300 MB")
     assert gone(number)
 
 
@@ -96,7 +96,7 @@ def test_a_process_that_goes_by_itself_is_told(kept: Bounded, deed, value, words
 
 
 def test_nothing_is_left_when_it_stops(tmp_path: Path):
-    bounded = Bounded(tmp_path)
+    bounded = Bounded(tmp_path, deeds.ready)
     bounded.run(deeds.litters, None, AMPLE)
     number = bounded.process
     assert number is not None

@@ -62,10 +62,13 @@ class _Gone(Exception):
 
 
 class Bounded:
-    """Works on one clip at a time, by a process that is started when there is none and kept for the next clip."""
+    """Works on one clip at a time, by a process that is started when there is none and kept for the next clip.
 
-    def __init__(self, folder: Path) -> None:
-        self._folder = folder
+    folder   where the process keeps its files; prepare is called in it once, off the clock
+    """
+
+    def __init__(self, folder: Path, prepare: Callable[[], None]) -> None:
+        self._folder, self._prepare = folder, prepare
         self._process: subprocess.Popen[bytes] | None = None
         self._place: tempfile.TemporaryDirectory[str] | None = None
         self._line: Line | None = None
@@ -143,6 +146,7 @@ class Bounded:
                 cwd=self._place.name,
                 env={**os.environ, **dict.fromkeys(THREADS, "1"), "MUJOCO_GL": "disable"},
             )
+        self._line.send(self._prepare)
         if not self._line.poll(START_SECONDS) or self._line.recv() != READY:
             raise _Gone
         return self._line

@@ -22,7 +22,6 @@ from typing import TYPE_CHECKING, Any
 
 from ..errors import UserError, one_line
 from .bounded import BEGUN, READY
-from .solving import prepared
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -37,12 +36,12 @@ PR_SET_PDEATHSIG = 1
 
 
 def serve(handle: int, parent: int) -> None:
-    """The life of the process: a clip in, its outcome out, until the other end of the line is closed."""
+    """The life of the process: what prepares it, then a clip in, its outcome out, until the line is closed."""
     _go_with(parent)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     line: Line = Connection(handle)
     with suppress(EOFError, OSError):
-        prepared()
+        line.recv()()
         line.send(READY)
         while line.poll(IDLE_SECONDS):
             do, task, seconds, megabytes = line.recv()

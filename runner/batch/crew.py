@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, cast
 from distributed import Worker, WorkerPlugin, get_worker
 
 from .bounded import Bounded, Bounds, Outcome
+from .solving import prepared
 
 if TYPE_CHECKING:
     from .bounded import Do
@@ -45,7 +46,7 @@ class Crew(WorkerPlugin):
         with self._lock:
             if self._over:
                 return Outcome(0.0, cause="lost", error="the batch is over")
-            one = self._idle.pop() if self._idle else Bounded(self._folder)
+            one = self._idle.pop() if self._idle else Bounded(self._folder, prepared)
             self._busy.append(one)
         try:
             return one.run(do, task, bounds)

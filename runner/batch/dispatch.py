@@ -14,6 +14,7 @@ from functools import partial
 from pathlib import Path
 
 from distributed import Client, Future, KilledWorker
+from distributed.comm.core import CommClosedError
 
 from ..errors import UserError, one_line
 from ..exchange import formats
@@ -34,6 +35,7 @@ Do = Callable[[Task, Path], bytes]
 TRIES = 3  # of a clip whose process or worker goes away, in one run
 AHEAD = 2  # clips handed over for every thread there is
 TICK_SECONDS = 0.5
+GONE = "the Dask scheduler is gone; the same command goes on where it stopped"
 GATHER_SECONDS = 60
 LEFTOVER = re.compile(r"\.[a-z0-9_]{8}")  # of a Replacement whose program was killed
 
@@ -128,9 +130,9 @@ class _Dispatch:
         self._threads, self._asked = 0, -1e9
 
     def all(self) -> None:
-        """Until every clip is done or has failed."""
-        self.client.subscribe_topic(self.batch, self._heard)
+        """Until every clip is done or has failed; raises UserError if the scheduler goes away."""
         try:
+            self.client.subscribe_topic(self.batch, self._heard)
             while self.waiting or self.flying:
                 while self.waiting and len(self.flying) < AHEAD * max(self._threads_there(), 1):
                     self._submit(self.waiting.popleft())
@@ -140,6 +142,8 @@ class _Dispatch:
                 except queue.Empty:
                     self._check_connected()
             self._tell(force=True)
+        except CommClosedError:
+            raise UserError(GONE) from None
         finally:
             if self.flying and self.client.status == "running":
                 self.client.cancel([future for _, future in self.flying.values()], force=True)
@@ -186,6 +190,8 @@ class _Dispatch:
         except KilledWorker as error:
             words = f"the worker went away {error.allowed_failures + 1} times, lastly {error.last_worker.address}"
             outcome = Outcome(0.0, cause="lost", error=words)
+        except CommClosedError:
+            raise
         except (Exception, CancelledError) as error:
             self._check_connected()
             cause = "lost" if future.cancelled() else "error"
@@ -234,7 +240,7 @@ class _Dispatch:
 
     def _check_connected(self) -> None:
         if self.client.status != "running":
-            raise UserError("the Dask scheduler is gone; the same command goes on where it stopped")
+            raise UserError(GONE)
 
     def _tell(self, *, force: bool = False) -> None:
         over, spent = self.solved + self.failed, time.monotonic() - self.begin
