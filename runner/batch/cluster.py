@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager, suppress
 from typing import cast
 
-import dask
+import dask.config
 from distributed import Client, LocalCluster
 from distributed.utils import silence_logging_cmgr
 
