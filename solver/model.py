@@ -7,14 +7,18 @@ in the length of the clip. H is the Gauss-Newton curvature, F the flat accelerat
 far a point is in the floor (below zero: over it). What is fixed, keyframes and a loop's seam, is held by springs, stiff
 beside everything else; they shape the step, the keyframes themselves are no unknowns and stay exact.
 
+H of smooth terms is summed over a few nodes a span; that of terms that begin, end or peak anywhere over E's own
+samples, or it would promise what E does not keep.
+
 m is convex and piecewise quadratic: Newton steps on the residuals that count at present, with a line search, end at
 its minimum after a few factorisations (semismooth Newton; M. Hintermüller, K. Ito & K. Kunisch, SIAM J. Optim. 2002).
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import pairwise, product
 from typing import NamedTuple
 
 import numpy as np
@@ -23,7 +27,7 @@ from scipy import sparse
 from . import banded
 from .curvature import Curvature
 from .kinematics import Samples
-from .objective import Discretised
+from .objective import Discretised, Term
 from .quadrature import gauss_nodes
 from .quaternion import Array, Index
 from .seam import Seam
@@ -66,8 +70,10 @@ class Layout:
         sampling = Sampling.of(spline, t)
         at_once = max(SPANS_AT_ONCE, SPAN_ENTRIES // self.width)
         edges = [*range(0, spline.times.size - 1, at_once), spline.times.size - 1]
+        own = np.searchsorted(problem.sampling.first, edges)
         self.pieces = [
-            (sampling.piece(slice(POINTS * a, POINTS * b)), self._pairs(a, b - a)) for a, b in pairwise(edges)
+            (sampling.piece(slice(POINTS * a, POINTS * b)), self._pairs(a, b - a), problem.sampling.piece(slice(c, d)))
+            for (a, b), (c, d) in zip(pairwise(edges), pairwise(own.tolist()), strict=True)
         ]
         self.sided = problem.objective.terms
         self.springs = self._springs()
@@ -95,23 +101,27 @@ class Layout:
             found.append(Pair(some, b, slice(a, a + 1), column[some], (row - column)[some]))
         return found
 
-    def add_curvature(self, room: Array, curvature: Curvature, piece: Piece, pairs: list[Pair]) -> None:
-        """Adds a curvature whose samples are the nodes of neighbouring spans."""
-        found = curvature.rows(piece.values)
-        if found:
-            spans, rows = np.concatenate([piece.first[at] for at, _ in found]), np.concatenate([r for _, r in found])
-            order = np.argsort(spans, kind="stable")
-            self.add_squared(room, spans[order], rows[order])
+    def add_blocks(self, room: Array, curvature: Curvature, piece: Piece, pairs: list[Pair]) -> None:
+        """Adds what a curvature has as blocks; its samples are the nodes of neighbouring spans."""
         for columns, blocks in curvature.blocks(piece.values, POINTS):
             local = blocks.transpose(0, 2, 4, 1, 3, 5)
-            own_blocks = _own_blocks(room, columns)
-            for spot in pairs:
-                part = local[spot.spans, spot.b, spot.a]
-                if own_blocks is not None:
-                    own_blocks[spot.j, spot.k] += part
-                else:
-                    j, k = (index[..., None, None, None] for index in spot.indices())
-                    room[j, columns[:, :, None], k, columns[:, None, :]] += part
+            for part, seen in _seen_blocks(room, columns, local):
+                for spot in pairs:
+                    seen[spot.j, spot.k] += part[spot.spans, spot.b, spot.a]
+
+    def add_rows(self, room: Array, *parts: tuple[Curvature, Piece]) -> None:
+        """Adds what curvatures, each at any samples, have as rows."""
+        found = [(piece.first[at], rows) for curvature, piece in parts for at, rows in curvature.rows(piece.values)]
+        if not found:
+            return
+        spans = np.concatenate([own for own, _ in found])
+        order = np.argsort(spans, kind="stable")
+        place, rows, begin = np.empty_like(order), np.empty((order.size, LOCAL * self.width)), 0
+        place[order] = np.arange(order.size)
+        for own, part in found:
+            rows[place[begin : begin + own.size]] = part
+            begin += own.size
+        self.add_squared(room, spans[order], rows)
 
     def add_squared(self, room: Array, spans: Index, rows: Array) -> None:
         """Adds Σ rowᵀrow of rows (P, 4 N) over the coefficients of their spans (P,), rising."""
@@ -251,23 +261,21 @@ class Pair(NamedTuple):
     j: Picked
     k: Picked
 
-    def indices(self) -> tuple[Index, Index]:
-        """j and k as arrays."""
-        if isinstance(self.j, slice) or isinstance(self.k, slice):
-            return np.r_[self.j][:, None], np.r_[self.k][None, :]
-        return self.j, self.k
 
-
-def _own_blocks(room: Array, columns: Index) -> Array | None:
-    """(M + 2, K + 1, n, k, k): a matrix's entries that join n blocks of k columns with themselves, to be added to.
-
-    None if the blocks (n, k), whose columns rise, are no run of columns.
-    """
+def _seen_blocks(room: Array, columns: Index, blocks: Array) -> Iterator[tuple[Array, Array]]:
+    """Where blocks (..., n, k, k) of the columns (n, k), which rise, stand in a matrix: parts of them with the entries
+    (M + 2, K + 1, ...) to be added to. All at once if the columns are one run, else by pairs of runs."""
     some = slice(int(columns[0, 0]), int(columns[-1, -1]) + 1)
-    if some.stop - some.start != columns.size:
-        return None
-    seen = room[:, some, :, some]
-    return np.einsum("jnxkny->jknxy", seen.reshape(len(room), *columns.shape, room.shape[2], *columns.shape))
+    if some.stop - some.start == columns.size and np.all(np.diff(columns.ravel()) == 1):
+        seen = room[:, some, :, some]
+        yield blocks, np.einsum("jnxkny->jknxy", seen.reshape(len(room), *columns.shape, room.shape[2], *columns.shape))
+        return
+    for i, own in enumerate(columns):
+        edges = [0, *(np.flatnonzero(np.diff(own) != 1) + 1).tolist(), own.size]
+        runs = [slice(a, b) for a, b in pairwise(edges)]
+        for x, y in product(runs, runs):
+            rows, cols = (slice(int(own[run.start]), int(own[run.stop - 1]) + 1) for run in (x, y))
+            yield blocks[..., i, x, y], room[:, rows, :, cols].swapaxes(1, 2)
 
 
 def middle(values: Array) -> float:
@@ -339,22 +347,27 @@ class Model:
 
     def _add_smooth(self, path: Path, scale: float | None) -> float:
         """Adds the curvature of the two-sided residuals; its median density in y'', unless it is known."""
-        layout, objective = self.layout, self.layout.problem.objective
+        layout, problem = self.layout, self.layout.problem
         room, sizes = layout.empty(), []
-        for piece, pairs in layout.pieces:
-            samples = Samples(objective.figure, *piece.samples(path.coefficients), t=piece.t)
-            curvature, weights = Curvature(samples), layout.weights[piece.which]
-            for term in objective.terms:
-                term.penalty.curvature(samples, curvature, term.factor * weights)
-            layout.add_curvature(room, curvature, piece, pairs)
-            if scale is None:
-                sizes.append(curvature.acceleration() / weights[:, None])
-        for term, sampling in layout.problem.instants:
-            samples = Samples(objective.figure, *sampling.whole.samples(path.coefficients), t=sampling.t)
+        terms = problem.objective.terms
+        smooth, sharp = ([term for term in terms if term.penalty.scale.is_sharp is kind] for kind in (False, True))
+
+        def seen(piece: Piece, some: Sequence[Term], weights: Array) -> Curvature:
+            samples = Samples(problem.objective.figure, *piece.samples(path.coefficients), t=piece.t)
             curvature = Curvature(samples)
-            term.penalty.curvature(samples, curvature, np.full(samples.count, term.factor))
-            for at, rows in curvature.rows(sampling.values):
-                layout.add_squared(room, sampling.first[at], rows)
+            for term in some:
+                term.penalty.curvature(samples, curvature, term.factor * weights)
+            return curvature
+
+        for piece, pairs, own in layout.pieces:
+            weights = layout.weights[piece.which]
+            few, every = seen(piece, smooth, weights), seen(own, sharp, problem.weights[own.which])
+            layout.add_rows(room, (few, piece), (every, own))
+            layout.add_blocks(room, few, piece, pairs)
+            if scale is None:
+                sizes.append(few.acceleration() / weights[:, None])
+        for term, sampling in problem.instants:
+            layout.add_rows(room, (seen(sampling.whole, [term], np.ones(sampling.t.size)), sampling.whole))
         diagonal = layout.diagonal(room)[:, 0]
         size = max(middle(diagonal), 1e-12)
         diagonal += FAINT * size
