@@ -29,9 +29,9 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
 SECTIONS = (
     "evaluation", "runner39", "quaternions", "shooting", "uneven", "barr", "subdivision", "length", "clip",
-    "inbetweening", "rendering",
+    "inbetweening", "rendering", "batch",
 )  # fmt: skip
-PACKAGES = ("numpy", "scipy", "mujoco", "nlopt", "imageio", "av", "interpolatepy", "casadi")
+PACKAGES = ("numpy", "scipy", "mujoco", "nlopt", "imageio", "av", "interpolatepy", "casadi", "distributed")
 
 
 def versions() -> dict[str, str]:

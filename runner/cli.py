@@ -24,7 +24,6 @@ if TYPE_CHECKING:
 UsageError = cast("type[typer.BadParameter]", typer.BadParameter.__mro__[1])  # typer's own, or click's
 
 MOST_IMAGES = 100_000
-THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")  # on small matrices threads only wait
 BEFORE_MUJOCO = ("scipy.interpolate", "scipy.sparse.linalg", ".clip_table", ".progress")
 
 app = typer.Typer(
@@ -49,9 +48,9 @@ AsJson = Annotated[bool, typer.Option("--json", help="print JSON")]
 def main() -> None:
     """The command, with bad input told in one line and exit code 2."""
     from .errors import UserError, one_line
+    from .threads import keep_to_one
 
-    for name in THREADS:
-        os.environ.setdefault(name, "1")
+    keep_to_one()
     try:
         code = app(sys.argv[1:] or ["--help"], prog_name="dynsplines", standalone_mode=False)
     except UserError as error:
@@ -379,6 +378,58 @@ def list_formats() -> None:
     for each in FORMATS:
         ways = " and ".join(word for word, yes in (("reads", each.reads), ("writes", each.writes)) if yes)
         print(f"{each.name:12} {each.ending:15} {ways:16} {each.says}")
+
+
+@app.command()
+def batch(
+    sources: Annotated[
+        list[str] | None,
+        typer.Argument(
+            metavar="CLIPS...", help="shipped clips, .toml or .xml files, folders (every .toml below), patterns"
+        ),
+    ] = None,
+    output: Annotated[
+        Path, typer.Option("-o", "--output", metavar="DIR", help="the folder of results and manifest")
+    ] = Path("batch"),
+    listed: Annotated[
+        str | None, typer.Option("--list", metavar="FILE", help="more clips, one a line; - is stdin")
+    ] = None,
+    workers: Annotated[int | None, typer.Option(help="processes on this machine [default: one a core]")] = None,
+    scheduler: Annotated[str | None, typer.Option(help="tcp://host:8786, a Dask cluster to use instead")] = None,
+    to: Annotated[str, typer.Option("--to", help="npz, or one of `dynsplines formats`")] = "npz",
+    fps: Annotated[float | None, typer.Option(help="samples a second [default: the clip's]")] = None,
+    limit_time: Annotated[float, typer.Option(help="seconds that a clip may take")] = 3600.0,
+    limit_memory: Annotated[
+        float | None, typer.Option(help="MB that a clip's process may use [default: its worker's share]")
+    ] = None,
+    no_report: Annotated[bool, typer.Option("--no-report", help="do not measure the motions")] = False,
+    retry_failed: Annotated[bool, typer.Option("--retry-failed", help="also what failed and has not changed")] = False,
+) -> None:
+    """Solve many clips, on every core or on a Dask cluster; the same command again goes on where it stopped."""
+    _without_graphics()
+    from . import batch as batches
+    from .progress import Teller
+
+    with Teller() as teller:
+        tally = batches.run(
+            sources or [],
+            output,
+            teller,
+            listed=listed,
+            workers=workers,
+            scheduler=scheduler,
+            to=to,
+            fps=fps,
+            seconds=limit_time,
+            megabytes=limit_memory,
+            report=not no_report,
+            retry_failed=retry_failed,
+        )
+        for line in tally.failures():
+            teller.say(line)
+        teller.say(f"{output}: {tally.line}")
+    if tally.failed:
+        raise typer.Exit(1)
 
 
 @app.command()

@@ -111,9 +111,17 @@ class Clip:
         )
 
 
-def load(source: str, *, model: str | None = None, keys: str | None = None, fps: float | None = None) -> Clip:
+def load(
+    source: str,
+    *,
+    model: str | None = None,
+    keys: str | None = None,
+    figure_file: str | None = None,
+    fps: float | None = None,
+) -> Clip:
     """A clip by the name of a shipped one, a TOML or MJCF file, or a figure and an .npz of keyframes.
 
+    figure_file  where a TOML clip's figure is now, if not where the clip says
     Raises UserError, in one line that names the file, the keyframe and the key.
     """
     if keys is not None or model is not None:
@@ -141,7 +149,7 @@ def load(source: str, *, model: str | None = None, keys: str | None = None, fps:
         raise UserError(f"{source}: not UTF-8 text (byte {error.start + 1})") from None
     except OSError as error:
         raise UserError(f"{source}: cannot be read: {error.strerror}") from None
-    return from_text(text, name=path.stem, place=path.name, folder=path.parent, fps=fps)
+    return from_text(text, name=path.stem, place=path.name, folder=path.parent, figure_file=figure_file, fps=fps)
 
 
 def from_text(
@@ -150,18 +158,20 @@ def from_text(
     name: str,
     place: str | None = None,
     folder: Path | None = None,
+    figure_file: str | None = None,
     fps: float | None = None,
     spec: mujoco.MjSpec | None = None,
 ) -> Clip:
     """A clip from TOML text; `place` is how errors call it, `folder` where the figure's path starts.
 
-    spec  the figure itself, whatever the text calls it
+    figure_file  where the figure is now, if not where the text says
+    spec         the figure itself, whatever the text calls it
     """
     place = place or f"{name}.toml"
     table = table_of(text, place)
     step = table.scene.step
     try:
-        spec = figure_spec(table.figure, folder) if spec is None else spec
+        spec = figure_spec(figure_file or table.figure, folder) if spec is None else spec
         mjcf = compose(spec, None if step is None else Step(**step.model_dump()), obstacles(table.scene))
     except UserError as error:
         raise UserError(f"{place}: {error}") from None
@@ -185,6 +195,15 @@ def table_of(text: str, place: str) -> ClipTable:
         return ClipTable.model_validate(raw)
     except ValidationError as error:
         raise UserError(f"{place}: {spoken(error, raw)}") from None
+
+
+def figure_named(text: str) -> str | None:
+    """What a clip's TOML text calls its figure; None if it does not say or cannot be read."""
+    try:
+        figure = tomllib.loads(text).get("figure")
+    except (tomllib.TOMLDecodeError, RecursionError):
+        return None
+    return figure if isinstance(figure, str) else None
 
 
 def of_motion(saved: Saved, *, contacts: bool = False) -> Clip:

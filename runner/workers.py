@@ -64,7 +64,7 @@ def _by_several(
     shown = 0
     crew: list[_Worker[Result]] = []
     try:
-        with _ctrl_c_blocked():
+        with ctrl_c_blocked():
             for _ in range(workers):
                 crew.append(_Worker(opened, work))
         while True:
@@ -137,7 +137,7 @@ class _Worker(Generic[Result]):
 
 
 @contextmanager
-def _ctrl_c_blocked() -> Iterator[None]:
+def ctrl_c_blocked() -> Iterator[None]:
     """Ctrl-C waits for the end of the block; processes started in it never get one. (Windows knows no such thing.)"""
     if sys.platform == "win32":
         yield

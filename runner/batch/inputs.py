@@ -1,0 +1,192 @@
+"""What is named on the command line becomes clips, and a clip the files that go to a worker, which shares no disk."""
+
+from __future__ import annotations
+
+import glob
+import os
+import re
+import sys
+from collections import Counter
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path, PurePosixPath
+
+import models
+
+from .. import clip
+from ..errors import UserError, unknown
+from .task import Files
+
+ENDINGS = (".toml", ".xml")
+FILE_ATTRIBUTE = re.compile(r"""\bfile\w*\s*=\s*(?:"([^"]+)"|'([^']+)')""")
+FOLDER_ATTRIBUTE = re.compile(r"""\b(?:meshdir|texturedir|assetdir)\s*=\s*(?:"([^"]+)"|'([^']+)')""")
+COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
+
+
+@dataclass(frozen=True)
+class Source:
+    """A clip to solve.
+
+    path   its file; None for a shipped clip
+    name   what its output is to be called, without an ending: its path below the folder that was named, or its stem
+    """
+
+    path: Path | None
+    name: PurePosixPath
+
+    def place(self, folder: Path) -> str:
+        """How a manifest in that folder calls it: a path that starts there, so that both may be moved together."""
+        if self.path is None:
+            return f"shipped:{self.name}"
+        try:
+            return Path(os.path.relpath(self.path, folder)).as_posix()
+        except ValueError:  # another drive
+            return self.path.as_posix()
+
+
+def sources(words: Iterable[str], listed: str | None = None) -> list[Source]:
+    """Clips by name, files, folders (every .toml below) and patterns; none of them twice, in the order given.
+
+    listed  a file of such words, one a line; "-" is the standard input. Raises UserError for what is not there.
+    """
+    found: dict[object, Source] = {}
+    for word in (*words, *(_lines(listed) if listed else ())):
+        for source in _named(word):
+            found.setdefault(source.path or source.name, source)
+    if not found:
+        raise UserError("no clips; give names, .toml or .xml files, folders, patterns, or --list FILE")
+    return list(found.values())
+
+
+def named_apart(fresh: list[Source], taken: Collection[str]) -> list[Source]:
+    """Every source with a name of its own: with as many of the folders above it as it takes, or numbered.
+
+    taken  names that are given away; case does not count, as on some disks
+    """
+    depth = dict.fromkeys(range(len(fresh)), 0)
+    names = [source.name for source in fresh]
+    while True:
+        count = Counter(str(name).casefold() for name in names)
+        twins = [i for i, name in enumerate(names) if count[str(name).casefold()] > 1]
+        longer = [i for i in twins if _above(fresh[i], depth[i] + 1) is not None]
+        if not longer:
+            break
+        for i in longer:
+            depth[i] += 1
+            names[i] = _above(fresh[i], depth[i]) or names[i]
+    used = {name.casefold() for name in taken}
+    out: list[Source] = []
+    for source, name in zip(fresh, names, strict=True):
+        number, free = 1, name
+        while str(free).casefold() in used:
+            number += 1
+            free = name.with_name(f"{name.name}-{number}")
+        used.add(str(free).casefold())
+        out.append(replace(source, name=free))
+    return out
+
+
+def files_of(source: Source, figures: dict[Path, dict[Path, bytes]]) -> Files:
+    """Reads a clip and all that it refers to; what is missing is left to whoever loads it. Raises OSError.
+
+    figures  those that have been read before, by their path
+    """
+    if source.path is None:
+        name = str(source.name)
+        return Files(name, {f"{name}.toml": models.clip_text(name).encode()})
+    path = source.path
+    data = path.read_bytes()
+    if path.suffix.lower() == ".xml":
+        return _packed(path, _model_files(path, figures))
+    named = clip.figure_named(data.decode("utf-8", errors="replace"))
+    figure = None if named is None or named in models.figures() else Path(os.path.normpath(path.parent / named))
+    if figure is None or not figure.is_file():
+        return Files(path.name, {path.name: data})
+    absolute = named is not None and Path(named).is_absolute()
+    return _packed(path, {path: data, **_model_files(figure, figures)}, figure if absolute else None)
+
+
+def _lines(listed: str) -> list[str]:
+    try:
+        text = sys.stdin.read() if listed == "-" else Path(listed).read_text(encoding="utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise UserError(f"--list {listed}: not UTF-8 text (byte {error.start + 1})") from None
+    except OSError as error:
+        raise UserError(f"--list {listed}: {error.strerror}") from None
+    lines = (line.strip() for line in text.splitlines())
+    return [line for line in lines if line and not line.startswith("#")]
+
+
+def _named(word: str) -> Iterator[Source]:
+    if word in models.clips():
+        yield Source(None, PurePosixPath(word))
+        return
+    path = Path(word)
+    if path.is_dir():
+        below = sorted(file for file in path.rglob("*.toml") if file.is_file())
+        if not below:
+            raise UserError(f"'{word}': no .toml file in it or below")
+        yield from (Source(_absolute(file), PurePosixPath(file.relative_to(path).with_suffix(""))) for file in below)
+        return
+    if path.is_file():
+        if path.suffix.lower() not in ENDINGS:
+            raise UserError(f"'{word}': a clip is a .toml file, an MJCF .xml with keyframes, or a shipped name")
+        yield Source(_absolute(path), PurePosixPath(path.stem))
+        return
+    if glob.has_magic(word):
+        called = sorted(Path(path.anchor).glob(str(path.relative_to(path.anchor))))
+        matching = [file for file in called if file.is_file() and file.suffix.lower() in ENDINGS]
+        if not matching:
+            raise UserError(f"'{word}': no .toml or .xml file is called so")
+        yield from (Source(_absolute(file), PurePosixPath(file.stem)) for file in matching)
+        return
+    if path.suffix:
+        raise UserError(f"no file '{word}'")
+    raise UserError(unknown("clip", word, models.clips()))
+
+
+def _absolute(path: Path) -> Path:
+    """Without following links: a clip that is a link is called after the link."""
+    return Path(os.path.normpath(path.absolute()))
+
+
+def _above(source: Source, count: int) -> PurePosixPath | None:
+    """The name with so many more of the folders above it; None where there are no more."""
+    if source.path is None:
+        return None
+    parts = source.path.with_suffix("").parts[1:]  # without the root
+    have = len(source.name.parts) + count
+    return PurePosixPath(*parts[-have:]) if have <= len(parts) else None
+
+
+def _model_files(path: Path, figures: dict[Path, dict[Path, bytes]]) -> dict[Path, bytes]:
+    """An MJCF file and the files that it names: what it includes, meshes, images; from wherever MuJoCo looks."""
+    if path not in figures:
+        found: dict[Path, bytes] = {}
+        folders, names = {path.parent}, {path.name}
+        while True:
+            places = {Path(os.path.normpath(folder / name)) for folder in folders for name in names}
+            fresh = {place: place.read_bytes() for place in sorted(places - found.keys()) if place.is_file()}
+            if not fresh:
+                break
+            found |= fresh
+            for file, data in fresh.items():
+                if file.suffix.lower() in (".xml", ".mjcf"):
+                    text = COMMENT.sub("", data.decode("utf-8", errors="replace"))
+                    folders |= {file.parent, *(path.parent / value for value in _values(FOLDER_ATTRIBUTE, text))}
+                    names |= {*_values(FILE_ATTRIBUTE, text)}
+        figures[path] = found
+    return figures[path]
+
+
+def _values(attribute: re.Pattern[str], text: str) -> list[str]:
+    return [a or b for a, b in attribute.findall(text)]
+
+
+def _packed(path: Path, files: Mapping[Path, bytes], figure: Path | None = None) -> Files:
+    """Files below the deepest folder that holds them all."""
+    root = Path(os.path.commonpath([file.parent for file in files]))
+    below = {file.relative_to(root).as_posix(): data for file, data in files.items()}
+    return Files(
+        path.relative_to(root).as_posix(), below, None if figure is None else figure.relative_to(root).as_posix()
+    )

@@ -1,0 +1,144 @@
+"""What became of every clip: a file of JSON lines in the folder of the results.
+
+A line is added whenever something happens to a clip, and the last line about it counts, so that whatever ends the
+program at any instant costs one line at most. When a batch begins and when it ends the file is written anew, whole or
+not at all, with one line a clip.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import zipfile
+from collections.abc import Iterable
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+from typing import Any, Literal
+
+from ..errors import UserError
+from ..motion import Replacement
+
+NAME = "manifest.jsonl"
+VERSION = 1
+STATES = ("queued", "running", "done", "failed")
+
+State = Literal["queued", "running", "done", "failed"]
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A clip and what became of it.
+
+    clip      its name, and that of its output but for the ending; nobody else's
+    source    where it was found, from the manifest's folder on; "shipped:NAME" for one that ships
+    input     a digest of everything that the output depends on; empty before it has been read
+    attempts  how often it was begun
+    seconds   of the last attempt
+    output, size  the file in the manifest's folder and its bytes
+    cause     of a failure: "error", "time", "memory" or "lost" (its process or its worker went away)
+    bound     that a failure by time [s] or memory [MB] came up against
+    """
+
+    clip: str
+    source: str
+    state: State = "queued"
+    input: str = ""
+    attempts: int = 0
+    seconds: float | None = None
+    worker: str = ""
+    output: str = ""
+    size: int = 0
+    cause: str = ""
+    bound: float | None = None
+    error: str = ""
+
+    def line(self) -> str:
+        """As JSON, without what there is nothing to say about."""
+        return json.dumps({key: value for key, value in asdict(self).items() if value not in ("", None, 0)}) + "\n"
+
+    @classmethod
+    def of(cls, data: dict[str, Any]) -> Entry:
+        """From JSON; raises ValueError or TypeError."""
+        entry = cls(**data)
+        if entry.state not in STATES:
+            raise ValueError(f"no state '{entry.state}'; states: {', '.join(STATES)}")
+        for name, kind in (("clip", str), ("source", str), ("input", str), ("output", str), ("size", int)):
+            if not isinstance(getattr(entry, name), kind):
+                raise TypeError(f"'{name}' is {getattr(entry, name)!r}")
+        if not isinstance(entry.attempts, int):
+            raise TypeError(f"'attempts' is {entry.attempts!r}")
+        return entry
+
+    def holds(self, folder: Path) -> bool:
+        """Whether the output is there, as long as it was, and, for an archive, with its table of contents whole."""
+        path = folder / self.output
+        try:
+            if not self.output or path.stat().st_size != self.size:
+                return False
+            if path.suffix == ".npz":
+                with zipfile.ZipFile(path) as archive:
+                    return bool(archive.namelist())
+        except (OSError, zipfile.BadZipFile):
+            return False
+        return True
+
+
+@dataclass
+class Manifest:
+    """The manifest of a folder, by whoever holds the folder's lock."""
+
+    path: Path
+    entries: dict[str, Entry] = field(default_factory=dict)
+    _whole: bool = False  # its last line, that is
+
+    @classmethod
+    def of(cls, folder: Path) -> Manifest:
+        """Read, or new and empty; raises UserError for a file that is none."""
+        manifest = cls(folder / NAME)
+        if manifest.path.exists():
+            manifest.entries = _read(manifest.path)
+        return manifest
+
+    def record(self, entries: Iterable[Entry], *, firmly: bool = True) -> None:
+        """Adds a line for each.
+
+        firmly  wait until the disk has it; what is not firm survives the end of this program, but not of the machine
+        """
+        if not self._whole:
+            self.rewrite()
+        entries = list(entries)
+        with self.path.open("ab") as stream:
+            stream.write("".join(entry.line() for entry in entries).encode())
+            stream.flush()
+            if firmly:
+                os.fsync(stream.fileno())
+        self.entries |= {entry.clip: entry for entry in entries}
+
+    def rewrite(self) -> None:
+        """One line a clip, whole or not at all."""
+        with Replacement(self.path) as temporary, temporary.open("wb") as stream:
+            stream.write(f"{json.dumps({'dynsplines batch': VERSION})}\n".encode())
+            stream.write("".join(entry.line() for entry in self.entries.values()).encode())
+            stream.flush()
+            os.fsync(stream.fileno())
+        self._whole = True
+
+
+def _read(path: Path) -> dict[str, Entry]:
+    """The last line about every clip. A last line that was cut short is as if it had not been begun."""
+    lines = path.read_bytes().split(b"\n")
+    lines.pop()  # nothing, or what was cut short
+    entries: dict[str, Entry] = {}
+    for number, line in enumerate(lines, 1):
+        try:
+            data = json.loads(line)
+            if number == 1 and isinstance(data, dict) and "dynsplines batch" in data:
+                if data["dynsplines batch"] != VERSION:
+                    raise UserError(f"{path}: written by another version of this program")
+                continue
+            entry = Entry.of(data)
+        except (ValueError, TypeError) as error:
+            why = " ".join(str(error).split())
+            raise UserError(f"{path}: line {number} is not what became of a clip ({why}); remove it") from None
+        entries[entry.clip] = entry
+    return entries

@@ -1,0 +1,105 @@
+"""What a command asks for, and what of it is left to do."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from ..exchange import formats
+from ..progress import Teller
+from .bounded import Bounds
+from .inputs import Source, files_of, named_apart
+from .manifest import Entry, Manifest
+from .task import NPZ, Files, program
+
+TOLD_EVERY = 500
+
+
+@dataclass(frozen=True)
+class Options:
+    """What a batch is to do.
+
+    listed        a file with more clips, one a line
+    workers       processes on this machine; scheduler: the address of a Dask cluster to use instead
+    to, fps       the kind of file to make, and samples a second if not the clip's
+    report        measure every motion, too
+    retry_failed  solve again what failed for a reason of its own and has not changed since
+    """
+
+    listed: str | None = None
+    workers: int = 1
+    scheduler: str | None = None
+    to: str = NPZ
+    fps: float | None = None
+    report: bool = True
+    retry_failed: bool = False
+
+    @property
+    def ending(self) -> str:
+        return ".npz" if self.to == NPZ else formats.writer(self.to).ending
+
+    def digest(self, files: Files) -> str:
+        """Of everything that a clip's output depends on."""
+        return files.digest(program(), self.to, self.fps, self.report)
+
+
+@dataclass(frozen=True)
+class Clip:
+    """A clip of the command under the name that no other has."""
+
+    name: str
+    source: Source
+
+
+@dataclass(frozen=True)
+class Plan:
+    """All clips of the command, those of them that are left to do, and the figures that were read for them."""
+
+    all: list[Clip]
+    left: list[Clip]
+    figures: dict[Path, dict[Path, bytes]]
+
+
+def planned(found: list[Source], manifest: Manifest, options: Options, bounds: Bounds, teller: Teller) -> Plan:
+    """Whatever has changed, has not been done, or is not there any more is queued."""
+    folder = manifest.path.parent
+    known = {entry.source: entry.clip for entry in manifest.entries.values()}
+    fresh = [source for source in found if source.place(folder) not in known]
+    named = {source.place(folder): str(source.name) for source in named_apart(fresh, manifest.entries.keys())} | known
+    clips = [Clip(named[source.place(folder)], source) for source in found]
+    figures: dict[Path, dict[Path, bytes]] = {}
+    left, queued = [], []
+    for number, clip in enumerate(clips, 1):
+        if number % TOLD_EVERY == 0:
+            teller.step("reading", number / len(clips), f"{number} of {len(clips)} clips")
+        before = manifest.entries.get(clip.name)
+        digest = _digest(clip.source, figures, options)
+        if before is None or before.input != digest:
+            now = Entry(clip.name, clip.source.place(folder), input=digest)
+        elif before.holds(folder) if before.state == "done" else _final(before, options, bounds):
+            continue
+        else:
+            now = replace(before, state="queued", error="", cause="", bound=None)
+        queued.append(now)
+        left.append(clip)
+    if queued:
+        manifest.record(queued)
+    return Plan(clips, left, figures)
+
+
+def _digest(source: Source, figures: dict[Path, dict[Path, bytes]], options: Options) -> str:
+    """Empty for what cannot be read, which is told when it is its turn."""
+    try:
+        files = files_of(source, figures)
+    except OSError:
+        return ""
+    return options.digest(files)
+
+
+def _final(before: Entry, options: Options, bounds: Bounds) -> bool:
+    """Whether a failure would be one again: not if its worker had gone, or the bound that it hit is another now."""
+    if before.state != "failed" or before.cause == "lost" or options.retry_failed:
+        return False
+    if before.cause == "time":
+        return before.bound == bounds.seconds
+    return before.cause == "error" or bounds.megabytes in (None, before.bound)

@@ -1,0 +1,88 @@
+"""What the processes of a batch do in tests instead of solving; in a file of its own, which they can import."""
+
+from __future__ import annotations
+
+import os
+import signal
+import time
+from pathlib import Path
+
+import numpy as np
+
+from runner.batch.task import Task
+from runner.errors import UserError
+
+
+def ready() -> None:
+    """Nothing to prepare."""
+
+
+def lasts(seconds: float, folder: Path) -> bytes:
+    time.sleep(seconds)
+    return str(os.getpid()).encode()
+
+
+def hangs(_: object, folder: Path) -> bytes:
+    """Deaf to everything but the kernel."""
+    signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT, signal.SIGTERM})
+    while True:
+        np.linalg.norm(np.ones(100))
+
+
+def grows(_: object, folder: Path) -> bytes:
+    """Takes memory little by little, and uses it."""
+    taken = []
+    while True:
+        taken.append(np.ones(2**20))
+        time.sleep(0.005)
+
+
+def grabs(_: object, folder: Path) -> bytes:
+    """Asks for far too much at once."""
+    return np.zeros(2**36).tobytes()
+
+
+def dies(number: int, folder: Path) -> bytes:
+    os.kill(os.getpid(), number)
+    return b""
+
+
+def leaves(code: int, folder: Path) -> bytes:
+    os._exit(code)
+
+
+def complains(words: str, folder: Path) -> bytes:
+    raise UserError(words)
+
+
+def stumbles(_: object, folder: Path) -> bytes:
+    raise ZeroDivisionError("of nothing")
+
+
+def litters(_: object, folder: Path) -> bytes:
+    """What lies in its folder, and then one thing more."""
+    found = " ".join(sorted(path.name for path in folder.iterdir()))
+    (folder / "litter").write_text("here")
+    return found.encode()
+
+
+def told(task: Task, folder: Path) -> bytes:
+    """As the clip's text says: "DEED VALUE"."""
+    deed, _, value = task.files.files[task.files.clip].decode().partition(" ")
+    match deed:
+        case "hang":
+            return hangs(None, folder)
+        case "grab":
+            return grabs(None, folder)
+        case "die":
+            return dies(signal.SIGKILL, folder)
+        case "once":  # dies the first time
+            mark = Path(value)
+            if not mark.exists():
+                mark.write_text("was here")
+                return dies(signal.SIGKILL, folder)
+            return b"at last"
+        case "complain":
+            return complains(value, folder)
+        case _:
+            return f"{deed} {value}".encode()

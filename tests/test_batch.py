@@ -1,0 +1,264 @@
+"""Batches end to end: each clip once, whatever is killed; a clip that fails stops nothing."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections import Counter
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from pathlib import Path
+
+import pytest
+from tiny import CLIP, FIGURE, changed
+
+pytest.importorskip("distributed")
+
+import psutil
+
+from runner import motion
+from runner.batch.manifest import Entry, Manifest
+
+pytestmark = pytest.mark.skipif(os.name == "nt", reason="needs POSIX limits and signals")
+
+COMMAND = "from runner.cli import main; main()"
+INJECTED = "import deeds; from runner.batch import dispatch; dispatch.run.__kwdefaults__['do'] = deeds.told; " + COMMAND
+CLUSTER = """
+from distributed import LocalCluster
+if __name__ == "__main__":
+    with LocalCluster(n_workers=1, threads_per_worker=2, host="127.0.0.1", dashboard_address="127.0.0.1:0",
+                      scheduler_kwargs={"dashboard": False}, silence_logs=50) as cluster:
+        print(cluster.scheduler_address, flush=True)
+        input()
+"""
+PATIENCE = 120.0
+
+
+@pytest.fixture
+def start(tmp_path: Path) -> Iterator[Callable[..., subprocess.Popen[str]]]:
+    """Starts `dynsplines batch` in the folder; whatever it leaves is ended."""
+    begun: list[subprocess.Popen[str]] = []
+    paths = os.pathsep.join([str(Path(__file__).parent), *sys.path])
+
+    def start(*words: object, program: str = COMMAND) -> subprocess.Popen[str]:
+        command = [sys.executable, "-W", "error", "-c", program, *map(str, words)]
+        begun.append(
+            subprocess.Popen(
+                command,
+                cwd=tmp_path,
+                env={**os.environ, "PYTHONPATH": paths},
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
+                text=True,
+                start_new_session=True,
+            )
+        )
+        return begun[-1]
+
+    yield start
+    for process in begun:
+        for each in [*descendants(process.pid), process.pid]:
+            if psutil.pid_exists(each):
+                os.kill(each, signal.SIGKILL)
+        process.communicate()
+
+
+def descendants(number: int) -> list[int]:
+    try:
+        return [child.pid for child in psutil.Process(number).children(recursive=True)]
+    except psutil.NoSuchProcess:
+        return []
+
+
+def alive(number: int) -> bool:
+    try:
+        return psutil.Process(number).status() != psutil.STATUS_ZOMBIE
+    except psutil.NoSuchProcess:
+        return False
+
+
+def until(met: Callable[[], object], what: str) -> None:
+    end = time.monotonic() + PATIENCE
+    while not met():
+        assert time.monotonic() < end, f"never came: {what}"
+        time.sleep(0.01)
+
+
+def journal(folder: Path) -> list[Entry]:
+    """Every whole line of the manifest, oldest first."""
+    path = folder / "manifest.jsonl"
+    if not path.exists():
+        return []
+    lines = path.read_bytes().split(b"\n")[1:-1]
+    return [Entry.of(json.loads(line)) for line in lines]
+
+
+def done(folder: Path) -> int:
+    return len({entry.clip for entry in journal(folder) if entry.state == "done"})
+
+
+def dask_workers(driver: int) -> list[int]:
+    """The worker processes that have a process for clips."""
+    found = set()
+    for number in descendants(driver):
+        with suppress(psutil.Error):
+            process = psutil.Process(number)
+            found |= {process.ppid()} if "runner.batch.child" in " ".join(process.cmdline()) else set()
+    return sorted(found)
+
+
+def clips(folder: Path, count: int, text: str = CLIP) -> None:
+    """Clips of one figure, half of them with the names of the other half in another folder."""
+    for side in ("left", "right"):
+        (folder / side).mkdir(parents=True)
+        (folder / side / "tiny.xml").write_text(FIGURE, encoding="utf-8")
+        for i in range(count // 2):
+            (folder / side / f"clip{i:03}.toml").write_text(text, encoding="utf-8")
+
+
+def assert_complete(folder: Path, count: int) -> None:
+    """Every clip is in the manifest once and done, and its file is whole; there is nothing else."""
+    written_down = journal(folder)
+    assert len(written_down) == len({entry.clip for entry in written_down}) == count
+    assert {entry.state for entry in written_down} == {"done"}
+    assert sorted(entry.output for entry in written_down) == sorted(
+        path.relative_to(folder).as_posix() for path in folder.rglob("*.npz")
+    )
+    for entry in written_down:
+        assert entry.holds(folder)
+        assert motion.load(folder / entry.output).name == Path(entry.clip).name
+    assert [path.name for path in folder.iterdir() if path.is_file()] == ["manifest.jsonl"]
+
+
+def test_each_clip_is_done_once_though_a_worker_and_the_program_are_killed(tmp_path: Path, start):
+    count, out = 24, tmp_path / "out"
+    clips(tmp_path / "clips", count)
+    words = ("batch", "clips", "-o", "out", "--workers", 2, "--no-report")
+    first = start(*words)
+    until(lambda: done(out) >= 5, "five clips")
+    victim = until_worker(first.pid)
+    os.kill(victim, signal.SIGKILL)
+    so_far = done(out)
+    until(lambda: done(out) >= so_far + 5, "five clips more")
+    family = descendants(first.pid)
+    first.kill()
+    first.communicate()
+    until(lambda: not any(map(alive, family)), "the end of all processes")
+    before = journal(out)
+    finished = Counter(entry.clip for entry in before if entry.state == "done")
+    assert 10 <= len(finished) < count
+    assert set(finished.values()) == {1}
+    stamps = {name: (out / f"{name}.npz").stat().st_mtime_ns for name in finished}
+
+    second = start(*words)
+    _, said = second.communicate(timeout=PATIENCE)
+    assert second.returncode == 0, said
+    assert said.splitlines()[-1] == f"out: {count - len(finished)} solved, {len(finished)} already there, 0 failed"
+    assert_complete(out, count)
+    assert {name: (out / f"{name}.npz").stat().st_mtime_ns for name in finished} == stamps
+
+
+def until_worker(driver: int) -> int:
+    until(lambda: dask_workers(driver), "a worker")
+    return dask_workers(driver)[0]
+
+
+def test_clips_that_fail_in_every_way_stop_nothing_and_are_told(tmp_path: Path, start):
+    deeds = {
+        "a_good": "fine 1",
+        "b_hangs": "hang",
+        "c_grabs": "grab",
+        "d_dies": "die",
+        "e_wrong": "complain of its keyframes",
+        "f_once": f"once {tmp_path / 'mark'}",
+        "g_good": "fine 2",
+    }
+    (tmp_path / "clips").mkdir()
+    for name, text in deeds.items():
+        (tmp_path / "clips" / f"{name}.toml").write_text(text, encoding="utf-8")
+    words = ("batch", "clips", "-o", "out", "--workers", 2, "--limit-time", 1.5, "--limit-memory", 500)
+    process = start(*words, program=INJECTED)
+    out, said = process.communicate(timeout=PATIENCE)
+    assert (process.returncode, out) == (1, ""), said
+    assert said.splitlines()[-6:-5] + said.splitlines()[-1:] == [
+        "batch 100% 3 done, 4 failed, 0 running of 7" + said.splitlines()[-6].partition("of 7")[2],
+        "out: 3 solved, 4 failed",
+    ]
+    failures = said.splitlines()[-5:-1]
+    assert failures[0] == "failed: b_hangs: it took longer than 1.5 s"
+    assert failures[1].startswith("failed: c_grabs: it took more memory than 500 MB")
+    assert failures[2].startswith("failed: d_dies: its process was ended by signal 9")
+    assert failures[3] == "failed: e_wrong: of its keyframes"
+    found = Manifest.of(tmp_path / "out").entries
+    assert [found[name].attempts for name in deeds] == [1, 1, 1, 3, 1, 2, 1]
+    assert (tmp_path / "out" / "f_once.npz").read_bytes() == b"at last"
+
+
+def test_ctrl_c_stops_and_another_program_is_refused_meanwhile(tmp_path: Path, start):
+    (tmp_path / "clips").mkdir()
+    for name, text in {"a": "fine", "b": "hang", "c": "hang", "d": "fine"}.items():
+        (tmp_path / "clips" / f"{name}.toml").write_text(text, encoding="utf-8")
+    words = ("batch", "clips", "-o", "out", "--workers", 2)
+    process = start(*words, program=INJECTED)
+    out = tmp_path / "out"
+    until(lambda: {e.clip for e in journal(out) if e.state == "running"} >= {"b", "c"}, "two that hang")
+    second = start(*words)
+    _, said = second.communicate(timeout=PATIENCE)
+    assert second.returncode == 2
+    assert f"is being worked on by process {process.pid} on" in said
+    family = descendants(process.pid)
+    assert len(family) >= 4
+    os.killpg(process.pid, signal.SIGINT)
+    _, said = process.communicate(timeout=PATIENCE)
+    assert process.returncode == 130
+    assert said.splitlines()[-1] == "dynsplines: stopped"
+    assert "Traceback" not in said
+    until(lambda: not any(map(alive, family)), "the end of all processes")
+    states = {name: entry.state for name, entry in Manifest.of(out).entries.items()}
+    assert states == {"a": "queued" if states["a"] == "queued" else "done", "b": "queued", "c": "queued", "d": "queued"}
+    assert len(journal(out)) == 4
+    assert not (out / "manifest.lock").exists()
+
+
+def test_a_scheduler_that_goes_away_is_told_and_costs_no_clip_anything(tmp_path: Path, start):
+    cluster = start(program=CLUSTER)
+    assert cluster.stdout is not None
+    address = cluster.stdout.readline().strip()
+    (tmp_path / "clips").mkdir()
+    for i in range(6):
+        (tmp_path / "clips" / f"{i}.toml").write_text("hang" if i % 2 else "fine", encoding="utf-8")
+    hasty = "from runner.batch import cluster; cluster.CONNECT_SECONDS = 3; "
+    process = start("batch", "clips", "-o", "out", "--scheduler", address, program=hasty + INJECTED)
+    out = tmp_path / "out"
+    until(lambda: len({entry.clip for entry in journal(out) if entry.state == "running"}) >= 3, "two that hang")
+    family = descendants(cluster.pid)
+    cluster.kill()
+    _, said = process.communicate(timeout=PATIENCE)
+    assert process.returncode == 2
+    assert said.splitlines()[-1].startswith("dynsplines: the Dask scheduler is gone; the same command goes on")
+    until(lambda: not any(map(alive, family)), "the end of all processes")
+    entries = Manifest.of(out).entries
+    assert {name for name, entry in entries.items() if entry.state != "done"} >= {"1", "3", "5"}
+    assert {entry.state for entry in entries.values()} == {"done", "queued"}
+
+
+def test_a_cluster_elsewhere_gets_all_it_needs_and_gives_back_the_files(tmp_path: Path, start):
+    cluster = start(program=CLUSTER)
+    assert cluster.stdout is not None
+    address = cluster.stdout.readline().strip()
+    clips(tmp_path / "clips", 6, changed("fps = 20", "fps = 25"))
+    (tmp_path / "clips" / "wrong.toml").write_text(changed("joints.left_knee", "joints.knee"), encoding="utf-8")
+    (tmp_path / "clips" / "tiny.xml").write_text(FIGURE, encoding="utf-8")
+    process = start("batch", "clips", "-o", "out", "--scheduler", address, "--no-report", "--to", "csv")
+    _, said = process.communicate(timeout=PATIENCE)
+    assert process.returncode == 1, said
+    assert said.splitlines()[0].startswith(f"Dask: {address}, 1 workers")
+    assert said.splitlines()[-2].startswith("failed: wrong: wrong.toml: keyframe 1 (t = 0 s): no joint 'knee'")
+    assert said.splitlines()[-1] == "out: 6 solved, 1 failed"
+    assert len((tmp_path / "out/left/clip000.csv").read_text(encoding="utf-8").splitlines()) == 12
+    until(lambda: not dask_workers(cluster.pid), "the end of the batch's processes at the workers")

@@ -1,0 +1,90 @@
+"""The command `batch` refuses in one line what it cannot do, before anything begins."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from tiny import written
+
+import runner.batch
+from runner import cli
+
+Refused = Callable[..., str]
+
+
+@pytest.fixture
+def refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Refused:
+    """Runs the command beside the tiny clip and gives its one line."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("MUJOCO_GL", "disable")  # so that it is put back
+    written(tmp_path)
+
+    def refused(*words: object) -> str:
+        monkeypatch.setattr(sys, "argv", ["dynsplines", "batch", *map(str, words)])
+        with pytest.raises(SystemExit) as ended:
+            cli.main()
+        said = capsys.readouterr()
+        assert ended.value.code == 2
+        assert said.out == ""
+        lines = said.err.splitlines()
+        assert len(lines) == 1
+        assert lines[0].startswith("dynsplines: ")
+        return lines[0].removeprefix("dynsplines: ")
+
+    return refused
+
+
+@pytest.mark.parametrize(
+    ("words", "line"),
+    [
+        (("--workers", 0), "--workers 0: give a number of processes, 1 to 1000"),
+        (
+            ("--workers", 2, "--scheduler", "tcp://here:8786"),
+            "--workers are of this machine and --scheduler is elsewhere; give one of them",
+        ),
+        (("--limit-time", 0), "--limit-time 0: give seconds, 0.1 to 1e+06"),
+        (
+            ("--limit-memory", 50),
+            "--limit-memory 50: give MB, 256 to 10000000; an idle process has 200",
+        ),
+        (("--fps", "nan"), "--fps nan: give a number of samples a second, 0.01 to 100000"),
+        (("-o", "tiny.xml"), "cannot write to 'tiny.xml': File exists"),
+        (("absent.toml",), "no file 'absent.toml'"),
+    ],
+)
+def test_what_makes_no_sense_is_refused(refused: Refused, words: tuple[object, ...], line: str):
+    pytest.importorskip("distributed")
+    assert refused("tiny.toml", *words) == line
+
+
+def test_a_format_that_is_none_is_refused_with_those_that_are(refused: Refused):
+    pytest.importorskip("distributed")
+    assert refused("tiny.toml", "--to", "cvs").startswith("no format 'cvs'; did you mean 'csv'? Formats: ")
+
+
+def test_no_clips_are_refused(refused: Refused):
+    pytest.importorskip("distributed")
+    assert refused() == "no clips; give names, .toml or .xml files, folders, patterns, or --list FILE"
+
+
+def test_where_dask_is_missing_it_says_how_to_install_it(refused: Refused, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    for name in ("dispatch", "cluster", "crew"):
+        monkeypatch.delitem(sys.modules, f"runner.batch.{name}", raising=False)
+        monkeypatch.delattr(runner.batch, name, raising=False)
+    line = "dynsplines batch needs 'distributed'; install it: pip install 'dynamic-splines[batch]'"
+    assert refused("tiny.toml") == line
+
+
+def test_a_scheduler_that_is_not_there_is_told(refused: Refused, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    pytest.importorskip("distributed")
+    from runner.batch import cluster
+
+    monkeypatch.setattr(cluster, "CONNECT_SECONDS", 0.5)
+    line = refused("tiny.toml", "--scheduler", "tcp://127.0.0.1:9")
+    assert line.startswith("no Dask scheduler answers at 'tcp://127.0.0.1:9': ")
+    assert [path.name for path in (tmp_path / "batch").iterdir()] == ["manifest.jsonl"]
+    assert refused("tiny.toml", "--scheduler", "nonsense://x").startswith("no Dask scheduler answers at 'nonsense://x'")

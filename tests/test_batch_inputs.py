@@ -1,0 +1,175 @@
+"""What clips a command names, what their outputs are called, and which files go to a worker."""
+
+from __future__ import annotations
+
+import io
+import sys
+from pathlib import Path, PurePosixPath
+
+import pytest
+from tiny import CLIP, changed, written
+
+from runner import clip
+from runner.batch import solving
+from runner.batch.inputs import Source, files_of, named_apart, sources
+from runner.batch.task import Task
+from runner.errors import UserError
+from runner.motion import load
+
+MESHED = """<mujoco><include file="parts/more.xml"/><compiler meshdir="meshes"/>
+  <!-- <mesh file="not_this.stl"/> --><asset><mesh name="a" file="a.stl"/></asset></mujoco>"""
+
+
+@pytest.fixture
+def tree(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """clips/a/walk.toml, clips/b/walk.toml, clips/run.toml, and files that are no clips."""
+    monkeypatch.chdir(tmp_path)
+    for name in ("a/walk.toml", "b/walk.toml", "run.toml", "readme.txt"):
+        path = tmp_path / "clips" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(CLIP, encoding="utf-8")
+    return tmp_path
+
+
+def names(found: list[Source]) -> list[str]:
+    return [str(source.name) for source in found]
+
+
+def test_a_folder_is_every_clip_below_it_under_its_path(tree: Path):
+    assert names(sources(["clips"])) == ["a/walk", "b/walk", "run"]
+
+
+def test_files_patterns_and_names_are_under_their_stems_and_none_is_there_twice(tree: Path):
+    found = sources(["clips/run.toml", "walk_loop", "clips/*/walk.toml", "clips/../clips/run.toml", "clips/**/*.toml"])
+    assert names(found) == ["run", "walk_loop", "walk", "walk"]
+    assert [source.place(tree / "out") for source in found] == [
+        "../clips/run.toml",
+        "shipped:walk_loop",
+        "../clips/a/walk.toml",
+        "../clips/b/walk.toml",
+    ]
+
+
+def test_a_list_names_more_a_line_each(tree: Path, monkeypatch: pytest.MonkeyPatch):
+    (tree / "list.txt").write_text("# these\n\nclips/run.toml\n  sit_down \n", encoding="utf-8")
+    assert names(sources(["stairs"], "list.txt")) == ["stairs", "run", "sit_down"]
+    monkeypatch.setattr(sys, "stdin", io.StringIO("clips/a/walk.toml\n"))
+    assert names(sources([], "-")) == ["walk"]
+
+
+@pytest.mark.parametrize(
+    ("word", "complaint"),
+    [
+        ("walk_lop", "did you mean 'walk_loop'"),
+        ("clips/none.toml", "no file 'clips/none.toml'"),
+        ("clips/readme.txt", "a clip is a .toml file"),
+        ("clips/*.xml", "no .toml or .xml file is called so"),
+        ("empty", "no .toml file in it"),
+    ],
+)
+def test_what_is_not_there_is_told(tree: Path, word: str, complaint: str):
+    (tree / "empty").mkdir()
+    with pytest.raises(UserError, match=complaint):
+        sources([word])
+
+
+def test_no_clips_and_a_list_that_is_none_are_told(tree: Path):
+    with pytest.raises(UserError, match="no clips; give"):
+        sources([])
+    with pytest.raises(UserError, match="--list nowhere: No such file"):
+        sources([], "nowhere")
+
+
+def test_like_named_clips_are_told_apart_by_their_folders(tree: Path):
+    found = named_apart(sources(["clips/a/walk.toml", "clips/b/walk.toml", "clips/run.toml"]), [])
+    assert names(found) == ["a/walk", "b/walk", "run"]
+
+
+def test_a_name_that_is_taken_gets_a_number_whatever_its_case(tree: Path):
+    found = named_apart(sources(["clips/run.toml", "clips/a/walk.toml"]), ["Run", "run-2", "else"])
+    assert names(found) == ["run-3", "walk"]
+
+
+def test_clips_that_differ_in_their_ending_alone_are_numbered():
+    both = [Source(Path(f"/x/walk.{ending}"), PurePosixPath("walk")) for ending in ("toml", "xml")]
+    assert names(named_apart(both, [])) == ["x/walk", "x/walk-2"]
+
+
+def test_a_clip_takes_its_figure_along(tmp_path: Path):
+    (tmp_path / "clips").mkdir()
+    (tmp_path / "figures").mkdir()
+    written(tmp_path / "figures")
+    path = tmp_path / "clips" / "tiny.toml"
+    path.write_text(changed('"tiny.xml"', '"../figures/tiny.xml"'), encoding="utf-8")
+    figures: dict[Path, dict[Path, bytes]] = {}
+    files = files_of(Source(path, PurePosixPath("tiny")), figures)
+    assert files.clip == "clips/tiny.toml"
+    assert sorted(files.files) == ["clips/tiny.toml", "figures/tiny.xml"]
+    assert files.figure is None
+    path.write_text(changed('"tiny.xml"', f'"{(tmp_path / "figures/tiny.xml").as_posix()}"'), encoding="utf-8")
+    files = files_of(Source(path, PurePosixPath("tiny")), figures)
+    assert files.figure == "figures/tiny.xml"
+
+
+def test_a_model_takes_along_what_it_includes_and_refers_to(tmp_path: Path):
+    for name, data in {
+        "model.xml": MESHED,
+        "parts/more.xml": '<mujoco><asset><texture fileright="../right.png"/></asset></mujoco>',
+        "meshes/a.stl": "mesh",
+        "right.png": "image",
+        "meshes/not_this.stl": "",
+    }.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text(data, encoding="utf-8")
+    files = files_of(Source(tmp_path / "model.xml", PurePosixPath("model")), {})
+    assert sorted(files.files) == ["meshes/a.stl", "model.xml", "parts/more.xml", "right.png"]
+
+
+def test_a_clip_that_is_wrong_or_lacks_its_figure_goes_as_it_is(tmp_path: Path):
+    for text in ("not toml [", changed("tiny.xml", "absent.xml"), 'figure = "human"'):
+        path = tmp_path / "a.toml"
+        path.write_text(text, encoding="utf-8")
+        assert files_of(Source(path, PurePosixPath("a")), {}).files == {"a.toml": text.encode()}
+
+
+def test_the_digest_changes_with_clip_figure_and_options_alone(tmp_path: Path):
+    path = written(tmp_path)
+    source = Source(path, PurePosixPath("tiny"))
+    first = files_of(source, {}).digest("npz", True)
+    assert first == files_of(source, {}).digest("npz", True)
+    assert first != files_of(source, {}).digest("csv", True)
+    figure = tmp_path / "tiny.xml"
+    figure.write_text(figure.read_text(encoding="utf-8").replace('mass="4"', 'mass="5"'), encoding="utf-8")
+    second = files_of(source, {}).digest("npz", True)
+    path.write_text(changed("fps = 20", "fps = 21"), encoding="utf-8")
+    assert len({first, second, files_of(source, {}).digest("npz", True)}) == 3
+
+
+def test_elsewhere_a_clip_is_solved_as_it_is_here(tmp_path: Path):
+    here, there = tmp_path / "here", tmp_path / "there"
+    here.mkdir()
+    there.mkdir()
+    figure = here / "tiny.xml"
+    path = written(here, changed('"tiny.xml"', f'"{figure.as_posix()}"'))
+    files = files_of(Source(path, PurePosixPath("tiny")), {})
+    problem = clip.load(str(path))
+    figure.unlink()
+    path.unlink()
+    data = solving.solved(Task(files, report=False, program=solving.program()), there)
+    (tmp_path / "result.npz").write_bytes(data)
+    saved = load(tmp_path / "result.npz")
+    assert saved.name == "tiny"
+    assert saved.text == problem.text
+    assert saved.mjcf == problem.mjcf
+    assert len(saved.trace) > 1
+
+
+def test_a_worker_with_another_version_says_so(tmp_path: Path):
+    with pytest.raises(UserError, match=r"the worker has dynamic-splines .*, not 0\.0\.7"):
+        solving.solved(Task(files_of(Source(None, PurePosixPath("stairs")), {}), program="0.0.7"), tmp_path)
+
+
+def test_a_link_is_called_after_the_link(tmp_path: Path):
+    written(tmp_path)
+    (tmp_path / "other.toml").symlink_to(tmp_path / "tiny.toml")
+    assert names(sources([str(tmp_path / "other.toml")])) == ["other"]
