@@ -14,7 +14,6 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
-import mujoco
 import numpy as np
 from pydantic import ValidationError
 
@@ -40,6 +39,7 @@ from solver.subdivision import CRITERIA
 from solver.surface import Surface, static_surfaces
 from solver.unknowns import raw_timeline
 
+from .assets import Scene
 from .clip_table import (
     LARGEST,
     ROTATION,
@@ -56,7 +56,7 @@ from .motion import Saved, read_arrays
 from .obstacle import obstacles
 from .placing import check_search, wanted, with_pose
 from .rotation import quaternion_of
-from .scene import Step, check_files, compose, figure_spec, first_line, quietly
+from .scene import Step, compose, figure_spec, first_line, quietly
 
 LONGEST_PANEL = 0.05
 POINTS = 4
@@ -72,7 +72,7 @@ class Clip:
     """A problem ready to solve, and what the report looks at.
 
     text    the TOML text (empty for MJCF and NPZ clips)
-    mjcf    the complete MJCF text of figure and scene
+    scene   the complete MJCF of figure and scene, with the files that it refers to
     travel  (3,) [m] how far a loop's root comes in a period; None: as the keyframes say
     points  the sole points that stand on surfaces; bends: knees and elbows
     support  what carries the figure when; None without a free joint
@@ -83,7 +83,7 @@ class Clip:
 
     name: str
     text: str
-    mjcf: str
+    scene: Scene
     figure: Figure
     fps: float
     keys: tuple[Frame, ...]
@@ -99,6 +99,11 @@ class Clip:
     notes: tuple[str, ...]
     placed: tuple[Placed, ...] = ()
     contacts: tuple[Rest, ...] = ()
+
+    @property
+    def mjcf(self) -> str:
+        """The complete MJCF text."""
+        return self.scene.mjcf
 
 
 def load(source: str, *, model: str | None = None, keys: str | None = None, fps: float | None = None) -> Clip:
@@ -143,14 +148,14 @@ def from_text(
     step = table.scene.step
     try:
         spec = figure_spec(table.figure, folder)
-        mjcf = compose(spec, None if step is None else Step(**step.model_dump()), obstacles(table.scene))
+        scene = compose(spec, None if step is None else Step(**step.model_dump()), obstacles(table.scene))
     except UserError as error:
         raise UserError(f"{place}: {error}") from None
-    figure = _figure(mjcf, table.solve.coordinates, place)
+    figure = _figure(scene, table.solve.coordinates, place)
     check_times([row.time for row in table.keyframe], place)
     bends = posing_bends(figure, table.penalty)
     keys, placed = _keys(figure, table.keyframe, bends, table.solve.ends, place)
-    return _clip(name, text, mjcf, figure, fps or table.fps, keys, table, place, placed)
+    return _clip(name, text, scene, figure, fps or table.fps, keys, table, place, placed)
 
 
 def table_of(text: str, place: str) -> ClipTable:
@@ -179,7 +184,7 @@ def of_motion(saved: Saved) -> Clip:
     if table is not None:  # whose contacts and places are those of the clip that it was
         table = table.model_copy(update={"contact": []})
     return _clip(
-        saved.name, saved.text, saved.mjcf, saved.figure, saved.fps, list(saved.keys), table, saved.name, solve=solve
+        saved.name, saved.text, saved.scene, saved.figure, saved.fps, list(saved.keys), table, saved.name, solve=solve
     )
 
 
@@ -188,13 +193,13 @@ def with_keys(clip: Clip, keys: Sequence[Frame]) -> Clip:
     table = ClipTable.model_validate(tomllib.loads(clip.text)) if clip.text else None
     times = {key.time for key in keys}
     placed = tuple(point for point in clip.placed if point.time in times)
-    return _clip(clip.name, clip.text, clip.mjcf, clip.figure, clip.fps, list(keys), table, clip.name, placed)
+    return _clip(clip.name, clip.text, clip.scene, clip.figure, clip.fps, list(keys), table, clip.name, placed)
 
 
 def _clip(
     name: str,
     text: str,
-    mjcf: str,
+    scene: Scene,
     figure: Figure,
     fps: float,
     keys: list[Frame],
@@ -215,15 +220,15 @@ def _clip(
     builder = Constraints(figure, timeline, surfaces, notes, place, placed, contact)
     penalties = builder.all(penalty)
     return Clip(
-        name, text, mjcf, figure, fps, tuple(keys), penalties, settings, solve.ends,
+        name, text, scene, figure, fps, tuple(keys), penalties, settings, solve.ends,
         np.zeros((2, figure.width)) if solve.ends == "clamped" else None, solve.travel, surfaces,
         builder.points, builder.bends, builder.support, tuple(notes), placed, builder.contacts.given,
     )  # fmt: skip
 
 
-def _figure(mjcf: str, coordinates: str, place: str) -> Figure:
+def _figure(scene: Scene, coordinates: str, place: str) -> Figure:
     try:
-        return Figure(mujoco.MjModel.from_xml_string(mjcf), coordinates)
+        return Figure(scene.model(), coordinates)
     except (FigureError, ValueError) as error:
         raise UserError(f"{place}: {error}") from None
 
@@ -373,7 +378,6 @@ def _from_mjcf(path: Path, fps: float | None) -> Clip:
     """An MJCF file whose <keyframe> elements, with their times, are the keyframes."""
     try:
         spec = figure_spec(str(path))
-        check_files(spec)
         written = [np.array(key.qpos) for key in spec.keys]
         with quietly():
             model = spec.compile()
@@ -406,7 +410,7 @@ def _from_arrays(model: str, keys: Path, fps: float | None) -> Clip:
     return from_qpos(keys.stem, _composed(model, model), time, qpos, fps, keys.name)
 
 
-def _composed(figure: str, place: str) -> str:
+def _composed(figure: str, place: str) -> Scene:
     try:
         return compose(figure_spec(figure))
     except UserError as error:
@@ -418,12 +422,12 @@ def _placed(error: UserError, place: str) -> str:
     return str(error) if place in str(error) else f"{place}: {error}"
 
 
-def from_qpos(name: str, mjcf: str, time: Array, qpos: Array, fps: float | None, place: str) -> Clip:
+def from_qpos(name: str, scene: Scene, time: Array, qpos: Array, fps: float | None, place: str) -> Clip:
     """Whole keyframes from arrays, time (K,) [s] and qpos (K, nq), everything else by default.
 
-    mjcf   the complete text of figure and stage; place is how errors call it. Raises UserError for what does not fit.
+    scene  figure and stage, complete; place is how errors call it. Raises UserError for what does not fit.
     """
-    figure = _figure(mjcf, "auto", place)
+    figure = _figure(scene, "auto", place)
     if time.ndim != 1 or qpos.shape != (time.size, figure.width):
         raise UserError(
             f"{place}: time {time.shape} and qpos {qpos.shape} do not fit the figure: "
@@ -435,4 +439,4 @@ def from_qpos(name: str, mjcf: str, time: Array, qpos: Array, fps: float | None,
             raise UserError(f"{place}: {_called(i, row[0])}: an entry {what}")
     check_times(time.tolist(), place)
     keys = [Frame.key(t, q) for t, q in zip(time, qpos, strict=True)]
-    return _clip(name, "", mjcf, figure, fps or 30.0, keys, None, place)
+    return _clip(name, "", scene, figure, fps or 30.0, keys, None, place)

@@ -1,4 +1,4 @@
-"""Figure and stage become one MJCF text: sky, light and floor where the model brings none of its own, and obstacles."""
+"""Figure and stage become one model: sky, light and floor where the model brings none of its own, and obstacles."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ import mujoco
 
 import models
 
+from .assets import Scene, taken_along
 from .errors import UserError, unknown
 from .obstacle import Obstacle
 
@@ -57,21 +58,12 @@ def figure_spec(figure: str, folder: Path | None = None) -> mujoco.MjSpec:
         raise UserError(f"{figure}: MuJoCo cannot read it: {first_line(error)}") from None
 
 
-def check_files(spec: mujoco.MjSpec) -> None:
-    """Raises UserError for a model that is not all in its text: it must live on in the motion file."""
-    files = [mesh.file for mesh in spec.meshes if mesh.file] + [field.file for field in spec.hfields if field.file]
-    files += [file for texture in spec.textures for file in (texture.file, *texture.cubefiles) if file]
-    files += [skin.file for skin in spec.skins if skin.file]
-    if files:
-        raise UserError(f"the model refers to the file '{files[0]}': models with mesh or image files are not supported")
-
-
-def compose(spec: mujoco.MjSpec, step: Step | None = None, obstacles: Sequence[Obstacle] = ()) -> str:
-    """The complete MJCF text of a figure on its stage; from it alone the model is compiled from now on.
+def compose(spec: mujoco.MjSpec, step: Step | None = None, obstacles: Sequence[Obstacle] = ()) -> Scene:
+    """A figure on its stage, complete with the files that it refers to; from it alone the model is compiled from now on.
 
     Without the model's own <keyframe> elements: MuJoCo writes them with few digits and leaves out some.
     """
-    check_files(spec)
+    assets = taken_along(spec)
     for key in list(spec.keys):
         spec.delete(key)
     has_floor = any(geom.type == mujoco.mjtGeom.mjGEOM_PLANE for geom in spec.geoms)
@@ -102,8 +94,9 @@ def compose(spec: mujoco.MjSpec, step: Step | None = None, obstacles: Sequence[O
                 _add_step(spec, step)
             for obstacle in obstacles:
                 obstacle.add_to(spec, PREFIX + "step")
+            spec.assets = dict(assets)
             spec.compile()
-            return spec.to_xml()
+            return Scene(spec.to_xml(), assets)
     except ValueError as error:
         raise UserError(f"MuJoCo cannot compile the model with its stage: {first_line(error)}") from None
 

@@ -13,6 +13,7 @@ from solver.frame import Timeline
 from solver.quaternion import Array
 
 from . import layout
+from .assets import Scene
 from .camera import View, plan, still
 from .ghost import Ghost
 from .graphics import Graphics
@@ -106,14 +107,14 @@ def images(
     shots = _key_shots(saved, look) if keys else _moving_shots(saved, look)
     repeat = max(1, round(KEY_SECONDS * look.fps)) if keys and not still_keys else 1
     processes = max(1, min(workers, len(shots), len(shots) * look.width * look.height // PIXELS_OF_A_PROCESS))
-    stage = partial(_stage, saved.mjcf, look, graphics, len(shots[0].panes), max(1, workers // processes))
+    stage = partial(_stage, saved.scene, look, graphics, len(shots[0].panes), max(1, workers // processes))
     for image in in_order(stage, _drawn, shots, processes):
         for _ in range(repeat):
             yield image
 
 
-def _stage(mjcf: str, look: Look, graphics: Graphics, panes: int, threads: int) -> Stage:
-    return Stage(mjcf, look.width // panes, look.height, graphics, threads=threads)
+def _stage(scene: Scene, look: Look, graphics: Graphics, panes: int, threads: int) -> Stage:
+    return Stage(scene, look.width // panes, look.height, graphics, threads=threads)
 
 
 def _drawn(stage: Stage, shot: Shot) -> Picture:
@@ -190,5 +191,5 @@ def figure_six(saved: Saved, look: Look, graphics: Graphics, *, workers: int = 1
         ghosts = []
     ghosts += [Ghost(q, shade=KEY_SHADE, opacity=KEY_OPACITY) for q in qpos[own]]
     view = still(root_path(saved, qpos), look.width / look.height, look.camera, **_lens(saved))
-    with _stage(saved.mjcf, look, graphics, 1, workers) as stage:
+    with _stage(saved.scene, look, graphics, 1, workers) as stage:
         return stage.picture(None, view, ghosts=ghosts)

@@ -68,7 +68,7 @@ def test_shapes_and_names_fit_the_model(arrays, saved):
     assert arrays["joint_names"].tolist() == ["root", "left_knee"]
     assert arrays["body_names"].tolist() == ["world", "pelvis", "left_shin"]
     assert arrays["fps"] == 20
-    assert arrays["format_version"] == 1
+    assert arrays["format_version"] == 2
     assert {array.dtype.kind for array in arrays.values()} <= set("fiubU")
 
 
