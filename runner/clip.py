@@ -6,7 +6,6 @@ What a keyframe leaves out is free. A [[penalty]] entry changes or adds to the d
 
 from __future__ import annotations
 
-import itertools
 import tomllib
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -324,7 +323,6 @@ def _key(figure: Figure, row: KeyframeTable, before: Frame | None, loose: Sequen
         fixed[entries(figure, i)] = False
     roots = [link for link in figure.links[1:] if link.kind is JointKind.FREE]
     named = {link.name: link for link in figure.links[1:]}
-    shared = {a.name for a, b in itertools.combinations(figure.links[1:], 2) if a.name == b.name}
     if row.root.model_fields_set:
         if not roots:
             raise UserError(f"{place}: the figure has no free joint, so no root to place")
@@ -332,10 +330,6 @@ def _key(figure: Figure, row: KeyframeTable, before: Frame | None, loose: Sequen
     for name, value in row.joints.items():
         if name not in named:
             raise UserError(f"{place}: {unknown('joint', name, named)}")
-        if name in shared:
-            raise UserError(
-                f"{place}: several joints of '{name}' have no name of their own; give them names in the MJCF"
-            )
         if value == "free":
             fixed[quaternion_columns(named[name]) or named[name].qpos] = False
         else:

@@ -100,8 +100,5 @@ def _keyframe(figure: Figure, key: Frame) -> dict[str, Any]:
             joints[link.name] = {"quat": value}
         elif fixed:
             joints[link.name] = float(np.degrees(value)) if link.kind is JointKind.HINGE else value
-    names = [link.name for link in figure.links[1:] if link.name in joints]
-    if len(set(names)) < len(names):
-        raise UserError("several joints have no name of their own, so a clip's file cannot tell them apart")
     said = {"root": root, "joints": joints}
     return {"time": float(key.time), **{name: table for name, table in said.items() if table}}

@@ -353,14 +353,16 @@ def test_the_first_keyframe_has_nothing_to_hold():
         clip.from_text(OTHERS.replace('"rest"', '"hold"'), name="others")
 
 
-def test_joints_without_names_of_their_own_cannot_be_told_apart(tmp_path):
+def test_joints_without_names_of_their_own_go_by_their_bodys_and_a_number(tmp_path):
     (tmp_path / "two.xml").write_text(
         '<mujoco><worldbody><body name="a"><joint type="hinge" axis="1 0 0"/><joint type="hinge" axis="0 1 0"/>'
         '<geom size=".1"/></body></worldbody></mujoco>'
     )
-    keys = "".join(f"[[keyframe]]\ntime = {t}\njoints.a = 30\n" for t in (0, 1))
-    with pytest.raises(UserError, match="several joints of 'a'"):
-        clip.from_text('figure = "two.xml"\n' + keys, name="two", folder=tmp_path)
+    keys = "".join(f"[[keyframe]]\ntime = {t}\njoints.a_1 = 30\njoints.a_2 = {t}\n" for t in (0, 1))
+    problem = clip.from_text('figure = "two.xml"\n' + keys, name="two", folder=tmp_path)
+    np.testing.assert_allclose(problem.keys[1].state, np.radians([30, 1]))
+    with pytest.raises(UserError, match=r"no joint 'a'.*a_1, a_2"):
+        clip.from_text('figure = "two.xml"\n' + keys.replace("a_1", "a"), name="two", folder=tmp_path)
 
 
 HOVER = """
