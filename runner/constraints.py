@@ -45,6 +45,7 @@ from solver.penalty import (
 )
 from solver.quaternion import Array
 from solver.surface import Box, Plane, Surface
+from solver.touch import bolted
 
 from .clip_table import ContactTable, PenaltyTable
 from .contacts import contacts
@@ -197,11 +198,25 @@ class Constraints:
         """The body's corners out of floors and steps, all of its skin out of whatever is round, thin or in the air."""
         ground = tuple(s for s in self.surfaces if isinstance(s, Plane) or (isinstance(s, Box) and s.buried))
         others = tuple(s for s in self.surfaces if all(s is not g for g in ground))
-        clear = Contact(body_points(self.figure), ground, margin, name="clearance").allowing(self.figure, self.keys)
+        clear = self._apart(body_points(self.figure), ground, margin)
         if not others:
-            return clear
-        skin = Contact(covering_points(self.figure), others, margin).allowing(self.figure, self.keys)
-        return Together((clear, skin), name="clearance")
+            return clear[0] if len(clear) == 1 else Together(clear, name="clearance")
+        skin = self._apart(covering_points(self.figure), others, margin)
+        return Together((*clear, *skin), name="clearance")
+
+    def _apart(
+        self, points: tuple[Point, ...], surfaces: tuple[Surface, ...], margin: float
+    ) -> tuple[Contact, ...]:
+        """Points out of surfaces, each but those of links that are bolted to it."""
+        held = bolted_links(self.figure)
+        groups: dict[frozenset[int], list[Surface]] = {}
+        for surface in surfaces:
+            groups.setdefault(held.get(surface.name, frozenset()), []).append(surface)
+        found = [
+            Contact(tuple(p for p in points if p.link not in some), tuple(group), margin, name="clearance")
+            for some, group in groups.items()
+        ] or [Contact(points, surfaces, margin, name="clearance")]
+        return tuple(contact.allowing(self.figure, self.keys) for contact in found)
 
     @property
     def _found(self) -> tuple[Stance, ...]:
@@ -256,6 +271,15 @@ class Constraints:
                     raise UserError(f"{self.place}: penalty 'bend': {unknown('joint', name, known)}")
             self.bends = tuple(known[name] for name in entry.joints)
         return _limits(self.bends, entry).allowing(self.figure, self.keys)
+
+
+def bolted_links(figure: Figure) -> dict[str, frozenset[int]]:
+    """The links that are in a static geom by design, by the geom's name as surfaces have it."""
+    found: dict[str, set[int]] = {}
+    for body, geom in bolted(figure.model):
+        name = figure.model.geom(geom).name or f"geom {geom}"
+        found.setdefault(name, set()).add(int(figure.body_link[body]))
+    return {name: frozenset(links) for name, links in found.items()}
 
 
 def posing_bends(figure: Figure, entries: list[PenaltyTable]) -> BendLimits | None:

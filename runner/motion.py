@@ -158,7 +158,7 @@ def _asset_arrays(scene: Scene) -> dict[str, Any]:
 def _assets(data: dict[str, Any]) -> dict[str, bytes]:
     """The files by name; raises ValueError."""
     names = data.get("asset_names", np.array([], str))
-    if names.ndim != 1 or names.dtype.kind not in "U" and names.size:
+    if names.ndim != 1 or names.dtype.kind != "U":
         raise ValueError("'asset_names' is no list of names")
     files = [data[f"asset_{i}"] for i in range(names.size)]
     if any(file.dtype != np.uint8 for file in files):

@@ -59,7 +59,7 @@ def figure_spec(figure: str, folder: Path | None = None) -> mujoco.MjSpec:
 
 
 def compose(spec: mujoco.MjSpec, step: Step | None = None, obstacles: Sequence[Obstacle] = ()) -> Scene:
-    """A figure on its stage, complete with the files that it refers to; from it alone the model is compiled from now on.
+    """A figure on its stage, complete with the files it refers to; from it alone the model is compiled from now on.
 
     Without the model's own <keyframe> elements: MuJoCo writes them with few digits and leaves out some.
     """
