@@ -50,6 +50,7 @@ from solver.touch import bolted
 from .clip_table import ContactTable, PenaltyTable
 from .contacts import contacts
 from .errors import UserError, unknown
+from .feet import sole_points
 
 KINDS = (
     "covariant", "root", "unit", "contact", "clearance", "planted", "resting", "skate", "grounded", "posture", "bend",
@@ -76,7 +77,6 @@ DEFAULT_WEIGHTS = {
 CARRIED = ("flight", "support", "peak")  # on by default where keyframes tell what carries the figure
 ROOT_WEIGHT_CARRIED = 0.45  # of "root", which flight and support then know better
 KNEES, ELBOWS = ("knee", "shin"), ("elbow", "forearm", "farm")
-SOLES = ("heel", "toe")
 BEND_BOUND = 8.0  # degrees; 10° with room for a soft constraint
 OPTIONS = {
     "covariant": {"form"},
@@ -109,15 +109,16 @@ class Constraints:
         self.placed = placed
         model = figure.model
         self.sites = [model.site(i).name for i in range(model.nsite)]
-        self.points = site_points(figure, [s for s in self.sites if any(word in s.lower() for word in SOLES)])
+        whole = [figure.to_qpos(frame.state) for frame in keys.frames if frame.fixed.all()]
+        self.points = sole_points(figure, np.reshape(whole, (-1, figure.width)))
         self.bends = tuple(_bends(figure))
         self.contacts = contacts(figure, keys, tables, place)
         self.support: Support | None = None
         if not surfaces:
             notes.append("no static geom found: nothing to stay out of")
-        if not self.points:
-            notes.append("no site named heel or toe found: no contact points")
-        if not self.bends:
+        if not self.points and _is_free(figure):
+            notes.append("no feet found, nor a site named heel or toe: no contact points")
+        if not self.bends and figure.tables.ball_links.size:
             notes.append("no knee, shin, elbow or forearm on a ball joint found: no limits on bending")
 
     def all(self, entries: list[PenaltyTable]) -> tuple[tuple[Penalty, float], ...]:
@@ -271,6 +272,11 @@ class Constraints:
                     raise UserError(f"{self.place}: penalty 'bend': {unknown('joint', name, known)}")
             self.bends = tuple(known[name] for name in entry.joints)
         return _limits(self.bends, entry).allowing(self.figure, self.keys)
+
+
+def _is_free(figure: Figure) -> bool:
+    """Whether it may move about on a ground."""
+    return bool(figure.tables.free_links.size)
 
 
 def bolted_links(figure: Figure) -> dict[str, frozenset[int]]:
