@@ -31,10 +31,7 @@ def sole_points(figure: Figure, qpos: Array) -> tuple[Point, ...]:
     names = [figure.model.site(i).name for i in range(figure.model.nsite)]
     named = site_points(figure, [name for name in names if any(word in name.lower() for word in SOLES)])
     named = tuple(_grown(figure, point) for point in named if point.link)
-    if not named:
-        return _lowest(figure, qpos)
-    links = {point.link for point in named}
-    return (*named, *(point for point in _lowest(figure, qpos[:0]) if point.link not in links))
+    return named or _lowest(figure, qpos)
 
 
 def _grown(figure: Figure, point: Point) -> Point:
