@@ -326,7 +326,12 @@ def _key(figure: Figure, row: KeyframeTable, before: Frame | None, loose: Sequen
     if row.root.model_fields_set:
         if not roots:
             raise UserError(f"{place}: the figure has no free joint, so no root to place")
-        _set_root(qpos, fixed, roots[0].qpos, row.root, place)
+        _set_root(qpos, fixed, roots[0].qpos, row.root, f"{place}: root")
+    others = {link.name: link for link in roots}
+    for name, table in row.roots.items():
+        if name not in others:
+            raise UserError(f"{place}: roots: {unknown('free joint', name, others)}")
+        _set_root(qpos, fixed, others[name].qpos, table, f"{place}: roots.{name}")
     for name, value in row.joints.items():
         if name not in named:
             raise UserError(f"{place}: {unknown('joint', name, named)}")
@@ -348,7 +353,7 @@ def _set_root(qpos: Array, fixed: Mask, start: int, root: RootTable, place: str)
     if "rotation" in root.model_fields_set:
         fixed[start + 3 : start + 7] = root.rotation != "free"
         if root.rotation != "free":
-            qpos[start + 3 : start + 7] = quaternion_of(root.rotation, f"{place}: root.rotation")
+            qpos[start + 3 : start + 7] = quaternion_of(root.rotation, f"{place}.rotation")
 
 
 def _set_joint(qpos: Array, fixed: Mask, link: Any, value: RotationTable | float, place: str) -> None:
@@ -361,7 +366,7 @@ def _set_joint(qpos: Array, fixed: Mask, link: Any, value: RotationTable | float
         fixed[link.qpos] = True
         return
     if link.kind is JointKind.FREE:
-        raise UserError(f"{place}: a free joint is placed by root.position and root.rotation")
+        raise UserError(f"{place}: a free joint is placed by root.position and root.rotation, or by roots.{link.name}")
     if not isinstance(value, RotationTable):
         raise UserError(f"{place}: a ball joint takes a rotation, {ROTATION}, not a number")
     qpos[columns] = quaternion_of(value, place)
