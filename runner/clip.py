@@ -50,6 +50,7 @@ from .clip_table import (
     spoken,
 )
 from .constraints import Constraints, posing_bends
+from .couplings import complaints, follow
 from .errors import UserError, unknown
 from .motion import Saved, read_arrays
 from .obstacle import obstacles
@@ -214,7 +215,7 @@ def _clip(
     except (TimelineError, ValueError) as error:
         raise UserError(f"{place}: {error}") from None
     surfaces = static_surfaces(figure.model)
-    notes: list[str] = []
+    notes = complaints(figure, timeline, keys)
     contact, penalty = ([], []) if table is None else (table.contact, table.penalty)
     builder = Constraints(figure, timeline, surfaces, notes, place, placed, contact)
     penalties = builder.all(penalty)
@@ -339,6 +340,7 @@ def _key(figure: Figure, row: KeyframeTable, before: Frame | None, loose: Sequen
             fixed[quaternion_columns(named[name]) or named[name].qpos] = False
         else:
             _set_joint(qpos, fixed, named[name], value, f"{place}: joints.{name}")
+    follow(figure, qpos, fixed, lambda name: name in row.joints)
     return Frame.key(row.time, qpos, fixed)
 
 
@@ -384,9 +386,9 @@ def _from_mjcf(path: Path, fps: float | None) -> Clip:
         raise UserError(_placed(error, path.name)) from None
     except ValueError as error:
         raise UserError(f"{path.name}: MuJoCo cannot compile it: {first_line(error)}") from None
-    if model.nkey == 0:
+    if not written:
         raise UserError(f"{path.name}: the model has no <keyframe> elements to go through")
-    time, qpos = np.array(model.key_time), np.array(model.key_qpos)
+    time, qpos = np.array(model.key_time)[: len(written)], np.array(model.key_qpos)[: len(written)]
     for i, own in enumerate(written):
         if own.size not in (0, model.nq):
             at = _called(i + 1, time[i])

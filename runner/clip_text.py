@@ -13,7 +13,6 @@ from solver.figure import Figure, JointKind, quaternion_columns
 from solver.frame import Frame
 
 from .clip_table import ClipTable
-from .errors import UserError
 
 BARE = re.compile(r"[A-Za-z0-9_-]+")
 

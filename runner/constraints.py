@@ -13,7 +13,9 @@ from solver.frame import Timeline
 from solver.penalty import (
     Bend,
     BendLimits,
+    Closed,
     Contact,
+    Coupled,
     CovariantAcceleration,
     Flight,
     Grounded,
@@ -35,6 +37,8 @@ from solver.penalty import (
     Torque,
     UnitMagnitude,
     body_points,
+    closures,
+    couplings,
     covering_points,
     flights,
     footings,
@@ -54,7 +58,7 @@ from .feet import sole_points
 
 KINDS = (
     "covariant", "root", "unit", "contact", "clearance", "planted", "resting", "skate", "grounded", "posture", "bend",
-    "range", "self", "placement", "flight", "support", "peak", "torque",
+    "range", "coupled", "closed", "self", "placement", "flight", "support", "peak", "torque",
 )  # fmt: skip
 DEFAULT_WEIGHTS = {
     "covariant": 1.0,
@@ -69,6 +73,8 @@ DEFAULT_WEIGHTS = {
     "posture": 0.7,
     "bend": 1.0,
     "range": 1.0,
+    "coupled": 300.0,
+    "closed": 300.0,
     "placement": 30.0,
     "flight": 3.0,
     "support": 0.01,
@@ -137,9 +143,14 @@ class Constraints:
                 raise UserError(f"{place}: '{option}' is not for kind '{entry.kind}', which takes: {takes}")
             seen[entry.kind] = i
             chosen[entry.kind] = entry
-        for kind, given in (("placement", self.placed), ("resting", self.contacts.given)):
+        for kind, given in (
+            ("placement", self.placed),
+            ("resting", self.contacts.given),
+            ("coupled", couplings(self.figure)),
+            ("closed", closures(self.figure)),
+        ):
             if not given:
-                del chosen[kind]
+                chosen.pop(kind, None)
         if chosen["contact"].points is not None:
             self.points = self._sites(chosen["contact"].points)
         self.support = self._carried(chosen["flight"], "flight" in seen)
@@ -168,6 +179,10 @@ class Constraints:
             return Torque()
         if entry.kind == "range":
             return JointRange(joint_ranges(self.figure))
+        if entry.kind == "coupled":
+            return Coupled(couplings(self.figure))
+        if entry.kind == "closed":
+            return Closed(closures(self.figure))
         if entry.kind == "self":
             return SelfContact.of(self.figure, entry.margin or 0.0)
         if entry.kind == "clearance":
@@ -205,9 +220,7 @@ class Constraints:
         skin = self._apart(covering_points(self.figure), others, margin)
         return Together((*clear, *skin), name="clearance")
 
-    def _apart(
-        self, points: tuple[Point, ...], surfaces: tuple[Surface, ...], margin: float
-    ) -> tuple[Contact, ...]:
+    def _apart(self, points: tuple[Point, ...], surfaces: tuple[Surface, ...], margin: float) -> tuple[Contact, ...]:
         """Points out of surfaces, each but those of links that are bolted to it."""
         held = bolted_links(self.figure)
         groups: dict[frozenset[int], list[Surface]] = {}

@@ -15,12 +15,11 @@ import models
 from solver.figure import Figure, JointKind, Link, quaternion_columns
 from solver.frame import Frame
 from solver.kinematics import Samples
-from solver.penalty import Point, body_points
+from solver.penalty import Point, body_points, closures, couplings, joint_ranges
 from solver.penalty.contact import arrays_of
 from solver.quaternion import Array
 
 from .clip_text import keyframe_tables, written
-from .couplings import dependents
 from .errors import UserError
 from .feet import sole_points
 from .scene import compose, figure_spec, first_line, quietly
@@ -92,13 +91,13 @@ def model_keys(spec: mujoco.MjSpec, place: str) -> tuple[Array, Array]:
             model = spec.compile()
     except ValueError as error:
         raise UserError(f"{place}: MuJoCo cannot compile it: {first_line(error)}") from None
-    poses = np.array(model.key_qpos).reshape(model.nkey, model.nq)
+    poses = np.array(model.key_qpos).reshape(-1, model.nq)[: len(own)]  # <size nkey> may ask for more than there are
     for pose, said in zip(poses, own, strict=True):
         if said.size == model.nq:
             pose[:] = said
-    times = np.array(model.key_time)
-    if model.nkey and not np.all(np.diff(times) >= 1e-3):
-        times = APART * np.arange(model.nkey)
+    times = np.array(model.key_time)[: len(own)]
+    if times.size and not np.all(np.diff(times) >= 1e-3):
+        times = APART * np.arange(times.size)
     return times, poses
 
 
@@ -108,8 +107,12 @@ def _path(source: str, target: Path) -> str:
 
 
 def _stood(figure: Figure, on_feet: bool) -> Array:
-    """The rest pose, (nq,), a free figure's lowest point on the highest floor."""
+    """The rest pose, (nq,), within the joints' ranges, a free figure's lowest point on the highest floor."""
     qpos = np.array(figure.model.qpos0)
+    for joint in joint_ranges(figure):
+        if joint.kind is not JointKind.BALL:
+            column = figure.links[joint.link].qpos
+            qpos[column] = np.clip(qpos[column], joint.low, joint.high)
     floor = _floor(figure.model)
     if not figure.tables.free_links.size or floor is None:
         return qpos
@@ -132,15 +135,15 @@ def _floor(model: mujoco.MjModel) -> float | None:
 def _lowest(figure: Figure, qpos: Array, root: int) -> float | None:
     """[m] how high the lowest point of what hangs from a link is."""
     own = [point for point in body_points(figure) if figure.tables.path[point.link, root]]
-    return float(_bottoms(figure, qpos, own).min()) if own else None
+    return float(_bottoms(figure, qpos[None], own).min()) if own else None
 
 
 def _bottoms(figure: Figure, qpos: Array, points: Sequence[Point]) -> Array:
-    """(n,) [m] the lowest height of each point."""
-    state = figure.to_state(qpos[None])
+    """(n, K) [m] the lowest height of each point in poses (K, nq)."""
+    state = figure.to_state(qpos)
     links, positions, radii = arrays_of(points)
     places, _ = Samples(figure, state, 0 * state, 0 * state).links.points(links, positions)
-    return places[2, :, 0] - radii
+    return places[2] - radii[:, None]
 
 
 def _moved(figure: Figure, qpos: Array, start: float) -> list[dict[str, Any]]:
@@ -151,25 +154,46 @@ def _moved(figure: Figure, qpos: Array, start: float) -> list[dict[str, Any]]:
         here, there = float(qpos[link.qpos]), value
         if link.kind is JointKind.HINGE:
             here, there = float(np.degrees(here)), float(np.degrees(there))
-        said: list[Any] = [there, here]
+        whole = round(there, 0 if link.kind is JointKind.HINGE else 3)  # what one would write
+        said: list[Any] = [whole if min(here, there) < whole < max(here, there) else there, here]
     else:
         said = [{"rotvec": [0.0, float(np.degrees(value)), 0.0]}, {"quat": qpos[columns].tolist()}]
+    loops = _loops(figure)
+    looped = [figure.links[i].name for i in sorted(loops)] if figure.links.index(link) in loops else []
+    free: dict[str, Any] = {name: "free" for name in looped if name != link.name}  # the search closes the loops again
+    back = {"joints": {figure.links[i].name: _said(figure.links[i], qpos) for i in sorted(loops)}} if looped else {}
     return [
-        {"time": start + APART * number, "joints": {link.name: entry}, "others": "hold"}
-        for number, entry in enumerate(said, start=1)
+        {"time": start + APART, "joints": {link.name: said[0], **free}, "others": "hold"},
+        {"time": start + 2 * APART, "joints": {link.name: said[1]}, **back, "others": "hold"},
     ]
+
+
+def _said(link: Link, qpos: Array) -> Any:
+    """What a keyframe says of a joint."""
+    columns = quaternion_columns(link)
+    if columns is not None:
+        return {"quat": qpos[columns].tolist()}
+    return float(np.degrees(qpos[link.qpos])) if link.kind is JointKind.HINGE else float(qpos[link.qpos])
+
+
+def _loops(figure: Figure) -> set[int]:
+    """The links of closed loops."""
+    path, found = figure.tables.path > 0, set()
+    for closure in closures(figure):
+        found |= set(np.flatnonzero(path[closure.one.link] != path[closure.two.link]).tolist())
+    return {i for i in found if figure.links[i].kind is not JointKind.FREE}
 
 
 def _telling(figure: Figure, qpos: Array) -> tuple[Link, float]:
     """The joint that is seen best when it moves, but for those that carry half the figure, and where it goes to."""
     model, data = figure.model, mujoco.MjData(figure.model)
-    after = set(dependents(model))
+    after = {coupling.follower for coupling in couplings(figure)}
+    loops = _loops(figure)
     size = _size(figure, qpos)
-    points = body_points(figure)
-    stood = float(_bottoms(figure, qpos, points).min()) if points else 0.0
-    best: tuple[float, Link, float] | None = None
+    choices: list[tuple[int, float]] = []
+    poses = [qpos]
     for i, link in enumerate(figure.links[1:], start=1):
-        if link.kind is JointKind.FREE or link.joint in after:
+        if link.kind is JointKind.FREE or link.qpos in after:
             continue
         for value in _goals(figure, link, qpos, size):
             moved = np.array(qpos)
@@ -178,16 +202,19 @@ def _telling(figure: Figure, qpos: Array) -> tuple[Link, float]:
                 moved[link.qpos] = value
             else:
                 moved[columns] = [np.cos(value / 2), 0, np.sin(value / 2), 0]
-            seen = _shift(model, data, qpos, moved)
-            heavy = figure.tables.path[:, i].mean() > 0.5
-            sunk = points and float(_bottoms(figure, moved, points).min()) < stood - 1e-3
-            worth = float(seen) * (0.1 if heavy else 1.0) * (0.2 if sunk else 1.0)
-            if best is None or worth > best[0] * 1.001:
-                best = worth, link, value
-    if best is None:
-        first = figure.links[1]
-        raise UserError(f"'{first.name}' is all that moves: a free body needs keyframes of its own")
-    return best[1], best[2]
+            choices.append((i, value))
+            poses.append(moved)
+    if not choices:
+        raise UserError(f"'{figure.links[1].name}' is all that moves: a free body needs keyframes of its own")
+    points = body_points(figure)
+    lowest = _bottoms(figure, np.array(poses), points).min(axis=0, initial=np.inf)
+    worth = []
+    for (i, _), pose, low in zip(choices, poses[1:], lowest[1:], strict=True):
+        heavy, sunk = figure.tables.path[:, i].mean() > 0.5, low < lowest[0] - 1e-3
+        share = (0.1 if heavy else 1.0) * (0.2 if sunk else 1.0) * (0.1 if i in loops else 1.0)
+        worth.append(share * _shift(model, data, qpos, pose))
+    i, value = choices[int(np.argmax(np.array(worth) > 0.999 * max(worth)))]
+    return figure.links[i], value
 
 
 def _goals(figure: Figure, link: Link, qpos: Array, size: float) -> list[float]:
@@ -263,15 +290,14 @@ def _named(figure: Figure, soles: Sequence[str]) -> str:
     lines += _list("Sites, for sites.NAME = [x, y, z]", sites)
     lines += _list("Bodies, for bodies.NAME = {flat = true} or a rotation", bodies)
     lines += _list("What stands on the ground", list(dict.fromkeys(soles)))
-    coupled = [f"{model.joint(j).name or j}" for j in dependents(model)]
-    lines += _list("Joints that follow others (equality constraints)", coupled)
+    lines += _list("Joints that follow others (equality constraints)", [c.name for c in couplings(figure)])
     return "\n".join(lines)
 
 
 def _joint_line(figure: Figure, link: Link, roots: Sequence[Link]) -> str:
     if link.kind is JointKind.FREE:
         table = "root" if link is roots[0] else f"roots.{_key(link.name)}"
-        return f"{table + '.position, ' + table + '.rotation':40} free joint '{link.name}': metres; a rotation"
+        return f"{table + '.position, .rotation':40} free joint '{link.name}': metres; a rotation"
     name, limited = f"joints.{_key(link.name)}", bool(figure.model.jnt_limited[link.joint])
     low, high = (float(bound) for bound in figure.model.jnt_range[link.joint])
     if link.kind is JointKind.SLIDE:
@@ -291,5 +317,3 @@ def _list(title: str, names: Iterable[str]) -> list[str]:
     if not names:
         return []
     return [f"# {title}:", *textwrap.wrap(", ".join(names), WIDE, initial_indent="#   ", subsequent_indent="#   ")]
-
-

@@ -18,7 +18,7 @@ import numpy as np
 from .frame import Mask
 
 TOUCHING = 0.001  # [m]
-LEVEL = 1e-3  # of a slide's way along a plane's normal
+FAR = np.array([-0.5, 0.5])  # [m] that slides without bounds are tried to go
 
 
 def moves(model: mujoco.MjModel) -> Mask:
@@ -77,8 +77,8 @@ def bolted(model: mujoco.MjModel) -> frozenset[tuple[int, int]]:
             beside = under != 0 and int(model.body_parentid[body]) == under
             if beside or (
                 (body, solid) not in found
-                and not _slides_out(model, data, body, solid)
-                and mujoco.mj_geomDistance(model, data, geom, solid, 2 * TOUCHING, None) < TOUCHING
+                and _touches(model, data, geom, solid)
+                and not _slides_out(model, geom, solid)
             ):
                 found.add((body, solid))
     return frozenset(found)
@@ -99,12 +99,22 @@ def _hangs(model: mujoco.MjModel, body: int) -> bool:
     return all(model.jnt_type[joint] != int(mujoco.mjtJoint.mjJNT_FREE) for joint in _way(model, body))
 
 
-def _slides_out(model: mujoco.MjModel, data: mujoco.MjData, body: int, solid: int) -> bool:
-    """Whether a slide can take a body away from a geom of the world: off a plane, or from another shape anywhere."""
-    slides = [j for j in _way(model, body) if model.jnt_type[j] == int(mujoco.mjtJoint.mjJNT_SLIDE)]
-    if not slides or model.geom_bodyid[solid] != 0:
-        return False
-    if model.geom_type[solid] != int(mujoco.mjtGeom.mjGEOM_PLANE):
-        return True
-    normal = data.geom_xmat[solid].reshape(3, 3)[:, 2]
-    return bool(np.any(np.abs(data.xaxis[slides] @ normal) > LEVEL))
+def _touches(model: mujoco.MjModel, data: mujoco.MjData, geom: int, solid: int) -> bool:
+    return mujoco.mj_geomDistance(model, data, geom, solid, 2 * TOUCHING, None) < TOUCHING
+
+
+def _slides_out(model: mujoco.MjModel, geom: int, solid: int) -> bool:
+    """Whether a slide takes a moving geom out of one of the world: walkers off the floor, but no cart off its rail."""
+    data = mujoco.MjData(model)
+    for joint in _way(model, int(model.geom_bodyid[geom])):
+        if model.jnt_type[joint] != int(mujoco.mjtJoint.mjJNT_SLIDE):
+            continue
+        column = int(model.jnt_qposadr[joint])
+        ends = model.jnt_range[joint] if model.jnt_limited[joint] else model.qpos0[column] + FAR
+        for end in ends:
+            data.qpos[:] = model.qpos0
+            data.qpos[column] = end
+            mujoco.mj_kinematics(model, data)
+            if not _touches(model, data, geom, solid):
+                return True
+    return False

@@ -202,7 +202,9 @@ def test_what_was_looked_for_and_not_found_is_one_line_each(tmp_path):
     notes = clip.load(str(tmp_path / "tiny.toml")).notes
     assert len(notes) == 1
     assert "knee" in notes[0]
-    (tmp_path / "tiny.xml").write_text(figure.replace("0 0 -.3", "0 0 .3").replace('pos="0 0 -.2"', 'pos="0 0 .2"'), encoding="utf-8")
+    (tmp_path / "tiny.xml").write_text(
+        figure.replace("0 0 -.3", "0 0 .3").replace('pos="0 0 -.2"', 'pos="0 0 .2"'), encoding="utf-8"
+    )
     notes = clip.load(str(tmp_path / "tiny.toml")).notes
     assert len(notes) == 2
     assert all("\n" not in note for note in notes)

@@ -151,8 +151,5 @@ def test_mujocos_warnings_leave_no_log_and_no_words(tmp_path, monkeypatch, capfd
 def test_a_model_that_has_its_stage_already_is_composed_as_it_is():
     once = compose(figure_spec("human"), Step(1.0, 0.3))
     twice = compose(once.spec())
-    counts = [
-        [getattr(scene.model(), name) for name in ("ngeom", "nmat", "ntex", "nlight")]
-        for scene in (once, twice)
-    ]
+    counts = [[getattr(scene.model(), name) for name in ("ngeom", "nmat", "ntex", "nlight")] for scene in (once, twice)]
     assert counts[0] == counts[1]
