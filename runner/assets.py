@@ -60,7 +60,7 @@ def taken_along(spec: mujoco.MjSpec) -> Assets:
         raise UserError(f"the files that the model refers to have over {LARGEST // 1_000_000} MB together")
     spec.meshdir = spec.texturedir = spec.modelfiledir = ""
     spec.strippath = False
-    spec.assets = {}  # or MuJoCo warns of what is attached without any
+    spec.assets = {}
     return found
 
 

@@ -10,14 +10,18 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import mujoco
+import numpy as np
 
 import models
 
-from .assets import Scene, taken_along
+from .assets import Assets, Scene, taken_along
 from .errors import UserError, unknown
+from .framing import STANDING, is_of_people_size, rest_box, size_of
 from .obstacle import Obstacle
 
 PREFIX = "stage_"
+BURIED = 0.005  # [m] by which a bolted figure may go into the floor
+BELOW = 0.02  # of its size, how far below its lowest point a floor is put
 
 
 @dataclass(frozen=True)
@@ -79,8 +83,15 @@ def compose(spec: mujoco.MjSpec, step: Step | None = None, obstacles: Sequence[O
         for texture in list(stage.textures):
             if texture.type == mujoco.mjtTexture.mjTEXTURE_SKYBOX:
                 stage.delete(texture)
+    bare = _compiled(spec, assets)
     if not has_light:
         spec.visual, spec.stat = stage.visual, stage.stat
+        if not is_of_people_size(bare):
+            spec.stat.extent *= size_of(bare) / STANDING
+    if not has_floor and not np.any(bare.jnt_type == int(mujoco.mjtJoint.mjJNT_FREE)):
+        low = float(rest_box(bare)[0][2])
+        if low < -BURIED:  # what hangs on the world may hang lower than its origin
+            stage.geom("floor").pos = [0.0, 0.0, low - BELOW * size_of(bare)]
     spec.visual.global_.offwidth = stage.visual.global_.offwidth
     spec.visual.global_.offheight = stage.visual.global_.offheight
     try:
@@ -96,11 +107,21 @@ def compose(spec: mujoco.MjSpec, step: Step | None = None, obstacles: Sequence[O
                 _add_step(spec, step)
             for obstacle in obstacles:
                 obstacle.add_to(spec, PREFIX + "step")
-            spec.assets = dict(assets)
-            spec.compile()
+            _compiled(spec, assets)
             return Scene(spec.to_xml(), assets)
     except ValueError as error:
         raise UserError(f"MuJoCo cannot compile the model with its stage: {first_line(error)}") from None
+
+
+def _compiled(spec: mujoco.MjSpec, assets: Assets) -> mujoco.MjModel:
+    spec.assets = dict(assets)
+    try:
+        with quietly():
+            return spec.compile()
+    except ValueError as error:
+        raise UserError(f"MuJoCo cannot compile the model: {first_line(error)}") from None
+    finally:
+        spec.assets = {}  # or MuJoCo warns of what is attached without any
 
 
 def _add_step(spec: mujoco.MjSpec, step: Step) -> None:

@@ -15,6 +15,7 @@ from solver.quaternion import Array
 from . import layout
 from .assets import Scene
 from .camera import View, plan, still
+from .framing import height, middles
 from .ghost import Ghost
 from .graphics import Graphics
 from .motion import Saved, sampled
@@ -23,7 +24,6 @@ from .workers import in_order
 
 KEY_SECONDS = 0.5
 PIXELS_OF_A_PROCESS = 1_000_000  # rays draw so many in the time that a process takes to start, and some more
-STANDING = 2.05  # metres: a person with a hand raised over the head
 KEY_SHADE, VARIABLE_SHADE, BETWEEN_SHADE = 0.0, 0.45, 0.75
 KEY_OPACITY, VARIABLE_OPACITY, BETWEEN_OPACITY = 1.0, 0.55, 0.25
 
@@ -76,17 +76,12 @@ class Lens(TypedDict):
 
 def root_path(saved: Saved, qpos: Array) -> Array:
     """(T, 3) where the figure is: its free root, or the middle of its bodies for a fixed one."""
-    tables = saved.figure.tables
-    if tables.free_links.size:
-        return qpos[:, tables.position_columns[:, 0]]
-    return np.tile(saved.figure.model.stat.center, (len(qpos), 1))
+    return middles(saved.figure, qpos)
 
 
 def figure_height(saved: Saved) -> float:
     """How tall the figure is [m], for the camera's distance."""
-    if saved.figure.tables.free_links.size:
-        return STANDING
-    return float(2.2 * saved.figure.model.stat.extent)
+    return height(saved.figure, saved.figure.to_qpos(np.concatenate([saved.raw.states, saved.timeline.states])))
 
 
 def image_count(saved: Saved, look: Look, *, still_keys: bool = False) -> int:
