@@ -337,6 +337,9 @@ def import_motion(
     figure: Annotated[str | None, typer.Option(help="the figure it is for: a shipped one or MJCF")] = None,
     kind: Annotated[str | None, typer.Option("--from", help="its format, where the ending does not tell it")] = None,
     fps: Annotated[float | None, typer.Option(help="images a second, where the file does not tell")] = None,
+    scale: Annotated[
+        float | None, typer.Option(help="the file's unit of length in metres, where it is guessed")
+    ] = None,
     output: Output = None,
 ) -> None:
     """Read a recorded motion; every instant of it becomes a keyframe, and nothing is searched."""
@@ -348,6 +351,8 @@ def import_motion(
 
     if fps is not None and not 0.01 <= fps <= 1000:
         raise UserError(f"--fps {fps:g}: give a number of images a second, 0.01 to 1000")
+    if scale is not None and not 1e-6 <= scale <= 1e6:
+        raise UserError(f"--scale {scale:g}: give the file's unit in metres, 0.01 for centimetres")
     target = output or Path(f"{source.stem}.npz")
     if target.suffix != ".npz":
         raise UserError(f"{target}: a motion file's name ends in .npz")
@@ -355,7 +360,7 @@ def import_motion(
     if target.exists() and source.exists() and target.samefile(source):
         raise UserError(f"'{target}' is what is read; give another -o")
     with Teller() as teller:
-        motion.save(imported(source, kind, figure=figure, fps=fps, teller=teller), target)
+        motion.save(imported(source, kind, figure=figure, fps=fps, scale=scale, teller=teller), target)
         teller.say(f"wrote {target}")
 
 

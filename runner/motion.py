@@ -15,6 +15,7 @@ import json
 import os
 import tempfile
 import zipfile
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -143,19 +144,20 @@ def save(saved: Saved, target: Path) -> None:
         arrays[f"{prefix}frame_state"] = timeline.states
         arrays[f"{prefix}frame_fixed"] = timeline.fixed
         arrays[f"{prefix}end_slope"] = timeline.end_slope
-    arrays.update(_asset_arrays(saved.scene))
+    arrays.update(asset_arrays(saved.scene))
     with Replacement(target) as temporary, temporary.open("wb") as stream:
         np.savez_compressed(stream, allow_pickle=False, **arrays)
 
 
-def _asset_arrays(scene: Scene) -> dict[str, Any]:
+def asset_arrays(scene: Scene) -> dict[str, Any]:
+    """The files that a scene refers to, as arrays by name."""
     if not scene.assets:
         return {}
     files = {f"asset_{i}": np.frombuffer(data, np.uint8) for i, data in enumerate(scene.assets.values())}
     return {"asset_names": np.array(list(scene.assets)), **files}
 
 
-def _assets(data: dict[str, Any]) -> dict[str, bytes]:
+def assets_in(data: Mapping[str, Any]) -> dict[str, bytes]:
     """The files by name; raises ValueError."""
     names = data.get("asset_names", np.array([], str))
     if names.ndim != 1 or names.dtype.kind != "U":
@@ -279,7 +281,7 @@ def _check(saved: Saved, data: dict[str, Any]) -> None:
 
 
 def _restored(data: dict[str, Any]) -> Saved:
-    scene = Scene(str(data["mjcf"]), _assets(data))
+    scene = Scene(str(data["mjcf"]), assets_in(data))
     figure = Figure(scene.model(), str(data["coordinates"]))
     keys = tuple(Frame.key(*row) for row in zip(data["key_time"], data["key_qpos"], data["key_fixed"], strict=True))
     ends = str(data["ends"])

@@ -21,9 +21,10 @@ class Format:
 
     The module has `write(take, path)` if others can read what we write, and `read(path, model, fps)`, which gives a
     Recording, if we can read what others write; model is None where the user named no figure. Both raise UserError.
-    It may have `beside(take)`, texts by the ending of the file, beside the motion's, that receives it (the hinge model
-    that a motion is for), and `recognises(path)`, for endings that several formats share.
+    It may have `beside(take)`, what is to lie beside the motion's file (the hinge model that it is for), by its ending
+    or, where it does not begin with a dot, its name; and `recognises(path)`, for endings that several formats share.
     also   endings of the same format that are read
+    scales the files do not say their unit of length: `read` takes `scale` [m], None to guess
     extra  of `pip install 'dynamic-splines[...]'`, where the format needs more than the main job
     """
 
@@ -33,6 +34,7 @@ class Format:
     module: str
     writes: bool = True
     reads: bool = False
+    scales: bool = False
     extra: str | None = None
     also: tuple[str, ...] = ()
 
@@ -48,6 +50,10 @@ FORMATS = (
     Format("mimickit", ".mimickit.pkl", "MimicKit: root and ball joints as rotation vectors", "mimickit", reads=True),
     Format("deepmimic", ".deepmimic.json", "DeepMimic's humanoid", "deepmimic", reads=True, also=(".txt", ".json")),
     Format("amass", ".amass.npz", "AMASS: motion capture on the SMPL body", "amass", writes=False, reads=True),
+    Format("bvh", ".bvh", "a skeleton and its angles, y up, centimetres", "bvh", reads=True, scales=True),
+    Format("gltf", ".glb", "meshes and one animation, for Blender, engines and the web", "gltf", extra="gltf"),
+    Format("usd", ".usdc", "meshes and one time code a sample; .usda for text", "usd", extra="usd"),
+    Format("html", ".html", "one page that plays before and after, in any browser, from the disk", "html"),
 )  # fmt: skip
 
 
@@ -92,9 +98,9 @@ def export(
     with Replacement(target) as temporary:
         module.write(take, temporary)
     for ending, text in module.beside(take).items() if hasattr(module, "beside") else ():
-        other = target.with_suffix(ending)
+        other = target.with_suffix(ending) if ending.startswith(".") else target.parent / ending
         with Replacement(other) as temporary:
-            temporary.write_text(text, encoding="utf-8")
+            temporary.write_bytes(text if isinstance(text, bytes) else text.encode())
         take.notes.append(f"wrote {other}")
     if tell is not None:
         for note in take.notes:
@@ -103,17 +109,26 @@ def export(
 
 
 def recording(
-    source: Path, kind: str | None = None, *, model: mujoco.MjModel | None = None, fps: float | None = None
+    source: Path,
+    kind: str | None = None,
+    *,
+    model: mujoco.MjModel | None = None,
+    fps: float | None = None,
+    scale: float | None = None,
 ) -> Recording:
     """Reads a file of others, of the format that it is said to be or that its ending tells.
 
-    model  the figure that it is for; fps [1/s] of files that do not tell it
+    model  the figure that it is for; fps [1/s] of files that do not tell it; scale [m], their unit of length, likewise
     """
     known = readers()
     if kind is not None and kind not in known:
         raise UserError(unknown("format", kind, known))
     form = known[kind] if kind is not None else _told(source)
     _check_file(source)
+    if form.scales:
+        return _module(form).read(source, model, fps, scale=scale)
+    if scale is not None:
+        raise UserError(f"{source}: lengths of the format '{form.name}' are metres; --scale is not for it")
     return _module(form).read(source, model, fps)
 
 

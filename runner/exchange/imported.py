@@ -24,19 +24,23 @@ def imported(
     *,
     figure: str | None = None,
     fps: float | None = None,
+    scale: float | None = None,
     teller: Teller | None = None,
 ) -> Saved:
     """The motion in a file of another program, as the spline through all that was recorded.
 
-    figure  a shipped figure's name or a path to MJCF, for files that bring none; teller hears how the file was read
+    figure  a shipped figure's name or a path to MJCF, for files that bring none
+    fps, scale  [1/s], [m] the file's rate and unit of length, where it does not tell them
+    teller  hears how the file was read
+
     Raises UserError. What loops in the file is a loop, if its last pose is its first, moved on.
     """
     teller = teller or Teller()
     spec = None if figure is None else figure_spec(figure)
-    told = recording(source, kind, model=None if spec is None else spec.compile(), fps=fps)
+    told = recording(source, kind, model=None if spec is None else spec.compile(), fps=fps, scale=scale)
     for note in told.notes:
         teller.say(f"note: {note}")
-    spec = mujoco.MjSpec.from_string(told.mjcf) if told.mjcf is not None else spec
+    spec = mujoco.MjSpec.from_string(told.mjcf, assets=dict(told.assets)) if told.mjcf is not None else spec
     assert spec is not None, "a reader gives a figure or asks for one"
     rate = told.fps or (float(np.round(1 / np.median(np.diff(told.time)), 6)) if told.time.size > 1 else 30.0)
     found = clips.from_qpos(source.stem, compose(spec), told.time, told.qpos, rate, source.name)

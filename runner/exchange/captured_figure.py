@@ -1,0 +1,142 @@
+"""A captured skeleton as a figure of its own: MJCF with a free root, ball joints, and capsules along the bones."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+from collections.abc import Iterable
+
+import numpy as np
+
+from solver import quaternion as quat
+from solver.quaternion import Array
+
+from .captured import Captured
+from .roles import lineage
+
+DENSITY = 1000.0  # [kg/m³]
+LEAST = 1e-3  # [m]: a shorter bone gets a ball
+# Radius by its bone's length, and the least and most of it [m]; by role, the trunk is thick and a foot flat
+THICKNESS = {"": (0.16, 0.007, 0.045), "thigh": (0.17, 0.03, 0.075), "shin": (0.13, 0.02, 0.055),
+             "foot": (0.2, 0.015, 0.035), "upper_arm": (0.16, 0.02, 0.05), "forearm": (0.15, 0.015, 0.04),
+             "pelvis": (0.5, 0.05, 0.1), "chest": (0.4, 0.04, 0.1), "neck": (0.5, 0.03, 0.055),
+             "head": (0.5, 0.05, 0.09)}  # fmt: skip
+SIDES = ("left", "right")
+COLOURS = {"left": "0.17 0.45 0.56 1", "right": "0.93 0.55 0.22 1", "": "0.45 0.5 0.56 1"}
+
+
+def figure(captured: Captured) -> tuple[str, Array]:
+    """The MJCF text and qpos (T, nq). The angles of the file's own zero are this figure's rest."""
+    lowest = min(
+        captured.at_zero[:, 2].min(), *(captured.at_zero[i, 2] + end[2] for i, end in captured.ends.items()), 0.0
+    )
+    root = ET.Element("mujoco", model="captured")
+    ET.SubElement(root, "compiler", angle="radian")
+    default = ET.SubElement(root, "default")
+    ET.SubElement(default, "geom", type="capsule", contype="0", conaffinity="0", density=f"{DENSITY:g}")
+    ET.SubElement(default, "site", group="4", size="0.012")
+    bodies: list[ET.Element] = []
+    names = [_safe(name) for name in captured.names]
+    by_joint = {joint: role for role, joint in captured.roles.items()}
+    for i, parent in enumerate(captured.parents):
+        place = captured.offset[i] if parent >= 0 else np.array([0.0, 0.0, -lowest])
+        above = ET.SubElement(root, "worldbody") if parent < 0 else bodies[parent]
+        body = ET.SubElement(above, "body", name=names[i], pos=_row(place))
+        if parent < 0:
+            ET.SubElement(body, "freejoint", name="root" if "root" not in names[1:] else names[0])
+        else:
+            ET.SubElement(body, "joint", name=names[i], type="ball")
+        bodies.append(body)
+    for i, body in enumerate(bodies):
+        role = by_joint.get(i, "").removeprefix("left_").removeprefix("right_")
+        _bones(body, captured, i, names[i], role if role in THICKNESS else "", COLOURS[_side(captured, i, by_joint)])
+    _soles(bodies, captured)
+    _hands(bodies, captured)
+    for body in bodies:  # what belongs to a body before what hangs on it
+        body[:] = sorted(body, key=lambda child: child.tag == "body")
+    qpos = np.concatenate(
+        [captured.position[:, 0], captured.rotation[:, 0], captured.local[:, 1:].reshape(len(captured.local), -1)],
+        axis=1,
+    )
+    ET.indent(root)
+    return ET.tostring(root, encoding="unicode"), qpos
+
+
+def _safe(name: str) -> str:
+    return "_".join(name.replace("/", "_").split())
+
+
+def _side(captured: Captured, joint: int, by_joint: dict[int, str]) -> str:
+    """Of the limb that a joint is of."""
+    for i in lineage(joint, captured.parents):
+        side = by_joint.get(i, "").partition("_")[0]
+        if side in SIDES:
+            return side
+    return ""
+
+
+def _row(values: Iterable[float]) -> str:
+    return " ".join(f"{value:.9g}" for value in values)
+
+
+def _bones(body: ET.Element, captured: Captured, joint: int, name: str, role: str, colour: str) -> None:
+    """A capsule to every child and to the end; a ball where there is none."""
+    share, least, most = THICKNESS[role]
+    count = 0
+    for start, tip in _lines(captured, joint, role):
+        length = float(np.linalg.norm(tip - start))
+        if length > LEAST:
+            radius = min(float(np.clip(share * length, least, most)), 0.45 * length + least)
+            count += 1
+            called = f"{name}_{count}" if count > 1 else name
+            line = _row([*start, *tip])
+            ET.SubElement(body, "geom", name=called, size=f"{radius:.4g}", fromto=line, rgba=colour)
+    if not count:
+        ET.SubElement(body, "geom", name=name, type="sphere", size=f"{least:.4g}", rgba=colour)
+
+
+def _lines(captured: Captured, joint: int, role: str) -> list[tuple[Array, Array]]:
+    """From where to where (3,) its bones go; where left and right begin, up between them, and from one to the other."""
+    below = captured.children(joint)
+    origin, tips = np.zeros(3), [captured.offset[child] for child in below]
+    if role in ("pelvis", "chest"):
+        sides = [
+            [tip for child, tip in zip(below, tips, strict=True) if _begins(captured, child) == side] for side in SIDES
+        ]
+        if len(sides[0]) == len(sides[1]) == 1:
+            left, right = sides[0][0], sides[1][0]
+            rest = [(origin, tip) for tip in tips if tip is not left and tip is not right]
+            return [(origin, 0.5 * (left + right)), (0.8 * left + 0.2 * right, 0.2 * left + 0.8 * right), *rest]
+    tips += [captured.ends[joint]] if joint in captured.ends else []
+    return [(origin, tip) for tip in tips]
+
+
+def _begins(captured: Captured, joint: int) -> str:
+    """Which side's limb this joint or one below it begins."""
+    for side in SIDES:
+        limb = [captured.roles[role] for role in captured.roles if role.startswith(side)]
+        if any(joint in lineage(i, captured.parents) for i in limb):
+            return side
+    return ""
+
+
+def _soles(bodies: list[ET.Element], captured: Captured) -> None:
+    """Sites at heel and toe, on the ground where the foot is lowest: what is kept from sliding and sinking."""
+    for side, (ankle, toe, end, low) in captured.feet.items():
+        over_ankle, over_toe = captured.position[low, ankle], captured.at(toe, end)[low]
+        back = over_ankle - 0.25 * (over_toe - over_ankle)
+        for name, joint, point in (("heel", ankle, back), ("toe", toe, over_toe)):
+            on_ground = np.array([point[0], point[1], captured.ground]) - captured.position[low, joint]
+            place = quat.rotated(quat.conjugate(captured.rotation[low, joint]), on_ground)
+            ET.SubElement(bodies[joint], "site", name=f"{side}_{name}", pos=_row(place))
+
+
+def _hands(bodies: list[ET.Element], captured: Captured) -> None:
+    for side in SIDES:
+        joint = captured.roles.get(f"{side}_hand")
+        if joint is not None:
+            ET.SubElement(bodies[joint], "site", name=f"{side}_hand", pos=_row(0.5 * _middle(captured, joint)))
+
+
+def _middle(captured: Captured, joint: int) -> Array:
+    below = captured.children(joint)
+    return np.mean([captured.offset[i] for i in below], axis=0) if below else captured.ends.get(joint, np.zeros(3))

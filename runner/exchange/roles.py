@@ -1,0 +1,115 @@
+"""Which part of a body a joint is, by its name and its place in the tree: for skeletons of many makers.
+
+Words as in the skeletons of CMU, Mixamo, LAFAN1, SFU, ACCAD, Unreal, 3ds Max' Biped, and our own figures.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+SIDES = {"left": "left", "l": "left", "lft": "left", "right": "right", "r": "right", "rgt": "right", "rt": "right"}
+WORDS = {
+    "clavicle": ("clavicle", "collar", "collarbone", "shouldercollar"),
+    "upper_arm": ("upperarm", "uparm", "uarm", "humerus", "shldr", "armupper", "upperarmlink"),
+    "forearm": ("forearm", "lowerarm", "lowarm", "farm", "elbow", "radius", "armlower", "loarm"),
+    "hand": ("hand", "wrist"),
+    "thigh": ("thigh", "upleg", "upperleg", "uleg", "femur", "legupper", "hipthigh"),
+    "shin": ("shin", "lowerleg", "lowleg", "calf", "tibia", "knee", "shank", "leglower", "loleg"),
+    "foot": ("foot", "ankle"),
+    "toe": ("toe", "toes", "toebase", "ball", "forefoot"),
+}
+MIDDLE = {
+    "neck": ("neck",),
+    "head": ("head",),
+}
+EITHER = {
+    "arm": ("upper_arm", "forearm"),
+    "leg": ("shin", "thigh"),
+    "shoulder": ("clavicle", "upper_arm"),
+    "hip": ("thigh",),
+}
+KNOWN = {word for words in WORDS.values() for word in words} | set(EITHER)
+PREFIX = re.compile(
+    r"^(.*[:|])|^(mixamorig\d*|bip\d*|bip\d+|character\d*|b|def|org|skel|bone|jnt)[ _](?=.)", re.IGNORECASE
+)
+SPLIT = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+")
+
+
+def split(name: str) -> tuple[str | None, str]:
+    """("left", "forearm") of "mixamorig:LeftForeArm"; the side is None for what is in the middle."""
+    before = None
+    while before != name:
+        before, name = name, PREFIX.sub("", name)
+    words = [word.lower() for word in SPLIT.findall(name)]
+    for i, word in enumerate(words):
+        if word in SIDES and len(words) > 1:
+            return SIDES[word], "".join(words[:i] + words[i + 1 :])
+    whole = "".join(words)
+    for start, side in (("left", "left"), ("right", "right"), ("l", "left"), ("r", "right")):
+        if whole.startswith(start) and whole[len(start) :] in KNOWN:
+            return side, whole[len(start) :]
+    return None, whole
+
+
+def roles(names: Sequence[str], parents: Sequence[int]) -> dict[str, int]:
+    """Index by role: "pelvis", "chest", "neck", "head", "left_upper_arm", ... as far as they are found.
+
+    The pelvis is where the legs come together, the chest where the arms do; parents stand before their children, -1
+    above the first.
+    """
+    parts = [split(name) for name in names]
+    found: dict[str, int] = {}
+    for side in ("left", "right"):
+        for role, words in WORDS.items():
+            _first(found, f"{side}_{role}", [i for i, (s, word) in enumerate(parts) if s == side and word in words])
+        for word, choices in EITHER.items():
+            same = [i for i, part in enumerate(parts) if part == (side, word)]
+            for role in choices:
+                if f"{side}_{role}" not in found and _fits(found, side, role, word, same, parents):
+                    _first(found, f"{side}_{role}", same)
+                    break
+    for role, words in MIDDLE.items():
+        _first(found, role, [i for i, (side, word) in enumerate(parts) if side is None and word in words])
+    for role, limb in (("pelvis", "thigh"), ("chest", "upper_arm")):
+        ends = [found[f"{side}_{limb}"] for side in ("left", "right") if f"{side}_{limb}" in found]
+        if len(ends) == 2:
+            shared = [i for i in lineage(ends[0], parents)[1:] if i in lineage(ends[1], parents)]
+            if shared:
+                found[role] = _trunk(role, shared, [word for _, word in parts])
+    return found
+
+
+def _trunk(role: str, shared: list[int], words: list[str]) -> int:
+    """Where two limbs come together; Biped hangs arms on the neck and legs on the spine."""
+    if role == "chest":
+        return next((i for i in shared if words[i] != "neck"), shared[0])
+    return next((i for i in shared if words[i] in ("pelvis", "hips", "hip")), shared[0])
+
+
+def _first(found: dict[str, int], role: str, fitting: list[int]) -> None:
+    if fitting:
+        found[role] = fitting[0]
+
+
+def _fits(found: dict[str, int], side: str, role: str, word: str, same: list[int], parents: Sequence[int]) -> bool:
+    """An "arm" is the upper arm above a forearm and the forearm below an upper arm, a "shoulder" its collar."""
+    if not same:
+        return False
+    if word == "shoulder" and role == "clavicle":
+        below = found.get(f"{side}_upper_arm")
+        return below is not None and same[0] in lineage(below, parents)
+    if word in ("arm", "leg"):
+        above = found.get(f"{side}_{'upper_arm' if role == 'forearm' else 'thigh'}")
+        if role in ("forearm", "shin"):
+            return above is not None and above in lineage(same[0], parents)[1:]
+    return True
+
+
+def lineage(index: int, parents: Sequence[int]) -> list[int]:
+    """A joint and all above it."""
+    out = []
+    while index >= 0:
+        out.append(index)
+        index = parents[index]
+    return out

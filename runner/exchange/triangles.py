@@ -1,0 +1,282 @@
+"""What is seen of a model: its visible geoms, how they look, and the triangles that draw them.
+
+What MuJoCo's own viewer hides unless told otherwise is left out: geoms of group 3 and above, and fully transparent
+ones.
+"""
+
+from __future__ import annotations
+
+import io
+from dataclasses import dataclass
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from solver.quaternion import Array
+
+HIDDEN_GROUP = 3
+SAG = 0.0008  # [m] that a round surface may lie off its true place, and so how many triangles it gets
+MESHES = (mujoco.mjtGeom.mjGEOM_MESH, mujoco.mjtGeom.mjGEOM_SDF)
+PLAIN = np.float32(0.5)  # MuJoCo's grey: a geom of this colour takes its material's
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A visible geom.
+
+    position (3,) [m] and rotation (4,), wxyz, in its body's frame; size (3,) as MuJoCo has it; colour (4,) RGBA
+    as on a screen; gloss in [0, 1]; picture: MuJoCo's id of the texture of a
+    plane, -1 for none
+    """
+
+    name: str
+    geom: int
+    body: int
+    kind: mujoco.mjtGeom
+    size: Array
+    position: Array
+    rotation: Array
+    colour: Array
+    gloss: float
+    picture: int
+
+
+@dataclass(frozen=True)
+class Triangles:
+    """points (n, 3) [m] and unit normals (n, 3) in the geom's frame, faces (m, 3) counterclockwise from outside.
+
+    texture (n, 2): where in the picture every point lies, from its upper left corner; None without one
+    """
+
+    points: Array
+    normals: Array
+    faces: NDArray[np.uint32]
+    texture: Array | None = None
+
+
+def pieces(model: mujoco.MjModel) -> list[Piece]:
+    """Every visible geom, in the model's order."""
+    shown = [g for g in range(model.ngeom) if model.geom_group[g] < HIDDEN_GROUP]
+    found = [_piece(model, geom) for geom in shown]
+    return [piece for piece in found if piece.colour[3] > 0]
+
+
+def is_still(model: mujoco.MjModel, piece: Piece) -> bool:
+    """Whether it belongs to the scene rather than to a figure."""
+    return bool(model.body_weldid[piece.body] == 0)
+
+
+def _piece(model: mujoco.MjModel, geom: int) -> Piece:
+    material = int(model.geom_matid[geom])
+    colour = np.array(model.geom_rgba[geom], float)
+    kind = mujoco.mjtGeom(model.geom_type[geom])
+    gloss, picture = 0.25, -1
+    if material >= 0:
+        if np.all(model.geom_rgba[geom] == [PLAIN, PLAIN, PLAIN, 1]):
+            colour = np.array(model.mat_rgba[material], float)
+        gloss = float(model.mat_shininess[material])
+        texture = int(model.mat_texid[material, int(mujoco.mjtTextureRole.mjTEXROLE_RGB)])
+        if texture >= 0:
+            flat = model.tex_type[texture] == mujoco.mjtTexture.mjTEXTURE_2D
+            if flat and kind == mujoco.mjtGeom.mjGEOM_PLANE:
+                picture = texture
+            else:
+                colour[:3] *= texels(model, texture).mean(axis=(0, 1)) / 255
+    return Piece(
+        model.geom(geom).name or f"geom{geom}", geom, int(model.geom_bodyid[geom]), kind, model.geom_size[geom].copy(),
+        model.geom_pos[geom].copy(), model.geom_quat[geom].copy(), np.clip(colour, 0, 1), gloss, picture,
+    )  # fmt: skip
+
+
+def linear(colour: Array) -> Array:
+    """sRGB in [0, 1] to linear light, IEC 61966-2-1."""
+    return np.where(colour <= 0.04045, colour / 12.92, ((colour + 0.055) / 1.055) ** 2.4)
+
+
+def texels(model: mujoco.MjModel, texture: int) -> NDArray[np.uint8]:
+    """(h, w, 3) a texture's colours."""
+    height, width = int(model.tex_height[texture]), int(model.tex_width[texture])
+    channels, start = int(model.tex_nchannel[texture]), int(model.tex_adr[texture])
+    data = model.tex_data[start : start + height * width * channels].reshape(height, width, channels)
+    return np.ascontiguousarray(data[..., :3] if channels >= 3 else np.repeat(data[..., :1], 3, axis=2))
+
+
+def png(model: mujoco.MjModel, texture: int) -> bytes:
+    """A texture as a PNG file."""
+    stream = io.BytesIO()
+    Image.fromarray(texels(model, texture)).save(stream, "png", optimize=True)
+    return stream.getvalue()
+
+
+def triangles(model: mujoco.MjModel, piece: Piece, reach: float = 20.0) -> Triangles:
+    """A piece as triangles; a plane without end goes `reach` metres from its middle."""
+    size = piece.size
+    match piece.kind:
+        case mujoco.mjtGeom.mjGEOM_PLANE:
+            return _plane(model, piece, reach)
+        case mujoco.mjtGeom.mjGEOM_BOX:
+            return _box(size)
+        case mujoco.mjtGeom.mjGEOM_SPHERE:
+            return _ellipsoid(size[[0, 0, 0]])
+        case mujoco.mjtGeom.mjGEOM_ELLIPSOID:
+            return _ellipsoid(size)
+        case mujoco.mjtGeom.mjGEOM_CAPSULE:
+            return _capsule(size[0], size[1])
+        case mujoco.mjtGeom.mjGEOM_CYLINDER:
+            return _cylinder(size[0], size[1])
+        case mujoco.mjtGeom.mjGEOM_HFIELD:
+            return _height_field(model, int(model.geom_dataid[piece.geom]))
+        case kind if kind in MESHES:
+            return _mesh(model, int(model.geom_dataid[piece.geom]))
+        case kind:
+            raise NotImplementedError(f"a geom of type {kind}")
+
+
+def half_extent(piece: Piece, reach: float) -> Array:
+    """(2,) [m] how far a plane goes from its middle."""
+    return np.where(piece.size[:2] > 0, piece.size[:2], reach)
+
+
+def picture_repeat(model: mujoco.MjModel, piece: Piece, half: Array) -> Array:
+    """(2,) pictures a metre on a plane: MuJoCo lays a texture over the whole plane, or over one metre if uniform."""
+    material = int(model.geom_matid[piece.geom])
+    repeat = np.array(model.mat_texrepeat[material], float)
+    if model.mat_texuniform[material]:
+        return repeat / 2
+    return repeat / (2 * np.where(piece.size[:2] > 0, half, 1.0))
+
+
+def _plane(model: mujoco.MjModel, piece: Piece, reach: float) -> Triangles:
+    half = half_extent(piece, reach)
+    points = np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]) * np.append(half, 0.0)
+    texture = None
+    if piece.picture >= 0:
+        texture = points[:, :2] * picture_repeat(model, piece, half) * [1, -1]
+    return Triangles(points, np.tile([0.0, 0, 1], (4, 1)), np.array([[0, 1, 2], [0, 2, 3]], np.uint32), texture)
+
+
+def _box(half: Array) -> Triangles:
+    """Six faces, each with corners of its own."""
+    corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
+    points, normals = [], []
+    for axis in range(3):
+        for side in (-1.0, 1.0):
+            face = np.zeros((4, 3))
+            face[:, axis] = side
+            face[:, [(axis + 1) % 3, (axis + 2) % 3]] = corners if side > 0 else corners[::-1]
+            points.append(face * half)
+            normals.append(np.tile(side * np.eye(3)[axis], (4, 1)))
+    faces = 4 * np.arange(6)[:, None, None] + [[0, 1, 2], [0, 2, 3]]
+    return Triangles(np.concatenate(points), np.concatenate(normals), faces.reshape(-1, 3).astype(np.uint32))
+
+
+def slices(radius: float) -> int:
+    """Corners of a circle, so that its sides lie at most SAG inside it."""
+    return int(np.clip(np.ceil(np.pi / np.sqrt(2 * SAG / max(radius, 1e-6))), 8, 32)) // 4 * 4
+
+
+def _lathe(radius: Array, height: Array, normal: Array, count: int) -> Triangles:
+    """A profile (k,) from the bottom up, normals (k, 2) outwards and up, turned about z."""
+    angle = 2 * np.pi * np.arange(count) / count
+    around = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+    points = np.concatenate(
+        [radius[:, None, None] * around, np.broadcast_to(height[:, None, None], (len(radius), count, 1))], axis=-1
+    )
+    up = np.broadcast_to(normal[:, None, 1:], (len(radius), count, 1))
+    normals = np.concatenate([normal[:, None, :1] * around, up], axis=-1)
+    ring, turn = np.meshgrid(np.arange(len(radius) - 1), np.arange(count), indexing="ij")
+    a, b = ring * count + turn, ring * count + (turn + 1) % count
+    lower = np.stack([a, b, b + count], axis=-1)[(radius[:-1] > 0)]
+    upper = np.stack([a, b + count, a + count], axis=-1)[(radius[1:] > 0)]
+    faces = np.concatenate([lower.reshape(-1, 3), upper.reshape(-1, 3)])
+    return _used(Triangles(points.reshape(-1, 3), normals.reshape(-1, 3), faces.astype(np.uint32)))
+
+
+def _used(found: Triangles) -> Triangles:
+    """Without points that no face has."""
+    kept, faces = np.unique(found.faces, return_inverse=True)
+    return Triangles(found.points[kept], found.normals[kept], faces.reshape(-1, 3).astype(np.uint32))
+
+
+def _arc(count: int, *, top: bool) -> Array:
+    """Angles above the horizon of a half circle's lower or upper half."""
+    return np.linspace(0, np.pi / 2, count + 1) if top else np.linspace(-np.pi / 2, 0, count + 1)
+
+
+def _ellipsoid(size: Array) -> Triangles:
+    count = slices(float(size.max()))
+    angle = np.concatenate([_arc(count // 4, top=False), _arc(count // 4, top=True)[1:]])
+    profile = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+    profile[[0, -1], 0] = 0
+    ball = _lathe(profile[:, 0], profile[:, 1], profile, count)
+    normals = ball.normals / size
+    return Triangles(ball.points * size, normals / np.linalg.norm(normals, axis=1, keepdims=True), ball.faces)
+
+
+def _capsule(radius: float, half: float) -> Triangles:
+    count = slices(radius)
+    angle = np.concatenate([_arc(count // 4, top=False), _arc(count // 4, top=True)])
+    normal = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+    normal[[0, -1], 0] = 0
+    height = radius * normal[:, 1] + np.repeat([-half, half], len(angle) // 2)
+    return _lathe(radius * normal[:, 0], height, normal, count)
+
+
+def _cylinder(radius: float, half: float) -> Triangles:
+    profile = radius * np.array([0.0, 1, 1, 1, 1, 0])
+    height = half * np.array([-1.0, -1, -1, 1, 1, 1])
+    normal = np.array([[0.0, -1], [0, -1], [1, 0], [1, 0], [0, 1], [0, 1]])
+    parts = [_lathe(profile[i : i + 2], height[i : i + 2], normal[i : i + 2], slices(radius)) for i in (0, 2, 4)]
+    return joined(parts)
+
+
+def joined(parts: list[Triangles]) -> Triangles:
+    """Several as one; those with a texture only among their like."""
+    starts = np.cumsum([0, *(len(part.points) for part in parts[:-1])])
+    texture = [part.texture for part in parts if part.texture is not None]
+    return Triangles(
+        np.concatenate([part.points for part in parts]),
+        np.concatenate([part.normals for part in parts]),
+        np.concatenate([part.faces + start for part, start in zip(parts, starts, strict=True)]).astype(np.uint32),
+        np.concatenate(texture) if len(texture) == len(parts) else None,
+    )
+
+
+def _mesh(model: mujoco.MjModel, mesh: int) -> Triangles:
+    """MuJoCo's own smooth normals, but a face's where those look away from it, as they do at sharp corners."""
+    points = model.mesh_vert[model.mesh_vertadr[mesh] :][: model.mesh_vertnum[mesh]].astype(float)
+    smooth = model.mesh_normal[model.mesh_normaladr[mesh] :][: model.mesh_normalnum[mesh]].astype(float)
+    rows = slice(model.mesh_faceadr[mesh], model.mesh_faceadr[mesh] + model.mesh_facenum[mesh])
+    faces = model.mesh_face[rows]
+    a, b, c = (points[faces[:, k]] for k in range(3))
+    across = np.cross(b - a, c - a)
+    area = np.linalg.norm(across, axis=1)
+    whole = area > 0
+    flat = (across[whole] / area[whole, None])[:, None]
+    normals = smooth[model.mesh_facenormal[rows][whole]]
+    length = np.linalg.norm(normals, axis=-1, keepdims=True)
+    normals = np.where(np.sum(normals * flat, axis=-1, keepdims=True) > 0.5, normals / np.maximum(length, 0.5), flat)
+    corners = np.concatenate([points[faces[whole]], normals], axis=-1).reshape(-1, 6)
+    kept, index = np.unique(corners.astype(np.float32), axis=0, return_inverse=True)
+    unit = kept[:, 3:].astype(float)
+    unit /= np.linalg.norm(unit, axis=1, keepdims=True)
+    return Triangles(kept[:, :3].astype(float), unit, index.reshape(-1, 3).astype(np.uint32))
+
+
+def _height_field(model: mujoco.MjModel, field: int) -> Triangles:
+    """Its upper side."""
+    rows, columns = int(model.hfield_nrow[field]), int(model.hfield_ncol[field])
+    half_x, half_y, top, _ = model.hfield_size[field]
+    start = int(model.hfield_adr[field])
+    z = top * model.hfield_data[start : start + rows * columns].reshape(rows, columns).astype(float)
+    x, y = np.linspace(-half_x, half_x, columns), np.linspace(-half_y, half_y, rows)
+    points = np.stack([*np.meshgrid(x, y), z], axis=-1)
+    slope_y, slope_x = np.gradient(z, y, x)
+    normals = np.stack([-slope_x, -slope_y, np.ones_like(z)], axis=-1)
+    normals /= np.linalg.norm(normals, axis=-1, keepdims=True)
+    row, column = np.meshgrid(np.arange(rows - 1), np.arange(columns - 1), indexing="ij")
+    a = row * columns + column
+    faces = np.stack([a, a + 1, a + columns + 1, a, a + columns + 1, a + columns], axis=-1).reshape(-1, 3)
+    return Triangles(points.reshape(-1, 3), normals.reshape(-1, 3), faces.astype(np.uint32))

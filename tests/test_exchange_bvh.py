@@ -1,0 +1,368 @@
+"""BVH, out: other readers find every joint where MuJoCo has it. In: other makers' skeletons, on ours and alone."""
+
+from __future__ import annotations
+
+import warnings
+from pathlib import Path
+
+import disguise
+import mujoco
+import numpy as np
+import puppet
+import pytest
+
+import models
+from runner import clip, work
+from runner.errors import UserError
+from runner.exchange import bvh, bvh_file, euler, formats, hierarchy, retarget
+from runner.exchange.captured import Captured
+from runner.exchange.imported import imported
+from runner.exchange.roles import roles
+from runner.exchange.take import Bodies, Take
+from runner.progress import Teller
+from solver import quaternion as quat
+
+TENTH = 1e-4  # [m]
+
+
+@pytest.fixture(scope="module")
+def cartwheel():
+    return Take.of(work.unsolved(clip.load("cartwheel")).saved(Teller(), with_report=False))
+
+
+@pytest.fixture(scope="module")
+def rail():
+    return Take.of(work.unsolved(clip.load("hand_on_rail")).saved(Teller(), with_report=False), 24.0)
+
+
+def y_up(take):
+    """(T, nbody, 3) [cm] MuJoCo's places in the file's axes."""
+    return 100 * take.bodies.position[..., [1, 2, 0]]
+
+
+def lift(after, before):
+    """(3,) by how much all was raised, so that soles met the ground; nothing else may differ.
+
+    Raw splines, which these are, have feet some centimetres in the ground.
+    """
+    shift = np.array([0, 0, (after[:, 1] - before[:, 1])[:, 2].mean()])
+    assert 0 <= shift[2] < 0.04
+    return shift
+
+
+def written(take, folder):
+    return formats.export(take.saved, "bvh", folder / "a.bvh", fps=take.fps)
+
+
+@pytest.mark.parametrize("which", ["cartwheel", "rail"])
+def test_pybvh_finds_every_joint_where_mujoco_has_it(which, request, tmp_path):
+    pybvh = pytest.importorskip("pybvh")
+    take = request.getfixturevalue(which)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        found = pybvh.read_bvh_file(written(take, tmp_path))
+    bodies = [hierarchy.names(take.model).index(name) for name in found.joint_names]
+    assert len(bodies) == 12
+    np.testing.assert_allclose(found.joint_positions(), y_up(take)[:, bodies], atol=100 * TENTH)
+    assert found.frame_time == 1 / take.fps
+    assert found.frame_count == len(take.time)
+
+
+def by_hand(skeleton, sample):
+    """{name: (3,)} by 4 x 4 matrices, straight from the description of the format."""
+    column, world, out = 0, [], {}
+    for joint in skeleton.joints:
+        place, turn = joint.offset.copy(), np.eye(3)
+        for channel in joint.channels:
+            value, axis = skeleton.values[sample, column], "XYZ".index(channel[0])
+            column += 1
+            if "position" in channel:
+                place[axis] = value
+            else:
+                c, s = np.cos(np.radians(value)), np.sin(np.radians(value))
+                around = np.eye(3)
+                j, k = (axis + 1) % 3, (axis + 2) % 3
+                around[[j, j, k, k], [j, k, j, k]] = [c, -s, s, c]
+                turn = turn @ around
+        matrix = np.eye(4)
+        matrix[:3, :3], matrix[:3, 3] = turn, place
+        world.append(matrix if joint.parent < 0 else world[joint.parent] @ matrix)
+        out[joint.name] = world[-1][:3, 3]
+    return out
+
+
+def test_every_joint_and_several_figures_are_where_mujoco_has_them(tmp_path):
+    """Slides and joints beside their bodies' origins have positions; turned rest poses are baked in."""
+    take = Take.of(puppet.moved(), 48.0)
+    found, fps = bvh_file.read(written(take, tmp_path))
+    assert fps == 48.0
+    names = hierarchy.names(take.model)
+    for sample in (0, 7, len(take.time) - 1):
+        for name, place in by_hand(found, sample).items():
+            truth = y_up(take)[sample, names.index(name)] if name != "world" else np.zeros(3)
+            np.testing.assert_allclose(place, truth, atol=100 * TENTH, err_msg=name)
+    moving = {joint.name for joint in found.joints if len(joint.channels) == 6}
+    assert moving == {"world", "hips", "right_thigh", "body5"}
+
+
+def test_a_hinge_along_an_axis_turns_about_that_axis_alone(tmp_path):
+    take = Take.of(puppet.moved(), 48.0)
+    found, _ = bvh_file.read(written(take, tmp_path))
+    column = sum(len(j.channels) for j in found.joints[: found.names.index("swing")])
+    joint = found.joints[found.names.index("swing")]
+    angles = dict(zip(joint.channels, found.values[:, column : column + 6].T, strict=True))
+    at = take.model.jnt_qposadr[take.model.joint("swing").id]
+    np.testing.assert_allclose(angles["Xrotation"], np.degrees(take.qpos[:, at]), atol=1e-5)
+    np.testing.assert_allclose([angles["Yrotation"], angles["Zrotation"]], 0, atol=1e-5)
+
+
+def test_end_sites_are_hands_and_toes(cartwheel):
+    joints = {joint.name: joint for joint in bvh.skeleton(cartwheel).joints}
+    model = cartwheel.model
+    for name, site in (("left_forearm", "left_hand"), ("right_foot", "right_toe")):
+        end = joints[name].end
+        assert end is not None
+        np.testing.assert_allclose(end, 100 * np.array(model.site(site).pos)[[1, 2, 0]], atol=1e-9)
+    assert joints["pelvis"].end is None
+
+
+@pytest.mark.parametrize("order", ["XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX"])
+def test_angles_are_the_rotation_and_do_not_jump(order, rng):
+    turn = quat.normalised(quat.from_rotation_vector(np.cumsum(rng.normal(0, 0.2, (300, 3)), axis=0)))
+    turn[100] = quat.from_rotation_vector(np.pi / 2 * np.eye(3)["XYZ".index(order[1])])  # a locked gimbal
+    angles = euler.angles(turn, order)
+    back = np.tile([1.0, 0, 0, 0], (len(turn), 1))
+    for k, axis in enumerate(order):
+        back = quat.product(back, quat.from_rotation_vector(angles[:, k : k + 1] * np.eye(3)["XYZ".index(axis)]))
+    np.testing.assert_allclose(quat.angle_between(back, turn), 0, atol=1e-7)
+    assert np.abs(np.diff(angles[:95], axis=0)).max() < np.pi
+
+
+def test_our_own_file_comes_back_on_our_own_figure(cartwheel, tmp_path):
+    back = Take.of(imported(written(cartwheel, tmp_path), figure="human"))
+    assert back.fps == cartwheel.fps
+    before, after = cartwheel.bodies.position[:, 1:], back.bodies.position[:, 1:]
+    np.testing.assert_allclose(after - lift(after, before), before, atol=TENTH)
+    assert quat.angle_between(back.bodies.rotation, cartwheel.bodies.rotation).max() < 1e-6
+
+
+def test_a_figure_of_its_own_has_every_joint_where_the_file_has_it(cartwheel, tmp_path):
+    back = Take.of(imported(written(cartwheel, tmp_path)))
+    names = [cartwheel.model.body(body).name for body in range(1, cartwheel.model.nbody)]
+    before = cartwheel.bodies.position[:, 1:]
+    after = back.bodies.position[:, [back.model.body(name).id for name in names]]
+    np.testing.assert_allclose(after - lift(after, before), before, atol=TENTH)
+    sites = {back.model.site(i).name for i in range(back.model.nsite)}
+    assert sites == {"left_heel", "left_toe", "right_heel", "right_toe"}
+    assert 20 < back.model.body_subtreemass[1] < 120
+    assert {int(kind) for kind in back.model.jnt_type} == {0, 1}
+
+
+@pytest.mark.parametrize(
+    "other",
+    [
+        {},
+        {"larger": 1.3, "z_up": True},
+        {"unit": 1.0, "every_place": True},
+        {"unit": 0.001, "orders": ["XYZ"]},
+        {"unit": 0.0254 / 0.45},
+    ],
+)
+def test_a_t_pose_skeleton_of_any_unit_and_axes_moves_our_figure_alike(other, rail, tmp_path):
+    path = tmp_path / "t.bvh"
+    path.write_text(bvh_file.written(disguise.disguised(rail, zero=disguise.t_pose(), **other)))
+    back = Take.of(imported(path, figure="human"))
+    shift = back.bodies.position[:, 1] - rail.bodies.position[:, 1]
+    if "larger" not in other:
+        np.testing.assert_allclose(shift - shift[0] * [0, 0, 1], 0, atol=TENTH)
+        assert 0 <= shift[0, 2] < 0.04
+    moved = back.bodies.position - rail.bodies.position - shift[:, None]
+    np.testing.assert_allclose(moved[:, 1:], 0, atol=0.001)
+    turned = quat.angle_between(back.bodies.rotation[:, 1:], rail.bodies.rotation[:, 1:])
+    assert np.degrees(turned.max()) < 1
+
+
+def test_a_skeleton_whose_zero_pose_means_nothing_still_points_its_limbs_alike(rail, rng):
+    """As LAFAN1's: directions of limbs come from the motion; a forearm's own twist may differ."""
+    model = rail.model
+    zero = {model.body(b).name: quat.normalised(rng.normal(size=4)) for b in range(1, model.nbody)}
+    qpos, _ = retarget.onto(Captured.of(disguise.disguised(rail, zero=zero)), model, "a.bvh")
+    back = Bodies.of(model, qpos, np.zeros((len(qpos), model.nv)))
+    shift = back.position[:, 1] - rail.bodies.position[:, 1]
+    np.testing.assert_allclose((back.position - rail.bodies.position - shift[:, None])[:, 1:], 0, atol=0.002)
+    turned = np.degrees(quat.angle_between(back.rotation, rail.bodies.rotation)).max(axis=0)
+    for name in ("pelvis", "chest", "left_thigh", "right_shin", "left_foot", "right_foot"):
+        assert turned[model.body(name).id] < 3, name
+    assert turned.max() < 20
+
+
+def test_hinges_turn_as_near_as_they_can(cartwheel):
+    """A figure of hinges alone, three at hips and shoulders: thighs and shins point where the captured ones do."""
+    text = models.figure_text("human")
+    spec = mujoco.MjSpec.from_string(text)
+    for joint in list(spec.joints):
+        if joint.type == mujoco.mjtJoint.mjJNT_BALL:
+            body, name = joint.parent, joint.name
+            spec.delete(joint)
+            for letter, axis in zip("zxy", np.eye(3)[[2, 0, 1]], strict=True):
+                body.add_joint(name=f"{name}_{letter}", type=mujoco.mjtJoint.mjJNT_HINGE, axis=axis)
+    model = spec.compile()
+    qpos, _ = retarget.onto(Captured.of(bvh.skeleton(cartwheel)), model, "a.bvh")
+    back = Bodies.of(model, qpos, np.zeros((len(qpos), model.nv)))
+    before, after = cartwheel.bodies.position[:, 1:], back.position[:, 1:]
+    off = np.abs(after - lift(after, before) - before).max(axis=(1, 2))
+    assert np.mean(off < 0.001) > 0.9, off
+
+
+def test_bones_of_other_lengths_keep_their_directions_and_the_feet_the_ground(cartwheel):
+    spec = mujoco.MjSpec.from_string(models.figure_text("human"))
+    for name in ("left_shin", "right_shin"):
+        spec.body(name).pos *= 1.3
+    model = spec.compile()
+    qpos, notes = retarget.onto(Captured.of(bvh.skeleton(cartwheel)), model, "a.bvh")
+    back = Bodies.of(model, qpos, np.zeros((len(qpos), model.nv)))
+    assert quat.angle_between(back.rotation[:, 1:], cartwheel.bodies.rotation[:, 1:]).max() < 1e-5
+    assert any("scaled by 1.147" in note for note in notes), notes
+    data, lowest = mujoco.MjData(model), []
+    for row in qpos:
+        data.qpos = row
+        mujoco.mj_kinematics(model, data)
+        lowest.append(
+            data.site_xpos[[model.site(f"{s}_{p}").id for s in ("left", "right") for p in ("heel", "toe")], 2].min()
+        )
+    assert abs(np.percentile(lowest, 2)) < 0.002
+
+
+NAMES = {
+    "CMU": "Hips -1,LHipJoint 0,LeftUpLeg 1,LeftLeg 2,LeftFoot 3,LeftToeBase 4,RHipJoint 0,RightUpLeg 6,RightLeg 7,"
+    "RightFoot 8,LowerBack 0,Spine 10,Spine1 11,Neck 12,Head 13,LeftShoulder 12,LeftArm 15,LeftForeArm 16,LeftHand 17,"
+    "LThumb 18,RightShoulder 12,RightArm 20,RightForeArm 21,RightHand 22",
+    "CMU's ASF": "root -1,lhipjoint 0,lfemur 1,ltibia 2,lfoot 3,ltoes 4,rhipjoint 0,rfemur 6,rtibia 7,rfoot 8,"
+    "lowerback 0,upperback 10,thorax 11,lowerneck 12,head 13,lclavicle 12,lhumerus 15,lradius 16,lwrist 17,lfingers 18,"
+    "rclavicle 12,rhumerus 20,rradius 21,rwrist 22",
+    "ankles": "Hips -1,LeftHip 0,LeftKnee 1,LeftAnkle 2,RightHip 0,RightKnee 4,RightAnkle 5,Chest 0,Neck 7,Head 8,"
+    "LeftCollar 7,LeftShoulder 10,LeftElbow 11,LeftWrist 12,RightCollar 7,RightShoulder 14,RightElbow 15,RightWrist 16",
+    "Unreal": "pelvis -1,thigh_l 0,calf_l 1,foot_l 2,ball_l 3,thigh_r 0,calf_r 5,foot_r 6,spine_01 0,spine_02 8,"
+    "clavicle_l 9,upperarm_l 10,lowerarm_l 11,hand_l 12,clavicle_r 9,upperarm_r 14,lowerarm_r 15,hand_r 16,neck_01 9,"
+    "head 18",
+    "Poser": "hip -1,abdomen 0,chest 1,neck 2,head 3,lCollar 2,lShldr 5,lForeArm 6,lHand 7,rCollar 2,rShldr 9,"
+    "rForeArm 10,rHand 11,lThigh 0,lShin 13,lFoot 14,rThigh 0,rShin 16,rFoot 17",
+    "ours, short": "pelvis -1,chest 0,uarm_l 1,farm_l 2,uarm_r 1,farm_r 4,thigh_l 0,shin_l 6,foot_l 7,thigh_r 0,"
+    "shin_r 9,foot_r 10",
+}
+LIMBS = {
+    "CMU": (2, 3, 4, 16, 17, 0, 12), "CMU's ASF": (2, 3, 4, 16, 17, 0, 12), "ankles": (1, 2, 3, 11, 12, 0, 7),
+    "Unreal": (1, 2, 3, 11, 12, 0, 9), "Poser": (13, 14, 15, 6, 7, 0, 2), "ours, short": (6, 7, 8, 2, 3, 0, 1),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("maker", NAMES)
+def test_parts_are_known_by_the_names_of_many_makers(maker):
+    names, parents = zip(*(entry.split() for entry in NAMES[maker].split(",")), strict=True)
+    found = roles(names, [int(parent) for parent in parents])
+    parts = ("left_thigh", "left_shin", "left_foot", "left_upper_arm", "left_forearm", "pelvis", "chest")
+    assert {part: names[found[part]] for part in parts} == dict(
+        zip(parts, (names[i] for i in LIMBS[maker]), strict=True)
+    )
+    prefixed = roles([f"mixamorig:{name}" for name in names], [int(parent) for parent in parents])
+    assert prefixed == found
+
+
+GOOD = """HIERARCHY
+ROOT Hips
+{
+  OFFSET 0 0 0
+  CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation
+  JOINT Chest
+  {
+    OFFSET 0 50 0
+    CHANNELS 3 Zrotation Xrotation Yrotation
+    End Site
+    {
+      OFFSET 0 40 0
+    }
+  }
+}
+MOTION
+Frames: 3
+Frame Time: 0.0083333
+0 100 0 0 0 0 0 0 0
+1 100 0 0 10 0 0 0 0
+2 100 0 0 20 0 0 30 0
+"""
+
+
+def test_a_rounded_frame_time_is_the_rate_that_is_meant(tmp_path):
+    path = tmp_path / "good.bvh"
+    path.write_text(GOOD.replace("\n", "\r\n").replace("  {", " {  "))
+    assert bvh_file.read(path)[1] == 120
+    assert bvh_file.fps_of(0.033367, 6) == pytest.approx(30 / 1.001)
+    assert bvh_file.fps_of(0.0333333, 7) == 30
+    assert bvh_file.fps_of(0.017, 3) == 59
+    back = imported(path)
+    assert back.fps == 120
+    assert back.figure.model.nq == 11
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "line", "told"),
+    [
+        ("HIERARCHY", "HIERARCHI", 1, "begins with HIERARCHY"),
+        ("OFFSET 0 50 0", "OFFSET 0 50", 8, "OFFSET of 'Chest' takes 3 numbers, not '0 50'"),
+        ("OFFSET 0 50 0", "OFFSET 0 nan 0", 8, "3 numbers"),
+        ("CHANNELS 3 Z", "CHANNELS 2 Z", 9, "CHANNELS 2 of 'Chest' is followed by 3"),
+        ("3 Zrotation", "3 Wrotation", 9, "no channel 'Wrotation'"),
+        ("  JOINT Chest", "  JIONT Chest", 6, "'JIONT Chest' where JOINT"),
+        ("  }\n}\n", "}\n", 15, "the joint 'Hips' is not closed"),
+        ("Frames: 3", "Frames: three", 17, "where 'Frames: N' should be"),
+        ("Frames: 3", "Frames: 4", 21, "ends after 3 images; 'Frames:' says 4"),
+        ("Frames: 3", "Frames: 2", 21, "more images than the 2"),
+        ("0.0083333", "0", 18, "more than nought"),
+        ("1 100 0 0 10", "1 100 0 0", 20, "8 numbers for the 9 channels"),
+        ("1 100 0", "1 1OO 0", 20, "'1OO' is no number"),
+        ("ROOT Hips", "JOINT Hips", 2, "JOINT before ROOT"),
+        ("MOTION", "", 17, "where JOINT"),
+    ],
+)
+def test_a_broken_file_is_told_by_its_line(old, new, line, told, tmp_path):
+    assert old in GOOD
+    path = tmp_path / "bad.bvh"
+    path.write_text(GOOD.replace(old, new, 1))
+    with pytest.raises(UserError) as error:
+        bvh_file.read(path)
+    assert f"line {line}: " in str(error.value), error.value
+    assert told in str(error.value), error.value
+    assert "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize("cut", range(0, len(GOOD) - 30, 17))
+def test_a_file_cut_anywhere_is_told_and_never_a_traceback(cut, tmp_path):
+    path = tmp_path / "cut.bvh"
+    path.write_text(GOOD[:cut])
+    with pytest.raises(UserError, match=r"line \d+: "):
+        bvh_file.read(path)
+
+
+def test_a_figure_or_file_without_legs_is_told(cartwheel, tmp_path):
+    path = tmp_path / "good.bvh"
+    path.write_text(GOOD)
+    with pytest.raises(UserError, match="file's joints none is a left thigh by its name: Hips, Chest"):
+        imported(path, figure="human")
+    with pytest.raises(UserError, match="figure's bodies none is a left thigh by its name: body"):
+        imported(written(cartwheel, tmp_path), figure="spinner")
+
+
+def test_the_unit_is_guessed_told_and_may_be_said(tmp_path, cartwheel):
+    path = Path(written(cartwheel, tmp_path))
+    said = []
+
+    class Ear(Teller):
+        def say(self, line):
+            said.append(line)
+
+    imported(path, teller=Ear())
+    assert any("taken for centimetres" in text for text in said)
+    small = Take.of(imported(path, scale=0.001))
+    np.testing.assert_allclose(np.ptp(small.qpos[:, 0]), 0.1 * np.ptp(cartwheel.qpos[:, 0]), atol=1e-6)
+    with pytest.raises(UserError, match="--scale is not for it"):
+        formats.recording(Path(formats.export(cartwheel.saved, "csv", tmp_path / "a.csv")), scale=0.1)

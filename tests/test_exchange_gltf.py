@@ -1,0 +1,198 @@
+"""glTF: what readers of others see is where MuJoCo has it, and Khronos' validator has nothing to say."""
+
+from __future__ import annotations
+
+import io
+import json
+import shutil
+import subprocess
+
+import mujoco
+import numpy as np
+import puppet
+import pytest
+
+from runner import clip, work
+from runner.exchange import formats, hierarchy
+from runner.exchange.take import Take
+from runner.progress import Teller
+
+pygltflib = pytest.importorskip("pygltflib")
+trimesh = pytest.importorskip("trimesh")
+
+VALIDATE = """
+require('gltf-validator').validateBytes(new Uint8Array(require('fs').readFileSync(process.argv[1])))
+.then(found => console.log(JSON.stringify(found.issues)))
+"""
+
+
+@pytest.fixture(scope="module", params=["puppet", "hand_on_rail"])
+def take(request):
+    if request.param == "puppet":
+        return Take.of(puppet.moved(), 48.0)
+    return Take.of(work.unsolved(clip.load(request.param)).saved(Teller(), with_report=False))
+
+
+@pytest.fixture(scope="module")
+def target(take, tmp_path_factory):
+    return formats.export(take.saved, "gltf", tmp_path_factory.mktemp("gltf") / "a.glb", fps=take.fps)
+
+
+def accessor(asset, index):
+    """An accessor's rows, read by hand from the format's own description."""
+    found = asset.accessors[index]
+    view = asset.bufferViews[found.bufferView]
+    width = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}[found.type]
+    kind = {5126: "<f4", 5123: "<u2", 5125: "<u4"}[found.componentType]
+    start = (view.byteOffset or 0) + (found.byteOffset or 0)
+    return np.frombuffer(asset.binary_blob(), kind, found.count * width, start).reshape(-1, width)
+
+
+def matrix(translation, rotation):
+    """4 x 4 by the formula of the specification, scalar last."""
+    x, y, z, w = rotation
+    out = np.eye(4)
+    out[:3, :3] = [
+        [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+        [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+        [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+    ]
+    out[:3, 3] = translation
+    return out
+
+
+def placed(asset, sample):
+    """{name: 4 x 4} of every node in the file's world at a sample."""
+    own = {i: [n.translation or [0, 0, 0], n.rotation or [0, 0, 0, 1]] for i, n in enumerate(asset.nodes)}
+    for channel in asset.animations[0].channels:
+        which = 0 if channel.target.path == "translation" else 1
+        sampler = asset.animations[0].samplers[channel.sampler]
+        own[channel.target.node][which] = accessor(asset, sampler.output)[sample]
+    out = {}
+
+    def walk(index, above):
+        out[asset.nodes[index].name] = above @ matrix(*own[index])
+        for child in asset.nodes[index].children:
+            walk(child, out[asset.nodes[index].name])
+
+    walk(asset.scenes[0].nodes[0], np.eye(4))
+    return out
+
+
+def z_up(point):
+    """The file's world, y up and looking along z, in ours."""
+    return np.array([point[2], point[0], point[1]])
+
+
+def test_bodies_are_where_mujoco_has_them_at_every_time(take, target):
+    asset = pygltflib.GLTF2().load(str(target))
+    names = hierarchy.names(take.model)
+    for sample in (0, len(take.time) // 3, len(take.time) - 1):
+        found = placed(asset, sample)
+        for body in range(1, take.model.nbody):
+            np.testing.assert_allclose(
+                z_up(found[names[body]][:3, 3]), take.bodies.position[sample, body], atol=1e-5, err_msg=names[body]
+            )
+            turn = np.zeros(9)
+            mujoco.mju_quat2Mat(turn, take.bodies.rotation[sample, body])
+            axes = np.roll(found[names[body]][:3, :3], 1, axis=0)
+            np.testing.assert_allclose(axes, turn.reshape(3, 3), atol=1e-5, err_msg=names[body])
+
+
+def test_times_are_shared_exact_and_begin_at_nought(take, target):
+    asset = pygltflib.GLTF2().load(str(target))
+    (times,) = {sampler.input for sampler in asset.animations[0].samplers}
+    np.testing.assert_array_equal(
+        accessor(asset, times)[:, 0], (np.arange(len(take.time)) / take.fps).astype(np.float32)
+    )
+    assert asset.animations[0].extras["fps"] == take.fps
+    assert len(asset.animations[0].extras["keyframes"]) == len(take.saved.keys)
+
+
+def test_rotations_are_unit_and_stay_on_their_hemisphere(target):
+    asset = pygltflib.GLTF2().load(str(target))
+    for channel in asset.animations[0].channels:
+        if channel.target.path == "rotation":
+            track = accessor(asset, asset.animations[0].samplers[channel.sampler].output).astype(float)
+            np.testing.assert_allclose(np.linalg.norm(track, axis=1), 1, atol=1e-6)
+            assert np.all(np.sum(track[1:] * track[:-1], axis=1) > 0)
+
+
+def test_another_reader_sees_the_visible_geoms_and_no_others(take, target):
+    """trimesh builds the scene of the nodes' own places, which is the first sample's."""
+    scene = trimesh.load_scene(io.BytesIO(target.read_bytes()), file_type="glb")
+    data = mujoco.MjData(take.model)
+    data.qpos = take.qpos[0]
+    mujoco.mj_kinematics(take.model, data)
+    names = hierarchy.names(take.model)
+    asset = pygltflib.GLTF2().load(str(target))
+    meshes = {node.name: asset.meshes[node.mesh] for node in asset.nodes if node.mesh is not None}
+    for body in range(1, take.model.nbody):
+        geoms = [g for g in range(take.model.ngeom) if take.model.geom_bodyid[g] == body]
+        shown = [g for g in geoms if take.model.geom_group[g] < 3]
+        assert (names[body] in meshes) == bool(shown)
+        if not shown:
+            continue
+        reach = _reach(take.model, data, shown)
+        corners = np.concatenate([accessor(asset, p.attributes.POSITION) for p in meshes[names[body]].primitives])
+        place = scene.graph.get(names[body])[0]
+        seen = np.roll(trimesh.transform_points(corners, place), 1, axis=1)
+        np.testing.assert_allclose([seen.min(axis=0), seen.max(axis=0)], reach, atol=0.004, err_msg=names[body])
+
+
+def _reach(model, data, geoms):
+    """(2, 3) the box round geoms, by MuJoCo's signed distance to small far-off spheres' directions: support points."""
+    low, high = np.full(3, np.inf), np.full(3, -np.inf)
+    for geom in geoms:
+        turn, size = data.geom_xmat[geom].reshape(3, 3), model.geom_size[geom]
+        match mujoco.mjtGeom(model.geom_type[geom]):
+            case mujoco.mjtGeom.mjGEOM_SPHERE:
+                half = np.full(3, size[0])
+            case mujoco.mjtGeom.mjGEOM_CAPSULE:
+                half = size[0] + np.abs(turn[:, 2]) * size[1]
+            case mujoco.mjtGeom.mjGEOM_CYLINDER:
+                half = size[0] * np.sqrt(1 - turn[:, 2] ** 2) + np.abs(turn[:, 2]) * size[1]
+            case mujoco.mjtGeom.mjGEOM_ELLIPSOID:
+                half = np.linalg.norm(turn * size, axis=1)
+            case mujoco.mjtGeom.mjGEOM_BOX:
+                half = np.abs(turn) @ size
+            case _:
+                mesh = model.geom_dataid[geom]
+                points = model.mesh_vert[model.mesh_vertadr[mesh] :][: model.mesh_vertnum[mesh]] @ turn.T
+                points = points + data.geom_xpos[geom]
+                low, high = np.minimum(low, points.min(axis=0)), np.maximum(high, points.max(axis=0))
+                continue
+        low, high = np.minimum(low, data.geom_xpos[geom] - half), np.maximum(high, data.geom_xpos[geom] + half)
+    return low, high
+
+
+def test_faces_look_outwards(target):
+    """A mesh turned inside out has a negative volume, and normals against its faces."""
+    asset = pygltflib.GLTF2().load(str(target))
+    for mesh in asset.meshes:
+        for primitive in mesh.primitives:
+            points, normals = (accessor(asset, getattr(primitive.attributes, k)) for k in ("POSITION", "NORMAL"))
+            faces = accessor(asset, primitive.indices)[:, 0].reshape(-1, 3)
+            a, b, c = (points[faces[:, k]].astype(float) for k in range(3))
+            across = np.cross(b - a, c - a)
+            assert np.all(np.sum(across * normals[faces].sum(axis=1), axis=1) > 0), mesh.name
+
+
+def test_khronos_validator_finds_neither_error_nor_warning(target):
+    node = shutil.which("node")
+    known = node and subprocess.run([node, "-e", "require('gltf-validator')"], capture_output=True).returncode == 0
+    if not node or not known:
+        pytest.skip("no node with gltf-validator; npm install gltf-validator, and NODE_PATH")
+    done = subprocess.run([node, "-e", VALIDATE, str(target)], capture_output=True, text=True, check=True)
+    issues = json.loads(done.stdout)
+    assert (issues["numErrors"], issues["numWarnings"]) == (0, 0), issues["messages"]
+
+
+def test_colours_are_given_in_linear_light(target, take):
+    asset = pygltflib.GLTF2().load(str(target))
+    known = {material.name: material.pbrMetallicRoughness.baseColorFactor for material in asset.materials}
+    name = "red" if "red" in known else "skin"
+    rgb = np.array(take.model.mat(name).rgba[:3])
+    np.testing.assert_allclose(known[name][:3], ((rgb + 0.055) / 1.055) ** 2.4, atol=1e-6)
+    if "glass" in known:
+        assert next(m for m in asset.materials if m.name == "glass").alphaMode == "BLEND"

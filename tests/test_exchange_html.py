@@ -1,0 +1,163 @@
+"""The page that plays a motion: what it holds is MuJoCo's, it asks for nothing from outside, and its slider moves."""
+
+from __future__ import annotations
+
+import base64
+import json
+import re
+import shutil
+
+import mujoco
+import numpy as np
+import puppet
+import pytest
+
+from runner.exchange import formats, html
+from runner.exchange.take import Take
+
+
+@pytest.fixture(scope="module")
+def take():
+    return Take.of(puppet.moved(name="a < b & </script>"), 48.0)
+
+
+@pytest.fixture(scope="module")
+def text(take):
+    return html.page(take)
+
+
+@pytest.fixture(scope="module")
+def content(text):
+    _, _, rest = text.partition('<script type="application/json" id="motion">')
+    return json.loads(rest.partition("</script>")[0])
+
+
+def numbers(text, width, kind="<f4"):
+    return np.frombuffer(base64.b64decode(text), kind).reshape(-1, width).astype(float)
+
+
+def test_its_poses_are_mujocos(take, content):
+    model, data = take.model, mujoco.MjData(take.model)
+    assert content["count"] == len(take.time)
+    assert content["fps"] == take.fps
+    position = numbers(content["after"]["position"], 3).reshape(-1, model.nbody, 3)
+    rotation = numbers(content["after"]["rotation"], 4).reshape(-1, model.nbody, 4)
+    for sample in (0, len(take.time) // 2, -1):
+        data.qpos = take.qpos[sample]
+        mujoco.mj_kinematics(model, data)
+        np.testing.assert_allclose(position[sample], data.xpos, atol=1e-5)
+        for body in range(model.nbody):
+            x, y, z, w = rotation[sample, body]
+            turn = np.zeros(9)
+            mujoco.mju_quat2Mat(turn, [w, x, y, z])
+            np.testing.assert_allclose(turn, data.xmat[body], atol=1e-5)
+
+
+def test_its_pieces_are_the_visible_geoms_where_mujoco_has_them(take, content):
+    model = take.model
+    names = {piece["name"]: piece for piece in content["pieces"]}
+    assert "ghost" not in names
+    assert len(names) == sum(model.geom_group < 3)
+    for piece in content["pieces"]:
+        geom = model.geom(piece["name"]).id if piece["name"] in ("wrist", "thigh", "sleeve") else None
+        if geom is not None:
+            x, y, z, w = piece["rotation"]
+            np.testing.assert_allclose([w, x, y, z], model.geom_quat[geom], atol=1e-5)
+            np.testing.assert_allclose(piece["position"], model.geom_pos[geom], atol=1e-5)
+            np.testing.assert_allclose(piece["size"], model.geom_size[geom], atol=1e-5)
+    assert {piece["name"] for piece in content["pieces"] if piece["still"]} >= {"hills", "pillar", "floor"}
+    bag = content["meshes"][names["bag"]["mesh"]]
+    assert numbers(bag["faces"], 3, "<u4").max() < len(numbers(bag["points"], 3))
+
+
+def test_before_is_there_only_where_it_differs(saved, content):
+    assert content["before"] is None
+    told = html.content(Take.of(saved))
+    before, after = (numbers(told[side]["position"], 3) for side in ("before", "after"))
+    assert 1e-4 < np.abs(before - after).max() < 1
+    assert [key["partial"] for key in told["keys"]] == [False, True, False]
+    np.testing.assert_allclose([key["time"] for key in told["keys"]], [0, 0.2, 0.41], atol=1e-12)
+
+
+def test_it_asks_for_nothing_from_outside(text):
+    assert "default-src 'none'" in text
+    before, _, rest = text.partition("<script>\n/*!\nthree.js")
+    frame = before + rest.partition("</script>")[2]
+    assert "window.player" in frame
+    assert not re.search(r"(src|href)\s*=\s*[\"']?(https?:)?//", frame)
+    assert not re.search(r"\b(fetch|import|XMLHttpRequest|WebSocket)\s*\(", frame)
+    assert "The MIT License" in text
+
+
+def test_a_motions_name_cannot_break_out_of_the_page(text):
+    assert "<title>a &lt; b &amp; &lt;/script&gt;</title>" in text
+    assert text.count("</script>") == 3
+
+
+def until(page, condition):
+    """Whether it comes true within ten seconds; asked from outside, for the page forbids itself to evaluate text."""
+    for _ in range(100):
+        if page.evaluate(condition):
+            return True
+        page.wait_for_timeout(100)
+    return False
+
+
+@pytest.fixture(scope="module")
+def tab(saved, tmp_path_factory):
+    """The page of the tiny clip in a browser without windows, and all that the browser asked for or complained of."""
+    playwright = pytest.importorskip("playwright.sync_api")
+    browser = shutil.which("chromium") or shutil.which("chromium-browser")
+    if browser is None:
+        pytest.skip("no chromium")
+    target = formats.export(saved, "html", tmp_path_factory.mktemp("html") / "tiny.html")
+    flags = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+    with playwright.sync_playwright() as play:
+        window = play.chromium.launch(executable_path=browser, args=flags)
+        page = window.new_page(viewport={"width": 640, "height": 360})
+        heard: list[str] = []
+        page.on("request", lambda request: heard.append(request.url))
+        page.on("pageerror", lambda error: heard.append(str(error)))
+        page.on("console", lambda message: heard.append(message.text) if message.type == "error" else None)
+        page.goto(target.as_uri())
+        assert until(page, "window.player !== undefined")
+        yield page, heard, target
+        window.close()
+
+
+def test_in_a_browser_it_plays_and_its_slider_moves_the_figure(tab, saved):
+    page, heard, target = tab
+    assert page.evaluate("player.playing")
+    assert until(page, "player.time > 0.05")
+    take = Take.of(saved)
+    at = 5
+    page.evaluate(
+        "share => { const s = document.getElementById('scrub'); s.value = share; s.dispatchEvent(new Event('input')) }",
+        at / (len(take.time) - 1),
+    )
+    assert not page.evaluate("player.playing")
+    assert page.evaluate("player.time") == pytest.approx(at / take.fps)
+    page.wait_for_timeout(300)
+    body = take.model.body("left_shin").id
+    np.testing.assert_allclose(page.evaluate("player.place('left_shin')"), take.bodies.position[at, body], atol=1e-5)
+    page.keyboard.press("1")
+    page.wait_for_timeout(300)
+    raw = html.content(take)["before"]["position"]
+    raw = numbers(raw, 3).reshape(-1, take.model.nbody, 3)[at, body]
+    np.testing.assert_allclose(page.evaluate("player.place('left_shin')"), raw, atol=1e-5)
+    assert [url for url in heard if url != target.as_uri() and not url.startswith(("data:", "blob:"))] == []
+
+
+def test_in_a_browser_the_figure_shows_and_moves_in_the_picture(tab):
+    page, _, _ = tab
+    from io import BytesIO
+
+    from PIL import Image
+
+    shots = []
+    for time in (0.0, 0.4):
+        page.evaluate(f"player.seek({time}); player.show('after'); document.getElementById('follow').checked = false")
+        page.wait_for_timeout(500)
+        shots.append(np.asarray(Image.open(BytesIO(page.screenshot())).convert("RGB"), float)[60:240])
+    assert shots[0].std() > 5
+    assert np.mean(np.abs(shots[1] - shots[0]).max(axis=-1) > 20) > 0.002
