@@ -67,7 +67,7 @@ class InverseDynamics:
     def pull_back(
         self, into: Cotangent, moment_bar: Array, force_bar: Array | None = None, centre_bar: Array | None = None
     ) -> None:
-        """Adds the gradient of a scalar whose gradients with respect to `moment`, `force`, `centre` are given, (3, L, S).
+        """Adds the gradient of a scalar with the gradients (3, L, S) with respect to `moment`, `force` and `centre`.
 
         The sweep back is done once for all that is added, when the cotangent's gradients are asked for.
         """

@@ -380,8 +380,10 @@ class Cotangent:
         self._owed: list[tuple[Adjoint, Array]] = []
 
     def owed(self, source: Adjoint, kinds: int) -> Array:
-        """Room (kinds, 3, L, S), zeros at first, for gradients with respect to what `source` derives: added up by all who
-        use it, they are pulled back once, at the end."""
+        """Room (kinds, 3, L, S), zeros at first, for gradients with respect to what `source` derives.
+
+        All who use it add to them; they are pulled back once, at the end.
+        """
         for known, room in self._owed:
             if known is source:
                 return room

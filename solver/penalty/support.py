@@ -73,7 +73,7 @@ class Support:
 
     @property
     def scale(self) -> Scale:
-        return Scale(A_TENTH, is_violation=True)
+        return Scale(A_TENTH, is_violation=True, is_sharp=True)
 
     @property
     def tells(self) -> bool:
