@@ -59,7 +59,7 @@ from .rotation import quaternion_of
 from .scene import Step, compose, figure_spec, first_line, quietly
 
 LONGEST_PANEL = 0.05
-POINTS = 4
+POINTS = 3
 TOLERANCE = 1e-3
 FRAME_SECONDS = 0.1
 

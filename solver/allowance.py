@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .quaternion import Array
+from .quaternion import Array, Index
 
 
 @dataclass(frozen=True)
@@ -24,6 +24,15 @@ class Allowance:
         """(..., S) at times t (S,) [s]; before the first and after the last keyframe, what these have."""
         if not self.excess.any():
             return np.zeros((*self.excess.shape[:-1], t.size))
-        span = np.clip(np.searchsorted(self.times, t, side="right") - 1, 0, self.times.size - 2)
-        share = np.clip((t - self.times[span]) / (self.times[span + 1] - self.times[span]), 0, 1)
+        span, share = self._place(t)
         return self.excess[..., span] * (1 - share) + self.excess[..., span + 1] * share
+
+    def of(self, index: Index, t: Array) -> Array:
+        """(..., P): at times t (P,) [s], of entries (P,) of the last axis but that of the keyframes."""
+        span, share = self._place(t)
+        return self.excess[..., index, span] * (1 - share) + self.excess[..., index, span + 1] * share
+
+    def _place(self, t: Array) -> tuple[Index, Array]:
+        """The keyframe before each time, and how far it is from there to the next one."""
+        span = np.clip(np.searchsorted(self.times, t, side="right") - 1, 0, self.times.size - 2)
+        return span, np.clip((t - self.times[span]) / (self.times[span + 1] - self.times[span]), 0, 1)

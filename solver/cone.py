@@ -3,8 +3,8 @@
     E(w, G) = min over λ ≥ 0 of |w − G λ|² + ε |λ|²
 
 With r = w − G λ the conditions are λ = max(0, Gᵀ r) / ε, so r minimises the convex, piecewise quadratic
-½ |r|² + |max(0, Gᵀ r)|² / 2ε − w · r: Newton steps with an exact line search end there after a few, as in the model of
-a step of the search. Its dimension is that of w, however many edges the cones have. By the envelope theorem
+½ |r|² + |max(0, Gᵀ r)|² / 2ε − w · r: Newton steps, shortened where they go too far, end there after a few, as in the
+model of a step of the search. Its dimension is that of w, however many edges the cones have. By the envelope theorem
 dE = 2 r · (dw − dG λ); and its second derivatives, edges that pull nothing left out, are twice those of a projection.
 """
 
@@ -19,6 +19,8 @@ from .quaternion import Array
 
 MOST_STEPS = 60
 SETTLED = 1e-14  # promised decrease beside |w|² at which a step is the last one
+FAR = 0.5  # of the slope at a step's start, with the other sign, at its end: too far
+SECANTS = 8  # steps after which one that goes too far is shortened by the exact line search
 
 
 class Unsupplied(NamedTuple):
@@ -32,22 +34,36 @@ class Unsupplied(NamedTuple):
 def unsupplied(w: Array, edges: Array, softness: float) -> Unsupplied:
     """E for vectors w (n, S) and cones of K edges (n, K, S), of which some may be zero; softness ε."""
     w, edges = np.ascontiguousarray(w.T), np.ascontiguousarray(edges.transpose(2, 1, 0))
-    count, size = w.shape
-    rest, identity = w.copy(), np.eye(size)
-    todo = np.arange(count if edges.shape[1] else 0)
-    for _ in range(MOST_STEPS):
+    rest, pull = w.copy(), np.matmul(edges, w[:, :, None])[:, :, 0]
+    todo = np.flatnonzero((pull > 0).any(axis=1))
+    own, g, r, p = w[todo], edges[todo], w[todo], pull[todo]
+    size, identity = np.einsum("sn,sn->s", own, own), np.eye(w.shape[1])
+    for number in range(MOST_STEPS):
         if not todo.size:
             break
-        g = edges[todo]
-        pull = np.einsum("skn,sn->sk", g, rest[todo])
-        slope = rest[todo] - w[todo] + np.einsum("skn,sk->sn", g, np.maximum(pull, 0)) / softness
-        curvature = identity + _squares(g, pull > 0) / softness
-        step = -np.linalg.solve(curvature, slope[:, :, None])[:, :, 0]
-        share = _line_search(step, slope, pull, np.einsum("skn,sn->sk", g, step), softness)
-        rest[todo] += share[:, None] * step
+        pulls = p > 0
+        slope = r - own + np.matmul((p * pulls)[:, None], g)[:, 0] / softness
+        step = -np.linalg.solve(identity + _squares(g, pulls) / softness, slope[:, :, None])[:, :, 0]
+        change = np.matmul(g, step[:, :, None])[:, :, 0]
+        there = p + change
+        pulling = there > 0
         promised = -np.einsum("sn,sn->s", slope, step)
-        todo = todo[promised > SETTLED * np.einsum("sn,sn->s", w[todo], w[todo])]
-    pull = np.einsum("skn,sn->sk", edges, rest)
+        # where the same edges go on pulling, the step ends at the least value
+        done = (pulling == pulls).all(axis=1) | (promised <= SETTLED * size)
+        rise = np.einsum("sn,sn->s", r + step - own, step)
+        rise += np.einsum("sk,sk->s", there * pulling, change) / softness  # the slope at its end
+        far = np.flatnonzero(~done & (rise > FAR * promised))
+        if far.size:
+            share = promised[far] / (promised[far] + rise[far])
+            if number > SECANTS:
+                share = _line_search(step[far], slope[far], p[far], change[far], softness)
+            step[far] *= share[:, None]
+            there[far] = p[far] + share[:, None] * change[far]
+        r += step
+        rest[todo[done]], pull[todo[done]] = r[done], there[done]
+        left = np.flatnonzero(~done)
+        todo, own, g, r, p, size = todo[left], own[left], g[left], r[left], there[left], size[left]
+    rest[todo], pull[todo] = r, p
     shares = np.maximum(pull, 0) / softness
     return Unsupplied(rest.T, shares.T, np.einsum("sn,sn->s", w, rest))
 
@@ -60,8 +76,7 @@ def projection(left: Unsupplied, edges: Array, softness: float) -> Array:
 
 def _squares(edges: Array, active: Mask) -> Array:
     """Σ g gᵀ over the active edges, (S, n, n)."""
-    chosen = edges * active[:, :, None]
-    return np.matmul(chosen.swapaxes(1, 2), chosen)
+    return np.matmul((edges * active[:, :, None]).swapaxes(1, 2), edges)
 
 
 def _line_search(step: Array, slope: Array, pull: Array, change: Array, softness: float) -> Array:

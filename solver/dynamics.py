@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .algebra import applied, cross, cross_sum, dot, gathered, turned_back
-from .kinematics import Cotangent, Samples, attached_pulled_back
+from .kinematics import Cotangent, LinkMotion, Samples, attached_pulled_back
 from .quaternion import Array
 
 
@@ -37,14 +37,14 @@ class InverseDynamics:
     force   (3, L, S) [N]
     """
 
-    def __init__(self, samples: Samples) -> None:
-        self.samples = samples
-        tables, links = samples.figure.tables, samples.links
+    def __init__(self, links: LinkMotion) -> None:
+        self.links = links
+        tables = links.figure.tables
         self.arm = links.fixed(tables.arms)
         self.centre = links.x + self.arm
         self.net_force = applied(links.swing, self.arm)
         self.net_force += links.x_dd
-        self.net_force -= samples.figure.gravity[:, None, None]
+        self.net_force -= links.figure.gravity[:, None, None]
         self.net_force *= tables.mass[:, None]
         self.inertia = self._world_inertia()
         # I ω and I ω', (2, 3, L, S)
@@ -59,23 +59,33 @@ class InverseDynamics:
 
     def _world_inertia(self) -> Array:
         """I = R I_body Rᵀ (eq. 18), (3, 3, L, S)."""
-        rotation, inertia = self.samples.links.rotation, self.samples.figure.tables.inertia
+        rotation, inertia = self.links.rotation, self.links.figure.tables.inertia
         # one small product a link and axis: (3, L, 3, S)
         half = np.matmul(inertia.transpose(2, 1, 0), rotation.transpose(0, 2, 1, 3))
         return np.einsum("ilks,jkls->ijls", half, rotation)
 
-    def pull_back(self, into: Cotangent, moment_bar: Array, force_bar: Array | None = None) -> None:
-        """Adds the gradient of a scalar whose gradients with respect to `moment` and `force` are given, (3, L, S)."""
-        tables, links = self.samples.figure.tables, self.samples.links
+    def pull_back(
+        self, into: Cotangent, moment_bar: Array, force_bar: Array | None = None, centre_bar: Array | None = None
+    ) -> None:
+        """Adds the gradient of a scalar with the gradients (3, L, S) with respect to `moment`, `force` and `centre`.
+
+        The sweep back is done once for all that is added, when the cotangent's gradients are asked for.
+        """
+        owed = into.owed(self, 3)
+        owed[0] += moment_bar
+        for room, part in zip(owed[1:], (force_bar, centre_bar), strict=True):
+            if part is not None:
+                room += part
+
+    def settle(self, into: Cotangent, owed: Array) -> None:
+        """The sweep back of all that is owed, (3, 3, L, S)."""
+        tables, links = self.links.figure.tables, self.links
+        moment_bar, force_bar, centre_bar = owed
         anchor_bar = cross(moment_bar, self.force)
-        totals = np.empty((2, *moment_bar.shape))
-        totals[0] = moment_bar
-        totals[1] = cross(links.anchor, moment_bar)
-        if force_bar is not None:
-            totals[1] += force_bar
-        m, f_bar = np.matmul(tables.path, totals)
+        force_bar += cross(links.anchor, moment_bar)
+        m, f_bar = np.matmul(tables.path, owed[:2])
         f_bar += cross(m, self.centre)
-        centre_bar = cross(self.net_force, m)
+        centre_bar += cross(self.net_force, m)
         pair = np.array([cross(m, links.omega), m])  # what meets ω and ω'
         inertia_pair = np.einsum("ijls,kjls->kils", self.inertia, pair)
         into.hand("omega", cross(self.momenta[0], m))
@@ -94,7 +104,7 @@ class InverseDynamics:
 
 def body_forces(samples: Samples) -> BodyForces:
     """Force and torque on each link; summed, with the arms of the forces, they are the wrench at the root."""
-    inverse = InverseDynamics(samples)
+    inverse = samples.once(InverseDynamics)
     return BodyForces(inverse.net_force, inverse.net_torque, inverse.centre)
 
 
@@ -105,7 +115,7 @@ def generalised_forces(samples: Samples) -> Array:
     axis.
     """
     figure, links = samples.figure, samples.links
-    inverse = InverseDynamics(samples)
+    inverse = samples.once(InverseDynamics)
     local = turned_back(links.rotation, inverse.moment)
     qacc = None
     if np.any(figure.tables.armature):

@@ -12,8 +12,10 @@ link's swing.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cached_property
 from itertools import pairwise
+from typing import Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -38,6 +40,7 @@ from .figure import Figure, Tables, on_links
 from .quaternion import Array, Index
 
 Gradients = tuple[Array | None, Array | None, Array | None]
+Derived = TypeVar("Derived")
 
 
 class States:
@@ -101,6 +104,7 @@ class Samples:
         self.t = np.zeros(len(self.y)) if t is None else np.asarray(t, float)
         # what `links` holds on to: never the samples themselves, whose arrays would wait for the garbage collector
         self._states = States(figure, self.y, self.y_d, self.y_dd)
+        self._once: dict[object, object] = {}
 
     @property
     def count(self) -> int:
@@ -143,6 +147,12 @@ class Samples:
     @cached_property
     def links(self) -> LinkMotion:
         return LinkMotion(self._states)
+
+    def once(self, make: Callable[[LinkMotion], Derived]) -> Derived:
+        """What is made of the links' motion, made once for all that ask; it may hold on to that, not to the samples."""
+        if make not in self._once:
+            self._once[make] = make(self.links)
+        return self._once[make]  # pyright: ignore[reportReturnType]  # what `make` gave
 
 
 class LinkMotion:
@@ -347,6 +357,14 @@ def _local_quaternions(states: States) -> Array:
     return out
 
 
+class Adjoint(Protocol):
+    """Something derived from the links' motion that can pull gradients of it back."""
+
+    def settle(self, into: Cotangent, owed: Array) -> None:
+        """Adds the gradients with respect to the links' motion to `into`; `owed` is used up."""
+        ...
+
+
 class Cotangent:
     """Gradients of one scalar with respect to any of a `Samples`' quantities, gathered and pulled back to y, y', y''.
 
@@ -359,6 +377,19 @@ class Cotangent:
         self.samples = samples
         self._parts: dict[str, Array] = {}
         self._forces: list[tuple[Index, Array, Array]] = []
+        self._owed: list[tuple[Adjoint, Array]] = []
+
+    def owed(self, source: Adjoint, kinds: int) -> Array:
+        """Room (kinds, 3, L, S), zeros at first, for gradients with respect to what `source` derives.
+
+        All who use it add to them; they are pulled back once, at the end.
+        """
+        for known, room in self._owed:
+            if known is source:
+                return room
+        room = np.zeros((kinds, 3, len(self.samples.figure.links), self.samples.count))
+        self._owed.append((source, room))
+        return room
 
     def add(self, name: str, gradient: Array) -> None:
         if name in self._parts:
@@ -406,6 +437,8 @@ class Cotangent:
     def gradients(self) -> tuple[Array, Array, Array]:
         """The three gradients with respect to y, y', y'', each (S, N); the cotangent is used up."""
         samples = self.samples
+        for source, owed in self._owed:
+            source.settle(self, owed)
         if self._forces:
             self._settle_forces()
         if self._parts.keys() & {"x", "x_d", "x_dd", "omega", "alpha", "turn", "swing"}:

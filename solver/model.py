@@ -7,14 +7,18 @@ in the length of the clip. H is the Gauss-Newton curvature, F the flat accelerat
 far a point is in the floor (below zero: over it). What is fixed, keyframes and a loop's seam, is held by springs, stiff
 beside everything else; they shape the step, the keyframes themselves are no unknowns and stay exact.
 
+H of smooth terms is summed over a few nodes a span; that of terms that begin, end or peak anywhere over E's own
+samples, or it would promise what E does not keep.
+
 m is convex and piecewise quadratic: Newton steps on the residuals that count at present, with a line search, end at
 its minimum after a few factorisations (semismooth Newton; M. Hintermüller, K. Ito & K. Kunisch, SIAM J. Optim. 2002).
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import pairwise, product
 from typing import NamedTuple
 
 import numpy as np
@@ -97,21 +101,26 @@ class Layout:
 
     def add_curvature(self, room: Array, curvature: Curvature, piece: Piece, pairs: list[Pair]) -> None:
         """Adds a curvature whose samples are the nodes of neighbouring spans."""
-        found = curvature.rows(piece.values)
-        if found:
-            spans, rows = np.concatenate([piece.first[at] for at, _ in found]), np.concatenate([r for _, r in found])
-            order = np.argsort(spans, kind="stable")
-            self.add_squared(room, spans[order], rows[order])
+        self.add_rows(room, curvature, piece)
         for columns, blocks in curvature.blocks(piece.values, POINTS):
             local = blocks.transpose(0, 2, 4, 1, 3, 5)
-            own_blocks = _own_blocks(room, columns)
-            for spot in pairs:
-                part = local[spot.spans, spot.b, spot.a]
-                if own_blocks is not None:
-                    own_blocks[spot.j, spot.k] += part
-                else:
-                    j, k = (index[..., None, None, None] for index in spot.indices())
-                    room[j, columns[:, :, None], k, columns[:, None, :]] += part
+            for part, seen in _seen_blocks(room, columns, local):
+                for spot in pairs:
+                    seen[spot.j, spot.k] += part[spot.spans, spot.b, spot.a]
+
+    def add_rows(self, room: Array, curvature: Curvature, piece: Piece) -> None:
+        """Adds what a curvature has as rows, at any samples."""
+        found = curvature.rows(piece.values)
+        if not found:
+            return
+        spans = np.concatenate([piece.first[at] for at, _ in found])
+        order = np.argsort(spans, kind="stable")
+        place, rows, begin = np.empty_like(order), np.empty((order.size, LOCAL * self.width)), 0
+        place[order] = np.arange(order.size)
+        for at, part in found:
+            rows[place[begin : begin + at.size]] = part
+            begin += at.size
+        self.add_squared(room, spans[order], rows)
 
     def add_squared(self, room: Array, spans: Index, rows: Array) -> None:
         """Adds Σ rowᵀrow of rows (P, 4 N) over the coefficients of their spans (P,), rising."""
@@ -251,23 +260,21 @@ class Pair(NamedTuple):
     j: Picked
     k: Picked
 
-    def indices(self) -> tuple[Index, Index]:
-        """j and k as arrays."""
-        if isinstance(self.j, slice) or isinstance(self.k, slice):
-            return np.r_[self.j][:, None], np.r_[self.k][None, :]
-        return self.j, self.k
 
-
-def _own_blocks(room: Array, columns: Index) -> Array | None:
-    """(M + 2, K + 1, n, k, k): a matrix's entries that join n blocks of k columns with themselves, to be added to.
-
-    None if the blocks (n, k), whose columns rise, are no run of columns.
-    """
+def _seen_blocks(room: Array, columns: Index, blocks: Array) -> Iterator[tuple[Array, Array]]:
+    """Where blocks (..., n, k, k) of the columns (n, k), which rise, stand in a matrix: parts of them with the entries
+    (M + 2, K + 1, ...) to be added to. All at once if the columns are one run, else by pairs of runs."""
     some = slice(int(columns[0, 0]), int(columns[-1, -1]) + 1)
-    if some.stop - some.start != columns.size:
-        return None
-    seen = room[:, some, :, some]
-    return np.einsum("jnxkny->jknxy", seen.reshape(len(room), *columns.shape, room.shape[2], *columns.shape))
+    if some.stop - some.start == columns.size and np.all(np.diff(columns.ravel()) == 1):
+        seen = room[:, some, :, some]
+        yield blocks, np.einsum("jnxkny->jknxy", seen.reshape(len(room), *columns.shape, room.shape[2], *columns.shape))
+        return
+    for i, own in enumerate(columns):
+        edges = [0, *(np.flatnonzero(np.diff(own) != 1) + 1).tolist(), own.size]
+        runs = [slice(a, b) for a, b in pairwise(edges)]
+        for x, y in product(runs, runs):
+            rows, cols = (slice(int(own[run.start]), int(own[run.stop - 1]) + 1) for run in (x, y))
+            yield blocks[..., i, x, y], room[:, rows, :, cols].swapaxes(1, 2)
 
 
 def middle(values: Array) -> float:
@@ -345,16 +352,23 @@ class Model:
             samples = Samples(objective.figure, *piece.samples(path.coefficients), t=piece.t)
             curvature, weights = Curvature(samples), layout.weights[piece.which]
             for term in objective.terms:
-                term.penalty.curvature(samples, curvature, term.factor * weights)
+                if not term.penalty.scale.is_sharp:
+                    term.penalty.curvature(samples, curvature, term.factor * weights)
             layout.add_curvature(room, curvature, piece, pairs)
             if scale is None:
                 sizes.append(curvature.acceleration() / weights[:, None])
+        sharp = [term for term in objective.terms if term.penalty.scale.is_sharp]
+        for piece in layout.problem.pieces if sharp else ():
+            samples = Samples(objective.figure, *piece.samples(path.coefficients), t=piece.t)
+            curvature = Curvature(samples)
+            for term in sharp:
+                term.penalty.curvature(samples, curvature, term.factor * layout.problem.weights[piece.which])
+            layout.add_rows(room, curvature, piece)
         for term, sampling in layout.problem.instants:
             samples = Samples(objective.figure, *sampling.whole.samples(path.coefficients), t=sampling.t)
             curvature = Curvature(samples)
             term.penalty.curvature(samples, curvature, np.full(samples.count, term.factor))
-            for at, rows in curvature.rows(sampling.values):
-                layout.add_squared(room, sampling.first[at], rows)
+            layout.add_rows(room, curvature, sampling.whole)
         diagonal = layout.diagonal(room)[:, 0]
         size = max(middle(diagonal), 1e-12)
         diagonal += FAINT * size

@@ -172,14 +172,14 @@ class Discretised:
         self.unknowns = Unknowns.of(objective.figure, timeline)
         t, self.weights, each = objective.nodes(self.spline.times)
         self.sampling = Sampling.of(self.spline, t)
-        self._pieces = self.sampling.pieces(run_of(objective.figure))
+        self.pieces = self.sampling.pieces(run_of(objective.figure))
         factors = np.array([[term.factor] for term in objective.terms])
         self.instants = [
             (term, Sampling.of(self.spline, t[own > 0]))
             for term, own in zip(objective.terms, each, strict=True)
             if instants_of(term.penalty).size and own.any()
         ]
-        self._shares = [factors * each[:, piece.which] for piece in self._pieces]
+        self._shares = [factors * each[:, piece.which] for piece in self.pieces]
 
     def path(self, x: Array) -> Path:
         """The curve that x stands for."""
@@ -194,7 +194,7 @@ class Discretised:
         coefficients = self.sampling.coefficients(self.unknowns.rows(x))
         gradient = np.zeros(coefficients.shape)
         parts: dict[str, float] = {}
-        for piece, shares in zip(self._pieces, self._shares, strict=True):
+        for piece, shares in zip(self.pieces, self._shares, strict=True):
             samples = Samples(self.objective.figure, *piece.samples(coefficients), t=piece.t)
             cotangent = Cotangent(samples)
             for term, share in zip(self.objective.terms, shares, strict=True):

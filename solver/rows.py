@@ -154,24 +154,21 @@ def moment_rows(samples: Samples) -> Array:
     """(S, 3 J, 3, N): gradients of the J ball joints' moments, their world components, with respect to y, y', y''."""
     figure, links = samples.figure, samples.links
     tables, relations = figure.tables, _Relations.of(figure)
-    inverse = InverseDynamics(samples)
+    inverse = samples.once(InverseDynamics)
     turn, omega, alpha, root = _link_gradients(links, inverse, relations)
-    pairs = relations.related.shape[1]
-    here = _Repeated(links, relations.related[0])
-    gradients = _quaternion_gradients(here, turn, omega, alpha)
+    gradients = _quaternion_gradients(_Chosen(links, relations.related[0]), turn, omega, alpha)
     out = np.zeros((samples.count, relations.joints.size, 3, 3, samples.y.shape[1]))
     block = np.zeros(len(figure.links), np.intp)
     block[tables.quaternion_links] = np.arange(tables.quaternion_links.size)
     columns = tables.quaternion_columns[:, block[relations.related[0]]]
     joint = relations.related[1]
     for order, gradient in enumerate(gradients):
-        by_pair = gradient.reshape(4, pairs, 3, samples.count)
         for axis in range(3):
             # advanced indices around slices: (pairs, S) and the component
-            out[:, joint[:, None], axis, order, columns.T] = by_pair[:, :, axis].transpose(2, 1, 0)
+            out[:, joint[:, None], axis, order, columns.T] = gradient[:, :, axis].transpose(2, 1, 0)
     for free, position in zip(tables.free_links, tables.position_columns.T, strict=True):
         at_root = np.flatnonzero(relations.related[0] == free)
-        x_dd = root.reshape(3, pairs, 3, samples.count)[:, at_root]
+        x_dd = root[:, at_root]
         for k, column in enumerate(position):
             out[:, joint[at_root], :, 2, column] = x_dd[k].transpose(0, 2, 1)
     return out.reshape(samples.count, -1, 3, samples.y.shape[1])
@@ -239,11 +236,10 @@ def wrench_rows(wrench: RootWrench, pushes: Pushes | None = None) -> Array:
         if pushes is not None:
             pull = cross(pushes.arm, cross(e[:, None], pushes.force))
             turn[:, :, 3 + axis] += pushes.by_link(pull, hold)
-    here = _Repeated(links, np.repeat(np.arange(mass.size), 2))
-    gradients = _quaternion_gradients(here, *(part.reshape(3, -1, count) for part in (turn, omega, alpha)))
+    gradients = _quaternion_gradients(_Chosen(links, np.arange(mass.size)), turn, omega, alpha)
     out = np.zeros((count, 6, 3, samples.y.shape[1]))
     for order, gradient in enumerate(gradients):
-        blocks = gradient.reshape(4, mass.size, 6, count)[:, tables.quaternion_links]
+        blocks = gradient[:, tables.quaternion_links]
         for k, columns in enumerate(tables.quaternion_columns):
             out[:, :, order, columns] = blocks[k].transpose(2, 1, 0)
     position = tables.position_columns[:, tables.free_links == root][:, 0]
@@ -281,17 +277,18 @@ def _attached_wrench(
         g[:, :, 3 + axis] = cross(hold, e[:, None, None])
         g_dd[:, :, 3 + axis] = cross(e[:, None, None], away)
     omega, alpha = (rate[:, :, None] for rate in rates)
-    return _attached((omega + 0 * g, alpha + 0 * g), s[:, :, None] + 0 * g, g, g_dd)
+    return _attached((omega, alpha), s[:, :, None], g, g_dd)
 
 
-class _Repeated:
-    """A LinkMotion's quaternions and rates for (link, axis) pairs: (c, 3 R, S)."""
+class _Chosen:
+    """A LinkMotion's quaternions and rates for some links: (c, n, 1, S), to meet several vectors each."""
 
     def __init__(self, links: LinkMotion, chosen: Index) -> None:
-        index = np.repeat(chosen, 3)
-        self.Q, self.Q_d, self.Q_dd = links.Q[:, index], links.Q_d[:, index], links.Q_dd[:, index]
-        self.omega, self.alpha = links.omega[:, index], links.alpha[:, index]
-        self.length_squared, self.stretch_rate = links.length_squared[index], links.stretch_rate[index]
+        self.Q, self.Q_d, self.Q_dd = links.quaternions[:, :, chosen, None]
+        self.omega, self.alpha = links.spins[:, :, chosen, None]
+        self.length_squared, self.stretch_rate = (
+            part[chosen, None] for part in (links.length_squared, links.stretch_rate)
+        )
 
 
 class _Picked:
@@ -306,45 +303,39 @@ class _Picked:
 def _link_gradients(
     links: LinkMotion, inverse: InverseDynamics, relations: _Relations
 ) -> tuple[Array, Array, Array, Array]:
-    """Each moment component's gradient with respect to (turn, ω, ω') and x'' of the related links, (3, 3 R, S) each."""
+    """Each moment component's gradient with respect to (turn, ω, ω') and x'' of the related links: (3, R, 3, S)."""
     tables = links.figure.tables
     link, joint = relations.beyond
-    count = links.Q.shape[2]
+    axes = np.eye(3)[:, None, :, None]
 
     def each(array: Array) -> Array:
-        """Links' vectors (3, L, S) for pairs, one for each of three axes: (3, 3 D, S)."""
-        return np.repeat(array[:, link], 3, axis=1)
-
-    axes = np.tile(np.eye(3), link.size)[:, :, None] + np.zeros(count)
-    tensor = inverse.inertia[:, :, link]
+        """Links' vectors (3, L, S) for pairs: (3, D, 1, S)."""
+        return array[:, link, None]
 
     def inertia_times(vectors: Array) -> Array:
-        split = vectors.reshape(3, link.size, 3, count)
-        return np.einsum("ijps,jpas->ipas", tensor, split).reshape(vectors.shape)
+        return np.einsum("ijps,jpas->ipas", inverse.inertia[:, :, link], vectors)
 
     omega, alpha, force = each(links.omega), each(links.alpha), each(inverse.net_force)
     spin, spin_rate = (each(part) for part in inverse.momenta)
-    of_joint = np.repeat(relations.joints[joint], 3)
-    lever = each(inverse.centre) - links.anchor[:, of_joint]
-    acceleration = cross(axes, lever) * np.repeat(tables.mass[link], 3)[:, None]
+    lever = each(inverse.centre) - links.anchor[:, relations.joints[joint], None]
+    acceleration = cross(axes, lever) * tables.mass[link][:, None, None]
     centre = cross(force, axes)
     tilt = cross(axes, omega)
-    turned, tilted = inertia_times(axes), inertia_times(tilt)
+    turned, tilted = inverse.inertia[:, :, link].swapaxes(1, 2), inertia_times(tilt)
     turn = cross(spin_rate, axes) + cross(turned, alpha) + cross(spin, tilt) + cross(tilted, omega)
     arm = _attached((omega, alpha), each(inverse.arm), centre, acceleration)
     own = (turn + arm[0], cross(spin, axes) + tilted + arm[1], turned + arm[2])
-    total = inverse.force[:, relations.joints]
-    at_anchor = cross(np.tile(np.eye(3), relations.joints.size)[:, :, None] + np.zeros(count), np.repeat(total, 3, 1))
+    at_anchor = cross(axes, inverse.force[:, relations.joints, None])
     x = _joined(relations.from_beyond, centre)
     x += _joined(_before(relations), at_anchor)
     x_dd = _joined(relations.from_beyond, acceleration)
-    related = np.repeat(relations.related[0], 3)
-    parent = tables.parents[related]
-    step = links.step[:, related]
-    x[:, np.isin(related, tables.free_links)] = 0
+    related = relations.related[0]
+    parent, is_free = tables.parents[related], np.isin(related, tables.free_links)
+    x[:, is_free] = 0
     carried = x_dd.copy()
-    carried[:, np.isin(related, tables.free_links)] = 0
-    handed = _attached((links.omega[:, parent], links.alpha[:, parent]), step, x, carried)
+    carried[:, is_free] = 0
+    rates = (links.omega[:, parent, None], links.alpha[:, parent, None])
+    handed = _attached(rates, links.step[:, related, None], x, carried)
     gradients = [
         _joined(relations.placed, part) + _joined(relations.to_parent, more)
         for part, more in zip(own, handed, strict=True)
@@ -361,7 +352,7 @@ def _attached(rates: tuple[Array, Array], s: Array, g: Array, g_dd: Array) -> tu
 
 
 def _quaternion_gradients(
-    links: _Repeated | _Picked, turn: Array, omega: Array, alpha: Array
+    links: _Chosen | _Picked, turn: Array, omega: Array, alpha: Array
 ) -> tuple[Array, Array, Array]:
     """Gradients of (turn, ω, ω') as gradients of Q, Q', Q''; the reasons are in the kinematics."""
     b = links.length_squared
@@ -383,6 +374,6 @@ def _before(relations: _Relations) -> Array:
 
 
 def _joined(weights: Array, vectors: Array) -> Array:
-    """Sums over pairs, axis by axis: (m, n) with (3, 3 n, S) -> (3, 3 m, S)."""
-    count = vectors.shape[2]
-    return gathered(weights, vectors.reshape(3, weights.shape[1], -1)).reshape(3, -1, count)
+    """Sums over pairs: (m, n) with (3, n, 3, S) -> (3, m, 3, S)."""
+    _, n, several, count = vectors.shape
+    return gathered(weights, vectors.reshape(3, n, -1)).reshape(3, -1, several, count)

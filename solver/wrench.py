@@ -13,7 +13,7 @@ import numpy as np
 from .algebra import cross
 from .dynamics import InverseDynamics
 from .figure import Figure
-from .kinematics import Cotangent, Samples, attached_pulled_back
+from .kinematics import Cotangent, Samples
 from .quaternion import Array
 
 STANDARD_GRAVITY = 9.81
@@ -32,7 +32,7 @@ class RootWrench:
 
     def __init__(self, samples: Samples, root: int) -> None:
         self.samples, self.root = samples, root
-        self.inverse = InverseDynamics(samples)
+        self.inverse = samples.once(InverseDynamics)
         self.mass, self.share = tree_mass(samples.figure, root)
         self.centre = np.einsum("l,ils->is", self.share, self.inverse.centre)
         self.force = self.inverse.force[:, root]
@@ -47,10 +47,7 @@ class RootWrench:
         through_lever = cross(self.force, moment_bar)
         into.room("x")[:, self.root] += through_lever
         by_centre = -through_lever if centre_bar is None else centre_bar - through_lever
-        centres = self.share[:, None] * by_centre[:, None]
-        attached_pulled_back(into, self.inverse.arm, (centres, None, None))
-        into.hand("x", centres)
-        self.inverse.pull_back(into, moments, forces)
+        self.inverse.pull_back(into, moments, forces, self.share[:, None] * by_centre[:, None])
 
 
 def tree_mass(figure: Figure, root: int) -> tuple[float, Array]:
@@ -70,7 +67,7 @@ def height(figure: Figure, root: int) -> float:
     """[m] how tall a slender rod would be that turns like a free link with all beyond it at rest: √12 times the radius
     of gyration. The length that makes moments forces."""
     rest = figure.to_state(np.array(mujoco.MjData(figure.model).qpos))[None]
-    inverse = InverseDynamics(Samples(figure, rest, 0 * rest, 0 * rest))
+    inverse = Samples(figure, rest, 0 * rest, 0 * rest).once(InverseDynamics)
     mass, share = tree_mass(figure, root)
     away = inverse.centre[:, :, 0] - (inverse.centre[:, :, 0] @ share)[:, None]
     own = np.einsum("iil,l->", inverse.inertia[..., 0], figure.tables.path[:, root]) / 2

@@ -58,13 +58,16 @@ def moved_by(problem: Discretised, t: Array) -> Array:
 
 
 def dense_hessian(problem: Discretised, names: tuple[str, ...], x: Array) -> Array:
-    """Σ w 2 JᵀJ over two Gauss points a span, J by differences of residuals with respect to the unknowns."""
-    t, w = gauss_nodes(np.asarray(problem.spline.times), POINTS)
+    """Σ w 2 JᵀJ over two Gauss points a span, over E's own samples for sharp terms, J by differences of residuals with
+    respect to the unknowns."""
+    few = gauss_nodes(np.asarray(problem.spline.times), POINTS)
+    own = problem.sampling.t, problem.weights
 
     def residuals(at: Array) -> Array:
-        samples = problem.objective.samples(problem.path(at), t)
         parts = []
         for name, term in zip(names, problem.objective.terms, strict=True):
+            t, w = own if term.penalty.scale.is_sharp else few
+            samples = problem.objective.samples(problem.path(at), t)
             parts.append((np.sqrt(2 * term.factor * w)[:, None] * RESIDUALS[name][1](samples)).ravel())
         return np.concatenate(parts)
 

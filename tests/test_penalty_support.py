@@ -141,7 +141,7 @@ def test_the_curvature_is_the_second_derivative_the_wrench_itself_taken_as_linea
     scale, h = rng.uniform(0.5, 2, 3), 1e-5
     phi = rng.normal(size=(3, 3, 1))
     found = assembled(curvature_of(support, samples, scale), phi)
-    shares = support._found(samples)
+    shares = support._found(samples, np.arange(samples.count))
     way = rng.normal(size=figure.width)
     by = np.einsum("so,n->osn", phi[:, :, 0], way)
 

@@ -106,7 +106,7 @@ def test_rows_of_moments_are_those_of_the_adjoint_sweep(closed, rng):
     at, link, axis = (a.ravel() for a in np.meshgrid(range(samples.count), balls, range(3), indexing="ij"))
 
     def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
-        inverse = InverseDynamics(copies)
+        inverse = copies.once(InverseDynamics)
         bar = np.zeros_like(inverse.moment)
         bar[axis[rows], link[rows], np.arange(rows.size)] = 1.0
         inverse.pull_back(cotangent, bar)
@@ -123,7 +123,7 @@ def test_rows_of_moments_are_the_differences_of_the_moments(closed, rng):
     balls, state = closed.tables.ball_links, np.stack([samples.y, samples.y_d, samples.y_dd])
 
     def moments(point: Array) -> Array:
-        return InverseDynamics(Samples(closed, *point)).moment[:, balls].transpose(2, 1, 0).reshape(3, -1)
+        return Samples(closed, *point).once(InverseDynamics).moment[:, balls].transpose(2, 1, 0).reshape(3, -1)
 
     found = moment_rows(samples)
     for order in range(3):

@@ -165,7 +165,7 @@ class Contact:
         centres = (arms + x[:, None]).reshape(3, -1, 1)
         radii = radii.take(carrier, axis=1)
         if self._allowed_by_link is not None:
-            radii = radii - self._allowed_by_link.at(samples.t)[:, carrier, at]
+            radii = radii - self._allowed_by_link.of(carrier, samples.t.take(at))
         return flat, arms.reshape(3, -1), centres, radii.ravel()
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:

@@ -45,7 +45,7 @@ class Flight:
 
     @property
     def scale(self) -> Scale:
-        return Scale(A_TENTH, is_violation=True)
+        return Scale(A_TENTH, is_violation=True, is_sharp=True)
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         values = np.zeros(samples.count)

@@ -29,7 +29,7 @@ class PeakAcceleration:
 
     @property
     def scale(self) -> Scale:
-        return Scale(8.0 ** (2 * POWER), time_power=4 * POWER)
+        return Scale(8.0 ** (2 * POWER), time_power=4 * POWER, is_sharp=True)
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         ways, sizes = relative_accelerations(samples)

@@ -26,12 +26,15 @@ class Scale:
     time_power    f_j of a clip played λ times slower falls by λ to this power: 4 for squared accelerations
     beside        the name of another term in whose measure this one counts, where there is one: both are divided by
                   that one's integral, and `reference` of this one weighs as much as one of that
+    is_sharp      whether f_j is far from smooth in time, for it begins, ends or peaks anywhere: the few samples that
+                  suffice for the curvature of others would miss it. Its curvature has rows and nothing else
     """
 
     reference: float
     is_violation: bool = False
     time_power: int = 0
     beside: str | None = None
+    is_sharp: bool = False
 
 
 class Penalty(Protocol):

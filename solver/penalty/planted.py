@@ -50,7 +50,7 @@ class Planted:
 
     @property
     def scale(self) -> Scale:
-        return Scale(1e-4, is_violation=True)
+        return Scale(1e-4, is_violation=True, is_sharp=True)
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         stance, at = self._during(samples.t)

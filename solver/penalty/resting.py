@@ -39,7 +39,7 @@ class Resting:
 
     @property
     def scale(self) -> Scale:
-        return Scale(1e-4, is_violation=True)
+        return Scale(1e-4, is_violation=True, is_sharp=True)
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         values = np.zeros(samples.count)

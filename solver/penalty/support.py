@@ -73,7 +73,7 @@ class Support:
 
     @property
     def scale(self) -> Scale:
-        return Scale(A_TENTH, is_violation=True)
+        return Scale(A_TENTH, is_violation=True, is_sharp=True)
 
     @property
     def tells(self) -> bool:
@@ -86,18 +86,22 @@ class Support:
 
     def rest(self, samples: Samples) -> Array:
         """(6, S): force and moment that nothing can supply, in units of weight and weight times height."""
-        return self._found(samples).left.rest * self.known(samples.t)
+        out, at = np.zeros((6, samples.count)), np.flatnonzero(self.known(samples.t))
+        if at.size:
+            out[:, at] = self._found(samples, at).left.rest
+        return out
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
-        values = np.zeros(samples.count)
-        known = self.known(samples.t)
-        if not known.any():
+        values, at = np.zeros(samples.count), np.flatnonzero(self.known(samples.t))
+        if not at.size:
             return values
-        found = self._found(samples)
+        found = self._found(samples, at)
+        values[at] = found.left.value
         if into is not None:
-            force_bar, moment_bar = 2 * scale * known * found.left.rest.reshape(2, 3, -1) / self.unit
-            found.pushes.pull_back(found.wrench, into, force_bar, moment_bar / self.length)
-        values += found.left.value * known
+            bars = np.zeros((2, 3, samples.count))
+            bars[:, :, at] = found.left.rest.reshape(2, 3, -1) * (2 / self.unit)
+            bars *= scale
+            found.pushes.pull_back(found.wrench, into, bars[0], bars[1] / self.length)
         return values
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
@@ -105,7 +109,7 @@ class Support:
         if not at.size:
             return
         chosen = samples.taken(at)
-        found = self._found(chosen)
+        found = self._found(chosen, np.arange(at.size))
         rows = rows_of_wrench(chosen, self.root, found.pushes)
         rows *= (np.repeat([1.0, 1 / self.length], 3) / self.unit)[:, None, None]
         root = np.linalg.cholesky(projection(found.left, found.edges, self.softness))
@@ -116,24 +120,25 @@ class Support:
     def sides(self, samples: Samples) -> Sides | None:
         return None
 
-    def _found(self, samples: Samples) -> _Found:
+    def _found(self, samples: Samples, known: Index) -> _Found:
+        """At the samples `known` (P,)."""
         wrench = RootWrench(samples, self.root)
-        w = np.concatenate([wrench.force, wrench.moment / self.length]) / self.unit
-        which, at, slot = self._pairs(samples.t)
+        w = np.concatenate([wrench.force[:, known], wrench.moment[:, known] / self.length]) / self.unit
+        which, at, slot = self._pairs(samples.t[known])
         links, positions, edges = self._arrays
-        link = links[which]
-        x, rotation = samples.links.poses(link * samples.count + at)
+        link, sample = links[which], known[at]
+        x, rotation = samples.links.poses(link * samples.count + sample)
         arm = applied(rotation, positions[:, which])
         ways = edges[:, which]
-        lever = (x + arm - wrench.centre[:, at]) / self.length
-        slots = int(slot.max(initial=-1)) + 1
-        pyramid = np.zeros((6, max(slots, 1), EDGES, samples.count))
+        lever = (x + arm - wrench.centre[:, sample]) / self.length
+        pyramid = np.zeros((6, max(int(slot.max(initial=-1)) + 1, 1), EDGES, known.size))
         pyramid[:3, slot, :, at] = ways.transpose(1, 0, 2)
-        pyramid[3:, slot, :, at] = cross(lever[:, :, None] + 0 * ways, ways).transpose(1, 0, 2)
-        left = unsupplied(w, pyramid.reshape(6, -1, samples.count), self.softness)
-        shares = left.shares.reshape(-1, EDGES, samples.count)[slot, :, at]
+        pyramid[3:, slot, :, at] = cross(lever[:, :, None], ways).transpose(1, 0, 2)
+        pyramid = pyramid.reshape(6, -1, known.size)
+        left = unsupplied(w, pyramid, self.softness)
+        shares = left.shares.reshape(-1, EDGES, known.size)[slot, :, at]
         force = self.unit * np.einsum("ipe,pe->ip", ways, shares)
-        return _Found(wrench, left, Pushes(at, link, arm, force), pyramid.reshape(6, -1, samples.count))
+        return _Found(wrench, left, Pushes(sample, link, arm, force), pyramid)
 
     def _active(self, t: Array) -> Mask:
         """(n, S) whether a footing holds at times t (S,)."""

@@ -27,7 +27,7 @@ class Torque:
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         tables, links = samples.figure.tables, samples.links
-        inverse = InverseDynamics(samples)
+        inverse = samples.once(InverseDynamics)
         balls = tables.ball_links
         is_ball = np.zeros((len(samples.figure.links), 1))
         is_ball[balls] = 1
@@ -84,7 +84,7 @@ class Torque:
 def _one_effort(samples: Samples, into: Cotangent, link: Index, axis: Index) -> None:
     """The gradient of one effort a sample, at the joint of link (S,); of a ball joint component `axis` (S,)."""
     tables, links = samples.figure.tables, samples.links
-    inverse = InverseDynamics(samples)
+    inverse = samples.once(InverseDynamics)
     moment_bar, force_bar = np.zeros_like(inverse.moment), np.zeros_like(inverse.force)
     ball = np.flatnonzero(np.isin(link, tables.ball_links))
     moment_bar[axis[ball], link[ball], ball] = 1.0

@@ -84,10 +84,10 @@ class Box:
         return np.repeat((self.axes[:, top] * np.sign(self.axes[2, top]))[:, None], points.shape[1], axis=1)
 
     def height(self, points: Array) -> Array:
-        single = [1] * (points.ndim - 1)
         local = self._local(points)
         top = int(np.argmax(np.abs(self.axes[2])))
-        over = np.all(np.abs(np.delete(local, top, 0)) <= np.delete(self.half, top).reshape(2, *single), axis=0)
+        across, along = (axis for axis in range(3) if axis != top)
+        over = (np.abs(local[across]) <= self.half[across]) & (np.abs(local[along]) <= self.half[along])
         height = local[top] * np.sign(self.axes[2, top]) - self.half[top]
         if not self.buried:
             over &= height > -2 * self.half[top]
