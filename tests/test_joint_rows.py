@@ -8,6 +8,7 @@ from test_any_model import figure_of
 from test_kinematics import random_samples
 from test_rows import assert_near, some_points
 
+from solver import joint_rows
 from solver.algebra import cross
 from solver.curvature import jacobian
 from solver.figure import Figure
@@ -48,15 +49,14 @@ def test_so_they_are_on_random_models(seed, coordinates):
     check(*figure_of(seed, coordinates))
 
 
-def test_many_points_are_taken_in_parts(figure, rng):
+def test_many_points_are_taken_in_parts(figure, rng, monkeypatch):
+    monkeypatch.setattr(joint_rows, "AT_ONCE", 60)
     samples = random_samples(figure, rng)
-    at, link = rng.integers(0, samples.count, 40_000), rng.integers(1, len(figure.links), 40_000)
+    at, link = rng.integers(0, samples.count, 200), rng.integers(1, len(figure.links), 200)
     arm, way = rng.normal(size=(2, 3, at.size))
-    whole = any_point_rows(samples, at, link, arm, way)
-    some = rng.integers(0, at.size, 50)
-    np.testing.assert_allclose(
-        whole[some], any_point_rows(samples, at[some], link[some], arm[:, some], way[:, some]), atol=1e-12
-    )
+    parts = any_point_rows(samples, at, link, arm, way)
+    monkeypatch.undo()
+    np.testing.assert_allclose(parts, any_point_rows(samples, at, link, arm, way), atol=1e-12)
 
 
 def test_points_of_the_world_have_no_rows(figure, rng):
