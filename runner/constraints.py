@@ -151,7 +151,9 @@ class Constraints:
         ):
             if not given:
                 chosen.pop(kind, None)
-        if chosen["contact"].points is not None:
+        for kind in self._senseless - seen.keys():
+            chosen.pop(kind, None)
+        if "contact" in seen and chosen["contact"].points is not None:
             self.points = self._sites(chosen["contact"].points)
         self.support = self._carried(chosen["flight"], "flight" in seen)
         told = self.support is not None and self.support.tells
@@ -164,6 +166,15 @@ class Constraints:
             chosen["root"] = PenaltyTable(kind="root", weight=ROOT_WEIGHT_CARRIED)
         built = [(self.one(entry), entry.weight) for entry in chosen.values()]
         return tuple((penalty, weight) for penalty, weight in built if weight > 0)
+
+    @property
+    def _senseless(self) -> set[str]:
+        """Kinds that have nothing to look at in this figure."""
+        tables = self.figure.tables
+        soles = set() if self.points else {"contact", "planted", "skate"}
+        afoot = set() if self.points or tables.free_links.size else {"grounded"}
+        quaternions = set() if tables.quaternion_links.size else {"unit"}
+        return soles | afoot | quaternions | (set() if self.bends else {"bend"})
 
     def one(self, entry: PenaltyTable) -> Penalty:
         try:

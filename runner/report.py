@@ -125,7 +125,7 @@ def _side(clip: Clip, objective: Objective, timeline: Timeline, grid: Grid) -> d
         "off their places, m": _placement_report(clip, timeline),
         "edge clearance, m": _edge_clearance(clip, grid),
         "unit deviation": _unit_deviation(grid),
-        "keyframe error": _keyframe_error(clip, timeline),
+        "keyframe error": keyframe_error(clip, timeline),
         **_seam(clip, timeline),
         "angular acceleration, rad/s²": _peak_acceleration(grid),
         "torque, N m": _torque(grid),
@@ -300,7 +300,7 @@ def _unit_deviation(grid: Grid) -> dict[str, float]:
     }
 
 
-def _keyframe_error(clip: Clip, timeline: Timeline) -> float:
+def keyframe_error(clip: Clip, timeline: Timeline) -> float:
     """Largest error of a fixed entry at its key time: the spline evaluated there and turned into qpos."""
     figure = clip.figure
     times = np.array([key.time for key in clip.keys])

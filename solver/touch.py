@@ -2,8 +2,8 @@
 
 Models bring geoms that are only to be seen (contype = conaffinity = 0) beside those that collide. Those of a body that
 has others that collide do not count, nor do meshes where anything that moves collides. Of what does not move, the
-geoms of the world itself always count, floors and steps, those of other fixed bodies only if they collide. Where nothing
-that moves collides everything counts.
+geoms of the world itself always count, floors and steps, those of other fixed bodies only if they collide. Where
+nothing that moves collides everything counts.
 
 A limb that hangs on the world by its joints and is in a static geom at rest is meant to be there: an arm in its socket.
 """

@@ -55,7 +55,8 @@ EVERY_JOINT = """
 
 MIXED = """
 <mujoco><compiler angle="degree" autolimits="true"/><option gravity="0.5 0 -9.81"/>
-<worldbody><body name="trunk" pos="0 1 1"><geom type="capsule" size=".1" fromto="0 0 0 .05 0 .4"/><joint name="root" type="free"/>
+<worldbody><body name="trunk" pos="0 1 1"><joint name="root" type="free"/>
+  <geom type="capsule" size=".1" fromto="0 0 0 .05 0 .4"/>
   <body name="neck" pos="0 0 .4" euler="5 10 0"><joint name="neck" type="ball"/>
     <geom type="capsule" size=".04" fromto="0 0 0 0 0 .1"/>
     <body name="head" pos="0 .01 .1" euler="20 0 0"><joint name="head" type="ball" armature=".01" pos="0 0 .01"/>

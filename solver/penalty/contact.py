@@ -15,12 +15,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import quaternion as quat
-from ..algebra import cross, dot
+from ..algebra import dot
 from ..allowance import Allowance
-from ..curvature import Curvature, Sides, jacobian
+from ..curvature import Curvature, Sides
 from ..figure import Figure, JointKind
 from ..frame import Mask, Timeline
-from ..kinematics import Cotangent, Samples, attached_pulled_back
+from ..joint_rows import any_point_rows, any_velocity_rows
+from ..kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
 from ..rows import has_point_rows, point_rows, velocity_rows
 from ..surface import Surface
@@ -197,33 +198,15 @@ class Contact:
 
 def point_gradients(samples: Samples, at: Index, link: Index, arm: Array, way: Array) -> Array:
     """(P, N): the gradient of way · p for points p at `arm` (3, P) from their links' origins, at samples `at` (P,)."""
-    if has_point_rows(samples.figure):
-        return point_rows(samples, at, link, arm, way)
-
-    def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
-        here = np.arange(rows.size)
-        cotangent.room("x")[:, link[rows], here] = way[:, rows]
-        cotangent.room("turn")[:, link[rows], here] = cross(arm[:, rows], way[:, rows])
-
-    return jacobian(samples, at, seeded)[:, 0]
+    rows = point_rows if has_point_rows(samples.figure) else any_point_rows
+    return rows(samples, at, link, arm, way)
 
 
 def velocity_gradients(samples: Samples, at: Index, link: Index, arm: Array, way: Array) -> Array:
     """(P, 2, N): the gradients of way · v with respect to y and y', v the velocities of points as in
     `point_gradients`."""
-    if has_point_rows(samples.figure):
-        return velocity_rows(samples, at, link, arm, way)
-
-    def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
-        here = np.arange(rows.size)
-        every = np.zeros((3, rows.size, rows.size))
-        arms = every.copy()
-        every[:, here, here], arms[:, here, here] = way[:, rows], arm[:, rows]
-        for i, owner in enumerate(link[rows]):
-            cotangent.room("x_d")[:, owner, i] += way[:, rows[i]]
-        attached_pulled_back(cotangent, arms, (None, every, None), link[rows])
-
-    return jacobian(samples, at, seeded)[:, :2]
+    rows = velocity_rows if has_point_rows(samples.figure) else any_velocity_rows
+    return rows(samples, at, link, arm, way)
 
 
 def height_over(surfaces: Sequence[Surface], points: Array, radius: Array) -> tuple[Array, Array]:
