@@ -95,8 +95,8 @@ def test_a_motions_name_cannot_break_out_of_the_page(text):
 
 
 def until(page, condition):
-    """Whether it comes true within ten seconds; asked from outside, for the page forbids itself to evaluate text."""
-    for _ in range(100):
+    """Whether it comes true within a minute; asked from outside, for the page forbids itself to evaluate text."""
+    for _ in range(600):
         if page.evaluate(condition):
             return True
         page.wait_for_timeout(100)
@@ -115,6 +115,7 @@ def tab(saved, tmp_path_factory):
     with playwright.sync_playwright() as play:
         window = play.chromium.launch(executable_path=browser, args=flags)
         page = window.new_page(viewport={"width": 640, "height": 360})
+        page.set_default_timeout(120_000)
         heard: list[str] = []
         page.on("request", lambda request: heard.append(request.url))
         page.on("pageerror", lambda error: heard.append(str(error)))
@@ -137,11 +138,11 @@ def test_in_a_browser_it_plays_and_its_slider_moves_the_figure(tab, saved):
     )
     assert not page.evaluate("player.playing")
     assert page.evaluate("player.time") == pytest.approx(at / take.fps)
-    page.wait_for_timeout(300)
+    assert until(page, "player.settled")
     body = take.model.body("left_shin").id
     np.testing.assert_allclose(page.evaluate("player.place('left_shin')"), take.bodies.position[at, body], atol=1e-5)
     page.keyboard.press("1")
-    page.wait_for_timeout(300)
+    assert until(page, "player.which === 'before' && player.settled")
     raw = html.content(take)["before"]["position"]
     raw = numbers(raw, 3).reshape(-1, take.model.nbody, 3)[at, body]
     np.testing.assert_allclose(page.evaluate("player.place('left_shin')"), raw, atol=1e-5)
@@ -157,7 +158,7 @@ def test_in_a_browser_the_figure_shows_and_moves_in_the_picture(tab):
     shots = []
     for time in (0.0, 0.4):
         page.evaluate(f"player.seek({time}); player.show('after'); document.getElementById('follow').checked = false")
-        page.wait_for_timeout(500)
+        assert until(page, "player.settled")
         shots.append(np.asarray(Image.open(BytesIO(page.screenshot())).convert("RGB"), float)[60:240])
     assert shots[0].std() > 5
     assert np.mean(np.abs(shots[1] - shots[0]).max(axis=-1) > 20) > 0.002

@@ -201,7 +201,7 @@ controls.addEventListener("start", () => { $("camera").value = "free"; });
 controls.addEventListener("change", () => { wanted = true; });
 
 // Time
-let now = 0, playing = true, then = null, wanted = true, which = "after";
+let now = 0, playing = true, then = null, wanted = true, which = "after", drawn = "";
 const PLAY = "M7 4.500v15l12.500-7.500z", PAUSE = "M6 4.500h4.200v15H6zM13.800 4.500H18v15h-4.200z";
 const setPlaying = (yes) => {
   if (yes && now >= duration) now = 0;
@@ -241,6 +241,7 @@ const render = () => {
   sun.target.position.copy(here);
   sun.position.copy(here).add(new THREE.Vector3(2.6, -3.2, 5.2));
   renderer.render(scene, camera);
+  drawn = `${now} ${which}`;
   $("scrub").value = duration ? now / duration : 0;
   $("scrub").style.setProperty("--done", `${duration ? 100 * now / duration : 0}%`);
   $("clock").innerHTML = `<b>${now.toFixed(2)}</b> / ${duration.toFixed(2)} s &ensp;image ${Math.round(at)}`;
@@ -306,6 +307,7 @@ window.addEventListener("keydown", (event) => {
 window.player = {
   seek: (time) => { setPlaying(false); seek(time); }, show: setWhich, aim, play: setPlaying,
   get time() { return now; }, get playing() { return playing; }, get which() { return which; },
+  get settled() { return !wanted && drawn === `${now} ${which}`; },
   place: (name) => solid.groups[bodies.indexOf(name)].getWorldPosition(new THREE.Vector3()).toArray(),
 };
 resize();
