@@ -80,4 +80,5 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     if model is not None:
         return Recording(time, values)
     assets = taken_along(spec)
+    spec.assets = dict(assets)
     return Recording(time, values, spec.to_xml(), assets=assets)
