@@ -147,7 +147,8 @@ def _through(name: str) -> View:
 def _vertical(paths: Array, height: float) -> tuple[float, float]:
     """Lowest and highest point to show [m]: from under the feet to over the head, and never far below the floor."""
     low, high = float(paths[..., 2].min()), float(paths[..., 2].max())
-    return max(low - 0.58 * height, min(-0.05, low - 0.15 * height)), high + 0.53 * height
+    floor = min(-0.05, low - 0.15 * height) if low > 0 else -np.inf
+    return max(low - 0.58 * height, floor), high + 0.53 * height
 
 
 def _middle(paths: Array, height: float) -> float:

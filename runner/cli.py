@@ -224,6 +224,29 @@ def plot(source: Source = "", output: Output = None, model: Model = None, keys: 
         teller.say(f"wrote {target}")
 
 
+@app.command(name="new")
+def new_clip(
+    model: Annotated[str, typer.Argument(metavar="MODEL", help="an MJCF file, or a shipped figure")],
+    output: Output = None,
+    overwrite: Annotated[bool, typer.Option("--overwrite", help="let -o be a file that is there")] = False,
+) -> None:
+    """Write a clip to begin with, for any model: its keyframes, or a pose and a move; comments name all its parts."""
+    _without_graphics()
+    from .errors import UserError
+    from .motion import check_target
+    from .starter import starter
+
+    target = output or Path(f"{Path(model).stem}.toml")
+    if target.suffix != ".toml":
+        raise UserError(f"{target}: a clip file's name ends in .toml")
+    check_target(target)
+    if target.exists() and not overwrite:
+        raise UserError(f"'{target}' is there already; give another -o, or --overwrite")
+    text = starter(model, target)
+    target.write_text(text, encoding="utf-8")
+    print(f"wrote {target}; see it: dynsplines render {target}")
+
+
 @app.command()
 def mirror(source: Source, output: Output = None, overwrite: Overwrite = False) -> None:
     """Exchange left and right of a motion (.npz) or a clip (.toml), in the x-z plane."""

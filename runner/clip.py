@@ -6,7 +6,6 @@ What a keyframe leaves out is free. A [[penalty]] entry changes or adds to the d
 
 from __future__ import annotations
 
-import itertools
 import tomllib
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -40,6 +39,7 @@ from solver.subdivision import CRITERIA
 from solver.surface import Surface, static_surfaces
 from solver.unknowns import raw_timeline
 
+from .assets import Scene
 from .clip_table import (
     LARGEST,
     ROTATION,
@@ -51,12 +51,13 @@ from .clip_table import (
     spoken,
 )
 from .constraints import Constraints, posing_bends
+from .couplings import complaints, follow
 from .errors import UserError, unknown
 from .motion import Saved, read_arrays
 from .obstacle import obstacles
 from .placing import check_search, wanted, with_pose
 from .rotation import quaternion_of
-from .scene import Step, check_files, compose, figure_spec, first_line, quietly
+from .scene import Step, compose, figure_spec, first_line, quietly
 
 LONGEST_PANEL = 0.05
 POINTS = 3
@@ -72,7 +73,7 @@ class Clip:
     """A problem ready to solve, and what the report looks at.
 
     text    the TOML text (empty for MJCF and NPZ clips)
-    mjcf    the complete MJCF text of figure and scene
+    scene   the complete MJCF of figure and scene, with the files that it refers to
     travel  (3,) [m] how far a loop's root comes in a period; None: as the keyframes say
     points  the sole points that stand on surfaces; bends: knees and elbows
     support  what carries the figure when; None without a free joint
@@ -83,7 +84,7 @@ class Clip:
 
     name: str
     text: str
-    mjcf: str
+    scene: Scene
     figure: Figure
     fps: float
     keys: tuple[Frame, ...]
@@ -99,6 +100,11 @@ class Clip:
     notes: tuple[str, ...]
     placed: tuple[Placed, ...] = ()
     contacts: tuple[Rest, ...] = ()
+
+    @property
+    def mjcf(self) -> str:
+        """The complete MJCF text."""
+        return self.scene.mjcf
 
     def __repr__(self) -> str:
         """ "<Clip run_and_step: 2.20 s, 12 keyframes (3 partial), 15 penalties, 39 DOF>" """
@@ -172,14 +178,14 @@ def from_text(
     step = table.scene.step
     try:
         spec = figure_spec(figure_file or table.figure, folder) if spec is None else spec
-        mjcf = compose(spec, None if step is None else Step(**step.model_dump()), obstacles(table.scene))
+        scene = compose(spec, None if step is None else Step(**step.model_dump()), obstacles(table.scene))
     except UserError as error:
         raise UserError(f"{place}: {error}") from None
-    figure = _figure(mjcf, table.solve.coordinates, place)
+    figure = _figure(scene, table.solve.coordinates, place)
     check_times([row.time for row in table.keyframe], place)
     bends = posing_bends(figure, table.penalty)
     keys, placed = _keys(figure, table.keyframe, bends, table.solve.ends, place)
-    return _clip(name, text, mjcf, figure, fps or table.fps, keys, table, place, placed)
+    return _clip(name, text, scene, figure, fps or table.fps, keys, table, place, placed)
 
 
 def table_of(text: str, place: str) -> ClipTable:
@@ -220,7 +226,7 @@ def of_motion(saved: Saved, *, contacts: bool = False) -> Clip:
     if table is not None and not contacts:  # which are those of the clip that it was
         table = table.model_copy(update={"contact": []})
     return _clip(
-        saved.name, saved.text, saved.mjcf, saved.figure, saved.fps, list(saved.keys), table, saved.name, solve=solve
+        saved.name, saved.text, saved.scene, saved.figure, saved.fps, list(saved.keys), table, saved.name, solve=solve
     )
 
 
@@ -229,13 +235,13 @@ def with_keys(clip: Clip, keys: Sequence[Frame]) -> Clip:
     table = ClipTable.model_validate(tomllib.loads(clip.text)) if clip.text else None
     times = {key.time for key in keys}
     placed = tuple(point for point in clip.placed if point.time in times)
-    return _clip(clip.name, clip.text, clip.mjcf, clip.figure, clip.fps, list(keys), table, clip.name, placed)
+    return _clip(clip.name, clip.text, clip.scene, clip.figure, clip.fps, list(keys), table, clip.name, placed)
 
 
 def _clip(
     name: str,
     text: str,
-    mjcf: str,
+    scene: Scene,
     figure: Figure,
     fps: float,
     keys: list[Frame],
@@ -251,20 +257,20 @@ def _clip(
     except (TimelineError, ValueError) as error:
         raise UserError(f"{place}: {error}") from None
     surfaces = static_surfaces(figure.model)
-    notes: list[str] = []
+    notes = complaints(figure, timeline, keys)
     contact, penalty = ([], []) if table is None else (table.contact, table.penalty)
     builder = Constraints(figure, timeline, surfaces, notes, place, placed, contact)
     penalties = builder.all(penalty)
     return Clip(
-        name, text, mjcf, figure, fps, tuple(keys), penalties, settings, solve.ends,
+        name, text, scene, figure, fps, tuple(keys), penalties, settings, solve.ends,
         np.zeros((2, figure.width)) if solve.ends == "clamped" else None, solve.travel, surfaces,
         builder.points, builder.bends, builder.support, tuple(notes), placed, builder.contacts.given,
     )  # fmt: skip
 
 
-def _figure(mjcf: str, coordinates: str, place: str) -> Figure:
+def _figure(scene: Scene, coordinates: str, place: str) -> Figure:
     try:
-        return Figure(mujoco.MjModel.from_xml_string(mjcf), coordinates)
+        return Figure(scene.model(), coordinates)
     except (FigureError, ValueError) as error:
         raise UserError(f"{place}: {error}") from None
 
@@ -360,22 +366,23 @@ def _key(figure: Figure, row: KeyframeTable, before: Frame | None, loose: Sequen
         fixed[entries(figure, i)] = False
     roots = [link for link in figure.links[1:] if link.kind is JointKind.FREE]
     named = {link.name: link for link in figure.links[1:]}
-    shared = {a.name for a, b in itertools.combinations(figure.links[1:], 2) if a.name == b.name}
     if row.root.model_fields_set:
         if not roots:
             raise UserError(f"{place}: the figure has no free joint, so no root to place")
-        _set_root(qpos, fixed, roots[0].qpos, row.root, place)
+        _set_root(qpos, fixed, roots[0].qpos, row.root, f"{place}: root")
+    others = {link.name: link for link in roots}
+    for name, table in row.roots.items():
+        if name not in others:
+            raise UserError(f"{place}: roots: {unknown('free joint', name, others)}")
+        _set_root(qpos, fixed, others[name].qpos, table, f"{place}: roots.{name}")
     for name, value in row.joints.items():
         if name not in named:
             raise UserError(f"{place}: {unknown('joint', name, named)}")
-        if name in shared:
-            raise UserError(
-                f"{place}: several joints of '{name}' have no name of their own; give them names in the MJCF"
-            )
         if value == "free":
             fixed[quaternion_columns(named[name]) or named[name].qpos] = False
         else:
             _set_joint(qpos, fixed, named[name], value, f"{place}: joints.{name}")
+    follow(figure, qpos, fixed, lambda name: name in row.joints)
     return Frame.key(row.time, qpos, fixed)
 
 
@@ -390,7 +397,7 @@ def _set_root(qpos: Array, fixed: Mask, start: int, root: RootTable, place: str)
     if "rotation" in root.model_fields_set:
         fixed[start + 3 : start + 7] = root.rotation != "free"
         if root.rotation != "free":
-            qpos[start + 3 : start + 7] = quaternion_of(root.rotation, f"{place}: root.rotation")
+            qpos[start + 3 : start + 7] = quaternion_of(root.rotation, f"{place}.rotation")
 
 
 def _set_joint(qpos: Array, fixed: Mask, link: Any, value: RotationTable | float, place: str) -> None:
@@ -403,7 +410,7 @@ def _set_joint(qpos: Array, fixed: Mask, link: Any, value: RotationTable | float
         fixed[link.qpos] = True
         return
     if link.kind is JointKind.FREE:
-        raise UserError(f"{place}: a free joint is placed by root.position and root.rotation")
+        raise UserError(f"{place}: a free joint is placed by root.position and root.rotation, or by roots.{link.name}")
     if not isinstance(value, RotationTable):
         raise UserError(f"{place}: a ball joint takes a rotation, {ROTATION}, not a number")
     qpos[columns] = quaternion_of(value, place)
@@ -414,7 +421,6 @@ def _from_mjcf(path: Path, fps: float | None) -> Clip:
     """An MJCF file whose <keyframe> elements, with their times, are the keyframes."""
     try:
         spec = figure_spec(str(path))
-        check_files(spec)
         written = [np.array(key.qpos) for key in spec.keys]
         with quietly():
             model = spec.compile()
@@ -422,9 +428,9 @@ def _from_mjcf(path: Path, fps: float | None) -> Clip:
         raise UserError(_placed(error, path.name)) from None
     except ValueError as error:
         raise UserError(f"{path.name}: MuJoCo cannot compile it: {first_line(error)}") from None
-    if model.nkey == 0:
+    if not written:
         raise UserError(f"{path.name}: the model has no <keyframe> elements to go through")
-    time, qpos = np.array(model.key_time), np.array(model.key_qpos)
+    time, qpos = np.array(model.key_time)[: len(written)], np.array(model.key_qpos)[: len(written)]
     for i, own in enumerate(written):
         if own.size not in (0, model.nq):
             at = _called(i + 1, time[i])
@@ -447,7 +453,7 @@ def _from_arrays(model: str, keys: Path, fps: float | None) -> Clip:
     return from_qpos(keys.stem, _composed(model, model), time, qpos, fps, keys.name)
 
 
-def _composed(figure: str, place: str) -> str:
+def _composed(figure: str, place: str) -> Scene:
     try:
         return compose(figure_spec(figure))
     except UserError as error:
@@ -459,12 +465,12 @@ def _placed(error: UserError, place: str) -> str:
     return str(error) if place in str(error) else f"{place}: {error}"
 
 
-def from_qpos(name: str, mjcf: str, time: Array, qpos: Array, fps: float | None, place: str) -> Clip:
+def from_qpos(name: str, scene: Scene, time: Array, qpos: Array, fps: float | None, place: str) -> Clip:
     """Whole keyframes from arrays, time (K,) [s] and qpos (K, nq), everything else by default.
 
-    mjcf   the complete text of figure and stage; place is how errors call it. Raises UserError for what does not fit.
+    scene  figure and stage, complete; place is how errors call it. Raises UserError for what does not fit.
     """
-    figure = _figure(mjcf, "auto", place)
+    figure = _figure(scene, "auto", place)
     if time.ndim != 1 or qpos.shape != (time.size, figure.width):
         raise UserError(
             f"{place}: time {time.shape} and qpos {qpos.shape} do not fit the figure: "
@@ -476,4 +482,4 @@ def from_qpos(name: str, mjcf: str, time: Array, qpos: Array, fps: float | None,
             raise UserError(f"{place}: {_called(i, row[0])}: an entry {what}")
     check_times(time.tolist(), place)
     keys = [Frame.key(t, q) for t, q in zip(time, qpos, strict=True)]
-    return _clip(name, "", mjcf, figure, fps or 30.0, keys, None, place)
+    return _clip(name, "", scene, figure, fps or 30.0, keys, None, place)

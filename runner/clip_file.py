@@ -29,7 +29,7 @@ def write(
     else:
         said = {"figure": _shipped(saved), "fps": saved.fps, "solve": (search or {}) | _ends(saved)}
         said["keyframe"] = keyframe_tables(saved.figure, saved.keys)
-    files: list[tuple[Path, str]] = []
+    files: list[tuple[Path, bytes]] = []
     if said["figure"] not in models.figures() or (saved.text and not _tells_scene(saved)):
         scene = target.with_suffix(".xml")
         if scene.exists() and scene.read_text(encoding="utf-8") != saved.mjcf and not overwrite:
@@ -37,11 +37,16 @@ def write(
                 f"'{scene}' is there already, and the clip's figure goes there; choose another name or overwrite it"
             )
         said = {key: value for key, value in said.items() if key != "scene"} | {"figure": scene.name}
-        files.append((scene, saved.mjcf))
-    files.append((target, (f"# {note}\n" if note else "") + written(said)))
-    for path, text in files:
+        files.append((scene, saved.mjcf.encode()))
+        for name, data in saved.scene.assets.items():
+            file = target.parent / name
+            if file.exists() and file.read_bytes() != data and not overwrite:
+                raise UserError(f"'{file}' is there already, and a file of the clip's figure goes there")
+            files.append((file, data))
+    files.append((target, ((f"# {note}\n" if note else "") + written(said)).encode()))
+    for path, data in files:
         with Replacement(path) as temporary:
-            temporary.write_text(text, encoding="utf-8")
+            temporary.write_bytes(data)
     return [path for path, _ in files]
 
 
@@ -54,7 +59,7 @@ def check(target: Path) -> None:
 
 def _shipped(saved: Saved) -> str:
     """The shipped figure that a motion from no clip is of, on the bare stage, or none."""
-    return next((name for name in models.figures() if compose(figure_spec(name)) == saved.mjcf), "")
+    return next((name for name in models.figures() if compose(figure_spec(name)).mjcf == saved.mjcf), "")
 
 
 def _tells_scene(saved: Saved) -> bool:

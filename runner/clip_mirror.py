@@ -12,7 +12,7 @@ from solver.mirror import AXIAL, POLAR, TURN, Mirror, other_side
 from .errors import UserError
 
 KNOWN = {
-    "keyframe": {"time", "root", "joints", "sites", "bodies", "others"},
+    "keyframe": {"time", "root", "roots", "joints", "sites", "bodies", "others"},
     "scene": {"step", "box", "sphere", "capsule", "cylinder"},
     "root": {"position", "rotation"},
 }
@@ -77,19 +77,26 @@ def _keyframe(row: dict[str, Any], figure: Figure, mirror: Mirror) -> dict[str, 
     _check_known("keyframe", row)
     out = dict(row)
     if "root" in row:
-        _check_known("root", row["root"])
-        out["root"] = dict(row["root"])
-        position, rotation = row["root"].get("position", "free"), row["root"].get("rotation", "free")
-        if position != "free":
-            out["root"]["position"] = _signed(position, POLAR)
-        if rotation != "free":
-            out["root"]["rotation"] = _rotation(rotation)
+        out["root"] = _root(row["root"])
+    if "roots" in row:
+        out["roots"] = {_other(name, figure): _root(table) for name, table in row["roots"].items()}
     if "joints" in row:
         out["joints"] = dict(_joint(name, value, figure, mirror) for name, value in row["joints"].items())
     if "sites" in row:
         out["sites"] = {_other(name, figure): _site(value) for name, value in row["sites"].items()}
     if "bodies" in row:
         out["bodies"] = {_other(name, figure): _rotation(value) for name, value in row["bodies"].items()}
+    return out
+
+
+def _root(table: dict[str, Any]) -> dict[str, Any]:
+    """A free joint's place on the other side."""
+    _check_known("root", table)
+    out = dict(table)
+    if table.get("position", "free") != "free":
+        out["position"] = _signed(table["position"], POLAR)
+    if table.get("rotation", "free") != "free":
+        out["rotation"] = _rotation(table["rotation"])
     return out
 
 

@@ -48,6 +48,7 @@ class BodyTable(RotationTable):
 class KeyframeTable(_Table):
     time: Number
     root: RootTable = RootTable()
+    roots: dict[str, RootTable] = {}
     joints: dict[str, RotationTable | Number | Literal["free"]] = {}
     sites: dict[str, SiteTable | tuple[Axis, Axis, Axis]] = {}
     bodies: dict[str, BodyTable] = {}
@@ -231,6 +232,7 @@ def _shown(value: Any) -> str:
 
 _NAMED: dict[str, tuple[str, type[_Table]]] = {
     "joints": ("joint", RotationTable),
+    "roots": ("root", RootTable),
     "sites": ("site", SiteTable),
     "bodies": ("body", BodyTable),
 }
@@ -266,6 +268,7 @@ _EXPECTED = {
     "contact": "[[contact]] tables",
     **{kind: f"[[scene.{kind}]] tables" for kind in ("box", "sphere", "capsule", "cylinder")},
     **dict.fromkeys(("obstacle's position", "from", "to"), "[x, y, z] in metres"),
+    "root": "a table: position and rotation of a free joint",
     "obstacle's rotation": ROTATION,
     "size": "[length, width, height] in metres",
     "color": "[red, green, blue, opacity], each from 0 to 1",

@@ -13,7 +13,6 @@ from solver.figure import Figure, JointKind, quaternion_columns
 from solver.frame import Frame
 
 from .clip_table import ClipTable
-from .errors import UserError
 
 BARE = re.compile(r"[A-Za-z0-9_-]+")
 
@@ -43,7 +42,7 @@ def _rows(row: dict[str, Any]) -> list[str]:
     """The lines of a table; each joint, site and body, and each part of the root, has one of its own."""
     lines = []
     for key, value in row.items():
-        if key in ("root", "joints", "sites", "bodies") and isinstance(value, dict):
+        if key in ("root", "roots", "joints", "sites", "bodies") and isinstance(value, dict):
             lines += [f"{_key(key)}.{_entry(*entry)}" for entry in value.items()]
         else:
             lines.append(_entry(key, value))
@@ -81,6 +80,7 @@ def keyframe_tables(figure: Figure, keys: Sequence[Frame]) -> list[dict[str, Any
 
 def _keyframe(figure: Figure, key: Frame) -> dict[str, Any]:
     root: dict[str, Any] = {}
+    roots: dict[str, Any] = {}
     joints: dict[str, Any] = {}
     first = next((link for link in figure.links[1:] if link.kind is JointKind.FREE), None)
     for link in figure.links[1:]:
@@ -89,19 +89,15 @@ def _keyframe(figure: Figure, key: Frame) -> dict[str, Any]:
         value = key.state[link.qpos if columns is None else columns].tolist()
         if link.kind is JointKind.FREE:
             axes = slice(link.qpos, link.qpos + 3)
-            if link is not first and (fixed or key.fixed[axes].any()):
-                raise UserError(f"a clip's file cannot pose '{link.name}', a second free body; write an .npz")
+            table = root if link is first else roots.setdefault(link.name, {})
             if key.fixed[axes].any():
                 pairs = zip(key.state[axes].tolist(), key.fixed[axes], strict=True)
-                root["position"] = [x if said else "free" for x, said in pairs]
+                table["position"] = [x if said else "free" for x, said in pairs]
             if fixed:
-                root["rotation"] = {"quat": value}
+                table["rotation"] = {"quat": value}
         elif fixed and columns is not None:
             joints[link.name] = {"quat": value}
         elif fixed:
             joints[link.name] = float(np.degrees(value)) if link.kind is JointKind.HINGE else value
-    names = [link.name for link in figure.links[1:] if link.name in joints]
-    if len(set(names)) < len(names):
-        raise UserError("several joints have no name of their own, so a clip's file cannot tell them apart")
-    said = {"root": root, "joints": joints}
+    said = {"root": root, "roots": {name: table for name, table in roots.items() if table}, "joints": joints}
     return {"time": float(key.time), **{name: table for name, table in said.items() if table}}

@@ -13,7 +13,9 @@ from solver.frame import Timeline
 from solver.penalty import (
     Bend,
     BendLimits,
+    Closed,
     Contact,
+    Coupled,
     CovariantAcceleration,
     Flight,
     Grounded,
@@ -35,6 +37,8 @@ from solver.penalty import (
     Torque,
     UnitMagnitude,
     body_points,
+    closures,
+    couplings,
     covering_points,
     flights,
     footings,
@@ -45,14 +49,16 @@ from solver.penalty import (
 )
 from solver.quaternion import Array
 from solver.surface import Box, Plane, Surface
+from solver.touch import bolted
 
 from .clip_table import ContactTable, PenaltyTable
 from .contacts import contacts
 from .errors import UserError, unknown
+from .feet import sole_points
 
 KINDS = (
     "covariant", "root", "unit", "contact", "clearance", "planted", "resting", "skate", "grounded", "posture", "bend",
-    "range", "self", "placement", "flight", "support", "peak", "torque",
+    "range", "coupled", "closed", "self", "placement", "flight", "support", "peak", "torque",
 )  # fmt: skip
 DEFAULT_WEIGHTS = {
     "covariant": 1.0,
@@ -67,6 +73,8 @@ DEFAULT_WEIGHTS = {
     "posture": 0.7,
     "bend": 1.0,
     "range": 1.0,
+    "coupled": 300.0,
+    "closed": 300.0,
     "placement": 30.0,
     "flight": 3.0,
     "support": 0.01,
@@ -75,7 +83,6 @@ DEFAULT_WEIGHTS = {
 CARRIED = ("flight", "support", "peak")  # on by default where keyframes tell what carries the figure
 ROOT_WEIGHT_CARRIED = 0.45  # of "root", which flight and support then know better
 KNEES, ELBOWS = ("knee", "shin"), ("elbow", "forearm", "farm")
-SOLES = ("heel", "toe")
 BEND_BOUND = 8.0  # degrees; 10° with room for a soft constraint
 OPTIONS = {
     "covariant": {"form"},
@@ -108,15 +115,16 @@ class Constraints:
         self.placed = placed
         model = figure.model
         self.sites = [model.site(i).name for i in range(model.nsite)]
-        self.points = site_points(figure, [s for s in self.sites if any(word in s.lower() for word in SOLES)])
+        whole = [figure.to_qpos(frame.state) for frame in keys.frames if frame.fixed.all()]
+        self.points = sole_points(figure, np.reshape(whole, (-1, figure.width)))
         self.bends = tuple(_bends(figure))
         self.contacts = contacts(figure, keys, tables, place)
         self.support: Support | None = None
         if not surfaces:
             notes.append("no static geom found: nothing to stay out of")
-        if not self.points:
-            notes.append("no site named heel or toe found: no contact points")
-        if not self.bends:
+        if not self.points and _is_free(figure):
+            notes.append("no feet found, nor a site named heel or toe: no contact points")
+        if not self.bends and figure.tables.ball_links.size:
             notes.append("no knee, shin, elbow or forearm on a ball joint found: no limits on bending")
 
     def all(self, entries: list[PenaltyTable]) -> tuple[tuple[Penalty, float], ...]:
@@ -135,10 +143,17 @@ class Constraints:
                 raise UserError(f"{place}: '{option}' is not for kind '{entry.kind}', which takes: {takes}")
             seen[entry.kind] = i
             chosen[entry.kind] = entry
-        for kind, given in (("placement", self.placed), ("resting", self.contacts.given)):
+        for kind, given in (
+            ("placement", self.placed),
+            ("resting", self.contacts.given),
+            ("coupled", couplings(self.figure)),
+            ("closed", closures(self.figure)),
+        ):
             if not given:
-                del chosen[kind]
-        if chosen["contact"].points is not None:
+                chosen.pop(kind, None)
+        for kind in self._senseless - seen.keys():
+            chosen.pop(kind, None)
+        if "contact" in seen and chosen["contact"].points is not None:
             self.points = self._sites(chosen["contact"].points)
         self.support = self._carried(chosen["flight"], "flight" in seen)
         told = self.support is not None and self.support.tells
@@ -151,6 +166,15 @@ class Constraints:
             chosen["root"] = PenaltyTable(kind="root", weight=ROOT_WEIGHT_CARRIED)
         built = [(self.one(entry), entry.weight) for entry in chosen.values()]
         return tuple((penalty, weight) for penalty, weight in built if weight > 0)
+
+    @property
+    def _senseless(self) -> set[str]:
+        """Kinds that have nothing to look at in this figure."""
+        tables = self.figure.tables
+        soles = set() if self.points else {"contact", "planted", "skate"}
+        afoot = set() if self.points or tables.free_links.size else {"grounded"}
+        quaternions = set() if tables.quaternion_links.size else {"unit"}
+        return soles | afoot | quaternions | (set() if self.bends else {"bend"})
 
     def one(self, entry: PenaltyTable) -> Penalty:
         try:
@@ -166,6 +190,10 @@ class Constraints:
             return Torque()
         if entry.kind == "range":
             return JointRange(joint_ranges(self.figure))
+        if entry.kind == "coupled":
+            return Coupled(couplings(self.figure))
+        if entry.kind == "closed":
+            return Closed(closures(self.figure))
         if entry.kind == "self":
             return SelfContact.of(self.figure, entry.margin or 0.0)
         if entry.kind == "clearance":
@@ -197,11 +225,23 @@ class Constraints:
         """The body's corners out of floors and steps, all of its skin out of whatever is round, thin or in the air."""
         ground = tuple(s for s in self.surfaces if isinstance(s, Plane) or (isinstance(s, Box) and s.buried))
         others = tuple(s for s in self.surfaces if all(s is not g for g in ground))
-        clear = Contact(body_points(self.figure), ground, margin, name="clearance").allowing(self.figure, self.keys)
+        clear = self._apart(body_points(self.figure), ground, margin)
         if not others:
-            return clear
-        skin = Contact(covering_points(self.figure), others, margin).allowing(self.figure, self.keys)
-        return Together((clear, skin), name="clearance")
+            return clear[0] if len(clear) == 1 else Together(clear, name="clearance")
+        skin = self._apart(covering_points(self.figure), others, margin)
+        return Together((*clear, *skin), name="clearance")
+
+    def _apart(self, points: tuple[Point, ...], surfaces: tuple[Surface, ...], margin: float) -> tuple[Contact, ...]:
+        """Points out of surfaces, each but those of links that are bolted to it."""
+        held = bolted_links(self.figure)
+        groups: dict[frozenset[int], list[Surface]] = {}
+        for surface in surfaces:
+            groups.setdefault(held.get(surface.name, frozenset()), []).append(surface)
+        found = [
+            Contact(tuple(p for p in points if p.link not in some), tuple(group), margin, name="clearance")
+            for some, group in groups.items()
+        ] or [Contact(points, surfaces, margin, name="clearance")]
+        return tuple(contact.allowing(self.figure, self.keys) for contact in found)
 
     @property
     def _found(self) -> tuple[Stance, ...]:
@@ -256,6 +296,20 @@ class Constraints:
                     raise UserError(f"{self.place}: penalty 'bend': {unknown('joint', name, known)}")
             self.bends = tuple(known[name] for name in entry.joints)
         return _limits(self.bends, entry).allowing(self.figure, self.keys)
+
+
+def _is_free(figure: Figure) -> bool:
+    """Whether it may move about on a ground."""
+    return bool(figure.tables.free_links.size)
+
+
+def bolted_links(figure: Figure) -> dict[str, frozenset[int]]:
+    """The links that are in a static geom by design, by the geom's name as surfaces have it."""
+    found: dict[str, set[int]] = {}
+    for body, geom in bolted(figure.model):
+        name = figure.model.geom(geom).name or f"geom {geom}"
+        found.setdefault(name, set()).add(int(figure.body_link[body]))
+    return {name: frozenset(links) for name, links in found.items()}
 
 
 def posing_bends(figure: Figure, entries: list[PenaltyTable]) -> BendLimits | None:

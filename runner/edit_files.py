@@ -132,7 +132,7 @@ def joined(transition: float) -> Edit:
 
     def both(saved: Sequence[Saved], teller: Teller) -> Saved:
         before, after = saved
-        if before.mjcf != after.mjcf:
+        if before.scene != after.scene:
             teller.say(f"note: the scene is that of '{before.name}'")
         return edits.joined(before, after, transition, teller)
 

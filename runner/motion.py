@@ -5,6 +5,7 @@ qpos (T, nq), qvel, qacc (T, nv)    unit and sign-continuous quaternions; MuJoCo
 raw_qpos, raw_qvel, raw_qacc        the same of the raw spline
 key_time (K,), key_qpos (K, nq), key_fixed (K, nq)
 frame_time (M,), frame_state (M, N), frame_fixed (M, N), end_slope (2, N), and raw_* of the same
+asset_names (A,), asset_0 … (B,) uint8  the files that the model refers to, by name; left out where there are none
 joint_names, body_names, mjcf, clip, trace, report, name, coordinates, ends, format_version
 """
 
@@ -14,11 +15,11 @@ import json
 import os
 import tempfile
 import zipfile
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import mujoco
 import numpy as np
 
 from solver import quaternion as quat
@@ -30,9 +31,10 @@ from solver.quaternion import Array
 from solver.spline import Path as Curve
 from solver.subdivision import path_of
 
+from .assets import Scene
 from .errors import UserError
 
-FORMAT_VERSION = 1
+FORMAT_VERSION = 2  # 1: without assets
 MOST_SAMPLES = 1_000_000
 NEEDED = (
     "format_version", "fps", "time", "qpos", "qvel", "qacc", "raw_qpos", "raw_qvel", "raw_qacc", "key_time", "key_qpos",
@@ -58,7 +60,7 @@ class Saved:
 
     name: str
     text: str
-    mjcf: str
+    scene: Scene
     figure: Figure
     fps: float
     keys: tuple[Frame, ...]
@@ -66,6 +68,11 @@ class Saved:
     raw: Timeline
     trace: list[Any]
     report: dict[str, Any]
+
+    @property
+    def mjcf(self) -> str:
+        """The complete MJCF text."""
+        return self.scene.mjcf
 
 
 def sampled(figure: Figure, timeline: Timeline, fps: float) -> Sampled:
@@ -137,8 +144,28 @@ def save(saved: Saved, target: Path) -> None:
         arrays[f"{prefix}frame_state"] = timeline.states
         arrays[f"{prefix}frame_fixed"] = timeline.fixed
         arrays[f"{prefix}end_slope"] = timeline.end_slope
+    arrays.update(asset_arrays(saved.scene))
     with Replacement(target) as temporary, temporary.open("wb") as stream:
         np.savez_compressed(stream, allow_pickle=False, **arrays)
+
+
+def asset_arrays(scene: Scene) -> dict[str, Any]:
+    """The files that a scene refers to, as arrays by name."""
+    if not scene.assets:
+        return {}
+    files = {f"asset_{i}": np.frombuffer(data, np.uint8) for i, data in enumerate(scene.assets.values())}
+    return {"asset_names": np.array(list(scene.assets)), **files}
+
+
+def assets_in(data: Mapping[str, Any]) -> dict[str, bytes]:
+    """The files by name; raises ValueError."""
+    names = data.get("asset_names", np.array([], str))
+    if names.ndim != 1 or names.dtype.kind != "U":
+        raise ValueError("'asset_names' is no list of names")
+    files = [data[f"asset_{i}"] for i in range(names.size)]
+    if any(file.dtype != np.uint8 for file in files):
+        raise ValueError("an asset is not of bytes")
+    return {str(name): file.tobytes() for name, file in zip(names, files, strict=True)}
 
 
 class Replacement:
@@ -254,7 +281,8 @@ def _check(saved: Saved, data: dict[str, Any]) -> None:
 
 
 def _restored(data: dict[str, Any]) -> Saved:
-    figure = Figure(mujoco.MjModel.from_xml_string(str(data["mjcf"])), str(data["coordinates"]))
+    scene = Scene(str(data["mjcf"]), assets_in(data))
+    figure = Figure(scene.model(), str(data["coordinates"]))
     keys = tuple(Frame.key(*row) for row in zip(data["key_time"], data["key_qpos"], data["key_fixed"], strict=True))
     ends = str(data["ends"])
     timelines = []
@@ -264,7 +292,7 @@ def _restored(data: dict[str, Any]) -> Saved:
     return Saved(
         name=str(data["name"]),
         text=str(data["clip"]),
-        mjcf=str(data["mjcf"]),
+        scene=scene,
         figure=figure,
         fps=float(data["fps"]),
         keys=keys,

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 
+from solver import touch
 from solver.quaternion import Array, Index
 
 NEAR = 0.02
@@ -42,13 +43,13 @@ class Penetration:
 
 
 def moving_geoms(model: mujoco.MjModel) -> list[int]:
-    """Geoms of bodies that move."""
-    return [g for g in range(model.ngeom) if model.body_weldid[model.geom_bodyid[g]] != 0]
+    """Geoms of bodies that move, those that count as solid."""
+    return touch.movers(model)
 
 
 def solid_geoms(model: mujoco.MjModel) -> list[int]:
     """Static geoms: the surfaces."""
-    return [g for g in range(model.ngeom) if model.body_weldid[model.geom_bodyid[g]] == 0]
+    return touch.solids(model)
 
 
 def geom_name(model: mujoco.MjModel, geom: int) -> str:
@@ -57,19 +58,21 @@ def geom_name(model: mujoco.MjModel, geom: int) -> str:
 
 
 def penetration(model: mujoco.MjModel, time: Array, qpos: Array) -> Penetration:
-    """The deepest penetration of every moving geom in every static one along qpos (T, nq)."""
+    """The deepest penetration of every moving geom in every static one along qpos (T, nq), but for what is bolted."""
     data = mujoco.MjData(model)
     movers, solids = np.array(moving_geoms(model), int), solid_geoms(model)
     depth, when = np.zeros(movers.size), np.full(movers.size, time[0])
     into = [""] * movers.size
     over_time = np.zeros(time.size)
     reach = model.geom_rbound[movers]
+    body = model.body_weldid[model.geom_bodyid[movers]]
+    apart = {solid: np.array([(int(b), solid) not in touch.bolted(model) for b in body], bool) for solid in solids}
     for i, q in enumerate(qpos):
         data.qpos[:] = q
         mujoco.mj_kinematics(model, data)
         for solid in solids:
             gap = _gap(model, data, solid, data.geom_xpos[movers]) - reach
-            for k in np.flatnonzero(gap < 0):
+            for k in np.flatnonzero((gap < 0) & apart[solid]):
                 distance = mujoco.mj_geomDistance(model, data, int(movers[k]), solid, NEAR, None)
                 over_time[i] = max(over_time[i], -distance)
                 if -distance > depth[k]:

@@ -37,7 +37,7 @@ class Wanted:
         model = figure.model
         bodies = [goal.body(model) for goal in self.goals]
         bodies += [figure.links[point.point.link].body for point in self.placed]
-        named = {link.name for link in figure.links if link.name in row.joints}
+        named = {link.name for link in figure.links if link.name in row.joints or link.name in row.roots}
         if row.root.model_fields_set:
             named |= {link.name for link in figure.links[1:] if link.kind is JointKind.FREE}
         limbs = {link for body in bodies for link in _limb(figure, body)}

@@ -22,7 +22,20 @@ from solver.frame import Mask, Timeline
 from solver.inbetween import Motion
 from solver.kinematics import Samples
 from solver.objective import Objective
-from solver.penalty import BendLimits, Contact, JointRange, Placement, SelfContact, joint_ranges, stances, within
+from solver.penalty import (
+    BendLimits,
+    Closed,
+    Contact,
+    Coupled,
+    JointRange,
+    Placement,
+    SelfContact,
+    closures,
+    couplings,
+    joint_ranges,
+    stances,
+    within,
+)
 from solver.quaternion import Array
 from solver.seam import Seam
 from solver.subdivision import by_weak_form, path_of
@@ -105,13 +118,14 @@ def _side(clip: Clip, objective: Objective, timeline: Timeline, grid: Grid) -> d
         "self-penetration, m": _self_report(clip, grid),
         "bends, degrees": _bend_report(clip, grid),
         "beyond joint range": _range_report(clip, grid),
+        "equality constraints": _equality_report(clip, grid),
         "skate": _skate(clip, grid),
         "stances": _stance_report(clip, timeline),
         "contacts": _contact_report(clip, timeline),
         "off their places, m": _placement_report(clip, timeline),
         "edge clearance, m": _edge_clearance(clip, grid),
         "unit deviation": _unit_deviation(grid),
-        "keyframe error": _keyframe_error(clip, timeline),
+        "keyframe error": keyframe_error(clip, timeline),
         **_seam(clip, timeline),
         "angular acceleration, rad/s²": _peak_acceleration(grid),
         "torque, N m": _torque(grid),
@@ -171,6 +185,21 @@ def _range_report(clip: Clip, grid: Grid) -> dict[str, Any]:
         "most": far if slides else float(np.degrees(far)),
         "unit": "m" if slides else "degrees",
     }
+
+
+def _equality_report(clip: Clip, grid: Grid) -> dict[str, Any]:
+    """How far joints are off what they follow, in degrees or metres, and points of closed loops apart, in metres."""
+    joined, loops = couplings(clip.figure), closures(clip.figure)
+    out: dict[str, Any] = {}
+    if joined:
+        away = np.abs(Coupled(joined).away(grid.samples)[0]).max(axis=1)
+        away = np.array([np.degrees(a) if c.unit == "degrees" else a for c, a in zip(joined, away, strict=True)])
+        worst = int(np.argmax(away))
+        out["coupled"] = {"joint": joined[worst].name, "most": float(away[worst]), "unit": joined[worst].unit}
+    if loops:
+        apart = np.linalg.norm(Closed(loops).apart(grid.samples), axis=0).max(axis=1)
+        out["closed"] = {"loop": loops[int(np.argmax(apart))].name, "most, m": float(apart.max())}
+    return out
 
 
 def _skate(clip: Clip, grid: Grid) -> dict[str, dict[str, float]]:
@@ -271,7 +300,7 @@ def _unit_deviation(grid: Grid) -> dict[str, float]:
     }
 
 
-def _keyframe_error(clip: Clip, timeline: Timeline) -> float:
+def keyframe_error(clip: Clip, timeline: Timeline) -> float:
     """Largest error of a fixed entry at its key time: the spline evaluated there and turned into qpos."""
     figure = clip.figure
     times = np.array([key.time for key in clip.keys])
@@ -460,6 +489,12 @@ def _lines(before: dict[str, Any], after: dict[str, Any]) -> list[tuple[str, str
         lines.append(row(f"{name}: backward / sideways / twist", *shown))
     if after["beyond joint range"]:
         lines.append(row("farthest beyond a joint's range", *(_beyond(s["beyond joint range"]) for s in sides)))
+    tied = [s.get("equality constraints", {}) for s in sides]
+    if "coupled" in tied[1]:
+        lines.append(row("farthest off what it follows", *(_beyond(found["coupled"]) for found in tied)))
+    if "closed" in tied[1]:
+        torn = (found["closed"] for found in tied)
+        lines.append(row("closed loops apart", *(f"{millimetres(f['most, m'])}, {f['loop']}" for f in torn)))
     for name in after["skate"]:
         skates = [s["skate"][name] for s in sides]
         lines.append(

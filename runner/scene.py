@@ -1,21 +1,27 @@
-"""Figure and stage become one MJCF text: sky, light and floor where the model brings none of its own, and obstacles."""
+"""Figure and stage become one model: sky, light and floor where the model brings none of its own, and obstacles."""
 
 from __future__ import annotations
 
 import contextlib
 import io
+import warnings
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import mujoco
+import numpy as np
 
 import models
 
+from .assets import Assets, Scene, taken_along
 from .errors import UserError, unknown
+from .framing import STANDING, is_of_people_size, rest_box, size_of
 from .obstacle import Obstacle
 
 PREFIX = "stage_"
+BURIED = 0.005  # [m] by which a bolted figure may go into the floor
+BELOW = 0.02  # of its size, how far below its lowest point a floor is put
 
 
 @dataclass(frozen=True)
@@ -35,7 +41,8 @@ def quietly() -> Iterator[None]:
     before = mujoco.get_mju_user_warning()
     mujoco.set_mju_user_warning(lambda _: None)
     try:
-        with contextlib.redirect_stdout(io.StringIO()):
+        with contextlib.redirect_stdout(io.StringIO()), warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of settings that MuJoCo will drop
             yield
     finally:
         mujoco.set_mju_user_warning(before)
@@ -57,21 +64,12 @@ def figure_spec(figure: str, folder: Path | None = None) -> mujoco.MjSpec:
         raise UserError(f"{figure}: MuJoCo cannot read it: {first_line(error)}") from None
 
 
-def check_files(spec: mujoco.MjSpec) -> None:
-    """Raises UserError for a model that is not all in its text: it must live on in the motion file."""
-    files = [mesh.file for mesh in spec.meshes if mesh.file] + [field.file for field in spec.hfields if field.file]
-    files += [file for texture in spec.textures for file in (texture.file, *texture.cubefiles) if file]
-    files += [skin.file for skin in spec.skins if skin.file]
-    if files:
-        raise UserError(f"the model refers to the file '{files[0]}': models with mesh or image files are not supported")
-
-
-def compose(spec: mujoco.MjSpec, step: Step | None = None, obstacles: Sequence[Obstacle] = ()) -> str:
-    """The complete MJCF text of a figure on its stage; from it alone the model is compiled from now on.
+def compose(spec: mujoco.MjSpec, step: Step | None = None, obstacles: Sequence[Obstacle] = ()) -> Scene:
+    """A figure on its stage, complete with the files it refers to; from it alone the model is compiled from now on.
 
     Without the model's own <keyframe> elements: MuJoCo writes them with few digits and leaves out some.
     """
-    check_files(spec)
+    assets = taken_along(spec)
     for key in list(spec.keys):
         spec.delete(key)
     has_floor = any(geom.type == mujoco.mjtGeom.mjGEOM_PLANE for geom in spec.geoms)
@@ -85,8 +83,15 @@ def compose(spec: mujoco.MjSpec, step: Step | None = None, obstacles: Sequence[O
         for texture in list(stage.textures):
             if texture.type == mujoco.mjtTexture.mjTEXTURE_SKYBOX:
                 stage.delete(texture)
+    bare = _compiled(spec, assets)
     if not has_light:
         spec.visual, spec.stat = stage.visual, stage.stat
+        if not is_of_people_size(bare):
+            spec.stat.extent *= size_of(bare) / STANDING
+    if not has_floor and not np.any(bare.jnt_type == int(mujoco.mjtJoint.mjJNT_FREE)):
+        low = float(rest_box(bare)[0][2])
+        if low < -BURIED:  # what hangs on the world may hang lower than its origin
+            stage.geom("floor").pos = [0.0, 0.0, low - BELOW * size_of(bare)]
     spec.visual.global_.offwidth = stage.visual.global_.offwidth
     spec.visual.global_.offheight = stage.visual.global_.offheight
     try:
@@ -102,10 +107,21 @@ def compose(spec: mujoco.MjSpec, step: Step | None = None, obstacles: Sequence[O
                 _add_step(spec, step)
             for obstacle in obstacles:
                 obstacle.add_to(spec, PREFIX + "step")
-            spec.compile()
-            return spec.to_xml()
+            _compiled(spec, assets)
+            return Scene(spec.to_xml(), assets)
     except ValueError as error:
         raise UserError(f"MuJoCo cannot compile the model with its stage: {first_line(error)}") from None
+
+
+def _compiled(spec: mujoco.MjSpec, assets: Assets) -> mujoco.MjModel:
+    spec.assets = dict(assets)
+    try:
+        with quietly():
+            return spec.compile()
+    except ValueError as error:
+        raise UserError(f"MuJoCo cannot compile the model: {first_line(error)}") from None
+    finally:
+        spec.assets = {}  # or MuJoCo warns of what is attached without any
 
 
 def _add_step(spec: mujoco.MjSpec, step: Step) -> None:

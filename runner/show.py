@@ -13,7 +13,9 @@ from solver.frame import Timeline
 from solver.quaternion import Array
 
 from . import layout
+from .assets import Scene
 from .camera import View, plan, still
+from .framing import height, middles
 from .ghost import Ghost
 from .graphics import Graphics
 from .motion import Saved, sampled
@@ -22,7 +24,6 @@ from .workers import in_order
 
 KEY_SECONDS = 0.5
 PIXELS_OF_A_PROCESS = 1_000_000  # rays draw so many in the time that a process takes to start, and some more
-STANDING = 2.05  # metres: a person with a hand raised over the head
 KEY_SHADE, VARIABLE_SHADE, BETWEEN_SHADE = 0.0, 0.45, 0.75
 KEY_OPACITY, VARIABLE_OPACITY, BETWEEN_OPACITY = 1.0, 0.55, 0.25
 
@@ -75,17 +76,12 @@ class Lens(TypedDict):
 
 def root_path(saved: Saved, qpos: Array) -> Array:
     """(T, 3) where the figure is: its free root, or the middle of its bodies for a fixed one."""
-    tables = saved.figure.tables
-    if tables.free_links.size:
-        return qpos[:, tables.position_columns[:, 0]]
-    return np.tile(saved.figure.model.stat.center, (len(qpos), 1))
+    return middles(saved.figure, qpos)
 
 
 def figure_height(saved: Saved) -> float:
     """How tall the figure is [m], for the camera's distance."""
-    if saved.figure.tables.free_links.size:
-        return STANDING
-    return float(2.2 * saved.figure.model.stat.extent)
+    return height(saved.figure, saved.figure.to_qpos(np.concatenate([saved.raw.states, saved.timeline.states])))
 
 
 def image_count(saved: Saved, look: Look, *, still_keys: bool = False) -> int:
@@ -106,14 +102,14 @@ def images(
     shots = _key_shots(saved, look) if keys else _moving_shots(saved, look)
     repeat = max(1, round(KEY_SECONDS * look.fps)) if keys and not still_keys else 1
     processes = max(1, min(workers, len(shots), len(shots) * look.width * look.height // PIXELS_OF_A_PROCESS))
-    stage = partial(_stage, saved.mjcf, look, graphics, len(shots[0].panes), max(1, workers // processes))
+    stage = partial(_stage, saved.scene, look, graphics, len(shots[0].panes), max(1, workers // processes))
     for image in in_order(stage, _drawn, shots, processes):
         for _ in range(repeat):
             yield image
 
 
-def _stage(mjcf: str, look: Look, graphics: Graphics, panes: int, threads: int) -> Stage:
-    return Stage(mjcf, look.width // panes, look.height, graphics, threads=threads)
+def _stage(scene: Scene, look: Look, graphics: Graphics, panes: int, threads: int) -> Stage:
+    return Stage(scene, look.width // panes, look.height, graphics, threads=threads)
 
 
 def _drawn(stage: Stage, shot: Shot) -> Picture:
@@ -190,5 +186,5 @@ def figure_six(saved: Saved, look: Look, graphics: Graphics, *, workers: int = 1
         ghosts = []
     ghosts += [Ghost(q, shade=KEY_SHADE, opacity=KEY_OPACITY) for q in qpos[own]]
     view = still(root_path(saved, qpos), look.width / look.height, look.camera, **_lens(saved))
-    with _stage(saved.mjcf, look, graphics, 1, workers) as stage:
+    with _stage(saved.scene, look, graphics, 1, workers) as stage:
         return stage.picture(None, view, ghosts=ghosts)

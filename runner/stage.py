@@ -10,6 +10,7 @@ import mujoco
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from .assets import Scene
 from .camera import View
 from .ghost import Ghost
 from .graphics import Graphics
@@ -29,17 +30,17 @@ class Painter(Protocol):
 class Stage:
     """A scene that takes pictures of its figure.
 
-        with Stage(mjcf_text, 1280, 720, choose()) as stage:
+        with Stage(scene, 1280, 720, choose()) as stage:
             image = stage.picture(qpos, view)
 
     Call `graphics.choose` before anything imports mujoco, this file included.
     """
 
-    def __init__(self, mjcf_text: str, width: int, height: int, graphics: Graphics, *, threads: int = 0) -> None:
-        """mjcf_text  the model; width, height  of the pictures [pixels]; threads  for rays, 0 for one a core."""
+    def __init__(self, scene: Scene, width: int, height: int, graphics: Graphics, *, threads: int = 0) -> None:
+        """scene  the model; width, height  of the pictures [pixels]; threads  for rays, 0 for one a core."""
         if width < 1 or height < 1:
             raise ValueError(f"a picture of {width}x{height} pixels; both must be at least 1")
-        spec = mujoco.MjSpec.from_string(mjcf_text)
+        spec = scene.spec()
         self.model = spec.compile()
         flat = self.model.geom_type == int(mujoco.mjtGeom.mjGEOM_PLANE)
         self.model.geom_castshadow[flat] = 0  # a floor's own shadow is only specks of rounding on it

@@ -64,7 +64,7 @@ class Solved:
                 teller.step("measuring", 1.0, force=True)
         trace = [list(entry) for entry in motion.trace]
         return Saved(
-            clip.name, clip.text, clip.mjcf, clip.figure, clip.fps, clip.keys, motion.timeline, motion.raw, trace, data
+            clip.name, clip.text, clip.scene, clip.figure, clip.fps, clip.keys, motion.timeline, motion.raw, trace, data
         )
 
 

@@ -2,9 +2,10 @@
 
 MuJoCo's qpos and the state have the same columns. They differ in what a quaternion means:
 
-    coordinates "world"   every quaternion is its body's orientation in the world (§5 and appendix A of the paper);
-                          for figures of free and ball joints only
-    coordinates "joint"   qpos itself: the rotation of a ball joint is relative to the parent; hinges and slides welcome
+    coordinates "world"   a quaternion is its body's orientation in the world (§5 and appendix A of the paper) wherever
+                          only free and ball joints lie between the body and the world; below a hinge or a slide it is
+                          the joint's, relative to the parent
+    coordinates "joint"   qpos itself: the rotation of every ball joint is relative to the parent
 
 A body with several joints becomes as many links, the first ones without mass; bodies welded to a link add to its mass.
 Link 0 is the world.
@@ -20,6 +21,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import quaternion as quat
+from .frame import Mask
 from .quaternion import Array, Index
 
 WEIGHTLESS = int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
@@ -75,7 +77,7 @@ class Figure:
     """A jointed figure: links, the columns of its state, and the two ways between state and qpos.
 
     model        the MuJoCo model, source of every number
-    coordinates  "world" or "joint"
+    coordinates  "world" or "joint"; "auto" becomes "world" where that makes a difference
     """
 
     model: mujoco.MjModel
@@ -87,18 +89,17 @@ class Figure:
     tables: Tables = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
-        kinds = {int(k) for k in self.model.jnt_type}
-        rotations_only = kinds <= {JointKind.FREE, JointKind.BALL}
-        wanted = self.coordinates
-        if wanted == "auto":
-            object.__setattr__(self, "coordinates", "world" if rotations_only else "joint")
-        elif wanted not in ("world", "joint"):
-            raise FigureError(f"coordinates = {wanted!r}: not one of 'auto', 'world', 'joint'")
-        elif wanted == "world" and not rotations_only:
-            raise FigureError("world coordinates need a figure of free and ball joints only; use coordinates = 'joint'")
+        if self.coordinates not in ("auto", "world", "joint"):
+            raise FigureError(f"coordinates = {self.coordinates!r}: not one of 'auto', 'world', 'joint'")
         if self.model.njnt == 0:
             raise FigureError("the model has no joints: nothing can move")
+        if self.model.nflex:
+            raise FigureError(f"the model has a flex, '{self.model.flex(0).name}': soft bodies are not for keyframes")
         links, body_link, body_offset, body_turn = _links(self.model)
+        if self.coordinates == "auto":
+            turning = {link.kind for link in links[1:]} <= {JointKind.FREE, JointKind.BALL}
+            balls = any(link.kind is JointKind.BALL and up for link, up in zip(links, _upright(links), strict=True))
+            object.__setattr__(self, "coordinates", "world" if turning or balls else "joint")
         object.__setattr__(self, "links", links)
         object.__setattr__(self, "body_link", body_link)
         object.__setattr__(self, "body_offset", body_offset)
@@ -112,7 +113,8 @@ class Figure:
 
     @property
     def is_world(self) -> bool:
-        return self.coordinates == "world"
+        """Whether the state's quaternions are the orientations of all links in the world, one each."""
+        return self.tables.all_in_world
 
     @property
     def gravity(self) -> Array:
@@ -123,12 +125,12 @@ class Figure:
     def to_state(self, qpos: ArrayLike) -> Array:
         """State (..., N) of MuJoCo configurations qpos (..., nq); quaternions become unit."""
         state = np.array(qpos, float)
-        for link in self.links[1:]:
+        for i, link in enumerate(self.links[1:], start=1):
             columns = quaternion_columns(link)
             if columns is None:
                 continue
             relative = quat.normalised(state[..., columns])
-            if self.is_world and link.kind is JointKind.BALL:
+            if self.tables.in_world[i] and link.kind is JointKind.BALL:
                 relative = quat.product(self._joint_base(state, link), relative)
             state[..., columns] = relative
         return state
@@ -137,12 +139,12 @@ class Figure:
         """MuJoCo configurations (..., nq), unit quaternions, of states (..., N) with quaternions of any length."""
         state = np.asarray(state, float)
         qpos = state.copy()
-        for link in self.links[1:]:
+        for i, link in enumerate(self.links[1:], start=1):
             columns = quaternion_columns(link)
             if columns is None:
                 continue
             own = state[..., columns]
-            if self.is_world and link.kind is JointKind.BALL:
+            if self.tables.in_world[i] and link.kind is JointKind.BALL:
                 own = quat.product(quat.inverse(self._joint_base(state, link)), own)
             qpos[..., columns] = quat.normalised(own)
         return qpos
@@ -157,13 +159,9 @@ class Figure:
 
     def link_named(self, name: str) -> int | None:
         """Index of the link that a joint or a body of this name moves, or None."""
-        for kind in (mujoco.mjtObj.mjOBJ_JOINT, mujoco.mjtObj.mjOBJ_BODY):
-            found = mujoco.mj_name2id(self.model, kind, name)
-            if found >= 0 and kind == mujoco.mjtObj.mjOBJ_JOINT:
-                return next(i for i, link in enumerate(self.links) if link.joint == found)
-            if found > 0:
-                return int(self.body_link[found])
-        return None
+        own = next((i for i, link in enumerate(self.links) if i and link.name == name), None)
+        body = mujoco.mj_name2id(self.model, mujoco.mjtObj.mjOBJ_BODY, name)
+        return int(self.body_link[body]) if own is None and body > 0 else own
 
     def point_on_link(self, body: int, position: ArrayLike) -> tuple[int, Array]:
         """A point given in a body's frame (3,) [m], as (link, position in the link's frame)."""
@@ -186,6 +184,32 @@ WORLD_LINK = Link(
 )  # fmt: skip
 
 
+def _upright(links: tuple[Link, ...]) -> Mask:
+    """(L,) which links are turned by free and ball joints alone from the world on: a quaternion can be their own."""
+    out = np.ones(len(links), bool)
+    for i, link in enumerate(links[1:], start=1):
+        out[i] = link.kind is JointKind.FREE or (link.kind is JointKind.BALL and out[link.parent])
+    return out
+
+
+def joint_names(model: mujoco.MjModel) -> list[str]:
+    """What every joint is called: by its own name, else its body's; of several that have none, `body_1` and so on.
+
+    A name that is taken already gives way to the joint's number.
+    """
+    own = [model.joint(i).name for i in range(model.njnt)]
+    taken = set(own)
+    for body in range(model.nbody):
+        first = int(model.body_jntadr[body])
+        nameless = [j for j in range(first, first + int(model.body_jntnum[body])) if not own[j]]
+        called = model.body(body).name
+        for number, joint in enumerate(nameless, start=1):
+            name = called if len(nameless) == 1 else f"{called}_{number}"
+            own[joint] = name if called and name not in taken else f"joint {joint}"
+            taken.add(own[joint])
+    return own
+
+
 def _links(model: mujoco.MjModel) -> tuple[tuple[Link, ...], Index, Array, Array]:
     """Links in MuJoCo's depth-first order, and each body's link with its place in it."""
     rows: list[dict] = [WORLD_LINK.__dict__]
@@ -194,6 +218,7 @@ def _links(model: mujoco.MjModel) -> tuple[tuple[Link, ...], Index, Array, Array
     body_turn = np.zeros((model.nbody, 4))
     body_turn[0, 0] = 1.0
     loads: list[list[tuple[float, Array, Array]]] = [[]]
+    names = joint_names(model)
     for body in range(1, model.nbody):
         parent = int(model.body_parentid[body])
         link = int(body_link[parent])
@@ -204,7 +229,7 @@ def _links(model: mujoco.MjModel) -> tuple[tuple[Link, ...], Index, Array, Array
             place = np.zeros(3) if kind is JointKind.FREE else np.array(model.jnt_pos[joint])
             rows.append(
                 {
-                    "name": model.joint(joint).name or model.body(body).name or f"joint {joint}",
+                    "name": names[joint],
                     "kind": kind,
                     "parent": link,
                     "joint": joint,
@@ -252,6 +277,8 @@ def _composite(load: list[tuple[float, Array, Array]]) -> tuple[float, Array, Ar
 class Tables:
     """The links' constants as arrays for the batched sweeps; vectors are (3, L), L links with the world first.
 
+    in_world            (L,) whose quaternion in the state, if any, is the link's orientation in the world
+    all_in_world        whether all links have one
     quaternion_columns  (4, n) state columns of the n quaternion blocks, in the order of `quaternion_links` (n,)
     quaternion_slice    the same columns as one run, block after block, or None where others stand between
     free_links, position_columns   links with a free joint (f,) and their columns of position (3, f)
@@ -260,9 +287,11 @@ class Tables:
     path                (L, L) 1 where a link lies on the way from the root to another (row: the other), itself included
     beyond              (L, L) its transpose
     steps, arms         (L, 3 L) each link's offset at its parent's columns, its centre of mass at its own; all x first
-    levels              links by depth from the world on, free ones left out
+    levels              links by depth from the world on, those left out whose orientation is in the state
     """
 
+    in_world: Mask
+    all_in_world: bool
     quaternion_columns: Index
     quaternion_slice: slice | None
     quaternion_links: Index
@@ -316,7 +345,12 @@ class Tables:
         offset = np.array([np.zeros(3) if link.kind is JointKind.FREE else link.offset for link in links]).T
         centre = np.array([link.centre for link in links]).T
         blocks = columns(balls, 0, 4, free_shift=3)
+        in_world = _upright(links)
+        if figure.coordinates == "joint":
+            in_world &= np.array([link.kind is JointKind.FREE for link in links])
         return cls(
+            in_world=in_world,
+            all_in_world=bool(in_world.all()),
             quaternion_columns=blocks,
             quaternion_slice=_run(blocks.T.ravel()),
             quaternion_links=balls,
@@ -337,7 +371,7 @@ class Tables:
             axis=np.array([link.axis for link in links]).T,
             turn=turns.T,
             reference=np.array([link.reference for link in links]),
-            levels=tuple(np.setdiff1d(np.flatnonzero(depth == k), free) for k in range(1, depth.max() + 1)),
+            levels=tuple(np.flatnonzero((depth == k) & ~in_world) for k in range(1, depth.max() + 1)),
             mass=np.array([link.mass for link in links]),
             centre=centre,
             inertia=np.moveaxis(np.array([link.inertia for link in links]), 0, -1),

@@ -61,7 +61,7 @@ def _carried(figure: Figure, coordinates: str) -> Mask:
     found = []
     for i in figure.tables.quaternion_links:
         link = figure.links[i]
-        while coordinates == "world" and link.parent:
+        while coordinates == "world" and figure.tables.in_world[i] and link.parent:
             link = figure.links[link.parent]
         found.append(link.kind is JointKind.FREE)
     return np.array(found, bool)

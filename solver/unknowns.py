@@ -87,7 +87,7 @@ class Unknowns:
         start = rows.reshape(-1)[place]
         constant = np.where(loose, 0.0, rows)
         ties = _Ties(constant, place)
-        if figure.is_world:
+        if figure.tables.in_world[figure.tables.ball_links].any():
             for i in np.flatnonzero(loose.any(axis=1) & ~loose.all(axis=1)):
                 ties.turn(figure, timeline.frames[i], int(i))
         if timeline.ends == "periodic":
@@ -149,10 +149,10 @@ class _Ties:
 
     def turn(self, figure: Figure, frame: Frame, row: int) -> None:
         """child = parent ⊗ relative for the fixed joints of a partial keyframe, parents before children."""
-        for link in figure.links[1:]:
-            columns = quaternion_columns(link)
-            parent = quaternion_columns(figure.links[link.parent])
-            if link.kind is not JointKind.BALL or columns is None or parent is None or not frame.fixed[columns].all():
+        for joint in figure.tables.ball_links[figure.tables.in_world[figure.tables.ball_links]]:
+            link = figure.links[joint]
+            columns, parent = quaternion_columns(link), quaternion_columns(figure.links[link.parent])
+            if columns is None or parent is None or not frame.fixed[columns].all():
                 continue
             entries, unknowns, factors = self._of(row, row + 1)
             above = entries % self.width - parent.start
@@ -314,7 +314,7 @@ def _where(figure: Figure, column: int, offset: Array) -> str:
 def _bases(figure: Figure, states: Array, link: Link) -> Array:
     """(K, 4): what a joint's relative rotation is multiplied onto from the left in the figure's coordinates."""
     identity = np.tile([1.0, 0, 0, 0], (len(states), 1))
-    if not figure.is_world or link.kind is JointKind.FREE:
+    if link.kind is JointKind.FREE or not figure.tables.in_world[link.joint + 1]:
         return identity
     parent = quaternion_columns(figure.links[link.parent])
     return quat.product(identity if parent is None else states[:, parent], link.turn)

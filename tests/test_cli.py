@@ -380,9 +380,6 @@ BAD_CLIPS = {
     "a root for a figure that has none": (
         'figure = "hinge.xml"\n[[keyframe]]\ntime = 0\nroot.position = [0, 0, 0]\n[[keyframe]]\ntime = 1\n',
         ["keyframe 1", "no free joint"]),
-    "world coordinates of hinges": (
-        'figure = "hinge.xml"\nsolve.coordinates = "world"\n[[keyframe]]\ntime = 0\n[[keyframe]]\ntime = 1\n',
-        ["free and ball joints only"]),
     "malformed TOML": ("figure = = 3\n", ["not valid TOML", "line 1"]),
     "an open string": ('figure = "tiny.xml\n', ["not valid TOML", "line 1"]),
     "a key twice": ("fps = 3\n" + CLIP, ["not valid TOML"]),

@@ -200,10 +200,15 @@ def test_what_was_looked_for_and_not_found_is_one_line_each(tmp_path):
     figure = FIGURE.replace("left_knee", "hip").replace("left_shin", "thigh").replace("left_toe", "tip")
     (tmp_path / "tiny.xml").write_text(figure, encoding="utf-8")
     notes = clip.load(str(tmp_path / "tiny.toml")).notes
+    assert len(notes) == 1
+    assert "knee" in notes[0]
+    (tmp_path / "tiny.xml").write_text(
+        figure.replace("0 0 -.3", "0 0 .3").replace('pos="0 0 -.2"', 'pos="0 0 .2"'), encoding="utf-8"
+    )
+    notes = clip.load(str(tmp_path / "tiny.toml")).notes
     assert len(notes) == 2
     assert all("\n" not in note for note in notes)
     assert "heel or toe" in notes[0]
-    assert "knee" in notes[1]
 
 
 def test_a_site_named_by_the_clip_must_be_there(tmp_path):
@@ -353,14 +358,16 @@ def test_the_first_keyframe_has_nothing_to_hold():
         clip.from_text(OTHERS.replace('"rest"', '"hold"'), name="others")
 
 
-def test_joints_without_names_of_their_own_cannot_be_told_apart(tmp_path):
+def test_joints_without_names_of_their_own_go_by_their_bodys_and_a_number(tmp_path):
     (tmp_path / "two.xml").write_text(
         '<mujoco><worldbody><body name="a"><joint type="hinge" axis="1 0 0"/><joint type="hinge" axis="0 1 0"/>'
         '<geom size=".1"/></body></worldbody></mujoco>'
     )
-    keys = "".join(f"[[keyframe]]\ntime = {t}\njoints.a = 30\n" for t in (0, 1))
-    with pytest.raises(UserError, match="several joints of 'a'"):
-        clip.from_text('figure = "two.xml"\n' + keys, name="two", folder=tmp_path)
+    keys = "".join(f"[[keyframe]]\ntime = {t}\njoints.a_1 = 30\njoints.a_2 = {t}\n" for t in (0, 1))
+    problem = clip.from_text('figure = "two.xml"\n' + keys, name="two", folder=tmp_path)
+    np.testing.assert_allclose(problem.keys[1].state, np.radians([30, 1]))
+    with pytest.raises(UserError, match=r"no joint 'a'.*a_1, a_2"):
+        clip.from_text('figure = "two.xml"\n' + keys.replace("a_1", "a"), name="two", folder=tmp_path)
 
 
 HOVER = """

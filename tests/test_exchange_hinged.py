@@ -9,6 +9,7 @@ import wild
 from conftest import BALL_TREE
 from scipy.spatial.transform import Rotation
 
+from runner.assets import Scene
 from runner.errors import UserError
 from runner.exchange.hinged import Hinged, Layout, angles, rates, rotation_of
 from runner.exchange.take import Take
@@ -100,10 +101,10 @@ def test_a_joint_near_the_lock_is_told_and_one_far_off_is_not():
     layout = Layout(model)
     at = int(model.jnt_qposadr[model.joint("elbow").id])
     qpos[1, at : at + 4] = quat.from_rotation_vector(np.radians([0, 0, 85]))
-    found = Hinged.of(model, BALL_TREE, qpos, np.zeros((3, model.nv))).warning(np.array([0, 0.5, 1]))
+    found = Hinged.of(model, Scene(BALL_TREE), qpos, np.zeros((3, model.nv))).warning(np.array([0, 0.5, 1]))
     assert found is not None and found.startswith("'elbow' comes within 5° of gimbal lock at 0.50 s")
     qpos[1, at : at + 4] = quat.from_rotation_vector(np.radians([170, 0, 0]))
-    assert Hinged.of(model, BALL_TREE, qpos, np.zeros((3, model.nv))).warning(np.arange(3.0)) is None
+    assert Hinged.of(model, Scene(BALL_TREE), qpos, np.zeros((3, model.nv))).warning(np.arange(3.0)) is None
     assert layout.balls == [1, 2, 3]
 
 

@@ -68,7 +68,7 @@ def test_shapes_and_names_fit_the_model(arrays, saved):
     assert arrays["joint_names"].tolist() == ["root", "left_knee"]
     assert arrays["body_names"].tolist() == ["world", "pelvis", "left_shin"]
     assert arrays["fps"] == 20
-    assert arrays["format_version"] == 1
+    assert arrays["format_version"] == 2
     assert {array.dtype.kind for array in arrays.values()} <= set("fiubU")
 
 
@@ -215,7 +215,7 @@ def test_a_target_that_cannot_be_written_is_told_before_the_work(tmp_path: Path)
     ("changes", "words"),
     [
         ({"qacc": None}, "no 'qacc'"),
-        ({"format_version": 2}, "format 2"),
+        ({"format_version": 3}, "format 3"),
         ({"format_version": "one"}, "format_version"),
         ({"format_version": np.ones(3, int)}, "format_version"),
         ({"fps": 0.0}, "fps is 0"),

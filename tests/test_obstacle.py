@@ -123,7 +123,7 @@ def test_meshes_and_height_fields_written_in_the_model_live_on_in_the_clips_text
       <worldbody><geom name="m" type="mesh" mesh="m" pos="1 2 3"/><geom name="h" type="hfield" hfield="h"/>"""
     text = FIGURE.replace("<worldbody>", assets, 1)
     before = mujoco.MjModel.from_xml_string(text)
-    after = mujoco.MjModel.from_xml_string(compose(mujoco.MjSpec.from_string(text)))
+    after = compose(mujoco.MjSpec.from_string(text)).model()
     np.testing.assert_allclose(after.hfield_data, before.hfield_data, atol=1e-6)
     np.testing.assert_allclose(after.geom("m").pos, before.geom("m").pos, atol=1e-6)
     np.testing.assert_allclose(after.mesh_vert, before.mesh_vert, atol=1e-6)

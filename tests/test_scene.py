@@ -20,7 +20,7 @@ def spec_of(text: str) -> mujoco.MjSpec:
 
 
 def composed(text: str, step: Step | None = None) -> mujoco.MjModel:
-    return mujoco.MjModel.from_xml_string(compose(spec_of(text), step))
+    return compose(spec_of(text), step).model()
 
 
 def named(model: mujoco.MjModel, kind: str) -> set[str]:
@@ -94,8 +94,8 @@ def test_a_figure_whose_names_are_the_stages_is_refused_in_one_line():
         '<texture name="t" type="cube" fileup="u.png"/>',
     ],
 )
-def test_a_model_that_needs_other_files_is_refused(asset):
-    with pytest.raises(UserError, match=r"refers to the file '\w\.\w+'"):
+def test_a_file_that_is_not_there_is_told(asset):
+    with pytest.raises(UserError, match=r"refers to the file '\w\.\w+', which is not there"):
         compose(spec_of(FIGURE.replace("<worldbody>", f"<asset>{asset}</asset><worldbody>", 1)))
 
 
@@ -150,9 +150,6 @@ def test_mujocos_warnings_leave_no_log_and_no_words(tmp_path, monkeypatch, capfd
 
 def test_a_model_that_has_its_stage_already_is_composed_as_it_is():
     once = compose(figure_spec("human"), Step(1.0, 0.3))
-    twice = compose(mujoco.MjSpec.from_string(once))
-    counts = [
-        [getattr(mujoco.MjModel.from_xml_string(text), name) for name in ("ngeom", "nmat", "ntex", "nlight")]
-        for text in (once, twice)
-    ]
+    twice = compose(once.spec())
+    counts = [[getattr(scene.model(), name) for name in ("ngeom", "nmat", "ntex", "nlight")] for scene in (once, twice)]
     assert counts[0] == counts[1]

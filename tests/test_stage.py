@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from runner.assets import Scene
 from runner.camera import View
 from runner.ghost import Ghost
 from runner.graphics import Graphics, choose
@@ -48,27 +49,27 @@ def redness(image: np.ndarray) -> np.ndarray:
 
 
 def test_a_picture_has_the_size_and_type_that_were_asked_for(graphics: Graphics):
-    with Stage(SCENE, 96, 64, graphics) as stage:
+    with Stage(Scene(SCENE), 96, 64, graphics) as stage:
         image = stage.picture(HERE, SIDE)
     assert image.shape == (64, 96, 3)
     assert image.dtype == np.uint8
 
 
 def test_the_figure_stands_where_its_state_says(graphics: Graphics):
-    with Stage(SCENE, 96, 64, graphics) as stage:
+    with Stage(Scene(SCENE), 96, 64, graphics) as stage:
         left, right = (stage.picture(moved(x), SIDE) for x in (-1, 1))
     assert np.nonzero(redness(left) > 40)[1].mean() < 40
     assert np.nonzero(redness(right) > 40)[1].mean() > 56
 
 
 def test_a_picture_without_a_main_figure_shows_the_scene_alone(graphics: Graphics):
-    with Stage(SCENE, 96, 64, graphics) as stage:
+    with Stage(Scene(SCENE), 96, 64, graphics) as stage:
         assert redness(stage.picture(None, SIDE)).max() < 30
 
 
 def test_ghosts_are_drawn_beside_the_main_figure_in_their_shade(graphics: Graphics):
     ghosts = [Ghost(moved(x), 0.7) for x in (-1.2, 1.2)]
-    with Stage(SCENE, 96, 64, graphics) as stage:
+    with Stage(Scene(SCENE), 96, 64, graphics) as stage:
         image = stage.picture(HERE, SIDE, ghosts=ghosts)
     row = image[26:34].mean(axis=0)
     ghost, main = row[24:30].mean(axis=0), row[45:51].mean(axis=0)
@@ -76,12 +77,12 @@ def test_ghosts_are_drawn_beside_the_main_figure_in_their_shade(graphics: Graphi
 
 
 def test_ghosts_alone_make_a_picture(graphics: Graphics):
-    with Stage(SCENE, 96, 64, graphics) as stage:
+    with Stage(Scene(SCENE), 96, 64, graphics) as stage:
         assert redness(stage.picture(None, SIDE, ghosts=[Ghost(HERE)])).max() > 40
 
 
 def test_a_translucent_ghost_lets_the_background_through(graphics: Graphics):
-    with Stage(SCENE, 96, 64, graphics) as stage:
+    with Stage(Scene(SCENE), 96, 64, graphics) as stage:
         bare = stage.picture(None, SIDE)[30, 48].astype(float)
         full, half = (
             stage.picture(None, SIDE, ghosts=[Ghost(HERE, 0, alpha)])[30, 48].astype(float) for alpha in (1.0, 0.5)
@@ -90,7 +91,7 @@ def test_a_translucent_ghost_lets_the_background_through(graphics: Graphics):
 
 
 def test_a_camera_of_the_model_can_be_looked_through(graphics: Graphics):
-    with Stage(SCENE, 96, 64, graphics) as stage:
+    with Stage(Scene(SCENE), 96, 64, graphics) as stage:
         image = stage.picture(HERE, View((0.0, 0.0, 0.0), 1.0, 0.0, 0.0, fixed="high"))
         assert stage.cameras == ("high",)
     assert np.nonzero(redness(image) > 40)[1].mean() == pytest.approx(47.5, abs=2)
@@ -99,32 +100,32 @@ def test_a_camera_of_the_model_can_be_looked_through(graphics: Graphics):
 def test_both_renderers_agree_about_where_things_are(gl: Graphics):
     pictures = []
     for graphics in (gl, RAYS):
-        with Stage(SCENE, 192, 128, graphics) as stage:
+        with Stage(Scene(SCENE), 192, 128, graphics) as stage:
             pictures.append(redness(stage.picture(moved(0.7, 0.3, 0.2), SIDE)) > 40)
     assert (pictures[0] != pictures[1]).sum() < 0.12 * pictures[0].sum()
 
 
 def test_a_picture_larger_than_the_model_foresees_is_drawn(gl: Graphics):
-    with Stage(SCENE, 700, 500, gl) as stage:
+    with Stage(Scene(SCENE), 700, 500, gl) as stage:
         assert stage.picture(HERE, SIDE).shape == (500, 700, 3)
 
 
 def test_shadows_follow_the_camera(gl: Graphics):
     far = moved(60)
     view = View((60.0, 0.0, 0.0), 6.0, 90.0, -60.0)
-    with Stage(SCENE, 96, 64, gl) as stage:
+    with Stage(Scene(SCENE), 96, 64, gl) as stage:
         bare, drawn = stage.picture(None, view).astype(int), stage.picture(far, view).astype(int)
     assert ((bare - drawn).min(axis=-1) > 30).sum() > 20
 
 
 def test_a_state_of_the_wrong_length_is_refused():
-    with Stage(SCENE, 32, 32, RAYS) as stage, pytest.raises(ValueError, match=r"this model's is \(7,\)"):
+    with Stage(Scene(SCENE), 32, 32, RAYS) as stage, pytest.raises(ValueError, match=r"this model's is \(7,\)"):
         stage.picture(np.zeros(3), SIDE)
 
 
 def test_an_unknown_camera_lists_those_there_are():
     view = View((0.0, 0.0, 0.0), 1.0, 0.0, 0.0, fixed="low")
-    with Stage(SCENE, 32, 32, RAYS) as stage, pytest.raises(ValueError, match=r"no camera 'low'; .*: high"):
+    with Stage(Scene(SCENE), 32, 32, RAYS) as stage, pytest.raises(ValueError, match=r"no camera 'low'; .*: high"):
         stage.picture(HERE, view)
 
 

@@ -18,7 +18,9 @@ import numpy as np
 
 from solver.quaternion import Array
 
+from ..assets import Scene
 from ..errors import UserError
+from ..motion import asset_arrays, assets_in
 from ..scene import first_line, quietly
 from .held import Held, held, names_in, times
 from .robot import needs_figure
@@ -40,6 +42,7 @@ def write(take: Take, path: Path) -> None:
             joint_names=np.array([model.joint(i).name for i in range(model.njnt)]),
             body_names=np.array([model.body(i).name for i in range(model.nbody)]),
             mjcf=np.array(take.saved.mjcf),
+            **asset_arrays(take.saved.scene),
         )
 
 
@@ -56,7 +59,11 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
         if "mjcf" not in found:
             raise UserError(f"{path}: it has no 'mjcf', the figure; give --figure")
         mjcf = str(found.of("mjcf"))
-    figure = _compiled(mjcf, path) if mjcf is not None else needs_figure(model, path)
+    try:
+        assets = assets_in(found.entries)
+    except (ValueError, KeyError) as error:
+        raise UserError(f"{path}: the files of its figure: {error}") from None
+    figure = _compiled(Scene(mjcf, assets), path) if mjcf is not None else needs_figure(model, path)
     names = [figure.joint(i).name for i in range(figure.njnt)]
     if "joint_names" in found and found.texts("joint_names") != names:
         raise UserError(
@@ -64,7 +71,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
         )
     qpos = found.numbers("qpos", "samples", figure.nq)
     rate = found.rate("fps") if "fps" in found else fps
-    return Recording(_time(found, len(qpos), rate), qpos, mjcf, fps=rate)
+    return Recording(_time(found, len(qpos), rate), qpos, mjcf, fps=rate, assets=assets)
 
 
 def _time(found: Held, count: int, fps: float | None) -> Array:
@@ -75,9 +82,9 @@ def _time(found: Held, count: int, fps: float | None) -> Array:
     return times(count, fps)
 
 
-def _compiled(mjcf: str, path: Path) -> mujoco.MjModel:
+def _compiled(scene: Scene, path: Path) -> mujoco.MjModel:
     try:
         with quietly():
-            return mujoco.MjModel.from_xml_string(mjcf)
+            return scene.model()
     except ValueError as error:
         raise UserError(f"{path}: MuJoCo cannot compile its 'mjcf': {first_line(error)}") from None

@@ -21,8 +21,8 @@ class Format:
 
     The module has `write(take, path)` if others can read what we write, and `read(path, model, fps)`, which gives a
     Recording, if we can read what others write; model is None where the user named no figure. Both raise UserError.
-    It may have `beside(take)`, texts by the ending of the file, beside the motion's, that receives it (the hinge model
-    that a motion is for), and `recognises(path)`, for endings that several formats share.
+    It may have `beside(take)`, what is to lie beside the motion's file (the hinge model that it is for), by its ending
+    or, where it does not begin with a dot, its name; and `recognises(path)`, for endings that several formats share.
     also   endings of the same format that are read
     scales the files do not say their unit of length: `read` takes `scale` [m], None to guess
     extra  of `pip install 'dynamic-splines[...]'`, where the format needs more than the main job
@@ -98,9 +98,9 @@ def export(
     with Replacement(target) as temporary:
         module.write(take, temporary)
     for ending, text in module.beside(take).items() if hasattr(module, "beside") else ():
-        other = target.with_suffix(ending)
+        other = target.with_suffix(ending) if ending.startswith(".") else target.parent / ending
         with Replacement(other) as temporary:
-            temporary.write_text(text, encoding="utf-8")
+            temporary.write_bytes(text if isinstance(text, bytes) else text.encode())
         take.notes.append(f"wrote {other}")
     if tell is not None:
         for note in take.notes:

@@ -23,6 +23,7 @@ import numpy as np
 from solver import quaternion as quat
 from solver.quaternion import Array
 
+from ..assets import Scene
 from ..errors import UserError
 
 ORDER = "xzy"
@@ -243,15 +244,15 @@ class Hinged:
     qvel: Array
 
     @classmethod
-    def of(cls, model: mujoco.MjModel, mjcf: str, qpos: Array, qvel: Array, order: str = ORDER) -> Hinged:
-        """The variant of a model and its motion; a model without ball joints stays what it is."""
-        layout = Layout(model, order)
+    def of(cls, model: mujoco.MjModel, scene: Scene, qpos: Array, qvel: Array) -> Hinged:
+        """The variant of a model, which the scene gives in full, and its motion; without ball joints all stays."""
+        layout, mjcf = Layout(model), scene.mjcf
         hinges = layout.qpos(qpos)
         if not layout.balls:
             return cls(layout, mjcf, model, hinges, qvel)
         text = layout.mjcf(mjcf)
         try:
-            variant = mujoco.MjModel.from_xml_string(text)
+            variant = Scene(text, scene.assets).model()
         except ValueError as error:
             raise UserError(f"the figure with hinges for ball joints: {' '.join(str(error).split())}") from None
         return cls(layout, text, variant, hinges, layout.qvel(hinges, qvel))

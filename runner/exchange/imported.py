@@ -40,7 +40,7 @@ def imported(
     told = recording(source, kind, model=None if spec is None else spec.compile(), fps=fps, scale=scale)
     for note in told.notes:
         teller.say(f"note: {note}")
-    spec = mujoco.MjSpec.from_string(told.mjcf) if told.mjcf is not None else spec
+    spec = mujoco.MjSpec.from_string(told.mjcf, assets=dict(told.assets)) if told.mjcf is not None else spec
     assert spec is not None, "a reader gives a figure or asks for one"
     rate = told.fps or (float(np.round(1 / np.median(np.diff(told.time)), 6)) if told.time.size > 1 else 30.0)
     found = clips.from_qpos(source.stem, compose(spec), told.time, told.qpos, rate, source.name)

@@ -107,10 +107,10 @@ def write(take: Take, path: Path) -> None:
         take.notes.append(f"{whole.fps:.6g} samples a second, so that the last is the end of the loop")
 
 
-def beside(take: Take) -> dict[str, str]:
-    """The character file, if the figure has ball joints."""
+def beside(take: Take) -> dict[str, str | bytes]:
+    """The character file and what it refers to, if the figure has ball joints."""
     layout = Layout(take.model, CHARACTER)
-    return {".character.xml": layout.mjcf(take.saved.mjcf)} if layout.balls else {}
+    return {".character.xml": layout.mjcf(take.saved.mjcf), **take.saved.scene.assets} if layout.balls else {}
 
 
 def recognises(path: Path) -> bool:

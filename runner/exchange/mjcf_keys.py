@@ -15,6 +15,7 @@ from xml.etree import ElementTree
 import mujoco
 import numpy as np
 
+from ..assets import taken_along
 from ..errors import UserError
 from ..scene import figure_spec, first_line, quietly
 from .held import Held
@@ -33,6 +34,11 @@ def write(take: Take, path: Path) -> None:
         ElementTree.SubElement(keyframes, "key", values)
     ElementTree.indent(root)
     ElementTree.ElementTree(root).write(path, encoding="unicode")
+
+
+def beside(take: Take) -> dict[str, str | bytes]:
+    """The files that the model refers to."""
+    return dict(take.saved.scene.assets)
 
 
 def _written(row: np.ndarray) -> str:
@@ -70,4 +76,9 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
         raise UserError(f"{path}: its qpos has {own.nq} numbers; the figure's {wanted}")
     for key in list(spec.keys):
         spec.delete(key)
-    return Recording(time, found.numbers("qpos", "keys", wanted), spec.to_xml() if model is None else None)
+    values = found.numbers("qpos", "keys", wanted)
+    if model is not None:
+        return Recording(time, values)
+    assets = taken_along(spec)
+    spec.assets = dict(assets)
+    return Recording(time, values, spec.to_xml(), assets=assets)

@@ -47,9 +47,9 @@ def write(take: Take, path: Path) -> None:
         )
 
 
-def beside(take: Take) -> dict[str, str]:
-    """The model of hinges that the motion is for, if it is not the figure itself."""
-    return {".hinges.xml": take.hinged.mjcf} if take.hinged.is_other else {}
+def beside(take: Take) -> dict[str, str | bytes]:
+    """The model of hinges that the motion is for, if it is not the figure itself, and the files it refers to."""
+    return {".hinges.xml": take.hinged.mjcf, **take.saved.scene.assets} if take.hinged.is_other else {}
 
 
 def recognises(path: Path) -> bool:

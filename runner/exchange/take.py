@@ -11,6 +11,7 @@ import numpy as np
 from solver.figure import Figure
 from solver.quaternion import Array
 
+from ..assets import Assets
 from ..motion import Saved, sampled
 from .hinged import Hinged
 
@@ -68,7 +69,7 @@ class Take:
     @cached_property
     def hinged(self) -> Hinged:
         """The motion of the figure with three hinges for every ball joint."""
-        out = Hinged.of(self.model, self.saved.mjcf, self.qpos, self.qvel)
+        out = Hinged.of(self.model, self.saved.scene, self.qpos, self.qvel)
         if (warning := out.warning(self.time)) is not None:
             self.notes.append(warning)
         return out
@@ -120,6 +121,7 @@ class Recording:
     mjcf   the figure that the file brings along (BVH's hierarchy, say), or None: it is for the figure that was given
     fps    [1/s] if the file says it more exactly than its times; notes  what the user should know of how it was read
     loops  the file says that its last sample is the first again, moved on
+    assets the files that mjcf refers to, by name
     """
 
     time: Array
@@ -128,3 +130,4 @@ class Recording:
     fps: float | None = None
     notes: tuple[str, ...] = ()
     loops: bool = False
+    assets: Assets = field(default_factory=dict)

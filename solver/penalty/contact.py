@@ -15,20 +15,24 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import quaternion as quat
-from ..algebra import cross, dot
+from ..algebra import dot
 from ..allowance import Allowance
-from ..curvature import Curvature, Sides, jacobian
+from ..curvature import Curvature, Sides
 from ..figure import Figure, JointKind
 from ..frame import Mask, Timeline
-from ..kinematics import Cotangent, Samples, attached_pulled_back
+from ..joint_rows import any_point_rows, any_velocity_rows
+from ..kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
 from ..rows import has_point_rows, point_rows, velocity_rows
 from ..surface import Surface
+from ..touch import movers
 from .penalty import Scale
 
 NEAR = 0.03  # [m] within which a point may touch after one step of the search
 DEEP = 0.15  # [m] below its top, a point is beside a surface or under it, not over it
 FAR = 1e3  # [m]
+DIRECTIONS = 600  # in which a link's outermost spheres are looked for
+MESH_DIRECTIONS = 150  # the same of the vertices of a mesh
 
 
 @dataclass(frozen=True)
@@ -194,33 +198,15 @@ class Contact:
 
 def point_gradients(samples: Samples, at: Index, link: Index, arm: Array, way: Array) -> Array:
     """(P, N): the gradient of way · p for points p at `arm` (3, P) from their links' origins, at samples `at` (P,)."""
-    if has_point_rows(samples.figure):
-        return point_rows(samples, at, link, arm, way)
-
-    def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
-        here = np.arange(rows.size)
-        cotangent.room("x")[:, link[rows], here] = way[:, rows]
-        cotangent.room("turn")[:, link[rows], here] = cross(arm[:, rows], way[:, rows])
-
-    return jacobian(samples, at, seeded)[:, 0]
+    rows = point_rows if has_point_rows(samples.figure) else any_point_rows
+    return rows(samples, at, link, arm, way)
 
 
 def velocity_gradients(samples: Samples, at: Index, link: Index, arm: Array, way: Array) -> Array:
     """(P, 2, N): the gradients of way · v with respect to y and y', v the velocities of points as in
     `point_gradients`."""
-    if has_point_rows(samples.figure):
-        return velocity_rows(samples, at, link, arm, way)
-
-    def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
-        here = np.arange(rows.size)
-        every = np.zeros((3, rows.size, rows.size))
-        arms = every.copy()
-        every[:, here, here], arms[:, here, here] = way[:, rows], arm[:, rows]
-        for i, owner in enumerate(link[rows]):
-            cotangent.room("x_d")[:, owner, i] += way[:, rows[i]]
-        attached_pulled_back(cotangent, arms, (None, every, None), link[rows])
-
-    return jacobian(samples, at, seeded)[:, :2]
+    rows = velocity_rows if has_point_rows(samples.figure) else any_velocity_rows
+    return rows(samples, at, link, arm, way)
 
 
 def height_over(surfaces: Sequence[Surface], points: Array, radius: Array) -> tuple[Array, Array]:
@@ -267,22 +253,21 @@ def site_points(figure: Figure, names: Sequence[str]) -> tuple[Point, ...]:
 def body_points(figure: Figure) -> tuple[Point, ...]:
     """Spheres that cover the outside of the figure's moving geoms.
 
-    Spheres, the ends of capsules, corners of boxes, rims of cylinders, and ellipsoids by small spheres at their tips:
+    Spheres, the ends of capsules, corners of boxes, rims of cylinders, ellipsoids by small spheres at their tips, and
+    meshes by their vertices that reach farthest in some hundred directions:
     those of them that lie on the convex hull of their link, so that planes are met exactly (ellipsoids: nearly). Along
     the capsules whose ends both do lie more spheres, close enough that the edge of a box cuts at most 2 mm between.
     """
     model = figure.model
     ends: list[Point] = []
     pairs: list[tuple[int, int]] = []
-    for geom in range(model.ngeom):
+    for geom in movers(model):
         body = int(model.geom_bodyid[geom])
-        if figure.body_link[body] == 0:
-            continue
         axes = np.stack([quat.rotated(model.geom_quat[geom], e) for e in np.eye(3)], axis=1)
         kind = int(model.geom_type[geom])
         if kind == mujoco.mjtGeom.mjGEOM_CAPSULE:
             pairs.append((len(ends), len(ends) + 1))
-        for offset, radius in _cover(kind, np.array(model.geom_size[geom])):
+        for offset, radius in _cover(model, geom):
             link, position = figure.point_on_link(body, model.geom_pos[geom] + axes @ offset)
             ends.append(Point(model.geom(geom).name or f"geom {geom}", link, position, radius))
     kept = _outermost(ends)
@@ -298,11 +283,16 @@ def _between(a: Point, b: Point) -> list[Point]:
     return [Point(a.name, a.link, a.position + share * (b.position - a.position), a.radius) for share in shares]
 
 
-def _outermost(points: list[Point], directions: int = 600) -> set[int]:
+def all_round(count: int) -> Array:
+    """(3, count): unit vectors spread evenly over all directions."""
+    turn = np.pi * (1 + np.sqrt(5)) * np.arange(count)
+    z = 1 - (2 * np.arange(count) + 1) / count
+    return np.stack([np.sqrt(1 - z**2) * np.cos(turn), np.sqrt(1 - z**2) * np.sin(turn), z])
+
+
+def _outermost(points: list[Point]) -> set[int]:
     """Which spheres lie on the convex hull of their link's spheres: those that reach farthest some way."""
-    turn = np.pi * (1 + np.sqrt(5)) * np.arange(directions)
-    z = 1 - (2 * np.arange(directions) + 1) / directions
-    ways = np.stack([np.sqrt(1 - z**2) * np.cos(turn), np.sqrt(1 - z**2) * np.sin(turn), z])
+    ways = all_round(DIRECTIONS)
     kept: set[int] = set()
     for link in {point.link for point in points}:
         own = [i for i, point in enumerate(points) if point.link == link]
@@ -311,9 +301,19 @@ def _outermost(points: list[Point], directions: int = 600) -> set[int]:
     return kept
 
 
-def _cover(kind: int, size: Array) -> list[tuple[Array, float]]:
+def mesh_vertices(model: mujoco.MjModel, geom: int) -> Array:
+    """(n, 3) [m] the vertices of a geom's mesh, in the geom's axes."""
+    mesh = int(model.geom_dataid[geom])
+    first, count = int(model.mesh_vertadr[mesh]), int(model.mesh_vertnum[mesh])
+    return np.array(model.mesh_vert[first : first + count], float)
+
+
+def _cover(model: mujoco.MjModel, index: int) -> list[tuple[Array, float]]:
     """(offset in the geom's axes, radius) of the spheres that cover one geom."""
-    geom = mujoco.mjtGeom
+    geom, kind, size = mujoco.mjtGeom, int(model.geom_type[index]), np.array(model.geom_size[index])
+    if kind == geom.mjGEOM_MESH:
+        vertices = mesh_vertices(model, index)
+        return [(vertices[i], 0.0) for i in np.unique(np.argmax(vertices @ all_round(MESH_DIRECTIONS), axis=0))]
     if kind == geom.mjGEOM_SPHERE:
         return [(np.zeros(3), float(size[0]))]
     if kind == geom.mjGEOM_CAPSULE:

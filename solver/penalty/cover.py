@@ -14,24 +14,26 @@ import numpy as np
 from .. import quaternion as quat
 from ..figure import Figure
 from ..quaternion import Array
-from .contact import Point
+from ..surface import hull_of
+from ..touch import movers
+from .contact import Point, mesh_vertices
 
 GAP = 0.001  # [m] by which something straight may dip in between two spheres
 CLOSEST = 0.02  # [m] between the points of sharp edges
+FINEST = 16  # points from end to end of a mesh, at most
+CORNERS = 60  # of a mesh's hull, at most
 HIDDEN = 0.0002  # [m]
 
 Spheres = tuple[Array, Array]
 
 
 def covering_points(figure: Figure) -> tuple[Point, ...]:
-    """Spheres that fill all geoms of the figure's links; those inside another one of the same link are left out."""
+    """Spheres that fill the solid geoms of the figure's links; those inside another one of their link are left out."""
     model = figure.model
     out: list[Point] = []
     found: dict[int, list[tuple[str, Array, Array]]] = {}
-    for geom in range(model.ngeom):
+    for geom in movers(model):
         body = int(model.geom_bodyid[geom])
-        if figure.body_link[body] == 0:
-            continue
         centres, radii = filling_spheres(model, geom)
         axes = np.stack([quat.rotated(model.geom_quat[geom], e) for e in np.eye(3)], axis=1)
         link = int(figure.body_link[body])
@@ -69,10 +71,29 @@ def filling_spheres(model: mujoco.MjModel, geom: int, gap: float = GAP) -> Spher
     if kind == kinds.mjGEOM_ELLIPSOID:
         return _ellipsoid(size, gap)
     if kind == kinds.mjGEOM_MESH:
-        mesh = int(model.geom_dataid[geom])
-        first, count = int(model.mesh_vertadr[mesh]), int(model.mesh_vertnum[mesh])
-        return np.array(model.mesh_vert[first : first + count], float), np.zeros(count)
+        return _mesh(model, geom)
     return np.zeros((0, 3)), np.zeros(0)
+
+
+def _mesh(model: mujoco.MjModel, geom: int) -> Spheres:
+    """Points spread over the triangles of a mesh's convex hull, its corners included."""
+    found = hull_of(mesh_vertices(model, geom), CORNERS)
+    if found is None:
+        return np.zeros((0, 3)), np.zeros(0)
+    corners, faces = found
+    places = [corners.T]
+    size = float(np.linalg.norm(np.ptp(corners, axis=1)))
+    pace = max(CLOSEST, size / FINEST)
+    for face in faces:
+        a, b, c = corners[:, face].T
+        count = int(np.ceil(max(np.linalg.norm(b - a), np.linalg.norm(c - a), np.linalg.norm(c - b)) / pace))
+        if count > 1:
+            i, j = (part.ravel() for part in np.meshgrid(np.arange(count + 1), np.arange(count + 1)))
+            i, j = i[i + j <= count][:, None] / count, j[i + j <= count][:, None] / count
+            places.append(a + i * (b - a) + j * (c - a))
+    points = np.concatenate(places)
+    _, kept = np.unique(np.round(points / (0.5 * pace)), axis=0, return_index=True)
+    return points[kept], np.zeros(kept.size)
 
 
 def _spread(half: float, radius: float, gap: float) -> Array:
@@ -90,7 +111,9 @@ def _cylinder(radius: float, half: float, gap: float) -> Spheres:
     """Spheres along the axis, or a disc of them in a flat one; points on the rims."""
     inner = min(radius, half)
     x, y = (part.ravel() for part in np.meshgrid(*[_spread(radius - inner, inner, gap)] * 2))
+    x, y = np.append(0.0, x), np.append(0.0, y)  # a disc hardly wider than its spheres has no other place in it
     disc = np.hypot(x, y) <= radius - inner + 1e-9
+    disc[0] = not disc[1:].any()
     rest, _ = _along(half - inner, inner, gap)
     middle = np.array([[a, b, z] for a, b in zip(x[disc], y[disc], strict=True) for z in rest[:, 2]])
     count = max(8, int(np.ceil(2 * np.pi * radius / CLOSEST)))

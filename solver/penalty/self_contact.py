@@ -22,6 +22,7 @@ from ..curvature import Curvature, Sides
 from ..figure import Figure
 from ..kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
+from ..touch import movers
 from .contact import point_gradients
 from .cover import filling_spheres
 from .penalty import Scale
@@ -84,7 +85,7 @@ class SelfContact:
     @classmethod
     def of(cls, figure: Figure, margin: float = 0.0) -> SelfContact:
         """All pairs of a figure's own shapes that could meet."""
-        bars = _outer([bar for geom in range(figure.model.ngeom) for bar in _bars(figure, geom)])
+        bars = _outer([bar for geom in movers(figure.model) for bar in _bars(figure, geom)])
         return cls(bars, _pairs(figure, bars), margin)
 
     @property
@@ -236,8 +237,6 @@ def _bars(figure: Figure, geom: int) -> list[Bar]:
     """A geom of the figure as capsules and spheres."""
     model = figure.model
     body, size = int(model.geom_bodyid[geom]), np.array(model.geom_size[geom])
-    if figure.body_link[body] == 0:
-        return []
     axes = np.stack([quat.rotated(model.geom_quat[geom], e) for e in np.eye(3)], axis=1)
     axis = quat.rotated(figure.body_turn[body], axes[:, 2])
     if model.geom_type[geom] == mujoco.mjtGeom.mjGEOM_CAPSULE:

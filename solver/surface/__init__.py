@@ -8,5 +8,6 @@ from .ellipsoid import Ellipsoid as Ellipsoid
 from .height_field import HeightField as HeightField
 from .hull import Hull as Hull
 from .plane import Plane as Plane
+from .static import hull_of as hull_of
 from .static import static_surfaces as static_surfaces
 from .surface import Surface as Surface

@@ -1,10 +1,11 @@
-"""The surfaces of a model: every geom that is welded to the world."""
+"""The surfaces of a model: the solid geoms that are welded to the world."""
 
 from __future__ import annotations
 
 import mujoco
 import numpy as np
 
+from .. import touch
 from ..quaternion import Array, Index
 from .box import Box
 from .capsule import Capsule, Sphere
@@ -19,10 +20,10 @@ DOWN = 10.0  # [m] by which what stands on the floor goes on below it: no way ou
 
 
 def static_surfaces(model: mujoco.MjModel) -> tuple[Surface, ...]:
-    """Every geom welded to the world, whatever its contype, planes first; meshes by their convex hulls."""
+    """The geoms welded to the world that count as solid, planes first; meshes by their convex hulls."""
     data = mujoco.MjData(model)
     mujoco.mj_kinematics(model, data)
-    ids = [g for g in range(model.ngeom) if model.body_weldid[model.geom_bodyid[g]] == 0]
+    ids = touch.solids(model)
     planes = [_plane(model, data, g) for g in ids if model.geom_type[g] == mujoco.mjtGeom.mjGEOM_PLANE]
     floor = max((p.point[2] for p in planes if p.normal[2] > 0.99), default=-np.inf)
     solids = [_solid(model, data, g, floor) for g in ids]
@@ -90,10 +91,17 @@ def _hull(model: mujoco.MjModel, name: str, centre: Array, axes: Array, mesh: in
     return Hull(name, hull, _outward(hull, order[triangles]), bool(hull[2].min() <= floor + GROUNDED))
 
 
-def _fresh_hull(name: str, vertices: Array, floor: float) -> Hull | None:
+def hull_of(vertices: Array, most: int = -1) -> tuple[Array, Index] | None:
+    """Corners (3, v) and triangles (f, 3) of the convex hull of points (n, 3), of at most so many corners; None if they
+    lie in a plane."""
+    hull = _fresh_hull("hull", vertices, -np.inf, most)
+    return None if hull is None else (hull.corners, hull.faces)
+
+
+def _fresh_hull(name: str, vertices: Array, floor: float, most: int = -1) -> Hull | None:
     """The hull of points (v, 3) in the world [m]; MuJoCo makes none for meshes that neither collide nor weigh by it."""
     spec = mujoco.MjSpec()
-    spec.add_mesh(name="hull", uservert=vertices.ravel())
+    spec.add_mesh(name="hull", uservert=vertices.ravel(), maxhullvert=most)
     spec.worldbody.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname="hull")
     try:
         model = spec.compile()

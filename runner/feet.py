@@ -1,0 +1,108 @@
+"""Which points of a figure stand on the ground: sites that are called heel or toe, or else what is lowest of its feet.
+
+Feet are the ends of a figure's limbs that are lowest when it stands tallest: at rest or in one of its keyframes. A
+figure whose trunk is as low has none, nor has one that hangs on the world by hinges.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import mujoco
+import numpy as np
+
+from solver.figure import Figure, JointKind
+from solver.kinematics import Samples
+from solver.penalty import Point, body_points, site_points
+from solver.penalty.contact import arrays_of
+from solver.quaternion import Array, Index
+from solver.touch import movers
+
+SOLES = ("heel", "toe")
+LOW = 0.1  # of a figure's height, how far above its lowest point a foot may be
+THICK = 0.02  # the same of the points of a foot above its lowest
+LEVEL = 0.002  # [m] by which what carries toes may be above them
+CORNERS = 4  # points a foot, at most
+
+
+def sole_points(figure: Figure, qpos: Array) -> tuple[Point, ...]:
+    """The points that feet stand on; qpos (K, nq) are poses beside the one at rest in which it may stand."""
+    names = [figure.model.site(i).name for i in range(figure.model.nsite)]
+    named = site_points(figure, [name for name in names if any(word in name.lower() for word in SOLES)])
+    named = tuple(_grown(figure, point) for point in named if point.link)
+    return named or _lowest(figure, qpos)
+
+
+def _grown(figure: Figure, point: Point) -> Point:
+    """A site in the middle of a sphere of its link, as thick as that: a foot is meant, not a point of its sole."""
+    model = figure.model
+    for geom in movers(model):
+        link, centre = figure.point_on_link(int(model.geom_bodyid[geom]), model.geom_pos[geom])
+        radius = float(model.geom_size[geom, 0])
+        round_ = model.geom_type[geom] == int(mujoco.mjtGeom.mjGEOM_SPHERE)
+        if round_ and link == point.link and np.linalg.norm(point.position - centre) < 0.5 * radius:
+            return Point(point.name, link, centre, radius)
+    return point
+
+
+def _lowest(figure: Figure, qpos: Array) -> tuple[Point, ...]:
+    found: list[Point] = []
+    body = body_points(figure)
+    for root in _roots(figure):
+        own = [point for point in body if figure.tables.path[point.link, root]]
+        if own:
+            found += _feet(figure, root, own, qpos)
+    return tuple(found)
+
+
+def _roots(figure: Figure) -> list[int]:
+    """The links that carry a figure: free ones, and the last of those that slide about on the world."""
+    links = figure.links
+    roots = [int(i) for i in figure.tables.free_links]
+    for i, link in enumerate(links[1:], start=1):
+        if link.parent == 0 and link.kind is JointKind.SLIDE:
+            while (deeper := _only_child(figure, i)) is not None and links[deeper].body == links[i].body:
+                i = deeper
+            roots.append(i)
+    return roots
+
+
+def _only_child(figure: Figure, link: int) -> int | None:
+    children = np.flatnonzero(figure.tables.parents == link)
+    return int(children[0]) if children.size == 1 else None
+
+
+def _feet(figure: Figure, root: int, points: Sequence[Point], qpos: Array) -> list[Point]:
+    """The lowest points of a tree's lowest ends, in the pose in which it stands tallest."""
+    poses = np.vstack([figure.model.qpos0, qpos])
+    states = figure.to_state(poses)
+    links, positions, radii = arrays_of(points)
+    samples = Samples(figure, states, 0 * states, 0 * states)
+    places, _ = samples.links.points(links, positions)
+    bottom = places[2] - radii[:, None]
+    tall = samples.links.x[2, root] - bottom.min(axis=0)
+    best = int(np.argmax(tall > tall.max() - 1e-3))
+    bottom, places = bottom[:, best], places[:, :, best]
+    height = float((places[2] + radii).max() - bottom.min())
+    found: list[Point] = []
+    for foot in np.unique(links):
+        own = np.flatnonzero(links == foot)
+        beyond = bottom[(figure.tables.path[links, foot] > 0) & (links != foot)]
+        least = float(bottom[own].min())
+        carries = beyond.size and beyond.min() < least - LEVEL
+        if not carries and least <= bottom.min() + LOW * height:
+            if foot == root:
+                return []
+            found += _corners(points, own[bottom[own] <= bottom[own].min() + THICK * height], places)
+    return found
+
+
+def _corners(points: Sequence[Point], some: Index, places: Array) -> list[Point]:
+    """Of a foot's lowest points those that reach farthest to its four corners, each with a name of its own."""
+    angle = np.pi * (0.25 + 0.5 * np.arange(CORNERS)) + 0.05
+    reach = places[:2, some].T @ np.array([np.cos(angle), np.sin(angle)])
+    kept = sorted({int(some[i]) for i in reach.argmax(axis=0)})
+    if len(kept) == 1:
+        return [points[kept[0]]]
+    return [replace(points[i], name=f"{points[i].name} {number}") for number, i in enumerate(kept, 1)]

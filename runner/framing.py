@@ -1,0 +1,100 @@
+"""How large a figure is and where: for the camera's distance, the haze, and a floor that does not cut through it."""
+
+from __future__ import annotations
+
+import mujoco
+import numpy as np
+
+from solver.figure import Figure
+from solver.quaternion import Array, Index
+from solver.touch import moves
+
+MOST_POSES = 60
+STANDING = 2.05  # [m] a person with a hand raised over the head
+PEOPLE = (1.3, 2.2)  # [m]
+WIDTH, HEIGHT = 0.8, 1.06  # of the height that a camera is told, how much of a figure it shows about its middle
+
+
+def box(model: mujoco.MjModel, data: mujoco.MjData) -> tuple[Array, Array]:
+    """Lowest and highest corner (3,) [m] of what moves and of the fixed bodies that carry it, where `data` has them."""
+    moving = moves(model)
+    carrier = np.isin(model.geom_bodyid, _carriers(model)) & (model.geom_bodyid != 0)
+    some = np.flatnonzero((moving | carrier) & (model.geom_type != int(mujoco.mjtGeom.mjGEOM_PLANE)))
+    if not some.size:
+        centres = data.xipos[model.body_weldid != 0]
+        return centres.min(axis=0), centres.max(axis=0)
+    middle, half = np.split(model.geom_aabb[some], 2, axis=1)
+    turn = data.geom_xmat[some].reshape(-1, 3, 3)
+    centre = data.geom_xpos[some] + np.einsum("nij,nj->ni", turn, middle)
+    reach = np.einsum("nij,nj->ni", np.abs(turn), half)
+    return (centre - reach).min(axis=0), (centre + reach).max(axis=0)
+
+
+def _carriers(model: mujoco.MjModel) -> Array:
+    """The bodies on the way from the world to any that moves."""
+    carriers = set()
+    for body in np.flatnonzero(model.body_jntnum > 0):
+        parent = int(model.body_parentid[body])
+        while parent:
+            carriers.add(parent)
+            parent = int(model.body_parentid[parent])
+    return np.array(sorted(carriers), int)
+
+
+def rest_box(model: mujoco.MjModel) -> tuple[Array, Array]:
+    """The same in the rest pose."""
+    data = mujoco.MjData(model)
+    mujoco.mj_kinematics(model, data)
+    return box(model, data)
+
+
+def is_of_people_size(model: mujoco.MjModel) -> bool:
+    """Whether a figure is as tall as people are, and upright."""
+    low, high = rest_box(model)
+    size = high - low
+    return bool(PEOPLE[0] <= size[2] <= PEOPLE[1] and size[2] >= size[:2].max())
+
+
+def size_of(model: mujoco.MjModel) -> float:
+    """[m] what a camera would call the figure's height at rest."""
+    low, high = rest_box(model)
+    return STANDING if is_of_people_size(model) else _told((high - low) / 2)
+
+
+def _told(reach: Array) -> float:
+    """The height [m] to tell a camera that it shows so much (3,) [m] to either side of where it looks."""
+    return float(max(*(2 * reach[:2] / WIDTH), 2 * reach[2] / HEIGHT, 1e-3))
+
+
+def middles(figure: Figure, qpos: Array) -> Array:
+    """(T, 3) [m] where a figure is along qpos (T, nq): its free root, or the middle of what hangs on the world."""
+    if figure.tables.free_links.size:
+        return qpos[:, figure.tables.position_columns[:, 0]]
+    low, high = _boxes(figure, qpos)
+    return np.tile((low.min(axis=0) + high.max(axis=0)) / 2, (len(qpos), 1))
+
+
+def height(figure: Figure, qpos: Array) -> float:
+    """[m] what a camera that follows `middles` is to call the figure's height, to show all of it along qpos (T, nq)."""
+    if figure.tables.free_links.size and is_of_people_size(figure.model):
+        return STANDING
+    low, high = _boxes(figure, qpos)
+    middle = middles(figure, qpos)[_chosen(len(qpos))]
+    return _told(np.maximum(high - middle, middle - low).max(axis=0))
+
+
+def _chosen(count: int) -> Index:
+    """Some of so many poses."""
+    return np.unique(np.linspace(0, count - 1, min(count, MOST_POSES)).astype(int))
+
+
+def _boxes(figure: Figure, qpos: Array) -> tuple[Array, Array]:
+    """The figure's boxes in some of the poses, lowest and highest corners, (n, 3) each."""
+    data = mujoco.MjData(figure.model)
+    boxes = []
+    for i in _chosen(len(qpos)):
+        data.qpos[:] = qpos[i]
+        mujoco.mj_kinematics(figure.model, data)
+        boxes.append(box(figure.model, data))
+    low, high = (np.array(side) for side in zip(*boxes, strict=True))
+    return low, high

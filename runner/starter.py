@@ -1,0 +1,319 @@
+"""A clip to begin with, for any model: its keyframes, or a pose or two, and in comments all that can be named."""
+
+from __future__ import annotations
+
+import os
+import textwrap
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import Any
+
+import mujoco
+import numpy as np
+
+import models
+from solver.figure import Figure, JointKind, Link, quaternion_columns
+from solver.frame import Frame
+from solver.kinematics import Samples
+from solver.penalty import Point, body_points, closures, couplings, joint_ranges
+from solver.penalty.contact import arrays_of
+from solver.quaternion import Array
+
+from .clip_text import keyframe_tables, written
+from .errors import UserError
+from .feet import sole_points
+from .scene import compose, figure_spec, first_line, quietly
+
+APART = 0.5  # [s] between keyframes whose times do not rise
+MOVED = np.radians(40)  # how far the one joint goes that moves
+ROOM = 0.6  # of what a joint has to its bound, it goes at most so far
+FLEXED = 0.35  # of a figure's size, how far a slide goes at most
+DIGITS = 6  # of angles in degrees and of metres
+WIDE = 110
+
+PENALTIES = """\
+# Soft constraints: those that fit the figure are on already. Each can be weighed, or taken away by weight = 0.
+#
+# [[penalty]]
+# kind = "contact"                  # feet out of floors and steps; the points above, or sites of your choice
+# points = ["a_site", "another"]
+#
+# [[penalty]]
+# kind = "range"                    # joints within the model's ranges
+# weight = 10
+#
+# [[penalty]]
+# kind = "clearance"                # the whole figure out of everything that does not move
+# margin = 0.01
+#
+# [[penalty]]
+# kind = "torque"                   # small joint torques
+# weight = 0.1
+#
+# [scene]
+# step = {x = 1.0, height = 0.2}    # or [[scene.box]], [[scene.sphere]], [[scene.capsule]], [[scene.cylinder]]
+"""
+
+
+def starter(source: str, target: Path) -> str:
+    """The TOML text of a clip for a shipped figure or an MJCF file, to be written to a target; raises UserError."""
+    with quietly():
+        spec = figure_spec(source)
+    times, poses = model_keys(spec, Path(source).name)
+    scene = compose(spec)
+    figure = Figure(scene.model())
+    soles = sole_points(figure, poses)
+    own = bool(len(poses))
+    if not own:
+        times, poses = np.zeros(1), _stood(figure, bool(soles))[None]
+    tables = keyframe_tables(figure, [Frame.key(t, q) for t, q in zip(times, poses, strict=True)])
+    if len(poses) == 1:
+        tables += _moved(figure, poses[0], float(times[0]))
+    head = {"figure": source if source in models.figures() else _path(source, target), "fps": 30}
+    blocks = [
+        _head(source, own, len(poses)),
+        written(head).rstrip("\n"),
+        _named(figure, [point.name for point in soles]),
+        PENALTIES.rstrip("\n"),
+        "\n\n".join(written({"keyframe": [_rounded(table)]}).strip("\n") for table in tables),
+    ]
+    return "\n\n".join(blocks) + "\n"
+
+
+def model_keys(spec: mujoco.MjSpec, place: str) -> tuple[Array, Array]:
+    """Times (K,) [s] and qpos (K, nq) of a model's own <keyframe> elements, K = 0 without any.
+
+    Where the times do not rise they are half a second apart.
+    """
+    own = [np.array(key.qpos) for key in spec.keys]
+    try:
+        with quietly():
+            model = spec.compile()
+    except ValueError as error:
+        raise UserError(f"{place}: MuJoCo cannot compile it: {first_line(error)}") from None
+    poses = np.array(model.key_qpos).reshape(-1, model.nq)[: len(own)]  # <size nkey> may ask for more than there are
+    for pose, said in zip(poses, own, strict=True):
+        if said.size == model.nq:
+            pose[:] = said
+    times = np.array(model.key_time)[: len(own)]
+    if times.size and not np.all(np.diff(times) >= 1e-3):
+        times = APART * np.arange(times.size)
+    return times, poses
+
+
+def _path(source: str, target: Path) -> str:
+    """A model's path as the clip says it: from the clip's folder."""
+    return Path(os.path.relpath(Path(source).resolve(), target.resolve().parent)).as_posix()
+
+
+def _stood(figure: Figure, on_feet: bool) -> Array:
+    """The rest pose, (nq,), within the joints' ranges, a free figure's lowest point on the highest floor."""
+    qpos = np.array(figure.model.qpos0)
+    for joint in joint_ranges(figure):
+        if joint.kind is not JointKind.BALL:
+            column = figure.links[joint.link].qpos
+            qpos[column] = np.clip(qpos[column], joint.low, joint.high)
+    floor = _floor(figure.model)
+    if not figure.tables.free_links.size or floor is None:
+        return qpos
+    for root in figure.tables.free_links:
+        low = _lowest(figure, qpos, int(root))
+        if low is not None and (on_feet or low < floor):
+            qpos[figure.links[root].qpos + 2] += floor - low
+    return qpos
+
+
+def _floor(model: mujoco.MjModel) -> float | None:
+    """[m] how high the highest level plane lies."""
+    data = mujoco.MjData(model)
+    mujoco.mj_kinematics(model, data)
+    flat = np.flatnonzero(model.geom_type == int(mujoco.mjtGeom.mjGEOM_PLANE))
+    level = [float(data.geom_xpos[g, 2]) for g in flat if data.geom_xmat[g, 8] > 0.99]
+    return max(level, default=None)
+
+
+def _lowest(figure: Figure, qpos: Array, root: int) -> float | None:
+    """[m] how high the lowest point of what hangs from a link is."""
+    own = [point for point in body_points(figure) if figure.tables.path[point.link, root]]
+    return float(_bottoms(figure, qpos[None], own).min()) if own else None
+
+
+def _bottoms(figure: Figure, qpos: Array, points: Sequence[Point]) -> Array:
+    """(n, K) [m] the lowest height of each point in poses (K, nq)."""
+    state = figure.to_state(qpos)
+    links, positions, radii = arrays_of(points)
+    places, _ = Samples(figure, state, 0 * state, 0 * state).links.points(links, positions)
+    return places[2] - radii[:, None]
+
+
+def _moved(figure: Figure, qpos: Array, start: float) -> list[dict[str, Any]]:
+    """Two more keyframes: one joint moved, and back again."""
+    link, value = _telling(figure, qpos)
+    columns = quaternion_columns(link)
+    if columns is None:
+        here, there = float(qpos[link.qpos]), value
+        if link.kind is JointKind.HINGE:
+            here, there = float(np.degrees(here)), float(np.degrees(there))
+        whole = round(there, 0 if link.kind is JointKind.HINGE else 3)  # what one would write
+        said: list[Any] = [whole if min(here, there) < whole < max(here, there) else there, here]
+    else:
+        said = [{"rotvec": [0.0, float(np.degrees(value)), 0.0]}, {"quat": qpos[columns].tolist()}]
+    loops = _loops(figure)
+    looped = [figure.links[i].name for i in sorted(loops)] if figure.links.index(link) in loops else []
+    free: dict[str, Any] = {name: "free" for name in looped if name != link.name}  # the search closes the loops again
+    back = {"joints": {figure.links[i].name: _said(figure.links[i], qpos) for i in sorted(loops)}} if looped else {}
+    return [
+        {"time": start + APART, "joints": {link.name: said[0], **free}, "others": "hold"},
+        {"time": start + 2 * APART, "joints": {link.name: said[1]}, **back, "others": "hold"},
+    ]
+
+
+def _said(link: Link, qpos: Array) -> Any:
+    """What a keyframe says of a joint."""
+    columns = quaternion_columns(link)
+    if columns is not None:
+        return {"quat": qpos[columns].tolist()}
+    return float(np.degrees(qpos[link.qpos])) if link.kind is JointKind.HINGE else float(qpos[link.qpos])
+
+
+def _loops(figure: Figure) -> set[int]:
+    """The links of closed loops."""
+    path, found = figure.tables.path > 0, set()
+    for closure in closures(figure):
+        found |= set(np.flatnonzero(path[closure.one.link] != path[closure.two.link]).tolist())
+    return {i for i in found if figure.links[i].kind is not JointKind.FREE}
+
+
+def _telling(figure: Figure, qpos: Array) -> tuple[Link, float]:
+    """The joint that is seen best when it moves, but for those that carry half the figure, and where it goes to."""
+    model, data = figure.model, mujoco.MjData(figure.model)
+    after = {coupling.follower for coupling in couplings(figure)}
+    loops = _loops(figure)
+    size = _size(figure, qpos)
+    choices: list[tuple[int, float]] = []
+    poses = [qpos]
+    for i, link in enumerate(figure.links[1:], start=1):
+        if link.kind is JointKind.FREE or link.qpos in after:
+            continue
+        for value in _goals(figure, link, qpos, size):
+            moved = np.array(qpos)
+            columns = quaternion_columns(link)
+            if columns is None:
+                moved[link.qpos] = value
+            else:
+                moved[columns] = [np.cos(value / 2), 0, np.sin(value / 2), 0]
+            choices.append((i, value))
+            poses.append(moved)
+    if not choices:
+        raise UserError(f"'{figure.links[1].name}' is all that moves: a free body needs keyframes of its own")
+    points = body_points(figure)
+    lowest = _bottoms(figure, np.array(poses), points).min(axis=0, initial=np.inf)
+    worth = []
+    for (i, _), pose, low in zip(choices, poses[1:], lowest[1:], strict=True):
+        heavy, sunk = figure.tables.path[:, i].mean() > 0.5, low < lowest[0] - 1e-3
+        share = (0.1 if heavy else 1.0) * (0.2 if sunk else 1.0) * (0.1 if i in loops else 1.0)
+        worth.append(share * _shift(model, data, qpos, pose))
+    i, value = choices[int(np.argmax(np.array(worth) > 0.999 * max(worth)))]
+    return figure.links[i], value
+
+
+def _goals(figure: Figure, link: Link, qpos: Array, size: float) -> list[float]:
+    """Where a joint may go to [rad or m], either way."""
+    if link.kind is JointKind.BALL:
+        high = float(figure.model.jnt_range[link.joint].max()) if figure.model.jnt_limited[link.joint] else np.pi
+        return [min(MOVED, ROOM * high), -min(MOVED, ROOM * high)]
+    here, most = float(qpos[link.qpos]), MOVED if link.kind is JointKind.HINGE else FLEXED * size
+    low, high = (here - most / ROOM, here + most / ROOM)
+    if figure.model.jnt_limited[link.joint]:
+        low, high = (float(bound) for bound in figure.model.jnt_range[link.joint])
+    room = [min(most, ROOM * max(high - here, 0.0)), -min(most, ROOM * max(here - low, 0.0))]
+    return [here + step for step in room if step != 0]
+
+
+def _shift(model: mujoco.MjModel, data: mujoco.MjData, before: Array, after: Array) -> float:
+    """[m] how far the farthest geom goes from one pose to another."""
+    places = []
+    for qpos in (before, after):
+        data.qpos[:] = qpos
+        mujoco.mj_kinematics(model, data)
+        places.append(np.concatenate([data.geom_xpos, data.xipos]))
+    return float(np.linalg.norm(places[1] - places[0], axis=1).max())
+
+
+def _size(figure: Figure, qpos: Array) -> float:
+    """[m] of a figure from end to end."""
+    data = mujoco.MjData(figure.model)
+    data.qpos[:] = qpos
+    mujoco.mj_kinematics(figure.model, data)
+    moving = figure.body_link > 0
+    return float(np.linalg.norm(np.ptp(data.xipos[moving], axis=0))) or 0.1
+
+
+def _rounded(value: Any) -> Any:
+    """Numbers of a table with as many digits as one would write."""
+    if isinstance(value, dict):
+        return {key: (_quaternion(entry) if key == "quat" else _rounded(entry)) for key, entry in value.items()}
+    if isinstance(value, list | tuple):
+        return [_rounded(entry) for entry in value]
+    return _short(value) if isinstance(value, float) else value
+
+
+def _short(value: float) -> float | int:
+    number = round(value, DIGITS) + 0.0
+    return int(number) if number == int(number) else number
+
+
+def _quaternion(values: Sequence[float]) -> list[float]:
+    return [round(value, 9) + 0.0 for value in values]
+
+
+def _head(source: str, own: bool, count: int) -> str:
+    name = Path(source).name
+    said = f"its {count} keyframe{'s' * (count > 1)}" if own else "its rest pose"
+    more = "" if count > 1 else ", and one joint moved"
+    return (
+        f"# A clip for {name}: {said}{more}.\n"
+        "# Angles in degrees, lengths in metres, times in seconds. What a keyframe leaves out is free, unless it says\n"
+        '# others = "hold" (as in the keyframe before) or "rest". See it: dynsplines render THIS_FILE'
+    )
+
+
+def _named(figure: Figure, soles: Sequence[str]) -> str:
+    """What the figure's parts are called, in comments."""
+    model = figure.model
+    lines = ["# Joints, as keyframes name them:"]
+    roots = [link for link in figure.links[1:] if link.kind is JointKind.FREE]
+    for link in figure.links[1:]:
+        lines.append(f"#   {_joint_line(figure, link, roots)}")
+    sites = [model.site(i).name for i in range(model.nsite) if model.site(i).name]
+    bodies = [model.body(i).name for i in range(1, model.nbody) if model.body(i).name]
+    lines += _list("Sites, for sites.NAME = [x, y, z]", sites)
+    lines += _list("Bodies, for bodies.NAME = {flat = true} or a rotation", bodies)
+    lines += _list("What stands on the ground", list(dict.fromkeys(soles)))
+    lines += _list("Joints that follow others (equality constraints)", [c.name for c in couplings(figure)])
+    return "\n".join(lines)
+
+
+def _joint_line(figure: Figure, link: Link, roots: Sequence[Link]) -> str:
+    if link.kind is JointKind.FREE:
+        table = "root" if link is roots[0] else f"roots.{_key(link.name)}"
+        return f"{table + '.position, .rotation':40} free joint '{link.name}': metres; a rotation"
+    name, limited = f"joints.{_key(link.name)}", bool(figure.model.jnt_limited[link.joint])
+    low, high = (float(bound) for bound in figure.model.jnt_range[link.joint])
+    if link.kind is JointKind.SLIDE:
+        return f"{name:40} slide, metres" + (f", {low:g} to {high:g}" if limited else "")
+    low, high = np.degrees([low, high])
+    if link.kind is JointKind.HINGE:
+        return f"{name:40} hinge, degrees" + (f", {low:.4g} to {high:.4g}" if limited else "")
+    return f"{name:40} ball, a rotation such as {{rotvec = [0, 30, 0]}}" + (f", up to {high:.4g}°" if limited else "")
+
+
+def _key(name: str) -> str:
+    return written({name: 0}).rsplit(" = ", 1)[0].strip()
+
+
+def _list(title: str, names: Iterable[str]) -> list[str]:
+    names = list(names)
+    if not names:
+        return []
+    return [f"# {title}:", *textwrap.wrap(", ".join(names), WIDE, initial_indent="#   ", subsequent_indent="#   ")]
