@@ -42,7 +42,7 @@ def quietly() -> Iterator[None]:
     mujoco.set_mju_user_warning(lambda _: None)
     try:
         with contextlib.redirect_stdout(io.StringIO()), warnings.catch_warnings():
-            warnings.simplefilter("ignore", UserWarning)  # of settings that MuJoCo will drop
+            warnings.simplefilter("ignore")  # of settings that MuJoCo will drop
             yield
     finally:
         mujoco.set_mju_user_warning(before)
