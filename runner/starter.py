@@ -100,7 +100,7 @@ def model_keys(spec: mujoco.MjSpec, place: str) -> tuple[Array, Array]:
             pose[:] = said
     times = np.array(model.key_time)[: len(own)]
     if times.size and not np.all(np.diff(times) >= 1e-3):
-        times = APART * np.arange(times.size)
+        times = np.array([APART * k for k in range(times.size)])
     return times, poses
 
 

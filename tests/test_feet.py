@@ -75,7 +75,8 @@ def test_a_figure_that_lies_on_its_belly_has_none_but_where_a_keyframe_stands_it
     standing[hips] = 0
     flat = mujoco.MjModel.from_xml_string(
         '<mujoco><worldbody><body pos="0 0 1"><freejoint/><geom type="box" size=".5 .5 .1"/><body pos=".5 0 .1">'
-        '<joint axis="0 1 0"/><geom type="capsule" size=".02" fromto="0 0 0 .3 0 0"/></body></body></worldbody></mujoco>'
+        '<joint axis="0 1 0"/><geom type="capsule" size=".02" fromto="0 0 0 .3 0 0"/></body></body>'
+        "</worldbody></mujoco>"
     )
     assert soles(Figure(flat)) == []
     assert [point.name for point in sole_points(lying, standing[None])] == ["l_foot", "r_foot"]
