@@ -61,7 +61,7 @@ MIXED = """
     <geom type="capsule" size=".04" fromto="0 0 0 0 0 .1"/>
     <body name="head" pos="0 .01 .1" euler="20 0 0"><joint name="head" type="ball" armature=".01" pos="0 0 .01"/>
       <geom type="ellipsoid" size=".1 .08 .12" pos="0 0 .12"/>
-      <body name="jaw" pos=".05 0 0"><joint type="hinge" axis="0 1 0" ref="10"/><joint type="slide" axis="1 0 0"/>
+      <body name="jaw" pos=".05 0 0"><joint name="jaw" type="hinge" axis="0 1 0" ref="10"/>
         <geom type="box" size=".05 .04 .01"/></body></body></body>
   <body name="thigh" pos="0 .1 -.1"><joint name="hip" type="hinge" axis="0 1 0"/>
     <geom type="capsule" size=".05" fromto="0 0 0 0 0 -.4"/>
