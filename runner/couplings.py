@@ -65,7 +65,7 @@ def complaints(figure: Figure, keys: Timeline, frames: Sequence[Frame]) -> list[
     if loops:
         apart = np.linalg.norm(Closed(loops).apart(samples), axis=0)
         both = placed(figure, keys.fixed, [c.one for c in loops]) & placed(figure, keys.fixed, [c.two for c in loops])
-        n, k = np.unravel_index(np.argmax(apart * both), apart.shape)
+        n, k = (int(i) for i in np.unravel_index(np.argmax(apart * both), apart.shape))
         if both[n, k] and apart[n, k] > TORN:
             found.append(
                 f"keyframe {k + 1} (t = {frames[k].time:g} s) tears the loop of {loops[n].name} "

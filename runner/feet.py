@@ -12,6 +12,7 @@ from dataclasses import replace
 import mujoco
 import numpy as np
 
+from solver import quaternion as quat
 from solver.figure import Figure, JointKind
 from solver.kinematics import Samples
 from solver.penalty import Point, body_points, site_points
@@ -23,6 +24,7 @@ SOLES = ("heel", "toe")
 LOW = 0.1  # of a figure's height, how far above its lowest point a foot may be
 THICK = 0.02  # the same of the points of a foot above its lowest
 LEVEL = 0.002  # [m] by which what carries toes may be above them
+STEEP = 0.5  # of a slide's way, how much of it goes up
 CORNERS = 4  # points a foot, at most
 
 
@@ -57,14 +59,17 @@ def _lowest(figure: Figure, qpos: Array) -> tuple[Point, ...]:
 
 
 def _roots(figure: Figure) -> list[int]:
-    """The links that carry a figure: free ones, and the last of those that slide about on the world."""
+    """The links that carry a figure: free ones, and the last of the joints on which one goes up and down in a plane."""
     links = figure.links
     roots = [int(i) for i in figure.tables.free_links]
     for i, link in enumerate(links[1:], start=1):
         if link.parent == 0 and link.kind is JointKind.SLIDE:
-            while (deeper := _only_child(figure, i)) is not None and links[deeper].body == links[i].body:
-                i = deeper
-            roots.append(i)
+            chain = [i]
+            while (deeper := _only_child(figure, chain[-1])) is not None and links[deeper].body == link.body:
+                chain.append(deeper)
+            slides = [links[k] for k in chain if links[k].kind is JointKind.SLIDE]
+            if any(abs(quat.rotated(slide.turn, slide.axis)[2]) > STEEP for slide in slides):
+                roots.append(chain[-1])
     return roots
 
 

@@ -21,7 +21,7 @@ def box(model: mujoco.MjModel, data: mujoco.MjData) -> tuple[Array, Array]:
     carrier = np.isin(model.geom_bodyid, _carriers(model)) & (model.geom_bodyid != 0)
     some = np.flatnonzero((moving | carrier) & (model.geom_type != int(mujoco.mjtGeom.mjGEOM_PLANE)))
     if not some.size:
-        centres = data.xipos[model.body_weldid != 0]
+        centres = data.xipos[model.body_weldid != 0] if model.njnt else data.xipos
         return centres.min(axis=0), centres.max(axis=0)
     middle, half = np.split(model.geom_aabb[some], 2, axis=1)
     turn = data.geom_xmat[some].reshape(-1, 3, 3)

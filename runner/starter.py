@@ -12,7 +12,7 @@ import mujoco
 import numpy as np
 
 import models
-from solver.figure import Figure, JointKind, Link, quaternion_columns
+from solver.figure import Figure, FigureError, JointKind, Link, quaternion_columns
 from solver.frame import Frame
 from solver.kinematics import Samples
 from solver.penalty import Point, body_points, closures, couplings, joint_ranges
@@ -61,7 +61,10 @@ def starter(source: str, target: Path) -> str:
         spec = figure_spec(source)
     times, poses = model_keys(spec, Path(source).name)
     scene = compose(spec)
-    figure = Figure(scene.model())
+    try:
+        figure = Figure(scene.model())
+    except (FigureError, ValueError) as error:
+        raise UserError(f"{Path(source).name}: {first_line(error)}") from None
     soles = sole_points(figure, poses)
     own = bool(len(poses))
     if not own:
@@ -97,7 +100,7 @@ def model_keys(spec: mujoco.MjSpec, place: str) -> tuple[Array, Array]:
             pose[:] = said
     times = np.array(model.key_time)[: len(own)]
     if times.size and not np.all(np.diff(times) >= 1e-3):
-        times = APART * np.arange(times.size)
+        times = np.array([APART * k for k in range(times.size)])
     return times, poses
 
 

@@ -94,7 +94,8 @@ class Figure:
         if self.model.njnt == 0:
             raise FigureError("the model has no joints: nothing can move")
         if self.model.nflex:
-            raise FigureError(f"the model has a flex, '{self.model.flex(0).name}': soft bodies are not for keyframes")
+            name = mujoco.mj_id2name(self.model, mujoco.mjtObj.mjOBJ_FLEX, 0)
+            raise FigureError(f"the model has a flex, '{name}': soft bodies are not for keyframes")
         links, body_link, body_offset, body_turn = _links(self.model)
         if self.coordinates == "auto":
             turning = {link.kind for link in links[1:]} <= {JointKind.FREE, JointKind.BALL}
@@ -392,4 +393,4 @@ def on_links(vectors: Array, owners: Index, count: int) -> Array:
     """(n, 3 L): vectors (3, n) fixed on links, as weights of the rotations of `count` links; see `LinkMotion.fixed`."""
     out = np.zeros((owners.size, 3, count))
     out[np.arange(owners.size), :, owners] = vectors.T
-    return out.reshape(owners.size, -1)
+    return out.reshape(owners.size, 3 * count)

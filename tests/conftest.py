@@ -61,20 +61,13 @@ MIXED = """
     <geom type="capsule" size=".04" fromto="0 0 0 0 0 .1"/>
     <body name="head" pos="0 .01 .1" euler="20 0 0"><joint name="head" type="ball" armature=".01" pos="0 0 .01"/>
       <geom type="ellipsoid" size=".1 .08 .12" pos="0 0 .12"/>
-      <body name="jaw" pos=".05 0 0"><joint type="hinge" axis="0 1 0" ref="10"/><joint type="slide" axis="1 0 0"/>
-        <geom type="box" size=".05 .04 .01"/>
-        <body name="tongue" pos=".04 0 0"><joint name="tongue" type="ball"/>
-          <geom type="capsule" size=".01" fromto="0 0 0 .04 0 0"/></body></body></body></body>
+      <body name="jaw" pos=".05 0 0"><joint name="jaw" type="hinge" axis="0 1 0" ref="10"/>
+        <geom type="box" size=".05 .04 .01"/></body></body></body>
   <body name="thigh" pos="0 .1 -.1"><joint name="hip" type="hinge" axis="0 1 0"/>
     <geom type="capsule" size=".05" fromto="0 0 0 0 0 -.4"/>
     <body name="shin" pos="0 0 -.4"><joint name="ankle" type="ball"/>
       <geom type="capsule" size=".04" fromto="0 0 0 .1 0 -.3"/></body></body>
 </body>
-<body name="cart" pos="0 0 .3" euler="0 0 30"><joint name="drive" type="slide" axis="1 .2 0" ref=".1"/>
-  <geom type="box" size=".2 .1 .05"/>
-  <body name="mast" pos="0 0 .1"><joint name="sway" type="ball" pos="0 .01 .02"/>
-    <geom type="capsule" size=".03" fromto="0 0 0 0 0 .4"/></body></body>
-<body name="ball" pos="1 1 .2" euler="10 0 0"><freejoint name="ball"/><geom size=".1"/></body>
 </worldbody></mujoco>"""
 
 FIGURES = {

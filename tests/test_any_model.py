@@ -71,11 +71,11 @@ def test_the_adjoint_of_forces_has_taylor_slope_two(seed, coordinates):
     shape = (3, len(figure.links), samples.count)
     for_moment, for_force = rng.normal(size=shape), rng.normal(size=shape)
     cotangent = Cotangent(samples)
-    InverseDynamics(samples).pull_back(cotangent, for_moment, for_force)
+    InverseDynamics(samples.links).pull_back(cotangent, for_moment, for_force)
     gradients = cotangent.gradients()
 
     def value(point: np.ndarray) -> float:
-        inverse = InverseDynamics(Samples(figure, *point))
+        inverse = InverseDynamics(Samples(figure, *point).links)
         return float(np.sum(for_moment * inverse.moment) + np.sum(for_force * inverse.force))
 
     assert taylor_slope(value, np.stack([samples.y, samples.y_d, samples.y_dd]), np.stack(gradients), rng) > 1.95

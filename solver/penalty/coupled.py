@@ -12,6 +12,7 @@ from functools import cached_property
 
 import mujoco
 import numpy as np
+from numpy.polynomial.polynomial import polyder, polyval
 
 from ..curvature import Curvature, Sides
 from ..figure import Figure
@@ -37,12 +38,11 @@ class Coupling:
 
     def follow(self, driver: Array) -> Array:
         """The follower's values [rad or m] for the driver's."""
-        return self.rest[0] + np.polynomial.polynomial.polyval(driver - self.rest[1], self.coefficients)
+        return np.asarray(self.rest[0] + polyval(driver - self.rest[1], self.coefficients), float)
 
     def slope(self, driver: Array) -> Array:
         """How fast the follower goes with the driver."""
-        by = np.polynomial.polynomial.polyder(self.coefficients)
-        return np.asarray(np.polynomial.polynomial.polyval(driver - self.rest[1], by))
+        return np.asarray(polyval(driver - self.rest[1], polyder(self.coefficients)), float)
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,93 @@
+"""Where figures of other makes than the human's stand."""
+
+from __future__ import annotations
+
+import mujoco
+import numpy as np
+import pytest
+
+from runner.feet import sole_points
+from solver.figure import Figure
+
+LEG = """<body name="{name}_thigh" pos="{x} {y} 0"><joint name="{name}_hip" axis="0 1 0"/>
+  <geom type="capsule" size=".03" fromto="0 0 0 0 0 -.3"/>
+  <body name="{name}_shin" pos="0 0 -.3"><joint name="{name}_knee" axis="0 1 0"/>
+    <geom type="capsule" size=".02" fromto="0 0 0 0 0 -.3"/>{foot}</body></body>"""
+SPHERE = '<geom name="{name}_foot" size=".04" pos="0 0 -.3"/>'
+BOX = """<body name="{name}_ankle" pos="0 0 -.3"><joint name="{name}_ankle" axis="0 1 0"/>
+  <geom name="{name}_sole" type="box" size=".1 .04 .01" pos=".03 0 -.03"/></body>"""
+SITE = '<site name="{name}_toe" pos="0 0 -.34"/>'
+IN_SPHERE = SPHERE + '<site name="{name}_toe" pos="0 0 -.3"/>'
+
+
+def figure_of(legs: dict[str, tuple[float, float]], foot: str, joint: str = "<freejoint/>", extra: str = "") -> Figure:
+    parts = "".join(LEG.format(name=n, x=x, y=y, foot=foot.format(name=n)) for n, (x, y) in legs.items())
+    text = f"""<mujoco><worldbody><body name="trunk" pos="0 0 .65">{joint}
+      <geom type="box" size=".3 .1 .05"/>{parts}</body>{extra}</worldbody></mujoco>"""
+    return Figure(mujoco.MjModel.from_xml_string(text))
+
+
+FOUR = {"fl": (0.3, 0.1), "fr": (0.3, -0.1), "bl": (-0.3, 0.1), "br": (-0.3, -0.1)}
+TWO = {"l": (0.0, 0.1), "r": (0.0, -0.1)}
+NONE = np.zeros((0, 0))
+
+
+def soles(figure: Figure) -> list[str]:
+    return [point.name for point in sole_points(figure, np.zeros((0, figure.width)))]
+
+
+def test_a_quadruped_stands_on_its_spheres():
+    figure = figure_of(FOUR, SPHERE)
+    points = sole_points(figure, np.zeros((0, figure.width)))
+    assert [point.name for point in points] == ["fl_foot", "fr_foot", "bl_foot", "br_foot"]
+    assert all(point.radius == 0.04 for point in points)
+
+
+def test_a_humanoid_of_hinges_stands_on_the_corners_of_its_soles():
+    assert soles(figure_of(TWO, BOX)) == [f"{side}_sole {k}" for side in "lr" for k in (1, 2, 3, 4)]
+
+
+def test_sites_that_are_called_toe_or_heel_go_first():
+    assert soles(figure_of(TWO, SITE)) == ["l_toe", "r_toe"]
+
+
+def test_a_site_in_the_middle_of_a_sphere_is_as_thick_as_that():
+    figure = figure_of(TWO, IN_SPHERE)
+    assert [point.radius for point in sole_points(figure, np.zeros((0, figure.width)))] == [0.04, 0.04]
+
+
+def test_a_walker_that_slides_about_in_a_plane_has_feet_too():
+    joints = '<joint type="slide" axis="1 0 0"/><joint type="slide" axis="0 0 1"/><joint axis="0 1 0"/>'
+    assert soles(figure_of(TWO, SPHERE, joints)) == ["l_foot", "r_foot"]
+
+
+@pytest.mark.parametrize("joint", ['<joint axis="0 1 0"/>', '<joint type="ball"/>', ""])
+def test_what_is_bolted_to_the_world_has_none(joint):
+    assert soles(figure_of(TWO, SPHERE, joint)) == []
+
+
+def test_a_figure_that_lies_on_its_belly_has_none_but_where_a_keyframe_stands_it_up():
+    figure = figure_of(TWO, SPHERE)
+    lying = Figure(figure.model)
+    hips = [lying.model.joint(name).qposadr[0] for name in ("l_hip", "r_hip")]
+    lying.model.qpos0[hips] = np.pi / 2
+    standing = np.array(figure.model.qpos0)
+    standing[hips] = 0
+    flat = mujoco.MjModel.from_xml_string(
+        '<mujoco><worldbody><body pos="0 0 1"><freejoint/><geom type="box" size=".5 .5 .1"/><body pos=".5 0 .1">'
+        '<joint axis="0 1 0"/><geom type="capsule" size=".02" fromto="0 0 0 .3 0 0"/></body></body>'
+        "</worldbody></mujoco>"
+    )
+    assert soles(Figure(flat)) == []
+    assert [point.name for point in sole_points(lying, standing[None])] == ["l_foot", "r_foot"]
+
+
+def test_a_ball_beside_a_robot_has_no_feet():
+    ball = '<body name="ball" pos="1 0 .1"><freejoint name="ball"/><geom name="ball" size=".1"/></body>'
+    assert soles(figure_of(TWO, SPHERE, extra=ball)) == ["l_foot", "r_foot"]
+
+
+def test_two_robots_stand_on_the_feet_of_both():
+    other = """<body pos="0 2 .4"><freejoint/><geom type="box" size=".1 .1 .05"/>
+      <body><joint axis="0 1 0"/><geom name="peg" type="capsule" size=".02" fromto="0 0 0 0 0 -.3"/></body></body>"""
+    assert soles(figure_of(TWO, SPHERE, extra=other)) == ["l_foot", "r_foot", "peg"]

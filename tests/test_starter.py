@@ -1,0 +1,122 @@
+"""`dynsplines new`: what it writes loads, solves and moves without an edit, for models of every kind of joint."""
+
+from __future__ import annotations
+
+import io
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import pytest
+from rich.console import Console
+
+from runner import clip, work
+from runner.clip_text import keyframe_tables
+from runner.errors import UserError
+from runner.progress import Teller
+from runner.starter import starter
+
+BODY = '<body name="b" pos="0 0 1">{}<geom type="capsule" size=".05" fromto="0 0 0 .3 0 0"/>{}</body>'
+ARM = BODY.format('<joint name="swing" axis="0 1 0" {}/>', "")
+KINDS = {
+    "hinge": ARM.format(""),
+    "limited hinge": ARM.format('range="-10 20" limited="true"'),
+    "hinge off zero": ARM.format('range="30 80" limited="true" ref="10"'),
+    "slide": BODY.format('<joint type="slide" axis="1 0 0" range="0 .1" limited="true"/>', ""),
+    "ball": BODY.format('<joint type="ball" range="0 40" limited="true"/>', ""),
+    "three on a body": BODY.format('<joint axis="1 0 0"/><joint axis="0 1 0"/><joint type="slide"/>', ""),
+    "free and a hinge": BODY.format("<freejoint/>", '<body><joint axis="0 1 0"/><geom size=".1" pos=".3 0 0"/></body>'),
+    "free not first": BODY.format(
+        "", ""
+    ).replace('name="b"', 'name="post"') + ARM.format("").replace('"b"', '"arm"') + BODY.format("<freejoint/>", ""),
+    "two free": BODY.format("<freejoint/>", "") + BODY.format("<freejoint/>", "").replace('"b"', '"c d"') + ARM.replace(
+        '"b"', '"e"').format(""),
+    "a body without a name": BODY.format('<joint axis="0 1 0"/>', "").replace('name="b"', ""),
+    "odd names": ARM.format("").replace('"swing"', '"robot0:swing joint"'),
+    "nothing to see": '<body><joint axis="0 1 0"/><inertial mass="1" pos=".1 0 0" diaginertia=".1 .1 .1"/></body>',
+    "mixed": BODY.format(
+        "<freejoint/>",
+        '<body><joint name="n" type="ball"/><geom size=".1"/><body pos="0 0 .2"><joint axis="0 1 0"/><geom size=".1"/>'
+        '<body pos="0 0 .2"><joint name="w" type="ball"/><geom size=".1"/></body></body></body>',
+    ),
+}  # fmt: skip
+RADIANS = '<mujoco><compiler angle="radian"/>'
+
+
+def written(text: str, folder: Path) -> clip.Clip:
+    (folder / "models").mkdir()
+    (folder / "models" / "it.xml").write_text(text, encoding="utf-8")
+    target = folder / "it.toml"
+    target.write_text(starter(str(folder / "models" / "it.xml"), target), encoding="utf-8")
+    return clip.load(str(target))
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_model_of_any_joint_gets_a_clip_that_moves_within_its_ranges(kind, tmp_path):
+    problem = written(f"<mujoco><worldbody>{KINDS[kind]}</worldbody></mujoco>", tmp_path)
+    assert len(problem.keys) == 3
+    solved = work.solve(problem, Teller(Console(file=io.StringIO())))
+    saved = solved.saved(Teller(Console(file=io.StringIO())))
+    assert saved.report["after"]["keyframe error"] <= 1e-12
+    assert saved.report["after"]["beyond joint range"].get("most", 0) < 0.5
+    first, second, third = (key.state for key in problem.keys)
+    assert np.abs(second - first).max() > 0.02
+    np.testing.assert_allclose(third, first, atol=1e-6)
+    assert all(key.fixed.all() for key in problem.keys)
+
+
+def test_the_models_own_keyframes_are_the_clips_at_their_times(tmp_path):
+    keys = "<keyframe><key time='0.1' qpos='0.2'/><key time='0.7' qpos='-1.3'/></keyframe>"
+    problem = written(f"{RADIANS}<worldbody>{ARM.format('')}</worldbody>{keys}</mujoco>", tmp_path)
+    assert [key.time for key in problem.keys] == [0.1, 0.7]
+    np.testing.assert_allclose([key.state[0] for key in problem.keys], [0.2, -1.3], atol=1e-7)
+
+
+def test_keyframes_without_times_are_half_a_second_apart_and_one_alone_gets_company(tmp_path):
+    keys = "<size nkey='9'/><keyframe><key qpos='0.2'/><key qpos='-1.3'/><key qpos='0'/></keyframe>"
+    (tmp_path / "a").mkdir()
+    problem = written(f"{RADIANS}<worldbody>{ARM.format('')}</worldbody>{keys}</mujoco>", tmp_path / "a")
+    assert [key.time for key in problem.keys] == [0, 0.5, 1]
+    alone = "<keyframe><key name='home' qpos='0.2'/></keyframe>"
+    problem = written(f"{RADIANS}<worldbody>{ARM.format('')}</worldbody>{alone}</mujoco>", tmp_path)
+    assert len(problem.keys) == 3
+    np.testing.assert_allclose(problem.keys[0].state, 0.2, atol=1e-7)
+
+
+def test_comments_name_joints_with_their_units_and_ranges(tmp_path):
+    problem = written(f"<mujoco><worldbody>{KINDS['limited hinge']}</worldbody></mujoco>", tmp_path)
+    text = problem.text
+    assert "joints.swing" in text
+    assert "hinge, degrees, -10 to 20" in text
+    assert tomllib.loads(text)["figure"] == "models/it.xml"
+
+
+def test_a_second_free_body_is_placed_by_its_name_and_there_and_back_in_text(tmp_path):
+    problem = written(f"<mujoco><worldbody>{KINDS['two free']}</worldbody></mujoco>", tmp_path)
+    moved = problem.text.replace('roots."c d" = {position = [0, 0, ', 'roots."c d" = {position = [5, 0, ', 1)
+    again = clip.from_text(moved, name="it", folder=tmp_path)
+    assert again.keys[0].state[7] == 5
+    assert keyframe_tables(again.figure, again.keys)[0]["roots"]["c d"]["position"][0] == 5
+    with pytest.raises(UserError, match=r"roots: no free joint 'c'"):
+        clip.from_text(moved.replace('roots."c d"', "roots.c"), name="it", folder=tmp_path)
+
+
+def test_a_free_figure_with_feet_is_put_on_the_floor(tmp_path):
+    legs = "".join(
+        f'<body pos="0 {y} 0"><joint axis="0 1 0"/><geom type="capsule" size=".02" fromto="0 0 0 0 0 -.3"/></body>'
+        for y in (-0.1, 0.1)
+    )
+    text = f'<body pos="0 0 3"><freejoint/><geom type="box" size=".1 .2 .05"/>{legs}</body>'
+    problem = written(f"<mujoco><worldbody>{text}</worldbody></mujoco>", tmp_path)
+    assert problem.keys[0].state[2] == pytest.approx(0.32)
+
+
+def test_a_free_body_alone_is_refused_in_words(tmp_path):
+    with pytest.raises(UserError, match="all that moves"):
+        written(f"<mujoco><worldbody>{BODY.format('<freejoint/>', '')}</worldbody></mujoco>", tmp_path)
+
+
+def test_a_soft_body_is_refused_in_words(tmp_path):
+    flex = """<flexcomp name="cloth" type="grid" count="3 3 1" spacing=".1 .1 .1" radius=".01" dim="2"/>"""
+    with pytest.raises(UserError, match="'cloth'"):
+        written(f"<mujoco><worldbody>{flex}</worldbody></mujoco>", tmp_path)

@@ -1,0 +1,62 @@
+"""Which geoms count as solid, and what is bolted together."""
+
+from __future__ import annotations
+
+import mujoco
+import numpy as np
+
+from solver.figure import Figure
+from solver.penalty import body_points, covering_points
+from solver.surface import static_surfaces
+from solver.touch import bolted, movers, solids
+
+ARM = """
+<mujoco><asset><mesh name="rock" vertex="0 0 0 .1 0 0 0 .1 0 0 0 .1 .1 .1 .1"/></asset>
+<worldbody>
+  <geom name="floor" type="plane" size="1 1 1"/><geom name="wall" type="box" size=".1 1 1" pos="2 0 0"/>
+  <body name="base"><geom name="base" type="cylinder" size=".1 .05"/>
+    <geom name="cover" type="mesh" mesh="rock" contype="0" conaffinity="0"/>
+    <body name="one" pos="0 0 .04"><joint name="yaw" axis="0 0 1"/><geom name="one" type="capsule" size=".05"
+      fromto="0 0 0 0 0 .3"/><geom name="look" type="mesh" mesh="rock" contype="0" conaffinity="0"/>
+      <body name="two" pos="0 0 .3"><joint name="pitch" axis="0 1 0"/><geom name="two" type="mesh" mesh="rock"/></body>
+    </body></body>
+  <body name="mark" mocap="true" pos="0 0 3"><geom name="mark" size=".1"/></body>
+  <body name="cart" pos="0 1 .1"><joint name="rail" type="slide" axis="1 0 0"/><geom name="cart" size=".15"/></body>
+  <body name="lift" pos="0 -1 .1"><joint name="lift" type="slide" axis="0 0 1"/><geom name="lift" size=".15"/></body>
+  <body name="die" pos="1 0 0"><freejoint/><geom name="die" size=".1"/></body>
+</worldbody></mujoco>"""
+
+
+def named(model: mujoco.MjModel, geoms: list[int]) -> list[str]:
+    return [model.geom(g).name for g in geoms]
+
+
+def test_what_is_only_to_be_seen_and_what_a_programme_moves_do_not_count():
+    model = mujoco.MjModel.from_xml_string(ARM)
+    assert named(model, solids(model)) == ["floor", "wall", "base"]
+    assert named(model, movers(model)) == ["one", "two", "cart", "lift", "die"]
+    assert [surface.name for surface in static_surfaces(model)] == ["floor", "wall", "base"]
+
+
+def test_limbs_are_bolted_to_what_they_are_in_at_rest_unless_they_can_leave_it():
+    model = mujoco.MjModel.from_xml_string(ARM)
+    found = {(model.body(body).name, model.geom(geom).name) for body, geom in bolted(model)}
+    # the arm's first limb turns in its socket and reaches into the floor, the cart cannot leave it; lift and die can
+    assert found == {("one", "base"), ("one", "floor"), ("cart", "floor")}
+
+
+def test_the_corners_of_a_mesh_of_the_figure_are_covered():
+    figure = Figure(mujoco.MjModel.from_xml_string(ARM))
+    link = figure.link_named("two")
+    for points in (body_points(figure), covering_points(figure)):
+        own = np.array([point.position for point in points if point.link == link])
+        model = figure.model
+        vertices = model.mesh_vert @ np.array(_axes(model, "two")).T + model.geom("two").pos
+        for vertex in vertices:
+            assert np.linalg.norm(own - vertex, axis=1).min() < 1e-6
+
+
+def _axes(model: mujoco.MjModel, geom: str) -> np.ndarray:
+    out = np.zeros(9)
+    mujoco.mju_quat2Mat(out, model.geom(geom).quat)
+    return out.reshape(3, 3)
