@@ -45,9 +45,11 @@ FOUR_BAR = """
   </body></body>
 <body name="rocker" pos=".3 0 1"><joint name="rocker" axis="0 1 0"/>
   <geom type="capsule" size=".01" fromto="0 0 0 0 0 .1"/></body>
-<body name="handle" mocap="true" pos="0 1 2"/><body name="lid" pos="0 1 1"><freejoint name="lid"/><geom type="box" size=".1 .1 .01"/></body>
+<body name="handle" mocap="true" pos="0 1 2"/>
+<body name="lid" pos="0 1 1"><freejoint name="lid"/><geom type="box" size=".1 .1 .01"/></body>
 </worldbody>
-<equality><weld body1="lid" body2="handle"/><connect body1="rod" body2="rocker" anchor=".3 0 0"/><weld body1="lid"/></equality></mujoco>"""
+<equality><weld body1="lid" body2="handle"/>
+  <connect body1="rod" body2="rocker" anchor=".3 0 0"/><weld body1="lid"/></equality></mujoco>"""
 
 
 def solved(text: str, keys: str, folder: Path) -> work.Solved:
