@@ -1,7 +1,8 @@
 """Which points of a figure stand on the ground: sites that are called heel or toe, or else what is lowest of its feet.
 
 Feet are the ends of a figure's limbs that are lowest when it stands tallest: at rest or in one of its keyframes. A
-figure whose trunk is as low has none, nor has one that hangs on the world by hinges.
+figure whose trunk is as low has none, nor one with a single limb, unless a plane holds it up, nor one that hangs on
+the world by hinges.
 """
 
 from __future__ import annotations
@@ -100,7 +101,8 @@ def _feet(figure: Figure, root: int, points: Sequence[Point], qpos: Array) -> li
             if foot == root:
                 return []
             found += _corners(points, own[bottom[own] <= bottom[own].min() + THICK * height], places)
-    return found
+    hangs = figure.links[root].kind is JointKind.FREE and len({point.link for point in found}) < 2
+    return [] if hangs else found
 
 
 def _corners(points: Sequence[Point], some: Index, places: Array) -> list[Point]:

@@ -439,6 +439,18 @@ def assert_refused_whatever_mujoco_says(done: Done, *words: str) -> None:
     assert all(word in line for word in words)
 
 
+def test_a_new_clip_of_a_model_is_solved_as_it_is_and_never_written_over_another(run, tmp_path):
+    assert run("new", "hinge.xml", "-o", "mine.toml").code in (None, 0)
+    assert run("solve", "mine.toml").code in (None, 0)
+    with np.load(tmp_path / "mine.npz") as data:
+        assert data["key_qpos"].shape == (3, 2)
+    with nothing_written(tmp_path):
+        assert_refused(run("new", "hinge.xml", "-o", "mine.toml"), "'mine.toml' is there already", "--overwrite")
+        assert_refused(run("new", "hinge.xml", "-o", "mine.npz"), "ends in .toml")
+        assert_refused(run("new", "none.xml"), "no file 'none.xml'")
+    assert run("new", "hinge.xml", "-o", "mine.toml", "--overwrite").code in (None, 0)
+
+
 @pytest.mark.parametrize("figure", ["<mujoco", FIGURE.replace("freejoint", "freejiont")])
 def test_a_broken_figure_of_a_clip_names_the_clip_and_the_figure(run, tmp_path, figure):
     (tmp_path / "tiny.xml").write_text(figure, encoding="utf-8")

@@ -200,15 +200,10 @@ def test_what_was_looked_for_and_not_found_is_one_line_each(tmp_path):
     figure = FIGURE.replace("left_knee", "hip").replace("left_shin", "thigh").replace("left_toe", "tip")
     (tmp_path / "tiny.xml").write_text(figure, encoding="utf-8")
     notes = clip.load(str(tmp_path / "tiny.toml")).notes
-    assert len(notes) == 1
-    assert "knee" in notes[0]
-    (tmp_path / "tiny.xml").write_text(
-        figure.replace("0 0 -.3", "0 0 .3").replace('pos="0 0 -.2"', 'pos="0 0 .2"'), encoding="utf-8"
-    )
-    notes = clip.load(str(tmp_path / "tiny.toml")).notes
     assert len(notes) == 2
     assert all("\n" not in note for note in notes)
     assert "heel or toe" in notes[0]
+    assert "knee" in notes[1]
 
 
 def test_a_site_named_by_the_clip_must_be_there(tmp_path):

@@ -45,9 +45,11 @@ FOUR_BAR = """
   </body></body>
 <body name="rocker" pos=".3 0 1"><joint name="rocker" axis="0 1 0"/>
   <geom type="capsule" size=".01" fromto="0 0 0 0 0 .1"/></body>
+<body name="handle" mocap="true" pos="0 1 2"/>
 <body name="lid" pos="0 1 1"><freejoint name="lid"/><geom type="box" size=".1 .1 .01"/></body>
 </worldbody>
-<equality><connect body1="rod" body2="rocker" anchor=".3 0 0"/><weld body1="lid"/></equality></mujoco>"""
+<equality><weld body1="lid" body2="handle"/>
+  <connect body1="rod" body2="rocker" anchor=".3 0 0"/><weld body1="lid"/></equality></mujoco>"""
 
 
 def solved(text: str, keys: str, folder: Path) -> work.Solved:
@@ -81,8 +83,8 @@ def test_points_of_closed_loops_are_those_of_mujoco(rng):
         data.qpos[:] = qpos
         mujoco.mj_forward(model, data)
         equality = data.efc_type == int(mujoco.mjtConstraint.mjCNSTR_EQUALITY)
-        np.testing.assert_allclose(apart[:, 0, i], data.efc_pos[equality][:3], atol=1e-12)
-        np.testing.assert_allclose(apart[:, 1, i], data.efc_pos[equality][3:6], atol=1e-12)
+        np.testing.assert_allclose(apart[:, 0, i], data.efc_pos[equality][6:9], atol=1e-12)
+        np.testing.assert_allclose(apart[:, 1, i], data.efc_pos[equality][9:12], atol=1e-12)
     assert len(closures(figure)) == 4
 
 

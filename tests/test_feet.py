@@ -89,5 +89,7 @@ def test_a_ball_beside_a_robot_has_no_feet():
 
 def test_two_robots_stand_on_the_feet_of_both():
     other = """<body pos="0 2 .4"><freejoint/><geom type="box" size=".1 .1 .05"/>
-      <body><joint axis="0 1 0"/><geom name="peg" type="capsule" size=".02" fromto="0 0 0 0 0 -.3"/></body></body>"""
-    assert soles(figure_of(TWO, SPHERE, extra=other)) == ["l_foot", "r_foot", "peg"]
+      <body><joint axis="0 1 0"/><geom name="peg" type="capsule" size=".02" fromto="0 0 0 0 0 -.3"/></body>{}</body>"""
+    leg = '<body><joint axis="0 1 0"/><geom name="leg" type="capsule" size=".02" fromto="0 .1 0 0 .1 -.3"/></body>'
+    assert soles(figure_of(TWO, SPHERE, extra=other.format(leg))) == ["l_foot", "r_foot", "peg", "leg"]
+    assert soles(figure_of(TWO, SPHERE, extra=other.format(""))) == ["l_foot", "r_foot"]  # what hangs does not stand

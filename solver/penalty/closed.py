@@ -85,7 +85,7 @@ class Closed:
 
 
 def closures(figure: Figure) -> tuple[Closure, ...]:
-    """What a model's active connections and welds hold together."""
+    """What a model's active connections and welds hold together, but for handles that a programme moves (mocap)."""
     model, found = figure.model, []
     kinds = {int(mujoco.mjtEq.mjEQ_CONNECT): "connect", int(mujoco.mjtEq.mjEQ_WELD): "weld"}
     for i in np.flatnonzero(model.eq_active0 != 0):
@@ -93,6 +93,8 @@ def closures(figure: Figure) -> tuple[Closure, ...]:
         if kind is None:
             continue
         frames = _frames(model, int(i), weld=kind == "weld")
+        if any(model.body_mocapid[body] >= 0 for body, _, _ in frames):
+            continue
         name = model.equality(int(i)).name or " and ".join(model.body(body).name or "world" for body, _, _ in frames)
         offsets = [np.zeros(3)] if kind == "connect" else [np.zeros(3), *(ARM * np.eye(3)[:2])]
         for offset in offsets:
