@@ -41,6 +41,7 @@ Model = Annotated[str | None, typer.Option("--model", help="a figure, instead of
 Keys = Annotated[str | None, typer.Option("--keys", help=".npz with time (K,) and qpos (K, nq); with --model")]
 Output = Annotated[Path | None, typer.Option("-o", "--output", help="the file to write")]
 Overwrite = Annotated[bool, typer.Option("--overwrite", help="let -o be the file that is edited")]
+OverThere = Annotated[bool, typer.Option("--overwrite", help="let -o be a file that is there")]
 Repeat = Annotated[int | None, typer.Option("--repeat", help="play a loop so many times, without a seam")]
 AsJson = Annotated[bool, typer.Option("--json", help="print JSON")]
 
@@ -228,20 +229,19 @@ def plot(source: Source = "", output: Output = None, model: Model = None, keys: 
 def new_clip(
     model: Annotated[str, typer.Argument(metavar="MODEL", help="an MJCF file, or a shipped figure")],
     output: Output = None,
-    overwrite: Annotated[bool, typer.Option("--overwrite", help="let -o be a file that is there")] = False,
+    overwrite: OverThere = False,
 ) -> None:
     """Write a clip to begin with, for any model: its keyframes, or a pose and a move; comments name all its parts."""
     _without_graphics()
     from .errors import UserError
-    from .motion import check_target
+    from .motion import check_new, check_target
     from .starter import starter
 
     target = output or Path(f"{Path(model).stem}.toml")
     if target.suffix != ".toml":
         raise UserError(f"{target}: a clip file's name ends in .toml")
     check_target(target)
-    if target.exists() and not overwrite:
-        raise UserError(f"'{target}' is there already; give another -o, or --overwrite")
+    check_new(target, overwrite=overwrite)
     text = starter(model, target)
     target.write_text(text, encoding="utf-8")
     print(f"wrote {target}; see it: dynsplines render {target}")
@@ -319,7 +319,7 @@ def thin(
         str | None, typer.Option("--from", help="the recording's format, if its ending is not enough")
     ] = None,
     fps: Annotated[float | None, typer.Option(help="the recording's images a second, if it does not tell")] = None,
-    overwrite: Overwrite = False,
+    overwrite: OverThere = False,
 ) -> None:
     """The fewest keyframes that keep a motion within a bound, as a clip (.toml) or a motion (.npz)."""
     _without_graphics()
@@ -370,6 +370,7 @@ def import_motion(
         float | None, typer.Option(help="the file's unit of length in metres, where it is guessed")
     ] = None,
     output: Output = None,
+    overwrite: OverThere = False,
 ) -> None:
     """Read a recorded motion; every instant of it becomes a keyframe, and nothing is searched."""
     _without_graphics()
@@ -388,6 +389,7 @@ def import_motion(
     motion.check_target(target)
     if target.exists() and source.exists() and target.samefile(source):
         raise UserError(f"'{target}' is what is read; give another -o")
+    motion.check_new(target, overwrite=overwrite)
     with Teller() as teller:
         motion.save(imported(source, kind, figure=figure, fps=fps, scale=scale, teller=teller), target)
         teller.say(f"wrote {target}")

@@ -205,6 +205,12 @@ def check_target(target: Path) -> None:
         raise UserError(f"cannot write '{target}': the folder is not writable")
 
 
+def check_new(target: Path, *, overwrite: bool) -> None:
+    """Raises UserError if a file is there that nobody said may go."""
+    if target.exists() and not overwrite:
+        raise UserError(f"'{target}' is there already; give another -o, or --overwrite")
+
+
 def is_motion(source: str) -> bool:
     """Whether a command's argument names a motion file rather than a clip."""
     return Path(source).suffix.lower() == ".npz"

@@ -60,6 +60,7 @@ def run(
     thinning.check(target)
     if target.exists() and source.exists() and target.samefile(source) and not overwrite:
         raise UserError(f"'{target}' is what is read; give another -o, or --overwrite")
+    motion.check_new(target, overwrite=overwrite)
     saved = recording.read(teller)
     found = thinning.thinned(saved, *bound, solve=solve, teller=teller)
     written = thinning.write(found, target, solve=solve, overwrite=overwrite)

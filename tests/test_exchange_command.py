@@ -49,3 +49,14 @@ def test_what_a_format_cannot_hold_leaves_no_file_behind(run, tmp_path):
     code, _, said = run("export", "wild.npz", "--to", "deepmimic")
     assert code == 2 and "no ball joint 'spine', only: floating, left_hip_pitch" in " ".join(said.split())
     assert sorted(path.name for path in tmp_path.iterdir()) == ["robot.xml", "wild.npz"]
+
+
+@pytest.mark.parametrize("output", [[], ["-o", "walk.npz"]])
+def test_a_motion_that_is_there_stays_unless_told(run, tmp_path, output):
+    assert run("export", "wild.npz", "--to", "csv", "-o", "walk.csv")[0] == 0
+    (tmp_path / "walk.npz").write_text("mine")
+    code, _, said = run("import", "walk.csv", "--figure", "robot.xml", *output)
+    assert code == 2 and "'walk.npz' is there already; give another -o, or --overwrite" in said
+    assert (tmp_path / "walk.npz").read_text() == "mine"
+    assert run("import", "walk.csv", "--figure", "robot.xml", *output, "--overwrite")[0] == 0
+    assert motion.load(tmp_path / "walk.npz").name == "walk"

@@ -149,6 +149,17 @@ def test_what_is_read_is_not_written_over(motion_file, tmp_path):
     run(copy, copy, overwrite=True)
 
 
+@pytest.mark.parametrize("ending", [".npz", ".toml"])
+def test_a_file_that_is_there_stays_unless_told(motion_file, tmp_path, ending):
+    target = tmp_path / f"kept{ending}"
+    target.write_text("mine")
+    with pytest.raises(UserError, match="is there already; give another -o, or --overwrite"):
+        run(motion_file, target)
+    assert target.read_text() == "mine" and names(tmp_path) == [target.name]
+    run(motion_file, target, overwrite=True)
+    assert target.read_bytes() != b"mine"
+
+
 @pytest.mark.parametrize("ending", [".csv", ".bvh", ""])
 def test_other_endings_are_refused_before_anything_is_read(ending, tmp_path):
     with pytest.raises(UserError, match=r"as a clip, \.toml, or as a motion, \.npz"):
