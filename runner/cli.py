@@ -376,6 +376,7 @@ def import_motion(
     _without_graphics()
     from . import motion
     from .errors import UserError
+    from .exchange.formats import stem
     from .exchange.imported import imported
     from .progress import Teller
 
@@ -383,7 +384,7 @@ def import_motion(
         raise UserError(f"--fps {fps:g}: give a number of images a second, 0.01 to 1000")
     if scale is not None and not 1e-6 <= scale <= 1e6:
         raise UserError(f"--scale {scale:g}: give the file's unit in metres, 0.01 for centimetres")
-    target = output or Path(f"{source.stem}.npz")
+    target = output or Path(f"{stem(source)}.npz")
     if target.suffix != ".npz":
         raise UserError(f"{target}: a motion file's name ends in .npz")
     motion.check_target(target)

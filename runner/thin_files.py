@@ -12,6 +12,7 @@ import models
 from . import clip as clips
 from . import motion, thinning, work
 from .errors import UserError
+from .exchange.formats import stem
 from .exchange.imported import imported
 from .motion import Saved
 from .progress import Teller
@@ -56,7 +57,7 @@ def run(
 ) -> Path:
     """Thins a motion and writes what is left; a clip's file is read and solved again, and its misses are told."""
     source = Path(recording.source)
-    target = target or Path(f"{source.stem}_thin.toml")
+    target = target or Path(f"{stem(source)}_thin.toml")
     thinning.check(target)
     if target.exists() and source.exists() and target.samefile(source) and not overwrite:
         raise UserError(f"'{target}' is what is read; give another -o, or --overwrite")

@@ -1,11 +1,13 @@
 """The commands export and import as a user meets them: what they say, and what can be done with an imported motion."""
 
 import sys
+from pathlib import Path
 
 import pytest
 import wild
 
 from runner import cli, motion
+from runner.exchange import formats
 
 
 @pytest.fixture
@@ -60,3 +62,27 @@ def test_a_motion_that_is_there_stays_unless_told(run, tmp_path, output):
     assert (tmp_path / "walk.npz").read_text() == "mine"
     assert run("import", "walk.csv", "--figure", "robot.xml", *output, "--overwrite")[0] == 0
     assert motion.load(tmp_path / "walk.npz").name == "walk"
+
+
+def test_a_motion_is_called_after_its_file_without_the_formats_whole_ending(run, tmp_path):
+    assert run("export", "wild.npz", "--to", "locomujoco", "-o", "doggo7.loco.npz")[0] == 0
+    code, _, said = run("import", "doggo7.loco.npz", "--figure", "robot.xml")
+    assert code == 0 and said.splitlines()[-1] == "wrote doggo7.npz"
+    assert motion.load(tmp_path / "doggo7.npz").name == "doggo7"
+
+
+@pytest.mark.parametrize(
+    ("name", "stem"),
+    [
+        ("in/a.b.mjlab.csv", "a.b"),
+        ("A.KEYS.XML", "A"),
+        ("a.b.csv", "a.b"),
+        (".csv", ".csv"),
+        ("a.b.pkl", "a.b"),
+        ("a", "a"),
+        (".qpos.npz", ".qpos"),
+        ("a.usda", "a"),
+    ],
+)
+def test_the_longest_ending_is_dropped(name, stem):
+    assert formats.stem(Path(name)) == stem

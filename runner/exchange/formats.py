@@ -67,6 +67,13 @@ def readers() -> dict[str, Format]:
     return {each.name: each for each in FORMATS if each.reads}
 
 
+def stem(source: Path) -> str:
+    """A file's name without the whole ending of its format: 'run' of run.loco.npz."""
+    endings = [ending for each in FORMATS for ending in (each.ending, *each.also) if len(source.name) > len(ending)]
+    fitting = [ending for ending in endings if source.name.lower().endswith(ending)]
+    return source.name[: -max(map(len, fitting))] if fitting else source.stem
+
+
 def writer(name: str) -> Format:
     """The format to export to; raises UserError that lists them."""
     known = writers()

@@ -15,7 +15,7 @@ from ..motion import Saved
 from ..progress import Teller
 from ..scene import compose, figure_spec
 from ..work import unsolved
-from .formats import recording
+from .formats import recording, stem
 
 
 def imported(
@@ -43,7 +43,7 @@ def imported(
     spec = mujoco.MjSpec.from_string(told.mjcf, assets=dict(told.assets)) if told.mjcf is not None else spec
     assert spec is not None, "a reader gives a figure or asks for one"
     rate = told.fps or (float(np.round(1 / np.median(np.diff(told.time)), 6)) if told.time.size > 1 else 30.0)
-    found = clips.from_qpos(source.stem, compose(spec), told.time, told.qpos, rate, source.name)
+    found = clips.from_qpos(stem(source), compose(spec), told.time, told.qpos, rate, source.name)
     if told.loops:
         try:
             return unsolved(replace(found, ends="periodic")).saved(teller, with_report=False)
