@@ -335,7 +335,9 @@ def thin(
 @app.command()
 def export(
     source: Source,
-    to: Annotated[str, typer.Option("--to", help="the format; `dynsplines formats` lists them")],
+    to: Annotated[
+        str | None, typer.Option("--to", help="the format, if -o's ending is not enough; see `dynsplines formats`")
+    ] = None,
     output: Output = None,
     fps: Annotated[float | None, typer.Option(help="samples a second [default: the motion's]")] = None,
     repeat: Repeat = None,
@@ -347,7 +349,7 @@ def export(
     from .motion import check_target
     from .progress import Teller
 
-    formats.writer(to)
+    form = formats.chosen(to, output)
     if fps is not None and not 0.01 <= fps <= 100_000:
         raise UserError(f"--fps {fps:g}: give a number of samples a second, 0.01 to 100000")
     if output is not None:
@@ -356,7 +358,7 @@ def export(
         found = _found(source, None, None)
         _check_repeat(found, repeat)
         saved = _repeated(_saved(found, teller, with_report=False), repeat)
-        target = formats.export(saved, to, output, fps=fps, tell=teller.say)
+        target = formats.export(saved, form.name, output, fps=fps, tell=teller.say)
         teller.say(f"wrote {target}")
 
 

@@ -86,3 +86,56 @@ def test_a_motion_is_called_after_its_file_without_the_formats_whole_ending(run,
 )
 def test_the_longest_ending_is_dropped(name, stem):
     assert formats.stem(Path(name)) == stem
+
+
+@pytest.mark.parametrize(
+    ("name", "kind"),
+    [
+        ("a.bvh", "bvh"),
+        ("a.MJLAB.csv", "mjlab-csv"),
+        ("a.csv", "csv"),
+        ("a.usd", "usd"),
+        ("t.usda", "usd"),
+        ("t.usdc", "usd"),
+        ("t.keys.xml", "mjcf"),
+    ],
+)
+def test_a_files_ending_tells_the_format_to_write(name, kind):
+    assert formats.chosen(None, Path(name)).name == kind
+
+
+@pytest.mark.parametrize(
+    ("name", "kind"),
+    [("a.npz", "mjlab"), ("a.xml", "mjcf"), ("a.txt", "deepmimic"), ("A.BVH", "bvh"), ("a.usd", "usd")],
+)
+def test_an_ending_that_fits_goes_with_the_formats_name(name, kind):
+    assert formats.chosen(kind, Path(name)).name == kind
+
+
+def test_export_needs_no_format_where_the_ending_tells_it(run, tmp_path):
+    assert run("export", "wild.npz", "-o", "a.bvh")[0] == 0
+    assert (tmp_path / "a.bvh").read_text().startswith("HIERARCHY")
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (["--to", "bvh", "-o", "a.csv"], "'a.csv': a bvh file's name ends in .bvh"),
+        (["--to", "bvh", "-o", "a"], "'a': a bvh file's name ends in .bvh"),
+        (["--to", "html", "-o", ".html.gz"], "'.html.gz': an html file's name ends in .html"),
+        (["--to", "mjlab", "-o", "a.csv"], "'a.csv': an mjlab file's name ends in .mjlab.npz or .npz"),
+        (["-o", "a.amass.npz"], "the format 'amass' is read only"),
+        (["-o", "a.foo"], "'a.foo': its ending does not tell its format; give --to"),
+        ([], "name the format, --to, or a file with its ending, -o; formats: csv"),
+    ],
+)
+def test_a_name_that_does_not_fit_is_refused_before_anything_is_written(run, tmp_path, words, told):
+    code, _, said = run("export", "wild.npz", *words)
+    assert code == 2 and told in said
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["robot.xml", "wild.npz"]
+
+
+@pytest.mark.parametrize("words", [["x.glb"], ["x.y", "--from", "gltf"]])
+def test_a_format_that_is_only_written_is_told(run, words):
+    code, _, said = run("import", *words, "-o", "new.npz")
+    assert code == 2 and "the format 'gltf' is only written; read are: csv" in said

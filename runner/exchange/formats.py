@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
@@ -24,6 +24,7 @@ class Format:
     It may have `beside(take)`, what is to lie beside the motion's file (the hinge model that it is for), by its ending
     or, where it does not begin with a dot, its name; and `recognises(path)`, for endings that several formats share.
     also   endings of the same format that are read
+    variants endings of the same format that it can be written with
     scales the files do not say their unit of length: `read` takes `scale` [m], None to guess
     extra  of `pip install 'dynamic-splines[...]'`, where the format needs more than the main job
     """
@@ -37,6 +38,19 @@ class Format:
     scales: bool = False
     extra: str | None = None
     also: tuple[str, ...] = ()
+    variants: tuple[str, ...] = ()
+
+    @property
+    def told_by(self) -> tuple[str, ...]:
+        """The endings that tell that it is to be written."""
+        return self.ending, *self.variants
+
+    def check_name(self, target: Path) -> None:
+        """Raises UserError unless a file of that name can be one of this format: .mjlab.npz may be short, .npz."""
+        endings = dict.fromkeys((*self.told_by, *self.also, Path(f"_{self.ending}").suffix))
+        if not target.name.lower().endswith(tuple(endings)):
+            article = "an" if self.name.startswith(("a", "h", "npz", "mj")) else "a"
+            raise UserError(f"'{target}': {article} {self.name} file's name ends in {' or '.join(endings)}")
 
 
 FORMATS = (
@@ -52,7 +66,7 @@ FORMATS = (
     Format("amass", ".amass.npz", "AMASS: motion capture on the SMPL body", "amass", writes=False, reads=True),
     Format("bvh", ".bvh", "a skeleton and its angles, y up, centimetres", "bvh", reads=True, scales=True),
     Format("gltf", ".glb", "meshes and one animation, for Blender, engines and the web", "gltf", extra="gltf"),
-    Format("usd", ".usdc", "meshes and one time code a sample; .usda for text", "usd", extra="usd"),
+    Format("usd", ".usdc", "meshes, a time code a sample; .usda: text", "usd", extra="usd", variants=(".usd", ".usda")),
     Format("html", ".html", "one page that plays before and after, in any browser, from the disk", "html"),
 )  # fmt: skip
 
@@ -84,6 +98,30 @@ def writer(name: str) -> Format:
     return known[name]
 
 
+def chosen(name: str | None, target: Path | None) -> Format:
+    """The format to export to, by its name or the file's ending; raises UserError if neither tells or they differ."""
+    if name is not None:
+        form = writer(name)
+        if target is not None:
+            form.check_name(target)
+        return form
+    known = writers()
+    if target is None:
+        raise UserError(f"name the format, --to, or a file with its ending, -o; formats: {', '.join(known)}")
+    form = _longest(target, [(ending, each) for each in FORMATS for ending in each.told_by])
+    if form is None:
+        raise UserError(
+            f"'{target}': its ending does not tell its format; give --to, or to= in Python, one of: {', '.join(known)}"
+        )
+    return writer(form.name)
+
+
+def _longest(path: Path, endings: Iterable[tuple[str, Format]]) -> Format | None:
+    """The format with the longest of the endings that a name has."""
+    fitting = [(len(ending), form) for ending, form in endings if path.name.lower().endswith(ending)]
+    return max(fitting, key=lambda each: each[0])[1] if fitting else None
+
+
 def export(
     saved: Saved,
     kind: str,
@@ -95,9 +133,9 @@ def export(
     """Writes a motion in another format, whole or not at all; where to, if not said, its name and the format's ending.
 
     tell   takes lines for the user: what else was written, and what the format could not hold
-    Raises UserError for an unknown format, a missing extra, and what the format cannot hold.
+    Raises UserError for an unknown format, another format's ending, a missing extra, and what the format cannot hold.
     """
-    form = writer(kind)
+    form = chosen(kind, target)
     target = target or Path(f"{saved.name}{form.ending}")
     check_target(target)
     module = _module(form)
@@ -129,7 +167,7 @@ def recording(
     """
     known = readers()
     if kind is not None and kind not in known:
-        raise UserError(unknown("format", kind, known))
+        raise UserError(_write_only(kind) if kind in writers() else unknown("format", kind, known))
     form = known[kind] if kind is not None else _told(source)
     _check_file(source)
     if form.scales:
@@ -137,6 +175,10 @@ def recording(
     if scale is not None:
         raise UserError(f"{source}: lengths of the format '{form.name}' are metres; --scale is not for it")
     return _module(form).read(source, model, fps)
+
+
+def _write_only(name: str) -> str:
+    return f"the format '{name}' is only written; read are: {', '.join(readers())}"
 
 
 def _check_file(source: Path) -> None:
@@ -147,9 +189,11 @@ def _check_file(source: Path) -> None:
 def _told(source: Path) -> Format:
     """The format that a file's ending tells, or, where several share it, what is in the file."""
     name, known = source.name.lower(), readers().values()
-    own = [each for each in known if name.endswith(each.ending)]
-    if own:
-        return max(own, key=lambda each: len(each.ending))
+    own = _longest(source, [(ending, each) for each in FORMATS for ending in each.told_by])
+    if own is not None:
+        if not own.reads:
+            raise UserError(f"'{source}': {_write_only(own.name)}")
+        return own
     sharing = [each for each in known if name.endswith(("." + each.ending.rpartition(".")[2], *each.also))]
     if sharing:
         _check_file(source)

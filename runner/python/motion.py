@@ -249,15 +249,8 @@ class Motion:
         """Writes it in the format of another program, by the path's ending or by name, and gives the file's path."""
         from ..exchange import formats
 
-        target, known = Path(path), formats.writers()
-        if to is None:
-            fitting = [each.name for each in known.values() if target.name.lower().endswith(each.ending)]
-            if len(fitting) != 1:
-                raise UserError(
-                    f"'{target}': its ending does not tell its format; say to=, one of: {', '.join(fitting or known)}"
-                )
-            to = fitting[0]
-        return formats.export(self.saved, to, target, fps=fps)
+        target = Path(path)
+        return formats.export(self.saved, formats.chosen(to, target).name, target, fps=fps)
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> Path:
         """Writes it as a motion, .npz, which `load_motion` opens, or as a clip, .toml, of its keyframes.
