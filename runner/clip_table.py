@@ -13,6 +13,7 @@ LARGEST = 1e6  # of any number of a configuration
 Real = Annotated[float, Strict(), Field(allow_inf_nan=False)]
 Number = Annotated[Real, Field(ge=-LARGEST, le=LARGEST)]
 Whole = Annotated[int, Strict()]
+Flag = Annotated[bool, Strict()]
 Length = Annotated[Real, Field(gt=0, le=1000)]
 Angle = Annotated[Real, Field(gt=0, le=360)]
 Axis = Number | Literal["free"]
@@ -42,7 +43,7 @@ class SiteTable(_Table):
 
 
 class BodyTable(RotationTable):
-    flat: bool | None = None
+    flat: Flag | None = None
 
 
 class KeyframeTable(_Table):

@@ -290,6 +290,8 @@ MISTAKES = {
     "flat and turned": ("bodies.left_foot = {flat = true, rotvec = [0, 0, 0]}", ["flat or a rotation, not both"]),
     "not flat": ("bodies.left_foot = {flat = false}", ["bodies.left_foot: flat = false says nothing"]),
     "neither flat nor turned": ("bodies.left_foot = {}", ["bodies.left_foot: give exactly one of"]),
+    "flat in words": ('bodies.left_foot = {flat = "yes"}', ["bodies.left_foot.flat must be true, not 'yes'"]),
+    "flat as a number": ("bodies.left_foot = {flat = 1}", ["bodies.left_foot.flat must be true, not 1"]),
     "flat in quotes": ('bodies.left_foot = {flat = "very"}', ["bodies.left_foot.flat must be true"]),
     "a body that is a number": ("bodies.left_foot = 3", ["bodies.left_foot must be {flat = true} or a rotation"]),
     "a body that is the step's": ("bodies.world = {flat = true}", ["no body 'world'"]),
