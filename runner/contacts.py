@@ -102,9 +102,9 @@ def _spots(figure: Figure, keys: Timeline, point: Point, table: ContactTable, na
         reference = centres[:, 0, said[0]] if wanted is None else wanted
         apart = float(np.linalg.norm(centres[:, 0, k] - reference))
         if apart > SAME_SPOT:
-            where = f"keyframe {said[0] + 1} does" if wanted is None else "the contact's position"
+            where = f"where keyframe {said[0] + 1} does" if wanted is None else "the contact's position"
             raise UserError(
-                f"{name}: keyframe {k + 1} (t = {keys.times[k]:g} s) puts the point {apart:.3f} m from where {where}; "
+                f"{name}: keyframe {k + 1} (t = {keys.times[k]:g} s) puts the point {apart:.3f} m from {where}; "
                 f"a contact may drift by {SAME_SPOT:g} m"
             )
     if said.size:

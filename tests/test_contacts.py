@@ -133,3 +133,8 @@ def test_mistakes_are_told_in_one_line(contacts, words):
 def test_a_contact_over_keyframes_that_put_the_point_far_apart_says_which():
     with pytest.raises(UserError, match=r"keyframe 3 .* 0\.400 m from where keyframe 1 does"):
         clips.from_text(text('point = "left_heel"\nfrom = 0\nto = 1', x=0.02, y=0.4), name="far")
+
+
+def test_a_keyframe_that_puts_the_point_away_from_the_contacts_position_is_told():
+    with pytest.raises(UserError, match=r"puts the point [0-9.]+ m from the contact's position; a contact may drift"):
+        clips.from_text(text('point = "left_heel"\nfrom = 0\nto = 1\nposition = [5, 0, 0]'), name="far")
