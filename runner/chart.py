@@ -19,6 +19,7 @@ from .motion import Replacement
 ENDINGS = (".png", ".svg", ".pdf")
 BEFORE, AFTER = "#b5541c", "#1f6f8b"
 INK = "#22303a"
+STROKES = plt.cycler(linestyle=["-", "--", ":"]) * plt.cycler("color", plt.get_cmap("tab10").colors)
 
 
 def check_target(target: Path) -> None:
@@ -95,6 +96,7 @@ def _tenths(axes: Axes, curves: dict[str, Any]) -> None:
 def _penalties(axes: Axes, trace: list[Any]) -> None:
     axes.set_title("penalties at every evaluation that lowered the objective", loc="left")
     if trace:
+        axes.set_prop_cycle(STROKES)
         evaluations = [entry[0] for entry in trace]
         axes.plot(evaluations, [entry[2] for entry in trace], color=INK, lw=2, label="objective")
         for name in trace[-1][3]:

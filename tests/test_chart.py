@@ -69,6 +69,18 @@ def test_the_fourth_chart_falls_with_the_objective(figure, saved):
     assert set(saved.trace[-1][3]) < set(lines)
 
 
+def test_every_penalty_has_a_stroke_of_its_own(figure, saved, tmp_path, monkeypatch):
+    kept: list[Figure] = []
+    monkeypatch.setattr(chart.plt, "close", kept.append)
+    names = [f"penalty {i}" for i in range(25)]
+    trace = [[*entry[:3], dict.fromkeys(names, 0.1)] for entry in saved.trace]
+    draw("many", saved.report, trace, np.array([0.0]), tmp_path / "many.png")
+    monkeypatch.undo()
+    plt.close(kept[0])
+    lines = [line for line in kept[0].axes[3].get_lines() if line.get_label() in names]
+    assert len({(line.get_color(), line.get_linestyle()) for line in lines}) == len(names)
+
+
 def test_a_clip_without_feet_or_evaluations_can_be_charted(saved, tmp_path):
     bare = copy.deepcopy(saved.report)
     for side in ("before", "after"):
