@@ -30,6 +30,7 @@ ROOM = 0.6  # of what a joint has to its bound, it goes at most so far
 FLEXED = 0.35  # of a figure's size, how far a slide goes at most
 DIGITS = 6  # of angles in degrees and of metres
 WIDE = 110
+NO_FEET = "nothing was found; name sites heel or toe, or give points"
 
 PENALTIES = """\
 # Soft constraints: those that fit the figure are on already. Each can be weighed, or taken away by weight = 0.
@@ -94,6 +95,8 @@ def model_keys(spec: mujoco.MjSpec, place: str) -> tuple[Array, Array]:
             model = spec.compile()
     except ValueError as error:
         raise UserError(f"{place}: MuJoCo cannot compile it: {first_line(error)}") from None
+    if not model.njnt:
+        raise UserError(f"{place}: the model has no joints: nothing can move")
     poses = np.array(model.key_qpos).reshape(-1, model.nq)[: len(own)]  # <size nkey> may ask for more than there are
     for pose, said in zip(poses, own, strict=True):
         if said.size == model.nq:
@@ -292,7 +295,8 @@ def _named(figure: Figure, soles: Sequence[str]) -> str:
     bodies = [model.body(i).name for i in range(1, model.nbody) if model.body(i).name]
     lines += _list("Sites, for sites.NAME = [x, y, z]", sites)
     lines += _list("Bodies, for bodies.NAME = {flat = true} or a rotation", bodies)
-    lines += _list("What stands on the ground", list(dict.fromkeys(soles)))
+    ground = "What stands on the ground"
+    lines += _list(ground, list(dict.fromkeys(soles))) or [f"# {ground}: {NO_FEET}"]
     lines += _list("Joints that follow others (equality constraints)", [c.name for c in couplings(figure)])
     return "\n".join(lines)
 

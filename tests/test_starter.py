@@ -40,6 +40,7 @@ KINDS = {
         '<body pos="0 0 .2"><joint name="w" type="ball"/><geom size=".1"/></body></body></body>',
     ),
 }  # fmt: skip
+NO_FEET = ": nothing was found; name sites heel or toe, or give points"
 RADIANS = '<mujoco><compiler angle="radian"/>'
 
 
@@ -109,6 +110,20 @@ def test_a_free_figure_with_feet_is_put_on_the_floor(tmp_path):
     text = f'<body pos="0 0 3"><freejoint/><geom type="box" size=".1 .2 .05"/>{legs}</body>'
     problem = written(f"<mujoco><worldbody>{text}</worldbody></mujoco>", tmp_path)
     assert problem.keys[0].state[2] == pytest.approx(0.32)
+
+
+def test_what_stands_is_named_and_so_is_that_nothing_does(tmp_path):
+    feet = '<site name="left_heel" pos=".1 0 -.1"/><body><joint axis="0 1 0"/><geom size=".1" pos=".3 0 0"/></body>'
+    for folder, inside, told in (("feet", feet, ":\n#   left_heel"), ("none", KINDS["hinge"], NO_FEET)):
+        (tmp_path / folder).mkdir()
+        body = BODY.format("<freejoint/>", inside) if inside is feet else inside
+        text = written(f"<mujoco><worldbody>{body}</worldbody></mujoco>", tmp_path / folder).text
+        assert f"# What stands on the ground{told}\n" in text
+
+
+def test_a_model_without_joints_is_refused_in_words(tmp_path):
+    with pytest.raises(UserError, match=r"^it\.xml: the model has no joints: nothing can move$"):
+        written('<mujoco><worldbody><body><geom size=".1"/></body></worldbody></mujoco>', tmp_path)
 
 
 def test_a_free_body_alone_is_refused_in_words(tmp_path):
