@@ -31,7 +31,7 @@ def test_a_table_without_a_heading_needs_a_rate_or_times(tmp_path):
     model = mujoco.MjModel.from_xml_string(models.figure_text("human"))
     path = tmp_path / "raw.csv"
     np.savetxt(path, np.tile(model.qpos0, (4, 1)), delimiter=",")
-    with pytest.raises(UserError, match="give --fps"):
+    with pytest.raises(UserError, match="say the rate: --fps, or fps= in Python"):
         csv_table.read(path, model, None)
     np.testing.assert_allclose(csv_table.read(path, model, 50.0).time, [0, 0.02, 0.04, 0.06])
     np.savetxt(path, np.column_stack([[0.5, 0.75], np.tile(model.qpos0, (2, 1))]), delimiter=",")
@@ -65,5 +65,5 @@ def test_a_row_cut_short_and_an_unknown_format_are_told(saved, tmp_path):
         csv_table.read(path, saved.figure.model, None)
     with pytest.raises(UserError, match="did you mean 'csv'"):
         formats.export(saved, "cvs", tmp_path / "a")
-    with pytest.raises(UserError, match="give --from"):
+    with pytest.raises(UserError, match="give --from, or format= in Python, one of"):
         formats.recording(tmp_path / "a.foo")

@@ -111,7 +111,7 @@ def test_the_csv_of_mjlab_has_root_quaternion_xyzw_and_hinges(human, robot, robo
     np.testing.assert_allclose(wild.poses(model, qpos)["xpos"], truth["xpos"], atol=1e-9)
     came_back(human, target, fps=wild.FPS)
     came_back(robot, exported(robot, "mjlab-csv", tmp_path)[0], str(robot_file), fps=wild.FPS)
-    with pytest.raises(UserError, match="does not tell the rate; give --fps"):
+    with pytest.raises(UserError, match="the format tells none; say the rate: --fps, or fps= in Python"):
         imported(target, figure="human")
 
 
@@ -200,7 +200,7 @@ def test_plain_arrays_bring_motion_and_figure(human, tmp_path):
     came_back(human, tmp_path / "barest.npz", fps=50.0)
     with pytest.raises(UserError, match="neither 'time' nor 'fps'"):
         imported(tmp_path / "barest.npz", figure="human")
-    with pytest.raises(UserError, match="no 'mjcf', the figure; give --figure"):
+    with pytest.raises(UserError, match="no 'mjcf', the figure; say whose it is: --figure"):
         imported(tmp_path / "bare.npz")
 
 
@@ -260,7 +260,7 @@ def test_figures_that_a_format_cannot_hold_are_refused(tmp_path):
         ):
             formats.export(fixed, kind, tmp_path / f"out{formats.writer(kind).ending}")
     assert not list(tmp_path.glob("out*"))
-    with pytest.raises(UserError, match="give --figure"):
+    with pytest.raises(UserError, match="say whose it is: --figure, or figure= in Python"):
         formats.recording(_written(tmp_path, b"x,y\n1,2\n", "some.mjlab.csv"), fps=1.0)
 
 
@@ -278,7 +278,9 @@ def test_what_is_in_a_file_tells_its_format_where_the_ending_does_not(human, tmp
     motion.save(human, tmp_path / "ours.npz")
     assert len(imported(tmp_path / "ours.npz").keys) == len(wild.samples(human).time)
     np.savez(tmp_path / "other.npz", a=1)
-    with pytest.raises(UserError, match="its ending does not tell its format; give --from, one of: npz, mjlab"):
+    with pytest.raises(
+        UserError, match="its ending does not tell its format; give --from, or format= in Python, one of: npz, mjlab"
+    ):
         imported(tmp_path / "other.npz", figure="human")
     with pytest.raises(UserError, match="no file"):
         imported(tmp_path / "absent.npz", figure="human")

@@ -370,6 +370,10 @@ def test_files_go_there_and_back(motion, loop, tmp_path):
 def test_a_recording_is_saved_as_a_clip_of_its_instants(motion, tmp_path):
     (tmp_path / "arm.xml").write_text(ARM)
     motion.export(tmp_path / "m.csv", fps=20)
+    with pytest.raises(UserError, match="say whose it is: --figure, or figure= in Python"):
+        import_motion(tmp_path / "m.csv")
+    with pytest.raises(UserError, match="a scale is not for it"):
+        import_motion(tmp_path / "m.csv", tmp_path / "arm.xml", scale=0.01)
     recorded = import_motion(tmp_path / "m.csv", tmp_path / "arm.xml")
     recorded.save(tmp_path / "m.toml")
     again = inbetween(load(tmp_path / "m.toml"))

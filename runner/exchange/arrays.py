@@ -22,6 +22,7 @@ from ..assets import Scene
 from ..errors import UserError
 from ..motion import asset_arrays, assets_in
 from ..scene import first_line, quietly
+from . import unsaid
 from .held import Held, held, names_in, times
 from .robot import needs_figure
 from .take import Recording, Take
@@ -57,7 +58,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     mjcf = None
     if model is None:
         if "mjcf" not in found:
-            raise UserError(f"{path}: it has no 'mjcf', the figure; give --figure")
+            raise UserError(f"{path}: it has no 'mjcf', the figure; {unsaid.FIGURE}")
         mjcf = str(found.of("mjcf"))
     try:
         assets = assets_in(found.entries)
@@ -78,7 +79,7 @@ def _time(found: Held, count: int, fps: float | None) -> Array:
     if "time" in found:
         return found.numbers("time", "samples")
     if fps is None:
-        raise UserError(f"{found.place}: it has neither 'time' nor 'fps'; give --fps")
+        raise UserError(f"{found.place}: it has neither 'time' nor 'fps'; {unsaid.RATE}")
     return times(count, fps)
 
 

@@ -10,6 +10,7 @@ import numpy as np
 from solver import quaternion as quat
 from solver.quaternion import Array
 
+from . import unsaid
 from .bvh_file import Skeleton
 from .roles import roles
 
@@ -137,16 +138,16 @@ def _unit(
     if scale is not None:
         return scale, ()
     if longest <= 0:
-        return 0.01, ("a skeleton without size: taken for centimetres; --scale says it",)
+        return 0.01, (f"a skeleton without size: taken for centimetres; {unsaid.UNIT}",)
     for units in (UNITS, ODD_UNITS):
         likely = {name: unit for name, unit in units.items() if LIKELY[0] <= longest * unit <= LIKELY[1]}
         if likely:
             name = min(likely, key=lambda each: abs(np.log(longest * likely[each] / REACH)))
             return likely[name], (
-                f"taken for {name}: the longest limb reaches {longest * likely[name]:.2f} m; else --scale",
+                f"taken for {name}: the longest limb reaches {longest * likely[name]:.2f} m; if not, {unsaid.UNIT}",
             )
     unit = REACH / longest
-    return unit, (f"of no unit that fits a person: made {REACH:g} m from hips to toes; --scale says it",)
+    return unit, (f"of no unit that fits a person: made {REACH:g} m from hips to toes; {unsaid.UNIT}",)
 
 
 def _y_is_up(skeleton: Skeleton, position: Array) -> bool:

@@ -9,6 +9,7 @@ import mujoco
 import numpy as np
 
 from ..errors import UserError
+from . import unsaid
 from .take import Recording, Take
 
 FREE = ("x", "y", "z", "qw", "qx", "qy", "qz")
@@ -40,7 +41,7 @@ def write(take: Take, path: Path) -> None:
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
     """With our heading, columns in any order; without one nq columns, or the time and nq columns."""
     if model is None:
-        raise UserError(f"{path}: a table of qpos is for a figure; give --figure")
+        raise UserError(f"{path}: a table of qpos is for a figure; {unsaid.FIGURE}")
     try:
         with path.open(newline="", encoding="utf-8-sig") as stream:
             rows = [row for row in csv.reader(stream) if any(cell.strip() for cell in row)]
@@ -70,7 +71,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
         raise UserError(f"{path}: {width} columns without a heading; the figure's qpos has {model.nq}")
     if time is None:
         if fps is None:
-            raise UserError(f"{path}: it has no column of times; give --fps")
+            raise UserError(f"{path}: it has no column of times; {unsaid.RATE}")
         time = np.arange(len(qpos)) / fps
     return Recording(time, qpos)
 

@@ -12,6 +12,7 @@ import mujoco
 
 from ..errors import UserError, unknown
 from ..motion import Replacement, Saved, check_target
+from . import unsaid
 from .take import Recording, Take
 
 
@@ -173,7 +174,7 @@ def recording(
     if form.scales:
         return _module(form).read(source, model, fps, scale=scale)
     if scale is not None:
-        raise UserError(f"{source}: lengths of the format '{form.name}' are metres; --scale is not for it")
+        raise UserError(f"{source}: lengths of the format '{form.name}' are metres; a scale is not for it")
     return _module(form).read(source, model, fps)
 
 
@@ -200,7 +201,7 @@ def _told(source: Path) -> Format:
     fitting = [each for each in sharing if not hasattr(_module(each), "recognises") or _module(each).recognises(source)]
     if len(fitting) != 1:
         names = ", ".join(each.name for each in fitting or sharing or known)
-        raise UserError(f"'{source}': its ending does not tell its format; give --from, one of: {names}")
+        raise UserError(f"'{source}': its ending does not tell its format; {unsaid.FORMAT}, one of: {names}")
     return fitting[0]
 
 

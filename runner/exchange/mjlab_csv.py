@@ -15,6 +15,7 @@ import mujoco
 import numpy as np
 
 from ..errors import UserError
+from . import unsaid
 from .held import Held, times
 from .mjlab import beside as beside
 from .robot import Robot, configurations, needs_figure
@@ -38,7 +39,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     """Raises UserError for rows that do not hold root and hinges of the figure, and without a rate."""
     model = needs_figure(model, path)
     if fps is None:
-        raise UserError(f"{path}: the format does not tell the rate; give --fps")
+        raise UserError(f"{path}: the format tells none; {unsaid.RATE}")
     try:
         table = np.loadtxt(path, delimiter=",", ndmin=2)
     except ValueError as error:

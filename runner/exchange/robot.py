@@ -11,6 +11,7 @@ import numpy as np
 from solver.quaternion import Array
 
 from ..errors import UserError
+from . import unsaid
 from .hinged import Layout
 
 FREE, BALL = int(mujoco.mjtJoint.mjJNT_FREE), int(mujoco.mjtJoint.mjJNT_BALL)
@@ -113,5 +114,5 @@ def _order(names: list[str], wanted: list[str], place: object) -> list[int]:
 def needs_figure(model: mujoco.MjModel | None, place: object) -> mujoco.MjModel:
     """The figure that a file is for; raises UserError if the user named none."""
     if model is None:
-        raise UserError(f"{place}: it is for a figure, which it does not hold; give --figure")
+        raise UserError(f"{place}: it is for a figure, which it does not hold; {unsaid.FIGURE}")
     return model

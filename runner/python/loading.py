@@ -40,14 +40,18 @@ def import_motion(
     *,
     format: str | None = None,
     fps: float | None = None,
+    scale: float | None = None,
 ) -> Motion:
     """A recording of another program; every instant of it is a keyframe, and nothing is searched.
 
     figure  whose motion it is, where the file brings none: the name of a figure that ships, or a path to MJCF
     format  by name (`dynsplines formats` lists them), where the file's ending does not tell it
     fps     images a second, where the file does not tell them
+    scale   the file's unit of length [m], where it is guessed
+
+    Raises UserError, in one line, for a file that does not fit.
     """
     from ..exchange.imported import imported
 
     figure = None if figure is None else os.fspath(figure)
-    return Motion(imported(Path(source), format, figure=figure, fps=fps))
+    return Motion(imported(Path(source), format, figure=figure, fps=fps, scale=scale))
