@@ -19,7 +19,7 @@ from .motion import Replacement
 ENDINGS = (".png", ".svg", ".pdf")
 BEFORE, AFTER = "#b5541c", "#1f6f8b"
 INK = "#22303a"
-STROKES = plt.cycler(linestyle=["-", "--", ":"]) * plt.cycler("color", plt.get_cmap("tab10").colors)
+COLOURS, STROKES = 10, ("-", "--", ":")  # matplotlib's own; one stroke after the other when they are used up
 
 
 def check_target(target: Path) -> None:
@@ -96,11 +96,12 @@ def _tenths(axes: Axes, curves: dict[str, Any]) -> None:
 def _penalties(axes: Axes, trace: list[Any]) -> None:
     axes.set_title("penalties at every evaluation that lowered the objective", loc="left")
     if trace:
-        axes.set_prop_cycle(STROKES)
         evaluations = [entry[0] for entry in trace]
         axes.plot(evaluations, [entry[2] for entry in trace], color=INK, lw=2, label="objective")
-        for name in trace[-1][3]:
-            axes.plot(evaluations, [max(entry[3].get(name, 0.0), 1e-9) for entry in trace], lw=1.1, label=name)
+        for i, name in enumerate(trace[-1][3]):
+            shares = [max(entry[3].get(name, 0.0), 1e-9) for entry in trace]
+            stroke = STROKES[i // COLOURS % len(STROKES)]
+            axes.plot(evaluations, shares, stroke, color=f"C{i % COLOURS}", lw=1.1, label=name)
         highest = max(entry[2] for entry in trace)
         axes.set(xlabel="evaluation", ylabel="weighted share")
         axes.xaxis.set_major_locator(MaxNLocator(integer=True))
