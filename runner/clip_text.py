@@ -8,12 +8,15 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
+from solver import quaternion as quat
 from solver.figure import Figure, JointKind, quaternion_columns
 from solver.frame import Frame
 
 from .clip_table import ClipTable
 
+DIGITS = 9  # after the point, of angles in degrees: 1e-11 rad, more than conversions there and back keep
 BARE = re.compile(r"[A-Za-z0-9_-]+")
 
 
@@ -74,8 +77,18 @@ def _value(value: Any) -> str:
 
 
 def keyframe_tables(figure: Figure, keys: Sequence[Frame]) -> list[dict[str, Any]]:
-    """Keyframes, qpos and mask, as a clip's tables: rotations as quaternions, what is not fixed left out."""
+    """Keyframes, qpos and mask, as a clip's tables: rotations as rotation vectors, what is not fixed left out."""
     return [_keyframe(figure, key) for key in keys]
+
+
+def rotation(quaternion: ArrayLike) -> dict[str, list[float]]:
+    """A rotation's table: its rotation vector in degrees."""
+    return {"rotvec": [_angle(x) for x in quat.rotation_vector(quat.normalised(quaternion))]}
+
+
+def _angle(radians: float) -> float:
+    """Degrees without the noise of the conversion."""
+    return round(float(np.degrees(radians)), DIGITS) + 0.0
 
 
 def _keyframe(figure: Figure, key: Frame) -> dict[str, Any]:
@@ -94,10 +107,10 @@ def _keyframe(figure: Figure, key: Frame) -> dict[str, Any]:
                 pairs = zip(key.state[axes].tolist(), key.fixed[axes], strict=True)
                 table["position"] = [x if said else "free" for x, said in pairs]
             if fixed:
-                table["rotation"] = {"quat": value}
+                table["rotation"] = rotation(value)
         elif fixed and columns is not None:
-            joints[link.name] = {"quat": value}
+            joints[link.name] = rotation(value)
         elif fixed:
-            joints[link.name] = float(np.degrees(value)) if link.kind is JointKind.HINGE else value
+            joints[link.name] = _angle(value) if link.kind is JointKind.HINGE else value
     said = {"root": root, "roots": {name: table for name, table in roots.items() if table}, "joints": joints}
     return {"time": float(key.time), **{name: table for name, table in said.items() if table}}

@@ -19,7 +19,7 @@ from solver.penalty import Point, body_points, closures, couplings, joint_ranges
 from solver.penalty.contact import arrays_of
 from solver.quaternion import Array
 
-from .clip_text import keyframe_tables, written
+from .clip_text import keyframe_tables, rotation, written
 from .errors import UserError
 from .feet import sole_points
 from .scene import compose, figure_spec, first_line, quietly
@@ -163,7 +163,7 @@ def _moved(figure: Figure, qpos: Array, start: float) -> list[dict[str, Any]]:
         whole = round(there, 0 if link.kind is JointKind.HINGE else 3)  # what one would write
         said: list[Any] = [whole if min(here, there) < whole < max(here, there) else there, here]
     else:
-        said = [{"rotvec": [0.0, float(np.degrees(value)), 0.0]}, {"quat": qpos[columns].tolist()}]
+        said = [{"rotvec": [0.0, _short(float(np.degrees(value))), 0.0]}, rotation(qpos[columns])]
     loops = _loops(figure)
     looped = [figure.links[i].name for i in sorted(loops)] if figure.links.index(link) in loops else []
     free: dict[str, Any] = {name: "free" for name in looped if name != link.name}  # the search closes the loops again
@@ -178,7 +178,7 @@ def _said(link: Link, qpos: Array) -> Any:
     """What a keyframe says of a joint."""
     columns = quaternion_columns(link)
     if columns is not None:
-        return {"quat": qpos[columns].tolist()}
+        return rotation(qpos[columns])
     return float(np.degrees(qpos[link.qpos])) if link.kind is JointKind.HINGE else float(qpos[link.qpos])
 
 
@@ -258,7 +258,7 @@ def _size(figure: Figure, qpos: Array) -> float:
 def _rounded(value: Any) -> Any:
     """Numbers of a table with as many digits as one would write."""
     if isinstance(value, dict):
-        return {key: (_quaternion(entry) if key == "quat" else _rounded(entry)) for key, entry in value.items()}
+        return {key: (entry if key == "rotvec" else _rounded(entry)) for key, entry in value.items()}
     if isinstance(value, list | tuple):
         return [_rounded(entry) for entry in value]
     return _short(value) if isinstance(value, float) else value
@@ -267,10 +267,6 @@ def _rounded(value: Any) -> Any:
 def _short(value: float) -> float | int:
     number = round(value, DIGITS) + 0.0
     return int(number) if number == int(number) else number
-
-
-def _quaternion(values: Sequence[float]) -> list[float]:
-    return [round(value, 9) + 0.0 for value in values]
 
 
 def _head(source: str, own: bool, count: int) -> str:

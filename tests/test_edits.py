@@ -14,7 +14,7 @@ from rich.console import Console
 
 import models
 from runner import clip, edit_files, edits, motion, work
-from runner.clip_text import keyframe_tables, tables, written
+from runner.clip_text import keyframe_tables, rotation, tables, written
 from runner.errors import UserError
 from runner.motion import Saved, sampled
 from runner.progress import Teller
@@ -235,6 +235,18 @@ def test_keyframes_of_a_motion_become_a_clip_of_the_same_keyframes(steps):
     for a, b in zip(again.keys, steps.keys, strict=True):
         np.testing.assert_array_equal(a.fixed, b.fixed)
         np.testing.assert_allclose(a.state[a.fixed], b.state[b.fixed], atol=1e-12)
+
+
+def test_rotations_are_written_as_one_would_write_them(rng):
+    for size in 10.0 ** rng.uniform(-12, 0, 200):
+        q = quat.normalised([1, *(size * rng.normal(size=3))]) * rng.choice([-1, 1])
+        said = rotation(q)["rotvec"]
+        again = quat.from_rotation_vector(np.radians(said))
+        assert quat.angle_between(q, again) < 1e-10
+        assert all(x == 0 or abs(x) >= 1e-9 for x in said)
+    assert rotation(quat.from_rotation_vector([np.radians(30), 1e-18, -1e-18])) == {"rotvec": [30.0, 0.0, 0.0]}
+    assert str(rotation([1, 0, -1e-17, 0])["rotvec"]) == "[0.0, 0.0, 0.0]"
+    assert rotation(quat.from_rotation_vector(np.radians([30.000013, 0, 0]))) == {"rotvec": [30.000013, 0.0, 0.0]}
 
 
 def test_hinges_and_slides_come_back_in_degrees_and_metres(tmp_path):

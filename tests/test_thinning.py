@@ -129,7 +129,9 @@ def test_another_scene_is_written_beside_the_clip(motion_file, tmp_path):
     assert names(tmp_path) == ["small.toml", "small.xml"]
     found = clip.load(str(target))
     assert [link.name for link in found.figure.links[1:]] == ["root", "left_knee"]
+    target.unlink()
     run(motion_file, target)  # the same scene is no other one
+    target.unlink()
     (tmp_path / "small.xml").write_text("<mujoco/>")
     with pytest.raises(UserError, match=r"small\.xml' is there already.*overwrite"):
         run(motion_file, target)
