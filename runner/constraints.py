@@ -10,6 +10,7 @@ import numpy as np
 from solver import quaternion as quat
 from solver.figure import Figure, JointKind
 from solver.frame import Timeline
+from solver.kinematics import Samples
 from solver.penalty import (
     Bend,
     BendLimits,
@@ -96,6 +97,7 @@ OPTIONS = {
     "flight": {"intervals", "angular"},
     "support": {"friction"},
 }
+DEEP = 0.02  # [m] of a sole point in something, by a keyframe, from which on the user is told
 
 
 class Constraints:
@@ -165,7 +167,28 @@ class Constraints:
         if told and "root" not in seen:
             chosen["root"] = PenaltyTable(kind="root", weight=ROOT_WEIGHT_CARRIED)
         built = [(self.one(entry), entry.weight) for entry in chosen.values()]
+        self._tell_deep([penalty for penalty, _ in built if isinstance(penalty, Contact) and penalty.name == "contact"])
         return tuple((penalty, weight) for penalty, weight in built if weight > 0)
+
+    def _tell_deep(self, found: Sequence[Contact]) -> None:
+        """Notes of keyframes that drive a foot into something: the motion goes through them all the same."""
+        for contact in found:
+            if contact.allowed is None or not contact.allowed.excess.any():
+                continue
+            states = self.keys.states
+            centres, _, _ = contact.centres(Samples(self.figure, states, 0 * states, 0 * states))
+            inside = np.max([surface.inside(centres) for surface in contact.surfaces], axis=0)
+            deepest = np.where(contact.allowed.excess > 0, inside, 0).max(axis=0)
+            worst = int(deepest.argmax())
+            if deepest[worst] <= DEEP:
+                continue
+            point, frame = contact.points[int(inside[:, worst].argmax())], self.keys.frames[worst]
+            others = int(np.sum(deepest > DEEP)) - 1
+            more = f", as do {others} more keyframe{'s' if others > 1 else ''}" if others else ""
+            self.notes.append(
+                f"keyframe {worst + 1} (t = {frame.time:g} s) puts {point.name} {1000 * deepest[worst]:.0f} mm deep into"
+                f" something solid{more}; keyframes are met exactly, so there it goes"
+            )
 
     @property
     def _senseless(self) -> set[str]:
@@ -212,7 +235,7 @@ class Constraints:
         if entry.kind == "placement":
             return Placement(self.placed)
         if entry.kind == "contact":
-            return Contact(self.points, self.surfaces, entry.margin or 0.0)
+            return Contact(self.points, self.surfaces, entry.margin or 0.0).allowing(self.figure, self.keys)
         if entry.kind == "flight" and self.support is not None:
             return Flight.of(self.figure, self.support.root, self.support.flights, entry.angular or 0.0)
         if entry.kind == "support" and self.support is not None:
