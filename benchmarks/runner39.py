@@ -37,6 +37,7 @@ from solver.unknowns import raw_timeline
 Array = NDArray[np.float64]
 
 VARIABLE, FINEST = 3, 15
+REFINED = (FINEST - VARIABLE) // (VARIABLE + 1)  # frames between two frames of a solution, for as fine a one
 SAMPLES, JUDGED = 101, 2001
 DEPTH_WEIGHT, GAUGE = 1e7, 10.0
 WITHIN = 1.005
@@ -374,7 +375,7 @@ def judged(runner: Runner, runs: list[list[Iterate]], optimum: float) -> Judged:
 def finest(runner: Runner, ends: list[Path]) -> tuple[float, Path]:
     """The lowest value at 15 variable frames a segment: from the raw spline, and on from every method's own end."""
     settings = Settings(
-        variable=(FINEST - VARIABLE) // (VARIABLE + 1),
+        variable=REFINED,
         frames=0,
         renormalise=False,
         quadrature=Quadrature("uniform", 641),
@@ -389,7 +390,7 @@ def finest(runner: Runner, ends: list[Path]) -> tuple[float, Path]:
 
 def _refined(runner: Runner, end: Path, settings: Settings) -> Path:
     """15 frames a segment on a curve that is there, optimised on."""
-    timeline = evenly(runner.timeline.with_rows(end.rows), settings.variable)
+    timeline = evenly(runner.timeline.with_rows(end.rows), REFINED)
     objective = Objective.of(runner.figure, runner.penalties, quadrature=settings.quadrature)
     better = optimised(objective, timeline, max_evaluations=settings.max_evaluations, tolerance=1e-9)
     return Path(Spline(better.times), np.asarray(better.rows))

@@ -21,7 +21,7 @@ import models
 from solver.descent import check_method
 from solver.figure import Figure, FigureError, JointKind, quaternion_columns
 from solver.frame import Frame, Mask, TimelineError
-from solver.inbetween import Settings
+from solver.inbetween import FEW, Settings
 from solver.penalty import (
     Bend,
     BendLimits,
@@ -318,7 +318,7 @@ def _settings(solve: SolveTable, keys: list[Frame]) -> Settings:
         check_method(solve.optimiser)
     begin = solve.variable
     if begin is None and solve.frames is not None:
-        begin = min(settings.variable, solve.frames // (len(keys) - 1))
+        begin = min(FEW, solve.frames // (len(keys) - 1))
     chosen = {
         "variable": begin,
         "frames": solve.frames,

@@ -33,6 +33,7 @@ from .windows import Assembly, is_long, windows
 NEGLIGIBLE = 1e-3
 ROUGH = 1e-2
 SHARE_OF_PROMISE = 0.1
+FEW, MORE = 2, 3
 MOST_FRAMES = 12
 
 
@@ -40,7 +41,8 @@ MOST_FRAMES = 12
 class Settings:
     """How the search goes.
 
-    variable         variable frames in every segment between keyframes to begin with
+    variable         variable frames in every segment between keyframes to begin with; None: 2, and 3 in a clip so long
+                     that it is solved window by window, where more rounds would take too long
     frames           subdivision goes on up to so many variable frames in all; None: twelve a segment between keyframes
     criterion        which segments are split: "weak", "residual", "objective", "resolution"
     threshold        a segment is split if its criterion exceeds this; weak: share of the mean E between two keyframes;
@@ -52,7 +54,7 @@ class Settings:
     renormalise      divide each term by its integral over the raw spline (eq. 7)
     """
 
-    variable: int = 2
+    variable: int | None = None
     frames: int | None = None
     criterion: str = "weak"
     threshold: float = 1e-3
@@ -66,10 +68,16 @@ class Settings:
     def __post_init__(self) -> None:
         if self.criterion not in CRITERIA:
             raise ValueError(f"no subdivision criterion '{self.criterion}'; there are: {', '.join(CRITERIA)}")
-        if self.variable < 0 or (self.frames is not None and self.frames < 0):
+        if (self.variable or 0) < 0 or (self.frames is not None and self.frames < 0):
             raise ValueError("settings: variable and frames must not be negative")
         if self.max_evaluations < 1 or not self.tolerance > 0 or not self.batch > 0 or self.threshold < 0:
             raise ValueError("settings: max_evaluations, tolerance and batch must be positive, threshold not negative")
+
+    def beginning(self, segments: int, *, in_windows: bool) -> int:
+        """Variable frames to begin with in every one of so many segments between keyframes."""
+        if self.variable is not None:
+            return self.variable
+        return max(FEW, min(MORE, (self.frames or MORE * segments) // segments)) if in_windows else FEW
 
 
 @dataclass(frozen=True)
@@ -141,14 +149,11 @@ def inbetween(
     objective = Objective.of(figure, penalties, quadrature=settings.quadrature)
     if settings.renormalise:
         objective = objective.renormalised(path_of(raw))
-    first = evenly(raw, settings.variable)
     loop = _Loop(objective, settings, improved)
-    segments = len(keys) - 1
+    segments, in_windows = len(keys) - 1, settings.quadrature.kind == "gauss" and is_long(raw)
+    first = evenly(raw, settings.beginning(segments, in_windows=in_windows))
     try:
-        if settings.quadrature.kind == "gauss" and is_long(raw):
-            timeline = loop.run_windows(raw, first)
-        else:
-            timeline = loop.run(first, segments, settings.frames)
+        timeline = loop.run_windows(raw, first) if in_windows else loop.run(first, segments, settings.frames)
     except KeyboardInterrupt:
         timeline, loop.stop = loop.best() if loop.best is not None else raw, Stop.ASKED
     return Motion(figure, objective, timeline, raw, tuple(loop.trace), loop.evaluations, loop.stop)

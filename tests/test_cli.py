@@ -554,8 +554,16 @@ def test_a_file_that_is_no_motion_is_one_line(run, tmp_path, motion_file, comman
         assert_refused(run(command, "m.npz"), "m.npz")
 
 
+def test_a_motion_that_was_never_measured_is_measured_when_asked(run, tmp_path, motion_file):
+    with np.load(motion_file) as data:
+        np.savez(tmp_path / "m.npz", **{**data, "report": "{}"})
+    done = run("report", "m.npz", "--json")
+    assert done.code == 0
+    assert json.loads(done.out)["after"]["keyframe error"] < 1e-9
+
+
 @pytest.mark.parametrize("command", ["report", "plot"])
-@pytest.mark.parametrize("content", ["{}", '{"before": {}, "curves": {}}', '{"before": 1, "after": 2, "curves": 3}'])
+@pytest.mark.parametrize("content", ['{"before": {}, "curves": {}}', '{"before": 1, "after": 2, "curves": 3}'])
 def test_a_motion_with_half_a_report_is_one_line(run, tmp_path, motion_file, command, content):
     with np.load(motion_file) as data:
         np.savez(tmp_path / "m.npz", **{**data, "report": content})

@@ -1,5 +1,6 @@
 """A long clip in windows: every segment is kept once, and what comes out is the whole clip as one solve finds it."""
 
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -109,10 +110,11 @@ def test_long_clips_of_large_figures_are_long_and_loops_never(monkeypatch):
 @pytest.mark.parametrize("partial", [False, True])
 def test_a_clip_in_windows_costs_what_the_whole_costs_and_meets_its_keyframes(ends, partial, request):
     keys, slope = long_keys(partial=partial), np.zeros((2, FIGURE.width)) if ends == "clamped" else None
-    whole = inbetween(FIGURE, keys, penalties(), SETTINGS, ends=ends, end_slope=slope)
+    alike = replace(SETTINGS, variable=2)
+    whole = inbetween(FIGURE, keys, penalties(), alike, ends=ends, end_slope=slope)
     request.getfixturevalue("short")
     seen: list[Improvement] = []
-    found = inbetween(FIGURE, keys, penalties(), SETTINGS, ends=ends, end_slope=slope, improved=seen.append)
+    found = inbetween(FIGURE, keys, penalties(), alike, ends=ends, end_slope=slope, improved=seen.append)
     assert found.stop is whole.stop is Stop.CONVERGED
     np.testing.assert_allclose(fine_value(found), fine_value(whole), rtol=5e-3)
     assert fine_value(found) < 0.6 * fine_value(found, path_of(found.raw))
@@ -123,6 +125,12 @@ def test_a_clip_in_windows_costs_what_the_whole_costs_and_meets_its_keyframes(en
     assert found.trace == tuple((s.evaluation, s.round, s.value, s.parts) for s in seen)
     for _, _, value, parts in found.trace:
         np.testing.assert_allclose(sum(parts.values()), value)
+
+
+def test_windows_begin_with_their_whole_budget_up_to_three_frames_a_segment_unless_told():
+    assert Settings().beginning(9, in_windows=False) == 2
+    assert [Settings(frames=n).beginning(9, in_windows=True) for n in (None, 5, 18, 27, 100)] == [3, 2, 2, 3, 3]
+    assert Settings(variable=1, frames=100).beginning(9, in_windows=True) == 1
 
 
 def test_what_is_told_while_it_goes_on_is_the_whole_clip_and_about_its_e(short):

@@ -58,7 +58,9 @@ def test_what_was_not_found_is_told_first(tmp_path):
     (tmp_path / "tiny.xml").write_text(text, encoding="utf-8")
     teller = Listening()
     work.solve(clip.load(str(tmp_path / "tiny.toml")), teller)
-    assert teller.out.getvalue().splitlines() == ["note: no site named heel or toe found: no contact points"]
+    assert teller.out.getvalue().splitlines() == [
+        "note: no feet found, nor a site named heel or toe: no contact points"
+    ]
 
 
 def test_an_interrupted_solve_keeps_the_best_path(problem):

@@ -36,6 +36,7 @@ class Keyframe:
     joints  by name: a rotation relative to the parent for a ball joint, degrees for a hinge, metres for a slide
     sites   by name: [x, y, z], metres in the world; a pose is found for it
     bodies  by name: {"flat": True}, or a rotation in the world
+    roots   the same of further free bodies, by the names of their joints
     others  what becomes of the rest: "free" for the search to fill in, "rest", or "hold" as in the keyframe before
     qpos    (nq,) the whole configuration in MuJoCo's order; what else is given goes over it
 
@@ -48,6 +49,7 @@ class Keyframe:
     joints: Mapping[str, Turn | float | Literal["free"]] = field(default_factory=dict)
     sites: Mapping[str, ArrayLike | Table] = field(default_factory=dict)
     bodies: Mapping[str, Turn] = field(default_factory=dict)
+    roots: Mapping[str, Table] = field(default_factory=dict)
     others: Literal["free", "rest", "hold"] = "free"
     qpos: ArrayLike | None = None
 
@@ -101,7 +103,7 @@ def _figure(spec: mujoco.MjSpec, called: str) -> Figure:
 
 def _table(key: Keyframe, figure: Figure | None) -> dict[str, Any]:
     """The keyframe as a table of a clip's file; `figure` is needed for qpos."""
-    said = {"root": key.root, "joints": key.joints, "sites": key.sites, "bodies": key.bodies}
+    said = {"root": key.root, "joints": key.joints, "sites": key.sites, "bodies": key.bodies, "roots": key.roots}
     out: dict[str, Any] = {"time": _plain(key.time)}
     out |= {name: _plain(value) for name, value in said.items() if value}
     if key.others != "free":
