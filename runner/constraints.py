@@ -45,7 +45,6 @@ from solver.penalty import (
     footings,
     grounded_intervals,
     joint_ranges,
-    site_points,
     stances,
 )
 from solver.quaternion import Array
@@ -53,7 +52,7 @@ from solver.surface import Box, Plane, Surface
 from solver.touch import bolted
 
 from .clip_table import ContactTable, PenaltyTable
-from .contacts import contacts
+from .contacts import contacts, named_points
 from .errors import UserError, unknown
 from .feet import sole_points
 
@@ -115,12 +114,10 @@ class Constraints:
     ) -> None:
         self.figure, self.keys, self.surfaces, self.notes, self.place = figure, keys, surfaces, notes, place
         self.placed = placed
-        model = figure.model
-        self.sites = [model.site(i).name for i in range(model.nsite)]
         whole = [figure.to_qpos(frame.state) for frame in keys.frames if frame.fixed.all()]
         self.points = sole_points(figure, np.reshape(whole, (-1, figure.width)))
         self.bends = tuple(_bends(figure))
-        self.contacts = contacts(figure, keys, tables, place)
+        self.contacts = contacts(figure, keys, tables, place, self.points)
         self.support: Support | None = None
         if not surfaces:
             notes.append("no static geom found: nothing to stay out of")
@@ -186,8 +183,8 @@ class Constraints:
             others = int(np.sum(deepest > DEEP)) - 1
             more = f", as do {others} more keyframe{'s' if others > 1 else ''}" if others else ""
             self.notes.append(
-                f"keyframe {worst + 1} (t = {frame.time:g} s) puts {point.name} {1000 * deepest[worst]:.0f} mm deep into"
-                f" something solid{more}; keyframes are met exactly, so there it goes"
+                f"keyframe {worst + 1} (t = {frame.time:g} s) puts {point.name} {1000 * deepest[worst]:.0f} mm deep "
+                f"into something solid{more}; keyframes are met exactly, so there it goes"
             )
 
     @property
@@ -306,10 +303,11 @@ class Constraints:
         return any(self.figure.tables.path[point.link, root] for point in self.points)
 
     def _sites(self, names: list[str]) -> tuple[Point, ...]:
+        known = named_points(self.figure, self.points)
         for name in names:
-            if name not in self.sites:
-                raise UserError(f"{self.place}: penalty 'contact': {unknown('site', name, self.sites)}")
-        return site_points(self.figure, names)
+            if name not in known:
+                raise UserError(f"{self.place}: penalty 'contact': {unknown('site', name, known)}")
+        return tuple(known[name] for name in names)
 
     def _bend(self, entry: PenaltyTable) -> Penalty:
         if entry.joints is not None:
