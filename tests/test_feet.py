@@ -104,7 +104,7 @@ def test_a_clip_calls_found_feet_by_their_names():
     figure = figure_of(FOUR, SPHERE)
     keys = raw_timeline(figure, [Frame.key(float(t), figure.model.qpos0) for t in range(3)])
     points = sole_points(figure, np.zeros((0, figure.width)))
-    table = ContactTable(point="bl_foot", **{"from": 0.0, "to": 1.0})
+    table = ContactTable.model_validate({"point": "bl_foot", "from": 0.0, "to": 1.0})
     found = contacts(figure, keys, [table], "clip", points)
     assert [rest.point.name for rest in found.given] == ["bl_foot"]
     with pytest.raises(UserError, match="did you mean 'bl_foot'"):
