@@ -10,6 +10,7 @@ import numpy as np
 from solver import quaternion as quat
 from solver.figure import Figure, JointKind
 from solver.frame import Timeline
+from solver.kinematics import Samples
 from solver.penalty import (
     Bend,
     BendLimits,
@@ -44,7 +45,6 @@ from solver.penalty import (
     footings,
     grounded_intervals,
     joint_ranges,
-    site_points,
     stances,
 )
 from solver.quaternion import Array
@@ -52,7 +52,7 @@ from solver.surface import Box, Plane, Surface
 from solver.touch import bolted
 
 from .clip_table import ContactTable, PenaltyTable
-from .contacts import contacts
+from .contacts import contacts, named_points
 from .errors import UserError, unknown
 from .feet import sole_points
 
@@ -96,6 +96,7 @@ OPTIONS = {
     "flight": {"intervals", "angular"},
     "support": {"friction"},
 }
+DEEP = 0.02  # [m] of a sole point in something, by a keyframe, from which on the user is told
 
 
 class Constraints:
@@ -113,12 +114,10 @@ class Constraints:
     ) -> None:
         self.figure, self.keys, self.surfaces, self.notes, self.place = figure, keys, surfaces, notes, place
         self.placed = placed
-        model = figure.model
-        self.sites = [model.site(i).name for i in range(model.nsite)]
         whole = [figure.to_qpos(frame.state) for frame in keys.frames if frame.fixed.all()]
         self.points = sole_points(figure, np.reshape(whole, (-1, figure.width)))
         self.bends = tuple(_bends(figure))
-        self.contacts = contacts(figure, keys, tables, place)
+        self.contacts = contacts(figure, keys, tables, place, self.points)
         self.support: Support | None = None
         if not surfaces:
             notes.append("no static geom found: nothing to stay out of")
@@ -165,7 +164,28 @@ class Constraints:
         if told and "root" not in seen:
             chosen["root"] = PenaltyTable(kind="root", weight=ROOT_WEIGHT_CARRIED)
         built = [(self.one(entry), entry.weight) for entry in chosen.values()]
+        self._tell_deep([penalty for penalty, _ in built if isinstance(penalty, Contact) and penalty.name == "contact"])
         return tuple((penalty, weight) for penalty, weight in built if weight > 0)
+
+    def _tell_deep(self, found: Sequence[Contact]) -> None:
+        """Notes of keyframes that drive a foot into something: the motion goes through them all the same."""
+        for contact in found:
+            if contact.allowed is None or not contact.allowed.excess.any():
+                continue
+            states = self.keys.states
+            centres, _, _ = contact.centres(Samples(self.figure, states, 0 * states, 0 * states))
+            inside = np.max([surface.inside(centres) for surface in contact.surfaces], axis=0)
+            deepest = np.where(contact.allowed.excess > 0, inside, 0).max(axis=0)
+            worst = int(deepest.argmax())
+            if deepest[worst] <= DEEP:
+                continue
+            point, frame = contact.points[int(inside[:, worst].argmax())], self.keys.frames[worst]
+            others = int(np.sum(deepest > DEEP)) - 1
+            more = f", as do {others} more keyframe{'s' if others > 1 else ''}" if others else ""
+            self.notes.append(
+                f"keyframe {worst + 1} (t = {frame.time:g} s) puts {point.name} {1000 * deepest[worst]:.0f} mm deep "
+                f"into something solid{more}; keyframes are met exactly, so there it goes"
+            )
 
     @property
     def _senseless(self) -> set[str]:
@@ -212,7 +232,7 @@ class Constraints:
         if entry.kind == "placement":
             return Placement(self.placed)
         if entry.kind == "contact":
-            return Contact(self.points, self.surfaces, entry.margin or 0.0)
+            return Contact(self.points, self.surfaces, entry.margin or 0.0).allowing(self.figure, self.keys)
         if entry.kind == "flight" and self.support is not None:
             return Flight.of(self.figure, self.support.root, self.support.flights, entry.angular or 0.0)
         if entry.kind == "support" and self.support is not None:
@@ -283,10 +303,11 @@ class Constraints:
         return any(self.figure.tables.path[point.link, root] for point in self.points)
 
     def _sites(self, names: list[str]) -> tuple[Point, ...]:
+        known = named_points(self.figure, self.points)
         for name in names:
-            if name not in self.sites:
-                raise UserError(f"{self.place}: penalty 'contact': {unknown('site', name, self.sites)}")
-        return site_points(self.figure, names)
+            if name not in known:
+                raise UserError(f"{self.place}: penalty 'contact': {unknown('site', name, known)}")
+        return tuple(known[name] for name in names)
 
     def _bend(self, entry: PenaltyTable) -> Penalty:
         if entry.joints is not None:

@@ -46,20 +46,28 @@ class Contacts:
         )
 
 
-def contacts(figure: Figure, keys: Timeline, tables: Sequence[ContactTable], place: str) -> Contacts:
+def named_points(figure: Figure, soles: Sequence[Point]) -> dict[str, Point]:
+    """What a clip can call a point: the model's sites, and the sole points that were found where it has none."""
+    sites = [name for i in range(figure.model.nsite) if (name := figure.model.site(i).name)]
+    return {point.name: point for point in (*soles, *site_points(figure, sites))}
+
+
+def contacts(
+    figure: Figure, keys: Timeline, tables: Sequence[ContactTable], place: str, soles: Sequence[Point] = ()
+) -> Contacts:
     """The contacts of a clip's tables. Raises UserError that names the table and what is wrong with it."""
-    sites = [figure.model.site(i).name for i in range(figure.model.nsite)]
+    points = named_points(figure, soles)
     names = [f"{place}: contact {i} ('{table.point}')" for i, table in enumerate(tables, start=1)]
     for table, name in zip(tables, names, strict=True):
-        if table.point not in sites:
-            raise UserError(f"{name}: {unknown('site', table.point, sites)}")
+        if table.point not in points:
+            raise UserError(f"{name}: {unknown('site', table.point, points)}")
         _check_interval(table, keys, name)
     _check_overlaps(tables, names)
     stances: list[Stance] = []
     rests: list[Rest] = []
     given: list[Rest] = []
     for table, name in zip(tables, names, strict=True):
-        (point,) = site_points(figure, [table.point])
+        point = points[table.point]
         given.append(Rest(point, table.start, table.end))
         spots = _spots(figure, keys, point, table, name)
         if spots:

@@ -20,9 +20,13 @@ from .quaternion import Array, Index
 POLAR, AXIAL = np.array([1.0, -1, 1]), np.array([-1.0, 1, -1])
 TURN = np.array([1.0, -1, 1, -1])
 SAME_ANGLE, MIDDLE = 1e-3, 1e-3  # [rad], [m] how far a figure may be from symmetric
-# a word of its own, or the capital that begins one
+# a word of its own, or the capital that begins one; or beside the letter for front, rear, hind, back or middle: FL, rh
+ENDS_LEG = r"[FRHBMfrhbm]"
 SIDE = re.compile(
-    r"(?<![A-Za-z])(?:[Ll]eft|[Rr]ight|LEFT|RIGHT|[LlRr])(?![a-z])|(?<=[a-z])(?:Left|Right|[LR])(?![a-z])"
+    rf"(?<![A-Za-z])(?:[Ll]eft|[Rr]ight|LEFT|RIGHT|[LlRr](?![LRlr](?![A-Za-z])))(?![a-z])"
+    rf"|(?<=[a-z])(?:Left|Right|[LR])(?![a-z])"
+    rf"|(?<![A-Za-z])[lr](?=[fhbm](?![A-Za-z]))"
+    rf"|(?<=(?<![A-Za-z]){ENDS_LEG})[LRlr](?![A-Za-z])"
 )
 WORDS = {"left": "right", "Left": "Right", "LEFT": "RIGHT", "l": "r", "L": "R"}
 OTHER = WORDS | {right: left for left, right in WORDS.items()}
@@ -33,7 +37,7 @@ class MirrorError(ValueError):
 
 
 def other_side(name: str) -> str:
-    """left_knee -> right_knee, LeftArm -> RightArm, foot_l -> foot_r; a name without a side stays as it is."""
+    """left_knee -> right_knee, LeftArm -> RightArm, foot_l -> foot_r, FL_hip -> FR_hip; others stay as they are."""
     return SIDE.sub(lambda found: OTHER[found[0]], name)
 
 

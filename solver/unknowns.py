@@ -235,9 +235,11 @@ def raw_timeline(
                 states[known, columns] = _laid_along(link, plain.times[known], base[known], states[known, columns])
                 _filled(plain.times, states, fixed, columns, states[0])
                 states[:, columns] = quat.normalised(states[:, columns])
+        if ends == "periodic":  # it comes back as it began, in its parent's axes
+            states[-1, columns] = quat.product(base[-1], quat.product(quat.inverse(base[0]), states[0, columns]))
         states[:, columns] = _laid_along(link, plain.times, base, states[:, columns])
     if ends == "periodic":
-        states[-1] = states[0] * sameness(figure, states[0], states[-2]) + offset
+        states[-1] = states[0] * sameness(figure, states[0], states[-1]) + offset
     frames = tuple(Frame.many(plain.times, states, fixed))
     return Timeline(frames, _end_slope(figure, keys, states, ends, end_slope), ends)
 

@@ -262,3 +262,14 @@ def test_a_cluster_elsewhere_gets_all_it_needs_and_gives_back_the_files(tmp_path
     assert said.splitlines()[-1] == "out: 6 solved, 1 failed"
     assert len((tmp_path / "out/left/clip000.csv").read_text(encoding="utf-8").splitlines()) == 12
     until(lambda: not dask_workers(cluster.pid), "the end of the batch's processes at the workers")
+
+
+def test_what_a_killed_program_had_begun_to_write_is_removed_whatever_the_ending(tmp_path: Path, start):
+    (tmp_path / "tiny.toml").write_text(CLIP, encoding="utf-8")
+    (tmp_path / "tiny.xml").write_text(FIGURE, encoding="utf-8")
+    (tmp_path / "out").mkdir()
+    (tmp_path / "out/.a1b2c3_z.xml").write_text("<mujo", encoding="utf-8")
+    process = start("batch", "tiny.toml", "-o", "out", "--no-report", "--to", "mjcf")
+    _, said = process.communicate(timeout=PATIENCE)
+    assert process.returncode == 0, said
+    assert sorted(file.name for file in (tmp_path / "out").iterdir()) == ["manifest.jsonl", "tiny.keys.xml"]

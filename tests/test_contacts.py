@@ -138,3 +138,15 @@ def test_a_contact_over_keyframes_that_put_the_point_far_apart_says_which():
 def test_a_keyframe_that_puts_the_point_away_from_the_contacts_position_is_told():
     with pytest.raises(UserError, match=r"puts the point [0-9.]+ m from the contact's position; a contact may drift"):
         clips.from_text(text('point = "left_heel"\nfrom = 0\nto = 1\nposition = [5, 0, 0]'), name="far")
+
+
+def test_a_keyframe_that_puts_a_foot_into_a_step_is_told_and_the_legs_do_not_whip():
+    standing = "".join(f'[[keyframe]]\ntime = {t}\nothers = "rest"\n' for t in (0.0, 0.5, 1.0))
+    inside = clips.from_text(f'figure = "human"\n[scene]\nstep = {{x = 0.0, height = 0.3}}\n{standing}', name="inside")
+    (note,) = inside.notes
+    assert "keyframe 1 (t = 0 s) puts left_toe" in note
+    assert "as do 2 more keyframes" in note
+    motion = inbetween(inside.figure, inside.keys, inside.penalties, inside.settings)
+    qpos = motion.at(np.linspace(0, 1, 100))
+    np.testing.assert_allclose(qpos, np.broadcast_to(qpos[0], qpos.shape), atol=0.02)
+    assert not clips.from_text(f'figure = "human"\n{standing}', name="beside").notes

@@ -88,6 +88,14 @@ def test_points_of_closed_loops_are_those_of_mujoco(rng):
     assert len(closures(figure)) == 4
 
 
+def test_a_weld_without_torque_leaves_rotations_alone():
+    weld = '<weld name="pin" body1="one" body2="two" torquescale="{}"/>'
+    bodies = "".join(f'<body name="{name}"><joint type="ball"/><geom size=".1"/></body>' for name in ("one", "two"))
+    for torque, points in (("1", 3), ("0", 1)):
+        text = f"<mujoco><worldbody>{bodies}</worldbody><equality>{weld.format(torque)}</equality></mujoco>"
+        assert len(closures(Figure(mujoco.MjModel.from_xml_string(text)))) == points
+
+
 @pytest.mark.parametrize("penalty", ["coupled", "closed"])
 def test_the_gradient_is_exact_and_the_curvature_fits_it(penalty, rng):
     figure = Figure(mujoco.MjModel.from_xml_string(GRIPPER if penalty == "coupled" else FOUR_BAR))

@@ -105,6 +105,29 @@ def test_every_joint_and_several_figures_are_where_mujoco_has_them(tmp_path):
     assert moving == {"world", "hips", "right_thigh", "body5"}
 
 
+def test_several_figures_are_read_as_one_of_their_own(tmp_path):
+    """`world` is no name for a body in MJCF."""
+    take = Take.of(puppet.moved(), 48.0)
+    path = written(take, tmp_path)
+    back = Take.of(imported(path, scale=0.01), 48.0)
+    assert back.time.size == take.time.size
+    assert [back.model.body(i).name for i in range(3)] == ["world", "world_2", "hips"]
+
+
+def test_names_that_clash_in_mjcf_are_told_apart(tmp_path):
+    """A second bone is called after its joint and a number; spaces and slashes are no part of a name."""
+    end = "{ OFFSET 0 %d 0 CHANNELS 3 Zrotation Xrotation Yrotation End Site { OFFSET 0 10 0 } }"
+    text = "HIERARCHY ROOT Hips { OFFSET 0 0 0 CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation "
+    text += "".join(f"JOINT {name} {end % (20 + i)} " for i, name in enumerate(("Hips_2", "a b", "a_b"))) + "} MOTION "
+    text += "Frames: 2 Frame Time: 0.1 ROW ROW "
+    for word in ("HIERARCHY", "ROOT", "OFFSET", "CHANNELS", "JOINT", "End", "MOTION", "Frames", "Frame ", "ROW"):
+        text = text.replace(f"{word}", f"\n{word}")
+    path = tmp_path / "clash.bvh"
+    path.write_text(text.replace("ROW", "0 " * 15))
+    model = imported(path, scale=0.01).figure.model
+    assert [model.body(i).name for i in range(1, model.nbody)] == ["Hips", "Hips_2", "a_b", "a_b_2"]
+
+
 def test_a_hinge_along_an_axis_turns_about_that_axis_alone(tmp_path):
     take = Take.of(puppet.moved(), 48.0)
     found, _ = bvh_file.read(written(take, tmp_path))

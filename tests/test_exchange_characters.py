@@ -88,6 +88,20 @@ def test_mimickit_takes_three_hinges_on_a_body_for_a_ball_joint(tmp_path):
         mimickit.parts(slides)
 
 
+def test_mimickit_angles_are_nought_at_rest_wherever_a_hinge_has_its_own_nought(tmp_path):
+    text = wild.ROBOT.replace('name="left_knee"', 'name="left_knee" ref="0.5"')
+    (tmp_path / "robot.xml").write_text(text.replace('name="left_hip_roll"', 'name="left_hip_roll" ref="-0.3"'))
+    robot = wild.motion_of(str(tmp_path / "robot.xml"))
+    target, _ = exported(robot, "mimickit", tmp_path)
+    with target.open("rb") as stream:
+        frames = np.array(pickle.load(stream)["frames"])
+    turned = wild.samples(robot).qpos[:, 7:] - robot.figure.model.qpos0[7:]
+    leg = Rotation.from_euler("YXZ", turned[:, :3])
+    np.testing.assert_allclose(Rotation.from_rotvec(frames[:, 6:9]).as_matrix(), leg.as_matrix(), atol=1e-12)
+    np.testing.assert_allclose(frames[:, 9:], turned[:, 3:], atol=1e-12)
+    came_back(robot, target, str(tmp_path / "robot.xml"))
+
+
 @pytest.mark.parametrize("kind", ["mimickit", "deepmimic"])
 def test_a_loop_wraps_and_its_last_frame_is_the_first_moved_on(kind, tmp_path):
     walk = wild.loop()

@@ -6,8 +6,13 @@ import mujoco
 import numpy as np
 import pytest
 
+from runner.clip_table import ContactTable
+from runner.contacts import contacts
+from runner.errors import UserError
 from runner.feet import sole_points
 from solver.figure import Figure
+from solver.frame import Frame
+from solver.unknowns import raw_timeline
 
 LEG = """<body name="{name}_thigh" pos="{x} {y} 0"><joint name="{name}_hip" axis="0 1 0"/>
   <geom type="capsule" size=".03" fromto="0 0 0 0 0 -.3"/>
@@ -93,3 +98,14 @@ def test_two_robots_stand_on_the_feet_of_both():
     leg = '<body><joint axis="0 1 0"/><geom name="leg" type="capsule" size=".02" fromto="0 .1 0 0 .1 -.3"/></body>'
     assert soles(figure_of(TWO, SPHERE, extra=other.format(leg))) == ["l_foot", "r_foot", "peg", "leg"]
     assert soles(figure_of(TWO, SPHERE, extra=other.format(""))) == ["l_foot", "r_foot"]  # what hangs does not stand
+
+
+def test_a_clip_calls_found_feet_by_their_names():
+    figure = figure_of(FOUR, SPHERE)
+    keys = raw_timeline(figure, [Frame.key(float(t), figure.model.qpos0) for t in range(3)])
+    points = sole_points(figure, np.zeros((0, figure.width)))
+    table = ContactTable.model_validate({"point": "bl_foot", "from": 0.0, "to": 1.0})
+    found = contacts(figure, keys, [table], "clip", points)
+    assert [rest.point.name for rest in found.given] == ["bl_foot"]
+    with pytest.raises(UserError, match="did you mean 'bl_foot'"):
+        contacts(figure, keys, [table.model_copy(update={"point": "bl_fot"})], "clip", points)

@@ -185,3 +185,22 @@ def test_travel_that_makes_no_sense_is_refused():
     keys = [Frame.key(t, [1, 0, 0, 0]) for t in (0, 1)]
     with pytest.raises(TimelineError, match="no free joint, so no root to travel"):
         raw_timeline(ball, keys, "periodic", travel=[1, 0, 0])
+
+
+@pytest.mark.parametrize("partial", [False, True])
+@pytest.mark.parametrize("coordinates", ["world", "joint"])
+def test_joints_turn_by_the_shortest_arcs_up_to_the_seam_though_the_whole_figure_nearly_turns_round(
+    coordinates, partial
+):
+    figure = figure_of(TINY, coordinates)
+    keys = []
+    for time, heading, knee in ((0.0, 0, 0), (0.3, 120, -20), (0.5, 195, -40), (PERIOD, 360, 0)):
+        root, shin = (quat.from_rotation_vector(np.radians([0, 0, angle])) for angle in (heading, knee))
+        fixed = mask_without(figure, "knee") if partial and time in (0, PERIOD) else np.ones(figure.width, bool)
+        keys.append(Frame.key(time, np.concatenate([[0, 0, 1], root, shin]), fixed))
+    states = raw_timeline(figure, keys, "periodic").states
+    root, shin = states[:, 3:7], states[:, 7:11]
+    if coordinates == "world":
+        shin = quat.product(quat.inverse(quat.product(root, figure.links[2].turn)), shin)
+    assert np.all(np.sum(shin[1:] * shin[:-1], axis=1) > 0)
+    np.testing.assert_allclose(root[-1], -root[0], atol=1e-12)

@@ -95,8 +95,9 @@ def run(words: list[str], folder: Path, options: Options, bounds: Bounds, teller
 
 def _tidied(folder: Path, ending: str) -> None:
     """Removes files that a killed program had begun."""
+    endings = (Path(f"clip{ending}").suffix, ".jsonl")
     for path in folder.rglob(".*"):
-        if LEFTOVER.fullmatch(path.stem) and path.suffix in (ending, ".jsonl") and path.is_file():
+        if LEFTOVER.fullmatch(path.stem) and path.suffix in endings and path.is_file():
             path.unlink(missing_ok=True)
 
 

@@ -21,6 +21,7 @@ THICKNESS = {"": (0.16, 0.007, 0.045), "thigh": (0.17, 0.03, 0.075), "shin": (0.
              "pelvis": (0.5, 0.05, 0.1), "chest": (0.4, 0.04, 0.1), "neck": (0.5, 0.03, 0.055),
              "head": (0.5, 0.05, 0.09)}  # fmt: skip
 SIDES = ("left", "right")
+WORLD = "world"
 COLOURS = {"left": "0.17 0.45 0.56 1", "right": "0.93 0.55 0.22 1", "": "0.45 0.5 0.56 1"}
 
 
@@ -35,7 +36,7 @@ def figure(captured: Captured) -> tuple[str, Array]:
     ET.SubElement(default, "geom", type="capsule", contype="0", conaffinity="0", density=f"{DENSITY:g}")
     ET.SubElement(default, "site", group="4", size="0.012")
     bodies: list[ET.Element] = []
-    names = [_safe(name) for name in captured.names]
+    names = _names(captured.names)
     by_joint = {joint: role for role, joint in captured.roles.items()}
     for i, parent in enumerate(captured.parents):
         place = captured.offset[i] if parent >= 0 else np.array([0.0, 0.0, -lowest])
@@ -46,9 +47,11 @@ def figure(captured: Captured) -> tuple[str, Array]:
         else:
             ET.SubElement(body, "joint", name=names[i], type="ball")
         bodies.append(body)
+    taken = set(names)
     for i, body in enumerate(bodies):
         role = by_joint.get(i, "").removeprefix("left_").removeprefix("right_")
-        _bones(body, captured, i, names[i], role if role in THICKNESS else "", COLOURS[_side(captured, i, by_joint)])
+        part, colour = role if role in THICKNESS else "", COLOURS[_side(captured, i, by_joint)]
+        _bones(body, captured, i, names[i], part, colour, taken)
     _soles(bodies, captured)
     _hands(bodies, captured)
     for body in bodies:  # what belongs to a body before what hangs on it
@@ -61,8 +64,22 @@ def figure(captured: Captured) -> tuple[str, Array]:
     return ET.tostring(root, encoding="unicode"), qpos
 
 
-def _safe(name: str) -> str:
-    return "_".join(name.replace("/", "_").split())
+def _names(found: Iterable[str]) -> list[str]:
+    """Names that MJCF takes, no two alike; `world` is MuJoCo's own."""
+    taken: set[str] = {WORLD}
+    out: list[str] = []
+    for name in found:
+        out.append(_free("_".join(name.replace("/", "_").split()), taken))
+    return out
+
+
+def _free(name: str, taken: set[str]) -> str:
+    """A name, or with a number where it is taken, which it is from then on."""
+    unique, count = name, 2
+    while unique in taken:
+        unique, count = f"{name}_{count}", count + 1
+    taken.add(unique)
+    return unique
 
 
 def _side(captured: Captured, joint: int, by_joint: dict[int, str]) -> str:
@@ -78,8 +95,10 @@ def _row(values: Iterable[float]) -> str:
     return " ".join(f"{value:.9g}" for value in values)
 
 
-def _bones(body: ET.Element, captured: Captured, joint: int, name: str, role: str, colour: str) -> None:
-    """A capsule to every child and to the end; a ball where there is none."""
+def _bones(
+    body: ET.Element, captured: Captured, joint: int, name: str, role: str, colour: str, taken: set[str]
+) -> None:
+    """A capsule to every child and to the end; a ball where there is none. The first has the body's name."""
     share, least, most = THICKNESS[role]
     count = 0
     for start, tip in _lines(captured, joint, role):
@@ -87,7 +106,7 @@ def _bones(body: ET.Element, captured: Captured, joint: int, name: str, role: st
         if length > LEAST:
             radius = min(float(np.clip(share * length, least, most)), 0.45 * length + least)
             count += 1
-            called = f"{name}_{count}" if count > 1 else name
+            called = _free(name, taken) if count > 1 else name
             line = _row([*start, *tip])
             ET.SubElement(body, "geom", name=called, size=f"{radius:.4g}", fromto=line, rgba=colour)
     if not count:

@@ -3,7 +3,7 @@
 fps        [1/s]
 loop_mode  0 for clamp, 1 for wrap, where the last frame is the first again, moved on; of our motions, loops wrap
 frames     T rows: root position (3) [m], root rotation (3) as rotation vector [rad], then body after body, depth first:
-           a ball joint as rotation vector (3) relative to the parent at rest, a hinge as its angle (1); z up
+           a ball joint as rotation vector (3) relative to the parent at rest, a hinge as its angle from rest (1); z up
 
 Source: MimicKit, mimickit/anim/motion.py, motion_lib.extract_pose_data, kin_char_model.dof_to_rot and
 mjcf_char_model._parse_sphere_joint: three hinges on one body *are* a ball joint there, in whatever order, and slides
@@ -36,10 +36,14 @@ CHARACTER = "xyz"  # order of the hinges in their character files
 
 @dataclass(frozen=True)
 class Part:
-    """The joint of one body: columns in qpos (one angle, four of a quaternion, or three angles in an order)."""
+    """The joint of one body: columns in qpos (one angle, four of a quaternion, or three angles in an order).
+
+    rest  of angles, what they are at rest, their `ref`, where MimicKit's are nought
+    """
 
     columns: list[int]
     order: str | None = None
+    rest: tuple[float, ...] = ()
 
     @property
     def width(self) -> int:
@@ -47,7 +51,7 @@ class Part:
 
     def numbers(self, qpos: Array) -> Array:
         """(T, width) of a frame, of configurations (T, nq)."""
-        own = qpos[:, self.columns]
+        own = qpos[:, self.columns] - (self.rest or 0.0)
         if len(self.columns) == 1:
             return own
         return quat.rotation_vector(own if self.order is None else rotation_of(own, self.order))
@@ -55,9 +59,9 @@ class Part:
     def configuration(self, numbers: Array) -> Array:
         """The columns of qpos, of (T, width) numbers."""
         if self.width == 1:
-            return numbers
+            return numbers + self.rest
         rotation = quat.aligned(quat.from_rotation_vector(numbers))
-        return rotation if self.order is None else angles(rotation[:, None], self.order)[:, 0]
+        return rotation if self.order is None else angles(rotation[:, None], self.order)[:, 0] + self.rest
 
 
 def parts(model: mujoco.MjModel) -> tuple[int, list[Part]]:
@@ -83,13 +87,14 @@ def _part(model: mujoco.MjModel, joints: list[int], name: str) -> Part:
     columns = [int(model.jnt_qposadr[joint]) for joint in joints]
     if own == [BALL]:
         return Part([columns[0] + n for n in range(4)])
+    rest = tuple(model.qpos0[columns].tolist())
     if own == [HINGE]:
-        return Part(columns)
+        return Part(columns, rest=rest)
     if own == [HINGE] * 3:
         axes = [model.jnt_axis[joint] for joint in joints]
         order = "".join("xyz"[int(np.argmax(axis))] for axis in axes)
         if sorted(order) == list("xyz") and all(axis.max() > 1 - 1e-9 for axis in axes):
-            return Part(columns, order)
+            return Part(columns, order, rest)
     raise UserError(
         f"the format 'mimickit' has one ball joint, one hinge, or three about x, y and z a body; '{name}' has others"
     )

@@ -1,7 +1,7 @@
 """Closed loops: points of two bodies that a model holds together, by `connect` and `weld` equality constraints.
 
 A connection holds one point of each body together; a weld three, which are a limb's length apart, so that an error of
-its rotation counts like one of place.
+its rotation counts like one of place, or one if its `torquescale` is nought.
 """
 
 from __future__ import annotations
@@ -21,6 +21,7 @@ from ..quaternion import Array, Index
 from .contact import Point, point_gradients
 from .penalty import Scale
 
+TORQUE_SCALE = 10  # of a weld's numbers: nought leaves rotations alone
 ARM = 0.1  # [m] from the middle of a weld to the points that hold its rotation
 
 
@@ -93,10 +94,11 @@ def closures(figure: Figure) -> tuple[Closure, ...]:
         if kind is None:
             continue
         frames = _frames(model, int(i), weld=kind == "weld")
+        turns = kind == "weld" and model.eq_data[i, TORQUE_SCALE] > 0
         if any(model.body_mocapid[body] >= 0 for body, _, _ in frames):
             continue
         name = model.equality(int(i)).name or " and ".join(model.body(body).name or "world" for body, _, _ in frames)
-        offsets = [np.zeros(3)] if kind == "connect" else [np.zeros(3), *(ARM * np.eye(3)[:2])]
+        offsets = [np.zeros(3), *(ARM * np.eye(3)[:2])] if turns else [np.zeros(3)]
         for offset in offsets:
             ends = []
             for body, position, turn in frames:
