@@ -235,7 +235,13 @@ def test_a_scheduler_that_goes_away_is_told_and_costs_no_clip_anything(tmp_path:
     hasty = "from runner.batch import cluster; cluster.CONNECT_SECONDS = 3; "
     process = start("batch", "clips", "-o", "out", "--scheduler", address, program=hasty + INJECTED)
     out = tmp_path / "out"
-    until(lambda: len({entry.clip for entry in journal(out) if entry.state == "running"}) >= 3, "two that hang")
+    begun = {"running": 3, "done": 1}
+
+    def has_begun() -> bool:
+        seen = {(entry.clip, entry.state) for entry in journal(out)}
+        return all(sum(own == state for _, own in seen) >= count for state, count in begun.items())
+
+    until(has_begun, "two that hang, and one that is done")
     family = descendants(cluster.pid)
     cluster.kill()
     _, said = process.communicate(timeout=PATIENCE)
