@@ -16,6 +16,8 @@ from PIL import Image
 
 from solver.quaternion import Array
 
+from ..errors import UserError
+
 HIDDEN_GROUP = 3
 SAG = 0.0008  # [m] that a round surface may lie off its true place, and so how many triangles it gets
 MESHES = (mujoco.mjtGeom.mjGEOM_MESH, mujoco.mjtGeom.mjGEOM_SDF)
@@ -131,7 +133,7 @@ def triangles(model: mujoco.MjModel, piece: Piece, reach: float = 20.0) -> Trian
         case kind if kind in MESHES:
             return _mesh(model, int(model.geom_dataid[piece.geom]))
         case kind:
-            raise NotImplementedError(f"a geom of type {kind}")
+            raise UserError(f"geom '{piece.name}' is of MuJoCo's type {kind}, which has no triangles here")
 
 
 def half_extent(piece: Piece, reach: float) -> Array:
