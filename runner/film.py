@@ -116,8 +116,12 @@ def _checked(target: Path, images: Iterable[Picture], shape: tuple[int, ...]) ->
 
 
 def _write_mp4(path: Path, images: Iterator[Picture], fps: float, count: int | None) -> None:
-    """H.264; the index stands at the front of the file, so a browser starts before it has all of it."""
-    codec = {"preset": "medium", "crf": "18"}
+    """H.264; the index stands at the front of the file, so a browser starts before it has all of it.
+
+    Without x264's macroblock tree: at widths such as 848 or 960 pixels its assembly reads memory that nobody wrote, and
+    equal images give other bytes. The tree would spare 3 to 10 % of a file of this quality.
+    """
+    codec = {"preset": "medium", "crf": "20", "mbtree": "0"}
     _encode(path, images, fps, "libx264", codec, {"movflags": "+faststart"})
 
 

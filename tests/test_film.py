@@ -1,5 +1,6 @@
 """Images become files that play, show the colours that were drawn, and appear only when they are complete."""
 
+import ctypes
 import os
 import threading
 from collections.abc import Iterator
@@ -15,6 +16,7 @@ from numpy.typing import NDArray
 from runner.film import MOST_WAITING, FilmError, _in_a_thread, check_target, write
 
 RED = (200, 60, 40)
+M_PERTURB = -6  # as glibc's malloc.h has it
 ENDINGS = (".mp4", ".webm", ".gif", ".png")
 
 
@@ -72,6 +74,24 @@ def test_equal_images_give_equal_bytes(tmp_path: Path, ending: str):
     write(tmp_path / f"a{ending}", images(), 30)
     write(tmp_path / f"b{ending}", images(), 30)
     assert (tmp_path / f"a{ending}").read_bytes() == (tmp_path / f"b{ending}").read_bytes()
+
+
+@pytest.mark.parametrize(("width", "height"), [(64, 48), (176, 144)])
+@pytest.mark.parametrize("ending", [".mp4", ".webm"])
+def test_what_memory_held_before_is_not_seen_in_a_film(tmp_path: Path, ending: str, width: int, height: int):
+    """glibc fills what it gives out and takes back with a byte of our choice."""
+    mallopt = getattr(ctypes.CDLL(None), "mallopt", None) if os.name == "posix" else None
+    if mallopt is None:
+        pytest.skip("no mallopt in this C library")
+    films: set[bytes] = set()
+    try:
+        for filling in (1, 2, 3, 64, 127, 128, 200, 254):
+            mallopt(M_PERTURB, filling)
+            write(tmp_path / f"a{ending}", images(16, height, width), 30)
+            films.add((tmp_path / f"a{ending}").read_bytes())
+    finally:
+        mallopt(M_PERTURB, 0)
+    assert len(films) == 1
 
 
 def test_the_index_of_an_mp4_stands_before_its_pictures(tmp_path: Path):
