@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import cached_property
+from functools import partial
 
 from . import optimiser
 from .frame import Timeline
 from .gauss_newton import FIRST_DAMPING, gauss_newton
 from .objective import Discretised, Evaluation, Objective
-from .optimiser import Minimum, Stop, minimise
-from .preconditioner import Preconditioner
+from .optimiser import Minimum, Stop
 from .quaternion import Array
+from .refinement import refined
 
 NEWTON = "newton"
 METHODS = {
@@ -32,28 +32,14 @@ def check_method(method: str) -> None:
 
 
 class Descent:
-    """The minimisation of E over one timeline's unknowns: by Gauss-Newton steps, or by NLopt's preconditioned ones.
+    """The minimisation of E over one timeline's unknowns: by Gauss-Newton steps, or with NLopt's refinement of each.
 
     damping  of the Gauss-Newton steps, to begin with and as it was left
     """
 
     def __init__(self, objective: Objective, timeline: Timeline, *, damping: float = FIRST_DAMPING) -> None:
         self.problem: Discretised = objective.on(timeline)
-        self.start = self.problem.unknowns.start
         self.damping = damping
-        self.last: Evaluation | None = None
-
-    @cached_property
-    def preconditioner(self) -> Preconditioner:
-        return Preconditioner(self.problem)
-
-    def x(self, z: Array) -> Array:
-        """The unknowns that z stands for."""
-        return self.start + self.preconditioner.to_x(z)
-
-    def __call__(self, z: Array) -> tuple[float, Array]:
-        self.last = self.problem(self.x(z))
-        return self.last.value, self.preconditioner.gradient(self.last.gradient)
 
     def run(
         self,
@@ -65,26 +51,15 @@ class Descent:
     ) -> Minimum:
         """The Minimum, its x in the unknowns of the timeline; `improved` gets (evaluation, Evaluation, x)."""
         check_method(method)
-        if method.lower() == NEWTON:
-            found, self.damping = gauss_newton(
-                self.problem,
-                max_evaluations=max_evaluations,
-                tolerance=tolerance,
-                damping=self.damping,
-                improved=improved,
-            )
-            return found
-
-        def relay(count: int, _value: float, z: Array) -> None:
-            assert self.last is not None
-            if improved is not None:
-                improved(count, self.last, self.x(z))
-
-        start = 0 * self.preconditioner.gradient(self.start)
-        found = minimise(
-            self, start, method=method, max_evaluations=max_evaluations, tolerance=tolerance, improved=relay
+        search = gauss_newton if method.lower() == NEWTON else partial(refined, method=method)
+        found, self.damping = search(
+            self.problem,
+            max_evaluations=max_evaluations,
+            tolerance=tolerance,
+            damping=self.damping,
+            improved=improved,
         )
-        return Minimum(self.x(found.x), found.value, found.evaluations, found.stop)
+        return found
 
 
 def optimised(

@@ -161,6 +161,14 @@ class Layout:
         solution = banded.solved(factor, right[self.order].reshape(-1, 1))
         return solution.reshape(self.count, self.width)[self.rank]
 
+    def coloured(self, factor: Array, z: Array) -> Array:
+        """L⁻ᵀ z (M + 2, N) for z flat, in the matrices' order."""
+        return banded.other_half_solved(factor, z.reshape(-1, 1)).reshape(self.count, self.width)[self.rank]
+
+    def whitened(self, factor: Array, gradient: Array) -> Array:
+        """L⁻¹ v, flat, in the matrices' order, for v (M + 2, N)."""
+        return banded.half_solved(factor, gradient[self.order].reshape(-1, 1)).ravel()
+
     def to_x(self, coefficients: Array) -> Array:
         """The step in the unknowns (n,) that a step of the coefficients (M + 2, N) means."""
         return self.problem.spline.states_and_slopes(coefficients).reshape(-1)[self.place]
@@ -327,6 +335,17 @@ class OneSided:
         return cls(value, weight, span, local, matrix, matrix.T.tocsr())
 
 
+class Proposal(NamedTuple):
+    """The minimum of m: the step (n,) of the unknowns to it, how far m falls, and Cholesky's factor of its curvature.
+
+    The factor is None where the curvature has none.
+    """
+
+    step: Array
+    promised: float
+    factor: Array | None
+
+
 class Model:
     """m(δ) at one path.
 
@@ -375,8 +394,8 @@ class Model:
         self.held += room
         return max(middle(np.concatenate(sizes)), 1e-12) if scale is None else scale
 
-    def minimised(self, damping: float) -> tuple[Array, float]:
-        """The step (n,) of the unknowns to the minimum of m with λ = damping, and how far m falls."""
+    def minimised(self, damping: float) -> Proposal:
+        """The minimum of m with λ = damping."""
         layout, sided = self.layout, self.sided
         held = self.held.copy()
         diagonal = layout.diagonal(held)
@@ -384,14 +403,14 @@ class Model:
         if sided is None:
             factor = layout.factor(held)
             if factor is None:
-                return np.zeros(layout.place.size), 0.0
+                return Proposal(np.zeros(layout.place.size), 0.0, None)
             step = -layout.solved(factor, self.gradient)
-            return layout.to_x(step), -0.5 * float(np.sum(step * self.gradient))
+            return Proposal(layout.to_x(step), -0.5 * float(np.sum(step * self.gradient)), factor)
         return self._one_sided(held, sided)
 
-    def _one_sided(self, held: Array, sided: OneSided) -> tuple[Array, float]:
+    def _one_sided(self, held: Array, sided: OneSided) -> Proposal:
         """Newton on the residuals that count, changing them until they settle."""
-        layout = self.layout
+        layout, last = self.layout, None
         step, pull = np.zeros_like(self.gradient), np.zeros_like(self.gradient)  # δ and H δ
         over, root = sided.value, np.sqrt(2 * sided.weight)
         worth = first = float(sided.weight @ np.maximum(over, 0) ** 2)
@@ -402,6 +421,7 @@ class Model:
             factor = layout.factor(room)
             if factor is None:
                 break
+            last = factor
             push = 2 * sided.weight * active
             target = -layout.solved(factor, self.gradient + self._back(push * sided.value))
             over_target = sided.value + sided.rows @ target.ravel()
@@ -421,7 +441,7 @@ class Model:
             step, over, pull = at, there, force
             if previous - worth <= SETTLED * (first - worth):
                 break
-        return layout.to_x(step), first - worth
+        return Proposal(layout.to_x(step), first - worth, last)
 
     def _back(self, forces: Array) -> Array:
         """Rᵀ f, (M + 2, N)."""
