@@ -1,4 +1,6 @@
-"""Change of variables by the curvature of E, for NLopt: x = x₀ + P z with P Pᵀ = c (H + λF + active one-sided residuals)⁻¹.
+"""Change of variables by the curvature of E, for NLopt: x = x₀ + P z with P Pᵀ = c (H + λF + 2 Σ c_p r_p r_pᵀ)⁻¹.
+
+The sum is over the one-sided residuals that count at the model's minimum (model.py has H, F and r).
 
 In z the Gauss-Newton model is a sphere, so a quasi-Newton method starts with the right metric. z moves the B-splines'
 coefficients by the model's banded Cholesky factor L, P = √c L⁻ᵀ seen in the unknowns; what is fixed is held by the

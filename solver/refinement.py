@@ -1,8 +1,8 @@
 """Minimisation of E by NLopt's methods, in variables in which the Gauss-Newton model of E is a sphere.
 
-NLopt sees E alone and lowers it where the model errs; but no smooth metric foresees which contacts come and go, and what
-it was whitened for grows old. So every few evaluations a new model is made, its own step is taken, and NLopt searches on
-from there in the variables that the curvature at the end of this step whitens.
+NLopt sees E alone and lowers it where the model errs; but no smooth metric foresees which contacts come and go, and a
+metric grows old. So every few evaluations a new model is made, its own step is taken, and NLopt searches on from there
+in the variables that the curvature at the end of this step whitens.
 """
 
 from __future__ import annotations
@@ -17,8 +17,7 @@ from .optimiser import Minimum, Stop, StopSearch, minimise
 from .preconditioner import Preconditioner
 from .quaternion import Array
 
-import os
-FEW = int(os.environ.get("FEW",5))  # evaluations of NLopt with one factor; a model costs about ten
+FEW = 6  # evaluations of NLopt with one factor, which costs about ten
 
 
 def refined(
@@ -51,7 +50,7 @@ def _run(search: Search, method: str, tolerance: float) -> Stop:
         if proposal.factor is None:
             return Stop.STUCK
         _search_on(search, Preconditioner(search.layout, proposal.factor, search.value or 1.0), method, tolerance)
-        if search.is_negligible(before - search.value, tolerance):
+        if ended is not None or search.is_negligible(before - search.value, tolerance):
             return ended or Stop.CONVERGED
     return Stop.BUDGET
 

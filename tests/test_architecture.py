@@ -24,7 +24,6 @@ SCIPY_IN_SOLVER = {
     "solver/spline.py",
     "solver/unknowns.py",
     "solver/model.py",
-    "solver/preconditioner.py",
 }
 NO_WORLD = {"os", "sys", "io", "pathlib", "time", "datetime", "shutil", "tempfile", "subprocess", "logging", "random"}
 
