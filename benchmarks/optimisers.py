@@ -13,7 +13,6 @@ from bench import Effort, Section, Target, alternated, median, worst
 from runner import clip as clips
 from solver import Motion, inbetween
 from solver.descent import NEWTON, Descent
-from solver.optimiser import Minimum
 
 CLIPS = (
     "cartwheel", "hand_on_rail", "jump_over_box", "run_and_step", "run_loop", "sit_down", "stairs", "walk_loop",
@@ -39,13 +38,44 @@ def solve(problem: clips.Clip, method: str) -> Motion:
     )
 
 
-def gone_on(motion: Motion, problem: clips.Clip, method: str) -> tuple[float, float, Minimum]:
-    """From the end of a default solve on the same frames: % of E gained, seconds, and how it ended."""
-    objective = motion.objective
-    if problem.settings.renormalise:
-        objective = objective.renormalised(motion.raw_path)
-    descent = Descent(objective, motion.timeline)
+def gone_on(motion: Motion, method: str) -> tuple[float, float]:
+    """From the end of a solve, on the same frames: what share of E goes [%], and in what time [s]."""
+    descent = Descent(motion.objective, motion.timeline)
     before = descent.problem(descent.problem.unknowns.start).value
     begin = time.perf_counter()
     found = descent.run(method=method, max_evaluations=MORE_EVALUATIONS, tolerance=FINE)
-    return 100 * (1 - found.value / before), time.perf_counter() - begin, found
+    return 100 * (1 - found.value / before), time.perf_counter() - begin
+
+
+def measure(effort: Effort) -> Section:
+    columns = ("clip", "E newton", "E lbfgs", "newton [s]", "lbfgs [s]", "time ratio", "more newton", "more lbfgs")
+    section = Section("The shipped clips: Gauss-Newton steps alone, and NLopt's refinement of each", columns)
+    shares: list[float] = []
+    ratios: list[float] = []
+    rates: dict[str, list[float]] = {NEWTON: [], NLOPT: []}
+    for name in QUICK_CLIPS if effort.quick else CLIPS:
+        effort.tell(name)
+        problem = clips.load(name)
+        works = {method: functools.partial(solve, problem, method) for method in rates}
+        times, motions = alternated(works, effort.count(REPEATS, 1), warm=False)
+        values = {method: motion.trace[-1][2] for method, motion in motions.items()}
+        seconds = {method: median(own) for method, own in times.items()}
+        shares.append(values[NLOPT] / values[NEWTON])
+        ratios.append(median([a / b for a, b in zip(times[NLOPT], times[NEWTON], strict=True)]))
+        more = {method: gone_on(motions[NEWTON], method) for method in rates}
+        for method, (gain, spent) in more.items():
+            rates[method].append(gain / spent)
+        told = (f"{gain:.2f} % in {spent:.1f} s" for gain, spent in more.values())
+        section.add(name, values[NEWTON], values[NLOPT], seconds[NEWTON], seconds[NLOPT], ratios[-1], *told)
+        section.data[name] = {"E": values, "seconds": times, "more": more}
+    section.targets = [
+        Target("largest E with NLopt beside that of Gauss-Newton alone", worst(shares), CLOSE),
+        Target("largest time with NLopt beside that of Gauss-Newton alone", worst(ratios), LONGEST),
+    ]
+    section.notes = [
+        f"more: from the end of the default's solve on the same frames, to a tolerance of {FINE:g} or "
+        f"{MORE_EVALUATIONS} evaluations; median gain {median(rates[NEWTON]):.2g} % a second by Gauss-Newton, "
+        f"{median(rates[NLOPT]):.2g} % with NLopt",
+        "E has several minima where contacts come and go: the two need not end in the same one",
+    ]
+    return section
