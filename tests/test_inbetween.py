@@ -72,7 +72,7 @@ def test_e_falls_strictly_and_every_callback_meets_the_keyframes(figure, rng, en
 
 @pytest.mark.parametrize("error", [StopSearch, KeyboardInterrupt])
 @pytest.mark.parametrize(
-    ("method", "evaluations"), [("newton", 1), ("newton", 2), ("newton", 3), ("lbfgs", 1), ("lbfgs", 5), ("lbfgs", 20)]
+    ("method", "evaluations"), [("newton", 1), ("newton", 2), ("newton", 3), ("lbfgs", 1), ("lbfgs", 5), ("lbfgs", 9)]
 )
 def test_a_stop_after_any_number_of_evaluations_gives_a_path_no_worse_than_the_raw_one(
     figure, rng, error, method, evaluations
@@ -93,7 +93,7 @@ def test_a_stop_after_any_number_of_evaluations_gives_a_path_no_worse_than_the_r
         assert distance_from_key(figure, state, key) < 1e-11
 
 
-@pytest.mark.parametrize(("method", "call"), [("newton", 1), ("newton", 2), ("newton", 4), ("lbfgs", 2), ("lbfgs", 30)])
+@pytest.mark.parametrize(("method", "call"), [("newton", 1), ("newton", 2), ("newton", 4), ("lbfgs", 2), ("lbfgs", 12)])
 def test_ctrl_c_inside_any_evaluation_returns_the_best_motion_so_far(figure, rng, method, call):
     class Interrupted(CovariantAcceleration):
         calls = 0
