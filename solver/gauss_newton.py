@@ -106,7 +106,8 @@ class Search:
 
     def is_negligible(self, decrease: float, tolerance: float) -> bool:
         """Whether a decrease is less than a share of E, or of a thousandth of the first E."""
-        return decrease <= tolerance * max(self.value, NEGLIGIBLE * self.first)
+        size = min(max(self.value, NEGLIGIBLE * self.first), self.problem.objective.heavy)
+        return decrease <= tolerance * size
 
     def model(self) -> Model:
         """Of E at the best point."""

@@ -16,17 +16,13 @@ from itertools import pairwise
 import numpy as np
 
 from .frame import Frame, Timeline
-from .objective import Objective, run_of
-from .penalty.penalty import instants_of
-from .quadrature import gauss_nodes
+from .objective import Objective, segment_integrals
 from .quaternion import Array
-from .spline import Path
 from .subdivision import path_of
 
 KEPT, AHEAD, BEHIND = 40, 4, 3
 FRAMES_A_SEGMENT = 4
 LARGEST = 2_500_000  # entries of a banded matrix
-NODES = 4
 PINNED = 0.1
 
 
@@ -121,26 +117,3 @@ class Assembly:
             slopes[1] = solved.end_slope[1]
         inside = (f for f in solved.frames if first < f.time <= last)
         return Timeline((*before, *inside, *after), slopes, self.raw.ends)
-
-
-def segment_integrals(objective: Objective, path: Path, times: Array) -> Array:
-    """(segments, terms): every term's share of E between neighbouring times."""
-    knots = np.asarray(path.spline.times)
-    knots = knots[(knots >= times[0]) & (knots <= times[-1])]
-    edges = np.union1d(knots, times)
-    t, w = gauss_nodes(edges, NODES)
-    out = np.zeros((times.size - 1, len(objective.terms)))
-    segment = np.clip(np.searchsorted(times, t, side="right") - 1, 0, times.size - 2)
-    first = 0
-    for samples in objective.samples(path, t).parts(run_of(objective.figure)):
-        some = slice(first, first + samples.count)
-        for k, term in enumerate(objective.terms):
-            np.add.at(out[:, k], segment[some], term.factor * w[some] * term.penalty.evaluate(samples))
-        first += samples.count
-    for k, term in enumerate(objective.terms):
-        at = instants_of(term.penalty)
-        at = at[(at >= times[0]) & (at <= times[-1])]
-        if at.size:
-            segment = np.clip(np.searchsorted(times, at, side="right") - 1, 0, times.size - 2)
-            np.add.at(out[:, k], segment, term.factor * term.penalty.evaluate(objective.samples(path, at)))
-    return out

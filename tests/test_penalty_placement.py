@@ -20,12 +20,11 @@ from solver.frame import Frame
 from solver.inbetween import inbetween
 from solver.kinematics import Cotangent, Samples
 from solver.model import Layout, Model
-from solver.objective import Objective
+from solver.objective import Objective, segment_integrals
 from solver.penalty import CovariantAcceleration, Placed, Placement, Point, UnitMagnitude
 from solver.quadrature import Quadrature
 from solver.quaternion import Array
 from solver.subdivision import by_weak_form, evenly, path_of
-from solver.windows import segment_integrals
 
 TARGET = np.array([0.3, -0.2, 0.8])
 

@@ -15,7 +15,7 @@ from solver.curvature import Curvature
 from solver.frame import Frame, Timeline
 from solver.inbetween import Improvement, Motion, Settings, inbetween
 from solver.kinematics import Cotangent, Samples
-from solver.objective import Objective
+from solver.objective import Objective, segment_integrals
 from solver.optimiser import Stop, StopSearch
 from solver.penalty import Contact, CovariantAcceleration, Penalty, Point, RootAcceleration, UnitMagnitude
 from solver.quadrature import Quadrature
@@ -23,7 +23,7 @@ from solver.quaternion import Array
 from solver.spline import Path
 from solver.subdivision import evenly, path_of
 from solver.unknowns import raw_timeline
-from solver.windows import AHEAD, BEHIND, KEPT, LARGEST, Assembly, Window, is_long, segment_integrals, windows
+from solver.windows import AHEAD, BEHIND, KEPT, LARGEST, Assembly, Window, is_long, windows
 
 SEGMENTS = 20
 FIGURE = figure_of(TINY)
