@@ -8,15 +8,19 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
 
 from solver.inbetween import Improvement, Motion, inbetween
 from solver.objective import Objective
 from solver.optimiser import Stop, StopSearch
+from solver.subdivision import path_of
 from solver.unknowns import raw_timeline
 
 from .clip import Clip
 from .curves import curves
 from .motion import Saved
+from .problems import Problem, problems
 from .progress import Teller
 from .report import report
 
@@ -43,6 +47,39 @@ class Solved:
     motion: Motion
     seconds: float
 
+    @cached_property
+    def problems(self) -> tuple[Problem, ...]:
+        """What is wrong with it, worst first."""
+        return problems(self.clip, self.motion.timeline, self.motion.raw, self.motion.stop)
+
+    @property
+    def search(self) -> dict[str, Any]:
+        """What the motion file keeps of the search, for nobody can measure it later."""
+        motion = self.motion
+        return {
+            "evaluations": motion.evaluations,
+            "seconds": self.seconds,
+            "stop": motion.stop.name,
+            "stopped because": motion.stop.value,
+        }
+
+    @property
+    def summary(self) -> dict[str, Any]:
+        """What was solved, how it went and what is wrong with it: plain numbers, without measuring."""
+        clip, motion = self.clip, self.motion
+        before, after = (motion.objective.value(path_of(each)) for each in (motion.raw, motion.timeline))
+        return {
+            "clip": clip.name,
+            "duration, s": float(motion.timeline.times[-1] - motion.timeline.times[0]),
+            "keyframes": len(clip.keys),
+            "partial keyframes": sum(not key.is_key for key in clip.keys),
+            "variable frames": motion.timeline.variable_count,
+            "objective before": before,
+            "objective": after,
+            **self.search,
+            "problems": [problem.plain() for problem in self.problems],
+        }
+
     def saved(self, teller: Teller, with_report: bool = True) -> Saved:
         """What goes into a motion file; the report takes some seconds, and Ctrl-C only cuts it short."""
         clip, motion = self.clip, self.motion
@@ -64,8 +101,9 @@ class Solved:
                 teller.step("measuring", 1.0, force=True)
         trace = [list(entry) for entry in motion.trace]
         return Saved(
-            clip.name, clip.text, clip.scene, clip.figure, clip.fps, clip.keys, motion.timeline, motion.raw, trace, data
-        )
+            clip.name, clip.text, clip.scene, clip.figure, clip.fps, clip.keys, motion.timeline, motion.raw, trace, data,
+            self.search,
+        )  # fmt: skip
 
 
 def solve(clip: Clip, teller: Teller, *, stop_after: int | None = None) -> Solved:
