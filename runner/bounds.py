@@ -1,4 +1,4 @@
-"""From where on something about a motion is a problem. All bounds stand here and nowhere else; docs/problems.md has them."""
+"""From where on something about a motion is a problem: all bounds stand here. docs/problems.md has them too."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ BOUNDS = {
         Bound("coupled", 1.0, "degrees", "a hinge off what it follows"),
         Bound("coupled travel", 0.002, "m", "a slide off what it follows"),
         Bound("torn", 0.005, "m", "points of a closed loop apart"),
-        Bound("whip", 1500.0, "rad/s²", "or 4 times what the raw spline needs, if that is more"),
+        Bound("whip", 500.0, "rad/s²", "or 4 times what the raw spline needs; a sprinter's limbs have some 400"),
         Bound("length", 0.5, "", "quaternions so far from length 1 turn fast between samples"),
         Bound("search", 1.0, "", "the search ended before it was done"),
     )

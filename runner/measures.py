@@ -166,7 +166,11 @@ def coupled(figure: Figure, fixed: Mask) -> Plain | None:
         return None
     law, degrees = Coupled(found), np.array([[each.unit == "degrees"] for each in found])
     rows = [
-        _row("coupled" if each.unit == "degrees" else "coupled travel", each.name, f"{each.name} is {{}} off what it follows")
+        _row(
+            "coupled" if each.unit == "degrees" else "coupled travel",
+            each.name,
+            f"{each.name} is {{}} off what it follows",
+        )
         for each in found
     ]
 
@@ -309,9 +313,7 @@ class Sunk:
     @cached_property
     def _pairs(self) -> list[tuple[Point, str]]:
         """The point and surface of every row."""
-        return [
-            (point, surface.name) for part in self.parts for surface in part.surfaces for point in part.points
-        ]
+        return [(point, surface.name) for part in self.parts for surface in part.surfaces for point in part.points]
 
     @cached_property
     def groups(self) -> Index:

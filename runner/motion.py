@@ -8,7 +8,7 @@ frame_time (M,), frame_state (M, N), frame_fixed (M, N), end_slope (2, N), and r
 asset_names (A,), asset_0 … (B,) uint8  the files that the model refers to, by name; left out where there are none
 joint_names, body_names, mjcf, clip, trace, search, report, name, coordinates, ends, format_version
 
-report is {} until somebody measures the motion; search is what only the search knew: why it ended, and how long it took.
+report is {} until somebody measures the motion; search is what only the search knew: why it ended, how long it took
 """
 
 from __future__ import annotations

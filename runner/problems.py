@@ -36,6 +36,7 @@ from . import measures
 from .bounds import BOUNDS
 from .clip import Clip
 from .constraints import bolted_links
+from .errors import UserError
 from .measures import Hits, Measure, Row
 from .motion import Saved, samples_at
 
@@ -71,10 +72,6 @@ class Problem:
         """How many times its bound it is."""
         return self.amount / self.bound
 
-    def plain(self) -> dict[str, Any]:
-        """For JSON."""
-        return asdict(self)
-
     def __str__(self) -> str:
         return self.text
 
@@ -95,15 +92,45 @@ def problems(clip: Clip, timeline: Timeline, raw: Timeline, stop: Stop = Stop.CO
 
 def of_motion(saved: Saved) -> tuple[Problem, ...]:
     """What is wrong with a motion, by what its file holds."""
-    stop = Stop.__members__.get(str(saved.search.get("stop")), Stop.CONVERGED)
-    return problems(clips.answered(saved), saved.timeline, saved.raw, stop)
+    try:
+        clip = clips.answered(saved)
+    except UserError:  # a text that this program cannot read, in a file from elsewhere
+        clip = clips.of_motion(replace(saved, text=""))
+    return problems(clip, saved.timeline, saved.raw, stop_of(saved))
 
 
-def lines(found: Sequence[Problem], file: str | None = None) -> list[str]:
+def stop_of(saved: Saved) -> Stop:
+    """Why the search of a motion ended, where there was one."""
+    return Stop.__members__.get(str(saved.search.get("stop")), Stop.CONVERGED)
+
+
+def is_recording(saved: Saved) -> bool:
+    """Whether a motion is nothing but its keyframes: no search is to blame for any of it."""
+    return not saved.search and saved.timeline.variable_count == 0
+
+
+def lines(found: Sequence[Problem], file: object = None) -> list[str]:
     """For the terminal: a line each of the worst, and how many more there are."""
-    out = [f"problem: {problem.text}" for problem in found[:MOST_TOLD]]
-    more = len(found) - MOST_TOLD
+    told: dict[tuple[str, int], int] = {}
+    first: list[Problem] = []
+    for problem in found:
+        if problem.keyframe is not None:
+            place = problem.kind, problem.keyframe
+            told[place] = told.get(place, 0) + 1
+            if told[place] > 1:
+                continue
+        first.append(problem)
+    out = []
+    for problem in first[:MOST_TOLD]:
+        others = told.get((problem.kind, problem.keyframe or 0), 1) - 1
+        out.append(f"problem: {problem.text}" + (f"; {others} more of it are" if others else ""))
+    more = len(first) - MOST_TOLD
     return [*out, f"... and {more} more" + (f": dynsplines report {file}" if file else "")] if more > 0 else out
+
+
+def plain(found: Sequence[Problem]) -> list[dict[str, Any]]:
+    """For JSON."""
+    return [asdict(problem) for problem in found]
 
 
 def _found(clip: Clip, timeline: Timeline, raw: Timeline) -> Iterator[Problem]:
@@ -226,7 +253,10 @@ def _drifts(held: Sequence[measures.Held], key_times: Array) -> Iterator[Problem
             bound = BOUNDS[measure.kind].most
             if drift > bound:
                 number = int(np.argmin(np.abs(key_times - stance.last))) + 1
-                row = Row(measure.kind, stance.point.name, f"{stance.point.name} is moved {{}} while it should rest", bound)
+                name = stance.point.name
+                row = Row(
+                    measure.kind, name, f"{name}, which is to rest, is {{}} from where the one before has it", bound
+                )
                 yield _problem(row, drift, stance.last, number)
 
 

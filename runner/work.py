@@ -14,7 +14,6 @@ from typing import Any
 from solver.inbetween import Improvement, Motion, inbetween
 from solver.objective import Objective
 from solver.optimiser import Stop, StopSearch
-from solver.subdivision import path_of
 from solver.unknowns import raw_timeline
 
 from .clip import Clip
@@ -63,23 +62,6 @@ class Solved:
             "stopped because": motion.stop.value,
         }
 
-    @property
-    def summary(self) -> dict[str, Any]:
-        """What was solved, how it went and what is wrong with it: plain numbers, without measuring."""
-        clip, motion = self.clip, self.motion
-        before, after = (motion.objective.value(path_of(each)) for each in (motion.raw, motion.timeline))
-        return {
-            "clip": clip.name,
-            "duration, s": float(motion.timeline.times[-1] - motion.timeline.times[0]),
-            "keyframes": len(clip.keys),
-            "partial keyframes": sum(not key.is_key for key in clip.keys),
-            "variable frames": motion.timeline.variable_count,
-            "objective before": before,
-            "objective": after,
-            **self.search,
-            "problems": [problem.plain() for problem in self.problems],
-        }
-
     def saved(self, teller: Teller, with_report: bool = True) -> Saved:
         """What goes into a motion file; the report takes some seconds, and Ctrl-C only cuts it short."""
         clip, motion = self.clip, self.motion
@@ -100,10 +82,10 @@ class Solved:
                 data["curves"] = drawn
                 teller.step("measuring", 1.0, force=True)
         trace = [list(entry) for entry in motion.trace]
+        timelines = motion.timeline, motion.raw
         return Saved(
-            clip.name, clip.text, clip.scene, clip.figure, clip.fps, clip.keys, motion.timeline, motion.raw, trace, data,
-            self.search,
-        )  # fmt: skip
+            clip.name, clip.text, clip.scene, clip.figure, clip.fps, clip.keys, *timelines, trace, data, self.search
+        )
 
 
 def solve(clip: Clip, teller: Teller, *, stop_after: int | None = None) -> Solved:

@@ -37,6 +37,7 @@ class Entry:
     output, size  the file in the manifest's folder and its bytes
     cause     of a failure: "error", "time", "memory" or "lost" (its process or its worker went away)
     bound     that a failure by time [s] or memory [MB] came up against
+    problems  what is wrong with the motion, worst first: `Problem`s as tables
     """
 
     clip: str
@@ -51,15 +52,19 @@ class Entry:
     cause: str = ""
     bound: float | None = None
     error: str = ""
+    problems: tuple[dict[str, Any], ...] = ()
 
     def line(self) -> str:
         """As JSON, without what there is nothing to say about."""
-        return json.dumps({key: value for key, value in asdict(self).items() if value not in ("", None, 0)}) + "\n"
+        return json.dumps({key: value for key, value in asdict(self).items() if value not in ("", None, 0, ())}) + "\n"
 
     @classmethod
     def of(cls, data: dict[str, Any]) -> Entry:
         """From JSON; raises ValueError or TypeError."""
-        entry = cls(**data)
+        found = data.get("problems", [])
+        if not isinstance(found, list) or not all(isinstance(each, dict) and "text" in each for each in found):
+            raise TypeError(f"'problems' is {found!r}")
+        entry = cls(**data | {"problems": tuple(found)})
         if entry.state not in STATES:
             raise ValueError(f"no state '{entry.state}'; states: {', '.join(STATES)}")
         for name, kind in (("clip", str), ("source", str), ("input", str), ("output", str), ("size", int)):
