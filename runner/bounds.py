@@ -25,6 +25,7 @@ BOUNDS = {
         Bound("penetration", 0.005, "m", "more than a sole or skin gives"),
         Bound("self", 0.01, "m", "limbs are soft, and drawn thicker than they are"),
         Bound("contact", 0.01, "m", "a hand or foot that slips so far is seen to slip"),
+        Bound("hover", 0.01, "m", "as contact, of one that is to rest on whatever is below it"),
         Bound("stance", 0.02, "m", "keyframes tell stances less surely than a clip's own contacts"),
         Bound("placement", 0.01, "m", "what is put there is seen to miss"),
         Bound("backward", 3.0, "degrees", "a straight knee or elbow is never quite straight"),

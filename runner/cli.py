@@ -471,9 +471,9 @@ def batch(
         )
         for line in tally.failures():
             teller.say(line)
-        teller.say(f"{output}: {tally.line}")
         if tally.problems:
             teller.say(tally.problems)
+        teller.say(f"{output}: {tally.line}")
     if tally.failed:
         raise typer.Exit(1)
     _judge(tally.wrong, strict)

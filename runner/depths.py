@@ -39,13 +39,13 @@ def bunches(points: Sequence[Point]) -> tuple[Bunch, ...]:
 
 def _bunches(points: Sequence[Point]) -> Iterator[Bunch]:
     links = np.array([point.link for point in points], np.intp)
-    for link in np.unique(links):
+    for link in np.unique(links).tolist():
         which = np.flatnonzero(links == link)
-        places = np.array([points[i].position for i in which]).T
-        radii = np.array([points[i].radius for i in which])
+        own = [points[i] for i in which.tolist()]
+        places, radii = np.array([point.position for point in own]).T, np.array([point.radius for point in own])
         middle = places.mean(axis=1)
         reach = float((np.linalg.norm(places - middle[:, None], axis=0) + radii).max())
-        yield Bunch(int(link), which, places, radii, middle, reach)
+        yield Bunch(link, which, places, radii, middle, reach)
 
 
 def depths(found: Sequence[Bunch], surface: Surface, samples: Samples) -> Iterator[tuple[Bunch, Index, Array]]:

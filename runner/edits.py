@@ -130,7 +130,7 @@ def repeated(saved: Saved, count: int) -> Saved:
     travel = seam.travel[roots[:, 0]] if roots.size else np.zeros(3)
     more = [row for i in range(1, count) for row in _later(_contacts(saved), period * i, travel * i)]
     text = _keyed(saved, keys, lambda solve: _repeated_travel(solve, count), more)
-    return replace(saved, text=text, keys=tuple(keys), timeline=timeline, raw=raw, trace=[], report={})
+    return replace(saved, text=text, keys=tuple(keys), timeline=timeline, raw=raw, trace=[], report={}, search={})
 
 
 def _repeated_travel(solve: dict[str, Any], count: int) -> dict[str, Any]:
@@ -218,7 +218,14 @@ def _with_keys(saved: Saved, keys: tuple[Frame, ...], timeline: Timeline, contac
     """A motion with free ends through other keyframes, before it the raw spline through them."""
     raw = raw_timeline(saved.figure, list(keys))
     return replace(
-        saved, text=_keyed(saved, keys, contacts=contacts), keys=keys, timeline=timeline, raw=raw, trace=[], report={}
+        saved,
+        text=_keyed(saved, keys, contacts=contacts),
+        keys=keys,
+        timeline=timeline,
+        raw=raw,
+        trace=[],
+        report={},
+        search={},
     )
 
 

@@ -23,14 +23,17 @@ from solver.penalty import (
     Coupled,
     JointRange,
     Point,
+    Rest,
     SelfContact,
     Stance,
     closures,
     couplings,
     joint_ranges,
 )
+from solver.penalty.contact import FAR, heights
 from solver.penalty.contact import placed as points_placed
 from solver.quaternion import Array, Index
+from solver.surface import Surface
 
 from .bounds import BOUNDS, WHIP_SHARE
 from .depths import bunches, depths
@@ -194,9 +197,11 @@ def torn(figure: Figure, placed: Mask) -> Plain | None:
     return Plain(tuple(rows), lambda samples: np.linalg.norm(loops.apart(samples), axis=0), own, groups)
 
 
-def whips(figure: Figure, raw_peak: float, keys: int) -> Plain:
+def whips(figure: Figure, raw_peak: float, keys: int) -> Plain | None:
     """Links whose angular acceleration relative to their parents is far beyond what the raw spline needs."""
     rows_of = turning(figure)
+    if not rows_of:
+        return None
     bound = whip_bound(raw_peak)
     rows = [
         _row("whip", figure.links[i].name, f"{figure.links[i].name} whips: {{}}, {_times(raw_peak)}", bound)
@@ -252,6 +257,22 @@ def _joints_fixed(figure: Figure, links: Sequence[int], fixed: Mask) -> Mask:
     """(n, K) which keyframes fix the joints of some links."""
     columns = [quaternion_columns(figure.links[i]) or figure.links[i].qpos for i in links]
     return np.array([np.atleast_2d(fixed[:, some].T).all(axis=0) for some in columns])
+
+
+def hovering(rests: Sequence[Rest], surfaces: Sequence[Surface], placed: Mask) -> Plain:
+    """Contacts whose points are over the surface below them, where there is one."""
+    rows = [
+        _row("hover", rest.point.name, f"contact {rest.point.name} is {{}} up while it should rest") for rest in rests
+    ]
+    points = tuple(rest.point for rest in rests)
+    radii = np.array([point.radius for point in points])
+
+    def amounts(samples: Samples) -> Array:
+        height, _ = heights(surfaces, Contact(points, ()).centres(samples)[0], radii)
+        during = np.array([(samples.t >= rest.first) & (samples.t <= rest.last) for rest in rests])
+        return np.where(during & (height < FAR), height, 0.0)
+
+    return Plain.each(rows, amounts, placed[[point.link for point in points]])
 
 
 @dataclass(frozen=True, eq=False)
@@ -315,8 +336,12 @@ class Sunk:
         """The point and surface of every row."""
         return [(point, surface.name) for part in self.parts for surface in part.surfaces for point in part.points]
 
-    @cached_property
+    @property
     def groups(self) -> Index:
+        return self._groups
+
+    @cached_property
+    def _groups(self) -> Index:
         numbers: dict[tuple[int, str], int] = {}
         return np.array([numbers.setdefault((point.link, name), len(numbers)) for point, name in self._pairs], np.intp)
 

@@ -22,13 +22,14 @@ from solver.penalty import (
     Placement,
     Planted,
     Rest,
+    Resting,
     SelfContact,
     Stance,
     Together,
     body_points,
     stances,
 )
-from solver.quaternion import Array
+from solver.quaternion import Array, Index
 from solver.subdivision import path_of
 
 from . import clip as clips
@@ -165,7 +166,9 @@ def _measures(clip: Clip, raw_peak: float) -> Iterator[Measure]:
     placed = measures.links_placed(figure, fixed)
     parts = list(_parts(clip))
     yield measures.Sunk(_kept_out(clip, parts), frozenset(point.name for point in clip.points), placed)
-    optional = (
+    rests = [rest for part in parts if isinstance(part, Resting) for rest in part.rests]
+    optional: tuple[Measure | None, ...] = (
+        measures.hovering(rests, clip.surfaces, placed) if rests and clip.surfaces else None,
         measures.ranges(figure, fixed),
         measures.coupled(figure, fixed),
         measures.torn(figure, placed),
@@ -296,7 +299,7 @@ def _strided(grid: Samples, stride: int) -> list[Samples]:
     return (grid if stride == 1 else grid.taken(np.arange(0, grid.count, stride))).parts(RUN)
 
 
-def _named(measure: Measure, hits: Hits, own: Array, best: int) -> int:
+def _named(measure: Measure, hits: Hits, own: Index, best: int) -> int:
     """The row to name for the worst hit of a group."""
     together = own[hits.at[own] == hits.at[best]]
     some = Hits(hits.row[together], hits.at[together], hits.amount[together])

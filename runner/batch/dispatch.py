@@ -64,7 +64,8 @@ class Tally:
             return ""
         many, worst = len(self.wrong), self.wrong[0]
         have = "has" if many == 1 else "have"
-        return f"{many} of {self.solved + self.kept} clips {have} problems; worst: {worst.clip}: {worst.problems[0]['text']}"
+        text = worst.problems[0]["text"]
+        return f"{many} of {self.solved + self.kept} clips {have} problems; worst: {worst.clip}: {text}"
 
     def failures(self, most: int = 50) -> list[str]:
         """A line each, of so many."""

@@ -11,7 +11,7 @@ import json
 import os
 import zipfile
 from collections.abc import Iterable
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any, Literal
 
@@ -61,10 +61,10 @@ class Entry:
     @classmethod
     def of(cls, data: dict[str, Any]) -> Entry:
         """From JSON; raises ValueError or TypeError."""
-        found = data.get("problems", [])
-        if not isinstance(found, list) or not all(isinstance(each, dict) and "text" in each for each in found):
-            raise TypeError(f"'problems' is {found!r}")
-        entry = cls(**data | {"problems": tuple(found)})
+        entry = cls(**data)
+        if not isinstance(entry.problems, list | tuple) or not all(map(_is_problem, entry.problems)):
+            raise TypeError(f"'problems' is {entry.problems!r}")
+        entry = replace(entry, problems=tuple(entry.problems))
         if entry.state not in STATES:
             raise ValueError(f"no state '{entry.state}'; states: {', '.join(STATES)}")
         for name, kind in (("clip", str), ("source", str), ("input", str), ("output", str), ("size", int)):
@@ -86,6 +86,15 @@ class Entry:
         except (OSError, zipfile.BadZipFile):
             return False
         return True
+
+
+def _is_problem(told: Any) -> bool:
+    """Whether a batch can say and compare it."""
+    return isinstance(told, dict) and isinstance(told.get("text"), str) and _is_above(told, "amount", "bound")
+
+
+def _is_above(told: dict[str, Any], *names: str) -> bool:
+    return all(isinstance(told.get(name), int | float) and told[name] > 0 for name in names)
 
 
 @dataclass
