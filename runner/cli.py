@@ -469,10 +469,8 @@ def batch(
             report=measure,
             retry_failed=retry_failed,
         )
-        for line in tally.failures():
+        for line in [*tally.problems, *tally.failures()]:
             teller.say(line)
-        if tally.problems:
-            teller.say(tally.problems)
         teller.say(f"{output}: {tally.line}")
     if tally.failed:
         raise typer.Exit(1)

@@ -800,3 +800,107 @@ def test_edits_that_cannot_be_are_told_in_one_line(run, motion_file, tmp_path):
         assert_refused(run("join", motion_file, "run_and_step"), "of different figures; they differ in")
         assert_refused(run("trim", "tiny.toml", "--to", 0.3, "-o", "tiny.toml"), "is what is edited", "--overwrite")
         assert_refused(run("retime", "none.npz", "--speed", 2), "no file 'none.npz'")
+
+
+# what is wrong with a motion
+
+SINKING = changed('root.position = [0.1, 0, "free"]', "root.position = [0.1, 0, 0.4]").replace(
+    "joints.left_knee = {rotvec = [0, 40, 0]}",
+    "root.rotation = {rotvec = [0, 0, 0]}\njoints.left_knee = {rotvec = [0, 0, 0]}",
+)
+SUNK = "problem: keyframe 2 itself: shin is 140 mm in the floor at 0.20 s"
+
+
+@pytest.fixture
+def sinking(run: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Command:
+    """The command beside a clip that sinks, where measuring at length is forbidden."""
+    (tmp_path / "sinks.toml").write_text(SINKING, encoding="utf-8")
+    monkeypatch.setattr(work, "report", lambda *_: pytest.fail("measured"))
+    return run
+
+
+@pytest.mark.parametrize(
+    ("words", "wrote"),
+    [
+        (["solve", "sinks.toml"], "sinks.npz"),
+        (["render", "sinks.toml", *SMALL, "--fps", 5, "-o", "sinks.gif"], "sinks.gif"),
+        (["render", "sinks.toml", *SMALL, "--at", 0.2], "sinks.png"),
+    ],
+)
+@pytest.mark.parametrize("strict", [False, True])
+def test_what_is_wrong_is_told_last_and_only_strict_minds(sinking, tmp_path, words, wrote, strict):
+    done = sinking(*words, *(["--strict"] if strict else []))
+    assert (done.code, done.out) == (3 if strict else 0, "")
+    lines = done.err.splitlines()
+    assert lines[lines.index(f"wrote {wrote}") + 1].startswith(SUNK)
+    assert (tmp_path / wrote).stat().st_size > 100
+
+
+def test_a_motion_that_is_well_ends_with_what_was_written_and_strict_is_content(run, tmp_path):
+    well = changed("joints.left_knee = {rotvec = [0, 40, 0]}", "joints.left_knee = {rotvec = [0, 0, 0]}")
+    (tmp_path / "well.toml").write_text(well.replace("evaluations = 8", "evaluations = 99"), encoding="utf-8")
+    done = run("solve", "well.toml", "--strict")
+    assert (done.code, done.err.splitlines()[-1]) == (0, "wrote well.npz")
+
+
+def test_json_says_how_it_went_and_what_is_wrong_and_measures_nothing(sinking):
+    done = sinking("solve", "sinks.toml", "--json", "--strict")
+    assert done.code == 3
+    told = json.loads(done.out)
+    assert {"objective", "objective before", "evaluations", "seconds", "stopped because"} <= told.keys()
+    assert told["objective"] < told["objective before"]
+    worst = told["problems"][0]
+    assert SUNK.endswith(worst["text"])
+    assert (worst["kind"], worst["name"], worst["keyframe"], worst["unit"]) == ("penetration", "shin", 2, "m")
+    assert worst["amount"] == pytest.approx(0.14)
+    assert worst["time"] == pytest.approx(0.2)
+
+
+def test_a_saved_motion_is_told_of_as_well(sinking, tmp_path):
+    assert sinking("solve", "sinks.toml").code == 0
+    with np.load(tmp_path / "sinks.npz") as data:
+        assert json.loads(str(data["report"])) == {}
+    done = sinking("render", "sinks.npz", *SMALL, "--at", 0.2, "--strict")
+    assert done.code == 3
+    assert any(line.startswith(SUNK) for line in done.err.splitlines())
+    done = sinking("retime", "sinks.npz", "--speed", 2)
+    assert done.code == 0
+    assert any("keyframe 2 itself: shin is 140 mm in the floor at 0.10 s" in line for line in done.err.splitlines())
+
+
+def test_the_report_begins_with_what_is_wrong(run, tmp_path):
+    (tmp_path / "sinks.toml").write_text(SINKING, encoding="utf-8")
+    assert run("solve", "sinks.toml").code == 0
+    for source in ("sinks.toml", "sinks.npz"):
+        done = run("report", source, "--strict")
+        assert done.code == 3
+        assert done.out.startswith(SUNK)
+    told = json.loads(run("report", "sinks.npz", "--json").out)
+    assert SUNK.endswith(told["problems"][0]["text"])
+    assert told["evaluations"] > 0
+    assert told["seconds"] > 0
+
+
+def test_a_report_of_an_older_file_has_its_problems_too(run, tmp_path, motion_file):
+    with np.load(motion_file) as data:
+        old = json.loads(str(data["report"]))
+        del old["problems"]
+        np.savez(tmp_path / "m.npz", **{k: v for k, v in data.items() if k != "search"} | {"report": json.dumps(old)})
+    told = json.loads(run("report", "m.npz", "--json").out)
+    assert [each["name"] for each in told["problems"]] == ["left_knee"]
+
+
+def flat(data: Any, place: str = "") -> dict[str, Any]:
+    """The leaves of JSON by the ways to them."""
+    if not isinstance(data, dict | list):
+        return {place: data}
+    entries = data.items() if isinstance(data, dict) else enumerate(data)
+    return {way: leaf for key, each in entries for way, leaf in flat(each, f"{place}/{key}").items()}
+
+
+def test_the_measured_report_of_a_file_is_that_of_the_clip(run):
+    assert run("solve", "tiny.toml").code == 0
+    one, two = (flat(json.loads(run("report", source, "--json").out)) for source in ("tiny.toml", "tiny.npz"))
+    assert one.keys() == two.keys()
+    for way in one.keys() - {"/seconds"}:
+        assert two[way] == (one[way] if isinstance(one[way], str) else pytest.approx(one[way], rel=1e-5, abs=1e-7)), way

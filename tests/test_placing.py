@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import json
 import sys
 from pathlib import Path
 
@@ -12,7 +13,7 @@ import pytest
 from rich.console import Console
 from tiny import HINGE
 
-from runner import cli, clip, motion, work
+from runner import cli, clip, work
 from runner.clip import Clip
 from runner.errors import UserError
 from runner.progress import Teller

@@ -1,4 +1,4 @@
-"""What is wrong with a motion is told: every kind on a motion that has it and nothing else, worst first, in a moment."""
+"""What is wrong with a motion is told: every kind on a motion that has it and nothing else, worst first and soon."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import io
 import itertools
 import time
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -136,7 +137,8 @@ def test_a_figure_that_goes_through_a_box_is_told_though_its_keyframes_are_out_o
     (found,) = wrong(read(box + rows, BALL, tmp_path))
     assert (found.kind, found.name, found.keyframe) == ("penetration", "ball", None)
     assert found.amount == pytest.approx(0.25, abs=0.01)  # 0.15 m to the nearest face, and the ball's radius
-    assert "in the crate at 0.5" in found.text
+    assert "ball is 250 mm in the crate at " in found.text
+    assert found.time == pytest.approx(0.5, abs=0.1)
 
 
 @pytest.mark.parametrize(
@@ -174,7 +176,10 @@ def test_a_joint_beyond_its_range(tmp_path, key, kind, text):
     assert (found.kind, found.text) == (kind, f"keyframe 2 itself: {text}")
 
 
-TWO = "[[keyframe]]\ntime = 0\njoints = {{slide = 0, swing = 0, twin = 0}}\n[[keyframe]]\ntime = 1\njoints = {{slide = 0, swing = {}, twin = {}}}\n"
+TWO = (
+    "[[keyframe]]\ntime = 0\njoints = {{slide = 0, swing = 0, twin = 0}}\n"
+    "[[keyframe]]\ntime = 1\njoints = {{slide = 0, swing = {}, twin = {}}}\n"
+)
 
 
 def test_joints_off_what_they_follow(tmp_path):
@@ -193,10 +198,13 @@ def test_a_loop_that_is_torn(tmp_path):
     assert found.text == "keyframe 2 itself: the loop of bolt is torn by 31 mm at 1.00 s"
 
 
-STANDING = 'figure = "human"\n' + "".join(
-    f'[[keyframe]]\ntime = {t}\nroot.position = [{x}, 0, 0.93]\nothers = "rest"\n'
-    for t, x in ((0, 0), (1, 0), (2, 0.4))
-)
+def standing(*places: float) -> str:
+    """A clip of a figure that stands at places along x [m], one a second."""
+    key = '[[keyframe]]\ntime = {}\nroot.position = [{}, 0, 0.93]\nothers = "rest"\n'
+    return 'figure = "human"\n' + "".join(key.format(t, x) for t, x in enumerate(places))
+
+
+STANDING = standing(0, 0, 0.4)
 
 
 def test_a_contact_that_moves_and_its_worst_moment():
@@ -221,7 +229,7 @@ def test_a_contact_that_is_up_in_the_air():
 
 
 def test_a_foot_that_keyframes_leave_standing_slides():
-    problem = read(STANDING)
+    problem = read(standing(0, 0, 0))
     assert wrong(problem) == ()
     aside = np.zeros(problem.figure.width)
     aside[1] = 0.05
@@ -234,8 +242,7 @@ def test_a_foot_that_keyframes_leave_standing_slides():
 
 def test_keyframes_that_move_a_contact_are_to_blame_themselves():
     contact = '[[contact]]\npoint = "right_toe"\nfrom = 0\nto = 1\n'
-    found = wrong(read(STANDING.replace("[0, 0, 0.93]", "[0.03, 0, 0.93]", 2).replace("[0.03", "[0", 1) + contact))
-    (found,) = [each for each in found if each.kind == "contact"]
+    (found,) = [each for each in wrong(read(standing(0, 0.03, 0.03) + contact)) if each.kind == "contact"]
     assert (found.keyframe, found.amount) == (2, pytest.approx(0.03, abs=1e-6))
     assert found.text.startswith("keyframe 2 itself: right_toe, which is to rest, is 30 mm from where")
 
@@ -293,7 +300,7 @@ def test_a_quaternion_far_from_length_one(tmp_path):
 
 @pytest.mark.parametrize("stop", Stop)
 def test_a_search_that_ended_early(stop):
-    found = wrong(read(STANDING), stop=stop)
+    found = wrong(read(standing(0, 0)), stop=stop)
     assert kinds(found) == ({"search"} if stop in (Stop.BUDGET, Stop.STUCK) else set())
     for each in found:
         assert each.time is None
@@ -381,8 +388,6 @@ def test_edited_motions_are_looked_at_as_what_they_are(walked):
 
 
 def test_a_text_that_nobody_can_read_is_no_reason_not_to_look(walked):
-    from dataclasses import replace
-
     assert isinstance(problems.of_motion(replace(walked, text="figure = ")), tuple)
 
 

@@ -58,14 +58,14 @@ class Tally:
         return f"{self.solved} solved{before}, {len(self.failed)} failed"
 
     @property
-    def problems(self) -> str:
-        """ "3 of 200 clips have problems; worst: walk: left_heel is 196 mm in the floor at 1.00 s", or nothing."""
+    def problems(self) -> list[str]:
+        """ "3 of 200 clips have problems; worst: walk: left_heel is 196 mm in the floor at 1.00 s", or no line."""
         if not self.wrong:
-            return ""
+            return []
         many, worst = len(self.wrong), self.wrong[0]
         have = "has" if many == 1 else "have"
         text = worst.problems[0]["text"]
-        return f"{many} of {self.solved + self.kept} clips {have} problems; worst: {worst.clip}: {text}"
+        return [f"{many} of {self.solved + self.kept} clips {have} problems; worst: {worst.clip}: {text}"]
 
     def failures(self, most: int = 50) -> list[str]:
         """A line each, of so many."""
