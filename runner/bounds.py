@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Bound:
-    """What may be wrong, and how much of it is let pass without a word.
+    """What may be wrong, and how much of it is let pass without a word: docs/problems.md has the same table.
 
     most  in `unit`: "m", "degrees", "rad/s²", or "" for what has none
     why   of this size
@@ -36,7 +36,7 @@ BOUNDS = {
         Bound("coupled", 1.0, "degrees", "a hinge off what it follows"),
         Bound("coupled travel", 0.002, "m", "a slide off what it follows"),
         Bound("torn", 0.005, "m", "points of a closed loop apart"),
-        Bound("whip", 500.0, "rad/s²", "or 4 times what the raw spline needs; a sprinter's limbs have some 400"),
+        Bound("whip", 500.0, "rad/s²", "or 4 times what the raw spline needs, if that is more; run_loop comes to 370"),
         Bound("length", 0.5, "", "quaternions so far from length 1 turn fast between samples"),
         Bound("search", 1.0, "", "the search ended before it was done"),
     )

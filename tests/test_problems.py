@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import itertools
+import re
 import time
 from collections.abc import Sequence
 from dataclasses import replace
@@ -14,7 +15,7 @@ import pytest
 from rich.console import Console
 
 from runner import Keyframe, build, clip, edits, inbetween, load_motion, motion, problems, work
-from runner.bounds import BOUNDS
+from runner.bounds import BOUNDS, WHIP_SHARE
 from runner.clip import Clip
 from runner.motion import sampled
 from runner.penetration import penetration
@@ -406,3 +407,18 @@ def test_why_the_search_ended_is_in_the_file(tmp_path):
     assert str(again.report()).splitlines()[0].startswith("problem: ")
     again.save(tmp_path / "measured.npz")
     assert motion.load(tmp_path / "measured.npz").report["keyframes"] == 2
+
+
+def test_the_bounds_of_the_page_are_those_of_the_code():
+    """A row for every bound, or one for two of the same size."""
+    page = (Path(__file__).parent.parent / "docs" / "problems.md").read_text(encoding="utf-8")
+    told = {}
+    for names, most in re.findall(r"^\| (`[^|]+`) \| ([^|]+) \|", page, flags=re.MULTILINE):
+        told |= dict.fromkeys(re.findall(r"`([^`]+)`", names), most)
+    spoken = {"m": lambda most: f"{1000 * most:g} mm", "degrees": lambda most: f"{most:g}°"}
+    said = {
+        kind: spoken.get(bound.unit, lambda most, unit=bound.unit: f"{most:g} {unit}".strip())(bound.most)
+        for kind, bound in BOUNDS.items()
+    }
+    assert told == said | {"search": "–"}
+    assert f"{WHIP_SHARE:g} times the raw spline's" in page
