@@ -53,8 +53,10 @@ class Solved:
 
     @property
     def search(self) -> dict[str, Any]:
-        """What the motion file keeps of the search, for nobody can measure it later."""
+        """What the motion file keeps of the search, for nobody can measure it later; empty where there was none."""
         motion = self.motion
+        if motion.timeline is motion.raw and motion.stop is Stop.CONVERGED:
+            return {}
         return {
             "evaluations": motion.evaluations,
             "seconds": self.seconds,
