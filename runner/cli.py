@@ -6,24 +6,27 @@ import contextlib
 import json
 import os
 import sys
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, NoReturn, cast
 
 import typer
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Sequence
 
     from .clip import Clip
     from .edit_files import Edit
     from .graphics import Graphics
     from .motion import Saved
+    from .problems import Problem
     from .progress import Teller
     from .show import Look
 
 UsageError = cast("type[typer.BadParameter]", typer.BadParameter.__mro__[1])  # typer's own, or click's
 
 MOST_IMAGES = 100_000
+WRONG = 3  # the exit code of --strict
 BEFORE_MUJOCO = ("scipy.interpolate", "scipy.sparse.linalg", ".clip_table", ".progress")
 
 app = typer.Typer(
@@ -43,6 +46,7 @@ Output = Annotated[Path | None, typer.Option("-o", "--output", help="the file to
 Overwrite = Annotated[bool, typer.Option("--overwrite", help="let -o be the file that is edited")]
 OverThere = Annotated[bool, typer.Option("--overwrite", help="let -o be a file that is there")]
 Repeat = Annotated[int | None, typer.Option("--repeat", help="play a loop so many times, without a seam")]
+Strict = Annotated[bool, typer.Option("--strict", help="exit with code 3 if anything is wrong with the motion")]
 AsJson = Annotated[bool, typer.Option("--json", help="print JSON")]
 
 
@@ -108,6 +112,7 @@ def render(
         int | None, typer.Option(help="processes that draw [default: one a core for rays, else 1]")
     ] = None,
     repeat: Repeat = None,
+    strict: Strict = False,
     model: Model = None,
     keys: Keys = None,
 ) -> None:
@@ -141,10 +146,10 @@ def render(
         look = Look(width, height, fps or found.fps, only, ghosts, camera, slow, at)
         _check_length(found, look, repeat)
         teller.say(graphics.line)
-        saved = _saved(found, teller, solve=only not in ("keys", "before"), with_report=False)
-        saved = _repeated(saved, repeat)
-        draw(saved, look, graphics, target, workers, teller)
-        teller.say(f"wrote {target}")
+        result = _result(found, teller, repeat, solve=only not in ("keys", "before"))
+        draw(result.saved, look, graphics, target, workers, teller)
+        _tell(teller, target, result.problems, source)
+    _judge(result.problems, strict)
 
 
 @app.command()
@@ -153,6 +158,7 @@ def solve(
     output: Output = None,
     fps: Annotated[float | None, typer.Option(help="samples a second in the file [default: the clip's, 30]")] = None,
     repeat: Repeat = None,
+    strict: Strict = False,
     as_json: AsJson = False,
     model: Model = None,
     keys: Keys = None,
@@ -175,19 +181,20 @@ def solve(
             raise UserError(f"{source}: a motion is solved already; report, plot and render take it")
         _check_repeat(found, repeat)
         motion.sample_count((found.keys[-1].time - found.keys[0].time) * (repeat or 1), found.fps)
-        saved = _saved(found, teller, with_report=not repeat)
-        if repeat:
-            from .edits import measured
-
-            saved = measured(_repeated(saved, repeat), teller, f"one period was solved and is played {repeat} times")
-        motion.save(saved, target)
-        teller.say(f"wrote {target}")
+        result = _result(found, teller, repeat)
+        motion.save(result.saved, target)
+        _tell(teller, target, result.problems, target)
     if as_json:
-        print(json.dumps(_plain(saved.report), indent=2))
+        from .summary import summary
+
+        print(json.dumps(summary(result.saved, result.problems), indent=2))
+    _judge(result.problems, strict)
 
 
 @app.command()
-def report(source: Source = "", as_json: AsJson = False, model: Model = None, keys: Keys = None) -> None:
+def report(
+    source: Source = "", strict: Strict = False, as_json: AsJson = False, model: Model = None, keys: Keys = None
+) -> None:
     """Measure before and after on a 1 kHz grid: penetration, knees, skate, torques, what is left to gain."""
     _without_graphics()
     from rich.console import Console
@@ -197,13 +204,14 @@ def report(source: Source = "", as_json: AsJson = False, model: Model = None, ke
 
     _name(source, model, keys)
     with Teller() as teller:
-        saved = _saved(_found(source, model, keys), teller, with_report=True)
+        measured = _measured(_found(source, model, keys), teller).report
     if as_json:
-        print(json.dumps(_plain(saved.report), indent=2))
-        return
-    with _whole(source):
-        shown = tables(saved.report)
-    Console(highlight=False).print(shown, markup=False)
+        print(json.dumps(_plain(measured), indent=2))
+    else:
+        with _whole(source):
+            shown = tables(measured)
+        Console(highlight=False).print(shown, markup=False)
+    _judge(measured["problems"], strict)
 
 
 @app.command()
@@ -219,7 +227,7 @@ def plot(source: Source = "", output: Output = None, model: Model = None, keys: 
     chart.check_target(target)
     motion.check_target(target)
     with Teller() as teller:
-        saved = _saved(_found(source, model, keys), teller, with_report=True)
+        saved = _measured(_found(source, model, keys), teller)
         with _whole(source):
             chart.draw(saved.name, saved.report, saved.trace, np.array([key.time for key in saved.keys]), target)
         teller.say(f"wrote {target}")
@@ -357,9 +365,9 @@ def export(
     with Teller() as teller:
         found = _found(source, None, None)
         _check_repeat(found, repeat)
-        saved = _repeated(_saved(found, teller, with_report=False), repeat)
-        target = formats.export(saved, form.name, output, fps=fps, tell=teller.say)
-        teller.say(f"wrote {target}")
+        result = _result(found, teller, repeat)
+        target = formats.export(result.saved, form.name, output, fps=fps, tell=teller.say)
+        _tell(teller, target, result.problems, source)
 
 
 @app.command(name="import")
@@ -430,8 +438,16 @@ def batch(
     limit_memory: Annotated[
         float | None, typer.Option(help="MB that a clip's process may use [default: its worker's share]")
     ] = None,
-    no_report: Annotated[bool, typer.Option("--no-report", help="do not measure the motions")] = False,
+    measure: Annotated[
+        bool,
+        typer.Option(
+            "--report/--no-report", help="measure every motion at 1 kHz, too, which takes longer than to solve it"
+        ),
+    ] = False,
     retry_failed: Annotated[bool, typer.Option("--retry-failed", help="also what failed and has not changed")] = False,
+    strict: Annotated[
+        bool, typer.Option("--strict", help="exit with code 3 if anything is wrong with a motion")
+    ] = False,
 ) -> None:
     """Solve many clips, on every core or on a Dask cluster; the same command again goes on where it stopped."""
     _without_graphics()
@@ -450,14 +466,15 @@ def batch(
             fps=fps,
             seconds=limit_time,
             megabytes=limit_memory,
-            report=not no_report,
+            report=measure,
             retry_failed=retry_failed,
         )
-        for line in tally.failures():
+        for line in [*tally.problems, *tally.failures()]:
             teller.say(line)
         teller.say(f"{output}: {tally.line}")
     if tally.failed:
         raise typer.Exit(1)
+    _judge(tally.wrong, strict)
 
 
 @app.command()
@@ -505,8 +522,8 @@ def _edited(sources: list[str], edit: Edit, output: Path | None, overwrite: bool
     from .progress import Teller
 
     with Teller() as teller:
-        target = run(sources, edit, output, overwrite=overwrite, teller=teller)
-        teller.say(f"wrote {target}")
+        target, found = run(sources, edit, output, overwrite=overwrite, teller=teller)
+        _tell(teller, target, found, target)
 
 
 def _name(source: str, model: str | None, keys: str | None) -> str:
@@ -586,14 +603,59 @@ def _found(source: str, model: str | None, keys: str | None, fps: float | None =
     return clip.load(source, model=model, keys=keys, fps=fps)
 
 
-def _saved(found: Clip | Saved, teller: Teller, *, with_report: bool, solve: bool = True) -> Saved:
-    """A saved motion as it is, measured if it never was, or a clip solved now."""
-    from . import motion, work
+@dataclass(frozen=True)
+class _Result:
+    """A motion, and what is wrong with it."""
+
+    saved: Saved
+    problems: tuple[Problem, ...]
+
+
+def _result(found: Clip | Saved, teller: Teller, repeat: int | None = None, *, solve: bool = True) -> _Result:
+    """A saved motion as it is, or a clip solved now, played so many times; nothing is wrong with what is not solved."""
+    from . import motion, problems, work
+
+    if not solve:
+        saved = found if isinstance(found, motion.Saved) else work.unsolved(found).saved(teller, with_report=False)
+        return _Result(_repeated(saved, repeat), ())
+    if isinstance(found, motion.Saved):
+        saved = _repeated(found, repeat)
+        return _Result(saved, () if problems.is_recording(saved) else problems.of_motion(saved))
+    solved = work.solve(found, teller)
+    saved = solved.saved(teller, with_report=False)
+    if repeat is None:
+        return _Result(saved, solved.problems)
+    saved = _repeated(saved, repeat)
+    return _Result(saved, problems.of_motion(saved))
+
+
+def _measured(found: Clip | Saved, teller: Teller) -> Saved:
+    """A motion with its report, made now unless its file has one."""
+    from . import motion, problems, work
     from .edits import measured
 
-    if isinstance(found, motion.Saved):
-        return measured(found, teller, "not searched: imported") if with_report and not found.report else found
-    return (work.solve(found, teller) if solve else work.unsolved(found)).saved(teller, with_report)
+    if not isinstance(found, motion.Saved):
+        return work.solve(found, teller).saved(teller)
+    if not found.report:
+        return measured(found, teller, "not searched: imported")
+    if "problems" in found.report:
+        return found
+    return replace(found, report={"problems": problems.plain(problems.of_motion(found)), **found.report})
+
+
+def _tell(teller: Teller, target: Path, found: Sequence[Problem], file: object) -> None:
+    """What was written, and what is wrong with it; `file` is what a report of all of it takes."""
+    from .problems import lines
+
+    teller.say(f"wrote {target}")
+    for line in lines(found, file):
+        teller.say(line)
+
+
+def _judge(found: Sequence[object], strict: bool) -> None:
+    """Ends with code 3 if anything is wrong and somebody minds."""
+    if strict and found:
+        raise typer.Exit(WRONG)
 
 
 def _check_repeat(found: Clip | Saved, repeat: int | None) -> None:
@@ -614,7 +676,10 @@ def _check_repeat(found: Clip | Saved, repeat: int | None) -> None:
 def _repeated(saved: Saved, repeat: int | None) -> Saved:
     from .edits import repeated
 
-    return saved if repeat is None else repeated(saved, repeat)
+    if repeat is None:
+        return saved
+    words = f"one period was solved and is played {repeat} times"
+    return replace(repeated(saved, repeat), search=saved.search | {"stopped because": words})
 
 
 def _check_camera(found: Clip | Saved, camera: str) -> None:

@@ -51,6 +51,7 @@ from .clip_table import (
     spoken,
 )
 from .constraints import Constraints, posing_bends
+from .contacts import rests
 from .couplings import complaints, follow
 from .errors import UserError, unknown
 from .motion import Saved, read_arrays
@@ -215,7 +216,7 @@ def figure_named(text: str) -> str | None:
 def of_motion(saved: Saved, *, contacts: bool = False) -> Clip:
     """The problem that a saved motion answers, its keyframes and ends those of the motion itself.
 
-    contacts  whether those of its text hold for it still
+    contacts  whether those of its text hold for it still, and the places that it leaves to the search
     """
     table = table_of(saved.text, saved.name) if saved.text else None
     solve = SolveTable() if table is None else table.solve
@@ -223,11 +224,26 @@ def of_motion(saved: Saved, *, contacts: bool = False) -> Clip:
     if ends == "periodic" and roots.size:
         travel = tuple(Seam.of(saved.figure, saved.timeline).travel[roots[:, 0]].tolist())
     solve = solve.model_copy(update={"ends": ends, "travel": travel})
-    if table is not None and not contacts:  # which are those of the clip that it was
+    placed: tuple[Placed, ...] = ()
+    if table is not None and contacts:
+        placed = tuple(point for row in table.keyframe for point in wanted(saved.figure, row, saved.name).placed)
+    elif table is not None:  # which are those of the clip that it was
         table = table.model_copy(update={"contact": []})
     return _clip(
-        saved.name, saved.text, saved.scene, saved.figure, saved.fps, list(saved.keys), table, saved.name, solve=solve
+        saved.name, saved.text, saved.scene, saved.figure, saved.fps, list(saved.keys), table, saved.name, placed, solve
     )
+
+
+def answered(saved: Saved) -> Clip:
+    """The problem that a saved motion answers, with the contacts and the places that its text asks for.
+
+    A motion that breaks its contacts so much that no clip could have them is looked at for them all the same.
+    """
+    try:
+        return of_motion(saved, contacts=True)
+    except UserError:
+        clip = of_motion(saved)
+        return replace(clip, contacts=rests(saved.figure, table_of(saved.text, saved.name).contact, clip.points))
 
 
 def with_keys(clip: Clip, keys: Sequence[Frame]) -> Clip:

@@ -78,6 +78,12 @@ def contacts(
     return Contacts(tuple(stances), tuple(rests), tuple(given))
 
 
+def rests(figure: Figure, tables: Sequence[ContactTable], soles: Sequence[Point]) -> tuple[Rest, ...]:
+    """The contacts of tables whose points are there, however little a motion keeps to them."""
+    points = named_points(figure, soles)
+    return tuple(Rest(points[table.point], table.start, table.end) for table in tables if table.point in points)
+
+
 def _check_interval(table: ContactTable, keys: Timeline, name: str) -> None:
     first, last = float(keys.times[0]), float(keys.times[-1])
     if not table.start < table.end:

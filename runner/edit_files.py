@@ -11,13 +11,16 @@ from typing import Any
 import models
 
 from . import clip as clips
-from . import edits, motion, work
+from . import edits, motion, problems, work
 from .clip import Clip
 from .clip_mirror import mirrored_tables
 from .clip_text import tables, written
 from .errors import UserError
 from .motion import Replacement, Saved
+from .problems import Problem
 from .progress import Teller
+
+Problems = tuple[Problem, ...]
 
 
 @dataclass(frozen=True)
@@ -33,8 +36,10 @@ class Edit:
     check: Callable[[Sequence[Clip | Saved]], object] = lambda found: None
 
 
-def run(sources: list[str], edit: Edit, target: Path | None, *, overwrite: bool, teller: Teller) -> Path:
-    """Does an edit and returns where its result lies: a motion, or by the ending .toml a clip."""
+def run(
+    sources: list[str], edit: Edit, target: Path | None, *, overwrite: bool, teller: Teller
+) -> tuple[Path, Problems]:
+    """Does an edit; where its result lies, a motion or by the ending .toml a clip, and what is wrong with a motion."""
     direct = edit.clip is not None and not motion.is_motion(sources[0])
     ending = ".toml" if direct and Path(sources[0]).suffix.lower() == ".toml" else ".npz"
     target = target or Path(f"{Path(sources[0]).stem}_{edit.word}{ending}")
@@ -49,11 +54,12 @@ def run(sources: list[str], edit: Edit, target: Path | None, *, overwrite: bool,
             raise UserError(f"{target}: '{sources[0]}' came from no clip file, so there is none to edit; write an .npz")
         with Replacement(target) as temporary:
             temporary.write_text(text, encoding="utf-8")
-        return target
+        return target, ()
     saved = edit.motions([_solved(each, teller) for each in found], teller)
-    saved = edits.measured(replace(saved, name=target.stem), teller, f"not searched: {edit.word}")
+    search = {"stopped because": f"not searched: {edit.word}"}
+    saved = replace(saved, name=target.stem, trace=[], report={}, search=search)
     motion.save(saved, target)
-    return target
+    return target, problems.of_motion(saved)
 
 
 def _solved(found: Clip | Saved, teller: Teller) -> Saved:

@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from solver import join, retime
 from solver.descent import optimised
@@ -16,7 +17,7 @@ from solver.frame import Frame, Timeline, TimelineError
 from solver.inbetween import Motion
 from solver.mirror import Mirror, MirrorError
 from solver.objective import Objective
-from solver.optimiser import Stop
+from solver.seam import Seam
 from solver.subdivision import path_of
 from solver.unknowns import raw_timeline
 
@@ -26,9 +27,11 @@ from .clip_mirror import mirrored_tables
 from .clip_text import keyframe_tables, tables, written
 from .errors import UserError
 from .motion import Saved
+from .problems import stop_of
 from .progress import Teller
 from .work import Solved
 
+Rows = Sequence[dict[str, Any]]
 Edit = Callable[[dict[str, Any]], dict[str, Any]]
 
 FRAME_SECONDS = 0.025  # a variable frame of a transition, about: its ends leave no time to get out of the floor
@@ -122,8 +125,12 @@ def repeated(saved: Saved, count: int) -> Saved:
     times = [key.time + period * i for i in range(count) for key in saved.keys[1 if i else 0 :]]
     fixed = [key.fixed for i in range(count) for key in saved.keys[1 if i else 0 :]]
     keys = Frame.many(times, saved.figure.to_qpos(path_of(timeline).at(np.array(times))), fixed)
-    text = _keyed(saved, keys, lambda solve: _repeated_travel(solve, count))
-    return replace(saved, text=text, keys=tuple(keys), timeline=timeline, raw=raw, trace=[], report={})
+    seam = Seam.of(saved.figure, saved.timeline)
+    roots = saved.figure.tables.position_columns
+    travel = seam.travel[roots[:, 0]] if roots.size else np.zeros(3)
+    more = [row for i in range(1, count) for row in _later(_contacts(saved), period * i, travel * i)]
+    text = _keyed(saved, keys, lambda solve: _repeated_travel(solve, count), more)
+    return replace(saved, text=text, keys=tuple(keys), timeline=timeline, raw=raw, trace=[], report={}, search={})
 
 
 def _repeated_travel(solve: dict[str, Any], count: int) -> dict[str, Any]:
@@ -147,7 +154,8 @@ def joined(before: Saved, after: Saved, transition: float, teller: Teller) -> Sa
     keys = (*before.keys[:-1], *ends, *moved[1:])
     with _told("join"):
         clips.check_times([key.time for key in keys], "join")
-    return _with_keys(before, keys, join.joined(one, between, two))
+    more = [row for row in _later(_contacts(after), shift) if row.get("position") is None]  # it has moved elsewhere
+    return _with_keys(before, keys, join.joined(one, between, two), more)
 
 
 def check_transition(transition: float) -> None:
@@ -190,13 +198,14 @@ def check_alike(before: Clip | Saved, after: Clip | Saved) -> None:
 
 
 def measured(saved: Saved, teller: Teller, edit: str) -> Saved:
-    """An edited motion with the report that belongs to it; `edit` says why no search stopped."""
-    problem = clips.of_motion(saved)
+    """A motion with the report that belongs to it; `edit` says why no search stopped, where none did."""
+    problem = clips.answered(saved)
     objective = Objective.of(saved.figure, problem.penalties, quadrature=problem.settings.quadrature)
     objective = objective.renormalised(path_of(saved.raw))
-    found = Motion(saved.figure, objective, saved.timeline, saved.raw, (), 0, Stop.CONVERGED)
-    again = Solved(problem, found, 0.0).saved(teller)
-    return replace(again, report=again.report | {"stopped because": edit})
+    evaluations, seconds = (saved.search.get(name, 0) for name in ("evaluations", "seconds"))
+    found = Motion(saved.figure, objective, saved.timeline, saved.raw, (), evaluations, stop_of(saved))
+    again = Solved(problem, found, seconds).saved(teller)
+    return replace(saved, report=again.report | {"stopped because": saved.search.get("stopped because", edit)})
 
 
 def _key_on(figure: Figure, timeline: Timeline, number: int) -> Frame:
@@ -205,10 +214,19 @@ def _key_on(figure: Figure, timeline: Timeline, number: int) -> Frame:
     return Frame.key(frame.time, figure.to_qpos(frame.state))
 
 
-def _with_keys(saved: Saved, keys: tuple[Frame, ...], timeline: Timeline) -> Saved:
+def _with_keys(saved: Saved, keys: tuple[Frame, ...], timeline: Timeline, contacts: Rows = ()) -> Saved:
     """A motion with free ends through other keyframes, before it the raw spline through them."""
     raw = raw_timeline(saved.figure, list(keys))
-    return replace(saved, text=_keyed(saved, keys), keys=keys, timeline=timeline, raw=raw, trace=[], report={})
+    return replace(
+        saved,
+        text=_keyed(saved, keys, contacts=contacts),
+        keys=keys,
+        timeline=timeline,
+        raw=raw,
+        trace=[],
+        report={},
+        search={},
+    )
 
 
 def _freed(solve: dict[str, Any]) -> dict[str, Any]:
@@ -216,13 +234,37 @@ def _freed(solve: dict[str, Any]) -> dict[str, Any]:
     return {key: value for key, value in solve.items() if key not in ("ends", "travel")}
 
 
-def _keyed(saved: Saved, keys: Sequence[Frame], ends: Edit = _freed) -> str:
-    """The clip's text with other keyframes, and its [solve] table changed."""
+def _keyed(saved: Saved, keys: Sequence[Frame], ends: Edit = _freed, contacts: Rows = ()) -> str:
+    """The clip's text with other keyframes, its [solve] table changed, its contacts cut to their time, and more."""
 
     def changed(clip: dict[str, Any]) -> dict[str, Any]:
-        return clip | {"solve": ends(clip.get("solve", {})), "keyframe": keyframe_tables(saved.figure, keys)}
+        keyed = clip | {"solve": ends(clip.get("solve", {})), "keyframe": keyframe_tables(saved.figure, keys)}
+        keyed["contact"] = _cut([*keyed.get("contact", ()), *contacts], keys[0].time, keys[-1].time)
+        return {key: value for key, value in keyed.items() if key != "contact" or value}
 
     return _text(saved, changed)
+
+
+def _contacts(saved: Saved) -> Rows:
+    """The contacts of a motion's text."""
+    return tables(clips.table_of(saved.text, saved.name)).get("contact", []) if saved.text else []
+
+
+def _later(contacts: Rows, shift: float, travel: ArrayLike = 0.0) -> list[dict[str, Any]]:
+    """Contacts a time [s] later, and their positions so far on [m]."""
+    out = []
+    for row in contacts:
+        moved = row | {"from": row["from"] + shift, "to": row["to"] + shift}
+        if row.get("position") is not None:
+            moved["position"] = (np.array(row["position"]) + travel).tolist()
+        out.append(moved)
+    return out
+
+
+def _cut(contacts: Rows, first: float, last: float) -> list[dict[str, Any]]:
+    """The parts of contacts that lie between two times [s]."""
+    cut = [row | {"from": max(row["from"], first), "to": min(row["to"], last)} for row in contacts]
+    return [row for row in cut if row["to"] - row["from"] >= clips.SHORTEST]
 
 
 def _text(saved: Saved, edit: Edit) -> str:

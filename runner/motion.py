@@ -6,7 +6,9 @@ raw_qpos, raw_qvel, raw_qacc        the same of the raw spline
 key_time (K,), key_qpos (K, nq), key_fixed (K, nq)
 frame_time (M,), frame_state (M, N), frame_fixed (M, N), end_slope (2, N), and raw_* of the same
 asset_names (A,), asset_0 … (B,) uint8  the files that the model refers to, by name; left out where there are none
-joint_names, body_names, mjcf, clip, trace, report, name, coordinates, ends, format_version
+joint_names, body_names, mjcf, clip, trace, search, report, name, coordinates, ends, format_version
+
+report is {} until somebody measures the motion; search is what only the search knew: why it ended, how long it took
 """
 
 from __future__ import annotations
@@ -16,7 +18,7 @@ import os
 import tempfile
 import zipfile
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -56,7 +58,11 @@ class Sampled:
 
 @dataclass(frozen=True)
 class Saved:
-    """A solved clip: both timelines, the figure they are for, and what the solve reported."""
+    """A solved clip: both timelines, the figure they are for, and what is known of them.
+
+    report  what was measured; empty if nothing was
+    search  what a search left, see `work.Solved.search`; of a motion that none has made, the words for that
+    """
 
     name: str
     text: str
@@ -68,6 +74,7 @@ class Saved:
     raw: Timeline
     trace: list[Any]
     report: dict[str, Any]
+    search: dict[str, Any] = field(default_factory=dict)
 
     @property
     def mjcf(self) -> str:
@@ -134,6 +141,7 @@ def save(saved: Saved, target: Path) -> None:
         "mjcf": saved.mjcf,
         "clip": saved.text,
         "trace": json.dumps(saved.trace),
+        "search": json.dumps(saved.search),
         "report": json.dumps(saved.report),
         "name": saved.name,
         "coordinates": figure.coordinates,
@@ -282,8 +290,8 @@ def _check(saved: Saved, data: dict[str, Any]) -> None:
                 raise ValueError("a frame has a quaternion that is zero")
         if not all(np.any(np.abs(timeline.times - key.time) < 1e-9) for key in saved.keys):
             raise ValueError("a keyframe has no frame")
-    if not isinstance(saved.trace, list) or not isinstance(saved.report, dict):
-        raise ValueError("trace and report are not a list and a table")
+    if not (isinstance(saved.trace, list) and isinstance(saved.report, dict) and isinstance(saved.search, dict)):
+        raise ValueError("trace, report and search are not a list and two tables")
 
 
 def _restored(data: dict[str, Any]) -> Saved:
@@ -306,4 +314,5 @@ def _restored(data: dict[str, Any]) -> Saved:
         raw=timelines[1],
         trace=json.loads(str(data["trace"])),
         report=json.loads(str(data["report"])),
+        search=json.loads(str(data.get("search", "{}"))),
     )

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from rich.console import Group
 from rich.table import Table
+from rich.text import Text
 
 from solver.algebra import turned
 from solver.displacement import displacement
@@ -45,6 +46,7 @@ from solver.wrench import RootWrench
 from .clip import Clip
 from .motion import continuous, samples_at
 from .penetration import lowest, penetration, self_penetration
+from .problems import plain, problems
 
 RATE = 1000.0
 LOCAL_EVALUATIONS = 25
@@ -86,6 +88,7 @@ def report(
         "away from trouble": float(drift[_far_from_trouble(clip, before)].max(initial=0.0)),
     }
     return {
+        "problems": plain(problems(clip, motion.timeline, motion.raw, motion.stop)),
         "clip": clip.name,
         "duration, s": float(before.time[-1] - before.time[0]),
         "left to gain": _left_to_gain(motion),
@@ -458,7 +461,8 @@ def tables(data: dict[str, Any]) -> Group:
             *(f"{row[key]:.3g}" for key in ("deviation before", "deviation after", "delta", "delta · EL", "left")),
             f"{row['variable frames']:.0f}",
         )
-    return Group(head, main, segments)
+    wrong = [Text(f"problem: {problem['text']}") for problem in data.get("problems", [])]
+    return Group(*wrong, head, main, segments)
 
 
 def _lines(before: dict[str, Any], after: dict[str, Any]) -> list[tuple[str, str, str]]:

@@ -8,6 +8,8 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
 
 from solver.inbetween import Improvement, Motion, inbetween
 from solver.objective import Objective
@@ -17,6 +19,7 @@ from solver.unknowns import raw_timeline
 from .clip import Clip
 from .curves import curves
 from .motion import Saved
+from .problems import Problem, problems
 from .progress import Teller
 from .report import report
 
@@ -43,6 +46,24 @@ class Solved:
     motion: Motion
     seconds: float
 
+    @cached_property
+    def problems(self) -> tuple[Problem, ...]:
+        """What is wrong with it, worst first."""
+        return problems(self.clip, self.motion.timeline, self.motion.raw, self.motion.stop)
+
+    @property
+    def search(self) -> dict[str, Any]:
+        """What the motion file keeps of the search, for nobody can measure it later; empty where there was none."""
+        motion = self.motion
+        if motion.timeline is motion.raw and motion.stop is Stop.CONVERGED:
+            return {}
+        return {
+            "evaluations": motion.evaluations,
+            "seconds": self.seconds,
+            "stop": motion.stop.name,
+            "stopped because": motion.stop.value,
+        }
+
     def saved(self, teller: Teller, with_report: bool = True) -> Saved:
         """What goes into a motion file; the report takes some seconds, and Ctrl-C only cuts it short."""
         clip, motion = self.clip, self.motion
@@ -63,8 +84,9 @@ class Solved:
                 data["curves"] = drawn
                 teller.step("measuring", 1.0, force=True)
         trace = [list(entry) for entry in motion.trace]
+        timelines = motion.timeline, motion.raw
         return Saved(
-            clip.name, clip.text, clip.scene, clip.figure, clip.fps, clip.keys, motion.timeline, motion.raw, trace, data
+            clip.name, clip.text, clip.scene, clip.figure, clip.fps, clip.keys, *timelines, trace, data, self.search
         )
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from runner.batch.task import Task
+from runner.batch.task import Product, Task
 from runner.errors import UserError
 
 
@@ -17,19 +17,19 @@ def ready() -> None:
     """Nothing to prepare."""
 
 
-def lasts(seconds: float, folder: Path) -> bytes:
+def lasts(seconds: float, folder: Path) -> Product:
     time.sleep(seconds)
-    return str(os.getpid()).encode()
+    return Product(str(os.getpid()).encode())
 
 
-def hangs(_: object, folder: Path) -> bytes:
+def hangs(_: object, folder: Path) -> Product:
     """Deaf to everything but the kernel."""
     signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT, signal.SIGTERM})
     while True:
         np.linalg.norm(np.ones(100))
 
 
-def grows(_: object, folder: Path) -> bytes:
+def grows(_: object, folder: Path) -> Product:
     """Takes memory little by little, and uses it."""
     taken = []
     while True:
@@ -37,36 +37,36 @@ def grows(_: object, folder: Path) -> bytes:
         time.sleep(0.005)
 
 
-def grabs(_: object, folder: Path) -> bytes:
+def grabs(_: object, folder: Path) -> Product:
     """Asks for far too much at once."""
-    return np.zeros(2**36).tobytes()
+    return Product(np.zeros(2**36).tobytes())
 
 
-def dies(number: int, folder: Path) -> bytes:
+def dies(number: int, folder: Path) -> Product:
     os.kill(os.getpid(), number)
-    return b""
+    return Product(b"")
 
 
-def leaves(code: int, folder: Path) -> bytes:
+def leaves(code: int, folder: Path) -> Product:
     os._exit(code)
 
 
-def complains(words: str, folder: Path) -> bytes:
+def complains(words: str, folder: Path) -> Product:
     raise UserError(words)
 
 
-def stumbles(_: object, folder: Path) -> bytes:
+def stumbles(_: object, folder: Path) -> Product:
     raise ZeroDivisionError("of nothing")
 
 
-def litters(_: object, folder: Path) -> bytes:
+def litters(_: object, folder: Path) -> Product:
     """What lies in its folder, and then one thing more."""
     found = " ".join(sorted(path.name for path in folder.iterdir()))
     (folder / "litter").write_text("here")
-    return found.encode()
+    return Product(found.encode())
 
 
-def told(task: Task, folder: Path) -> bytes:
+def told(task: Task, folder: Path) -> Product:
     """As the clip's text says: "DEED VALUE"."""
     deed, _, value = task.files.files[task.files.clip].decode().partition(" ")
     match deed:
@@ -81,8 +81,8 @@ def told(task: Task, folder: Path) -> bytes:
             if not mark.exists():
                 mark.write_text("was here")
                 return dies(signal.SIGKILL, folder)
-            return b"at last"
+            return Product(b"at last")
         case "complain":
             return complains(value, folder)
         case _:
-            return f"{deed} {value}".encode()
+            return Product(f"{deed} {value}".encode())

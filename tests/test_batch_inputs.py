@@ -155,8 +155,9 @@ def test_elsewhere_a_clip_is_solved_as_it_is_here(tmp_path: Path):
     problem = clip.load(str(path))
     figure.unlink()
     path.unlink()
-    data = solving.solved(Task(files, report=False, program=solving.program()), there)
-    (tmp_path / "result.npz").write_bytes(data)
+    product = solving.solved(Task(files, program=solving.program()), there)
+    (tmp_path / "result.npz").write_bytes(product.data)
+    assert [problem["name"] for problem in product.problems] == ["left_knee"]
     saved = load(tmp_path / "result.npz")
     assert saved.name == "tiny"
     assert saved.text == problem.text

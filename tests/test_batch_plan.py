@@ -77,7 +77,7 @@ def test_a_clip_a_figure_or_an_option_that_changes_is_done_again(manifest: Manif
     finish(manifest, "tiny")
     finish(manifest, "other")
     assert left(manifest) == []
-    assert left(manifest, Options(report=False)) == ["tiny", "other"]
+    assert left(manifest, Options(report=True)) == ["tiny", "other"]
     assert left(manifest, Options(fps=7.0)) == ["tiny", "other"]
     left(manifest)
     finish(manifest, "tiny")

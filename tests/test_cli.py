@@ -86,6 +86,11 @@ def assert_refused(done: Done, *words: str) -> None:
     assert not re.search(r"\bframe\b", line), "a user has keyframes"
 
 
+def told_last(done: Done) -> str:
+    """The last line but for what is wrong with the motion."""
+    return [line for line in done.err.splitlines() if not line.startswith("problem: ")][-1]
+
+
 def size_of(path: Path) -> tuple[int, int]:
     with Image.open(path) as image:
         return image.size
@@ -104,7 +109,7 @@ def nothing_written(folder: Path) -> Iterator[None]:
 def test_solve_writes_a_motion_named_after_its_clip(run, tmp_path):
     done = run("solve", "tiny.toml")
     assert (done.code, done.out) == (0, "")
-    assert done.err.splitlines()[-1] == "wrote tiny.npz"
+    assert told_last(done) == "wrote tiny.npz"
     assert any(line.startswith("solving") and "objective" in line for line in done.err.splitlines())
     with np.load(tmp_path / "tiny.npz") as data:
         assert (float(data["fps"]), data["qpos"].shape) == (20, (9, 11))
@@ -140,7 +145,8 @@ def test_clips_from_other_editors_are_read(run, tmp_path, name):
 
 def test_report_of_a_motion_does_not_solve(run, motion_file, solving_forbidden):
     done = run("report", motion_file)
-    assert (done.code, done.err) == (0, "")
+    assert done.code == 0
+    assert {line.split()[0] for line in done.err.splitlines()} <= {"measuring"}
     assert "deepest penetration" in done.out
     strict = json.loads(run("report", motion_file, "--json").out, parse_constant=lambda name: pytest.fail(name))
     assert strict["keyframes"] == 3
@@ -157,7 +163,7 @@ def test_render_of_a_motion_does_not_solve(run, motion_file, solving_forbidden, 
     done = run("render", motion_file, *SMALL, *(["--only", only] if only else []), "--fps", 5)
     assert (done.code, done.out) == (0, "")
     assert done.err.splitlines()[0].startswith("renderer: ")
-    assert done.err.splitlines()[-1] == "wrote tiny.mp4"
+    assert told_last(done) == "wrote tiny.mp4"
     assert (tmp_path / "tiny.mp4").read_bytes()[4:8] == b"ftyp"
 
 
@@ -622,10 +628,9 @@ def test_a_clip_that_ends_at_once_under_ctrl_c_ends_with_130(run, monkeypatch, t
     def stop(*_: object, **__: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("runner.report.report", stop)
     monkeypatch.setattr("runner.work.report", stop)
     with nothing_written(tmp_path):
-        done = run("solve", "tiny.toml")
+        done = run("report", "tiny.toml")
     assert done.code == 130
     assert done.err.splitlines()[-1] == "dynsplines: stopped"
 
@@ -634,15 +639,20 @@ LONG = changed("evaluations = 8\nframes = 2", "evaluations = 100000\nframes = 40
 
 
 @pytest.fixture
-def long_solve(tmp_path) -> Iterator[subprocess.Popen[str]]:
-    """The command as a process of its own, at work on a clip that takes for ever."""
+def long_solve(tmp_path, request: pytest.FixtureRequest) -> Iterator[subprocess.Popen[str]]:
+    """A command, `solve` unless a test says another, as a process of its own, at work on a clip that takes for ever."""
+    words = getattr(request, "param", ["solve", "tiny.toml"])
     written(tmp_path, LONG)
     script = (
         "import signal, sys; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
-        "from runner.cli import main; sys.argv = ['dynsplines', 'solve', 'tiny.toml']; main()"
+        "from runner.cli import main; sys.argv = sys.argv[1:]; main()"
     )
     process = subprocess.Popen(
-        [sys.executable, "-c", script], cwd=tmp_path, stderr=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+        [sys.executable, "-c", script, "dynsplines", *words],
+        cwd=tmp_path,
+        stderr=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        text=True,
     )
     assert process.stderr is not None
     assert "solving" in process.stderr.readline()
@@ -683,13 +693,14 @@ def test_ctrl_c_while_solving_keeps_the_best_path_and_writes_it(long_solve, tmp_
     assert out == ""
     assert "the best path so far is kept" in err
     with np.load(tmp_path / "tiny.npz") as data:
-        assert "stopped as asked" in json.loads(str(data["report"]))["stopped because"]
+        assert "stopped as asked" in json.loads(str(data["search"]))["stopped because"]
         trace = json.loads(str(data["trace"]))
     assert trace[-1][2] < trace[0][2]
 
 
 @POSIX
-def test_a_second_ctrl_c_only_cuts_the_measuring_short_and_the_motion_is_written(long_solve, tmp_path):
+@pytest.mark.parametrize("long_solve", [["report", "tiny.toml", "--json"]], indirect=True)
+def test_a_second_ctrl_c_only_cuts_the_measuring_short(long_solve, tmp_path):
     time.sleep(0.3)
     long_solve.send_signal(signal.SIGINT)
     assert long_solve.stderr is not None
@@ -697,12 +708,11 @@ def test_a_second_ctrl_c_only_cuts_the_measuring_short_and_the_motion_is_written
         if "the best path so far is kept" in line:
             break
     long_solve.send_signal(signal.SIGINT)
-    _, err = long_solve.communicate(timeout=60)
+    out, err = long_solve.communicate(timeout=60)
     assert long_solve.returncode == 0
     assert "Traceback" not in err
-    with np.load(tmp_path / "tiny.npz") as data:
-        assert json.loads(str(data["report"]))["after"]["keyframe error"] < 1e-12
-    assert names(tmp_path) == ["hinge.xml", "tiny.npz", "tiny.toml", "tiny.xml"]
+    assert json.loads(out)["after"]["keyframe error"] < 1e-12
+    assert names(tmp_path) == ["hinge.xml", "tiny.toml", "tiny.xml"]
 
 
 # loops and edits
@@ -717,7 +727,10 @@ def test_a_travelling_loop_is_solved_repeated_and_rendered(run, tmp_path):
     assert run("solve", "loop.toml").code == 0
     done = run("solve", "loop.toml", "--repeat", 3, "-o", "three.npz", "--json")
     assert done.code == 0
-    assert json.loads(done.out)["after"]["seam"]["travel, m"] == pytest.approx([0.9, 0, 0])
+    assert json.loads(done.out)["duration, s"] == pytest.approx(3 * 0.41)
+    measured = json.loads(run("report", "three.npz", "--json").out)
+    assert measured["after"]["seam"]["travel, m"] == pytest.approx([0.9, 0, 0])
+    assert measured["stopped because"] == "one period was solved and is played 3 times"
     with np.load("loop.npz") as one, np.load("three.npz") as three:
         assert len(three["time"]) == int(3 * 0.41 * 20) + 1
         np.testing.assert_allclose(three["qpos"][:9], one["qpos"], atol=1e-9)
@@ -758,9 +771,9 @@ def test_travel_without_a_loop_is_refused(run, tmp_path):
 
 
 def test_edits_write_a_motion_named_after_what_is_done(run, motion_file, tmp_path):
-    assert run("trim", motion_file, "--from", 0.1, "--to", 0.3).err.splitlines()[-1] == "wrote tiny_trimmed.npz"
-    assert run("retime", motion_file, "--speed", 2).err.splitlines()[-1] == "wrote tiny_retimed.npz"
-    assert run("retime", "tiny.toml", "--duration", 3).err.splitlines()[-1] == "wrote tiny_retimed.toml"
+    assert told_last(run("trim", motion_file, "--from", 0.1, "--to", 0.3)) == "wrote tiny_trimmed.npz"
+    assert told_last(run("retime", motion_file, "--speed", 2)) == "wrote tiny_retimed.npz"
+    assert told_last(run("retime", "tiny.toml", "--duration", 3)) == "wrote tiny_retimed.toml"
     assert run("join", motion_file, "tiny_trimmed.npz", "--transition", 0.2).code == 0
     with np.load("tiny_joined.npz") as joined:
         np.testing.assert_allclose(joined["key_time"], [0, 0.2, 0.41, 0.61, 0.71, 0.81])
@@ -787,3 +800,107 @@ def test_edits_that_cannot_be_are_told_in_one_line(run, motion_file, tmp_path):
         assert_refused(run("join", motion_file, "run_and_step"), "of different figures; they differ in")
         assert_refused(run("trim", "tiny.toml", "--to", 0.3, "-o", "tiny.toml"), "is what is edited", "--overwrite")
         assert_refused(run("retime", "none.npz", "--speed", 2), "no file 'none.npz'")
+
+
+# what is wrong with a motion
+
+SINKING = changed('root.position = [0.1, 0, "free"]', "root.position = [0.1, 0, 0.4]").replace(
+    "joints.left_knee = {rotvec = [0, 40, 0]}",
+    "root.rotation = {rotvec = [0, 0, 0]}\njoints.left_knee = {rotvec = [0, 0, 0]}",
+)
+SUNK = "problem: keyframe 2 itself: shin is 140 mm in the floor at 0.20 s"
+
+
+@pytest.fixture
+def sinking(run: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Command:
+    """The command beside a clip that sinks, where measuring at length is forbidden."""
+    (tmp_path / "sinks.toml").write_text(SINKING, encoding="utf-8")
+    monkeypatch.setattr(work, "report", lambda *_: pytest.fail("measured"))
+    return run
+
+
+@pytest.mark.parametrize(
+    ("words", "wrote"),
+    [
+        (["solve", "sinks.toml"], "sinks.npz"),
+        (["render", "sinks.toml", *SMALL, "--fps", 5, "-o", "sinks.gif"], "sinks.gif"),
+        (["render", "sinks.toml", *SMALL, "--at", 0.2], "sinks.png"),
+    ],
+)
+@pytest.mark.parametrize("strict", [False, True])
+def test_what_is_wrong_is_told_last_and_only_strict_minds(sinking, tmp_path, words, wrote, strict):
+    done = sinking(*words, *(["--strict"] if strict else []))
+    assert (done.code, done.out) == (3 if strict else 0, "")
+    lines = done.err.splitlines()
+    assert lines[lines.index(f"wrote {wrote}") + 1].startswith(SUNK)
+    assert (tmp_path / wrote).stat().st_size > 100
+
+
+def test_a_motion_that_is_well_ends_with_what_was_written_and_strict_is_content(run, tmp_path):
+    well = changed("joints.left_knee = {rotvec = [0, 40, 0]}", "joints.left_knee = {rotvec = [0, 0, 0]}")
+    (tmp_path / "well.toml").write_text(well.replace("evaluations = 8", "evaluations = 99"), encoding="utf-8")
+    done = run("solve", "well.toml", "--strict")
+    assert (done.code, done.err.splitlines()[-1]) == (0, "wrote well.npz")
+
+
+def test_json_says_how_it_went_and_what_is_wrong_and_measures_nothing(sinking):
+    done = sinking("solve", "sinks.toml", "--json", "--strict")
+    assert done.code == 3
+    told = json.loads(done.out)
+    assert {"objective", "objective before", "evaluations", "seconds", "stopped because"} <= told.keys()
+    assert told["objective"] < told["objective before"]
+    worst = told["problems"][0]
+    assert SUNK.endswith(worst["text"])
+    assert (worst["kind"], worst["name"], worst["keyframe"], worst["unit"]) == ("penetration", "shin", 2, "m")
+    assert worst["amount"] == pytest.approx(0.14)
+    assert worst["time"] == pytest.approx(0.2)
+
+
+def test_a_saved_motion_is_told_of_as_well(sinking, tmp_path):
+    assert sinking("solve", "sinks.toml").code == 0
+    with np.load(tmp_path / "sinks.npz") as data:
+        assert json.loads(str(data["report"])) == {}
+    done = sinking("render", "sinks.npz", *SMALL, "--at", 0.2, "--strict")
+    assert done.code == 3
+    assert any(line.startswith(SUNK) for line in done.err.splitlines())
+    done = sinking("retime", "sinks.npz", "--speed", 2)
+    assert done.code == 0
+    assert any("keyframe 2 itself: shin is 140 mm in the floor at 0.10 s" in line for line in done.err.splitlines())
+
+
+def test_the_report_begins_with_what_is_wrong(run, tmp_path):
+    (tmp_path / "sinks.toml").write_text(SINKING, encoding="utf-8")
+    assert run("solve", "sinks.toml").code == 0
+    for source in ("sinks.toml", "sinks.npz"):
+        done = run("report", source, "--strict")
+        assert done.code == 3
+        assert done.out.startswith(SUNK)
+    told = json.loads(run("report", "sinks.npz", "--json").out)
+    assert SUNK.endswith(told["problems"][0]["text"])
+    assert told["evaluations"] > 0
+    assert told["seconds"] > 0
+
+
+def test_a_report_of_an_older_file_has_its_problems_too(run, tmp_path, motion_file):
+    with np.load(motion_file) as data:
+        old = json.loads(str(data["report"]))
+        del old["problems"]
+        np.savez(tmp_path / "m.npz", **{**data, "report": json.dumps(old), "search": "{}"})
+    told = json.loads(run("report", "m.npz", "--json").out)
+    assert [each["name"] for each in told["problems"]] == ["left_knee"]
+
+
+def flat(data: Any, place: str = "") -> dict[str, Any]:
+    """The leaves of JSON by the ways to them."""
+    if not isinstance(data, dict | list):
+        return {place: data}
+    entries = data.items() if isinstance(data, dict) else enumerate(data)
+    return {way: leaf for key, each in entries for way, leaf in flat(each, f"{place}/{key}").items()}
+
+
+def test_the_measured_report_of_a_file_is_that_of_the_clip(run):
+    assert run("solve", "tiny.toml").code == 0
+    one, two = (flat(json.loads(run("report", source, "--json").out)) for source in ("tiny.toml", "tiny.npz"))
+    assert one.keys() == two.keys()
+    for way in one.keys() - {"/seconds"}:
+        assert two[way] == (one[way] if isinstance(one[way], str) else pytest.approx(one[way], rel=1e-5, abs=1e-7)), way

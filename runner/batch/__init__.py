@@ -42,7 +42,7 @@ def run(
     fps: float | None = None,
     seconds: float = 3600.0,
     megabytes: float | None = None,
-    report: bool = True,
+    report: bool = False,
     retry_failed: bool = False,
 ) -> Tally:
     """Solves every clip that the words name into a folder; plan.Options says what the rest means.

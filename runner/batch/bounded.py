@@ -22,8 +22,10 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from multiprocessing.connection import Connection
 
+    from .task import Product
+
     Line = Connection[Any, Any]
-    Do = Callable[[Any, Path], bytes]
+    Do = Callable[[Any, Path], Product]
 
 PROGRAM = "import sys; sys.path[:] = {path!r}; from runner.batch.child import serve; serve({handle}, {parent})"
 READY, BEGUN = "ready", "begun"
@@ -48,6 +50,7 @@ class Outcome:
     """What became of a clip: the bytes of its output, or why there are none.
 
     seconds  that it took; cause "", "error", "time", "memory" or "lost"; bound: the one that it came up against
+    problems  what is wrong with the motion, as in the manifest
     """
 
     seconds: float
@@ -55,6 +58,7 @@ class Outcome:
     cause: str = ""
     error: str = ""
     bound: float | None = None
+    problems: tuple[dict[str, Any], ...] = ()
 
 
 class _Gone(Exception):
@@ -117,7 +121,7 @@ class Bounded:
                     kind, what = line.recv()
                     spent = time.monotonic() - begin
                     if kind == "done":
-                        return Outcome(spent, data=what)
+                        return Outcome(spent, data=what.data, problems=what.problems)
                     if kind == "memory":
                         return Outcome(spent, None, kind, _too_much(bounds.megabytes, what), bounds.megabytes)
                     return Outcome(spent, None, kind, what)

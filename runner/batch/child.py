@@ -26,8 +26,10 @@ from .bounded import BEGUN, READY
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+    from .task import Product
+
     Line = Connection[Any, Any]
-    Do = Callable[[Any, Path], bytes]
+    Do = Callable[[Any, Path], Product]
 
 IDLE_SECONDS = 120.0
 LATER_SECONDS = 5.0  # the parent's clock comes first
@@ -50,7 +52,7 @@ def serve(handle: int, parent: int) -> None:
 
 
 def _answer(do: Do, task: object, seconds: float, megabytes: float | None) -> tuple[str, object]:
-    """ "done" and the bytes, or "error" or "memory" and a line."""
+    """ "done" and the product, or "error" or "memory" and a line."""
     folder = Path("clip").absolute()
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir()

@@ -28,9 +28,9 @@ from .lock import Lock
 from .manifest import Entry, Manifest
 from .plan import Clip, Options, Plan, planned
 from .solving import solved
-from .task import NPZ, Task, program
+from .task import NPZ, Product, Task, program
 
-Do = Callable[[Task, Path], bytes]
+Do = Callable[[Task, Path], Product]
 
 TRIES = 3  # of a clip whose process or worker goes away, in one run
 AHEAD = 2  # clips handed over for every thread there is
@@ -42,16 +42,30 @@ LEFTOVER = re.compile(r"\.[a-z0-9_]{8}")  # of a Replacement whose program was k
 
 @dataclass(frozen=True)
 class Tally:
-    """How a batch ended: clips solved now, clips that were already, and those that failed, now or before."""
+    """How a batch ended: clips solved now, clips that were already, and those that failed, now or before.
+
+    wrong  those of the solved ones, now or before, with problems, the worst first
+    """
 
     solved: int
     kept: int
     failed: tuple[Entry, ...]
+    wrong: tuple[Entry, ...] = ()
 
     @property
     def line(self) -> str:
         before = f", {self.kept} already there" if self.kept else ""
         return f"{self.solved} solved{before}, {len(self.failed)} failed"
+
+    @property
+    def problems(self) -> list[str]:
+        """ "3 of 200 clips have problems; worst: walk: left_heel is 196 mm in the floor at 1.00 s", or no line."""
+        if not self.wrong:
+            return []
+        many, worst = len(self.wrong), self.wrong[0]
+        have = "has" if many == 1 else "have"
+        text = worst.problems[0]["text"]
+        return [f"{many} of {self.solved + self.kept} clips {have} problems; worst: {worst.clip}: {text}"]
 
     def failures(self, most: int = 50) -> list[str]:
         """A line each, of so many."""
@@ -90,7 +104,16 @@ def run(words: list[str], folder: Path, options: Options, bounds: Bounds, teller
             manifest.rewrite()
         failed = tuple(manifest.entries[name] for name in names if manifest.entries[name].state == "failed")
         done = sum(manifest.entries[clip.name].state == "done" for clip in plan.left)
-        return Tally(done, len(names) - len(failed) - done, tuple(sorted(failed, key=lambda entry: entry.clip)))
+        good = [manifest.entries[name] for name in names if manifest.entries[name].state == "done"]
+        wrong = sorted((entry for entry in good if entry.problems), key=_severity, reverse=True)
+        failed = tuple(sorted(failed, key=lambda entry: entry.clip))
+        return Tally(done, len(names) - len(failed) - done, failed, tuple(wrong))
+
+
+def _severity(entry: Entry) -> tuple[float, str]:
+    """How many times its bound the worst problem of a clip is."""
+    worst = entry.problems[0]
+    return worst["amount"] / worst["bound"], entry.clip
 
 
 def _tidied(folder: Path, ending: str) -> None:
@@ -201,13 +224,13 @@ class _Dispatch:
         self.running.discard(clip.name)
         future.release()
         if outcome.data is not None:
-            self._done(clip, outcome.data, outcome.seconds)
+            self._done(clip, outcome.data, outcome)
         elif outcome.cause == "lost" and self.tries[clip.name] < TRIES:
             self.waiting.append(clip)
         else:
             self._failed(clip, outcome)
 
-    def _done(self, clip: Clip, data: bytes, seconds: float) -> None:
+    def _done(self, clip: Clip, data: bytes, outcome: Outcome) -> None:
         """The file first: a manifest that says so is right."""
         output = f"{clip.name}{self.options.ending}"
         target = self.folder / output
@@ -215,7 +238,8 @@ class _Dispatch:
         with Replacement(target) as temporary:
             temporary.write_bytes(data)
         entry = self.manifest.entries[clip.name]
-        done = replace(entry, state="done", seconds=round(seconds, 3), output=output, size=len(data))
+        seconds, found = round(outcome.seconds, 3), outcome.problems
+        done = replace(entry, state="done", seconds=seconds, output=output, size=len(data), problems=found)
         self.manifest.record([done])
         self.solved += 1
 

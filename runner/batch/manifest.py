@@ -11,7 +11,7 @@ import json
 import os
 import zipfile
 from collections.abc import Iterable
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any, Literal
 
@@ -37,6 +37,7 @@ class Entry:
     output, size  the file in the manifest's folder and its bytes
     cause     of a failure: "error", "time", "memory" or "lost" (its process or its worker went away)
     bound     that a failure by time [s] or memory [MB] came up against
+    problems  what is wrong with the motion, worst first: `Problem`s as tables
     """
 
     clip: str
@@ -51,15 +52,19 @@ class Entry:
     cause: str = ""
     bound: float | None = None
     error: str = ""
+    problems: tuple[dict[str, Any], ...] = ()
 
     def line(self) -> str:
         """As JSON, without what there is nothing to say about."""
-        return json.dumps({key: value for key, value in asdict(self).items() if value not in ("", None, 0)}) + "\n"
+        return json.dumps({key: value for key, value in asdict(self).items() if value not in ("", None, 0, ())}) + "\n"
 
     @classmethod
     def of(cls, data: dict[str, Any]) -> Entry:
         """From JSON; raises ValueError or TypeError."""
         entry = cls(**data)
+        if not isinstance(entry.problems, list | tuple) or not all(map(_is_problem, entry.problems)):
+            raise TypeError(f"'problems' is {entry.problems!r}")
+        entry = replace(entry, problems=tuple(entry.problems))
         if entry.state not in STATES:
             raise ValueError(f"no state '{entry.state}'; states: {', '.join(STATES)}")
         for name, kind in (("clip", str), ("source", str), ("input", str), ("output", str), ("size", int)):
@@ -81,6 +86,15 @@ class Entry:
         except (OSError, zipfile.BadZipFile):
             return False
         return True
+
+
+def _is_problem(told: Any) -> bool:
+    """Whether a batch can say and compare it."""
+    return isinstance(told, dict) and isinstance(told.get("text"), str) and _is_above(told, "amount", "bound")
+
+
+def _is_above(told: dict[str, Any], *names: str) -> bool:
+    return all(isinstance(told.get(name), int | float) and told[name] > 0 for name in names)
 
 
 @dataclass

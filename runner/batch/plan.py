@@ -22,7 +22,7 @@ class Options:
     listed        a file with more clips, one a line
     workers       processes on this machine; scheduler: the address of a Dask cluster to use instead
     to, fps       the kind of file to make, and samples a second if not the clip's
-    report        measure every motion, too
+    report        measure every motion at length, too
     retry_failed  solve again what failed for a reason of its own and has not changed since
     """
 
@@ -31,7 +31,7 @@ class Options:
     scheduler: str | None = None
     to: str = NPZ
     fps: float | None = None
-    report: bool = True
+    report: bool = False
     retry_failed: bool = False
 
     @property
@@ -79,7 +79,7 @@ def planned(found: list[Source], manifest: Manifest, options: Options, bounds: B
         elif before.holds(folder) if before.state == "done" else _final(before, options, bounds):
             continue
         else:
-            now = replace(before, state="queued", error="", cause="", bound=None)
+            now = replace(before, state="queued", error="", cause="", bound=None, problems=())
         queued.append(now)
         left.append(clip)
     if queued:

@@ -6,7 +6,7 @@ import os
 from pathlib import Path
 
 from ..errors import UserError
-from .task import NPZ, Task, program
+from .task import NPZ, Product, Task, program
 
 
 def prepared() -> None:
@@ -14,8 +14,8 @@ def prepared() -> None:
     from .. import clip, motion, work  # noqa: F401
 
 
-def solved(task: Task, folder: Path) -> bytes:
-    """The file of the motion.
+def solved(task: Task, folder: Path) -> Product:
+    """The file of the motion, and what is wrong with it.
 
     folder  an empty one. Raises UserError for a clip that is wrong.
     """
@@ -23,6 +23,7 @@ def solved(task: Task, folder: Path) -> bytes:
 
     from .. import clip, motion, work
     from ..exchange import formats
+    from ..problems import plain
     from ..progress import Teller
 
     if task.program != program():
@@ -36,10 +37,11 @@ def solved(task: Task, folder: Path) -> bytes:
     problem = clip.load(where, figure_file=figure and str(folder / figure), fps=task.fps)
     with Path(os.devnull).open("w") as nowhere:
         teller = Teller(Console(file=nowhere))
-        saved = work.solve(problem, teller).saved(teller, with_report=task.report)
+        result = work.solve(problem, teller)
+        saved = result.saved(teller, with_report=task.report)
     target = folder / f".result{'.npz' if task.to == NPZ else formats.writer(task.to).ending}"
     if task.to == NPZ:
         motion.save(saved, target)
     else:
         formats.export(saved, task.to, target, fps=task.fps)
-    return target.read_bytes()
+    return Product(target.read_bytes(), tuple(plain(result.problems)))

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 from importlib import metadata
+from typing import Any
 
 NPZ = "npz"
 
@@ -38,15 +39,23 @@ class Task:
 
     to       the kind of file to make, "npz" or one of the formats
     fps      samples a second; None: the clip's
-    report   measure the motion too
+    report   measure the motion at length, too
     program  the version of this program that asks
     """
 
     files: Files
     to: str = NPZ
     fps: float | None = None
-    report: bool = True
+    report: bool = False
     program: str = ""
+
+
+@dataclass(frozen=True)
+class Product:
+    """What comes back: the bytes of the output, and what is wrong with the motion, worst first, as plain tables."""
+
+    data: bytes
+    problems: tuple[dict[str, Any], ...] = ()
 
 
 @cache

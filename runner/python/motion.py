@@ -19,11 +19,12 @@ from solver.quaternion import Array
 from solver.subdivision import path_of
 
 from .. import clip as clips
-from .. import clip_file, edits, thinning, work
+from .. import clip_file, edits, problems, thinning, work
 from .. import motion as files
 from ..clip import Clip
 from ..errors import UserError, unknown
 from ..motion import Sampled, Saved
+from ..problems import Problem
 from ..progress import Teller
 from ..quantity import length
 from ..report import tables
@@ -145,12 +146,12 @@ class Motion:
     @cached_property
     def clip(self) -> Clip:
         """The problem that it answers, to be in-betweened again."""
-        return clips.of_motion(self.saved) if self._solved is None else self._solved.clip
+        return clips.answered(self.saved) if self._solved is None else self._solved.clip
 
     @cached_property
     def before(self) -> Motion:
         """The raw spline through the same keyframes, nothing searched: what it is compared with."""
-        return Motion(replace(self.saved, timeline=self.saved.raw, trace=[], report={}))
+        return self._edited(replace(self.saved, timeline=self.saved.raw))
 
     def at(self, t: ArrayLike) -> Array:
         """MuJoCo configurations at times t [s]: (nq,) for one time, (S, nq) for S; quaternions wxyz and unit."""
@@ -180,6 +181,20 @@ class Motion:
         elif not data:
             data = edits.measured(self.saved, _silent(), "not searched").report
         return Report(data)
+
+    @property
+    def _kept(self) -> Saved:
+        """What its file holds: its report, if it has been measured."""
+        return replace(self.saved, report=dict(self._report)) if "_report" in self.__dict__ else self.saved
+
+    @property
+    def problems(self) -> list[Problem]:
+        """What is wrong with it, worst first, a record each; empty if all is well. Looked for once, in a moment."""
+        return list(self._problems)
+
+    @cached_property
+    def _problems(self) -> tuple[Problem, ...]:
+        return problems.of_motion(self.saved) if self._solved is None else self._solved.problems
 
     def apart(self, other: Motion) -> Apart:
         """How far another motion of the same figure is from this, at this one's instants."""
@@ -255,6 +270,8 @@ class Motion:
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> Path:
         """Writes it as a motion, .npz, which `load_motion` opens, or as a clip, .toml, of its keyframes.
 
+        A report goes into the file if there is one already; nothing is measured for it.
+
         overwrite  a scene that lies beside the clip and is another one
         """
         target = Path(path)
@@ -263,7 +280,7 @@ class Motion:
             clip_file.write(replace(self.saved, name=target.stem), target, search=search, overwrite=overwrite)
         elif target.suffix == ".npz":
             files.check_target(target)
-            files.save(replace(self.saved, report=dict(self.report())), target)
+            files.save(self._kept, target)
         else:
             raise UserError(
                 f"'{target}': a motion is saved as .npz, or as a clip, .toml; `export` writes other formats"
@@ -309,7 +326,7 @@ class Motion:
         return self._edited(thinning.thinned(self.saved, *bound, solve=solve, teller=_silent()).motion)
 
     def _edited(self, saved: Saved) -> Motion:
-        return Motion(replace(saved, trace=[], report={}))
+        return Motion(replace(saved, trace=[], report={}, search={}))
 
     def _repr_html_(self) -> str:
         """The motion playing, before and after, in a notebook: a page that needs nothing from elsewhere."""

@@ -1,0 +1,44 @@
+"""From where on something about a motion is a problem: all bounds stand here. docs/problems.md has them too."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Bound:
+    """What may be wrong, and how much of it is let pass without a word: docs/problems.md has the same table.
+
+    most  in `unit`: "m", "degrees", "rad/s²", or "" for what has none
+    why   of this size
+    """
+
+    kind: str
+    most: float
+    unit: str
+    why: str
+
+
+BOUNDS = {
+    bound.kind: bound
+    for bound in (
+        Bound("penetration", 0.005, "m", "more than a sole or skin gives"),
+        Bound("self", 0.01, "m", "limbs are soft, and drawn thicker than they are"),
+        Bound("contact", 0.01, "m", "a hand or foot that slips so far is seen to slip"),
+        Bound("hover", 0.01, "m", "as contact, of one that is to rest on whatever is below it"),
+        Bound("stance", 0.02, "m", "keyframes tell stances less surely than a clip's own contacts"),
+        Bound("placement", 0.01, "m", "what is put there is seen to miss"),
+        Bound("backward", 3.0, "degrees", "a straight knee or elbow is never quite straight"),
+        Bound("sideways", 3.0, "degrees", "beyond the clip's own bound, 8° unless it says otherwise"),
+        Bound("twist", 3.0, "degrees", "as sideways"),
+        Bound("range", 2.0, "degrees", "a soft constraint gives about 1°"),
+        Bound("travel", 0.005, "m", "of slides beyond their range"),
+        Bound("coupled", 1.0, "degrees", "a hinge off what it follows"),
+        Bound("coupled travel", 0.002, "m", "a slide off what it follows"),
+        Bound("torn", 0.005, "m", "points of a closed loop apart"),
+        Bound("whip", 500.0, "rad/s²", "or 4 times what the raw spline needs, if that is more; run_loop comes to 370"),
+        Bound("length", 0.5, "", "quaternions so far from length 1 turn fast between samples"),
+        Bound("search", 1.0, "", "the search ended before it was done"),
+    )
+}
+WHIP_SHARE = 4.0  # of the raw spline's largest angular acceleration

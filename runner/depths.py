@@ -1,0 +1,84 @@
+"""How deep points of a figure are in surfaces, many points at many times: cheap, for they are spheres.
+
+Only spheres of links that come near a surface are asked. Planes, boxes and all that has a signed distance are met
+exactly; a height field by the distance to its nearest way out, to first order.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from solver.kinematics import Samples
+from solver.penalty import Point
+from solver.quaternion import Array, Index
+from solver.surface import Box, Surface
+from solver.surface.surface import UPRIGHT
+
+TINY = 1e-12
+
+
+@dataclass(frozen=True, eq=False)
+class Bunch:
+    """The points of one link: which (p,), places on it (3, p) [m], radii (p,) [m], and a sphere round all of them."""
+
+    link: int
+    which: Index
+    places: Array
+    radii: Array
+    middle: Array
+    reach: float
+
+
+def bunches(points: Sequence[Point]) -> tuple[Bunch, ...]:
+    """Points by their links."""
+    return tuple(_bunches(points))
+
+
+def _bunches(points: Sequence[Point]) -> Iterator[Bunch]:
+    links = np.array([point.link for point in points], np.intp)
+    for link in np.unique(links).tolist():
+        which = np.flatnonzero(links == link)
+        own = [points[i] for i in which.tolist()]
+        places, radii = np.array([point.position for point in own]).T, np.array([point.radius for point in own])
+        middle = places.mean(axis=1)
+        reach = float((np.linalg.norm(places - middle[:, None], axis=0) + radii).max())
+        yield Bunch(link, which, places, radii, middle, reach)
+
+
+def depths(found: Sequence[Bunch], surface: Surface, samples: Samples) -> Iterator[tuple[Bunch, Index, Array]]:
+    """Of the bunches near a surface: at which samples (k,), and how deep their points are there, (p, k) [m]."""
+    if not found:
+        return
+    links = np.array([bunch.link for bunch in found], np.intp)
+    around, _ = samples.links.points(links, np.array([bunch.middle for bunch in found]).T)
+    near = surface.near(around, np.array([[bunch.reach] for bunch in found]))
+    for bunch, close in zip(found, near, strict=True):
+        at = np.flatnonzero(close)
+        if at.size:
+            x, rotation = samples.links.poses(bunch.link * samples.count + at)
+            centres = np.einsum("ijk,jp->ipk", rotation, bunch.places) + x[:, None]
+            yield bunch, at, depth(surface, centres, bunch.radii)
+
+
+def depth(surface: Surface, centres: Array, radii: Array) -> Array:
+    """(p, k) [m] how deep spheres are in a surface, at most 0 outside: centres (3, p, k), radii (p,)."""
+    if isinstance(surface, Box):
+        return radii[:, None] - _from_box(surface, centres)
+    deep, way = surface.depth(centres, radii)
+    return deep / np.maximum(np.linalg.norm(way, axis=0), TINY)
+
+
+def _from_box(box: Box, points: Array) -> Array:
+    """Signed distance of points (3, ...) from a box, negative inside: that of the nearest way out."""
+    local = np.tensordot(box.axes.T, points - box.centre.reshape(3, *[1] * (points.ndim - 1)), axes=1)
+    half = box.half.reshape(3, *[1] * (points.ndim - 1))
+    outside = np.linalg.norm(np.maximum(np.abs(local) - half, 0), axis=0)
+    inward = np.full(points.shape[1:], np.inf)
+    for axis in range(3):
+        for sign in (1.0, -1.0):
+            if not (box.buried and sign * box.axes[2, axis] < -UPRIGHT):
+                inward = np.minimum(inward, box.half[axis] - sign * local[axis])
+    return np.where(outside > 0, outside, -inward)
