@@ -16,6 +16,8 @@ from functools import cached_property, partial
 import numpy as np
 from numpy.typing import ArrayLike
 
+from .arcs import straightened
+from .astray import is_astray
 from .descent import NEWTON, Descent
 from .figure import Figure
 from .frame import Frame, Timeline
@@ -153,7 +155,7 @@ def inbetween(
     segments, in_windows = len(keys) - 1, settings.quadrature.kind == "gauss" and is_long(raw)
     first = evenly(raw, settings.beginning(segments, in_windows=in_windows))
     try:
-        timeline = loop.run_windows(raw, first) if in_windows else loop.run(first, segments, settings.frames)
+        timeline = loop.run_windows(raw, first) if in_windows else loop.searched(first, segments, settings.frames)
     except KeyboardInterrupt:
         timeline, loop.stop = loop.best() if loop.best is not None else raw, Stop.ASKED
     return Motion(figure, objective, timeline, raw, tuple(loop.trace), loop.evaluations, loop.stop)
@@ -172,6 +174,22 @@ class _Loop:
         self.elsewhere = np.zeros(len(objective.terms))
         self.since = -np.inf
         self.whole: Callable[[Timeline], Timeline] = lambda timeline: timeline
+        self.last: dict[str, float] = {}
+
+    def searched(self, timeline: Timeline, segments: int, budget: int | None) -> Timeline:
+        """The best timeline found from where one begins, and from the straight way between keyframes if that ended in
+        a heap."""
+        found, damping = self.run(timeline, segments, budget), self.damping
+        if self.stop is Stop.ASKED or not is_astray(self.objective, found, self.last):
+            return found
+        value, stop, self.damping = sum(self.last.values()), self.stop, FIRST_DAMPING
+        self.round += 1
+        other = self.run(straightened(self.objective.figure, timeline), segments, budget)
+        if sum(self.last.values()) < value:
+            return other
+        self.damping = damping
+        self.stop = self.stop if self.stop is Stop.ASKED else stop
+        return found
 
     def run(self, timeline: Timeline, segments: int, budget: int | None) -> Timeline:
         """Rounds until no segment deserves another frame, or their budget is spent.
@@ -204,7 +222,7 @@ class _Loop:
             self.damping = FIRST_DAMPING
             count, budget = window.last - window.first, self.settings.frames
             opened = assembly.opened(window)
-            solved = self.run(opened, count, None if budget is None else assembly.room(window, budget))
+            solved = self.searched(opened, count, None if budget is None else assembly.room(window, budget))
             assembly.close(window, solved)
             if self.stop is Stop.ASKED:
                 break
@@ -216,12 +234,12 @@ class _Loop:
         before, elsewhere = self.evaluations, float(self.elsewhere.sum())
 
         def report(count: int, evaluation: Evaluation, x: Array) -> None:
-            self.best = partial(_built, self.whole, timeline, descent, x)
-            self.evaluations = before + count
+            self.evaluations, self.last = before + count, evaluation.parts
             value = elsewhere + evaluation.value
             # a new round sums E over other samples: its first evaluations need not lie below the last round's
             if self.trace and value >= self.trace[-1][2]:
                 return
+            self.best = partial(_built, self.whole, timeline, descent, x)
             parts = dict(evaluation.parts)
             for term, more in zip(self.objective.terms, self.elsewhere, strict=True):
                 parts[term.penalty.name] += float(more)

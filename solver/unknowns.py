@@ -227,7 +227,7 @@ def raw_timeline(
             _filled(plain.times, states, fixed, slice(link.qpos, link.qpos + 1), rest)
             continue
         known = fixed[:, columns].all(axis=1)
-        base = _bases(figure, states, link)
+        base = bases(figure, states, link)
         states[known, columns] = quat.product(base[known], quat.normalised(states[known, columns]))
         if not known.all():
             states[~known, columns] = quat.product(base[~known], rest[columns])
@@ -313,7 +313,7 @@ def _where(figure: Figure, column: int, offset: Array) -> str:
     return f"'{link.name}' along {'xyz'[column - link.qpos]} (with travel = [{travel}])"
 
 
-def _bases(figure: Figure, states: Array, link: Link) -> Array:
+def bases(figure: Figure, states: Array, link: Link) -> Array:
     """(K, 4): what a joint's relative rotation is multiplied onto from the left in the figure's coordinates."""
     identity = np.tile([1.0, 0, 0, 0], (len(states), 1))
     if link.kind is JointKind.FREE or not figure.tables.in_world[link.joint + 1]:
