@@ -110,7 +110,7 @@ def _spots(figure: Figure, keys: Timeline, point: Point, table: ContactTable, na
     samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
     centres, _, _ = Contact((point,), ()).centres(samples)
     inside = (keys.times >= table.start - ROUNDING) & (keys.times <= table.end + ROUNDING)
-    said = np.flatnonzero(inside & placed(figure, keys.fixed, [point])[0])
+    said = np.flatnonzero(inside & placed(figure, keys.known, [point])[0])
     wanted = None if table.position is None else np.array(table.position, float)
     for k in said:
         reference = centres[:, 0, said[0]] if wanted is None else wanted

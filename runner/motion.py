@@ -136,6 +136,7 @@ def save(saved: Saved, target: Path) -> None:
         "key_time": key_time,
         "key_qpos": key_configurations(figure, saved.timeline, key_time),
         "key_fixed": np.array([key.fixed for key in saved.keys]),
+        "key_posed": np.array([key.known & ~key.fixed for key in saved.keys]),
         "joint_names": np.array([model.joint(i).name for i in range(model.njnt)]),
         "body_names": np.array([model.body(i).name for i in range(model.nbody)]),
         "mjcf": saved.mjcf,
@@ -273,7 +274,8 @@ def _check(saved: Saved, data: dict[str, Any]) -> None:
     shapes = {"time": (times,), "key_time": (keys,)}
     shapes |= {f"{prefix}qpos": (times, model.nq) for prefix in ("", "raw_")}
     shapes |= {f"{prefix}{part}": (times, model.nv) for prefix in ("", "raw_") for part in ("qvel", "qacc")}
-    shapes |= dict.fromkeys(("key_qpos", "key_fixed"), (keys, model.nq))
+    own = {"key_qpos", "key_fixed", "key_posed"} & data.keys()  # older files have nothing posed
+    shapes |= dict.fromkeys(sorted(own), (keys, model.nq))
     for name, shape in shapes.items():
         if data[name].shape != shape:
             raise ValueError(f"'{name}' is {data[name].shape}, not {shape}")
@@ -297,7 +299,9 @@ def _check(saved: Saved, data: dict[str, Any]) -> None:
 def _restored(data: dict[str, Any]) -> Saved:
     scene = Scene(str(data["mjcf"]), assets_in(data))
     figure = Figure(scene.model(), str(data["coordinates"]))
-    keys = tuple(Frame.key(*row) for row in zip(data["key_time"], data["key_qpos"], data["key_fixed"], strict=True))
+    posed = data.get("key_posed", np.zeros_like(data["key_fixed"]))
+    said = zip(data["key_time"], data["key_qpos"], data["key_fixed"], posed, strict=True)
+    keys = tuple(Frame(*row) for row in said)
     ends = str(data["ends"])
     timelines = []
     for prefix in ("", "raw_"):

@@ -113,7 +113,7 @@ class Planted:
 
 def stances(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]) -> tuple[Stance, ...]:
     """The stances that a timeline of keyframes implies: a point within 12 mm of a surface in two neighbouring ones,
-    on spots less than 5 cm apart, and both keyframes fix every joint from the root to the point."""
+    on spots less than 5 cm apart, and both keyframes tell every joint from the root to the point."""
     if not points or not surfaces:
         return ()
     states = keys.states
@@ -121,7 +121,7 @@ def stances(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: S
     centres, _, _ = Contact(tuple(points), ()).centres(samples)
     radius = np.array([point.radius for point in points])[:, None]
     height = np.min([surface.height(centres) for surface in surfaces], axis=0) - radius
-    low = (np.abs(height) < NEAR_SURFACE) & placed(figure, keys.fixed, points)
+    low = (np.abs(height) < NEAR_SURFACE) & placed(figure, keys.known, points)
     found = []
     for k, (first, last) in enumerate(zip(keys.times[:-1], keys.times[1:], strict=True)):
         for i, point in enumerate(points):
