@@ -17,7 +17,7 @@ from solver import quaternion as quat
 from solver.figure import Figure, JointKind
 from solver.frame import Frame, TimelineError
 from solver.penalty import BendLimits, Placed, site_points
-from solver.posing import MET, BodyGoal, Goal, Posed, SiteGoal, chain, entries, posed
+from solver.posing import MET, BodyGoal, Goal, Posed, SiteGoal, chain, entries, limb, posed
 from solver.unknowns import raw_timeline
 
 from .clip_table import ROTATION, BodyTable, KeyframeTable, SiteTable
@@ -40,7 +40,7 @@ class Wanted:
         named = {link.name for link in figure.links if link.name in row.joints or link.name in row.roots}
         if row.root.model_fields_set:
             named |= {link.name for link in figure.links[1:] if link.kind is JointKind.FREE}
-        limbs = {link for body in bodies for link in _limb(figure, body)}
+        limbs = {link for body in bodies for link in limb(figure, body)}
         return sorted(link for link in limbs if figure.links[link].name not in named)
 
 
@@ -106,14 +106,6 @@ def check_search(figure: Figure, key: Frame, placed: Sequence[Placed], place: st
         body = figure.links[point.point.link].body
         if not _free_joints(figure, key, body):
             raise UserError(f"{place}: site '{point.point.name}' {_held(figure, body)}")
-
-
-def _limb(figure: Figure, body: int) -> list[int]:
-    """The links from a body's own towards the root, up to where another limb branches off."""
-    links = chain(figure, body)
-    branches = np.bincount(figure.tables.parents[1:], minlength=len(figure.links))
-    forks = [i for i, link in enumerate(links) if i > 0 and branches[link] > 1]
-    return links[: forks[0]] if forks else links
 
 
 def _body_goal(name: str, table: BodyTable, place: str) -> BodyGoal:
