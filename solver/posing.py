@@ -34,7 +34,7 @@ BENT = np.radians([15, 50, 90])  # how far knees and elbows are bent to begin wi
 ONE_SIDED = 0.25  # share of its range from an end within which a hinge that rests there is a knee: it bends one way
 INSIDE = 1e-4  # [rad, m] how far inside its range a joint stays
 STARTS, SPREAD = 12, 0.4  # poses to begin with at most, and how far scattered ones without a range are away [rad]
-AGREEING, ALIKE = 6, 1e-4  # so many starts that miss by the same, and what counts as the same, tell that none will do
+ALIKE = 2e-3  # share by which the costs of two rough poses differ that are one
 ROUNDS, STALLED = 20, 0.7  # of the multipliers, and the share of what is missed that is left when they lead nowhere
 STEPS, FIRST_DAMPING, MOST_DAMPING = 60, 1e-3, 1e8
 ROUGHLY, SETTLED = 1e-3, 1e-9  # share of what is left that a step gains where a descent ends: the first, the others
@@ -187,24 +187,46 @@ def posed(
     bends   knees and elbows on ball joints, and how far they may go
     starts  how many poses to begin with, at most
     """
-    search = _Search(figure, np.array(qpos, float), np.asarray(free, bool), tuple(goals), bends)
+    free, there = np.asarray(free, bool), np.array(qpos, float)
+    fixed, missed, tried = np.zeros(figure.width, bool), np.zeros(len(goals)), 0
+    for some in _apart(figure, free, goals):
+        found = _posed(_Search(figure, there, free, tuple(goals[i] for i in some), bends), starts)
+        there, fixed, tried = found.qpos, fixed | found.fixed, max(tried, found.starts)
+        missed[some] = found.missed
+    return Posed(there, fixed, missed, tried)
+
+
+def _posed(search: _Search, starts: int) -> Posed:
+    """The pose for goals that depend on one another."""
     best = search.result(search.home)
     if best.is_met or not search.dofs.size:
         return best
     near = [search.roughly(start) for start in search.bent_starts()[:starts]]
     found: list[Posed] = []
-    for rough, _ in sorted(near, key=lambda pair: pair[1]):
-        found.append(search.exactly(rough))
-        if found[-1].is_met:
-            return found[-1]
-    for start in search.starts_around(starts - len(found)):
-        least = sorted(pose.worst for pose in found)
-        if len(found) >= AGREEING and least[AGREEING - 1] < least[0] + ALIKE:
-            break
+    last = 0.0
+    for rough, cost in sorted(near, key=lambda pair: pair[1]):
+        if cost > (1 + ALIKE) * last:  # else it leads where the one before did
+            found.append(search.exactly(rough))
+            if found[-1].is_met:
+                return found[-1]
+        last = cost
+    for start in search.starts_around(starts - len(near)):
         found.append(search.exactly(search.roughly(start)[0]))
         if found[-1].is_met:
             return found[-1]
-    return replace(min([best, *found], key=lambda pose: pose.worst), starts=len(found))
+    return replace(min([best, *found], key=lambda pose: pose.worst), starts=starts)
+
+
+def _apart(figure: Figure, free: Mask, goals: Sequence[Goal]) -> list[list[int]]:
+    """The goals in groups that no free joint has a part in two of, by index."""
+    groups: list[tuple[set[int], list[int]]] = []
+    for number, goal in enumerate(goals):
+        links = {i for i in chain(figure, goal.body(figure.model)) if free[entries(figure, i)].any()}
+        touched = [group for group in groups if group[0] & links]
+        groups = [group for group in groups if not group[0] & links]
+        merged = sorted(i for _, own in touched for i in own)
+        groups.append((links.union(*(own for own, _ in touched)), [*merged, number]))
+    return [own for _, own in groups]
 
 
 def chain(figure: Figure, body: int) -> list[int]:
@@ -278,15 +300,15 @@ class _Search:
         return starts[:1] if np.array_equal(starts[0], starts[-1]) else starts
 
     def starts_around(self, count: int) -> Iterator[Array]:
-        """Others, as many: home; the pose at rest, for a limb that home has turned far round, and the middle of the
-        ranges, knees and elbows bent a little; then scattered ones."""
+        """Others, as many: the pose at rest, for a limb that home has turned far round, and the middle of the ranges, knees
+        and elbows bent a little; then scattered ones."""
         rest, middle, rng = np.array(self.home), np.array(self.home), np.random.default_rng(0)
         for i in self.joints:
             rest[entries(self.figure, i)] = self.model.qpos0[entries(self.figure, i)]
         middle[self.ranges.simple] = self.ranges.limits.mean(axis=1)
-        yield from (self.home, self._begun(rest, BENT[0]), self._begun(middle, BENT[1]))[:count]
+        yield from (self._begun(rest, BENT[0]), self._begun(middle, BENT[1]))[:count]
         turns = self.weights != PER_METRE
-        for number in range(count - 3):
+        for number in range(count - 2):
             start = self._moved(self.home if number % 2 else rest, SPREAD * rng.normal(size=self.dofs.size) * turns)
             start[self.ranges.simple] = rng.uniform(*self.ranges.limits.T)
             yield start if self.bends is None else self.bends.begun(start, rng.uniform(BENT[0], BENT[-1]))
