@@ -32,7 +32,7 @@ PER_METRE = 5.0  # a metre of the root or a slide, in the same
 STRAIGHT = 3.0  # a radian of knees and elbows sideways and twisted, in the same
 BENT = np.radians([15, 50, 90])  # how far knees and elbows are bent to begin with: a straight limb cannot shorten
 ONE_SIDED = 0.25  # share of its range from an end within which a hinge that rests there is a knee: it bends one way
-INSIDE = 1e-4  # [rad, m] how far inside its range a joint stays
+INSIDE = 1e-5  # [rad, m] how far inside its range a joint stays
 STARTS, SPREAD = 12, 0.4  # poses to begin with at most, and how far scattered ones without a range are away [rad]
 ALIKE = 2e-3  # share by which the costs of two rough poses differ that are one
 ROUNDS, STALLED = 20, 0.7  # of the multipliers, and the share of what is missed that is left when they lead nowhere
@@ -211,7 +211,7 @@ def _posed(search: _Search, starts: int) -> Posed:
                 return found[-1]
         last = cost
     for start in search.starts_around(starts - len(near)):
-        found.append(search.exactly(search.roughly(start)[0]))
+        found.append(search.exactly(search.around(start)))
         if found[-1].is_met:
             return found[-1]
     return replace(min([best, *found], key=lambda pose: pose.worst), starts=starts)
@@ -326,6 +326,14 @@ class _Search:
     def roughly(self, qpos: Array) -> tuple[Array, float]:
         """A pose that nearly meets goals that weigh little, and what it costs."""
         return self._levenberg(qpos, COARSE, None, ROUGHLY)
+
+    def around(self, qpos: Array) -> Array:
+        """A pose near a start, wherever home is, that nearly meets the goals."""
+        home, self.home = self.home, qpos
+        try:
+            return self._levenberg(qpos, COARSE, None, ROUGHLY)[0]
+        finally:
+            self.home = home
 
     def exactly(self, qpos: Array) -> Posed:
         """The nearest minimum from a pose: with multipliers until the goals are met."""
