@@ -24,7 +24,6 @@ from solver.frame import Frame, Mask, TimelineError
 from solver.inbetween import FEW, Settings
 from solver.penalty import (
     Bend,
-    BendLimits,
     Penalty,
     Placed,
     Point,
@@ -59,6 +58,7 @@ from .obstacle import obstacles
 from .placing import check_search, wanted, with_pose
 from .rotation import quaternion_of
 from .scene import Step, compose, figure_spec, first_line, quietly
+from .standing import Stander
 
 LONGEST_PANEL = 0.05
 POINTS = 3
@@ -185,7 +185,9 @@ def from_text(
     figure = _figure(scene, table.solve.coordinates, place)
     check_times([row.time for row in table.keyframe], place)
     bends = posing_bends(figure, table.penalty)
-    keys, placed = _keys(figure, table.keyframe, bends, table.solve.ends, place)
+    surfaces = static_surfaces(figure.model)
+    stander = Stander(figure, surfaces, table.contact, bends, table.solve.ends, table.solve.travel, place)
+    keys, placed = _keys(figure, table.keyframe, stander, place)
     return _clip(name, text, scene, figure, fps or table.fps, keys, table, place, placed)
 
 
@@ -348,9 +350,10 @@ def _settings(solve: SolveTable, keys: list[Frame]) -> Settings:
 
 
 def _keys(
-    figure: Figure, rows: list[KeyframeTable], bends: BendLimits | None, ends: str, place: str
+    figure: Figure, rows: list[KeyframeTable], stander: Stander, place: str
 ) -> tuple[list[Frame], tuple[Placed, ...]]:
-    """The keyframes, each of which may hold what the one before it says, and the points that the search is to place."""
+    """The keyframes, each of which may hold what the one before it says, what they leave free posed where that is beyond
+    doubt; and the points that the search is to place."""
     places = [f"{place}: {_called(number, row.time)}" for number, row in enumerate(rows, start=1)]
     wants = [wanted(figure, row, where) for row, where in zip(rows, places, strict=True)]
     loose = [want.loose(figure, row) for want, row in zip(wants, rows, strict=True)]
@@ -363,10 +366,11 @@ def _keys(
         for k, (row, want, where) in enumerate(zip(rows, wants, places, strict=True)):
             keys[k] = _key(figure, row, keys[k - 1] if k else None, loose[k], where)  # holds what is solved by now
             if want.goals:
-                keys[k] = with_pose(figure, keys, k, want.goals, bends, ends, where)
+                keys[k] = with_pose(figure, keys, k, want.goals, stander, where)
     for key, want, where in zip(keys, wants, places, strict=True):
         check_search(figure, key, want.placed, where)
-    return keys, tuple(point for want in wants for point in want.placed)
+    left = tuple(point for want in wants for point in want.placed)
+    return stander.stood(keys, left), left
 
 
 def _key(figure: Figure, row: KeyframeTable, before: Frame | None, loose: Sequence[int], place: str) -> Frame:

@@ -16,13 +16,14 @@ import numpy as np
 from solver import quaternion as quat
 from solver.figure import Figure, JointKind
 from solver.frame import Frame, TimelineError
-from solver.penalty import BendLimits, Placed, site_points
-from solver.posing import MET, BodyGoal, Goal, Posed, SiteGoal, chain, entries, limb, posed
+from solver.penalty import Placed, site_points
+from solver.posing import MET, BodyGoal, Goal, Posed, SiteGoal, chain, entries, limb, posed, reached
 from solver.unknowns import raw_timeline
 
 from .clip_table import ROTATION, BodyTable, KeyframeTable, SiteTable
 from .errors import UserError, unknown
 from .rotation import quaternion_of
+from .standing import Stander
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,26 +79,29 @@ def with_pose(
     keys: Sequence[Frame],
     k: int,
     goals: Sequence[Goal],
-    bends: BendLimits | None,
-    ends: str,
+    stander: Stander,
     place: str,
 ) -> Frame:
     """Keyframe k of some with the joints that its goals depend on fixed where they meet them.
 
-    The pose is the one nearest to where the spline through the other keyframes passes.
+    The pose is the one nearest to where the spline through the other keyframes passes, if there is one with the feet
+    where they stand before and after.
     """
     try:
-        path = raw_timeline(figure, list(keys), "periodic" if ends == "periodic" else "free")
+        path = raw_timeline(figure, list(keys), "periodic" if stander.ends == "periodic" else "free")
     except TimelineError as error:
         raise UserError(f"{place}: {error}") from None
     key = keys[k]
     home = np.where(key.fixed, key.state, figure.to_qpos(path.states[k]))
     for columns in figure.tables.quaternion_columns.T:
         home[columns] = quat.normalised(home[columns])
-    found = posed(figure, home, ~key.fixed, goals, bends)
+    also = stander.beside(keys, k, goals)
+    found = posed(figure, home, ~key.fixed, [*goals, *also], stander.bends) if also else None
+    if found is None or not found.is_met:
+        found = posed(figure, home, ~key.fixed, goals, stander.bends)
     if not found.is_met:
         raise UserError(f"{place}: {_complaint(figure, key, goals, found)}")
-    return Frame.key(key.time, np.where(key.fixed, key.state, found.qpos), key.fixed | found.fixed)
+    return Frame.key(key.time, np.where(key.fixed, key.state, found.qpos), key.fixed | reached(figure, goals))
 
 
 def check_search(figure: Figure, key: Frame, placed: Sequence[Placed], place: str) -> None:

@@ -122,6 +122,26 @@ class PointGoal:
 
 
 @dataclass(frozen=True, eq=False)
+class TurnGoal:
+    """A body, by its number, turned as said: its rotation in the world (4,) wxyz."""
+
+    name: str
+    index: int
+    rotation: Array
+
+    def body(self, model: mujoco.MjModel) -> int:
+        return self.index
+
+    def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+        return quat.rotation_vector(quat.product(data.xquat[self.index], quat.inverse(self.rotation)))
+
+    def rows(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+        rows = np.zeros((3, model.nv))
+        mujoco.mj_jacBody(model, data, None, rows, self.index)
+        return rows
+
+
+@dataclass(frozen=True, eq=False)
 class BodyGoal:
     """A body turned as said: its rotation in the world (4,) wxyz, or None for upright as at rest, the heading free."""
 
@@ -238,6 +258,14 @@ def chain(figure: Figure, body: int) -> list[int]:
     return links
 
 
+def reached(figure: Figure, goals: Sequence[Goal]) -> Mask:
+    """(nq,) the entries that goals depend on: of the joints from the root to them."""
+    mask = np.zeros(figure.width, bool)
+    for link in {link for goal in goals for link in chain(figure, goal.body(figure.model))}:
+        mask[entries(figure, link)] = True
+    return mask
+
+
 def limb(figure: Figure, body: int) -> list[int]:
     """The links from a body's own towards the root, up to where another limb branches off."""
     links = chain(figure, body)
@@ -269,9 +297,7 @@ class _Search:
         self.figure, self.model, self.home, self.goals = figure, figure.model, home, goals
         self.data = mujoco.MjData(self.model)
         links = sorted({link for goal in goals for link in chain(figure, goal.body(self.model))})
-        self.fixed = np.zeros(figure.width, bool)
-        for link in links:
-            self.fixed[entries(figure, link)] = True
+        self.fixed = reached(figure, goals)
         free = free & self.fixed
         self.dofs, self.weights = self._freedoms(links, free)
         self.joints = [
@@ -551,7 +577,7 @@ class _Bends:
     def linearised(self, qpos: Array, nv: int) -> tuple[Part, Part]:
         """How far the joints are sideways and twisted (2 n,), how far over their bounds (5 n,), with rows (..., nv)."""
         parent, child = self._axes
-        turned = np.einsum("nij,nbi->bnj", _matrices(qpos[self.columns]), parent)  # the parent's axes in the child
+        turned = np.einsum("nij,nbi->bnj", quat.matrices(qpos[self.columns]), parent)  # the parent's axes in the child
         (x, z, y), (a, b, q) = np.einsum("bnj,cnj->cbn", turned, child)
         (dx, dz, dy), (da, db, dq) = np.cross(child[:, None], turned)  # by turns about the child's axes, (n, 3) each
         planar = np.maximum(np.hypot(x, z), 1e-9)
@@ -580,14 +606,3 @@ class _Bends:
 
     def _angles(self, q: Array) -> Array:
         return bent(self.figure, self.limits.joints, q)
-
-
-def _matrices(q: Array) -> Array:
-    """Rotation matrices (n, 3, 3) of quaternions (n, 4) of any length."""
-    w, x, y, z = (q / np.sqrt(np.einsum("ni,ni->n", q, q))[:, None]).T
-    rows = [
-        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-    ]
-    return np.moveaxis(np.array(rows), 2, 0)
