@@ -31,7 +31,8 @@ from .contacts import ROUNDING, Contacts, contacts
 from .feet import sole_points
 
 NEARLY = 1e-3  # [m, rad] by which a pose may miss a foot's place and still tell that it stands there
-STARTS = 8  # poses to begin with, at most
+BEYOND = float(np.radians(10))  # [rad] beyond their ranges that joints go rather than that a foot leaves its place
+STARTS = 4  # poses to begin with, at most
 OWN_TURN = 1e-3  # of a foot's own turn in what its points tell, which do not see a roll about the line through two
 TURNS = 4  # times that it takes itself as its own, so that nothing of that is left
 
@@ -141,10 +142,12 @@ class Stander:
         places = [SiteGoal(p.point.name, p.target) for p in left if abs(p.time - key.time) < ROUNDING]
         groups: list[list[Goal]] = [foot.goals(figure) for foot in seen.standing(k)]
         groups += [[goal] for goal in places]
-        home = figure.to_qpos(frame.state)
+        home, count = figure.to_qpos(frame.state), len(groups)
         while groups:
             goals = [goal for group in groups for goal in group]
             found = posed(figure, home, ~frame.fixed, goals, self.bends, STARTS)
+            if found.worst > NEARLY and len(groups) == count:
+                found = posed(figure, home, ~frame.fixed, goals, self.bends, STARTS, BEYOND)
             if found.worst <= NEARLY:
                 told = found.fixed & ~frame.fixed
                 return Frame(key.time, np.where(told, found.qpos, key.state), key.fixed, told)

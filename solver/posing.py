@@ -200,17 +200,19 @@ def posed(
     goals: Sequence[Goal],
     bends: BendLimits | None = None,
     starts: int = STARTS,
+    beyond: float = 0.0,
 ) -> Posed:
     """The pose nearest to qpos (nq,) that meets the goals, by the entries `free` (nq,) alone; else the one that
     misses them least. What meets them already stays as it is.
 
     bends   knees and elbows on ball joints, and how far they may go
     starts  how many poses to begin with, at most
+    beyond  [rad] how far hinges and ball joints may be beyond their ranges
     """
     free, there = np.asarray(free, bool), np.array(qpos, float)
     fixed, missed, tried = np.zeros(figure.width, bool), np.zeros(len(goals)), 0
     for some in _apart(figure, free, goals):
-        found = _posed(_Search(figure, there, free, tuple(goals[i] for i in some), bends), starts)
+        found = _posed(_Search(figure, there, free, tuple(goals[i] for i in some), bends, beyond), starts)
         there, fixed, tried = found.qpos, fixed | found.fixed, max(tried, found.starts)
         missed[some] = found.missed
     return Posed(there, fixed, missed, tried)
@@ -293,7 +295,15 @@ def _at_rest(model: mujoco.MjModel, body: int) -> Array:
 class _Search:
     """Least squares over the free degrees of freedom that the goals depend on."""
 
-    def __init__(self, figure: Figure, home: Array, free: Mask, goals: tuple[Goal, ...], bends: BendLimits | None):
+    def __init__(
+        self,
+        figure: Figure,
+        home: Array,
+        free: Mask,
+        goals: tuple[Goal, ...],
+        bends: BendLimits | None,
+        beyond: float = 0.0,
+    ) -> None:
         self.figure, self.model, self.home, self.goals = figure, figure.model, home, goals
         self.data = mujoco.MjData(self.model)
         links = sorted({link for goal in goals for link in chain(figure, goal.body(self.model))})
@@ -303,7 +313,7 @@ class _Search:
         self.joints = [
             i for i in links if figure.links[i].kind is not JointKind.FREE and free[entries(figure, i)].all()
         ]
-        self.ranges = _Ranges.of(figure, self.joints, self.dofs)
+        self.ranges = _Ranges.of(figure, self.joints, self.dofs, beyond)
         self.bends = None if bends is None else _Bends.of(figure, bends, free)
 
     def _freedoms(self, links: list[int], free: Mask) -> tuple[Index, Array]:
@@ -486,7 +496,7 @@ class _Ranges:
     count: int
 
     @classmethod
-    def of(cls, figure: Figure, joints: Sequence[int], dofs: Index) -> _Ranges:
+    def of(cls, figure: Figure, joints: Sequence[int], dofs: Index, beyond: float) -> _Ranges:
         model = figure.model
         links = [link for i in joints if model.jnt_limited[(link := figure.links[i]).joint]]
         balls = [link for link in links if link.kind is JointKind.BALL]
@@ -496,11 +506,11 @@ class _Ranges:
         share = (model.qpos0[columns] - limits[:, 0]) / np.maximum(np.ptp(limits, axis=1), 1e-9)
         hinges = np.array([link.kind is JointKind.HINGE for link in simple], bool)
         ways = hinges * (1.0 * (share < ONE_SIDED) - (share > 1 - ONE_SIDED))
-        margin = np.minimum(INSIDE, np.ptp(limits, axis=1) / 4)
+        margin = np.minimum(INSIDE, np.ptp(limits, axis=1) / 4) - beyond * hinges
         return cls(
             np.array([link.qpos for link in balls], np.intp)[:, None] + np.arange(4),
             np.searchsorted(dofs, np.array([link.dof for link in balls], np.intp))[:, None] + np.arange(3),
-            model.jnt_range[[link.joint for link in balls], 1] - INSIDE,
+            model.jnt_range[[link.joint for link in balls], 1] + (beyond - INSIDE),
             columns,
             np.searchsorted(dofs, np.array([link.dof for link in simple], np.intp)),
             limits + np.array([1, -1]) * margin[:, None],
