@@ -20,7 +20,7 @@ from solver.kinematics import Samples
 from solver.penalty import BendLimits, Placed, Point
 from solver.penalty.contact import arrays_of, placed
 from solver.penalty.planted import NEAR_SURFACE, SAME_SPOT
-from solver.posing import Goal, PointGoal, SiteGoal, TurnGoal, entries, limb, posed, reached
+from solver.posing import Goal, PointGoal, Posed, SiteGoal, TurnGoal, entries, limb, posed, reached
 from solver.quaternion import Array
 from solver.seam import Seam
 from solver.surface import Surface
@@ -135,6 +135,18 @@ class Stander:
         found = contacts(self.figure, timeline, self.tables, self.place, soles)
         return _Seen(self.figure, timeline, soles, self.surfaces, found)
 
+    def _upright(self, home: Array, free: Mask, goals: Sequence[Goal]) -> Posed:
+        """The pose with the trunk turned as at home, from the root to where limbs branch off, or else with all that is
+        free."""
+        trunk = np.zeros(self.figure.width, bool)
+        for columns in self.figure.tables.quaternion_columns.T:
+            trunk[columns] = True
+        legs = {link for goal in goals for link in limb(self.figure, goal.body(self.figure.model))}
+        for link in legs:
+            trunk[entries(self.figure, link)] = False
+        found = posed(self.figure, home, free & ~trunk, goals, self.bends, 3)
+        return found if found.worst <= NEARLY else posed(self.figure, home, free, goals, self.bends, STARTS)
+
     def _posed(self, key: Frame, seen: _Seen, k: int, left: Sequence[Placed]) -> Frame:
         """Keyframe k with what its feet and places lead to posed; feet that cannot stay where they stand are let go."""
         figure = self.figure
@@ -145,7 +157,7 @@ class Stander:
         home, count = figure.to_qpos(frame.state), len(groups)
         while groups:
             goals = [goal for group in groups for goal in group]
-            found = posed(figure, home, ~frame.fixed, goals, self.bends, STARTS)
+            found = self._upright(home, ~frame.fixed, goals)
             if found.worst > NEARLY and len(groups) == count:
                 found = posed(figure, home, ~frame.fixed, goals, self.bends, STARTS, BEYOND)
             if found.worst <= NEARLY:
