@@ -256,7 +256,11 @@ MISTAKES = {
     "an unknown body": ("bodies.left_fot = {flat = true}", ["no body 'left_fot'", "mean 'left_foot'?", "Bodies:"]),
     "out of reach": (
         'others = "rest"\nsites.left_heel = [0, 0.09, -0.23]',
-        ["site 'left_heel' cannot be put at (0, 0.09, -0.23): 0.2", "m short", "left_hip, left_knee, left_ankle"],
+        [
+            "no pose found that puts site 'left_heel' at (0, 0.09, -0.23) (12 starts; closest: 0.2",
+            "m short",
+            "left_hip, left_knee, left_ankle",
+        ],
     ),
     "a little out of reach": ('others = "rest"\nsites.left_toe = ["free", "free", -0.106]', [" mm short"]),
     "nothing free": (
@@ -273,7 +277,7 @@ MISTAKES = {
     ),
     "a body that cannot turn": (
         'others = "rest"\nroot.position = [0, 0, 0.93]\nbodies.chest = {rotvec = [0, 0, 170]}',
-        ["body 'chest' cannot be turned so: 110 degrees short", "spine"],
+        ["no pose found that turns body 'chest' so (12 starts; closest: 110 degrees short)", "spine"],
     ),
     "every axis free": ('sites.left_heel = ["free", "free", "free"]', ["sites.left_heel: every axis is free"]),
     "two numbers": ("sites.left_heel = [0, 1]", ["sites.left_heel must be [x, y, z] in metres", "not [0, 1]"]),
