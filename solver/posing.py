@@ -35,6 +35,7 @@ ONE_SIDED = 0.25  # share of its range from an end within which a hinge that res
 INSIDE = 1e-5  # [rad, m] how far inside its range a joint stays
 STARTS, SPREAD = 12, 0.4  # poses to begin with at most, and how far scattered ones without a range are away [rad]
 ALIKE = 2e-3  # share by which the costs of two rough poses differ that are one
+HOPELESS = 0.03  # [m, rad] that goals are missed by where more weight does not help
 ROUNDS, STALLED = 20, 0.7  # of the multipliers, and the share of what is missed that is left when they lead nowhere
 STEPS, FIRST_DAMPING, MOST_DAMPING = 60, 1e-3, 1e8
 ROUGHLY, SETTLED = 1e-3, 1e-9  # share of what is left that a step gains where a descent ends: the first, the others
@@ -384,7 +385,7 @@ class _Search:
             if worst <= EXACT:
                 break
             if worst > STALLED * last:  # a nearly straight limb buckles under enough weight only
-                if weight >= FIRMEST:
+                if weight >= FIRMEST or (worst > HOPELESS and weight > FIRM):
                     break
                 weight *= 10
                 shifts = shifts[0] / 100, shifts[1] / 100
