@@ -310,3 +310,49 @@ def test_a_mistake_is_one_line_that_says_where(mistake):
     assert told.startswith(KEY.rstrip(": ")) and "\n" not in told
     for word in words:
         assert word in told
+
+
+def test_all_places_without_a_pose_are_told_at_once():
+    far = 'sites.{} = [3, 0, 1]\nothers = "rest"\n'
+    text = HEAD + "".join(
+        f"[[keyframe]]\ntime = {i}\n{body}"
+        for i, body in enumerate(
+            [
+                'others = "rest"\n',
+                far.format("left_hand") + "sites.right_heel = [0, -0.09, -0.3]\n",
+                far.format("right_hand"),
+            ]
+        )
+    )
+    with pytest.raises(UserError) as caught:
+        read(text)
+    told = str(caught.value)
+    assert told.count("no pose found that puts site") == 3 and "\n" not in told
+    for words in (
+        "keyframe 2 (t = 1 s): no pose found that puts site 'left_hand'",
+        "'right_heel'",
+        "keyframe 3 (t = 2 s)",
+    ):
+        assert words in told
+    unmet: list[str] = []
+    problem = clip.from_text(text, name="c", unmet=unmet)
+    assert [line.split(" (")[0] for line in unmet] == ["keyframe 2", "keyframe 2", "keyframe 3"]
+    hand = seen(problem, problem.keys[1].state).site("left_hand").xpos
+    shoulder = seen(problem, problem.keys[1].state).body("left_upper_arm").xpos
+    way = np.array([3, 0, 1]) - shoulder
+    np.testing.assert_allclose(
+        (hand - shoulder) @ way / np.linalg.norm(way), np.linalg.norm(hand - shoulder), rtol=1e-3
+    )
+
+
+def test_keyframes_are_drawn_as_near_as_they_come(tmp_path: Path, monkeypatch, capsys):
+    far = second('others = "rest"\nsites.left_hand = [3, 0, 1]\n')
+    (tmp_path / "far.toml").write_text(far, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    command = ["render", "far.toml", "--only", "keys", "-o", "far.png", "--size", "96x64"]
+    monkeypatch.setattr(sys, "argv", ["dynsplines", *command])
+    with pytest.raises(SystemExit) as ended:
+        cli.main()
+    assert not ended.value.code and (tmp_path / "far.png").is_file()
+    told = " ".join("".join(capsys.readouterr()).split())
+    assert "no pose found that puts site 'left_hand' at (3, 0, 1)" in told and "drawn as near as it comes" in told

@@ -78,9 +78,7 @@ def test_a_lowered_pelvis_is_a_squat(height, contacts):
     assert quat.angle_between(qpos[3:7], problem.figure.model.qpos0[3:7]) < np.radians(15)
 
 
-@pytest.mark.parametrize(
-    ("name", "height"), [("BIPED", walkers.BIPED_HEIGHT), ("QUADRUPED", walkers.QUADRUPED_HEIGHT)]
-)
+@pytest.mark.parametrize(("name", "height"), [("BIPED", walkers.BIPED_HEIGHT), ("QUADRUPED", walkers.QUADRUPED_HEIGHT)])
 def test_legs_of_hinges_bend_too(name, height, tmp_path: Path):
     (tmp_path / "its.xml").write_text(getattr(walkers, name), encoding="utf-8")
     problem = squat(0.8 * height, contacts=False, figure=str(tmp_path / "its.xml"))
@@ -173,7 +171,7 @@ def test_a_loop_may_begin_in_a_squat():
 
 def test_a_contact_says_where_a_foot_is_that_no_keyframe_tells():
     places = {"left_heel": [0.1, 0.15, 0], "left_toe": [0.325, 0.15, 0]}
-    text = REST + '[[keyframe]]\ntime = 1\nroot.position = [0, 0, 0.8]\n[[keyframe]]\ntime = 2\n'
+    text = REST + "[[keyframe]]\ntime = 1\nroot.position = [0, 0, 0.8]\n[[keyframe]]\ntime = 2\n"
     for point, place in places.items():
         text += f'[[contact]]\npoint = "{point}"\nfrom = 0.5\nto = 1.5\nposition = {place}\n'
     problem = read(text)

@@ -87,7 +87,9 @@ class Planted:
         arm = applied(samples.links.rotation[:, :, link, at], positions[:, stance])
         for way in np.eye(3):
             ways = np.repeat(way[:, None], at.size, axis=1)
-            into.add_rows(at, scale[at] * self._weights[stance], point_gradients(samples, at, link, arm, ways)[:, None], (0,))
+            into.add_rows(
+                at, scale[at] * self._weights[stance], point_gradients(samples, at, link, arm, ways)[:, None], (0,)
+            )
 
     def sides(self, samples: Samples) -> Sides | None:
         return None
@@ -132,7 +134,10 @@ def stances(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: S
     centres, _, _ = Contact(tuple(points), ()).centres(samples)
     radius = np.array([point.radius for point in points])[:, None]
     height = np.min([surface.height(centres) for surface in surfaces], axis=0) - radius
-    low, exact = (np.abs(height) < NEAR_SURFACE) & placed(figure, keys.known, points), placed(figure, keys.fixed, points)
+    low, exact = (
+        (np.abs(height) < NEAR_SURFACE) & placed(figure, keys.known, points),
+        placed(figure, keys.fixed, points),
+    )
     found = []
     for k, (first, last) in enumerate(zip(keys.times[:-1], keys.times[1:], strict=True)):
         for i, point in enumerate(points):

@@ -96,7 +96,9 @@ class Upright(Momentary):
     @cached_property
     def _arrays(self) -> tuple[Index, Array, Array]:
         """Links (n,), axes and ways (3, n)."""
-        axes, ways = (np.array([getattr(lean, part) for lean in self.leans]).reshape(-1, 3).T for part in ("axis", "way"))
+        axes, ways = (
+            np.array([getattr(lean, part) for lean in self.leans]).reshape(-1, 3).T for part in ("axis", "way")
+        )
         return np.array([lean.link for lean in self.leans], np.intp), axes, ways
 
 
