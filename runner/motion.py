@@ -3,7 +3,7 @@
 fps, time (T,)                      time[i] = t0 + i / fps
 qpos (T, nq), qvel, qacc (T, nv)    unit and sign-continuous quaternions; MuJoCo's conventions
 raw_qpos, raw_qvel, raw_qacc        the same of the raw spline
-key_time (K,), key_qpos (K, nq), key_fixed (K, nq)
+key_time (K,), key_qpos (K, nq), key_fixed and key_posed (K, nq)
 frame_time (M,), frame_state (M, N), frame_fixed (M, N), end_slope (2, N), and raw_* of the same
 asset_names (A,), asset_0 … (B,) uint8  the files that the model refers to, by name; left out where there are none
 joint_names, body_names, mjcf, clip, trace, search, report, name, coordinates, ends, format_version

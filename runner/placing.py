@@ -25,7 +25,6 @@ from .errors import UserError, unknown
 from .rotation import quaternion_of
 from .standing import Stander
 
-
 BESIDE = 0.1  # share of the worst miss up to which a goal is not told: it is off for the worst's sake
 
 

@@ -60,8 +60,8 @@ class Standing:
 
 
 def fitted(own: Array, seen: Array, turn: Array) -> Array:
-    """(4,) the rotation that takes vectors `own` (n, 3) nearest to `seen` (n, 3), and of several that do the one nearest
-    to a turn (4,) (W. Kabsch 1976)."""
+    """(4,) the rotation that takes vectors `own` (n, 3) nearest to `seen` (n, 3), and of several that do the one
+    nearest to a turn (4,) (W. Kabsch 1976)."""
     spread = OWN_TURN * float(np.sum(own * own))
     rotation = quat.matrices(turn)
     for _ in range(TURNS):
@@ -151,9 +151,10 @@ class Stander:
         """Keyframe k with what its feet and places lead to posed; feet that cannot stay where they stand are let go."""
         figure = self.figure
         frame = seen.timeline.frames[k]
-        places = [SiteGoal(p.point.name, p.target) for p in left if abs(p.time - key.time) < ROUNDING]
-        groups: list[list[Goal]] = [foot.goals(figure) for foot in seen.standing(k)]
-        groups += [[goal] for goal in places]
+        groups = [foot.goals(figure) for foot in seen.standing(k)]
+        for point in left:
+            if abs(point.time - key.time) < ROUNDING:
+                groups.append([SiteGoal(point.point.name, point.target)])
         home, count = figure.to_qpos(frame.state), len(groups)
         while groups:
             goals = [goal for group in groups for goal in group]

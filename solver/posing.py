@@ -15,7 +15,7 @@ from typing import Protocol
 
 import mujoco
 import numpy as np
-from scipy.linalg.lapack import dposv
+from scipy.linalg import lapack
 
 from . import quaternion as quat
 from .figure import Figure, JointKind
@@ -35,7 +35,7 @@ ONE_SIDED = 0.25  # share of its range from an end within which a hinge that res
 INSIDE = 1e-5  # [rad, m] how far inside its range a joint stays
 STARTS, SPREAD = 12, 0.4  # poses to begin with at most, and how far scattered ones without a range are away [rad]
 ALIKE = 2e-3  # share by which the costs of two rough poses differ that are one
-HOPELESS = 0.03  # [m, rad] that goals are missed by where more weight does not help
+HOPELESS = 0.05  # [m, rad] by which a rough pose misses its goals where none that meets them is near
 ROUNDS, STALLED = 20, 0.7  # of the multipliers, and the share of what is missed that is left when they lead nowhere
 STEPS, FIRST_DAMPING, MOST_DAMPING = 60, 1e-3, 1e8
 ROUGHLY, SETTLED = 1e-3, 1e-9  # share of what is left that a step gains where a descent ends: the first, the others
@@ -229,15 +229,16 @@ def _posed(search: _Search, starts: int) -> Posed:
     last = 0.0
     for rough, cost in sorted(near, key=lambda pair: pair[1]):
         if cost > (1 + ALIKE) * last:  # else it leads where the one before did
-            found.append(search.exactly(rough))
+            found.append(search.followed(rough))
             if found[-1].is_met:
                 return found[-1]
         last = cost
     for start in search.starts_around(starts - len(near)):
-        found.append(search.exactly(search.around(start)))
+        found.append(search.followed(search.around(start)))
         if found[-1].is_met:
             return found[-1]
-    return replace(min([best, *found], key=lambda pose: pose.worst), starts=starts)
+    closest = search.exactly(min(found, key=lambda pose: pose.worst).qpos)
+    return replace(min([best, *found, closest], key=lambda pose: pose.worst), starts=starts)
 
 
 def _apart(figure: Figure, free: Mask, goals: Sequence[Goal]) -> list[list[int]]:
@@ -337,8 +338,8 @@ class _Search:
         return starts[:1] if np.array_equal(starts[0], starts[-1]) else starts
 
     def starts_around(self, count: int) -> Iterator[Array]:
-        """Others, as many: the pose at rest, for a limb that home has turned far round, and the middle of the ranges, knees
-        and elbows bent a little; then scattered ones."""
+        """Others, as many: the pose at rest, for a limb that home has turned far round, and the middle of the ranges,
+        knees and elbows bent a little; then scattered ones."""
         rest, middle, rng = np.array(self.home), np.array(self.home), np.random.default_rng(0)
         for i in self.joints:
             rest[entries(self.figure, i)] = self.model.qpos0[entries(self.figure, i)]
@@ -372,6 +373,11 @@ class _Search:
         finally:
             self.home = home
 
+    def followed(self, qpos: Array) -> Posed:
+        """The nearest minimum from a rough pose, or that pose itself if it is so far off that none near it will do."""
+        rough = self.result(qpos)
+        return self.exactly(qpos) if rough.worst <= HOPELESS else rough
+
     def exactly(self, qpos: Array) -> Posed:
         """The nearest minimum from a pose: with multipliers until the goals are met."""
         weight, last, shifts = FIRM, np.inf, None
@@ -385,7 +391,7 @@ class _Search:
             if worst <= EXACT:
                 break
             if worst > STALLED * last:  # a nearly straight limb buckles under enough weight only
-                if weight >= FIRMEST or (worst > HOPELESS and weight > FIRM):
+                if weight >= FIRMEST or worst > HOPELESS:
                     break
                 weight *= 10
                 shifts = shifts[0] / 100, shifts[1] / 100
@@ -465,7 +471,7 @@ def _step(residuals: Array, rows: Array, damping: float, *, is_exact: bool) -> A
     if not is_exact:
         normal = rows.T @ rows
         normal.flat[:: squares.size + 1] += squares
-        _, step, failed = dposv(normal, -(rows.T @ residuals))
+        _, step, failed = lapack.dposv(normal, -(rows.T @ residuals))
         if not failed:
             return step
     system = np.vstack([rows, np.diag(np.sqrt(squares))])

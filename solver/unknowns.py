@@ -203,7 +203,8 @@ def raw_timeline(
 
     keys hold *qpos* and the fixed mask. Signs of quaternions are such that joints turn by the shortest arcs. An entry
     that a partial keyframe leaves out starts where it was posed, else on the natural spline of its neighbours; one left
-    out everywhere at the rest pose. The first and the last keyframe of a loop are one: what either fixes is fixed in both.
+    out everywhere at the rest pose. The first and the last keyframe of a loop are one: what either fixes is fixed in
+    both.
 
     travel  (3,) [m] how far the root of a loop comes in one period; None: as far in x and y as the keyframes say
     """

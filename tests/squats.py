@@ -16,7 +16,7 @@ from solver.algebra import dot
 from solver.figure import JointKind
 from solver.frame import Timeline
 from solver.kinematics import Samples
-from solver.penalty import Contact, JointRange, joint_ranges
+from solver.penalty import BendLimits, Contact, JointRange, joint_ranges
 from solver.subdivision import path_of
 
 RATE = 1000.0  # [Hz]
@@ -72,7 +72,7 @@ def measured(problem: Clip, timeline: Timeline) -> Measured:
     away = np.sqrt(dot(centres - centres[:, :, :1], centres - centres[:, :, :1]))
     ranges = JointRange(joint_ranges(figure))
     beyond = np.degrees(ranges.beyond(samples).max(axis=1)) if ranges.joints else np.zeros(0)
-    bends = next((penalty for penalty, _ in problem.penalties if penalty.name == "bend"), None)
+    bends = next((penalty for penalty, _ in problem.penalties if isinstance(penalty, BendLimits)), None)
     angles = np.zeros((3, 1, 1)) if bends is None else np.degrees(bends.angles(samples))
     return Measured(
         float(inside.max()),
