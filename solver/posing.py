@@ -15,7 +15,7 @@ from typing import Protocol
 
 import mujoco
 import numpy as np
-from scipy.linalg import lapack
+from scipy.linalg import get_lapack_funcs
 
 from . import quaternion as quat
 from .figure import Figure, JointKind
@@ -42,6 +42,7 @@ ROUGHLY, SETTLED = 1e-3, 1e-9  # share of what is left that a step gains where a
 SMALLEST_STEP = 1e-11
 SQUARED = 3e3  # weight up to which normal equations are exact enough
 
+(_POSV,) = get_lapack_funcs(("posv",))
 
 Part = tuple[Array, Array]  # values (k,) and their derivatives (k, n)
 
@@ -471,7 +472,7 @@ def _step(residuals: Array, rows: Array, damping: float, *, is_exact: bool) -> A
     if not is_exact:
         normal = rows.T @ rows
         normal.flat[:: squares.size + 1] += squares
-        _, step, failed = lapack.dposv(normal, -(rows.T @ residuals))
+        _, step, failed = _POSV(normal, -(rows.T @ residuals))
         if not failed:
             return step
     system = np.vstack([rows, np.diag(np.sqrt(squares))])
