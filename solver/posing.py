@@ -15,7 +15,6 @@ from typing import Protocol
 
 import mujoco
 import numpy as np
-from scipy.linalg import get_lapack_funcs
 
 from . import quaternion as quat
 from .figure import Figure, JointKind
@@ -41,8 +40,6 @@ STEPS, FIRST_DAMPING, MOST_DAMPING = 60, 1e-3, 1e8
 ROUGHLY, SETTLED = 1e-3, 1e-9  # share of what is left that a step gains where a descent ends: the first, the others
 SMALLEST_STEP = 1e-11
 SQUARED = 3e3  # weight up to which normal equations are exact enough
-
-(_POSV,) = get_lapack_funcs(("posv",))
 
 Part = tuple[Array, Array]  # values (k,) and their derivatives (k, n)
 
@@ -472,9 +469,10 @@ def _step(residuals: Array, rows: Array, damping: float, *, is_exact: bool) -> A
     if not is_exact:
         normal = rows.T @ rows
         normal.flat[:: squares.size + 1] += squares
-        _, step, failed = _POSV(normal, -(rows.T @ residuals))
-        if not failed:
-            return step
+        try:
+            return np.linalg.solve(normal, -(rows.T @ residuals))
+        except np.linalg.LinAlgError:
+            pass
     system = np.vstack([rows, np.diag(np.sqrt(squares))])
     return np.asarray(np.linalg.lstsq(system, np.append(-residuals, 0 * squares), rcond=None)[0], float)
 
