@@ -470,7 +470,7 @@ def _step(residuals: Array, rows: Array, damping: float, *, is_exact: bool) -> A
         normal = rows.T @ rows
         normal.flat[:: squares.size + 1] += squares
         try:
-            return np.linalg.solve(normal, -(rows.T @ residuals))
+            return np.asarray(np.linalg.solve(normal, -(rows.T @ residuals)), float)
         except np.linalg.LinAlgError:
             pass
     system = np.vstack([rows, np.diag(np.sqrt(squares))])

@@ -189,3 +189,9 @@ def test_a_foots_turn_is_fitted_to_its_points_and_its_roll_is_kept():
     two = np.array([[0.1, 0, 0], [-0.1, 0, 0]])
     roll = quat.from_rotation_vector([0.5, 0, 0])
     assert quat.angle_between(fitted(two, two, roll), roll) < 1e-6
+
+
+def test_a_hand_at_the_floor_is_a_crouch_with_the_feet_where_they_stand():
+    problem = between("sites.left_hand = [0.35, 0.15, 0.1]")
+    np.testing.assert_allclose(soles(problem, 1), soles(problem, 0), atol=1e-3)
+    assert problem.keys[1].state[2] < 0.85
