@@ -28,7 +28,7 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
 SECTIONS = (
-    "evaluation", "runner39", "quaternions", "shooting", "uneven", "barr", "subdivision", "length", "clip",
+    "evaluation", "runner39", "quaternions", "shooting", "uneven", "barr", "subdivision", "length", "clip", "posing",
     "optimisers", "inbetweening", "rendering", "batch",
 )  # fmt: skip
 PACKAGES = ("numpy", "scipy", "mujoco", "nlopt", "imageio", "av", "interpolatepy", "casadi", "distributed")

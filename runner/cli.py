@@ -139,7 +139,10 @@ def render(
     from .show import Look
 
     with Teller() as teller:
-        found = _found(source, model, keys)
+        unmet: list[str] | None = [] if only == "keys" else None
+        found = _found(source, model, keys, unmet=unmet)
+        for line in unmet or ():
+            teller.say(f"note: {line}; drawn as near as it comes")
         _check_repeat(found, repeat)
         _check_camera(found, camera)
         _check_at(found, at, repeat)
@@ -594,13 +597,15 @@ def _graphics() -> Graphics:
             raise UserError(str(error)) from None
 
 
-def _found(source: str, model: str | None, keys: str | None, fps: float | None = None) -> Clip | Saved:
-    """What a command is about: a saved motion, or a clip to solve."""
+def _found(
+    source: str, model: str | None, keys: str | None, fps: float | None = None, unmet: list[str] | None = None
+) -> Clip | Saved:
+    """What a command is about: a saved motion, or a clip to solve; `unmet` as for `clip.load`."""
     from . import clip, motion
 
     if motion.is_motion(source) and keys is None and model is None:
         return motion.load(Path(source))
-    return clip.load(source, model=model, keys=keys, fps=fps)
+    return clip.load(source, model=model, keys=keys, fps=fps, unmet=unmet)
 
 
 @dataclass(frozen=True)

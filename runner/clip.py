@@ -24,7 +24,6 @@ from solver.frame import Frame, Mask, TimelineError
 from solver.inbetween import FEW, Settings
 from solver.penalty import (
     Bend,
-    BendLimits,
     Penalty,
     Placed,
     Point,
@@ -59,6 +58,7 @@ from .obstacle import obstacles
 from .placing import check_search, wanted, with_pose
 from .rotation import quaternion_of
 from .scene import Step, compose, figure_spec, first_line, quietly
+from .standing import Stander
 
 LONGEST_PANEL = 0.05
 POINTS = 3
@@ -125,10 +125,12 @@ def load(
     keys: str | None = None,
     figure_file: str | None = None,
     fps: float | None = None,
+    unmet: list[str] | None = None,
 ) -> Clip:
     """A clip by the name of a shipped one, a TOML or MJCF file, or a figure and an .npz of keyframes.
 
     figure_file  where a TOML clip's figure is now, if not where the clip says
+    unmet        gets a line for every place that no pose was found for, which is an error otherwise
     Raises UserError, in one line that names the file, the keyframe and the key.
     """
     if keys is not None or model is not None:
@@ -156,7 +158,9 @@ def load(
         raise UserError(f"{source}: not UTF-8 text (byte {error.start + 1})") from None
     except OSError as error:
         raise UserError(f"{source}: cannot be read: {error.strerror}") from None
-    return from_text(text, name=path.stem, place=path.name, folder=path.parent, figure_file=figure_file, fps=fps)
+    return from_text(
+        text, name=path.stem, place=path.name, folder=path.parent, figure_file=figure_file, fps=fps, unmet=unmet
+    )
 
 
 def from_text(
@@ -168,11 +172,13 @@ def from_text(
     figure_file: str | None = None,
     fps: float | None = None,
     spec: mujoco.MjSpec | None = None,
+    unmet: list[str] | None = None,
 ) -> Clip:
     """A clip from TOML text; `place` is how errors call it, `folder` where the figure's path starts.
 
     figure_file  where the figure is now, if not where the text says
     spec         the figure itself, whatever the text calls it
+    unmet        gets a line for every place that no pose was found for; the keyframe comes as near as it can
     """
     place = place or f"{name}.toml"
     table = table_of(text, place)
@@ -185,7 +191,14 @@ def from_text(
     figure = _figure(scene, table.solve.coordinates, place)
     check_times([row.time for row in table.keyframe], place)
     bends = posing_bends(figure, table.penalty)
-    keys, placed = _keys(figure, table.keyframe, bends, table.solve.ends, place)
+    surfaces = static_surfaces(figure.model)
+    stander = Stander(figure, surfaces, table.contact, bends, table.solve.ends, table.solve.travel, place)
+    missed: list[str] = []
+    keys, placed = _keys(figure, table.keyframe, stander, place, missed)
+    if missed and unmet is None:
+        raise UserError(f"{place}: {'; '.join(missed)}")
+    if unmet is not None:
+        unmet += missed
     return _clip(name, text, scene, figure, fps or table.fps, keys, table, place, placed)
 
 
@@ -348,9 +361,13 @@ def _settings(solve: SolveTable, keys: list[Frame]) -> Settings:
 
 
 def _keys(
-    figure: Figure, rows: list[KeyframeTable], bends: BendLimits | None, ends: str, place: str
+    figure: Figure, rows: list[KeyframeTable], stander: Stander, place: str, missed: list[str]
 ) -> tuple[list[Frame], tuple[Placed, ...]]:
-    """The keyframes, each of which may hold what the one before it says, and the points that the search is to place."""
+    """The keyframes, each of which may hold what the one before it says, what they leave free posed where that is
+    beyond doubt; and the points that the search is to place.
+
+    missed  gets a line for every place that no pose was found for
+    """
     places = [f"{place}: {_called(number, row.time)}" for number, row in enumerate(rows, start=1)]
     wants = [wanted(figure, row, where) for row, where in zip(rows, places, strict=True)]
     loose = [want.loose(figure, row) for want, row in zip(wants, rows, strict=True)]
@@ -363,10 +380,12 @@ def _keys(
         for k, (row, want, where) in enumerate(zip(rows, wants, places, strict=True)):
             keys[k] = _key(figure, row, keys[k - 1] if k else None, loose[k], where)  # holds what is solved by now
             if want.goals:
-                keys[k] = with_pose(figure, keys, k, want.goals, bends, ends, where)
+                keys[k], lines = with_pose(figure, keys, k, want.goals, stander, where)
+                missed += [f"{_called(k + 1, row.time)}: {line}" for line in lines]
     for key, want, where in zip(keys, wants, places, strict=True):
         check_search(figure, key, want.placed, where)
-    return keys, tuple(point for want in wants for point in want.placed)
+    left = tuple(point for want in wants for point in want.placed)
+    return stander.stood(keys, left), left
 
 
 def _key(figure: Figure, row: KeyframeTable, before: Frame | None, loose: Sequence[int], place: str) -> Frame:

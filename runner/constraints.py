@@ -21,6 +21,7 @@ from solver.penalty import (
     Flight,
     Grounded,
     JointRange,
+    Lean,
     PeakAcceleration,
     Penalty,
     Placed,
@@ -37,6 +38,7 @@ from solver.penalty import (
     Together,
     Torque,
     UnitMagnitude,
+    Upright,
     body_points,
     closures,
     couplings,
@@ -45,6 +47,7 @@ from solver.penalty import (
     footings,
     grounded_intervals,
     joint_ranges,
+    leans,
     stances,
 )
 from solver.quaternion import Array
@@ -58,7 +61,7 @@ from .feet import sole_points
 
 KINDS = (
     "covariant", "root", "unit", "contact", "clearance", "planted", "resting", "skate", "grounded", "posture", "bend",
-    "range", "coupled", "closed", "self", "placement", "flight", "support", "peak", "torque",
+    "range", "coupled", "closed", "self", "placement", "upright", "flight", "support", "peak", "torque",
 )  # fmt: skip
 DEFAULT_WEIGHTS = {
     "covariant": 1.0,
@@ -76,6 +79,7 @@ DEFAULT_WEIGHTS = {
     "coupled": 300.0,
     "closed": 300.0,
     "placement": 30.0,
+    "upright": 1.0,
     "flight": 3.0,
     "support": 0.01,
     "peak": 0.01,
@@ -144,6 +148,7 @@ class Constraints:
             chosen[entry.kind] = entry
         for kind, given in (
             ("placement", self.placed),
+            ("upright", self._leans),
             ("resting", self.contacts.given),
             ("coupled", couplings(self.figure)),
             ("closed", closures(self.figure)),
@@ -231,6 +236,8 @@ class Constraints:
             return Posture()
         if entry.kind == "placement":
             return Placement(self.placed)
+        if entry.kind == "upright":
+            return Upright(self._leans)
         if entry.kind == "contact":
             return Contact(self.points, self.surfaces, entry.margin or 0.0).allowing(self.figure, self.keys)
         if entry.kind == "flight" and self.support is not None:
@@ -268,6 +275,11 @@ class Constraints:
         """The stances that keyframes tell, where the clip's contacts do not speak of the same point."""
         found = stances(self.figure, self.keys, self.points, self.surfaces)
         return tuple(stance for stance in found if not self.contacts.overlaps(stance))
+
+    @property
+    def _leans(self) -> tuple[Lean, ...]:
+        """How the trunk leans where it was posed."""
+        return leans(self.figure, self.keys, self.figure.tables.free_links.tolist())
 
     def _grounded(self, reach: float) -> Penalty:
         """The lowest point of sole or body stays down between keyframes that are, but for flights."""

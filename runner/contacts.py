@@ -110,19 +110,24 @@ def _spots(figure: Figure, keys: Timeline, point: Point, table: ContactTable, na
     samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
     centres, _, _ = Contact((point,), ()).centres(samples)
     inside = (keys.times >= table.start - ROUNDING) & (keys.times <= table.end + ROUNDING)
-    said = np.flatnonzero(inside & placed(figure, keys.fixed, [point])[0])
+    said = np.flatnonzero(inside & placed(figure, keys.known, [point])[0])
     wanted = None if table.position is None else np.array(table.position, float)
+    exact = placed(figure, keys.fixed, [point])[0]
+    said = said[np.argsort(~exact[said], kind="stable")]  # what was posed has less to say than what is fixed
+    kept: list[int] = []
     for k in said:
         reference = centres[:, 0, said[0]] if wanted is None else wanted
         apart = float(np.linalg.norm(centres[:, 0, k] - reference))
-        if apart > SAME_SPOT:
+        if apart <= SAME_SPOT:
+            kept.append(int(k))
+        elif exact[k]:
             where = f"where keyframe {said[0] + 1} does" if wanted is None else "the contact's position"
             raise UserError(
                 f"{name}: keyframe {k + 1} (t = {keys.times[k]:g} s) puts the point {apart:.3f} m from {where}; "
                 f"a contact may drift by {SAME_SPOT:g} m"
             )
-    if said.size:
-        return [(float(keys.times[k]), centres[:, 0, k].copy()) for k in said]
+    if kept:
+        return [(float(keys.times[k]), centres[:, 0, k].copy()) for k in sorted(kept)]
     return [] if wanted is None else [(table.start, wanted)]
 
 

@@ -123,8 +123,9 @@ def repeated(saved: Saved, count: int) -> Saved:
     with _told(saved.name):
         timeline, raw = (retime.repeated(saved.figure, each, count) for each in (saved.timeline, saved.raw))
     times = [key.time + period * i for i in range(count) for key in saved.keys[1 if i else 0 :]]
-    fixed = [key.fixed for i in range(count) for key in saved.keys[1 if i else 0 :]]
-    keys = Frame.many(times, saved.figure.to_qpos(path_of(timeline).at(np.array(times))), fixed)
+    said = [(key.fixed, key.posed) for i in range(count) for key in saved.keys[1 if i else 0 :]]
+    fixed, posed = zip(*said, strict=True)
+    keys = Frame.many(times, saved.figure.to_qpos(path_of(timeline).at(np.array(times))), fixed, posed)
     seam = Seam.of(saved.figure, saved.timeline)
     roots = saved.figure.tables.position_columns
     travel = seam.travel[roots[:, 0]] if roots.size else np.zeros(3)

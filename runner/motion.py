@@ -3,7 +3,7 @@
 fps, time (T,)                      time[i] = t0 + i / fps
 qpos (T, nq), qvel, qacc (T, nv)    unit and sign-continuous quaternions; MuJoCo's conventions
 raw_qpos, raw_qvel, raw_qacc        the same of the raw spline
-key_time (K,), key_qpos (K, nq), key_fixed (K, nq)
+key_time (K,), key_qpos (K, nq), key_fixed and key_posed (K, nq)
 frame_time (M,), frame_state (M, N), frame_fixed (M, N), end_slope (2, N), and raw_* of the same
 asset_names (A,), asset_0 … (B,) uint8  the files that the model refers to, by name; left out where there are none
 joint_names, body_names, mjcf, clip, trace, search, report, name, coordinates, ends, format_version
@@ -136,6 +136,7 @@ def save(saved: Saved, target: Path) -> None:
         "key_time": key_time,
         "key_qpos": key_configurations(figure, saved.timeline, key_time),
         "key_fixed": np.array([key.fixed for key in saved.keys]),
+        "key_posed": np.array([key.known & ~key.fixed for key in saved.keys]),
         "joint_names": np.array([model.joint(i).name for i in range(model.njnt)]),
         "body_names": np.array([model.body(i).name for i in range(model.nbody)]),
         "mjcf": saved.mjcf,
@@ -273,7 +274,8 @@ def _check(saved: Saved, data: dict[str, Any]) -> None:
     shapes = {"time": (times,), "key_time": (keys,)}
     shapes |= {f"{prefix}qpos": (times, model.nq) for prefix in ("", "raw_")}
     shapes |= {f"{prefix}{part}": (times, model.nv) for prefix in ("", "raw_") for part in ("qvel", "qacc")}
-    shapes |= dict.fromkeys(("key_qpos", "key_fixed"), (keys, model.nq))
+    own = {"key_qpos", "key_fixed", "key_posed"} & data.keys()  # older files have nothing posed
+    shapes |= dict.fromkeys(sorted(own), (keys, model.nq))
     for name, shape in shapes.items():
         if data[name].shape != shape:
             raise ValueError(f"'{name}' is {data[name].shape}, not {shape}")
@@ -297,7 +299,9 @@ def _check(saved: Saved, data: dict[str, Any]) -> None:
 def _restored(data: dict[str, Any]) -> Saved:
     scene = Scene(str(data["mjcf"]), assets_in(data))
     figure = Figure(scene.model(), str(data["coordinates"]))
-    keys = tuple(Frame.key(*row) for row in zip(data["key_time"], data["key_qpos"], data["key_fixed"], strict=True))
+    posed = data.get("key_posed", np.zeros_like(data["key_fixed"]))
+    said = zip(data["key_time"], data["key_qpos"], data["key_fixed"], posed, strict=True)
+    keys = tuple(Frame(*row) for row in said)
     ends = str(data["ends"])
     timelines = []
     for prefix in ("", "raw_"):

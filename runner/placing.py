@@ -16,13 +16,16 @@ import numpy as np
 from solver import quaternion as quat
 from solver.figure import Figure, JointKind
 from solver.frame import Frame, TimelineError
-from solver.penalty import BendLimits, Placed, site_points
-from solver.posing import MET, BodyGoal, Goal, Posed, SiteGoal, chain, entries, posed
+from solver.penalty import Placed, site_points
+from solver.posing import MET, BodyGoal, Goal, Posed, SiteGoal, chain, entries, limb, posed, reached
 from solver.unknowns import raw_timeline
 
 from .clip_table import ROTATION, BodyTable, KeyframeTable, SiteTable
 from .errors import UserError, unknown
 from .rotation import quaternion_of
+from .standing import Stander
+
+BESIDE = 0.1  # share of the worst miss up to which a goal is not told: it is off for the worst's sake
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,7 +43,7 @@ class Wanted:
         named = {link.name for link in figure.links if link.name in row.joints or link.name in row.roots}
         if row.root.model_fields_set:
             named |= {link.name for link in figure.links[1:] if link.kind is JointKind.FREE}
-        limbs = {link for body in bodies for link in _limb(figure, body)}
+        limbs = {link for body in bodies for link in limb(figure, body)}
         return sorted(link for link in limbs if figure.links[link].name not in named)
 
 
@@ -78,26 +81,29 @@ def with_pose(
     keys: Sequence[Frame],
     k: int,
     goals: Sequence[Goal],
-    bends: BendLimits | None,
-    ends: str,
+    stander: Stander,
     place: str,
-) -> Frame:
-    """Keyframe k of some with the joints that its goals depend on fixed where they meet them.
+) -> tuple[Frame, list[str]]:
+    """Keyframe k of some with the joints that its goals depend on fixed where they meet them, or come nearest to them;
+    and what of the goals no pose was found for, a line each.
 
-    The pose is the one nearest to where the spline through the other keyframes passes.
+    The pose is the one nearest to where the spline through the other keyframes passes, if there is one with the feet
+    where they stand before and after.
     """
     try:
-        path = raw_timeline(figure, list(keys), "periodic" if ends == "periodic" else "free")
+        path = raw_timeline(figure, list(keys), "periodic" if stander.ends == "periodic" else "free")
     except TimelineError as error:
         raise UserError(f"{place}: {error}") from None
     key = keys[k]
     home = np.where(key.fixed, key.state, figure.to_qpos(path.states[k]))
     for columns in figure.tables.quaternion_columns.T:
         home[columns] = quat.normalised(home[columns])
-    found = posed(figure, home, ~key.fixed, goals, bends)
-    if not found.is_met:
-        raise UserError(f"{place}: {_complaint(figure, key, goals, found)}")
-    return Frame.key(key.time, np.where(key.fixed, key.state, found.qpos), key.fixed | found.fixed)
+    also = stander.beside(keys, k, goals)
+    found = posed(figure, home, ~key.fixed, [*goals, *also], stander.bends) if also else None
+    if found is None or not found.is_met:
+        found = posed(figure, home, ~key.fixed, goals, stander.bends)
+    posed_key = Frame.key(key.time, np.where(key.fixed, key.state, found.qpos), key.fixed | reached(figure, goals))
+    return posed_key, [] if found.is_met else _complaints(figure, key, goals, found)
 
 
 def check_search(figure: Figure, key: Frame, placed: Sequence[Placed], place: str) -> None:
@@ -106,14 +112,6 @@ def check_search(figure: Figure, key: Frame, placed: Sequence[Placed], place: st
         body = figure.links[point.point.link].body
         if not _free_joints(figure, key, body):
             raise UserError(f"{place}: site '{point.point.name}' {_held(figure, body)}")
-
-
-def _limb(figure: Figure, body: int) -> list[int]:
-    """The links from a body's own towards the root, up to where another limb branches off."""
-    links = chain(figure, body)
-    branches = np.bincount(figure.tables.parents[1:], minlength=len(figure.links))
-    forks = [i for i, link in enumerate(links) if i > 0 and branches[link] > 1]
-    return links[: forks[0]] if forks else links
 
 
 def _body_goal(name: str, table: BodyTable, place: str) -> BodyGoal:
@@ -148,21 +146,26 @@ def _check_apart(figure: Figure, goals: Sequence[SiteGoal], place: str) -> None:
             )
 
 
-def _complaint(figure: Figure, key: Frame, goals: Sequence[Goal], found: Posed) -> str:
-    """What cannot be met, and by how much."""
-    model = figure.model
-    missing = [goal for goal, missed in zip(goals, found.missed, strict=True) if missed > MET]
-    for goal in missing:
-        if not _free_joints(figure, key, goal.body(model)):
-            kind = "site" if isinstance(goal, SiteGoal) else "body"
-            return f"{kind} '{goal.name}' {_held(figure, goal.body(model))}"
-    k = int(np.argmax(found.missed))
-    goal, missed = goals[k], float(found.missed[k])
-    free = f"short with the joints that are free: {', '.join(_free_joints(figure, key, goal.body(model)))}"
+def _complaints(figure: Figure, key: Frame, goals: Sequence[Goal], found: Posed) -> list[str]:
+    """What is not met, and by how much: what misses by nothing beside the worst only makes room for that."""
+    least = max(MET, BESIDE * found.worst)
+    missing = [(goal, float(missed)) for goal, missed in zip(goals, found.missed, strict=True) if missed > least]
+    return [_complaint(figure, key, goal, missed, found.starts) for goal, missed in missing]
+
+
+def _complaint(figure: Figure, key: Frame, goal: Goal, missed: float, starts: int) -> str:
+    body = goal.body(figure.model)
+    joints = _free_joints(figure, key, body)
+    kind = "site" if isinstance(goal, SiteGoal) else "body"
+    if not joints:
+        return f"{kind} '{goal.name}' {_held(figure, body)}"
+    free = f"with the joints that are free: {', '.join(joints)}"
     if isinstance(goal, SiteGoal):
         where = ", ".join("free" if np.isnan(axis) else f"{axis:g}" for axis in goal.position)
-        return f"site '{goal.name}' cannot be put at ({where}): {_metres(missed)} {free}"
-    return f"body '{goal.name}' cannot be turned so: {np.degrees(missed):.3g} degrees {free}"
+        closest = f"({starts} starts; closest: {_metres(missed)} short)"
+        return f"no pose found that puts site '{goal.name}' at ({where}) {closest} {free}"
+    closest = f"({starts} starts; closest: {np.degrees(missed):.3g} degrees short)"
+    return f"no pose found that turns body '{goal.name}' so {closest} {free}"
 
 
 def _free_joints(figure: Figure, key: Frame, body: int) -> list[str]:

@@ -5,7 +5,7 @@ A keyframe has every entry fixed, a partial keyframe some, a variable frame none
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -44,11 +44,14 @@ class Frame:
     state  (N,)  a figure's state: metres, radians and quaternions wxyz of any length > 0
     fixed  (N,)  which entries the animator set. A fixed entry of a joint means the rotation *relative to the parent*,
                  whatever coordinates the state is in; quaternions are fixed whole or not at all
+    posed  (N,)  which of the others were found for what the keyframe is to do (a foot that stands, a bent knee): the
+                 search starts there and may move them, and what keyframes tell, such as where feet stand, they tell too
     """
 
     time: float
     state: Array
     fixed: Mask
+    posed: Mask | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "time", float(self.time))
@@ -56,6 +59,12 @@ class Frame:
         object.__setattr__(self, "fixed", frozen_mask(self.fixed))
         if self.state.ndim != 1 or self.state.shape != self.fixed.shape:
             raise TimelineError(f"state {self.state.shape} and fixed {self.fixed.shape} must be vectors of one length")
+        if self.posed is not None:
+            posed = np.asarray(self.posed, bool)
+            if posed.shape != self.fixed.shape:
+                raise TimelineError(f"state {self.state.shape} and posed {posed.shape} must be vectors of one length")
+            posed = posed & ~self.fixed
+            object.__setattr__(self, "posed", frozen_mask(posed) if posed.any() else None)
         if not np.isfinite(self.time) or not np.all(np.isfinite(self.state)):
             raise TimelineError(f"the frame at t = {self.time:g} s holds entries that are not finite numbers")
 
@@ -72,22 +81,29 @@ class Frame:
         return cls(time, state, np.zeros(state.shape, bool))
 
     @classmethod
-    def _of_checked(cls, time: float, state: Array, fixed: Mask) -> Frame:
+    def _of_checked(cls, time: float, state: Array, fixed: Mask, posed: Mask | None = None) -> Frame:
         """A frame of finite numbers in read-only arrays, as they are."""
         frame = object.__new__(cls)
-        frame.__dict__.update(time=time, state=state, fixed=fixed)
+        frame.__dict__.update(time=time, state=state, fixed=fixed, posed=posed)
         return frame
 
     @classmethod
-    def many(cls, times: ArrayLike, states: ArrayLike, fixed: ArrayLike) -> list[Frame]:
-        """Frames of times (K,), states (K, N) and masks (K, N)."""
+    def many(
+        cls, times: ArrayLike, states: ArrayLike, fixed: ArrayLike, posed: Sequence[Mask | None] | None = None
+    ) -> list[Frame]:
+        """Frames of times (K,), states (K, N) and masks (K, N); posed as frames have it, of every one."""
         times, states, fixed = np.array(times, float), frozen(states), frozen_mask(fixed)
         if states.ndim != 2 or states.shape != fixed.shape or times.shape != states.shape[:1]:
             raise TimelineError(f"times {times.shape}, states {states.shape} and fixed {fixed.shape} do not match")
         good = np.isfinite(times) & np.isfinite(states).all(axis=1)
         if not good.all():
             raise TimelineError(f"the frame at t = {times[~good][0]:g} s holds entries that are not finite numbers")
-        return list(map(cls._of_checked, times.tolist(), states, fixed))
+        return list(map(cls._of_checked, times.tolist(), states, fixed, posed or [None] * len(states)))
+
+    @property
+    def known(self) -> Mask:
+        """(N,) which entries the frame tells: those that are fixed, and those that were posed."""
+        return self.fixed if self.posed is None else self.fixed | self.posed
 
     @property
     def is_variable(self) -> bool:
@@ -159,6 +175,11 @@ class Timeline:
         return frozen_mask([frame.fixed for frame in self.frames])
 
     @cached_property
+    def known(self) -> Mask:
+        """(M, N) which entries the frames tell, see `Frame.known`."""
+        return frozen_mask([frame.known for frame in self.frames])
+
+    @cached_property
     def rows(self) -> Array:
         """(M + 2, N): the frames' states and below them what the two ends say; a spline is linear in these."""
         return frozen(np.concatenate([self.states, self.end_slope]))
@@ -177,7 +198,8 @@ class Timeline:
         rows = np.asarray(rows, float)
         if rows.shape != (len(self.frames) + 2, self.width):
             raise TimelineError(f"rows have shape {rows.shape}, not {self.rows.shape} as the timeline's")
-        moved = Timeline(tuple(Frame.many(self.times, rows[:-2], self.fixed)), rows[-2:], self.ends)
+        posed = [frame.posed for frame in self.frames]
+        moved = Timeline(tuple(Frame.many(self.times, rows[:-2], self.fixed, posed)), rows[-2:], self.ends)
         moved.of_times.update(self.of_times)
         return moved
 

@@ -77,8 +77,9 @@ class Mirror:
         return slopes[..., self.source] * self.sign
 
     def frame(self, frame: Frame) -> Frame:
-        """A frame, its fixed entries on the other side."""
-        return Frame(frame.time, self.states(frame.state), frame.fixed[self.source])
+        """A frame, its fixed and posed entries on the other side."""
+        posed = None if frame.posed is None else frame.posed[self.source]
+        return Frame(frame.time, self.states(frame.state), frame.fixed[self.source], posed)
 
     def timeline(self, timeline: Timeline) -> Timeline:
         """The timeline of the mirrored motion."""

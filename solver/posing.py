@@ -8,8 +8,8 @@ leave the search its way.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Protocol
 
@@ -20,6 +20,7 @@ from . import quaternion as quat
 from .figure import Figure, JointKind
 from .frame import Mask
 from .penalty.bend import BendLimits, bent
+from .penalty.contact import Point
 from .quaternion import Array, Index
 
 MET, EXACT = 1e-6, 1e-9  # [m, rad] a goal that is missed by no more is met; what is aimed at
@@ -29,14 +30,16 @@ TRUNK = 6.0  # a radian of a joint of the trunk, where limbs branch off, in radi
 PER_METRE = 5.0  # a metre of the root or a slide, in the same
 STRAIGHT = 3.0  # a radian of knees and elbows sideways and twisted, in the same
 BENT = np.radians([15, 50, 90])  # how far knees and elbows are bent to begin with: a straight limb cannot shorten
-INSIDE = 1e-4  # [rad, m] how far inside its range a joint stays
-STARTS, SPREAD = 8, 0.4  # other poses to begin with where one leads nowhere, and how far away they are [rad]
-AGREEING, ALIKE = 3, 1e-4  # so many starts that miss by the same, and what counts as the same, tell that none will do
+ONE_SIDED = 0.25  # share of its range from an end within which a hinge that rests there is a knee: it bends one way
+INSIDE = 1e-5  # [rad, m] how far inside its range a joint stays
+STARTS, SPREAD = 12, 0.4  # poses to begin with at most, and how far scattered ones without a range are away [rad]
+ALIKE = 2e-3  # share by which the costs of two rough poses differ that are one
+HOPELESS = 0.05  # [m, rad] by which a rough pose misses its goals where none that meets them is near
 ROUNDS, STALLED = 20, 0.7  # of the multipliers, and the share of what is missed that is left when they lead nowhere
 STEPS, FIRST_DAMPING, MOST_DAMPING = 60, 1e-3, 1e8
-SETTLED = 1e-9  # share of what is left that a step gains where a descent ends
-SMALLEST_STEP, DIFFERENCE = 1e-11, 1e-6
-
+ROUGHLY, SETTLED = 1e-3, 1e-9  # share of what is left that a step gains where a descent ends: the first, the others
+SMALLEST_STEP = 1e-11
+SQUARED = 3e3  # weight up to which normal equations are exact enough
 
 Part = tuple[Array, Array]  # values (k,) and their derivatives (k, n)
 
@@ -86,6 +89,58 @@ class SiteGoal:
 
 
 @dataclass(frozen=True, eq=False)
+class PointGoal:
+    """A point fixed on a body, offset (3,) [m] in its axes, at a place in the world, position (3,) [m]."""
+
+    name: str
+    index: int
+    offset: Array
+    position: Array
+
+    @classmethod
+    def of(cls, figure: Figure, point: Point, position: Array | None = None) -> PointGoal:
+        """A sole point or another, at a place."""
+        body = figure.links[point.link].body
+        offset = quat.rotated(quat.inverse(figure.body_turn[body]), point.position - figure.body_offset[body])
+        return cls(point.name, body, offset, np.zeros(3) if position is None else np.array(position, float))
+
+    def body(self, model: mujoco.MjModel) -> int:
+        return self.index
+
+    def place(self, data: mujoco.MjData) -> Array:
+        """(3,) [m] where the point is."""
+        return data.xpos[self.index] + data.xmat[self.index].reshape(3, 3) @ self.offset
+
+    def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+        return self.place(data) - self.position
+
+    def rows(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+        rows = np.zeros((3, model.nv))
+        mujoco.mj_jac(model, data, rows, None, self.place(data), self.index)
+        return rows
+
+
+@dataclass(frozen=True, eq=False)
+class TurnGoal:
+    """A body, by its number, turned as said: its rotation in the world (4,) wxyz."""
+
+    name: str
+    index: int
+    rotation: Array
+
+    def body(self, model: mujoco.MjModel) -> int:
+        return self.index
+
+    def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+        return quat.rotation_vector(quat.product(data.xquat[self.index], quat.inverse(self.rotation)))
+
+    def rows(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+        rows = np.zeros((3, model.nv))
+        mujoco.mj_jacBody(model, data, None, rows, self.index)
+        return rows
+
+
+@dataclass(frozen=True, eq=False)
 class BodyGoal:
     """A body turned as said: its rotation in the world (4,) wxyz, or None for upright as at rest, the heading free."""
 
@@ -119,42 +174,81 @@ class Posed:
     qpos     (nq,) of the whole figure
     fixed    (nq,) the entries that the goals depend on: of the joints from the root to them
     missed   (n,) [m or rad], of every goal
+    starts   how many poses were begun with where none led to it
     """
 
     qpos: Array
     fixed: Mask
     missed: Array
+    starts: int = 0
 
     @property
     def is_met(self) -> bool:
         return bool(np.all(self.missed <= MET))
 
+    @property
+    def worst(self) -> float:
+        """[m or rad] by how much the goal is missed that is missed most."""
+        return float(self.missed.max(initial=0.0))
 
-def posed(figure: Figure, qpos: Array, free: Mask, goals: Sequence[Goal], bends: BendLimits | None = None) -> Posed:
+
+def posed(
+    figure: Figure,
+    qpos: Array,
+    free: Mask,
+    goals: Sequence[Goal],
+    bends: BendLimits | None = None,
+    starts: int = STARTS,
+    beyond: float = 0.0,
+) -> Posed:
     """The pose nearest to qpos (nq,) that meets the goals, by the entries `free` (nq,) alone; else the one that
     misses them least. What meets them already stays as it is.
 
-    bends  knees and elbows on ball joints, and how far they may go
+    bends   knees and elbows on ball joints, and how far they may go
+    starts  how many poses to begin with, at most
+    beyond  [rad] how far hinges and ball joints may be beyond their ranges
     """
-    search = _Search(figure, np.array(qpos, float), np.asarray(free, bool), tuple(goals), bends)
+    free, there = np.asarray(free, bool), np.array(qpos, float)
+    fixed, missed, tried = np.zeros(figure.width, bool), np.zeros(len(goals)), 0
+    for some in _apart(figure, free, goals):
+        found = _posed(_Search(figure, there, free, tuple(goals[i] for i in some), bends, beyond), starts)
+        there, fixed, tried = found.qpos, fixed | found.fixed, max(tried, found.starts)
+        missed[some] = found.missed
+    return Posed(there, fixed, missed, tried)
+
+
+def _posed(search: _Search, starts: int) -> Posed:
+    """The pose for goals that depend on one another."""
     best = search.result(search.home)
     if best.is_met or not search.dofs.size:
         return best
-    found = [search.descended(start) for start in search.bent_starts()]
-    met = [pose for pose in found if pose.is_met]
-    if met:
-        return min(met, key=lambda pose: search.distance(pose.qpos))
-    found.append(search.descended(search.rest_start()))
-    if found[-1].is_met:
-        return found[-1]
-    for start in search.starts_around():
-        least = sorted(float(pose.missed.max()) for pose in found)
-        if len(found) >= AGREEING and least[AGREEING - 1] < least[0] + ALIKE:
-            break
-        found.append(search.descended(start))
+    near = [search.roughly(start) for start in search.bent_starts()[:starts]]
+    found: list[Posed] = []
+    last = 0.0
+    for rough, cost in sorted(near, key=lambda pair: pair[1]):
+        if cost > (1 + ALIKE) * last:  # else it leads where the one before did
+            found.append(search.followed(rough))
+            if found[-1].is_met:
+                return found[-1]
+        last = cost
+    for start in search.starts_around(starts - len(near)):
+        found.append(search.followed(search.around(start)))
         if found[-1].is_met:
             return found[-1]
-    return min([best, *found], key=lambda pose: float(pose.missed.max()))
+    closest = search.exactly(min(found, key=lambda pose: pose.worst).qpos)
+    return replace(min([best, *found, closest], key=lambda pose: pose.worst), starts=starts)
+
+
+def _apart(figure: Figure, free: Mask, goals: Sequence[Goal]) -> list[list[int]]:
+    """The goals in groups that no free joint has a part in two of, by index."""
+    groups: list[tuple[set[int], list[int]]] = []
+    for number, goal in enumerate(goals):
+        links = {i for i in chain(figure, goal.body(figure.model)) if free[entries(figure, i)].any()}
+        touched = [group for group in groups if group[0] & links]
+        groups = [group for group in groups if not group[0] & links]
+        merged = sorted(i for _, own in touched for i in own)
+        groups.append((links.union(*(own for own, _ in touched)), [*merged, number]))
+    return [own for _, own in groups]
 
 
 def chain(figure: Figure, body: int) -> list[int]:
@@ -164,6 +258,22 @@ def chain(figure: Figure, body: int) -> list[int]:
         links.append(link)
         link = figure.links[link].parent
     return links
+
+
+def reached(figure: Figure, goals: Sequence[Goal]) -> Mask:
+    """(nq,) the entries that goals depend on: of the joints from the root to them."""
+    mask = np.zeros(figure.width, bool)
+    for link in {link for goal in goals for link in chain(figure, goal.body(figure.model))}:
+        mask[entries(figure, link)] = True
+    return mask
+
+
+def limb(figure: Figure, body: int) -> list[int]:
+    """The links from a body's own towards the root, up to where another limb branches off."""
+    links = chain(figure, body)
+    branches = np.bincount(figure.tables.parents[1:], minlength=len(figure.links))
+    forks = [i for i, link in enumerate(links) if i > 0 and branches[link] > 1]
+    return links[: forks[0]] if forks else links
 
 
 def entries(figure: Figure, link: int) -> slice:
@@ -185,23 +295,26 @@ def _at_rest(model: mujoco.MjModel, body: int) -> Array:
 class _Search:
     """Least squares over the free degrees of freedom that the goals depend on."""
 
-    def __init__(self, figure: Figure, home: Array, free: Mask, goals: tuple[Goal, ...], bends: BendLimits | None):
+    def __init__(
+        self,
+        figure: Figure,
+        home: Array,
+        free: Mask,
+        goals: tuple[Goal, ...],
+        bends: BendLimits | None,
+        beyond: float = 0.0,
+    ) -> None:
         self.figure, self.model, self.home, self.goals = figure, figure.model, home, goals
         self.data = mujoco.MjData(self.model)
         links = sorted({link for goal in goals for link in chain(figure, goal.body(self.model))})
-        self.fixed = np.zeros(figure.width, bool)
-        for link in links:
-            self.fixed[entries(figure, link)] = True
+        self.fixed = reached(figure, goals)
         free = free & self.fixed
         self.dofs, self.weights = self._freedoms(links, free)
         self.joints = [
             i for i in links if figure.links[i].kind is not JointKind.FREE and free[entries(figure, i)].all()
         ]
-        self.ranged = [link for link in links if self._is_ranged(link) and free[entries(figure, link)].all()]
+        self.ranges = _Ranges.of(figure, self.joints, self.dofs, beyond)
         self.bends = None if bends is None else _Bends.of(figure, bends, free)
-
-    def _is_ranged(self, link: int) -> bool:
-        return bool(self.model.jnt_limited[self.figure.links[link].joint])
 
     def _freedoms(self, links: list[int], free: Mask) -> tuple[Index, Array]:
         """The free columns of qvel (n,), and what each weighs in the distance from home (n,)."""
@@ -218,40 +331,56 @@ class _Search:
         return np.array(dofs, np.intp), np.array(weights)
 
     def bent_starts(self) -> list[Array]:
-        """Poses to begin with: home with knees and elbows bent by so much at least."""
-        return [self.home] if self.bends is None else [self.bends.begun(self.home, angle) for angle in BENT]
+        """Poses to begin with: home with knees and elbows bent by so much at least; home itself if it has none."""
+        starts = [self._begun(self.home, angle) for angle in BENT]
+        return starts[:1] if np.array_equal(starts[0], starts[-1]) else starts
 
-    def rest_start(self) -> Array:
-        """The pose of home with the joints that are free as the model has them at rest, all but the root's, and bent a
-        little: a limb that home has turned far round may be stuck there."""
-        start = np.array(self.home)
+    def starts_around(self, count: int) -> Iterator[Array]:
+        """Others, as many: the pose at rest, for a limb that home has turned far round, and the middle of the ranges,
+        knees and elbows bent a little; then scattered ones."""
+        rest, middle, rng = np.array(self.home), np.array(self.home), np.random.default_rng(0)
         for i in self.joints:
-            start[entries(self.figure, i)] = self.model.qpos0[entries(self.figure, i)]
-        return start if self.bends is None else self.bends.begun(start, BENT[0])
-
-    def starts_around(self) -> list[Array]:
-        """Others, scattered around the first."""
-        first, rng = self.bent_starts()[0], np.random.default_rng(0)
+            rest[entries(self.figure, i)] = self.model.qpos0[entries(self.figure, i)]
+        middle[self.ranges.simple] = self.ranges.limits.mean(axis=1)
+        yield from (self._begun(rest, BENT[0]), self._begun(middle, BENT[1]))[:count]
         turns = self.weights != PER_METRE
-        steps = SPREAD * rng.normal(size=(STARTS, self.dofs.size)) * turns
-        return [self._moved(first, step) for step in steps]
+        for number in range(count - 2):
+            start = self._moved(self.home if number % 2 else rest, SPREAD * rng.normal(size=self.dofs.size) * turns)
+            start[self.ranges.simple] = rng.uniform(*self.ranges.limits.T)
+            yield start if self.bends is None else self.bends.begun(start, rng.uniform(BENT[0], BENT[-1]))
 
-    def distance(self, qpos: Array) -> float:
-        """How far a pose is from home, knees and elbows sideways and twisted included."""
-        residuals = self._linearised(qpos)[0][0]
-        return float(residuals @ residuals)
+    def _begun(self, qpos: Array, least: float) -> Array:
+        """qpos inside the ranges of hinges and slides, every knee and elbow bent the right way by so much at least."""
+        start = self.ranges.begun(qpos, least)
+        return start if self.bends is None else self.bends.begun(start, least)
 
     def result(self, qpos: Array) -> Posed:
         self._place(qpos)
         missed = [np.linalg.norm(goal.missed(self.model, self.data)) for goal in self.goals]
         return Posed(qpos, self.fixed, np.array(missed, float))
 
-    def descended(self, qpos: Array) -> Posed:
-        """The nearest minimum from a pose: at goals that weigh little, then with multipliers until they are met."""
-        qpos = self._levenberg(qpos, COARSE, None)
+    def roughly(self, qpos: Array) -> tuple[Array, float]:
+        """A pose that nearly meets goals that weigh little, and what it costs."""
+        return self._levenberg(qpos, COARSE, None, ROUGHLY)
+
+    def around(self, qpos: Array) -> Array:
+        """A pose near a start, wherever home is, that nearly meets the goals."""
+        home, self.home = self.home, qpos
+        try:
+            return self._levenberg(qpos, COARSE, None, ROUGHLY)[0]
+        finally:
+            self.home = home
+
+    def followed(self, qpos: Array) -> Posed:
+        """The nearest minimum from a rough pose, or that pose itself if it is so far off that none near it will do."""
+        rough = self.result(qpos)
+        return self.exactly(qpos) if rough.worst <= HOPELESS else rough
+
+    def exactly(self, qpos: Array) -> Posed:
+        """The nearest minimum from a pose: with multipliers until the goals are met."""
         weight, last, shifts = FIRM, np.inf, None
         for _ in range(ROUNDS):
-            qpos = self._levenberg(qpos, weight, shifts)
+            qpos, _ = self._levenberg(qpos, weight, shifts, SETTLED)
             off, over = (values for values, _ in self._linearised(qpos)[1:])
             shifts = (
                 (off, np.maximum(over, 0)) if shifts is None else (off + shifts[0], np.maximum(over + shifts[1], 0))
@@ -260,36 +389,36 @@ class _Search:
             if worst <= EXACT:
                 break
             if worst > STALLED * last:  # a nearly straight limb buckles under enough weight only
-                if weight >= FIRMEST:
+                if weight >= FIRMEST or worst > HOPELESS:
                     break
                 weight *= 10
                 shifts = shifts[0] / 100, shifts[1] / 100
             last = worst
         return self.result(qpos)
 
-    def _levenberg(self, qpos: Array, weight: float, shifts: tuple[Array, Array] | None) -> Array:
-        """Least squares from a pose, the goals and bounds shifted by their multipliers."""
+    def _levenberg(
+        self, qpos: Array, weight: float, shifts: tuple[Array, Array] | None, settled: float
+    ) -> tuple[Array, float]:
+        """Least squares from a pose, the goals and bounds shifted by their multipliers; and what is left."""
         damping = FIRST_DAMPING
         residuals, rows = self._weighed(qpos, weight, shifts)
         cost = float(residuals @ residuals)
         for _ in range(STEPS):
-            size = np.sqrt(damping * np.maximum(np.einsum("rn,rn->n", rows, rows), 1e-12))
-            system = np.vstack([rows, np.diag(size)])
-            step = np.asarray(np.linalg.lstsq(system, np.append(-residuals, 0 * size), rcond=None)[0], float)
+            step = _step(residuals, rows, damping, is_exact=FIRMER * weight > SQUARED)
             there = self._moved(qpos, step)
             residuals_there, rows_there = self._weighed(there, weight, shifts)
             cost_there = float(residuals_there @ residuals_there)
             if cost_there < cost:
-                settled = cost - cost_there <= SETTLED * cost and damping <= FIRST_DAMPING
+                ends = cost - cost_there <= settled * cost and damping <= FIRST_DAMPING
                 qpos, residuals, rows, cost = there, residuals_there, rows_there, cost_there
                 damping = max(damping / 5, 1e-12)
-                if settled:
+                if ends:
                     break
             else:
                 damping *= 8
             if np.linalg.norm(step) < SMALLEST_STEP or damping > MOST_DAMPING:
                 break
-        return qpos
+        return qpos, cost
 
     def _place(self, qpos: Array) -> None:
         self.data.qpos[:] = qpos
@@ -323,34 +452,101 @@ class _Search:
         for goal in self.goals:
             missed, rows = goal.missed(self.model, self.data), goal.rows(self.model, self.data)
             off.append((missed, rows[:, self.dofs]))
-        over = [self._over_ranges(qpos)]
+        over = [self.ranges.linearised(qpos)]
         if self.bends is not None:
             crooked, beyond = self.bends.linearised(qpos, self.model.nv)
             near.append((crooked[0], crooked[1][:, self.dofs]))
             over.append((beyond[0], beyond[1][:, self.dofs]))
         return _joined(near), _joined(off), _joined(over)
 
-    def _over_ranges(self, qpos: Array) -> Part:
-        """How far joints are over the ends of their ranges (k,) [rad, m], and the derivatives (k, n)."""
-        links = [self.figure.links[i] for i in self.ranged]
-        limits = self.model.jnt_range[[link.joint for link in links]].reshape(-1, 2)
-        balls = np.array([link.kind is JointKind.BALL for link in links], bool)
-        columns, dofs = (np.array([getattr(link, name) for link in links], np.intp) for name in ("qpos", "dof"))
-        turn = quat.rotation_vector(qpos[columns[balls, None] + np.arange(4)])
-        angle = np.linalg.norm(turn, axis=-1)
-        at, margin = qpos[columns[~balls]], np.minimum(INSIDE, np.diff(limits[~balls], axis=1)[:, 0] / 4)
-        over = np.concatenate([
-            angle - (limits[balls, 1] - INSIDE), at - (limits[~balls, 1] - margin), limits[~balls, 0] + margin - at
-        ])  # fmt: skip
-        rows = np.zeros((over.size, self.model.nv))
-        ball, simple = np.arange(angle.size), angle.size + np.arange(at.size)
-        rows[ball[:, None], dofs[balls, None] + np.arange(3)] = turn / np.maximum(angle, 1e-9)[:, None]
-        rows[simple, dofs[~balls]], rows[simple + at.size, dofs[~balls]] = 1.0, -1.0
-        return over, rows[:, self.dofs]
+
+def _step(residuals: Array, rows: Array, damping: float, *, is_exact: bool) -> Array:
+    """(n,) what minimises |residuals + rows · step|² + damping Σ size² step², every unknown in its own size.
+
+    is_exact  by orthogonal rather than normal equations, for weights that are far apart
+    """
+    squares = damping * np.maximum(np.einsum("rn,rn->n", rows, rows), 1e-12)
+    if not is_exact:
+        normal = rows.T @ rows
+        normal.flat[:: squares.size + 1] += squares
+        try:
+            return np.asarray(np.linalg.solve(normal, -(rows.T @ residuals)), float)
+        except np.linalg.LinAlgError:
+            pass
+    system = np.vstack([rows, np.diag(np.sqrt(squares))])
+    return np.asarray(np.linalg.lstsq(system, np.append(-residuals, 0 * squares), rcond=None)[0], float)
 
 
 def _joined(parts: Sequence[Part]) -> Part:
     return np.concatenate([values for values, _ in parts]), np.concatenate([rows for _, rows in parts])
+
+
+@dataclass(frozen=True, eq=False)
+class _Ranges:
+    """The free joints that have a range.
+
+    balls, turns    columns of the quaternions of ball joints (b, 4), and where their dofs stand among the unknowns
+                    (b, 3); most (b,) [rad] how far they may turn
+    simple, places  the same of hinges and slides, (s,) each; limits (s, 2) [rad, m]; ways (s,) ±1 where one rests
+                    near an end of its range, so that it bends one way, or 0
+    count           how many unknowns there are
+    """
+
+    balls: Index
+    turns: Index
+    most: Array
+    simple: Index
+    places: Index
+    limits: Array
+    ways: Array
+    count: int
+
+    @classmethod
+    def of(cls, figure: Figure, joints: Sequence[int], dofs: Index, beyond: float) -> _Ranges:
+        model = figure.model
+        links = [link for i in joints if model.jnt_limited[(link := figure.links[i]).joint]]
+        balls = [link for link in links if link.kind is JointKind.BALL]
+        simple = [link for link in links if link.kind is not JointKind.BALL]
+        limits = model.jnt_range[[link.joint for link in simple]].reshape(-1, 2)
+        columns = np.array([link.qpos for link in simple], np.intp)
+        share = (model.qpos0[columns] - limits[:, 0]) / np.maximum(np.ptp(limits, axis=1), 1e-9)
+        hinges = np.array([link.kind is JointKind.HINGE for link in simple], bool)
+        ways = hinges * (1.0 * (share < ONE_SIDED) - (share > 1 - ONE_SIDED))
+        margin = np.minimum(INSIDE, np.ptp(limits, axis=1) / 4) - beyond * hinges
+        return cls(
+            np.array([link.qpos for link in balls], np.intp)[:, None] + np.arange(4),
+            np.searchsorted(dofs, np.array([link.dof for link in balls], np.intp))[:, None] + np.arange(3),
+            model.jnt_range[[link.joint for link in balls], 1] + (beyond - INSIDE),
+            columns,
+            np.searchsorted(dofs, np.array([link.dof for link in simple], np.intp)),
+            limits + np.array([1, -1]) * margin[:, None],
+            ways,
+            dofs.size,
+        )
+
+    def begun(self, qpos: Array, least: float) -> Array:
+        """qpos with its hinges and slides inside their ranges, and those that bend one way bent by so much at least."""
+        out = np.array(qpos)
+        low, high = self.limits.T
+        at = out[self.simple]
+        at = np.where(self.ways > 0, np.maximum(at, low + least), at)
+        at = np.where(self.ways < 0, np.minimum(at, high - least), at)
+        out[self.simple] = np.clip(at, low, high)
+        return out
+
+    def linearised(self, qpos: Array) -> Part:
+        """How far joints are over the ends of their ranges (k,) [rad, m], and the derivatives (k, n)."""
+        balls, simple = len(self.balls), self.simple.size
+        over, rows = np.empty(balls + 2 * simple), np.zeros((balls + 2 * simple, self.count))
+        if balls:
+            turn = quat.rotation_vector(qpos[self.balls])
+            angle = np.sqrt(np.einsum("bi,bi->b", turn, turn))
+            over[:balls] = angle - self.most
+            rows[np.arange(balls)[:, None], self.turns] = turn / np.maximum(angle, 1e-9)[:, None]
+        at, upper = qpos[self.simple], balls + np.arange(simple)
+        over[upper], over[upper + simple] = at - self.limits[:, 1], self.limits[:, 0] - at
+        rows[upper, self.places], rows[upper + simple, self.places] = 1.0, -1.0
+        return over, rows
 
 
 @dataclass(frozen=True, eq=False)
@@ -384,14 +580,39 @@ class _Bends:
                 out[columns] = quat.product(quat.normalised(out[columns]), more)
         return out
 
+    @cached_property
+    def _axes(self) -> tuple[Array, Array]:
+        """In the joints' own axes: those of the parent, forward, along the limb and lateral (n, 3, 3), and of the child
+        its long axis and its lateral one (2, n, 3)."""
+        joints = self.limits.joints
+        lateral, down = (np.array([getattr(joint, name) for joint in joints]) for name in ("lateral", "long_axis"))
+        back = quat.inverse(np.array([self.figure.links[joint.link].turn for joint in joints]))
+        forward, down, lateral = (quat.rotated(back, axis) for axis in (np.cross(lateral, down), down, lateral))
+        return np.stack([forward, down, lateral], axis=1), np.array([down, lateral])
+
     def linearised(self, qpos: Array, nv: int) -> tuple[Part, Part]:
         """How far the joints are sideways and twisted (2 n,), how far over their bounds (5 n,), with rows (..., nv)."""
-        steps = quat.from_rotation_vector(DIFFERENCE * np.concatenate([np.zeros((1, 3)), np.eye(3), -np.eye(3)]))
-        angles = self._angles(quat.product(qpos[self.columns], steps[:, None]))
-        by = np.zeros((*angles.shape[::2], nv))
-        slopes = np.moveaxis((angles[:, 1:4] - angles[:, 4:]) / (2 * DIFFERENCE), 1, 2)
-        np.put_along_axis(by, np.broadcast_to(self.dofs, slopes.shape), slopes, axis=2)
-        flexion, sideways, twist = angles[:, 0]
+        parent, child = self._axes
+        turned = np.einsum("nij,nbi->bnj", quat.matrices(qpos[self.columns]), parent)  # the parent's axes in the child
+        (x, z, y), (a, b, q) = np.einsum("bnj,cnj->cbn", turned, child)
+        (dx, dz, dy), (da, db, dq) = np.cross(child[:, None], turned)  # by turns about the child's axes, (n, 3) each
+        planar = np.maximum(np.hypot(x, z), 1e-9)
+        p = (x * b - z * a) / planar
+
+        def part(*terms: tuple[Array, Array]) -> Array:
+            return sum((share[:, None] * slope for share, slope in terms), np.zeros((x.size, 3)))
+
+        d_planar = part((x / planar, dx), (z / planar, dz))
+        d_p = part((b / planar, dx), (x / planar, db), (-a / planar, dz), (-z / planar, da), (-p / planar, d_planar))
+        both = np.maximum(p**2 + q**2, 1e-18)
+        flexion, sideways, twist = np.arctan2(x, z), np.arctan2(y, planar), np.arctan2(p, q)
+        slopes = (
+            part((z / planar**2, dx), (-x / planar**2, dz)),
+            part((planar, dy), (-y, d_planar)),
+            part((q / both, d_p), (-p / both, dq)),
+        )
+        by = np.zeros((3, x.size, nv))
+        by[:, np.arange(x.size)[:, None], self.dofs] = slopes
         limits = self.limits
         over = [limits.least - flexion]
         for value, bound in ((sideways, limits.sideways), (twist, limits.twist)):

@@ -101,6 +101,18 @@ def angular_acceleration(q: ArrayLike, q_d: ArrayLike, q_dd: ArrayLike) -> Array
     return 2 * (product(q_dd, inverse(q)) + product(q_d, inverse_d))[..., 1:]
 
 
+def matrices(q: ArrayLike) -> Array:
+    """Rotation matrices (..., 3, 3) of quaternions (..., 4) of any length."""
+    q = np.asarray(q, float)
+    w, x, y, z = np.moveaxis(q / np.sqrt(np.einsum("...i,...i->...", q, q))[..., None], -1, 0)
+    rows = [
+        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+    ]
+    return np.moveaxis(np.array(rows), (0, 1), (-2, -1))
+
+
 def right_matrix(q: ArrayLike) -> Array:
     """The (4, 4) matrix of p -> p ⊗ q for one quaternion q (4,)."""
     return product(np.eye(4), np.asarray(q, float)).T

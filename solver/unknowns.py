@@ -202,8 +202,9 @@ def raw_timeline(
     """The keyframes' timeline in the figure's coordinates, and the natural spline's end slopes (method of §2).
 
     keys hold *qpos* and the fixed mask. Signs of quaternions are such that joints turn by the shortest arcs. An entry
-    that a partial keyframe leaves out starts on the natural spline of its neighbours, one left out everywhere at the
-    rest pose. The first and the last keyframe of a loop are one: what either fixes is fixed in both.
+    that a partial keyframe leaves out starts where it was posed, else on the natural spline of its neighbours; one left
+    out everywhere at the rest pose. The first and the last keyframe of a loop are one: what either fixes is fixed in
+    both.
 
     travel  (3,) [m] how far the root of a loop comes in one period; None: as far in x and y as the keyframes say
     """
@@ -217,30 +218,30 @@ def raw_timeline(
     plain = Timeline(tuple(keys), np.zeros((2, figure.width)))
     states = np.array(plain.states)
     rest = np.array(figure.model.qpos0)
-    fixed = plain.fixed
+    told = plain.known
     for link in figure.links[1:]:
         if link.kind is JointKind.FREE:
             for column in range(link.qpos, link.qpos + 3):
-                _filled(plain.times, states, fixed, slice(column, column + 1), rest)
+                _filled(plain.times, states, told, slice(column, column + 1), rest)
         columns = quaternion_columns(link)
         if columns is None:
-            _filled(plain.times, states, fixed, slice(link.qpos, link.qpos + 1), rest)
+            _filled(plain.times, states, told, slice(link.qpos, link.qpos + 1), rest)
             continue
-        known = fixed[:, columns].all(axis=1)
+        known = told[:, columns].all(axis=1)
         base = bases(figure, states, link)
         states[known, columns] = quat.product(base[known], quat.normalised(states[known, columns]))
         if not known.all():
             states[~known, columns] = quat.product(base[~known], rest[columns])
             if known.any():
                 states[known, columns] = _laid_along(link, plain.times[known], base[known], states[known, columns])
-                _filled(plain.times, states, fixed, columns, states[0])
+                _filled(plain.times, states, told, columns, states[0])
                 states[:, columns] = quat.normalised(states[:, columns])
         if ends == "periodic":  # it comes back as it began, in its parent's axes
             states[-1, columns] = quat.product(base[-1], quat.product(quat.inverse(base[0]), states[0, columns]))
         states[:, columns] = _laid_along(link, plain.times, base, states[:, columns])
     if ends == "periodic":
         states[-1] = states[0] * sameness(figure, states[0], states[-1]) + offset
-    frames = tuple(Frame.many(plain.times, states, fixed))
+    frames = tuple(Frame.many(plain.times, states, plain.fixed, [key.posed for key in keys]))
     return Timeline(frames, _end_slope(figure, keys, states, ends, end_slope), ends)
 
 
@@ -260,7 +261,7 @@ def _end_slope(figure: Figure, keys: list[Frame], states: Array, ends: str, give
         raise TimelineError(f"clamped ends need end_slope of shape (2, {figure.width}), not {shape}")
     # a quaternion that was laid on the other hemisphere takes its slope along
     rest = np.array(figure.model.qpos0)
-    as_given = [figure.to_state(np.where(keys[i].fixed, keys[i].state, rest)) for i in (0, -1)]
+    as_given = [figure.to_state(np.where(keys[i].known, keys[i].state, rest)) for i in (0, -1)]
     signs = [sameness(figure, a, b) for a, b in zip(as_given, states[[0, -1]], strict=True)]
     return np.asarray(given, float) * signs
 
@@ -297,9 +298,10 @@ def _closed(figure: Figure, keys: list[Frame], offset: Array) -> list[Frame]:
             f"{_where(figure, int(np.argmax(apart)), offset)} by {apart.max():.3g}; "
             "they must agree, or leave it free in one of them"
         )
-    state = np.where(first.fixed, a, b - offset)
-    fixed = first.fixed | last.fixed
-    return [replace(first, state=state, fixed=fixed), *keys[1:-1], replace(last, state=state + offset, fixed=fixed)]
+    fixed, known = first.fixed | last.fixed, first.known | last.known
+    own = first.fixed | (first.known & ~last.fixed)
+    state, said = np.where(own, a, b - offset), {"fixed": fixed, "posed": known & ~fixed}
+    return [replace(first, state=state, **said), *keys[1:-1], replace(last, state=state + offset, **said)]
 
 
 def _where(figure: Figure, column: int, offset: Array) -> str:
@@ -328,9 +330,9 @@ def _laid_along(link: Link, times: Array, base: Array, track: Array) -> Array:
     return track * signs(times, relative, spins=link.kind is JointKind.FREE)[:, None]
 
 
-def _filled(times: Array, states: Array, fixed: Mask, columns: slice, rest: Array) -> None:
+def _filled(times: Array, states: Array, told: Mask, columns: slice, rest: Array) -> None:
     """Fills the columns at frames that leave them out, from the natural spline of the others, held beyond its ends."""
-    known = fixed[:, columns].all(axis=1)
+    known = told[:, columns].all(axis=1)
     if known.all():
         return
     if not known.any():
@@ -348,9 +350,11 @@ def _check(figure: Figure, keys: list[Frame]) -> None:
     columns = figure.tables.quaternion_columns
     if all(frame.state.size == figure.width for frame in keys):
         fixed = np.array([frame.fixed for frame in keys], bool).reshape(-1, figure.width)[:, columns]
+        told = np.array([frame.known for frame in keys], bool).reshape(-1, figure.width)[:, columns]
         q = np.array([frame.state for frame in keys]).reshape(-1, figure.width)[:, columns]
-        known = fixed.all(axis=1)
-        if np.array_equal(known, fixed.any(axis=1)) and np.all(np.einsum("kin,kin->kn", q, q)[known] > 1e-17):
+        known = told.all(axis=1)
+        whole = all(np.array_equal(mask.all(axis=1), mask.any(axis=1)) for mask in (fixed, told))
+        if whole and np.all(np.einsum("kin,kin->kn", q, q)[known] > 1e-17):
             return
     for number, frame in enumerate(keys, start=1):
         _check_masks(figure, frame, number)
@@ -364,8 +368,8 @@ def _check_masks(figure: Figure, frame: Frame, number: int) -> None:
         columns = quaternion_columns(link)
         if columns is None:
             continue
-        mask = frame.fixed[columns]
-        if mask.any() and not mask.all():
+        mask = frame.known[columns]
+        if any(some[columns].any() and not some[columns].all() for some in (frame.fixed, frame.known)):
             raise TimelineError(f"{place}: the quaternion of '{link.name}' is fixed whole or not at all")
         if mask.all() and not np.linalg.norm(frame.state[columns]) > 1e-9:
             raise TimelineError(f"{place}: the quaternion of '{link.name}' is zero")

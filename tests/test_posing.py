@@ -2,22 +2,26 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import mujoco
 import numpy as np
 import pytest
+import walkers
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import models
 from runner.clip_table import PenaltyTable
 from runner.constraints import posing_bends
+from runner.feet import sole_points
 from solver import quaternion as quat
 from solver.figure import Figure, JointKind, quaternion_columns
 from solver.frame import Mask
 from solver.kinematics import Samples
-from solver.penalty import Bend, BendLimits
+from solver.penalty import Bend, BendLimits, Point, site_points
 from solver.penalty.bend import bent
-from solver.posing import MET, BodyGoal, Goal, Posed, SiteGoal, chain, entries, posed
+from solver.posing import MET, STARTS, BodyGoal, Goal, PointGoal, Posed, SiteGoal, chain, entries, posed
 from solver.quaternion import Array
 
 HUMAN = {c: Figure(mujoco.MjModel.from_xml_string(models.figure_text("human")), c) for c in ("world", "joint")}
@@ -285,3 +289,74 @@ def test_the_angles_of_a_joint_are_those_of_the_penalty(figure, rng):
     own = np.stack([qpos[:, entries(figure, i)] for i in balls], axis=1)
     expected = limits.angles(Samples(figure, y, 0 * y, 0 * y))
     np.testing.assert_allclose(bent(figure, limits.joints, own).transpose(0, 2, 1), expected, atol=1e-9)
+
+
+DRAWS = 30
+ENDS = ("left_hand", "right_hand")
+
+
+def drawn(figure: Figure, rng: np.random.Generator) -> Array:
+    """Every hinge somewhere in its range, the root turned and moved a little."""
+    qpos = np.array(figure.model.qpos0)
+    qpos[:3] += rng.uniform(-0.3, 0.3, 3)
+    qpos[3:7] = quat.from_rotation_vector(0.3 * rng.normal(size=3) / np.sqrt(3))
+    for link in figure.links[2:]:
+        qpos[link.qpos] = rng.uniform(*figure.model.jnt_range[link.joint])
+    return qpos
+
+
+def asked_again(figure: Figure, points: Sequence[Point], wanted: Array, rng: np.random.Generator) -> list[Goal]:
+    """One or two of some points, where they are in a pose."""
+    data = seen(figure, wanted)
+    some = [points[i] for i in rng.choice(len(points), rng.integers(1, 3), replace=False)]
+    return [PointGoal.of(figure, point, PointGoal.of(figure, point).place(data)) for point in some]
+
+
+@pytest.mark.parametrize("name", ["human", "biped", "quadruped"])
+def test_hands_and_feet_of_poses_inside_the_ranges_are_found_from_the_rest_pose(name):
+    rng = np.random.default_rng(4)
+    human = name == "human"
+    figure = HUMAN["joint"] if human else figure_of(getattr(walkers, name.upper()))
+    points = (
+        *site_points(figure, () if name == "quadruped" else ENDS),
+        *sole_points(figure, np.zeros((0, figure.width))),
+    )
+    bends = BENDS if human else None
+    for number in range(DRAWS):
+        wanted, free = human_pose(rng) if human else drawn(figure, rng), everything(figure)
+        if number % 2:  # with the limbs alone
+            free[:7] = False
+            wanted[:7] = figure.model.qpos0[:7]
+        found = posed(figure, figure.model.qpos0, free, asked_again(figure, points, wanted, rng), bends)
+        assert found.is_met, number
+        np.testing.assert_array_equal(found.qpos[~free], figure.model.qpos0[~free])
+        if human:
+            assert_human(found.qpos)
+        else:
+            limits = figure.model.jnt_range[1:].T
+            assert np.all((found.qpos[7:] >= limits[0]) & (found.qpos[7:] <= limits[1]))
+
+
+def test_an_elbow_of_a_hinge_bends_the_way_its_range_lets_it():
+    figure = figure_of(walkers.BIPED)
+    rest = figure.model.qpos0
+    shoulder = seen(figure, rest).body("left_arm").xpos
+    goal = SiteGoal("left_hand", shoulder + np.array([0.25, 0.05, -0.1]))
+    free = everything(figure)
+    free[:7] = False
+    found = posed(figure, rest, free, [goal])
+    elbow = figure.link_named("left_elbow")
+    assert found.is_met and elbow is not None
+    assert -np.radians(140) < found.qpos[figure.links[elbow].qpos] < -np.radians(30)
+
+
+def test_what_a_goal_apart_misses_does_not_move_the_others():
+    figure = HUMAN["world"]
+    free = everything(figure)
+    free[:11] = False
+    near = SiteGoal("left_hand", np.array([0.3, 0.2, 1.2]))
+    far = SiteGoal("right_hand", np.array([3.0, 0, 1.0]))
+    alone, both = (posed(figure, figure.model.qpos0, free, goals, BENDS) for goals in ([near], [near, far]))
+    assert alone.is_met and both.missed[0] <= MET < both.missed[1]
+    assert both.starts == STARTS
+    np.testing.assert_allclose(both.qpos[alone.fixed], alone.qpos[alone.fixed], atol=1e-12)

@@ -218,7 +218,7 @@ def test_the_figure_given_is_not_changed():
         ([Keyframe(0), Keyframe(1, joints={"elbw": 1.0})], r"keyframe 2 \(t = 1 s\): no joint 'elbw'; did you mean"),
         ([Keyframe(0), Keyframe(1, qpos=[1, 0, 0])], r"t = 1 s\): qpos is \(5,\) .*; it is \(3,\)"),
         ([Keyframe(0), Keyframe(1, qpos=[1, 0, 0, 0, np.nan])], "not finite"),
-        ([Keyframe(0), Keyframe(1, sites={"hand": [0, 0, 9]})], "cannot be put"),
+        ([Keyframe(0), Keyframe(1, sites={"hand": [0, 0, 9]})], "no pose found that puts site 'hand'"),
         ([Keyframe(0), Keyframe("soon")], "time must be a number"),  # type: ignore[arg-type]
     ],
 )

@@ -43,3 +43,6 @@ from .support import Support as Support
 from .together import Together as Together
 from .torque import Torque as Torque
 from .unit import UnitMagnitude as UnitMagnitude
+from .upright import Lean as Lean
+from .upright import Upright as Upright
+from .upright import leans as leans

@@ -329,9 +329,12 @@ def _cover(model: mujoco.MjModel, index: int) -> list[tuple[Array, float]]:
     return []
 
 
-def placed(figure: Figure, fixed: Mask, points: Sequence[Point]) -> NDArray[np.bool_]:
-    """(n, K): whether a keyframe fixes every joint from the root to a point, so that it says where the point is."""
+def placed(figure: Figure, told: Mask, points: Sequence[Point]) -> NDArray[np.bool_]:
+    """(n, K): whether a keyframe tells every joint from the root to a point, so that it says where the point is.
+
+    told  (K, nq) what keyframes fix, or all that they tell
+    """
     entries = {JointKind.FREE: 7, JointKind.BALL: 4, JointKind.HINGE: 1, JointKind.SLIDE: 1}
-    whole = [fixed[:, link.qpos : link.qpos + entries[link.kind]].all(axis=1) for link in figure.links[1:]]
+    whole = [told[:, link.qpos : link.qpos + entries[link.kind]].all(axis=1) for link in figure.links[1:]]
     path = figure.tables.path[:, 1:] > 0
     return np.array([np.all(np.array(whole)[path[point.link]], axis=0) for point in points])

@@ -87,7 +87,7 @@ class _Spots:
         samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
         centres, _, _ = Contact(tuple(points), ()).centres(samples)
         height, over = _heights(figure, keys, points, surfaces)
-        touches = (np.abs(height) < NEAR_SURFACE) & placed(figure, keys.fixed, points)
+        touches = (np.abs(height) < NEAR_SURFACE) & placed(figure, keys.known, points)
         return cls(samples, points, surfaces, touches, centres, over)
 
     def outermost(
@@ -169,7 +169,7 @@ class _Keys:
     ) -> _Keys:
         height = _heights(figure, keys, points, surfaces)[0]
         low = np.abs(height) < NEAR_SURFACE
-        known = np.logical_and.reduce(placed(figure, keys.fixed, points))
+        known = np.logical_and.reduce(placed(figure, keys.known, points))
         known &= np.logical_or.reduce(low) | (np.min(height, axis=0) > ALOFT)  # else who can say whether it touches
         feet = [np.array([p.link == link for p in points]) for link in sorted({p.link for p in points})]
         flat = np.zeros_like(known)

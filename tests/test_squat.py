@@ -1,0 +1,197 @@
+"""Partial keyframes: a lowered pelvis bends the knees, feet that stand stay, and nothing is told that is in doubt."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import mujoco
+import numpy as np
+import pytest
+import walkers
+from squats import Measured, measured, solved, squat
+
+from runner import clip
+from runner.clip import Clip
+from runner.standing import fitted
+from solver import quaternion as quat
+from solver.frame import Frame
+from solver.penalty import Planted
+from solver.posing import entries
+from solver.quaternion import Array
+from solver.unknowns import raw_timeline
+
+HEIGHTS = [0.9, 0.85, 0.8, 0.75, 0.7, 0.65, 0.6, 0.55, 0.5, 0.45]
+KNEES = ("left_knee", "right_knee")
+ROUNDING = 0.1  # degrees beyond a range that a soft constraint leaves
+REST = 'figure = "human"\n[[keyframe]]\ntime = 0\nothers = "rest"\n'
+LAST = '[[keyframe]]\ntime = 4\nothers = "rest"\n'
+
+
+def read(text: str) -> Clip:
+    return clip.from_text(text, name="c")
+
+
+def between(*bodies: str, ends: str = "") -> Clip:
+    """Keyframes a second apart between two at rest."""
+    keys = "".join(f"[[keyframe]]\ntime = {i}\n{body}\n" for i, body in enumerate(bodies, start=1))
+    return read(ends + REST + keys + LAST)
+
+
+def told(problem: Clip, frame: Frame, joint: str) -> bool:
+    """Whether a keyframe was posed at a joint."""
+    link = problem.figure.link_named(joint)
+    assert link is not None
+    return frame.posed is not None and bool(frame.posed[entries(problem.figure, link)].all())
+
+
+def posed_feet(problem: Clip) -> list[str]:
+    """The knees that keyframes pose, a letter each: "l", "r", "lr" or "", by keyframe."""
+    return ["".join(knee[0] for knee in KNEES if told(problem, key, knee)) for key in problem.keys]
+
+
+def soles(problem: Clip, k: int) -> Array:
+    """(n, 3) [m] the sole points of keyframe k on the raw spline, by MuJoCo."""
+    timeline = raw_timeline(problem.figure, list(problem.keys), problem.ends, np.zeros((2, problem.figure.width)))
+    data = mujoco.MjData(problem.figure.model)
+    data.qpos[:] = problem.figure.to_qpos(timeline.states[k])
+    mujoco.mj_kinematics(problem.figure.model, data)
+    return np.array([data.site(point.name).xpos for point in problem.points])
+
+
+def assert_squat(found: Measured) -> None:
+    assert found.deep <= 1e-3
+    assert found.moved <= 5e-3
+    assert found.flexion >= -0.5
+    assert found.crooked <= 8.5
+    assert not [joint for joint in KNEES if found.beyond.get(joint, 0) > ROUNDING]
+    assert found.acceleration <= 60
+
+
+@pytest.mark.parametrize("contacts", [True, False], ids=["contacts", "keyframes"])
+@pytest.mark.parametrize("height", HEIGHTS)
+def test_a_lowered_pelvis_is_a_squat(height, contacts):
+    problem = squat(height, contacts=contacts)
+    timeline = solved(problem).motion.timeline
+    assert_squat(measured(problem, timeline))
+    qpos = problem.figure.to_qpos(timeline.states[list(timeline.times).index(1.0)])
+    assert qpos[2] == pytest.approx(height, abs=1e-9)
+    assert quat.angle_between(qpos[3:7], problem.figure.model.qpos0[3:7]) < np.radians(15)
+
+
+@pytest.mark.parametrize(("name", "height"), [("BIPED", walkers.BIPED_HEIGHT), ("QUADRUPED", walkers.QUADRUPED_HEIGHT)])
+def test_legs_of_hinges_bend_too(name, height, tmp_path: Path):
+    (tmp_path / "its.xml").write_text(getattr(walkers, name), encoding="utf-8")
+    problem = squat(0.8 * height, contacts=False, figure=str(tmp_path / "its.xml"))
+    found = measured(problem, solved(problem).motion.timeline)
+    assert found.deep <= 2e-3
+    assert found.moved <= 10e-3
+    assert not {joint: over for joint, over in found.beyond.items() if over > ROUNDING}
+    assert found.acceleration <= 60
+
+
+def test_what_was_posed_stays_free_and_is_where_the_search_and_the_raw_spline_begin():
+    problem = squat(0.7, contacts=False)
+    key = problem.keys[1]
+    assert np.flatnonzero(key.fixed).tolist() == [0, 1, 2]
+    assert posed_feet(problem) == ["", "lr", ""]
+    assert not told(problem, key, "left_elbow")
+    raw = raw_timeline(problem.figure, list(problem.keys))
+    assert key.posed is not None
+    there = problem.figure.to_qpos(raw.states[1])
+    for joint in KNEES:
+        link = problem.figure.link_named(joint)
+        assert link is not None
+        columns = entries(problem.figure, link)
+        assert quat.angle_between(there[columns], key.state[columns]) < 1e-9
+        assert quat.rotation_vector(there[columns])[1] > np.radians(40)
+    np.testing.assert_allclose(soles(problem, 1), soles(problem, 0), atol=1e-6)
+    planted = next(penalty for penalty, _ in problem.penalties if isinstance(penalty, Planted))
+    assert {(stance.point.name, stance.first, stance.last) for stance in planted.stances} == {
+        (point.name, first, first + 1.0) for point in problem.points for first in (0.0, 1.0)
+    }
+
+
+def test_several_depths_in_a_row_are_all_posed():
+    problem = between(*(f"root.position = [0, 0, {height}]" for height in (0.75, 0.55, 0.8)))
+    assert posed_feet(problem) == ["", "lr", "lr", "lr", ""]
+    for k in (1, 2, 3):
+        np.testing.assert_allclose(soles(problem, k), soles(problem, 0), atol=1e-6)
+
+
+def test_what_is_held_is_posed_again_where_the_pelvis_has_gone():
+    problem = between("root.position = [0, 0, 0.7]", 'root.position = [0.05, 0, 0.6]\nothers = "hold"')
+    assert posed_feet(problem) == ["", "lr", "lr", ""]
+    np.testing.assert_allclose(soles(problem, 2), soles(problem, 0), atol=1e-6)
+
+
+def test_a_pelvis_out_of_reach_of_the_feet_leaves_them_alone():
+    assert posed_feet(between("root.position = [0, 0, 0.7]", "root.position = [0, 0, 1.2]")) == ["", "lr", "", ""]
+
+
+def test_a_leg_that_a_keyframe_sets_is_not_told_to_stand():
+    raised = "root.position = [0, 0, 0.9]\njoints.left_hip = {rotvec = [0, -60, 0]}"
+    assert posed_feet(between(raised)) == ["", "r", ""]
+
+
+def test_feet_that_are_elsewhere_before_and_after_are_left_alone():
+    text = REST + (
+        '[[keyframe]]\ntime = 1\nroot.position = [0.2, 0, 0.8]\n[[keyframe]]\ntime = 2\nothers = "rest"\n'
+        "root.position = [0.4, 0, 0.93]\n"
+    )
+    assert posed_feet(read(text)) == ["", "", ""]
+
+
+def test_a_foot_that_goes_elsewhere_leaves_the_other_where_it_stands():
+    feet = "bodies.right_foot = {flat = true}\nbodies.left_foot = {flat = true}"
+    sites = "sites.right_heel = [-0.055, -0.09, 0]\nsites.left_heel = [0.25, 0.09, 0]"
+    step = f'others = "rest"\nroot.position = [0.1, 0, 0.86]\n{feet}\n{sites}'
+    assert posed_feet(between("root.position = [0.05, 0, 0.85]", step))[1] == "r"
+
+
+@pytest.mark.parametrize("partial", [0, 2], ids=["first", "last"])
+def test_a_clip_may_begin_or_end_in_a_squat(partial):
+    bodies = ['others = "rest"'] * 3
+    bodies[partial] = "root.position = [0, 0, 0.65]"
+    keys = "".join(f"[[keyframe]]\ntime = {i}\n{body}\n" for i, body in enumerate(bodies))
+    problem = read('figure = "human"\n' + keys)
+    assert posed_feet(problem)[partial] == "lr"
+    np.testing.assert_allclose(soles(problem, partial), soles(problem, 1), atol=1e-6)
+
+
+def test_a_loop_may_begin_in_a_squat():
+    problem = read(
+        'figure = "human"\n[solve]\nends = "periodic"\n[[keyframe]]\ntime = 0\nroot.position = [0, 0, 0.65]\n'
+        '[[keyframe]]\ntime = 1\nothers = "rest"\n[[keyframe]]\ntime = 2\nroot.position = [0, 0, 0.65]\n'
+    )
+    assert posed_feet(problem)[0] == "lr"
+    for k in (0, 2):
+        np.testing.assert_allclose(soles(problem, k), soles(problem, 1), atol=1e-6)
+    assert_squat(measured(problem, solved(problem).motion.timeline))
+
+
+def test_a_contact_says_where_a_foot_is_that_no_keyframe_tells():
+    places = {"left_heel": [0.1, 0.15, 0], "left_toe": [0.325, 0.15, 0]}
+    text = REST + "[[keyframe]]\ntime = 1\nroot.position = [0, 0, 0.8]\n[[keyframe]]\ntime = 2\n"
+    for point, place in places.items():
+        text += f'[[contact]]\npoint = "{point}"\nfrom = 0.5\nto = 1.5\nposition = {place}\n'
+    problem = read(text)
+    names = [point.name for point in problem.points]
+    for point, place in places.items():
+        np.testing.assert_allclose(soles(problem, 1)[names.index(point)], place, atol=2e-3)
+
+
+def test_a_foots_turn_is_fitted_to_its_points_and_its_roll_is_kept():
+    rng = np.random.default_rng(0)
+    turn = quat.from_rotation_vector([0.2, -0.4, 0.9])
+    three = rng.normal(size=(3, 3))
+    seen = quat.rotated(turn, three)
+    assert quat.angle_between(fitted(three, seen, np.array([1.0, 0, 0, 0])), turn) < 1e-6
+    two = np.array([[0.1, 0, 0], [-0.1, 0, 0]])
+    roll = quat.from_rotation_vector([0.5, 0, 0])
+    assert quat.angle_between(fitted(two, two, roll), roll) < 1e-6
+
+
+def test_a_hand_at_the_floor_is_a_crouch_with_the_feet_where_they_stand():
+    problem = between("sites.left_hand = [0.35, 0.15, 0.1]")
+    np.testing.assert_allclose(soles(problem, 1), soles(problem, 0), atol=1e-3)
+    assert problem.keys[1].state[2] < 0.85
