@@ -24,7 +24,7 @@ from .frame import Frame, Timeline
 from .gauss_newton import FIRST_DAMPING
 from .objective import Evaluation, Objective
 from .optimiser import Stop
-from .penalty import Penalty
+from .penalty import Guide, Penalty
 from .quadrature import Quadrature
 from .quaternion import Array
 from .spline import Path
@@ -154,11 +154,22 @@ def inbetween(
     loop = _Loop(objective, settings, improved)
     segments, in_windows = len(keys) - 1, settings.quadrature.kind == "gauss" and is_long(raw)
     first = evenly(raw, settings.beginning(segments, in_windows=in_windows))
+    if not in_windows:
+        first = _led(objective, first, settings)
     try:
         timeline = loop.run_windows(raw, first) if in_windows else loop.searched(first, segments, settings.frames)
     except KeyboardInterrupt:
         timeline, loop.stop = loop.best() if loop.best is not None else raw, Stop.ASKED
     return Motion(figure, objective, timeline, raw, tuple(loop.trace), loop.evaluations, loop.stop)
+
+
+def _led(objective: Objective, first: Timeline, settings: Settings) -> Timeline:
+    """The timeline to begin with, or where a soft constraint knows a better one by E, that."""
+    for term in objective.terms:
+        if isinstance(term.penalty, Guide) and first.variable_count:
+            led = term.penalty.led(first, settings.frames if settings.variable is None else first.variable_count)
+            first = min(first, led, key=lambda timeline: objective.value(path_of(timeline)))
+    return first
 
 
 class _Loop:

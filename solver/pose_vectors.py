@@ -63,6 +63,13 @@ class PoseMap:
     heights: Index
     mean_height: float
 
+    def off_heading(self, qpos: Array, times: Array) -> Array:
+        """Configurations (T, nq) at times (T,) [s] with the heading taken off."""
+        out = qpos.copy()
+        for i in self.root:
+            out[:, self.columns[:, i]] = quat.product(self.heading.turn(times, -1), qpos[:, self.columns[:, i]])
+        return out
+
     def vectors(self, qpos: Array) -> Array:
         """(T, D) [rad] of configurations (T, nq) whose heading is off."""
         turned = quat.rotation_vector(quat.product(quat.inverse(self.means), qpos[:, self.columns.T]))

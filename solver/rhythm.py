@@ -23,8 +23,8 @@ SMOOTH = 0.25  # [s] over which what is not periodic is alike
 PERIODIC, REST = 0.85, 0.15  # shares of the variance
 NOISE = 1e-3  # of the variance
 ALIKE = (0.15, 0.25, 0.5, 1.0)  # [s] lengths of the smooth kernels that a rhythm has to beat
-TICK = 0.01  # [s] between the times at which a rhythm's poses are kept
-KNOWN = 0.1  # [rad] standard deviation at which a pose weighs half as much as one that is certain
+TICK = 0.02  # [s] between the times at which a rhythm's poses are kept
+SURE = 0.03  # [rad] standard deviation that is as good as none
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,7 +98,7 @@ class Rhythm:
     rotations  (T, q, 4) of the links with quaternions, as in qpos, no sign changes
     angles     (T, h) [rad] of the hinges
     heights    (T, f) [m] of the free root
-    certainty  (T,) from 0 to 1: 1/2 where the standard deviation is 0.1 rad
+    trust      (T,) how many times the variance of the spline through the keyframes, about the cycle, is that of the cycle
     """
 
     poses: PoseVectors
@@ -109,18 +109,18 @@ class Rhythm:
     rotations: Array
     angles: Array
     heights: Array
-    certainty: Array
+    trust: Array
 
     @classmethod
-    def of(cls, process: Process, period: float, span: tuple[float, float], slip: float = float("nan")) -> Rhythm:
-        """With a given period, over a span of time [s]."""
-        times = np.linspace(*span, max(2, int(np.ceil((span[1] - span[0]) / TICK)) + 1))
-        vectors, variance = process.predicted(period, times)
+    def of(cls, process: Process, period: float, times: Array, plain: Array) -> Rhythm:
+        """With a given period [s], at times (T,) [s] at which `plain` (T, nq) is the spline through the keyframes."""
         poses = process.poses
+        vectors, variance = process.predicted(period, times)
         rotations = quat.aligned(poses.map.rotations(vectors, times))
-        certainty = KNOWN**2 / (KNOWN**2 + variance)
+        unlike = float(np.mean((poses.map.vectors(poses.map.off_heading(plain, times)) - vectors) ** 2))
+        trust = max(unlike - float(variance.mean()), 0.0) / (variance + SURE**2)
         gain = process.gain(period)
-        return cls(poses, period, gain, slip, times, rotations, *poses.map.numbers(vectors), certainty)
+        return cls(poses, period, gain, float("nan"), times, rotations, *poses.map.numbers(vectors), trust)
 
     def qpos(self, width: int) -> Array:
         """(T, width) configurations, the root at the origin but for its height."""

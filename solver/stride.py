@@ -18,7 +18,7 @@ from .kinematics import Samples
 from .penalty.contact import Contact, Point
 from .pose_vectors import PoseVectors
 from .quaternion import Array
-from .rhythm import Process, Rhythm
+from .rhythm import TICK, Process, Rhythm
 from .subdivision import path_of
 from .surface import Surface
 
@@ -31,10 +31,10 @@ CYCLES = 0.8  # least number of cycles in a clip
 GAIN = -0.15  # least log-likelihood over that of a smooth motion
 SLIP = 0.33  # of the travel, most that feet which are low may slide
 LEVEL = 0.05  # [m] by which the ground may rise or fall
+TRUST = 0.5  # least of a rhythm, over all of the clip
 LOW = 0.04  # [m] over where soles are lowest
 LOWEST = 0.25  # of the keyframes, those in which they are lowest
 TRIED = 4  # candidates that are looked at
-EVERY = 3  # of a rhythm's times, at which feet are looked at
 ANY_PERIOD = (0.3, 3.0)  # [s] of what does not travel
 GRAVITY = 9.81  # [m/s²] that strides are known at
 
@@ -62,10 +62,8 @@ class Gait:
         shortest, longest = SHORTER * self.usual_period, LONGER * self.usual_period
         longest = min(longest, poses.sides / 2 * (poses.times[-1] - poses.times[0]) / CYCLES)
         sure = [r for r in self.candidates(Process(poses), (shortest, longest), GAIN) if r.slip <= SLIP]
-        if not sure:
-            return None
-        best = max(sure, key=lambda rhythm: rhythm.gain)
-        return best
+        best = max(sure, key=lambda rhythm: rhythm.gain, default=None)
+        return None if best is None or best.trust.mean() < TRUST else best
 
     def likeliest(self) -> Rhythm | None:
         """The cycle that the keyframes tell best, however well; None where they are too few."""
@@ -96,8 +94,15 @@ class Gait:
         return [self._rhythm(process, _refined(process, tried, gain, int(i))) for i in peaks]
 
     def _rhythm(self, process: Process, period: float) -> Rhythm:
-        rhythm = Rhythm.of(process, period, (float(self.keys.times[0]), float(self.keys.times[-1])))
+        rhythm = Rhythm.of(process, period, *self._plain)
         return replace(rhythm, slip=self.slip(rhythm)) if self._may_walk else rhythm
+
+    @cached_property
+    def _plain(self) -> tuple[Array, Array]:
+        """Times (T,) [s], and the configurations (T, nq) of the spline through the keyframes."""
+        first, last = float(self.keys.times[0]), float(self.keys.times[-1])
+        times = np.linspace(first, last, max(2, int(np.ceil((last - first) / TICK)) + 1))
+        return times, self.figure.to_qpos(path_of(self.keys).at(times))
 
     @cached_property
     def _may_walk(self) -> bool:
@@ -142,10 +147,9 @@ class Gait:
 
     def slip(self, rhythm: Rhythm) -> float:
         """The mean speed of the slowest sole point that is low, as a share of the travel; inf if none ever is."""
-        some = slice(None, None, EVERY)
-        times, qpos = rhythm.times[some], rhythm.qpos(self.figure.width)[some]
-        over = self.figure.tables.position_columns[:2, 0]
-        qpos[:, over] = path_of(self.keys).at(times)[:, over]
+        times, qpos = rhythm.times, rhythm.qpos(self.figure.width)
+        over = slice(*(self.figure.tables.position_columns[0, 0] + np.array([0, 2])))
+        qpos[:, over] = self._plain[1][:, over]
         places, heights = self._soles(self.figure.to_state(qpos))
         speed = np.linalg.norm(np.gradient(places[:2], times, axis=2), axis=0)
         low = heights < LOW + np.quantile(self._standing[1].min(axis=0), LOWEST)
