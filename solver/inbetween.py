@@ -150,12 +150,14 @@ def inbetween(
     raw = raw_timeline(figure, list(keys), ends, end_slope, travel)
     objective = Objective.of(figure, penalties, quadrature=settings.quadrature)
     if settings.renormalise:
-        objective = objective.renormalised(path_of(raw))
-    loop = _Loop(objective, settings, improved)
+        objective = renormalised(objective, raw)
     segments, in_windows = len(keys) - 1, settings.quadrature.kind == "gauss" and is_long(raw)
     first = evenly(raw, settings.beginning(segments, in_windows=in_windows))
-    if not in_windows:
-        first = _led(objective, first, settings)
+    if first.variable_count and not in_windows:
+        led = _led(objective, first, settings.frames if settings.variable is None else first.variable_count)
+        if led is not None and objective.value(path_of(led)) < objective.value(path_of(first)):
+            first = led
+    loop = _Loop(objective, settings, improved)
     try:
         timeline = loop.run_windows(raw, first) if in_windows else loop.searched(first, segments, settings.frames)
     except KeyboardInterrupt:
@@ -163,13 +165,16 @@ def inbetween(
     return Motion(figure, objective, timeline, raw, tuple(loop.trace), loop.evaluations, loop.stop)
 
 
-def _led(objective: Objective, first: Timeline, settings: Settings) -> Timeline:
-    """The timeline to begin with, or where a soft constraint knows a better one by E, that."""
-    for term in objective.terms:
-        if isinstance(term.penalty, Guide) and first.variable_count:
-            led = term.penalty.led(first, settings.frames if settings.variable is None else first.variable_count)
-            first = min(first, led, key=lambda timeline: objective.value(path_of(timeline)))
-    return first
+def renormalised(objective: Objective, raw: Timeline) -> Objective:
+    """Every term divided by its integral over the raw path, or the path that one of them knows to begin with."""
+    led = _led(objective, evenly(raw, FEW), None)
+    return objective.renormalised(path_of(raw), None if led is None else path_of(led))
+
+
+def _led(objective: Objective, first: Timeline, most: int | None) -> Timeline | None:
+    """The timeline on the path that a soft constraint knows to begin with, if one does."""
+    guides = (term.penalty for term in objective.terms if isinstance(term.penalty, Guide) and term.weight > 0)
+    return next((guide.led(first, most) for guide in guides), None)
 
 
 class _Loop:

@@ -11,7 +11,6 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from scipy.linalg import cho_factor, cho_solve, cholesky, solve_triangular
 
 from . import quaternion as quat
 from .pose_vectors import PoseVectors
@@ -47,8 +46,8 @@ class Process:
         """Of all rows, their common variance the likeliest; per entry, but for constants."""
         rows = self.poses.rows
         covariance[np.diag_indices_from(covariance)] += NOISE
-        root = cholesky(covariance, lower=True, check_finite=False)
-        white = solve_triangular(root, rows, lower=True, check_finite=False)
+        root = np.linalg.cholesky(covariance)
+        white = np.linalg.solve(root, rows)
         return float(-0.5 * np.log(np.mean(white**2)) - np.log(np.diag(root)).mean())
 
     def _across(self, period: float, at: Array | None = None) -> Array:
@@ -70,12 +69,11 @@ class Process:
         rows = self.poses.rows
         covariance = self._across(period)
         covariance[np.diag_indices_from(covariance)] += NOISE
-        factor = cho_factor(covariance, lower=True, check_finite=False)
-        weights = cho_solve(factor, rows, check_finite=False)
         across = self._across(period, at)
-        left = solve_triangular(factor[0], across.T, lower=True, check_finite=False)
+        root = np.linalg.cholesky(covariance)
+        white, left = np.linalg.solve(root, rows), np.linalg.solve(root, across.T)
         unexplained = np.maximum(PERIODIC + REST - np.sum(left**2, axis=0), 0.0)
-        return across @ weights, unexplained * float(np.mean(rows * weights))
+        return left.T @ white, unexplained * float(np.mean(white**2))
 
 
 def _smooth(a: Array, b: Array, length: float) -> Array:
