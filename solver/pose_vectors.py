@@ -122,7 +122,9 @@ class PoseVectors:
         except MirrorError:
             poses = own
         found = [quaternion_columns(figure.links[i]) for i in tables.quaternion_links]
-        columns = np.array([np.arange(figure.width)[some] for some in found if some is not None], np.intp).reshape(-1, 4)
+        columns = np.array([np.arange(figure.width)[some] for some in found if some is not None], np.intp).reshape(
+            -1, 4
+        )
         means = np.array([_mean(poses[:, some]) for some in columns]).reshape(-1, 4)
         heights = tables.position_columns[2]
         mean_height = float(poses[:, heights].mean()) if heights.size else 0.0

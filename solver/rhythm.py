@@ -23,6 +23,7 @@ PERIODIC, REST = 0.85, 0.15  # shares of the variance
 NOISE = 1e-3  # of the variance
 ALIKE = (0.15, 0.25, 0.5, 1.0)  # [s] lengths of the smooth kernels that a rhythm has to beat
 TICK = 0.02  # [s] between the times at which a rhythm's poses are kept
+QUARTER = 0.25  # of how far the spline is off the cycle, what is at least the spline's own error
 SURE = 0.03  # [rad] standard deviation that is as good as none
 
 
@@ -116,7 +117,7 @@ class Rhythm:
         vectors, variance = process.predicted(period, times)
         rotations = quat.aligned(poses.map.rotations(vectors, times))
         unlike = float(np.mean((poses.map.vectors(poses.map.off_heading(plain, times)) - vectors) ** 2))
-        trust = max(unlike - float(variance.mean()), 0.0) / (variance + SURE**2)
+        trust = max(unlike - float(variance.mean()), QUARTER * unlike) / (variance + SURE**2)
         gain = process.gain(period)
         return cls(poses, period, gain, float("nan"), times, rotations, *poses.map.numbers(vectors), trust)
 

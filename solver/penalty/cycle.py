@@ -111,7 +111,7 @@ class Cycle(Guide):
         """The cycle's states at times (T,) [s], all that it does not tell as in `plain` (T, N)."""
         found, qpos = self.rhythm.poses.map, self.figure.to_qpos(plain)
         target = self._at(times)[0]
-        qpos[:, found.columns.T] = target[:, : self._turns].reshape(times.size, -1, 4)
+        qpos[:, found.columns.T] = target[:, : self._turns].reshape(times.size, found.links.size, 4)
         qpos[:, self._columns[0]] = target[:, self._turns :]
         states = self.figure.to_state(qpos)
         for columns in self.figure.tables.quaternion_columns.T:
