@@ -311,7 +311,7 @@ class Constraints:
         return Support.of(figure, int(root), carriers, aloft)
 
     def _rhythm(self, entry: PenaltyTable, asked: bool) -> Rhythm | None:
-        """The cycle of the clip: with the period that it gives, or as its keyframes tell it, beyond doubt unless asked."""
+        """The clip's cycle: with the period that it gives, or as its keyframes tell it, beyond doubt unless asked."""
         if entry.weight == 0:
             return None
         gait = Gait(self.figure, self.keys, self.points, self.surfaces)

@@ -40,8 +40,8 @@ class Heading:
 
     def turn(self, times: Array, sign: int = 1) -> Array:
         """(n, 4) the rotation to the heading, or with sign −1 off it."""
-        half = 0.5 * sign * np.polyval(self.coefficients, times - self.middle)
-        return np.stack([np.cos(half), 0 * half, 0 * half, np.sin(half)], axis=-1)
+        angle = sign * np.polyval(self.coefficients, times - self.middle)
+        return quat.from_rotation_vector(angle[:, None] * np.array([0.0, 0, 1]))
 
 
 @dataclass(frozen=True, eq=False)

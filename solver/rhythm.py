@@ -97,7 +97,7 @@ class Rhythm:
     rotations  (T, q, 4) of the links with quaternions, as in qpos, no sign changes
     angles     (T, h) [rad] of the hinges
     heights    (T, f) [m] of the free root
-    trust      (T,) how many times the variance of the spline through the keyframes, about the cycle, is that of the cycle
+    trust      (T,) the variance of the spline through the keyframes about the cycle, over the cycle's own
     """
 
     poses: PoseVectors

@@ -1,4 +1,4 @@
-"""The cycle that keyframes tell: its period from few keyframes, aliases refused, and nothing found where there is none."""
+"""The cycle that keyframes tell: its period from few of them, no alias, and nothing where there is none."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,7 @@
-"""A human that walks: hips that go back evenly and forward faster, knees bent meanwhile, feet flat, the root as fast as the standing foot goes back."""
+"""A human that walks, feet flat, at the speed of the standing foot.
+
+Hips go back evenly and forward faster, knees bent meanwhile.
+"""
 
 import mujoco
 import numpy as np
