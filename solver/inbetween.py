@@ -153,10 +153,10 @@ def inbetween(
         objective = renormalised(objective, raw)
     segments, in_windows = len(keys) - 1, settings.quadrature.kind == "gauss" and is_long(raw)
     first = evenly(raw, settings.beginning(segments, in_windows=in_windows))
-    if first.variable_count and not in_windows:
-        led = _led(objective, first, settings.frames if settings.variable is None else first.variable_count)
-        if led is not None and objective.value(path_of(led)) < objective.value(path_of(first)):
-            first = led
+    guide = _guide(objective)
+    if guide is not None and first.variable_count and not in_windows:
+        led = guide.led(first, settings.frames if settings.variable is None else first.variable_count)
+        first = min(first, led, key=lambda timeline: objective.value(path_of(timeline)))
     loop = _Loop(objective, settings, improved)
     try:
         timeline = loop.run_windows(raw, first) if in_windows else loop.searched(first, segments, settings.frames)
@@ -167,14 +167,14 @@ def inbetween(
 
 def renormalised(objective: Objective, raw: Timeline) -> Objective:
     """Every term divided by its integral over the raw path, or the path that one of them knows to begin with."""
-    led = _led(objective, evenly(raw, FEW), None)
-    return objective.renormalised(path_of(raw), None if led is None else path_of(led))
+    guide = _guide(objective)
+    return objective.renormalised(path_of(raw), None if guide is None else path_of(guide.led(raw, None)))
 
 
-def _led(objective: Objective, first: Timeline, most: int | None) -> Timeline | None:
-    """The timeline on the path that a soft constraint knows to begin with, if one does."""
+def _guide(objective: Objective) -> Guide | None:
+    """The soft constraint that knows a path to begin with, if one does."""
     guides = (term.penalty for term in objective.terms if isinstance(term.penalty, Guide) and term.weight > 0)
-    return next((guide.led(first, most) for guide in guides), None)
+    return next(guides, None)
 
 
 class _Loop:
