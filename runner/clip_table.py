@@ -110,6 +110,7 @@ class PenaltyTable(_Table):
     angular: Annotated[Real, Field(ge=0, le=1e6)] | None = None
     friction: Annotated[Real, Field(gt=0, le=10)] | None = None
     intervals: list[tuple[Number, Number]] | None = None
+    period: Annotated[Real, Field(gt=0, le=60)] | None = None
 
 
 class ContactTable(_Table):
@@ -254,7 +255,7 @@ _TABLES: dict[str, type[_Table]] = {
 
 ROTATION = "{rotvec = [x, y, z]}, {euler = [...], order = ...} or {quat = [w, x, y, z]}"
 _NUMBERS = ("time", "fps", "x", "y", "height", "length", "width", "weight", "margin", "least", "sideways", "twist")
-_OF_OTHERS = ("angular", "friction", "radius", "reach")
+_OF_OTHERS = ("angular", "friction", "period", "radius", "reach")
 _WHOLE = ("variable", "frames", "evaluations", "samples")
 _EXPECTED = {
     **dict.fromkeys((*_NUMBERS, *_OF_OTHERS, "threshold", "tolerance"), "a number"),

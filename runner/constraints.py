@@ -18,6 +18,7 @@ from solver.penalty import (
     Contact,
     Coupled,
     CovariantAcceleration,
+    Cycle,
     Flight,
     Grounded,
     JointRange,
@@ -51,6 +52,8 @@ from solver.penalty import (
     stances,
 )
 from solver.quaternion import Array
+from solver.rhythm import Rhythm
+from solver.stride import Gait
 from solver.surface import Box, Plane, Surface
 from solver.touch import bolted
 
@@ -62,6 +65,7 @@ from .feet import sole_points
 KINDS = (
     "covariant", "root", "unit", "contact", "clearance", "planted", "resting", "skate", "grounded", "posture", "bend",
     "range", "coupled", "closed", "self", "placement", "upright", "flight", "support", "peak", "torque",
+    "cycle",
 )  # fmt: skip
 DEFAULT_WEIGHTS = {
     "covariant": 1.0,
@@ -83,6 +87,7 @@ DEFAULT_WEIGHTS = {
     "flight": 3.0,
     "support": 0.01,
     "peak": 0.01,
+    "cycle": 0.05,
 }
 CARRIED = ("flight", "support", "peak")  # on by default where keyframes tell what carries the figure
 ROOT_WEIGHT_CARRIED = 0.45  # of "root", which flight and support then know better
@@ -99,6 +104,7 @@ OPTIONS = {
     "bend": {"joints", "least", "sideways", "twist"},
     "flight": {"intervals", "angular"},
     "support": {"friction"},
+    "cycle": {"period"},
 }
 DEEP = 0.02  # [m] of a sole point in something, by a keyframe, from which on the user is told
 
@@ -123,6 +129,7 @@ class Constraints:
         self.bends = tuple(_bends(figure))
         self.contacts = contacts(figure, keys, tables, place, self.points)
         self.support: Support | None = None
+        self.rhythm: Rhythm | None = None
         if not surfaces:
             notes.append("no static geom found: nothing to stay out of")
         if not self.points and _is_free(figure):
@@ -168,6 +175,9 @@ class Constraints:
                 del chosen[kind]
         if told and "root" not in seen:
             chosen["root"] = PenaltyTable(kind="root", weight=ROOT_WEIGHT_CARRIED)
+        self.rhythm = self._rhythm(chosen["cycle"], "cycle" in seen)
+        if self.rhythm is None:
+            del chosen["cycle"]
         built = [(self.one(entry), entry.weight) for entry in chosen.values()]
         self._tell_deep([penalty for penalty, _ in built if isinstance(penalty, Contact) and penalty.name == "contact"])
         return tuple((penalty, weight) for penalty, weight in built if weight > 0)
@@ -246,6 +256,8 @@ class Constraints:
             return replace(self.support, friction=entry.friction or self.support.friction)
         if entry.kind == "peak":
             return PeakAcceleration()
+        if entry.kind == "cycle" and self.rhythm is not None:
+            return Cycle(self.figure, self.rhythm)
         return self._bend(entry)
 
     def _clearance(self, margin: float) -> Penalty:
@@ -309,6 +321,18 @@ class Constraints:
                     f"{self.place}: penalty 'flight': {given} is no interval of the clip, which runs from {span}"
                 )
         return Support.of(figure, int(root), carriers, aloft)
+
+    def _rhythm(self, entry: PenaltyTable, asked: bool) -> Rhythm | None:
+        """The clip's cycle: with the period that it gives, or as its keyframes tell it, beyond doubt unless asked."""
+        if entry.weight == 0:
+            return None
+        gait = Gait(self.figure, self.keys, self.points, self.surfaces)
+        if not asked:
+            return gait.told()
+        found = gait.likeliest() if entry.period is None else gait.given(entry.period)
+        if found is None:
+            self.notes.append("no cycle: that takes three keyframes that fix every joint, and one free joint or none")
+        return found
 
     def _stands(self, root: int) -> bool:
         """Whether sole points are on the tree of a free link."""

@@ -14,7 +14,7 @@ from solver import join, retime
 from solver.descent import optimised
 from solver.figure import Figure
 from solver.frame import Frame, Timeline, TimelineError
-from solver.inbetween import Motion
+from solver.inbetween import Motion, renormalised
 from solver.mirror import Mirror, MirrorError
 from solver.objective import Objective
 from solver.seam import Seam
@@ -171,7 +171,7 @@ def _transition(saved: Saved, one: Timeline, two: Timeline, ends: tuple[Frame, F
     begin = join.bridge(saved.figure, one, two, variable=count)
     problem = clips.of_motion(replace(saved, keys=ends, timeline=one))
     objective = Objective.of(saved.figure, problem.penalties, quadrature=problem.settings.quadrature)
-    objective = objective.renormalised(path_of(saved.raw))
+    objective = renormalised(objective, saved.raw)
     teller.step("solving the transition", 0.0, force=True)
     return optimised(objective, begin, tolerance=TOLERANCE)
 
@@ -202,7 +202,7 @@ def measured(saved: Saved, teller: Teller, edit: str) -> Saved:
     """A motion with the report that belongs to it; `edit` says why no search stopped, where none did."""
     problem = clips.answered(saved)
     objective = Objective.of(saved.figure, problem.penalties, quadrature=problem.settings.quadrature)
-    objective = objective.renormalised(path_of(saved.raw))
+    objective = renormalised(objective, saved.raw)
     evaluations, seconds = (saved.search.get(name, 0) for name in ("evaluations", "seconds"))
     found = Motion(saved.figure, objective, saved.timeline, saved.raw, (), evaluations, stop_of(saved))
     again = Solved(problem, found, seconds).saved(teller)

@@ -28,6 +28,7 @@ from solver.penalty import (
     Closed,
     Contact,
     Coupled,
+    Cycle,
     JointRange,
     Placement,
     SelfContact,
@@ -98,9 +99,24 @@ def report(
         "evaluations": motion.evaluations,
         "seconds": seconds,
         "stopped because": motion.stop.value,
+        "cycle": _cycle_report(clip),
         "segments": _segments(clip, motion, told),
         **sides,
     }
+
+
+def _cycle_report(clip: Clip) -> dict[str, float]:
+    """The cycle that the motion is drawn to, and how sure it is; empty where there is none.
+
+    gain   log-likelihood of the keyframes over that of the best smooth motion, per number that they give
+    slip   speed of feet that are low, along the cycle, as a share of the travel; left out where nothing travels
+    trust  how many times the variance of the spline through the keyframes, about the cycle, is the cycle's own
+    """
+    rhythm = next((penalty.rhythm for penalty, _ in clip.penalties if isinstance(penalty, Cycle)), None)
+    if rhythm is None:
+        return {}
+    found = {"period, s": rhythm.period, "gain": rhythm.gain, "trust": float(rhythm.trust.mean())}
+    return found | ({} if np.isnan(rhythm.slip) else {"slip": rhythm.slip})
 
 
 def _side(clip: Clip, objective: Objective, timeline: Timeline, grid: Grid) -> dict[str, Any]:
@@ -449,7 +465,7 @@ def tables(data: dict[str, Any]) -> Group:
         f"{data['clip']}: {data['duration, s']:.2f} s, {data['keyframes']} keyframes "
         f"({data['partial keyframes']} partial), {data['variable frames']} variable frames; "
         f"{data['evaluations']} evaluations in {data['seconds']:.2f} s; {data['stopped because']}; "
-        f"about {data['left to gain']['share']:.1%} of the objective is left to gain"
+        f"about {data['left to gain']['share']:.1%} of the objective is left to gain{_cycle_words(data)}"
     )
     main = Table("measure", "before", "after", title="on a 1 kHz grid", title_justify="left")
     for name, one, two in _lines(before, after):
@@ -463,6 +479,15 @@ def tables(data: dict[str, Any]) -> Group:
         )
     wrong = [Text(f"problem: {problem['text']}") for problem in data.get("problems", [])]
     return Group(*wrong, head, main, segments)
+
+
+def _cycle_words(data: dict[str, Any]) -> str:
+    """The cycle in a few words, if there is one."""
+    cycle = data.get("cycle")
+    if not cycle:
+        return ""
+    feet = f", low feet slide at {cycle['slip']:.0%} of the travel" if "slip" in cycle else ""
+    return f"; a cycle of {cycle['period, s']:.2f} s, {cycle['trust']:.1f} times as sure as the raw spline{feet}"
 
 
 def _lines(before: dict[str, Any], after: dict[str, Any]) -> list[tuple[str, str, str]]:

@@ -24,7 +24,7 @@ from .frame import Frame, Timeline
 from .gauss_newton import FIRST_DAMPING
 from .objective import Evaluation, Objective
 from .optimiser import Stop
-from .penalty import Penalty
+from .penalty import Guide, Penalty
 from .quadrature import Quadrature
 from .quaternion import Array
 from .spline import Path
@@ -150,15 +150,31 @@ def inbetween(
     raw = raw_timeline(figure, list(keys), ends, end_slope, travel)
     objective = Objective.of(figure, penalties, quadrature=settings.quadrature)
     if settings.renormalise:
-        objective = objective.renormalised(path_of(raw))
-    loop = _Loop(objective, settings, improved)
+        objective = renormalised(objective, raw)
     segments, in_windows = len(keys) - 1, settings.quadrature.kind == "gauss" and is_long(raw)
     first = evenly(raw, settings.beginning(segments, in_windows=in_windows))
+    guide = _guide(objective)
+    if guide is not None and first.variable_count and not in_windows:
+        led = guide.led(first, settings.frames if settings.variable is None else first.variable_count)
+        first = min(first, led, key=lambda timeline: objective.value(path_of(timeline)))
+    loop = _Loop(objective, settings, improved)
     try:
         timeline = loop.run_windows(raw, first) if in_windows else loop.searched(first, segments, settings.frames)
     except KeyboardInterrupt:
         timeline, loop.stop = loop.best() if loop.best is not None else raw, Stop.ASKED
     return Motion(figure, objective, timeline, raw, tuple(loop.trace), loop.evaluations, loop.stop)
+
+
+def renormalised(objective: Objective, raw: Timeline) -> Objective:
+    """Every term divided by its integral over the raw path, or the path that one of them knows to begin with."""
+    guide = _guide(objective)
+    return objective.renormalised(path_of(raw), None if guide is None else path_of(guide.led(raw, None)))
+
+
+def _guide(objective: Objective) -> Guide | None:
+    """The soft constraint that knows a path to begin with, if one does."""
+    guides = (term.penalty for term in objective.terms if isinstance(term.penalty, Guide) and term.weight > 0)
+    return next(guides, None)
 
 
 class _Loop:

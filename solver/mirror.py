@@ -54,9 +54,12 @@ class Mirror:
     partner: Index
 
     @classmethod
-    def of(cls, figure: Figure) -> Mirror:
-        """Links paired by name; raises MirrorError that names those without a partner."""
-        partner = _partners(figure)
+    def of(cls, figure: Figure, middle: float = MIDDLE) -> Mirror:
+        """Links paired by name; raises MirrorError that names those without a partner.
+
+        middle  [m] how far off the x-z plane a joint without a partner may be
+        """
+        partner = _partners(figure, middle)
         source, sign, shift = np.arange(figure.width), np.ones(figure.width), np.zeros(figure.width)
         for i, link in enumerate(figure.links[1:], start=1):
             other = figure.links[partner[i]]
@@ -87,7 +90,7 @@ class Mirror:
         return Timeline(frames, self.slopes(timeline.end_slope), timeline.ends)
 
 
-def _partners(figure: Figure) -> Index:
+def _partners(figure: Figure, middle: float) -> Index:
     """(L,) every link's partner by name."""
     places: dict[str, list[int]] = {}
     for i, link in enumerate(figure.links):
@@ -101,7 +104,7 @@ def _partners(figure: Figure) -> Index:
             partner[i] = among[number]
         elif re.search("left|right", link.name, re.IGNORECASE) is None:
             partner[i] = i
-        if partner[i] == 0 or (partner[i] == i and _is_off_the_middle(link)):
+        if partner[i] == 0 or (partner[i] == i and _is_off_the_middle(link, middle)):
             lonely.append(link.name)
     if lonely:
         names = ", ".join(f"'{name}'" for name in lonely)
@@ -118,8 +121,8 @@ def _partners(figure: Figure) -> Index:
     return partner
 
 
-def _is_off_the_middle(link: Link) -> bool:
-    return link.kind is not JointKind.FREE and abs(float(link.offset[1])) > MIDDLE
+def _is_off_the_middle(link: Link, middle: float) -> bool:
+    return link.kind is not JointKind.FREE and abs(float(link.offset[1])) > middle
 
 
 def _signs(source: Link, link: Link) -> Array:

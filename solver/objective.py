@@ -65,8 +65,11 @@ class Objective:
         terms = tuple(Term(penalty, float(weight), float(weight)) for penalty, weight in penalties)
         return cls(figure, terms, quadrature or Quadrature())
 
-    def renormalised(self, raw: Path) -> Objective:
+    def renormalised(self, raw: Path, led: Path | None = None) -> Objective:
         """Eq. 7: every term divided by its integral over the raw path.
+
+        led  a path that is nearer to what is wanted, where one is known: what costs more on it than on the raw path,
+             and is no violation, is divided by its integral there
 
         A term that is (nearly) zero there is divided by its value for a violation of 1 cm (1°) over 1 % of the clip;
         and a violation by no more than that of 1 cm (1°) over the whole clip, for a raw path that is deep in the floor
@@ -74,6 +77,9 @@ class Objective:
         others count as less, see `_typical`.
         """
         integrals = self._typical(raw, self.integrals(raw))
+        if led is not None:
+            costs = np.array([not term.penalty.scale.is_violation for term in self.terms])
+            integrals = np.where(costs, np.maximum(integrals, self._typical(led, self.integrals(led))), integrals)
         first, last = raw.span
         spacing = (last - first) / (raw.spline.times.size - 1)
         terms = []

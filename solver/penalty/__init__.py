@@ -14,6 +14,7 @@ from .coupled import Coupling as Coupling
 from .coupled import couplings as couplings
 from .covariant import CovariantAcceleration as CovariantAcceleration
 from .cover import covering_points as covering_points
+from .cycle import Cycle as Cycle
 from .flight import Flight as Flight
 from .flight import within as within
 from .footing import Footing as Footing
@@ -25,6 +26,7 @@ from .joint_range import JointRange as JointRange
 from .joint_range import Range as Range
 from .joint_range import joint_ranges as joint_ranges
 from .peak import PeakAcceleration as PeakAcceleration
+from .penalty import Guide as Guide
 from .penalty import Momentary as Momentary
 from .penalty import Penalty as Penalty
 from .penalty import Scale as Scale

@@ -13,6 +13,7 @@ from typing import Protocol
 import numpy as np
 
 from ..curvature import Curvature, Sides, add_differences
+from ..frame import Timeline
 from ..kinematics import Cotangent, Samples
 from ..quaternion import Array
 
@@ -76,6 +77,15 @@ class Momentary(Penalty):
     @abstractmethod
     def instants(self) -> Array:
         """(I,) [s], rising."""
+
+
+class Guide(Penalty):
+    """A soft constraint that knows of a path to begin with, where the spline through the keyframes is far off."""
+
+    @abstractmethod
+    def led(self, timeline: Timeline, most: int | None) -> Timeline:
+        """The timeline with its variable frames on that path, and more of them, up to `most` in all."""
+        ...
 
 
 def instants_of(penalty: Penalty) -> Array:

@@ -66,7 +66,7 @@ class Posture:
         for order, part in enumerate((by_q, by_rate)):
             rows[:, :, :, order, :4] = part[:, :, child].transpose(3, 2, 0, 1)
             rows[:, :, :, order, 4:] = -part[:, :, parent].transpose(3, 2, 0, 1)
-        for some, columns in _apart(figure):
+        for some, columns in apart(figure, tuple(child.tolist())):
             into.add_blocks(columns, rows[:, some, ..., : columns.shape[1]], 0.25 * scale)
 
     def sides(self, samples: Samples) -> Sides | None:
@@ -81,13 +81,13 @@ def _joints(figure: Figure) -> tuple[Index, Index]:
 
 
 @lru_cache(maxsize=8)
-def _apart(figure: Figure) -> list[tuple[Index, Index]]:
-    """The joints in groups that share no link, each with the columns of its children and parents, (g, 8); of those
-    that hang on the world, of its children alone, (g, 4)."""
+def apart(figure: Figure, child: tuple[int, ...]) -> list[tuple[Index, Index]]:
+    """Joints of these links in groups that share no link, each with the columns of its children and parents, (g, 8);
+    of those that hang on the world, of its children alone, (g, 4)."""
     tables = figure.tables
     place = {int(link): tables.quaternion_columns[:, i] for i, link in enumerate(tables.quaternion_links)}
-    child, parent = _joints(figure)
-    pairs = [[int(c), int(p)] if int(p) in place else [int(c)] for c, p in zip(child, parent, strict=True)]
+    parents = [int(tables.parents[c]) for c in child]
+    pairs = [[c, p] if p in place else [c] for c, p in zip(child, parents, strict=True)]
     groups: list[tuple[list[int], set[int]]] = []
     for i, pair in enumerate(pairs):
         fitting = (g for g in groups if not g[1] & set(pair) and len(pairs[g[0][0]]) == len(pair))

@@ -1,0 +1,112 @@
+"""The cycle that keyframes tell: its period from few of them, no alias, and nothing where there is none."""
+
+import numpy as np
+import pytest
+from walker import FINE, walk, walker
+
+from runner.clip_table import PenaltyTable
+from runner.constraints import Constraints
+from solver import quaternion as quat
+from solver.frame import Frame
+from solver.penalty import Cycle
+from solver.pose_vectors import PoseVectors
+from solver.rhythm import Process
+from solver.stride import SLIP, Gait
+from solver.subdivision import path_of
+from solver.surface import Plane
+from solver.unknowns import raw_timeline
+
+PERIOD = 1.1
+GROUND = (Plane("floor", np.zeros(3), np.array([0.0, 0, 1])),)
+FIGURE, SOLES = walker()
+TIME, WALK = walk(FIGURE, SOLES, PERIOD, 3.5)
+
+
+def gait(qpos: np.ndarray, every: float) -> Gait:
+    """Keyframes of a fine motion, so far apart [s]."""
+    keys = [Frame.key(TIME[k], qpos[k]) for k in range(0, TIME.size, round(every * FINE))]
+    return Gait(FIGURE, raw_timeline(FIGURE, keys), SOLES, GROUND)
+
+
+def facing(angle: float, rate: float = 0.0) -> np.ndarray:
+    """The walk on a line that way, or on a circle at a rate [rad/s]."""
+    out, way = WALK.copy(), angle + rate * TIME
+    step = np.diff(WALK[:, 0], prepend=0.0)
+    out[:, 0], out[:, 1] = np.cumsum(step * np.cos(way)), np.cumsum(step * np.sin(way))
+    turn = quat.from_rotation_vector(np.outer(way, [0.0, 0, 1]))
+    out[:, 3:7] = quat.product(turn, WALK[:, 3:7])
+    return out
+
+
+@pytest.mark.parametrize("every", [0.3, 0.42, 0.5, 0.7, 1.0])
+def test_a_walks_period_is_found_even_from_keyframes_two_steps_apart(every):
+    rhythm = gait(WALK, every).told()
+    assert rhythm is not None
+    assert abs(rhythm.period / PERIOD - 1) < 0.05
+    assert rhythm.slip < SLIP / 1.3
+
+
+@pytest.mark.parametrize("way", [(2.0, 0.0), (-1.0, 0.4)])
+def test_it_does_not_matter_which_way_the_figure_walks(way):
+    rhythm = gait(facing(*way), 0.42).told()
+    assert rhythm is not None
+    assert abs(rhythm.period / PERIOD - 1) < 0.05
+
+
+def test_an_alias_explains_the_keyframes_about_as_well_and_slides():
+    seen = gait(WALK, 0.5)
+    poses = PoseVectors.of(FIGURE, seen.keys)
+    assert poses is not None
+    first, second = seen.candidates(Process(poses), (0.7, 1.5), -np.inf)[:2]
+    true, alias = sorted((first, second), key=lambda rhythm: abs(rhythm.period - PERIOD))
+    assert abs(true.gain - alias.gain) < 0.1
+    assert alias.slip > 4 * true.slip
+
+
+def test_its_poses_are_those_of_the_walk():
+    seen = gait(WALK, 0.42)
+    rhythm = seen.told()
+    assert rhythm is not None
+    columns = rhythm.poses.map.columns.T
+    real = WALK[np.round(rhythm.times * FINE).astype(int)][:, columns]
+    plain = FIGURE.to_qpos(path_of(seen.keys).at(rhythm.times))[:, columns]
+    assert np.degrees(quat.angle_between(rhythm.rotations, real).mean()) < 2
+    assert np.degrees(quat.angle_between(plain, real).mean()) > 4
+
+
+def test_poses_without_a_rhythm_tell_none(rng):
+    wild = WALK.copy()
+    for columns in FIGURE.tables.quaternion_columns.T[1:]:
+        wild[:, columns] = quat.from_rotation_vector(rng.normal(scale=0.5, size=(TIME.size, 3)))
+    assert gait(wild, 0.42).told() is None
+
+
+def test_a_figure_that_stays_where_it_is_or_climbs_tells_none():
+    still, up = WALK.copy(), gait(WALK, 0.42)
+    still[:, 0] = 0.0
+    assert gait(still, 0.42).told() is None
+    slope = Plane("slope", np.zeros(3), np.array([-0.1, 0, 1]) / np.hypot(0.1, 1))
+    assert Gait(FIGURE, up.keys, SOLES, (slope,)).told() is None
+
+
+def test_two_keyframes_tell_none_even_if_asked():
+    keys = raw_timeline(FIGURE, [Frame.key(TIME[k], WALK[k]) for k in (0, 200)])
+    two = Gait(FIGURE, keys, SOLES, GROUND)
+    assert two.told() is two.likeliest() is two.given(1.0) is None
+    notes: list[str] = []
+    found = Constraints(FIGURE, keys, GROUND, notes, "two").all([PenaltyTable(kind="cycle", period=1.0)])
+    assert "cycle" not in {penalty.name for penalty, _ in found}
+    assert "no cycle: that takes three keyframes that fix every joint, and one free joint or none" in notes
+
+
+def test_a_clip_has_the_cycle_by_itself_or_as_asked_and_not_with_weight_0():
+    keys = gait(WALK, 0.42).keys
+
+    def periods(*entries: PenaltyTable) -> list[float]:
+        found = Constraints(FIGURE, keys, GROUND, [], "walk").all(list(entries))
+        return [penalty.rhythm.period for penalty, _ in found if isinstance(penalty, Cycle)]
+
+    assert periods() == pytest.approx([PERIOD], rel=0.05)
+    assert periods(PenaltyTable(kind="cycle", period=0.9)) == [0.9]
+    assert periods(PenaltyTable(kind="cycle")) == pytest.approx([PERIOD], rel=0.05)
+    assert periods(PenaltyTable(kind="cycle", weight=0)) == []
