@@ -8,14 +8,11 @@ w = P(q'' − 2 s q') and f₂* = |w|²/b = |ω'|²/4.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 
 from ..algebra import dot
 from ..curvature import Curvature, Sides
-from ..figure import Figure
-from ..frame import Mask
 from ..kinematics import Cotangent, Samples
 from ..quaternion import Array
 from .penalty import Scale
@@ -33,14 +30,9 @@ def covariant_acceleration(q: Array, q_dd: Array) -> Array:
 
 @dataclass(frozen=True)
 class CovariantAcceleration:
-    """Σ over quaternion blocks of f₂* ("intrinsic") or f₂ ("paper") [rad²/s⁴ / 4], and of θ''²/4 over hinges.
-
-    trunk  how many times as much the blocks count from which limbs branch off: a body holds its limbs' feet by its
-           limbs, and does not twist for them
-    """
+    """Σ over quaternion blocks of f₂* ("intrinsic") or f₂ ("paper") [rad²/s⁴ / 4], and of θ''²/4 over hinges."""
 
     form: str = "intrinsic"
-    trunk: float = 1.0
     name: str = "covariant"
 
     def __post_init__(self) -> None:
@@ -67,11 +59,10 @@ class CovariantAcceleration:
         q, q_dd = samples.q, samples.q_dd
         along = dot(q_dd, q) / dot(q, q)
         w = q_dd - along * q
-        each = self._each(samples.figure)
         if into is not None:
-            into.add("q", (2 * scale * each * along) * (along * q - q_dd))
-            into.add("q_dd", (2 * scale * each) * w)
-        return (each * dot(w, w)).sum(axis=0)
+            into.add("q", (2 * scale * along) * (along * q - q_dd))
+            into.add("q_dd", (2 * scale) * w)
+        return dot(w, w).sum(axis=0)
 
     def _intrinsic(self, samples: Samples, into: Cotangent | None, scale: Array | float) -> Array:
         q, q_d = samples.q, samples.q_d
@@ -80,9 +71,9 @@ class CovariantAcceleration:
         rate, off = 2 * s, along - 2 * s * s
         w = samples.q_dd - rate * q_d
         w -= off * q
-        values, each = dot(w, w) * inverse, self._each(samples.figure)
+        values = dot(w, w) * inverse
         if into is not None:
-            k = (2 * scale) * each * inverse
+            k = (2 * scale) * inverse
             by_q_dd = k * w
             c = dot(by_q_dd, q_d)
             c *= -2 * inverse
@@ -93,29 +84,17 @@ class CovariantAcceleration:
             by_q -= (rate * c + k * values) * q
             for name, gradient in (("q", by_q), ("q_d", by_q_d), ("q_dd", by_q_dd)):
                 into.hand(name, gradient)
-        return np.add.reduce(each * values, axis=0)
-
-    def _each(self, figure: Figure) -> Array:
-        """(n, 1): what every quaternion block counts."""
-        return np.where(_branching(figure), self.trunk, 1.0)[:, None]
+        return np.add.reduce(values, axis=0)
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
         tables = samples.figure.tables
         q, q_d, q_dd = (part.transpose(2, 1, 0) for part in (samples.q, samples.q_d, samples.q_dd))
         rows = _residual_jacobians(q, q_d, q_dd, samples.q_dots.transpose(0, 2, 1), intrinsic=self.form == "intrinsic")
-        rows *= np.sqrt(self._each(samples.figure))[..., None, None]
         into.add_blocks(tables.quaternion_columns.T, rows, scale)
         into.add_squares(tables.hinge_columns, 2, 0.25 * scale)
 
     def sides(self, samples: Samples) -> Sides | None:
         return None
-
-
-@lru_cache(maxsize=8)
-def _branching(figure: Figure) -> Mask:
-    """(n,) the quaternion blocks of links that more than one joint hangs on."""
-    children = np.bincount(figure.tables.parents[1:], minlength=len(figure.links))
-    return np.asarray(children[figure.tables.quaternion_links] > 1)
 
 
 def _residual_jacobians(q: Array, q_d: Array, q_dd: Array, dots: Array, *, intrinsic: bool) -> Array:
