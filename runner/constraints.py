@@ -36,6 +36,7 @@ from solver.penalty import (
     Skate,
     Stance,
     Support,
+    Swings,
     Together,
     Torque,
     UnitMagnitude,
@@ -75,7 +76,7 @@ DEFAULT_WEIGHTS = {
     "clearance": 30.0,
     "planted": 0.3,
     "resting": 300.0,
-    "skate": 0.55,
+    "skate": 1.4,
     "grounded": 0.3,
     "posture": 0.7,
     "bend": 1.0,
@@ -87,7 +88,7 @@ DEFAULT_WEIGHTS = {
     "flight": 3.0,
     "support": 0.01,
     "peak": 0.01,
-    "cycle": 0.05,
+    "cycle": 0.1,
 }
 CARRIED = ("flight", "support", "peak")  # on by default where keyframes tell what carries the figure
 ROOT_WEIGHT_CARRIED = 0.45  # of "root", which flight and support then know better
@@ -239,7 +240,8 @@ class Constraints:
             parts = Planted(self.contacts.stances), Resting(self.contacts.rests, self.surfaces)
             return Together(parts, name="resting")
         if entry.kind == "skate":
-            return Skate(self.points, self.surfaces, entry.reach or Skate.reach)
+            swings = None if self._flies else Swings.of(self.figure, self.keys, self.points)
+            return Skate(self.points, self.surfaces, entry.reach or Skate.reach, swings)
         if entry.kind == "grounded":
             return self._grounded(entry.reach or Grounded.reach)
         if entry.kind == "posture":
@@ -281,6 +283,11 @@ class Constraints:
             for some, group in groups.items()
         ] or [Contact(points, surfaces, margin, name="clearance")]
         return tuple(contact.allowing(self.figure, self.keys) for contact in found)
+
+    @property
+    def _flies(self) -> bool:
+        """Whether there are flights: who runs has feet on the ground for a short while only, between keyframes."""
+        return self.support is not None and bool(self.support.flights)
 
     @property
     def _found(self) -> tuple[Stance, ...]:

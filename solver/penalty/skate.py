@@ -5,6 +5,7 @@ The paper leaves skidding to future work (§6). Nothing here needs to know when 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -12,14 +13,44 @@ import numpy as np
 
 from ..algebra import cross, dot
 from ..curvature import Curvature, Sides
+from ..figure import Figure
+from ..frame import Mask, Timeline
 from ..kinematics import Cotangent, Samples, attached_pulled_back
 from ..quaternion import Array, Index
 from ..surface import Surface
-from .contact import Point, arrays_of, height_over, velocity_gradients
+from .contact import Contact, Point, arrays_of, height_over, placed, velocity_gradients
 from .penalty import Scale
 
 NEGLIGIBLE = 1e-3  # of the weight: higher up a point is free
+STRIDDEN = 0.08  # [m] between two neighbouring keyframes, from which on a point is in the air in between
+SHORTLY = 0.25  # [s] between them, up to which it cannot stand on the way as well
 WORTH = 1e-3  # [m² rad⁻² s²]: 3 cm/s of a point on the ground count like half a radian per s²
+
+
+@dataclass(frozen=True, eq=False)
+class Swings:
+    """Points that swing from keyframe to keyframe: key times (K,) [s], which points in which segments (n, K − 1)."""
+
+    times: Array
+    aloft: Mask
+
+    @classmethod
+    def of(cls, figure: Figure, keys: Timeline, points: Sequence[Point]) -> Swings | None:
+        """Points that two keyframes up to 0.25 s apart put more than 8 cm apart; None if there are none.
+
+        A foot that comes so far so fast passes low, and is not to be braked.
+        """
+        samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
+        centres, _, _ = Contact(tuple(points), ()).centres(samples)
+        steps = np.linalg.norm(np.diff(centres, axis=2), axis=0)
+        told = placed(figure, keys.known, points)
+        aloft = (steps > STRIDDEN) & (np.diff(keys.times) <= SHORTLY) & told[:, 1:] & told[:, :-1]
+        return cls(keys.times, aloft) if aloft.any() else None
+
+    def at(self, t: Array) -> Mask:
+        """(n, S) at times t (S,) [s]."""
+        span = np.searchsorted(self.times, t, side="right") - 1
+        return self.aloft[:, np.clip(span, 0, self.times.size - 2)]
 
 
 @dataclass(frozen=True)
@@ -30,11 +61,13 @@ class Skate:
     the distance of its keyframes do not matter.
 
     reach   [m] the height at which a point is 1/e as bound as on the surface
+    swings  when which points swing and are let go, however low
     """
 
     points: tuple[Point, ...]
     surfaces: tuple[Surface, ...]
     reach: float = 0.04
+    swings: Swings | None = None
     name: str = "skate"
 
     @property
@@ -55,7 +88,7 @@ class Skate:
         height, up = height_over(self.surfaces, at, radius)
         np.maximum(height, 0, out=height)
         velocity = motion.x_d.take(links, axis=1) + cross(motion.omega.take(links, axis=1), arm)
-        weight = np.exp(-((height / self.reach) ** 2))
+        weight = self._weight(height, samples.t)
         energy = weight * dot(velocity, velocity)
         if into is not None:
             by_velocity = (2 * scale * weight) * velocity
@@ -68,6 +101,11 @@ class Skate:
             into.add_forces(flat.ravel(), arm.reshape(3, -1), force.reshape(3, -1))
         return energy.sum(axis=0)
 
+    def _weight(self, height: Array, t: Array) -> Array:
+        """(n, S) how much points at heights (n, S) over the ground are bound."""
+        bound = np.exp(-((height / self.reach) ** 2))
+        return bound if self.swings is None else bound * ~self.swings.at(t)
+
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
         """As of √weight · v with the weight held: what it changes by is of either sign."""
         if not self.points or not self.surfaces:
@@ -75,7 +113,7 @@ class Skate:
         links, positions, radius = self._arrays
         where, arms = samples.links.points(links, positions)
         height, _ = height_over(self.surfaces, where, radius)
-        weight = np.exp(-((np.maximum(height, 0) / self.reach) ** 2))
+        weight = self._weight(np.maximum(height, 0), samples.t)
         at, which = np.nonzero(weight.T > NEGLIGIBLE)
         arm, share = arms[:, which, at], scale[at] * weight[which, at]
         for way in np.eye(3):
