@@ -245,7 +245,7 @@ class Constraints:
         if entry.kind == "grounded":
             return self._grounded(entry.reach or Grounded.reach)
         if entry.kind == "posture":
-            return Posture()
+            return Posture(times=self.keys.times)
         if entry.kind == "placement":
             return Placement(self.placed)
         if entry.kind == "upright":
