@@ -107,6 +107,7 @@ OPTIONS = {
     "support": {"friction"},
     "cycle": {"period"},
 }
+RAW_UNIT = 0.1  # of the raw spline's squared deviations from unit length, summed over joints, that are believed
 DEEP = 0.02  # [m] of a sole point in something, by a keyframe, from which on the user is told
 
 
@@ -217,7 +218,7 @@ class Constraints:
             if entry.kind == "covariant":
                 return CovariantAcceleration(entry.form or "intrinsic")
             if entry.kind == "unit":
-                return UnitMagnitude(entry.form or "square")
+                return UnitMagnitude(entry.form or "square", most=RAW_UNIT)
         except ValueError as error:
             raise UserError(f"{self.place}: penalty '{entry.kind}': {error}") from None
         if entry.kind == "root":

@@ -17,7 +17,7 @@ from .objective import Objective
 from .quaternion import Array
 from .subdivision import path_of
 
-FAR = 0.6  # of a figure's size, its farthest joint at rest from its root
+FAR = 0.5  # of a figure's size, its farthest joint at rest from its root
 LOOKS = 4  # a segment between frames of which something is fixed
 
 

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .arcs import straightened
-from .astray import is_astray
+from .astray import FAR, farthest, is_astray
 from .descent import NEWTON, Descent
 from .figure import Figure
 from .frame import Frame, Timeline
@@ -28,7 +28,7 @@ from .penalty import Guide, Penalty
 from .quadrature import Quadrature
 from .quaternion import Array
 from .spline import Path
-from .subdivision import CRITERIA, evenly, midpoints, path_of, split
+from .subdivision import CRITERIA, midpoints, path_of, split
 from .unknowns import raw_timeline
 from .windows import Assembly, is_long, windows
 
@@ -37,6 +37,7 @@ ROUGH = 1e-2
 SHARE_OF_PROMISE = 0.1
 FEW, MORE = 2, 3
 MOST_FRAMES = 12
+SPACING = 0.3  # [s] between the frames to begin with in a long segment, so that it can follow what is beside it
 
 
 @dataclass(frozen=True)
@@ -152,7 +153,7 @@ def inbetween(
     if settings.renormalise:
         objective = renormalised(objective, raw)
     segments, in_windows = len(keys) - 1, settings.quadrature.kind == "gauss" and is_long(raw)
-    first = evenly(raw, settings.beginning(segments, in_windows=in_windows))
+    first = split(raw, beginning(raw, settings, in_windows=in_windows))
     guide = _guide(objective)
     if guide is not None and first.variable_count and not in_windows:
         led = guide.led(first, settings.frames if settings.variable is None else first.variable_count)
@@ -163,6 +164,20 @@ def inbetween(
     except KeyboardInterrupt:
         timeline, loop.stop = loop.best() if loop.best is not None else raw, Stop.ASKED
     return Motion(figure, objective, timeline, raw, tuple(loop.trace), loop.evaluations, loop.stop)
+
+
+def beginning(raw: Timeline, settings: Settings, *, in_windows: bool) -> Array:
+    """(V,) [s] of the variable frames to begin with: so many in every segment, more in one that is long unless the
+    settings say how many."""
+    spans = np.diff(raw.times)
+    count = np.full(spans.size, settings.beginning(spans.size, in_windows=in_windows))
+    if settings.variable is None:
+        longer = np.maximum(count, np.ceil(spans / SPACING).astype(int) - 1)
+        if settings.frames is None or longer.sum() <= settings.frames:
+            count = longer
+    return np.concatenate(
+        [a + h * np.arange(1, n + 1) / (n + 1) for a, h, n in zip(raw.times[:-1], spans, count, strict=True)]
+    )
 
 
 def renormalised(objective: Objective, raw: Timeline) -> Objective:
@@ -193,18 +208,24 @@ class _Loop:
         self.last: dict[str, float] = {}
 
     def searched(self, timeline: Timeline, segments: int, budget: int | None) -> Timeline:
-        """The best timeline found from where one begins, and from the straight way between keyframes if that ended in
-        a heap."""
-        found, damping = self.run(timeline, segments, budget), self.damping
-        if self.stop is Stop.ASKED or not is_astray(self.objective, found, self.last):
-            return found
-        value, stop, self.damping = sum(self.last.values()), self.stop, FIRST_DAMPING
-        self.round += 1
-        other = self.run(straightened(self.objective.figure, timeline), segments, budget)
-        if sum(self.last.values()) < value:
-            return other
-        self.damping = damping
-        self.stop = self.stop if self.stop is Stop.ASKED else stop
+        """The best timeline found from where one begins, and if that ended in a heap from the straight way between
+        keyframes; the other way round where the beginning itself is far off."""
+        starts = [timeline, straightened(self.objective.figure, timeline)]
+        if farthest(self.objective.figure, timeline) > FAR:
+            starts.reverse()
+        found, least, stop, damping = timeline, np.inf, Stop.STUCK, self.damping
+        for start in starts:
+            self.damping = FIRST_DAMPING if least < np.inf else self.damping
+            other = self.run(start, segments, budget)
+            value = sum(self.last.values())
+            if value < least:
+                found, least, stop, damping = other, value, self.stop, self.damping
+            if self.stop is Stop.ASKED:
+                return found
+            if not is_astray(self.objective, other, self.last):
+                break
+            self.round += 1
+        self.stop, self.damping = stop, damping
         return found
 
     def run(self, timeline: Timeline, segments: int, budget: int | None) -> Timeline:

@@ -87,7 +87,7 @@ class Objective:
             scale, instants = term.penalty.scale, instants_of(term.penalty)
             length = instants.size or last - first
             whole = scale.reference * length / spacing**scale.time_power
-            most = whole if scale.is_violation else np.inf
+            most = whole if scale.is_violation else scale.most * length
             terms.append(replace(term, factor=term.weight / min(max(float(integral), SMALL_SHARE * whole), most)))
         measures = {term.penalty.name: term.factor / term.weight for term in terms if term.weight > 0}
         for i, term in enumerate(terms):

@@ -27,6 +27,7 @@ class Scale:
     time_power    f_j of a clip played λ times slower falls by λ to this power: 4 for squared accelerations
     beside        the name of another term in whose measure this one counts, where there is one: both are divided by
                   that one's integral, and `reference` of this one weighs as much as one of that
+    most          f_j that the raw spline is taken to have at most, on the average
     is_sharp      whether f_j is far from smooth in time, for it begins, ends or peaks anywhere: the few samples that
                   suffice for the curvature of others would miss it. Its curvature has rows and nothing else
     """
@@ -35,6 +36,7 @@ class Scale:
     is_violation: bool = False
     time_power: int = 0
     beside: str | None = None
+    most: float = np.inf
     is_sharp: bool = False
 
 

@@ -17,10 +17,14 @@ class UnitMagnitude:
     """Σ over quaternion blocks of (1 − b)², b = q·q; with form "absolute", of √((1 − b)² + ε²) − ε.
 
     epsilon  the absolute form's rounding of the corner at b = 1
+
+    most  what the raw spline is taken to have of it at most, on the average: one that swings far out between distant
+          keyframes must not let quaternions vanish
     """
 
     form: str = "square"
     epsilon: float = 1e-3
+    most: float = 1.0
     name: str = "unit"
 
     def __post_init__(self) -> None:
@@ -29,7 +33,7 @@ class UnitMagnitude:
 
     @property
     def scale(self) -> Scale:
-        return Scale(4e-4 if self.form == "square" else 2e-2)
+        return Scale(4e-4 if self.form == "square" else 2e-2, most=self.most)
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         excess = samples.q_dots[0] - 1
