@@ -8,12 +8,14 @@ from test_penalty_unit import penalty_slope, scaled_like
 
 from solver.curvature import Curvature
 from solver.figure import Figure
-from solver.frame import Frame
+from solver.frame import Frame, Timeline
 from solver.inbetween import Settings, inbetween
 from solver.kinematics import Samples
 from solver.penalty import Contact, CovariantAcceleration, Point, RootAcceleration, Skate, UnitMagnitude
 from solver.penalty.contact import velocity_gradients
+from solver.penalty.skate import Swings
 from solver.surface import Box, Plane
+from solver.unknowns import raw_timeline
 
 UP = np.array([0.0, 0, 1])
 TILTED = np.array([0.0, 0.6, 0.8])
@@ -127,3 +129,42 @@ def speed_on_the_ground(weight: float, clock: float = 1.0) -> float:
 def test_a_point_that_comes_down_is_slow_there_and_without_the_penalty_it_is_not():
     assert speed_on_the_ground(0.0) > 0.25
     assert speed_on_the_ground(300.0) < 0.7 * speed_on_the_ground(0.0)
+
+
+def stepping(rest: float) -> tuple[Figure, Timeline]:
+    """A foot on a leg that steps 20 cm in 0.2 s, then rests, then goes 20 cm in `rest` seconds."""
+    model = mujoco.MjModel.from_xml_string(
+        '<mujoco><worldbody><geom type="plane" size="5 5 1"/><body pos="0 0 0.1"><freejoint/><geom size="0.1"/></body>'
+        "</worldbody></mujoco>"
+    )
+    figure = Figure(model)
+    keys = [
+        Frame.key(time, [x, 0, 0.1, 1, 0, 0, 0]) for time, x in ((0.0, 0.0), (0.2, 0.2), (0.4, 0.2), (0.4 + rest, 0.4))
+    ]
+    return figure, raw_timeline(figure, keys)
+
+
+def test_a_point_that_comes_far_between_near_keyframes_swings():
+    figure, keys = stepping(0.6)
+    swings = Swings.of(figure, keys, (Point("sole", 1, np.array([0.0, 0, -0.1])),))
+    assert swings is not None
+    np.testing.assert_array_equal(swings.at(np.array([0.1, 0.3, 0.7])), [[True, False, False]])
+
+
+def test_nothing_swings_where_nobody_told_where_the_foot_is():
+    figure, keys = stepping(0.6)
+    loose = [Frame.key(f.time, f.state, np.zeros(7, bool)) for f in keys.frames]
+    assert Swings.of(figure, Timeline(tuple(loose), keys.end_slope), (Point("sole", 1, np.zeros(3)),)) is None
+
+
+def test_a_point_that_swings_is_as_fast_as_it_likes(rng):
+    figure, keys = stepping(0.1)
+    points, floor = (Point("sole", 1, np.array([0.0, 0, -0.1])),), Plane("floor", np.zeros(3), UP)
+    swings = Swings.of(figure, keys, points)
+    t = np.array([0.1, 0.3])
+    y = np.tile([0.0, 0, 0.15, 1, 0, 0, 0], (2, 1))
+    y_d = rng.normal(size=y.shape)
+    samples = Samples(figure, y, y_d, 0 * y, t=t)
+    free, bound = Skate(points, (floor,), swings=swings), Skate(points, (floor,))
+    np.testing.assert_array_equal(free.evaluate(samples), bound.evaluate(samples) * [0, 1])
+    assert penalty_slope(free, samples, rng) > 1.95

@@ -1,12 +1,20 @@
 """The unit-magnitude penalty: values by hand, the gradient by Taylor. Also the Taylor test of any penalty."""
 
+import mujoco
 import numpy as np
 import pytest
 from taylor import taylor_slope
 from test_kinematics import random_samples
 
+from solver.figure import Figure
+from solver.frame import Frame
 from solver.kinematics import Cotangent, Samples
+from solver.objective import Objective
 from solver.penalty import Penalty, UnitMagnitude
+from solver.subdivision import path_of
+from solver.unknowns import raw_timeline
+
+BALL = '<mujoco><worldbody><body><joint type="ball"/><geom size="0.1"/></body></worldbody></mujoco>'
 
 
 def penalty_slope(penalty: Penalty, samples: Samples, rng: np.random.Generator) -> float:
@@ -75,3 +83,12 @@ def test_the_reference_is_the_penalty_of_one_percent(form):
 def test_an_unknown_form_is_refused():
     with pytest.raises(ValueError, match="'cubic' is not one of 'square', 'absolute'"):
         UnitMagnitude("cubic")
+
+
+def test_a_raw_spline_that_is_far_off_unit_length_does_not_make_it_soft():
+    figure = Figure(mujoco.MjModel.from_xml_string(BALL))
+    turns = [[1.0, 0, 0, 0], [0.1, 1, 0, 0], [1, 0.1, 0, 0]]
+    raw = path_of(raw_timeline(figure, [Frame.key(t, q) for t, q in zip((0.0, 0.1, 3.0), turns, strict=True)]))
+    firm, soft = (Objective.of(figure, [(UnitMagnitude(most=m), 2.0)]).renormalised(raw).terms[0] for m in (0.01, 1e9))
+    np.testing.assert_allclose(firm.factor, 2.0 / (0.01 * 3.0), rtol=1e-12)
+    assert soft.factor < firm.factor / 2

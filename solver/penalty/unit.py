@@ -17,9 +17,8 @@ class UnitMagnitude:
     """Σ over quaternion blocks of (1 − b)², b = q·q; with form "absolute", of √((1 − b)² + ε²) − ε.
 
     epsilon  the absolute form's rounding of the corner at b = 1
-
-    most  what the raw spline is taken to have of it at most, on the average: one that swings far out between distant
-          keyframes must not let quaternions vanish
+    most     what the raw spline is taken to have of it at most, on the average: one that swings far out between distant
+             keyframes must not let quaternions vanish
     """
 
     form: str = "square"
