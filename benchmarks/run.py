@@ -28,8 +28,8 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
 SECTIONS = (
-    "evaluation", "runner39", "quaternions", "shooting", "uneven", "barr", "subdivision", "length", "clip", "posing",
-    "optimisers", "inbetweening", "rendering", "batch",
+    "evaluation", "runner39", "quaternions", "shooting", "uneven", "barr", "subdivision", "length", "clip", "perturbed",
+    "posing", "optimisers", "inbetweening", "rendering", "batch",
 )  # fmt: skip
 PACKAGES = ("numpy", "scipy", "mujoco", "nlopt", "imageio", "av", "interpolatepy", "casadi", "distributed")
 

@@ -339,7 +339,9 @@ class Constraints:
             return gait.told()
         found = gait.likeliest() if entry.period is None else gait.given(entry.period)
         if found is None:
-            self.notes.append("no cycle: that takes three keyframes that fix every joint, and one free joint or none")
+            self.notes.append(
+                "no cycle: that takes three keyframes that fix every joint, not all alike, and one free joint or none"
+            )
         return found
 
     def _stands(self, root: int) -> bool:

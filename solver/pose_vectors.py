@@ -19,6 +19,7 @@ from .quaternion import Array, Index
 
 HEIGHT = 5.0  # [rad/m] how much of a joint's turn the root's height counts like
 LOPSIDED = 0.03  # [m] how far off the x-z plane a measured body's middle may be
+STILL = 1e-6  # [rad] of poses that differ by less than this, none tells anything
 FEW = 8  # poses up to which a heading that changes evenly is all that they tell
 EVEN, BENT = 1, 3  # degrees of the heading's polynomial
 
@@ -105,7 +106,7 @@ class PoseVectors:
 
     @classmethod
     def of(cls, figure: Figure, keys: Timeline) -> PoseVectors | None:
-        """None where there are less than three whole keyframes, or several free joints."""
+        """None where there are less than three whole keyframes, all of one pose, or several free joints."""
         whole = [frame for frame in keys.frames if frame.is_key]
         tables = figure.tables
         if len(whole) < 3 or tables.free_links.size > 1:
@@ -132,7 +133,8 @@ class PoseVectors:
         drawn = PoseMap(
             heading, tables.quaternion_links, root, columns.T, means, tables.hinge_columns, heights, mean_height
         )
-        return cls(drawn, times, drawn.vectors(poses), len(poses) // len(own))
+        rows = drawn.vectors(poses)
+        return None if np.ptp(rows, axis=0).max() < STILL else cls(drawn, times, rows, len(poses) // len(own))
 
 
 def _mean(rotations: Array) -> Array:

@@ -1,6 +1,7 @@
 """The Gauss-Newton search: the minimum that NLopt finds, in few evaluations, and every way of being stopped."""
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -14,12 +15,13 @@ from solver import optimiser
 from solver import quaternion as quat
 from solver.descent import METHODS, NEWTON, Descent
 from solver.frame import Frame
-from solver.gauss_newton import FIRST_DAMPING, gauss_newton
-from solver.objective import Discretised, Evaluation, Objective
+from solver.gauss_newton import FIRST_DAMPING, Search, gauss_newton
+from solver.objective import HEAVY, Discretised, Evaluation, Objective
 from solver.optimiser import Minimum, Stop, StopSearch, minimise
 from solver.penalty import Contact, CovariantAcceleration, Penalty, Point, RootAcceleration, Torque, UnitMagnitude
 from solver.quaternion import Array
 from solver.subdivision import evenly, path_of
+from solver.surface import Plane
 from solver.unknowns import raw_timeline
 
 ENDS = ["free", "clamped", "periodic"]
@@ -77,7 +79,7 @@ def test_it_finds_the_minimum_that_nlopt_finds_with_fewer_evaluations(rng, ends,
     assert problem(found.x).value == found.value
 
 
-def one_sided(rng: np.random.Generator, kind: str) -> Discretised:
+def one_sided(rng: np.random.Generator, kind: str, floor: Plane = FLOOR) -> Discretised:
     """Keyframes with a foot near the floor and a knee near its bounds: the curve between them passes both."""
     figure, keys = figure_of(TINY), []
     for i, time in enumerate(TIMES):
@@ -86,7 +88,7 @@ def one_sided(rng: np.random.Generator, kind: str) -> Discretised:
             quat.inverse(figure.links[2].turn), quat.from_rotation_vector([0, 0.2, 0] + 0.1 * rng.normal(size=3))
         )
         keys.append(Frame.key(time, np.concatenate([root, quat.product(knee, figure.links[2].turn)])))
-    contact = Contact((Point("foot", 2, np.array([0.01, 0, -0.3]), 0.06),), (FLOOR,))
+    contact = Contact((Point("foot", 2, np.array([0.01, 0, -0.3]), 0.06),), (floor,))
     more: dict[str, list[Penalty]] = {"floor": [contact], "bend": [limits_of(figure)]}
     more["both"] = [*more["floor"], *more["bend"]]
     raw = raw_timeline(figure, keys)
@@ -251,6 +253,30 @@ def test_a_tighter_tolerance_gets_nearer_to_the_minimum(rng):
     assert evaluations[0] < evaluations[1] < evaluations[2]
     for gap, tolerance in zip(gaps, (1e-2, 1e-4, 1e-7), strict=True):
         assert gap < 5 * tolerance * least
+
+
+def test_what_is_gross_and_cannot_be_helped_does_not_end_the_search_early(rng):
+    """Keyframes that are all deep in the floor: what that costs says nothing of how exact the rest must be."""
+    deep = one_sided(rng, "floor", Plane("floor", np.array([0, 0, 0.4]), np.array([0.0, 0, 1])))
+    costs = sum(weight for _, weight in TERMS)
+    assert deep.objective.heavy == HEAVY * costs
+    least = gauss_newton(deep, max_evaluations=500, tolerance=1e-12)[0].value
+    assert least > 50 * deep.objective.heavy
+    found, early = (
+        gauss_newton(problem, max_evaluations=300, tolerance=1e-4)[0]
+        for problem in (deep, replace(deep.objective, heavy=np.inf).on(deep.timeline))
+    )
+    assert found.stop is early.stop is Stop.CONVERGED
+    assert found.value - least < 0.05 * (early.value - least)
+
+
+def test_a_decrease_is_measured_against_e_but_not_against_more_than_is_heavy(rng):
+    search = Search(problem_of(rng), 10, FIRST_DAMPING, None)
+    heavy = search.problem.objective.heavy
+    for e, size in ((0.5, 0.5), (0.9 * heavy, 0.9 * heavy), (1e6 * heavy, heavy)):
+        search.value = search.first = e
+        assert search.is_negligible(0.99e-3 * size, 1e-3)
+        assert not search.is_negligible(1.01e-3 * size, 1e-3)
 
 
 def test_the_damping_that_was_left_is_where_a_descent_goes_on(rng):

@@ -5,13 +5,15 @@ import gc
 import mujoco
 import numpy as np
 import pytest
+from scipy.interpolate import CubicSpline
 from taylor import taylor_slope
 from test_unknowns import TIMES, mask_without, random_keys
+from walker import FINE, walk, walker
 
 from solver.figure import Figure
 from solver.frame import Frame, Timeline
 from solver.kinematics import Cotangent, Samples
-from solver.objective import RUN, SMALL_SHARE, Objective
+from solver.objective import LEAST_TYPICAL, MOST_OF_TIME, RUN, SMALL_SHARE, VIOLENT, Objective
 from solver.penalty import (
     Bend,
     BendLimits,
@@ -24,10 +26,12 @@ from solver.penalty import (
     UnitMagnitude,
 )
 from solver.quadrature import Quadrature, gauss_nodes
+from solver.spline import Path
 from solver.subdivision import evenly, path_of
 from solver.surface import Box, Plane
 from solver.unknowns import raw_timeline
 
+ONE_HINGE = '<mujoco><worldbody><body><joint axis="0 1 0"/><geom size=".1"/></body></worldbody></mujoco>'
 SURFACES = (
     Plane("floor", np.zeros(3), np.array([0.0, 0, 1])),
     Box("step", np.array([0.3, 0.2, 0.1]), np.eye(3), np.array([0.9, 0.8, 0.5])),
@@ -89,6 +93,72 @@ def test_a_term_that_starts_at_zero_is_divided_by_its_reference_over_a_hundredth
     raw = path_of(clip(figure, rng))
     (term,) = Objective.of(figure, [(contact, 3.0)]).renormalised(raw).terms
     np.testing.assert_allclose(term.factor, 3.0 / (1e-4 * 0.01 * (TIMES[-1] - TIMES[0])), rtol=1e-12)
+
+
+def hinge_path(times: np.ndarray, angles: np.ndarray) -> tuple[Objective, Path]:
+    """One hinge, whose covariant acceleration is its angle's own, and the natural spline through angles [rad]."""
+    figure = Figure(mujoco.MjModel.from_xml_string(ONE_HINGE))
+    raw = raw_timeline(figure, [Frame.key(t, [angle]) for t, angle in zip(times, angles, strict=True)])
+    return Objective.of(figure, [(CovariantAcceleration(), 2.0)]), path_of(raw)
+
+
+def violent_parts(times: np.ndarray, angles: np.ndarray) -> tuple[float, float]:
+    """SciPy's natural spline: ∫ θ''² dt, and with no segment's mean over four times what four fifths of time stay
+    below."""
+    bend = CubicSpline(times, angles, bc_type="natural").derivative(2)(times)
+    spans = np.diff(times)
+    means = (bend[1:] ** 2 + bend[1:] * bend[:-1] + bend[:-1] ** 2) / 3
+    passed = 0.0
+    for mean, span in sorted(zip(means, spans, strict=True)):
+        passed += span
+        if passed >= MOST_OF_TIME * spans.sum():
+            return float(means @ spans), float(np.minimum(means, VIOLENT * mean) @ spans)
+    raise AssertionError
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_violent_segments_count_as_four_times_what_most_of_the_time_stays_below(seed):
+    rng = np.random.default_rng(seed)
+    times = np.cumsum(rng.uniform(0.1, 0.4, 60))
+    angles = 2 * rng.normal(size=60)
+    angles[rng.integers(20, 40)] += rng.uniform(20, 60)
+    objective, path = hinge_path(times, angles)
+    whole, typical = violent_parts(times, angles)
+    assert 0.1 * whole < typical < whole
+    (term,) = objective.renormalised(path).terms
+    np.testing.assert_allclose(term.factor * objective.integrals(path)[0] / term.weight, whole / typical, rtol=1e-9)
+
+
+def test_a_tenth_of_the_integral_counts_however_violent_one_segment_is():
+    times = np.append(np.arange(0.0, 20.0), 19.02)
+    angles = np.append(0.01 * np.sin(times[:-1]), 3.0)
+    objective, path = hinge_path(times, angles)
+    whole, typical = violent_parts(times, angles)
+    assert typical < LEAST_TYPICAL * whole
+    (term,) = objective.renormalised(path).terms
+    np.testing.assert_allclose(term.factor, term.weight / (LEAST_TYPICAL * objective.integrals(path)[0]), rtol=1e-12)
+
+
+def test_an_even_motion_is_divided_by_its_whole_integrals():
+    times = 0.3 * np.arange(12.0)
+    objective, path = hinge_path(times, 10 * np.sin(2 * times))
+    (term,) = objective.renormalised(path).terms
+    assert term.factor == term.weight / objective.integrals(path)[0]
+
+
+def test_a_pose_a_thirtieth_of_a_second_before_a_walk_does_not_make_the_walk_soft():
+    figure, soles = walker()
+    time, qpos = walk(figure, soles, 1.1, 3.5)
+    walked = [Frame.key(time[k], qpos[k]) for k in range(0, time.size, round(0.14 * FINE))]
+    pose = np.array(figure.model.qpos0)
+    pose[:3] = qpos[0, :3]
+    objective = Objective.of(figure, [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0)])
+    plain, posed = (
+        path_of(raw_timeline(figure, keys)) for keys in (walked, [Frame.key(time[0] - 1 / 30, pose), *walked])
+    )
+    assert np.all(objective.integrals(posed) > 2 * objective.integrals(plain))
+    kept, softer = (np.array([t.factor for t in objective.renormalised(path).terms]) for path in (plain, posed))
+    assert np.all(softer > kept / 1.5)
 
 
 def test_without_renormalisation_it_is_the_weighted_sum_of_integrals(figure, rng):

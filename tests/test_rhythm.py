@@ -96,7 +96,17 @@ def test_two_keyframes_tell_none_even_if_asked():
     notes: list[str] = []
     found = Constraints(FIGURE, keys, GROUND, notes, "two").all([PenaltyTable(kind="cycle", period=1.0)])
     assert "cycle" not in {penalty.name for penalty, _ in found}
-    assert "no cycle: that takes three keyframes that fix every joint, and one free joint or none" in notes
+    assert (
+        "no cycle: that takes three keyframes that fix every joint, not all alike, and one free joint or none" in notes
+    )
+
+
+def test_a_figure_that_is_moved_along_in_one_pose_tells_none():
+    still = WALK.copy()
+    still[:, 2:] = FIGURE.model.qpos0[2:]
+    moved = gait(still, 0.5)
+    assert moved.told() is moved.likeliest() is moved.given(1.0) is None
+    assert gait(WALK, 0.5).likeliest() is not None
 
 
 def test_a_clip_has_the_cycle_by_itself_or_as_asked_and_not_with_weight_0():

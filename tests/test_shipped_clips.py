@@ -17,6 +17,7 @@ from runner.motion import sampled, samples_at
 from runner.penetration import penetration, self_penetration
 from runner.problems import problems
 from runner.progress import Teller
+from solver.astray import is_astray
 from solver.inbetween import Motion
 from solver.kinematics import Samples
 from solver.mirror import Mirror
@@ -189,6 +190,16 @@ def test_nothing_is_wrong_with_a_clip_that_ships_but_what_is_known(name):
     raw = problems(found.clip, found.motion.raw, found.motion.raw)
     assert len(raw) > len(told)
     assert raw[0].severity > 2
+
+
+@pytest.mark.parametrize("name", models.clips())
+def test_no_clip_that_ships_ends_in_a_heap_or_begins_with_a_jerk(name):
+    motion = of(name).motion
+    assert not is_astray(motion.objective, motion.timeline, motion.trace[-1][3])
+    integrals = motion.objective.integrals(path_of(motion.raw))
+    told = {term.penalty.name: (term, whole) for term, whole in zip(motion.objective.terms, integrals, strict=True)}
+    for term, whole in (told["covariant"], told["root"]):
+        assert term.factor == term.weight / whole
 
 
 def test_the_stairs_are_climbed_foot_over_foot():

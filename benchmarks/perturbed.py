@@ -1,0 +1,221 @@
+"""Shipped clips whose keyframes were moved a little at random: the motion moves a little too, or does it whip?
+
+Alone: python benchmarks/perturbed.py [--clips NAME ...] [--first SEED] [--count SETS]
+"""
+
+from __future__ import annotations
+
+import pinned  # noqa: F401  isort: skip  # before anything that imports NumPy
+
+import argparse
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass, replace
+
+import numpy as np
+import report
+from bench import Effort, Section, Target, median, seconds, worst
+
+import models
+from runner import clip as clips
+from runner.clip_text import tables, written
+from runner.contacts import contacts
+from runner.errors import UserError
+from solver import Frame, Motion, inbetween
+from solver import quaternion as quat
+from solver.figure import Figure, JointKind
+from solver.kinematics import Samples
+from solver.penalty.peak import relative_accelerations
+from solver.quaternion import Array
+from solver.subdivision import path_of
+from solver.unknowns import raw_timeline
+
+SETS = (100, 2)  # of every clip
+TURN, SHIFT = np.radians(5.0), 0.03  # [rad] of every ball joint, [m] of the root
+RATE = 200.0  # [1/s] of the samples in which peaks are sought
+MOST, MOST_OF_ALL, QUANTILE = 3.0, 6.0, 0.95  # times the shipped clip's peak: of most sets, of all; which most is
+FAR = 0.5  # [m]
+
+
+@dataclass(frozen=True)
+class Seen:
+    """How violent a motion is.
+
+    peak      [rad/s²] the largest angular acceleration of a joint, and the link that it turns
+    farthest  [m] a link's origin from its place on the raw spline at the same time, and which link's
+    """
+
+    peak: float
+    link: str
+    farthest: float
+    limb: str
+
+    @classmethod
+    def of(cls, motion: Motion) -> Seen:
+        """Measured on a grid from the first keyframe to the last."""
+        first, last = motion.path.span
+        t = np.linspace(first, last, round(RATE * (last - first)) + 1)
+        found, raw = (motion.objective.samples(path, t) for path in (motion.path, path_of(motion.raw)))
+        sizes = relative_accelerations(found)[1].max(axis=1)
+        apart = _apart(found, raw)
+        names = [link.name for link in motion.figure.links]
+        turns, strays = int(sizes.argmax()), int(apart.argmax())
+        return cls(float(sizes[turns]), names[turns], float(apart[strays]), names[strays])
+
+
+def _apart(a: Samples, b: Samples) -> Array:
+    """(L,) [m] how far links' origins are from each other at most."""
+    return np.linalg.norm(a.links.x - b.links.x, axis=0).max(axis=1)
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What became of one set of keyframes.
+
+    ratio    its peak beside the shipped clip's
+    parts    the terms of E by name
+    dropped  the clip's contacts that its keyframes contradict
+    """
+
+    clip: str
+    seed: int
+    ratio: float
+    seen: Seen
+    seconds: float
+    evaluations: int
+    parts: dict[str, float]
+    dropped: int
+
+    @property
+    def fails(self) -> bool:
+        return self.ratio > MOST_OF_ALL or self.seen.farthest > FAR
+
+    @property
+    def text(self) -> str:
+        """One line on it."""
+        parts = sorted(self.parts.items(), key=lambda part: -part[1])
+        said = ", ".join(f"{name} {value:.3g}" for name, value in parts if value >= 0.01)
+        return (
+            f"{self.clip} seed {self.seed}: {self.ratio:.1f} × ({self.seen.link}), {self.seen.limb} "
+            f"{100 * self.seen.farthest:.0f} cm away; E = {sum(self.parts.values()):.3g} ({said})"
+        )
+
+
+def perturbed(clip: clips.Clip, seed: int) -> clips.Clip:
+    """The clip with every fixed ball joint of every keyframe turned about a random axis and fixed positions of its root
+    moved in a random direction; in a loop the last keyframe moves as the first does."""
+    rng = np.random.default_rng(seed)
+    keys = [_moved(clip.figure, key, rng) for key in clip.keys]
+    if clip.ends == "periodic":
+        keys[-1] = _moved(clip.figure, clip.keys[-1], np.random.default_rng(seed))
+    return clips.with_keys(_without_contradictions(clip, keys), keys)
+
+
+def _moved(figure: Figure, key: Frame, rng: np.random.Generator) -> Frame:
+    qpos = np.array(key.state)
+    for link in figure.links[1:]:
+        if link.kind not in (JointKind.FREE, JointKind.BALL):
+            continue
+        way = rng.normal(size=3)
+        way /= np.linalg.norm(way)
+        if link.kind is JointKind.FREE:
+            columns = slice(link.qpos, link.qpos + 3)
+            qpos[columns] += SHIFT * way * key.fixed[columns]
+        elif key.fixed[link.qpos]:
+            columns = slice(link.qpos, link.qpos + 4)
+            qpos[columns] = quat.product(qpos[columns], quat.from_rotation_vector(TURN * way))
+    return replace(key, state=qpos)
+
+
+def _without_contradictions(clip: clips.Clip, keys: Sequence[Frame]) -> clips.Clip:
+    """The clip without the contacts that other keyframes contradict, which would be refused."""
+    table = clips.table_of(clip.text, clip.name)
+    timeline = raw_timeline(clip.figure, list(keys), clip.ends, clip.end_slope, clip.travel)
+    kept: list[int] = []
+    for i in range(len(table.contact)):
+        try:
+            contacts(clip.figure, timeline, [table.contact[k] for k in (*kept, i)], clip.name, clip.points)
+        except UserError:
+            continue
+        kept.append(i)
+    if len(kept) == len(table.contact):
+        return clip
+    said = tables(table)
+    return replace(clip, text=written(said | {"contact": [said["contact"][i] for i in kept]}))
+
+
+def solved(clip: clips.Clip) -> Motion:
+    """As `dynsplines solve` does it."""
+    return inbetween(
+        clip.figure, clip.keys, clip.penalties, clip.settings,
+        ends=clip.ends, end_slope=clip.end_slope, travel=clip.travel,
+    )  # fmt: skip
+
+
+def outcome(clip: clips.Clip, seed: int, peak: float) -> Outcome:
+    """Of one set, beside the shipped clip's own peak [rad/s²]."""
+    other = perturbed(clip, seed)
+    spent, motion = seconds(lambda: solved(other))
+    seen, parts, dropped = Seen.of(motion), motion.trace[-1][3], len(clip.contacts) - len(other.contacts)
+    return Outcome(clip.name, seed, seen.peak / peak, seen, spent, motion.evaluations, parts, dropped)
+
+
+def compared(names: Sequence[str], seeds: Sequence[int], effort: Effort) -> Section:
+    """The table of some clips, each with the same seeds."""
+    section = Section(
+        f"Keyframes of shipped clips turned by {np.degrees(TURN):.0f}° a joint and moved by {100 * SHIFT:.0f} cm at "
+        "random: peak angular acceleration of a joint beside the shipped clip's own",
+        ("clip", "sets", "own peak [rad/s²]", "ratio: median", f"{QUANTILE:.0%}", "worst", "farthest limb [cm]",
+         "shipped [cm]", f"over {MOST:g} ×", f"over {MOST_OF_ALL:g} ×", f"over {100 * FAR:.0f} cm", "solve [s]"),
+    )  # fmt: skip
+    every: list[Outcome] = []
+    shares: list[float] = []
+    for name in names:
+        clip = clips.load(name)
+        own = Seen.of(solved(clip))
+        found = []
+        for seed in seeds:
+            effort.tell(f"{name}, seed {seed}")
+            found.append(outcome(clip, seed, own.peak))
+        ratios = [each.ratio for each in found]
+        far = max(found, key=lambda each: each.seen.farthest).seen
+        shares.append(float(np.quantile(ratios, QUANTILE)))
+        section.add(
+            name, len(found), own.peak, median(ratios), shares[-1], worst(ratios),
+            f"{100 * far.farthest:.0f} ({far.limb})", 100 * own.farthest, sum(ratio > MOST for ratio in ratios),
+            sum(ratio > MOST_OF_ALL for ratio in ratios), sum(each.seen.farthest > FAR for each in found),
+            median([each.seconds for each in found]),
+        )  # fmt: skip
+        every += found
+    section.targets = [
+        Target(f"ratio of {QUANTILE:.0%} of a clip's sets, the worst clip", worst(shares), MOST),
+        Target("ratio of all sets", worst([each.ratio for each in every]), MOST_OF_ALL),
+        Target("a limb from its place on the raw spline", worst([each.seen.farthest for each in every]), FAR, unit="m"),
+    ]
+    failed = [each.text for each in every if each.fails]
+    section.notes = [
+        "only what keyframes fix is moved; the first and the last keyframe of a loop alike; the raw spline is that of "
+        "the moved keyframes, the own peak that of the shipped clip's solved motion; contacts that the moved keyframes "
+        f"contradict by more than a contact may drift are left out: {sum(each.dropped for each in every)}",
+        *(failed or ["no set fails by itself"]),
+    ]
+    section.data = {"sets": [asdict(each) for each in every]}
+    return section
+
+
+def measure(effort: Effort) -> Section:
+    return compared(sorted(models.clips()), range(effort.count(*SETS)), effort)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description="keyframes of shipped clips, moved at random")
+    parser.add_argument("--clips", nargs="+", default=sorted(models.clips()), metavar="NAME")
+    parser.add_argument("--first", type=int, default=0, metavar="SEED")
+    parser.add_argument("--count", type=int, default=SETS[0], metavar="SETS")
+    chosen = parser.parse_args()
+    section = compared(chosen.clips, range(chosen.first, chosen.first + chosen.count), Effort())
+    print("\n".join([section.title, "", *report.table(section.columns, section.rows), ""]))
+    print("\n".join(f"- {note}" for note in section.notes))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,183 @@
+"""Searches that end in a heap: how it is known, and that a limb which began behind its own knee is out of there."""
+
+import sys
+
+import mujoco
+import numpy as np
+import pytest
+from conftest import BALL_TREE
+from test_arcs import by_scipy
+from test_inbetween import PENALTIES, hinge_keys, hinged
+from test_penalty_bend import KNEE, limb, limits
+from test_unknowns import distance_from_key, random_keys
+
+from solver import Motion, inbetween
+from solver import quaternion as quat
+from solver.astray import FAR, LOOKS, farthest, is_astray, is_violent
+from solver.figure import Figure
+from solver.frame import Frame
+from solver.objective import Objective
+from solver.optimiser import Stop, StopSearch
+from solver.penalty import CovariantAcceleration, Penalty, RootAcceleration, UnitMagnitude
+from solver.quaternion import Array
+from solver.subdivision import evenly, path_of
+from solver.unknowns import raw_timeline
+
+VERB = sys.modules["solver.inbetween"]  # the package has the verb under the module's name
+LIMB = limb()
+TERMS: list[tuple[Penalty, float]] = [
+    (CovariantAcceleration(), 1.0),
+    (RootAcceleration(), 1.0),
+    (UnitMagnitude(), 1.0),
+    (limits(KNEE), 1.0),
+]
+HEAPS = [10, 41]  # seeds whose first search ends with a knee behind itself
+SWINGS = [*HEAPS, 6, 26, 31, 35, 56]
+
+
+def swinging(seed: int) -> list[Frame]:
+    """Keyframes at very uneven times, through which the spline swings a knee that is bent well at all of them."""
+    rng, keys = np.random.default_rng(seed), []
+    times = np.cumsum(np.append(0, np.exp(rng.uniform(np.log(0.03), np.log(1.0), 4))))
+    for time in times:
+        root = np.array([0, 0, 1.0, *quat.from_rotation_vector(0.8 * rng.normal(size=3))])
+        knee = quat.from_rotation_vector([0, rng.uniform(0.1, 2.2), 0])
+        keys.append(Frame.key(time, np.concatenate([root, knee])))
+    return keys
+
+
+def first_search(keys: list[Frame], monkeypatch: pytest.MonkeyPatch) -> Motion:
+    """What comes out if nobody begins again."""
+    with monkeypatch.context() as patch:
+        patch.setattr(VERB, "is_astray", lambda *_: False)
+        return inbetween(LIMB, keys, TERMS)
+
+
+def value(motion: Motion) -> float:
+    return motion.objective.value(motion.path)
+
+
+def least_flexion(motion: Motion) -> float:
+    """[degrees], of a knee that may fold by a little more than half a turn."""
+    t = np.linspace(*motion.path.span, 500)
+    flexion = np.degrees(limits(KNEE).angles(motion.objective.samples(motion.path, t))[0])
+    return float(np.where(flexion < -150, flexion + 360, flexion).min())
+
+
+# how it is known
+
+
+def places(figure: Figure, qpos: Array) -> Array:
+    """(T, b, 3) [m] of MuJoCo's bodies from the root."""
+    data, out = mujoco.MjData(figure.model), []
+    for row in qpos:
+        data.qpos[:] = row
+        mujoco.mj_kinematics(figure.model, data)
+        out.append(data.xpos[1:] - data.xpos[1])
+    return np.array(out)
+
+
+@pytest.mark.parametrize("coordinates", ["world", "joint"])
+def test_how_far_a_joint_is_off_the_straight_way_is_what_mujoco_says(coordinates, rng):
+    figure = Figure(mujoco.MjModel.from_xml_string(BALL_TREE.replace('<body name="pack" pos=".1 0 -.2">', "<body>")))
+    assert figure.model.nbody == 6
+    figure = Figure(figure.model, coordinates)
+    keys = random_keys(figure, rng)
+    timeline = evenly(raw_timeline(figure, keys), 1)
+    rows = np.array(timeline.rows)
+    rows[[1, 3, 5]] += 0.3 * rng.normal(size=(3, figure.width))
+    timeline, times = timeline.with_rows(rows), np.array([key.time for key in keys])
+    share = (np.arange(LOOKS) + 0.5) / LOOKS
+    t = (times[:-1, None] + share * np.diff(times)[:, None]).ravel()
+    ways = by_scipy(figure, times, figure.to_qpos(timeline.states[::2]), t)
+    apart = places(figure, figure.to_qpos(path_of(timeline).at(t))) - places(figure, ways)
+    size = np.linalg.norm(places(figure, figure.model.qpos0[None]), axis=2).max()
+    found = farthest(figure, timeline)
+    np.testing.assert_allclose(found, np.linalg.norm(apart, axis=2).max() / size, rtol=1e-9)
+    assert found > 0.1
+
+
+def test_a_limb_turned_round_is_far_and_a_figure_that_is_carried_off_is_not():
+    figure = hinged()
+    keys = [Frame.key(t, [0.0, 0.0]) for t in (0, 1)]
+    raw = evenly(raw_timeline(figure, keys), 1)
+    assert farthest(figure, raw) == 0
+    rows = np.array(raw.rows)
+    rows[1, 0] = np.pi
+    assert farthest(figure, raw.with_rows(rows)) > 2 * FAR
+    carried = evenly(raw_timeline(LIMB, [Frame.key(t, LIMB.model.qpos0) for t in (0, 1)]), 1)
+    rows = np.array(carried.rows)
+    rows[1, :3] += 50.0
+    assert farthest(LIMB, carried.with_rows(rows)) < 1e-12
+    alone = raw_timeline(figure, [Frame.variable(0.0, np.zeros(2)), keys[1]])
+    assert farthest(figure, alone) == 0
+
+
+def test_constraints_that_cost_more_than_all_motion_does_are_violent_and_less_are_not():
+    raw = path_of(raw_timeline(LIMB, swinging(6)))
+    objective = Objective.of(LIMB, TERMS).renormalised(raw)
+    assert not is_violent(objective, {"covariant": 0.5, "unit": 0.0, "bend": 1.9})
+    assert is_violent(objective, {"covariant": 0.5, "unit": 0.0, "bend": 3.1})
+    assert not is_violent(objective, {"covariant": 5.0, "unit": 0.0, "bend": 3.1})
+    assert not is_violent(objective, {"covariant": 50.0})
+
+
+# and what is done
+
+
+@pytest.mark.parametrize("seed", SWINGS)
+def test_beginning_again_never_ends_higher(seed, monkeypatch):
+    keys = swinging(seed)
+    before, after = first_search(keys, monkeypatch), inbetween(LIMB, keys, TERMS)
+    assert is_astray(before.objective, before.timeline, before.trace[-1][3])
+    assert after.evaluations > before.evaluations
+    assert value(after) <= value(before) * (1 + 1e-9)
+    assert np.all(np.diff([entry[2] for entry in after.trace]) < 0)
+    for key, state in zip(keys, after.path.at(np.array([key.time for key in keys])), strict=True):
+        assert distance_from_key(LIMB, state, key) < 1e-11
+
+
+@pytest.mark.parametrize("seed", HEAPS)
+def test_a_limb_that_began_behind_its_knee_is_out_of_there(seed, monkeypatch):
+    keys = swinging(seed)
+    before, after = first_search(keys, monkeypatch), inbetween(LIMB, keys, TERMS)
+    assert least_flexion(before) < -20
+    assert least_flexion(after) > -1
+    assert not is_violent(after.objective, after.trace[-1][3])
+    assert value(after) < 0.1 * value(before)
+
+
+def test_a_motion_that_is_no_heap_is_searched_once(monkeypatch):
+    figure, asked = hinged(), []
+    keys = [Frame.key(key.time, 0.3 * key.state) for key in hinge_keys()]
+    monkeypatch.setattr(VERB, "straightened", lambda *_: asked.append(True))
+    motion = inbetween(figure, keys, [(CovariantAcceleration(), 1.0)])
+    assert motion.stop is Stop.CONVERGED
+    assert not asked
+
+
+def test_a_second_search_that_ends_no_lower_changes_nothing(figure, rng, monkeypatch):
+    keys = random_keys(figure, rng)
+    with monkeypatch.context() as patch:
+        patch.setattr(VERB, "is_astray", lambda *_: False)
+        once = inbetween(figure, keys, PENALTIES)
+    monkeypatch.setattr(VERB, "is_astray", lambda *_: True)
+    monkeypatch.setattr(VERB, "straightened", lambda _figure, timeline: timeline)
+    twice = inbetween(figure, keys, PENALTIES)
+    assert twice.evaluations > once.evaluations
+    assert (twice.trace, twice.stop) == (once.trace, once.stop)
+    np.testing.assert_array_equal(twice.timeline.rows, once.timeline.rows)
+
+
+def test_a_stop_in_the_second_search_keeps_the_better_of_both(monkeypatch):
+    keys = swinging(HEAPS[1])
+    before = first_search(keys, monkeypatch)
+
+    def stop(each) -> None:
+        if each.round > before.trace[-1][1]:
+            raise StopSearch
+
+    after = inbetween(LIMB, keys, TERMS, improved=stop)
+    assert after.stop is Stop.ASKED
+    assert before.evaluations < after.evaluations
+    assert value(after) < value(before)
