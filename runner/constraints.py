@@ -226,7 +226,7 @@ class Constraints:
         if entry.kind == "torque":
             return Torque()
         if entry.kind == "range":
-            return JointRange(joint_ranges(self.figure))
+            return JointRange(joint_ranges(self.figure)).allowing(self.figure, self.keys)
         if entry.kind == "coupled":
             return Coupled(couplings(self.figure))
         if entry.kind == "closed":

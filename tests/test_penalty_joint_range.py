@@ -14,9 +14,13 @@ from test_penalty_unit import penalty_slope, scaled_like
 
 from solver import quaternion as quat
 from solver.figure import Figure, JointKind
+from solver.frame import Frame, Timeline
+from solver.inbetween import Settings, inbetween
 from solver.kinematics import Cotangent, Samples
-from solver.penalty import JointRange, joint_ranges
+from solver.penalty import CovariantAcceleration, JointRange, UnitMagnitude, joint_ranges
 from solver.quaternion import Array
+from solver.subdivision import path_of
+from solver.unknowns import raw_timeline
 
 LIMITS = {"shoulder": 60, "elbow": 100, "hip": 20, "wrist": 50, "swing": 30}
 PLAIN = {"yaw": (-40, 10), "pitch": (30, 90), "turn": (-1, 1)}
@@ -158,3 +162,54 @@ def test_only_limited_joints_that_can_pass_their_range_count():
     free = random_samples(Figure(mujoco.MjModel.from_xml_string(BALL_TREE)), np.random.default_rng(1))
     assert JointRange(()).sides(free) is None
     assert not JointRange(()).evaluate(free, Cotangent(free)).any()
+
+
+def test_what_keyframes_violate_passes_along_the_line_to_the_next(figure, rng):
+    """Beyond by a keyframe: nothing to pay there, half of it to spare midway to one within."""
+    ranges = joint_ranges(figure)
+    states = figure.to_state(np.vstack([figure.model.qpos0, rng.normal(size=(1, figure.width)), figure.model.qpos0]))
+    keys = Timeline(tuple(Frame.key(float(t), y) for t, y in enumerate(states)), np.zeros((2, figure.width)))
+    plain, lenient = JointRange(ranges), JointRange(ranges).allowing(figure, keys)
+    at_keys = Samples(figure, states, 0 * states, 0 * states, t=keys.times)
+    over = np.maximum(plain.beyond(at_keys), 0)
+    assert np.count_nonzero(over[:, 1]) > 1
+    np.testing.assert_allclose(lenient.beyond(at_keys)[:, 1][over[:, 1] > 0], 0, atol=1e-12)
+    midway = Samples(figure, states[[1]], 0 * states[[1]], 0 * states[[1]], t=np.array([1.5]))
+    within = over[:, 2] == 0
+    np.testing.assert_allclose(np.maximum(lenient.beyond(midway), 0)[within, 0], over[within, 1] / 2, atol=1e-12)
+    samples = random_samples(figure, rng, 6)
+    timed = Samples(figure, samples.y, samples.y_d, samples.y_dd, t=np.linspace(0.7, 1.3, 6))
+    assert penalty_slope(lenient, timed, rng) > 1.9
+    loose = Timeline(tuple(Frame.key(f.time, f.state, 0 * f.fixed) for f in keys.frames), keys.end_slope)
+    nothing = JointRange(ranges).allowing(figure, loose)
+    np.testing.assert_array_equal(nothing.evaluate(timed), plain.evaluate(timed))
+
+
+@pytest.mark.parametrize("kind", ["hinge", "ball"])
+def test_a_joint_keyed_beyond_its_range_does_not_flick(kind):
+    """Keyed 20° beyond: 2.3 times the raw spline's acceleration, where without allowance it is ten times."""
+    bounds = 'range="-60 60"' if kind == "hinge" else 'range="0 60"'
+    figure = Figure(
+        mujoco.MjModel.from_xml_string(
+            f'<mujoco><worldbody><body><joint name="j" type="{kind}" axis="0 1 0" {bounds}/>'
+            '<geom size="0.1" pos="0 0 1"/></body></worldbody></mujoco>'
+        )
+    )
+    angles = np.radians([0.0, 80, 0])
+    poses = angles[:, None] if kind == "hinge" else quat.from_rotation_vector(angles[:, None] * [0, 1.0, 0])
+    keys = [Frame.key(0.5 * i, pose) for i, pose in enumerate(poses)]
+    raw = raw_timeline(figure, keys)
+    terms = [(CovariantAcceleration(), 1.0), (UnitMagnitude(), 1.0)]
+
+    def peak(timeline: Timeline) -> float:
+        path, t = path_of(timeline), np.linspace(0, 1, 400)
+        samples = Samples(figure, *(path.at(t, order) for order in range(3)), t=t)
+        return float(np.linalg.norm(samples.links.alpha[:, 1], axis=0).max())
+
+    def solved(limits: JointRange) -> float:
+        chosen = [term for term in (*terms, (limits, 1.0)) if kind == "ball" or term[0].name != "unit"]
+        return peak(inbetween(figure, keys, chosen, Settings(frames=8, tolerance=1e-4)).timeline)
+
+    strict = JointRange(joint_ranges(figure))
+    assert solved(strict.allowing(figure, raw)) <= 2.5 * peak(raw)
+    assert solved(strict) > 8 * peak(raw)

@@ -7,14 +7,16 @@ half a turn the axis flips: there π − θ is rounded off to √((π − θ)² 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
 from ..algebra import add_at, dot, hamilton, vector_product
+from ..allowance import Allowance
 from ..curvature import Curvature, Sides, jacobian
-from ..figure import Figure, JointKind
+from ..figure import Figure, JointKind, quaternion_columns
+from ..frame import Timeline
 from ..kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
 from .penalty import Scale
@@ -36,10 +38,32 @@ class Range:
 
 @dataclass(frozen=True)
 class JointRange:
-    """Σ over joints of how far they are beyond their range, squared [rad² or m²]."""
+    """Σ over joints of how far they are beyond their range, squared [rad² or m²].
+
+    allowed  (2, n, K) below and above their ranges, what keyframes do themselves
+    """
 
     joints: tuple[Range, ...]
+    allowed: Allowance | None = None
     name: str = "range"
+
+    def allowing(self, figure: Figure, keys: Timeline) -> JointRange:
+        """The same that lets pass how far joints that keyframes fix are beyond their ranges in them."""
+        if not self.joints:
+            return self
+        samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states, t=np.asarray(keys.times))
+        excess = np.zeros((2, len(self.joints), keys.times.size))
+        plain, balls = self._which
+        low, high = self._bounds
+        if plain.size:
+            value = samples.columns(self._columns(samples))
+            excess[:, plain] = low[plain, None] - value, value - high[plain, None]
+        if balls.size:
+            excess[1, balls] = self._turned(samples)[0] - high[balls, None]
+        links = [figure.links[joint.link] for joint in self.joints]
+        columns = [quaternion_columns(link) or slice(link.qpos, link.qpos + 1) for link in links]
+        fixed = np.array([keys.fixed[:, some].all(axis=1) for some in columns])
+        return replace(self, allowed=Allowance(keys.times, np.maximum(excess, 0) * fixed))
 
     @property
     def scale(self) -> Scale:
@@ -51,10 +75,10 @@ class JointRange:
         plain, balls = self._which
         if plain.size:
             value = samples.columns(self._columns(samples))
-            low, high = self._bounds
-            out[plain] = np.maximum(low[plain, None] - value, value - high[plain, None])
+            low, high = self._limits(samples.t, plain)
+            out[plain] = np.maximum(low - value, value - high)
         if balls.size:
-            out[balls] = self._turned(samples)[0] - self._bounds[1][balls, None]
+            out[balls] = self._turned(samples)[0] - self._limits(samples.t, balls)[1]
         return out
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
@@ -62,13 +86,14 @@ class JointRange:
         plain, balls = self._which
         if plain.size:
             columns = self._columns(samples)
-            excess = self._excess(samples.columns(columns))
+            value = samples.columns(columns)
+            excess = value - np.clip(value, *self._limits(samples.t, plain))
             values += np.einsum("ns,ns->s", excess, excess)
             if into is not None and excess.any():
                 np.add.at(into.room("y").T, columns, 2 * scale * excess)
         if balls.size:
             _, angle, rate, axis = self._turned(samples)
-            excess = np.maximum(angle - self._bounds[1][balls, None], 0)
+            excess = np.maximum(angle - self._limits(samples.t, balls)[1], 0)
             values += np.einsum("ns,ns->s", excess, excess)
             if into is not None and excess.any():
                 self._pull_back(samples, into, 2 * scale * excess * rate * axis)
@@ -86,11 +111,11 @@ class JointRange:
         plain, _ = self._which
         if not plain.size:
             return []
-        columns, (low, high) = self._columns(samples), self._bounds
+        columns, (low, high) = self._columns(samples), self._limits(samples.t, plain)
         value = samples.columns(columns)
         near = np.array([NEAR[self.joints[i].kind] for i in plain])[:, None]
         parts = []
-        for sign, over in ((-1.0, low[plain, None] - value), (1.0, value - high[plain, None])):
+        for sign, over in ((-1.0, low - value), (1.0, value - high)):
             joint, at = np.nonzero(over > -near)
             rows = np.zeros((at.size, samples.y.shape[1]))
             rows[np.arange(at.size), columns[joint]] = sign
@@ -102,7 +127,7 @@ class JointRange:
         if not balls.size:
             return Sides.none(samples)
         _, angle, rate, axis = self._turned(samples)
-        over = angle - self._bounds[1][balls, None]
+        over = angle - self._limits(samples.t, balls)[1]
         joint, at = np.nonzero(over > -NEAR[JointKind.BALL])
         way = (rate * axis)[:, joint, at]
 
@@ -133,11 +158,13 @@ class JointRange:
         """The state's columns of the hinges and slides."""
         return np.array([samples.figure.links[self.joints[i].link].qpos for i in self._which[0]], np.intp)
 
-    def _excess(self, value: Array) -> Array:
-        """How far hinges and slides are over (positive) or under (negative) their bounds."""
-        plain, _ = self._which
-        low, high = self._bounds
-        return value - np.clip(value, low[plain, None], high[plain, None])
+    def _limits(self, t: Array, some: Index) -> tuple[Array, Array]:
+        """Lower and upper bounds of some joints (n,) at times t (S,): (n, S), or (n, 1) where nothing is let pass."""
+        low, high = (bound[some, None] for bound in self._bounds)
+        if self.allowed is None or not self.allowed.excess.any():
+            return low, high
+        below, above = self.allowed.at(t)[:, some]
+        return low - below, high + above
 
     def _turned(self, samples: Samples) -> tuple[Array, Array, Array, Array]:
         """The ball joints' angles as they are and rounded off at π, the rate of the one by the other, (b, S) [rad], and
