@@ -86,8 +86,9 @@ class Outcome:
     dropped: int
 
     @property
-    def fails(self) -> bool:
-        return self.ratio > MOST_OF_ALL or self.seen.farthest > FAR
+    def stands_out(self) -> bool:
+        """Whether it is beyond what most or all sets are to keep to."""
+        return self.ratio > MOST or self.seen.farthest > FAR
 
     @property
     def text(self) -> str:
@@ -191,12 +192,12 @@ def compared(names: Sequence[str], seeds: Sequence[int], effort: Effort) -> Sect
         Target("ratio of all sets", worst([each.ratio for each in every]), MOST_OF_ALL),
         Target("a limb from its place on the raw spline", worst([each.seen.farthest for each in every]), FAR, unit="m"),
     ]
-    failed = [each.text for each in every if each.fails]
+    beyond = [each.text for each in every if each.stands_out]
     section.notes = [
         "only what keyframes fix is moved; the first and the last keyframe of a loop alike; the raw spline is that of "
         "the moved keyframes, the own peak that of the shipped clip's solved motion; contacts that the moved keyframes "
         f"contradict by more than a contact may drift are left out: {sum(each.dropped for each in every)}",
-        *(failed or ["no set fails by itself"]),
+        *(beyond or [f"no set is over {MOST:g} × or has a limb over {100 * FAR:.0f} cm away"]),
     ]
     section.data = {"sets": [asdict(each) for each in every]}
     return section

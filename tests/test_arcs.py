@@ -11,7 +11,7 @@ from solver import quaternion as quat
 from solver.arcs import straight, straightened
 from solver.figure import Figure, quaternion_columns
 from solver.frame import Frame, Timeline
-from solver.quaternion import Array
+from solver.quaternion import Array, Index
 from solver.subdivision import evenly, path_of, split
 from solver.unknowns import Unknowns, raw_timeline
 
@@ -38,7 +38,7 @@ def apart(figure: Figure, a: Array, b: Array) -> float:
     return float(np.abs(a - b).max())
 
 
-def given(timeline: Timeline) -> Array:
+def given(timeline: Timeline) -> Index:
     return np.flatnonzero(timeline.fixed.any(axis=1))
 
 
