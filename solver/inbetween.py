@@ -210,13 +210,14 @@ class _Loop:
     def searched(self, timeline: Timeline, segments: int, budget: int | None) -> Timeline:
         """The best timeline found from where one begins, and if that ended in a heap from the straight way between
         keyframes; the other way round where the beginning itself is far off."""
-        starts = [timeline, straightened(self.objective.figure, timeline)]
-        if farthest(self.objective.figure, timeline) > FAR:
+        figure = self.objective.figure
+        starts = [lambda: timeline, lambda: straightened(figure, timeline)]
+        if farthest(figure, timeline) > FAR:
             starts.reverse()
         found, least, stop, damping = timeline, np.inf, Stop.STUCK, self.damping
         for start in starts:
             self.damping = FIRST_DAMPING if least < np.inf else self.damping
-            other = self.run(start, segments, budget)
+            other = self.run(start(), segments, budget)
             value = sum(self.last.values())
             if value < least:
                 found, least, stop, damping = other, value, self.stop, self.damping
