@@ -155,14 +155,13 @@ def test_a_limb_that_began_behind_its_knee_is_out_of_there(seed, monkeypatch):
 
 
 @pytest.mark.parametrize("seed", HEAPS)
-def test_where_the_raw_spline_is_far_off_the_straight_way_comes_first(seed, monkeypatch):
+def test_where_the_raw_spline_is_far_off_the_straight_way_comes_first(seed):
     keys = swinging(seed)
     assert farthest(LIMB, evenly(raw_timeline(LIMB, keys), 2)) > FAR
     found = inbetween(LIMB, keys, TERMS)
+    assert found.trace[0][2] < 0.1 * found.objective.value(path_of(evenly(raw_timeline(LIMB, keys), 2)))
     assert least_flexion(found) > -1.5
     assert not is_violent(found.objective, found.trace[-1][3])
-    monkeypatch.setattr(VERB, "farthest", lambda *_: 0.0)
-    assert found.evaluations < inbetween(LIMB, keys, TERMS).evaluations
 
 
 def test_a_motion_that_is_no_heap_is_searched_once(monkeypatch):
