@@ -246,7 +246,7 @@ class Constraints:
         if entry.kind == "grounded":
             return self._grounded(entry.reach or Grounded.reach)
         if entry.kind == "posture":
-            return Posture(times=self.keys.times)
+            return Posture()
         if entry.kind == "placement":
             return Placement(self.placed)
         if entry.kind == "upright":

@@ -19,21 +19,15 @@ from ..kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
 from .penalty import Scale
 
-SHORT = 0.4  # [s] up to which a gap between keyframes leaves little room to swing out in
-MOST = 10.0  # times as much in a long gap: more only bends the path at its keyframes
 
-
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class Posture:
-    """Σ over ball joints of |ω − ω_parent|²/4 and over hinges of θ'²/4 [rad²/s²/4], times up to ten in long gaps.
+    """Σ over ball joints of |ω − ω_parent|²/4 and over hinges of θ'²/4 [rad²/s²/4].
 
     settling  [s] a joint's acceleration and its velocity over so long count alike
-    times     (K,) [s] of the keyframes: between two that are over 0.4 s apart it counts by the square of how far, for
-              there the path of least acceleration swings out
     """
 
     settling: float = 0.3
-    times: Array | None = None
     name: str = "posture"
 
     @property
@@ -43,8 +37,6 @@ class Posture:
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         child, parent = _joints(samples.figure)
         hinges = samples.figure.tables.hinge_columns
-        share = self._share(samples.t)
-        scale = scale * share
         values = 0.25 * np.sum(samples.y_d[:, hinges] ** 2, axis=1)
         omega = samples.links.omega
         relative = omega[:, child] - omega[:, parent]
@@ -54,17 +46,9 @@ class Posture:
             add_at(room, child, by_omega)
             add_at(room, parent, -by_omega)
             into.room("y_d")[:, hinges] += 0.5 * np.reshape(scale, (-1, 1)) * samples.y_d[:, hinges]
-        return share * (values + 0.25 * np.einsum("kns,kns->s", relative, relative))
-
-    def _share(self, t: Array) -> Array | float:
-        """(S,) how many times it counts."""
-        if self.times is None:
-            return 1.0
-        span = np.clip(np.searchsorted(self.times, t, side="right") - 1, 0, self.times.size - 2)
-        return np.clip((np.diff(self.times)[span] / SHORT) ** 2, 1, MOST)
+        return values + 0.25 * np.einsum("kns,kns->s", relative, relative)
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
-        scale = scale * self._share(samples.t)
         figure = samples.figure
         into.add_squares(figure.tables.hinge_columns, 1, 0.25 * scale)
         child, parent = _joints(figure)
