@@ -75,7 +75,7 @@ DEFAULT_WEIGHTS = {
     "contact": 30.0,
     "clearance": 30.0,
     "planted": 0.3,
-    "resting": 300.0,
+    "resting": 750.0,
     "skate": 1.4,
     "grounded": 0.3,
     "posture": 0.7,

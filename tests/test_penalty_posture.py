@@ -15,7 +15,6 @@ from solver.frame import Frame
 from solver.inbetween import Settings, inbetween
 from solver.kinematics import Samples
 from solver.penalty import CovariantAcceleration, Posture, RootAcceleration, UnitMagnitude
-from solver.penalty.posture import MOST, SHORT
 
 CHAIN = (
     '<mujoco><worldbody><body><joint type="ball"/><geom size=".1" pos="0 0 .2"/><body pos="0 0 .4"><joint type="{}"/>'
@@ -97,22 +96,3 @@ def swing(weight: float) -> float:
 
 def test_a_joint_overshoots_less():
     assert swing(1.0) < 65 < swing(0.0) - 3
-
-
-def test_it_counts_by_the_square_of_a_long_gap_up_to_ten_times(jointed, rng):
-    times = np.array([0.0, 0.3, 1.1, 5.0])
-    samples = random_samples(jointed, rng, 4)
-    timed = Samples(jointed, samples.y, samples.y_d, samples.y_dd, t=np.array([-0.1, 0.2, 1.0, 4.0]))
-    expected = Posture().evaluate(samples) * [1, 1, (0.8 / SHORT) ** 2, MOST]
-    np.testing.assert_allclose(Posture(times=times).evaluate(timed), expected, rtol=1e-12)
-    assert penalty_slope(Posture(times=times), timed, rng) > 1.95
-
-
-def test_so_does_its_curvature(jointed, rng):
-    samples = random_samples(jointed, rng, 3)
-    timed = Samples(jointed, samples.y, samples.y_d, samples.y_dd, t=np.array([0.1, 0.9, 2.0]))
-    found, expected = Curvature(timed), Curvature(samples)
-    Posture(times=np.array([0.0, 0.8, 5.0])).curvature(timed, found, np.ones(3))
-    Posture().curvature(samples, expected, np.array([(0.8 / SHORT) ** 2, MOST, MOST]))
-    phi = rng.normal(size=(3, 3))
-    np.testing.assert_allclose(found.quadratic(phi, 0, 3), expected.quadratic(phi, 0, 3), rtol=1e-12)
