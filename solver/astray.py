@@ -30,11 +30,7 @@ def is_violent(objective: Objective, parts: Mapping[str, float]) -> bool:
     """Whether what constraints cost exceeds what motion costs and what motion cost on the raw spline."""
     bounds = {term.penalty.name for term in objective.terms if term.penalty.scale.is_violation}
     violated = sum(value for name, value in parts.items() if name in bounds)
-    return violated > max(sum(parts.values()) - violated, sum(_raw_cost(objective)))
-
-
-def _raw_cost(objective: Objective) -> list[float]:
-    return [t.weight for t in objective.terms if not t.penalty.scale.is_violation and not t.penalty.scale.beside]
+    return violated > max(sum(parts.values()) - violated, objective.raw_cost)
 
 
 def farthest(figure: Figure, timeline: Timeline) -> float:

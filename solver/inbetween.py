@@ -1,7 +1,7 @@
 """The verb: keyframes and soft constraints in, motion out. The five steps of the paper's figure 5.
 
 1  keyframes, whole or partial, and penalties           raw_timeline, Objective
-2  variable frames between them                         subdivision.evenly
+2  variable frames between them                         beginning
 3  a C² spline through all frames                       spline.Spline
 4  move the variable frames to lower E                  descent.Descent
 5  split where the path is badly approximated           subdivision.CRITERIA; back to 3

@@ -94,8 +94,13 @@ class Objective:
             beside = term.penalty.scale.beside
             if beside in measures:
                 terms[i] = replace(term, factor=term.weight * measures[beside] / term.penalty.scale.reference)
-        costs = sum(t.weight for t in self.terms if not t.penalty.scale.is_violation and not t.penalty.scale.beside)
-        return replace(self, terms=tuple(terms), heavy=HEAVY * costs or np.inf)
+        return replace(self, terms=tuple(terms), heavy=HEAVY * self.raw_cost or np.inf)
+
+    @property
+    def raw_cost(self) -> float:
+        """What motion costs on the raw spline of a renormalised objective: a weight for each term that is measured by
+        its own integral there."""
+        return sum(t.weight for t in self.terms if not t.penalty.scale.is_violation and not t.penalty.scale.beside)
 
     def _typical(self, raw: Path, integrals: Array) -> Array:
         """Integrals (terms,) over the raw path with what its violent segments have too much taken off.
