@@ -19,6 +19,7 @@ from .penalty.contact import Contact, Point
 from .pose_vectors import PoseVectors
 from .quaternion import Array
 from .rhythm import TICK, Process, Rhythm
+from .spline import natural_end_slopes
 from .subdivision import path_of
 from .surface import Surface
 
@@ -26,6 +27,8 @@ SLOWEST = 0.25  # [m/s] of a body with hips 1 m high, below which it does not tr
 STRIDE, POWER = 2.3, 0.3  # of Alexander's
 SHORTER, LONGER = 0.65, 1.6  # periods that may be, of Alexander's
 FINENESS = 0.02  # of a period, how far apart periods are tried at first
+LEFT_OUT = ((0, 0), (1, 0), (0, 1), (1, 1))  # of the first and of the last keyframes
+OUTSIDE = 0.2  # least gain in log-likelihood of leaving one out
 FEWEST, MOST = 3, 100  # whole keyframes that a cycle is looked for in
 CYCLES = 0.8  # least number of cycles in a clip
 GAIN = -0.15  # least log-likelihood over that of a smooth motion
@@ -53,8 +56,31 @@ class Gait:
     surfaces: tuple[Surface, ...]
 
     def told(self) -> Rhythm | None:
-        """The cycle that the keyframes tell beyond doubt, if any."""
-        if self.keys.ends == "periodic" or not (self._may_walk and self._is_level):
+        """The cycle that the keyframes tell beyond doubt, if any; the first and the last may stand outside it, as a
+        pose does from which somebody sets out, where the others tell it much better without."""
+        if self.keys.ends == "periodic":
+            return None
+        best, gain = None, -np.inf
+        for left_out in LEFT_OUT:
+            outside = sum(left_out)
+            if outside and len(self.keys.frames) - outside <= FEWEST:
+                continue
+            rhythm = self._without(*left_out)._told_by_all
+            if rhythm is not None and rhythm.gain - OUTSIDE * outside > gain:
+                best, gain = rhythm, rhythm.gain - OUTSIDE * outside
+        return best
+
+    def _without(self, first: int, last: int) -> Gait:
+        """Without so many of the first and of the last keyframes."""
+        if not first + last:
+            return self
+        frames = self.keys.frames[first : len(self.keys.frames) - last]
+        ends = natural_end_slopes(np.array([f.time for f in frames]), np.array([f.state for f in frames]))
+        return replace(self, keys=Timeline(frames, ends))
+
+    @property
+    def _told_by_all(self) -> Rhythm | None:
+        if not (self._may_walk and self._is_level):
             return None
         poses = PoseVectors.of(self.figure, self.keys)
         if poses is None or not FEWEST <= poses.times.size <= MOST:

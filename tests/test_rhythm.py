@@ -1,5 +1,7 @@
 """The cycle that keyframes tell: its period from few of them, no alias, and nothing where there is none."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from walker import FINE, walk, walker
@@ -8,6 +10,7 @@ from runner.clip_table import PenaltyTable
 from runner.constraints import Constraints
 from solver import quaternion as quat
 from solver.frame import Frame
+from solver.kinematics import Samples
 from solver.penalty import Cycle
 from solver.pose_vectors import PoseVectors
 from solver.rhythm import Process
@@ -120,3 +123,33 @@ def test_a_clip_has_the_cycle_by_itself_or_as_asked_and_not_with_weight_0():
     assert periods(PenaltyTable(kind="cycle", period=0.9)) == [0.9]
     assert periods(PenaltyTable(kind="cycle")) == pytest.approx([PERIOD], rel=0.05)
     assert periods(PenaltyTable(kind="cycle", weight=0)) == []
+
+
+def test_a_pose_to_set_out_from_stands_outside_the_cycle():
+    before = np.array(WALK)
+    before[:3, 7:] = FIGURE.model.qpos0[7:]  # at rest, and a tenth of a second later in full stride
+    turned = FIGURE.tables.quaternion_columns.T[1:]
+    for columns in turned[: len(turned) // 2]:
+        before[:3, columns] = quat.from_rotation_vector(np.array([1.2, 0, 0]))
+    first = [Frame.key(TIME[0], before[0])]
+    keys = [Frame.key(TIME[k], WALK[k]) for k in range(3, TIME.size, round(0.42 * FINE))]
+    seen = Gait(FIGURE, raw_timeline(FIGURE, first + keys), SOLES, GROUND)
+    rhythm = seen.told()
+    assert rhythm is not None
+    assert abs(rhythm.period / PERIOD - 1) < 0.05
+    assert rhythm.times[0] == TIME[3]
+    assert seen._told_by_all is None or seen._told_by_all.gain < rhythm.gain - 0.2
+    whole = Gait(FIGURE, raw_timeline(FIGURE, keys), SOLES, GROUND).told()
+    assert whole is not None
+    assert whole.times[0] == TIME[3]
+
+
+def test_where_the_cycle_is_not_told_it_asks_for_nothing():
+    rhythm = gait(WALK, 0.42).told()
+    assert rhythm is not None
+    late = replace(rhythm, times=rhythm.times + 1.0)
+    t = np.array([rhythm.times[0], late.times[0], late.times[-1], late.times[-1] + 0.1])
+    y = np.repeat(FIGURE.to_state(FIGURE.model.qpos0[None]), t.size, axis=0)
+    values = Cycle(FIGURE, late).evaluate(Samples(FIGURE, y, 0 * y, 0 * y, t=t))
+    assert values[0] == values[-1] == 0
+    assert np.all(values[1:3] > 0)

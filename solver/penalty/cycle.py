@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..algebra import add_at, applied, conjugated, cross, dot, hamilton, vector_product
 from ..curvature import Curvature, Sides, jacobian
@@ -116,7 +117,7 @@ class Cycle(Guide):
         states = self.figure.to_state(qpos)
         for columns in self.figure.tables.quaternion_columns.T:
             states[:, columns] *= np.where(np.sum(states[:, columns] * plain[:, columns], axis=1) < 0, -1, 1)[:, None]
-        return states
+        return np.where(self._is_told(times)[:, None], states, plain)
 
     @property
     def _turns(self) -> int:
@@ -138,13 +139,18 @@ class Cycle(Guide):
         return np.hstack([turns, rhythm.angles, rhythm.heights, rhythm.trust[:, None]])
 
     def _at(self, t: Array) -> tuple[Array, Array]:
-        """The target (S, 4 q + h + f), quaternions not of unit length, and its trust (S,), at times t [s]."""
+        """The target (S, 4 q + h + f), quaternions not of unit length, and its trust (S,), at times t [s]: none where
+        the clip has not begun the cycle yet, or has left it."""
         times = self.rhythm.times
         place = (np.clip(t, times[0], times[-1]) - times[0]) / (times[1] - times[0])
         before = np.minimum(place.astype(np.intp), times.size - 2)
         share = (place - before)[:, None]
         rows = (1 - share) * self._table[before] + share * self._table[before + 1]
-        return rows[:, :-1], rows[:, -1]
+        return rows[:, :-1], np.where(self._is_told(t), rows[:, -1], 0.0)
+
+    def _is_told(self, t: Array) -> NDArray[np.bool_]:
+        """(S,) whether the rhythm reaches to times t [s]."""
+        return (t >= self.rhythm.times[0]) & (t <= self.rhythm.times[-1])
 
     def _off(self, samples: Samples, target: Array) -> tuple[Array, Array]:
         """The unit quaternions from the target to the joints' own rotations: w (n, S) and v (3, n, S)."""
