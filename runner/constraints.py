@@ -14,6 +14,7 @@ from solver.kinematics import Samples
 from solver.penalty import (
     Bend,
     BendLimits,
+    Bound,
     Closed,
     Contact,
     Coupled,
@@ -36,7 +37,6 @@ from solver.penalty import (
     Skate,
     Stance,
     Support,
-    Swings,
     Together,
     Torque,
     UnitMagnitude,
@@ -241,8 +241,8 @@ class Constraints:
             parts = Planted(self.contacts.stances), Resting(self.contacts.rests, self.surfaces)
             return Together(parts, name="resting")
         if entry.kind == "skate":
-            swings = None if self._flies else Swings.of(self.figure, self.keys, self.points)
-            return Skate(self.points, self.surfaces, entry.reach or Skate.reach, swings)
+            bound = Bound.of(self.figure, self.keys, self.points, swings=not self._flies)
+            return Skate(self.points, self.surfaces, entry.reach or Skate.reach, bound)
         if entry.kind == "grounded":
             return self._grounded(entry.reach or Grounded.reach)
         if entry.kind == "posture":

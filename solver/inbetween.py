@@ -22,6 +22,7 @@ from .descent import NEWTON, Descent
 from .figure import Figure
 from .frame import Frame, Timeline
 from .gauss_newton import FIRST_DAMPING
+from .judgement import best
 from .objective import Evaluation, Objective
 from .optimiser import Stop
 from .penalty import Guide, Penalty
@@ -160,7 +161,8 @@ def inbetween(
         first = min(first, led, key=lambda timeline: objective.value(path_of(timeline)))
     loop = _Loop(objective, settings, improved)
     try:
-        timeline = loop.run_windows(raw, first) if in_windows else loop.searched(first, segments, settings.frames)
+        found = loop.run_windows(raw, first) if in_windows else loop.searched(first, segments, settings.frames)
+        timeline = best(objective, [found, raw])
     except KeyboardInterrupt:
         timeline, loop.stop = loop.best() if loop.best is not None else raw, Stop.ASKED
     return Motion(figure, objective, timeline, raw, tuple(loop.trace), loop.evaluations, loop.stop)
@@ -192,6 +194,15 @@ def _guide(objective: Objective) -> Guide | None:
     return next(guides, None)
 
 
+@dataclass(frozen=True, eq=False)
+class _End:
+    """How a round ended: its timeline, why it stopped, the last damping of its steps."""
+
+    timeline: Timeline
+    stop: Stop
+    damping: float
+
+
 class _Loop:
     """Rounds of descent and subdivision, with the best timeline kept."""
 
@@ -214,37 +225,37 @@ class _Loop:
         starts = [lambda: timeline, lambda: straightened(figure, timeline)]
         if farthest(figure, timeline) > FAR:
             starts.reverse()
-        found, least, stop, damping = timeline, np.inf, Stop.STUCK, self.damping
+        ends: list[_End] = []
         for start in starts:
-            self.damping = FIRST_DAMPING if least < np.inf else self.damping
-            other = self.run(start(), segments, budget)
-            value = sum(self.last.values())
-            if value < least:
-                found, least, stop, damping = other, value, self.stop, self.damping
-            if self.stop is Stop.ASKED:
-                return found
-            if not is_astray(self.objective, other, self.last):
+            if ends:
+                self.round += 1
+                self.damping = FIRST_DAMPING
+            ends += self.run(start(), segments, budget)
+            if self.stop is Stop.ASKED or not is_astray(self.objective, ends[-1].timeline, self.last):
                 break
-            self.round += 1
-        self.stop, self.damping = stop, damping
+        found = best(self.objective, [end.timeline for end in reversed(ends)])
+        end = next(end for end in reversed(ends) if end.timeline is found)
+        self.stop, self.damping = Stop.ASKED if self.stop is Stop.ASKED else end.stop, end.damping
         return found
 
-    def run(self, timeline: Timeline, segments: int, budget: int | None) -> Timeline:
-        """Rounds until no segment deserves another frame, or their budget is spent.
+    def run(self, timeline: Timeline, segments: int, budget: int | None) -> list[_End]:
+        """Rounds until no segment deserves another frame, or their budget is spent; how each of them ended.
 
         A round that another may follow ends when the next step promises little beside what more frames do.
         """
+        ends: list[_End] = []
         tolerance = self.settings.tolerance
         budget = MOST_FRAMES * segments if budget is None else budget
         rough = max(ROUGH, tolerance)
         while True:
             is_last = timeline.variable_count >= budget
             timeline = self.descend(timeline, tolerance if is_last else rough)
+            ends.append(_End(timeline, self.stop, self.damping))
             if self.stop is Stop.ASKED or is_last:
-                return timeline
+                return ends
             chosen, promise = self.chosen(timeline, budget - timeline.variable_count)
             if not chosen.size and rough <= tolerance:
-                return timeline
+                return ends
             rough = float(np.clip(SHARE_OF_PROMISE * promise, tolerance, rough)) if chosen.size else tolerance
             timeline = split(timeline, chosen)
             self.round += bool(chosen.size)

@@ -140,9 +140,10 @@ class Objective:
                 each[k] = np.isin(t, some) & is_instant
         return t, w, each
 
-    def integrals(self, path: Path) -> Array:
-        """∫ f_j dt of every term, Σ f_j of momentary ones, without weight or factor."""
-        t, _, w = self.nodes(path.spline.times)
+    def integrals(self, path: Path, times: Array | None = None) -> Array:
+        """∫ f_j dt of every term, Σ f_j of momentary ones, without weight or factor; summed over the spans between
+        `times` [s], or between the path's own frames."""
+        t, _, w = self.nodes(path.spline.times if times is None else times)
         out = np.zeros(len(self.terms))
         for piece in Sampling.of(path.spline, t).pieces(run_of(self.figure)):
             samples = Samples(self.figure, *piece.samples(path.coefficients), t=piece.t)
@@ -153,9 +154,9 @@ class Objective:
         """The figure's motion at times t (S,) along a path."""
         return Samples(self.figure, *path.motion(t), t=t)
 
-    def value(self, path: Path) -> float:
-        """E of a path."""
-        return float(sum(term.factor * v for term, v in zip(self.terms, self.integrals(path), strict=True)))
+    def value(self, path: Path, times: Array | None = None) -> float:
+        """E of a path, summed over the spans between `times` [s], or between its own frames."""
+        return float(sum(term.factor * v for term, v in zip(self.terms, self.integrals(path, times), strict=True)))
 
     def density(self, samples: Samples) -> Array:
         """Σ_j factor_j f_j at every sample, (S,)."""

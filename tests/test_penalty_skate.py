@@ -13,7 +13,7 @@ from solver.inbetween import Settings, inbetween
 from solver.kinematics import Samples
 from solver.penalty import Contact, CovariantAcceleration, Point, RootAcceleration, Skate, UnitMagnitude
 from solver.penalty.contact import velocity_gradients
-from solver.penalty.skate import Swings
+from solver.penalty.skate import LONG, Bound
 from solver.surface import Box, Plane
 from solver.unknowns import raw_timeline
 
@@ -145,26 +145,31 @@ def stepping(rest: float) -> tuple[Figure, Timeline]:
 
 
 def test_a_point_that_comes_far_between_near_keyframes_swings():
-    figure, keys = stepping(0.6)
-    swings = Swings.of(figure, keys, (Point("sole", 1, np.array([0.0, 0, -0.1])),))
-    assert swings is not None
-    np.testing.assert_array_equal(swings.at(np.array([0.1, 0.3, 0.7])), [[True, False, False]])
+    figure, keys = stepping(0.4)
+    bound = Bound.of(figure, keys, (Point("sole", 1, np.array([0.0, 0, -0.1])),))
+    np.testing.assert_array_equal(bound.at(np.array([0.1, 0.3, 0.7])), [[0, 1, 1]])
 
 
 def test_nothing_swings_where_nobody_told_where_the_foot_is():
-    figure, keys = stepping(0.6)
-    loose = [Frame.key(f.time, f.state, np.zeros(7, bool)) for f in keys.frames]
-    assert Swings.of(figure, Timeline(tuple(loose), keys.end_slope), (Point("sole", 1, np.zeros(3)),)) is None
+    figure, keys = stepping(0.4)
+    loose = Timeline(tuple(Frame.key(f.time, f.state, np.zeros(7, bool)) for f in keys.frames), keys.end_slope)
+    assert np.all(Bound.of(figure, loose, (Point("sole", 1, np.zeros(3)),)).shares == 1)
+    assert np.all(Bound.of(figure, keys, (Point("sole", 1, np.zeros(3)),), swings=False).shares == 1)
+
+
+def test_what_stands_is_told_the_less_the_longer_nobody_tells():
+    figure, keys = stepping(1.8)
+    bound = Bound.of(figure, keys, (Point("sole", 1, np.zeros(3)),), swings=False)
+    np.testing.assert_allclose(bound.at(np.array([0.1, 0.3, 0.7, 2.5])), [[1, 1, (LONG / 1.8) ** 2, (LONG / 1.8) ** 2]])
 
 
 def test_a_point_that_swings_is_as_fast_as_it_likes(rng):
     figure, keys = stepping(0.1)
     points, floor = (Point("sole", 1, np.array([0.0, 0, -0.1])),), Plane("floor", np.zeros(3), UP)
-    swings = Swings.of(figure, keys, points)
     t = np.array([0.1, 0.3])
     y = np.tile([0.0, 0, 0.15, 1, 0, 0, 0], (2, 1))
     y_d = rng.normal(size=y.shape)
     samples = Samples(figure, y, y_d, 0 * y, t=t)
-    free, bound = Skate(points, (floor,), swings=swings), Skate(points, (floor,))
-    np.testing.assert_array_equal(free.evaluate(samples), bound.evaluate(samples) * [0, 1])
+    free, all_ = Skate(points, (floor,), bound=Bound.of(figure, keys, points)), Skate(points, (floor,))
+    np.testing.assert_array_equal(free.evaluate(samples), all_.evaluate(samples) * [0, 1])
     assert penalty_slope(free, samples, rng) > 1.95

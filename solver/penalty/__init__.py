@@ -40,8 +40,8 @@ from .resting import Rest as Rest
 from .resting import Resting as Resting
 from .root import RootAcceleration as RootAcceleration
 from .self_contact import SelfContact as SelfContact
+from .skate import Bound as Bound
 from .skate import Skate as Skate
-from .skate import Swings as Swings
 from .support import Support as Support
 from .together import Together as Together
 from .torque import Torque as Torque

@@ -14,7 +14,7 @@ import numpy as np
 from ..algebra import cross, dot
 from ..curvature import Curvature, Sides
 from ..figure import Figure
-from ..frame import Mask, Timeline
+from ..frame import Timeline
 from ..kinematics import Cotangent, Samples, attached_pulled_back
 from ..quaternion import Array, Index
 from ..surface import Surface
@@ -24,33 +24,36 @@ from .penalty import Scale
 NEGLIGIBLE = 1e-3  # of the weight: higher up a point is free
 STRIDDEN = 0.08  # [m] between two neighbouring keyframes, from which on a point is in the air in between
 SHORTLY = 0.25  # [s] between them, up to which it cannot stand on the way as well
+LONG = 0.45  # [s] between two keyframes, from which on they tell less of where feet stand in between
 WORTH = 1e-3  # [m² rad⁻² s²]: 3 cm/s of a point on the ground count like half a radian per s²
 
 
 @dataclass(frozen=True, eq=False)
-class Swings:
-    """Points that swing from keyframe to keyframe: key times (K,) [s], which points in which segments (n, K − 1)."""
+class Bound:
+    """How much points are bound from keyframe to keyframe: key times (K,) [s], shares of the weight (n, K − 1)."""
 
     times: Array
-    aloft: Mask
+    shares: Array
 
     @classmethod
-    def of(cls, figure: Figure, keys: Timeline, points: Sequence[Point]) -> Swings | None:
-        """Points that two keyframes up to 0.25 s apart put more than 8 cm apart; None if there are none.
+    def of(cls, figure: Figure, keys: Timeline, points: Sequence[Point], *, swings: bool = True) -> Bound:
+        """Less in a long segment, by the square of its length: a foot may take steps there that nobody told of. Not at
+        all, if it may be that a foot `swings`, where two keyframes up to 0.25 s apart put a point more than 8 cm apart:
+        one that comes so far so fast passes low, and is not to be braked."""
+        spans = np.diff(keys.times)
+        shares = np.tile(np.minimum(1.0, (LONG / spans) ** 2), (len(points), 1))
+        if swings:
+            samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
+            centres, _, _ = Contact(tuple(points), ()).centres(samples)
+            steps = np.linalg.norm(np.diff(centres, axis=2), axis=0)
+            told = placed(figure, keys.known, points)
+            shares[(steps > STRIDDEN) & (spans <= SHORTLY) & told[:, 1:] & told[:, :-1]] = 0.0
+        return cls(keys.times, shares)
 
-        A foot that comes so far so fast passes low, and is not to be braked.
-        """
-        samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
-        centres, _, _ = Contact(tuple(points), ()).centres(samples)
-        steps = np.linalg.norm(np.diff(centres, axis=2), axis=0)
-        told = placed(figure, keys.known, points)
-        aloft = (steps > STRIDDEN) & (np.diff(keys.times) <= SHORTLY) & told[:, 1:] & told[:, :-1]
-        return cls(keys.times, aloft) if aloft.any() else None
-
-    def at(self, t: Array) -> Mask:
+    def at(self, t: Array) -> Array:
         """(n, S) at times t (S,) [s]."""
         span = np.searchsorted(self.times, t, side="right") - 1
-        return self.aloft[:, np.clip(span, 0, self.times.size - 2)]
+        return self.shares[:, np.clip(span, 0, self.times.size - 2)]
 
 
 @dataclass(frozen=True)
@@ -61,13 +64,13 @@ class Skate:
     the distance of its keyframes do not matter.
 
     reach   [m] the height at which a point is 1/e as bound as on the surface
-    swings  when which points swing and are let go, however low
+    bound   how much which points are bound when, however low; None: all are, always
     """
 
     points: tuple[Point, ...]
     surfaces: tuple[Surface, ...]
     reach: float = 0.04
-    swings: Swings | None = None
+    bound: Bound | None = None
     name: str = "skate"
 
     @property
@@ -103,8 +106,8 @@ class Skate:
 
     def _weight(self, height: Array, t: Array) -> Array:
         """(n, S) how much points at heights (n, S) over the ground are bound."""
-        bound = np.exp(-((height / self.reach) ** 2))
-        return bound if self.swings is None else bound * ~self.swings.at(t)
+        near = np.exp(-((height / self.reach) ** 2))
+        return near if self.bound is None else near * self.bound.at(t)
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
         """As of √weight · v with the weight held: what it changes by is of either sign."""
