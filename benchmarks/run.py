@@ -29,7 +29,7 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
 SECTIONS = (
     "evaluation", "runner39", "quaternions", "shooting", "uneven", "barr", "subdivision", "length", "clip", "perturbed",
-    "posing", "optimisers", "inbetweening", "rendering", "batch",
+    "posing", "optimisers", "earning", "inbetweening", "rendering", "batch",
 )  # fmt: skip
 PACKAGES = ("numpy", "scipy", "mujoco", "nlopt", "imageio", "av", "interpolatepy", "casadi", "distributed")
 

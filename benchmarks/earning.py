@@ -1,0 +1,116 @@
+"""What each soft constraint buys: the shipped clips solved without it, and what it watches measured with and without.
+
+Alone: python benchmarks/earning.py [--clips NAME ...] [--terms NAME ...]
+"""
+
+from __future__ import annotations
+
+import pinned  # noqa: F401  isort: skip  # before anything that imports NumPy
+
+import argparse
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+import report
+from bench import Effort, Section, median
+
+import models
+from runner import clip as clips
+from solver import Motion, inbetween
+from solver.quaternion import Array
+
+RATE = 200.0  # [1/s] of the samples over which integrals are summed
+LITTLE = 1e-3  # of E: a term that comes to no more, with it and without it, has nothing to do in a clip
+WORSE = 1.1  # times what it watches, from which on a clip is better for a term
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """One clip without one term.
+
+    own    integral of what the term watches, without it beside with it
+    rest   the other terms of E, the same way
+    share  of E that the term comes to without it, by its weight
+    """
+
+    clip: str
+    term: str
+    own: float
+    rest: float
+    share: float
+
+
+def solved(clip: clips.Clip) -> Motion:
+    """As `dynsplines solve` does it."""
+    return inbetween(
+        clip.figure, clip.keys, clip.penalties, clip.settings,
+        ends=clip.ends, end_slope=clip.end_slope, travel=clip.travel,
+    )  # fmt: skip
+
+
+def costs(of: Motion, motion: Motion) -> dict[str, float]:
+    """The terms of one motion's E by name, of another's path, on one fine grid."""
+    first, last = of.path.span
+    edges = np.linspace(first, last, round(RATE * (last - first)) + 1)
+    integrals: Array = of.objective.integrals(motion.path, edges)
+    return {term.penalty.name: term.factor * float(v) for term, v in zip(of.objective.terms, integrals, strict=True)}
+
+
+def outcomes(name: str, terms: Sequence[str], effort: Effort) -> list[Outcome]:
+    """One clip without each of some terms, those that have something to do in it."""
+    clip = clips.load(name)
+    whole = solved(clip)
+    with_it = costs(whole, whole)
+    found = []
+    for term in with_it:
+        if terms and term not in terms:
+            continue
+        effort.tell(f"{name} without {term}")
+        left = tuple((penalty, weight) for penalty, weight in clip.penalties if penalty.name != term)
+        if not left or len(left) == len(clip.penalties):
+            continue
+        without = costs(whole, solved(replace(clip, penalties=left)))
+        rest, before = (sum(v for key, v in side.items() if key != term) for side in (without, with_it))
+        if max(without[term], with_it[term]) < LITTLE * sum(with_it.values()):
+            continue
+        own = without[term] / max(with_it[term], LITTLE**2 * sum(with_it.values()))
+        found.append(Outcome(name, term, own, rest / before, without[term] / sum(with_it.values())))
+    return found
+
+
+def compared(names: Sequence[str], terms: Sequence[str], effort: Effort) -> Section:
+    """A row a term, over all clips in which it has something to do."""
+    section = Section(
+        "Shipped clips solved without one soft constraint: what that one watches, and the rest of E, beside the whole",
+        ("soft constraint", "clips", "what it watches: median ×", "most ×", "rest of E: median ×",
+         f"clips better for it by {WORSE:g} ×"),
+    )  # fmt: skip
+    found = [each for name in names for each in outcomes(name, terms, effort)]
+    for term in dict.fromkeys(each.term for each in found):
+        some = [each for each in found if each.term == term]
+        better = [each for each in some if each.own > WORSE]
+        section.add(
+            term, len(some), median([each.own for each in some]), max(each.own for each in some),
+            median([each.rest for each in some]), ", ".join(each.clip for each in better) or "none",
+        )  # fmt: skip
+    section.notes = ["integrals of one fine grid; a clip counts where the term comes to a thousandth of E or more"]
+    return section
+
+
+def measure(effort: Effort) -> Section:
+    return compared(sorted(models.clips())[: effort.count(100, 2)], (), effort)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description="shipped clips without one soft constraint")
+    parser.add_argument("--clips", nargs="+", default=sorted(models.clips()), metavar="NAME")
+    parser.add_argument("--terms", nargs="+", default=(), metavar="NAME")
+    chosen = parser.parse_args()
+    section = compared(chosen.clips, chosen.terms, Effort())
+    print("\n".join([section.title, "", *report.table(section.columns, section.rows), ""]))
+    print("\n".join(f"- {note}" for note in section.notes))
+
+
+if __name__ == "__main__":
+    main()
