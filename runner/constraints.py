@@ -11,6 +11,7 @@ from solver import quaternion as quat
 from solver.figure import Figure, JointKind
 from solver.frame import Timeline
 from solver.kinematics import Samples
+from solver.naming import geom_name
 from solver.penalty import (
     Bend,
     BendLimits,
@@ -374,7 +375,7 @@ def bolted_links(figure: Figure) -> dict[str, frozenset[int]]:
     """The links that are in a static geom by design, by the geom's name as surfaces have it."""
     found: dict[str, set[int]] = {}
     for body, geom in bolted(figure.model):
-        name = figure.model.geom(geom).name or f"geom {geom}"
+        name = geom_name(figure.model, geom)
         found.setdefault(name, set()).add(int(figure.body_link[body]))
     return {name: frozenset(links) for name, links in found.items()}
 

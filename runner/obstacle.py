@@ -9,6 +9,7 @@ import mujoco
 import numpy as np
 
 from solver.quaternion import Array
+from solver.touch import SCENERY
 
 from .clip_table import BarTable, BoxTable, SceneTable, SphereTable
 from .errors import UserError
@@ -45,7 +46,7 @@ class Obstacle:
         """The geom in the world of a spec."""
         if any(geom.name == self.name for geom in spec.geoms):
             raise UserError(f"the scene has a {self.kind} '{self.name}', but there already is a geom of that name")
-        geom = spec.worldbody.add_geom(name=self.name, type=KINDS[self.kind], contype=0, conaffinity=0)
+        geom = spec.worldbody.add_geom(name=self.name, type=KINDS[self.kind], contype=0, conaffinity=1 | SCENERY)
         geom.size[: len(self.size)] = self.size
         if self.ends is None:
             geom.pos, geom.quat = self.place, self.turn

@@ -11,6 +11,7 @@ import mujoco
 import numpy as np
 
 from solver import touch
+from solver.naming import geom_name
 from solver.quaternion import Array, Index
 
 NEAR = 0.02
@@ -50,11 +51,6 @@ def moving_geoms(model: mujoco.MjModel) -> list[int]:
 def solid_geoms(model: mujoco.MjModel) -> list[int]:
     """Static geoms: the surfaces."""
     return touch.solids(model)
-
-
-def geom_name(model: mujoco.MjModel, geom: int) -> str:
-    """A geom's name, or its number where it has none."""
-    return model.geom(geom).name or f"geom {geom}"
 
 
 def penetration(model: mujoco.MjModel, time: Array, qpos: Array) -> Penetration:

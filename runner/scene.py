@@ -1,4 +1,4 @@
-"""Figure and stage become one model: sky, light and floor where the model brings none of its own, and obstacles."""
+"""Figure and stage become one model: what the model lacks of sky, light, floor and materials, and obstacles."""
 
 from __future__ import annotations
 
@@ -13,10 +13,13 @@ import mujoco
 import numpy as np
 
 import models
+from solver.touch import SCENERY, grounds
 
 from .assets import Assets, Scene, taken_along
+from .dressing import dress
 from .errors import UserError, unknown
 from .framing import STANDING, is_of_people_size, rest_box, size_of
+from .lighting import is_well_lit
 from .obstacle import Obstacle
 
 PREFIX = "stage_"
@@ -72,34 +75,14 @@ def compose(spec: mujoco.MjSpec, step: Step | None = None, obstacles: Sequence[O
     assets = taken_along(spec)
     for key in list(spec.keys):
         spec.delete(key)
-    has_floor = any(geom.type == mujoco.mjtGeom.mjGEOM_PLANE for geom in spec.geoms)
-    has_sky = any(texture.type == mujoco.mjtTexture.mjTEXTURE_SKYBOX for texture in spec.textures)
-    has_light = bool(spec.lights)
-    stage = mujoco.MjSpec.from_string(models.stage_text())
-    for unwanted, present in ((stage.geoms, has_floor), (stage.lights, has_light)):
-        for element in list(unwanted) if present else []:
-            stage.delete(element)
-    if has_sky:
-        for texture in list(stage.textures):
-            if texture.type == mujoco.mjtTexture.mjTEXTURE_SKYBOX:
-                stage.delete(texture)
     bare = _compiled(spec, assets)
-    if not has_light:
-        spec.visual, spec.stat = stage.visual, stage.stat
-        if not is_of_people_size(bare):
-            spec.stat.extent *= size_of(bare) / STANDING
-    if not has_floor and not np.any(bare.jnt_type == int(mujoco.mjtJoint.mjJNT_FREE)):
-        low = float(rest_box(bare)[0][2])
-        if low < -BURIED:  # what hangs on the world may hang lower than its origin
-            stage.geom("floor").pos = [0.0, 0.0, low - BELOW * size_of(bare)]
-    spec.visual.global_.offwidth = stage.visual.global_.offwidth
-    spec.visual.global_.offheight = stage.visual.global_.offheight
+    has_floor = bool(grounds(bare))
+    is_staged = has_floor and any(material.name == PREFIX + "step" for material in spec.materials)  # by an earlier call
+    stage = _stage(spec, bare, has_floor=has_floor)
     try:
         with quietly():
-            own = {PREFIX + material.name for material in stage.materials}
-            if not (
-                has_floor and own <= {material.name for material in spec.materials}
-            ):  # else it has been here before
+            if not is_staged:
+                dress(spec, bare, PREFIX)
                 spec.attach(stage, frame=spec.worldbody.add_frame(), prefix=PREFIX)
             if not has_floor and all(geom.name != "floor" for geom in spec.geoms):
                 spec.geom(PREFIX + "floor").name = "floor"
@@ -111,6 +94,30 @@ def compose(spec: mujoco.MjSpec, step: Step | None = None, obstacles: Sequence[O
             return Scene(spec.to_xml(), assets)
     except ValueError as error:
         raise UserError(f"MuJoCo cannot compile the model with its stage: {first_line(error)}") from None
+
+
+def _stage(spec: mujoco.MjSpec, bare: mujoco.MjModel, *, has_floor: bool) -> mujoco.MjSpec:
+    """What of the stage a model lacks; a model without good lamps of its own is seen in the stage's light alone."""
+    stage = mujoco.MjSpec.from_string(models.stage_text())
+    has_light = is_well_lit(bare)
+    has_sky = any(texture.type == mujoco.mjtTexture.mjTEXTURE_SKYBOX for texture in spec.textures)
+    skies = [texture for texture in stage.textures if texture.type == mujoco.mjtTexture.mjTEXTURE_SKYBOX]
+    for unwanted, present in ((list(stage.geoms), has_floor), (list(stage.lights), has_light), (skies, has_sky)):
+        for element in unwanted if present else []:
+            stage.delete(element)
+    if not has_light:
+        for lamp in spec.lights:
+            lamp.active = False
+        spec.visual, spec.stat = stage.visual, stage.stat
+        if not is_of_people_size(bare):
+            spec.stat.extent *= size_of(bare) / STANDING
+    if not has_floor and not np.any(bare.jnt_type == int(mujoco.mjtJoint.mjJNT_FREE)):
+        low = float(rest_box(bare)[0][2])
+        if low < -BURIED:  # what hangs on the world may hang lower than its origin
+            stage.geom("floor").pos = [0.0, 0.0, low - BELOW * size_of(bare)]
+    spec.visual.global_.offwidth = stage.visual.global_.offwidth
+    spec.visual.global_.offheight = stage.visual.global_.offheight
+    return stage
 
 
 def _compiled(spec: mujoco.MjSpec, assets: Assets) -> mujoco.MjModel:
@@ -135,7 +142,7 @@ def _add_step(spec: mujoco.MjSpec, step: Step) -> None:
         pos=[step.x + half[0], step.y, half[2]],
         material=PREFIX + "step",
         contype=0,
-        conaffinity=0,
+        conaffinity=1 | SCENERY,
     )
 
 

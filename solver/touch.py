@@ -1,9 +1,9 @@
 """Which geoms can touch which: what of a model is solid, and what is bolted together.
 
-Models bring geoms that are only to be seen (contype = conaffinity = 0) beside those that collide. Those of a body that
-has others that collide do not count, nor do meshes where anything that moves collides. Of what does not move, the
-geoms of the world itself always count, floors and steps, those of other fixed bodies only if they collide. Where
-nothing that moves collides everything counts.
+Models bring geoms that are only to be seen (contype = conaffinity = 0) beside those that collide. Where anything that
+moves collides, only what collides is kept clear; where anything collides, only what does is in the way. A model of
+which nothing collides is looked at with all of its geoms. What always is in the way: planes of the world, which are
+floors and walls, and what a clip adds, floor, step and obstacles, which say so by a bit of their own (`SCENERY`).
 
 A limb that hangs on the world by its joints and is in a static geom at rest is meant to be there: an arm in its socket.
 """
@@ -17,6 +17,8 @@ import numpy as np
 
 from .frame import Mask
 
+SCENERY = 1 << 30  # the bit of conaffinity that marks what a clip adds to a model
+LEVEL = 0.99  # of a plane's normal, how much of it goes up where one stands on it
 TOUCHING = 0.001  # [m]
 FAR = np.array([-0.5, 0.5])  # [m] that slides without bounds are tried to go
 
@@ -39,24 +41,38 @@ def _on_mocap(model: mujoco.MjModel) -> Mask:
     return mocap[model.body_rootid[model.geom_bodyid]]
 
 
+def is_scenery(model: mujoco.MjModel) -> Mask:
+    """(ngeom,) the geoms that a clip has added: floor, step and obstacles."""
+    return np.asarray(model.geom_conaffinity & SCENERY) != 0
+
+
+def counts_all(model: mujoco.MjModel) -> bool:
+    """Whether nothing of a model's own collides, so that all of its geoms count, those too that are only to be seen."""
+    return not np.any(collides(model) & ~is_scenery(model) & ~_on_mocap(model))
+
+
 def movers(model: mujoco.MjModel) -> list[int]:
     """The moving geoms that count."""
-    moving, colliding = moves(model), collides(model)
-    solid = moving & colliding
-    if not solid.any():
-        return np.flatnonzero(moving).tolist()
-    link = model.body_weldid[model.geom_bodyid]
-    bare = ~np.isin(link, link[solid]) & (model.geom_type != int(mujoco.mjtGeom.mjGEOM_MESH))
-    return np.flatnonzero(solid | (moving & bare)).tolist()
+    moving = moves(model)
+    solid = moving & collides(model)
+    return np.flatnonzero(solid if solid.any() else moving).tolist()
 
 
 def solids(model: mujoco.MjModel) -> list[int]:
     """The static geoms that count."""
-    moving, colliding = moves(model), collides(model)
-    still = ~moving & ~_on_mocap(model)
-    if not np.any(moving & colliding):
+    still = ~moves(model) & ~_on_mocap(model)
+    if counts_all(model):
         return np.flatnonzero(still).tolist()
-    return np.flatnonzero(still & (colliding | (model.geom_bodyid == 0))).tolist()
+    ground = (model.geom_type == int(mujoco.mjtGeom.mjGEOM_PLANE)) & (model.geom_bodyid == 0)
+    return np.flatnonzero(still & (collides(model) | ground)).tolist()
+
+
+def grounds(model: mujoco.MjModel) -> list[int]:
+    """The level planes that do not move: floors."""
+    data = mujoco.MjData(model)
+    mujoco.mj_kinematics(model, data)
+    planes = ~moves(model) & ~_on_mocap(model) & (model.geom_type == int(mujoco.mjtGeom.mjGEOM_PLANE))
+    return np.flatnonzero(planes & (data.geom_xmat[:, 8] > LEVEL)).tolist()
 
 
 @lru_cache(maxsize=8)

@@ -10,10 +10,10 @@ from runner.penetration import lowest, moving_geoms, penetration, solid_geoms
 
 SCENE = """
 <mujoco><worldbody>
-  <geom name="floor" type="plane" size="1 1 1" contype="0" conaffinity="0"/>
-  <geom name="step" type="box" size=".5 .5 .15" pos="2 0 .15" contype="0" conaffinity="0"/>
+  <geom name="floor" type="plane" size="1 1 1"/>
+  <geom name="step" type="box" size=".5 .5 .15" pos="2 0 .15"/>
   <geom name="pillar" type="cylinder" size=".1 1" pos="-2 0 1"/>
-  <body name="a"><freejoint/><geom name="ball" size=".1" contype="0" conaffinity="0"/>
+  <body name="a"><freejoint/><geom name="ball" size=".1"/>
     <body name="b" pos="0 0 .5"><joint/><geom type="capsule" size=".05" fromto="0 0 0 0 0 .4"/></body></body>
 </worldbody></mujoco>"""
 
@@ -58,9 +58,9 @@ def test_touching_nothing_is_told_as_nothing(model):
     assert found.worst() == "nothing"
 
 
-def test_a_geom_without_a_name_is_told_by_its_number(model):
+def test_a_geom_without_a_name_is_told_by_its_bodys(model):
     found = penetration(model, np.zeros(1), poses((0, 0, -0.6)))
-    assert found.names[1] == "geom 4"
+    assert found.names[1] == "b"
     assert found.depth[1] == pytest.approx(0.15, abs=1e-6)
 
 

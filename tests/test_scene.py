@@ -9,10 +9,11 @@ from tiny import FIGURE, HINGE, names
 
 import models
 from runner.errors import UserError
+from runner.lighting import brightness
 from runner.scene import Step, compose, figure_spec, quietly
 
 OWN_STAGE = """<worldbody>
-  <light name="lamp" pos="0 0 3"/><geom name="ground" type="plane" size="1 1 1" contype="1"/>"""
+  <light name="lamp" type="directional" dir="0 0 -1"/><geom name="ground" type="plane" size="1 1 1" contype="1"/>"""
 
 
 def spec_of(text: str) -> mujoco.MjSpec:
@@ -153,3 +154,65 @@ def test_a_model_that_has_its_stage_already_is_composed_as_it_is():
     twice = compose(once.spec())
     counts = [[getattr(scene.model(), name) for name in ("ngeom", "nmat", "ntex", "nlight")] for scene in (once, twice)]
     assert counts[0] == counts[1]
+
+
+@pytest.mark.parametrize(
+    "lamp",
+    [
+        "",
+        '<light name="lamp" pos="0 0 2" mode="trackcom"/>',
+        '<light name="lamp" pos="0 0 9" dir="0 0 -1" active="false"/>',
+        '<light name="lamp" type="directional" dir="0 0 1"/>',
+    ],
+)
+def test_a_figure_in_the_dark_or_in_a_cone_of_light_is_seen_in_the_stages_light_alone(lamp):
+    model = composed(FIGURE.replace("<worldbody>", f"<worldbody>{lamp}", 1))
+    lit = {model.light(k).name for k in range(model.nlight) if model.light_active[k]}
+    assert lit == {"stage_key", "stage_fill"}
+    stage = mujoco.MjModel.from_xml_string(models.stage_text())
+    np.testing.assert_allclose(model.vis.headlight.ambient, stage.vis.headlight.ambient)
+
+
+def test_light_is_measured_as_it_falls_on_the_ground_about_a_figure():
+    ball = '<body pos="0 0 1"><freejoint/><geom size=".5"/></body>'
+    head = '<visual><headlight ambient=".1 .1 .1" diffuse=".2 .2 .2"/></visual>'
+    level = '<light type="directional" dir="1 0 -1" diffuse=".6 .6 .6"/>'
+    slanted = brightness(spec_of(f"<mujoco>{head}<worldbody>{level}{ball}</worldbody></mujoco>").compile())
+    np.testing.assert_allclose(slanted, 0.1 + 0.5 * 0.2 + 0.6 * np.sqrt(0.5))
+    cone = '<light pos="0 0 2.5" dir="0 0 -1" cutoff="60" exponent="3" diffuse=".6 .6 .6"/>'
+    below, beside = brightness(spec_of(f"<mujoco>{head}<worldbody>{cone}{ball}</worldbody></mujoco>").compile())[:2]
+    assert below == pytest.approx(0.2 + 0.6)
+    assert beside == pytest.approx(0.2 + 0.6 * np.sqrt(0.5) * np.sqrt(0.5) ** 3)  # two metres aside, two below the lamp
+    narrow = cone.replace("60", "40")
+    assert brightness(spec_of(f"<mujoco>{head}<worldbody>{narrow}{ball}</worldbody></mujoco>").compile())[1] == (
+        pytest.approx(0.2)
+    )
+
+
+GREY = """<mujoco><asset><material name="own" rgba="1 0 0 1"/></asset><worldbody>
+  <geom name="ground" type="plane" size="1 1 1"/><geom name="post" type="box" size=".1 .1 .1" pos="3 0 .1"/>
+  <body pos="0 0 1"><freejoint/><geom name="trunk" size=".1"/><geom name="red" size=".1" material="own"/>
+    <geom name="hull" size=".2" group="3"/><geom name="green" size=".1" rgba="0 1 0 1"/>
+    <body><geom name="pack" size=".1"/><body><joint/><geom name="arm" size=".1"/></body></body></body>
+</worldbody></mujoco>"""
+
+
+def test_what_has_no_colour_gets_materials_limbs_light_and_dark_in_turn():
+    model = composed(GREY)
+    found = {
+        model.geom(g).name: model.mat(model.geom_matid[g]).name if model.geom_matid[g] >= 0 else None
+        for g in range(model.ngeom)
+    }
+    limbs = {"trunk": "stage_dark", "pack": "stage_dark", "arm": "stage_light"}
+    assert found == limbs | {
+        "ground": "stage_floor", "post": "stage_step", "red": "own", "hull": None, "green": None
+    }  # fmt: skip
+    again = compose(compose(spec_of(GREY)).spec()).model()
+    np.testing.assert_array_equal(again.geom_matid, model.geom_matid)
+
+
+def test_a_wall_alone_is_no_floor():
+    model = composed(
+        FIGURE.replace("<worldbody>", '<worldbody><geom name="wall" type="plane" zaxis="1 0 0" size="1 1 1"/>', 1)
+    )
+    assert named(model, "geom") == {"trunk", "shin", "wall", "floor"}

@@ -5,10 +5,13 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 
+from runner.clip_table import SceneTable
+from runner.obstacle import obstacles
+from runner.scene import Step, compose
 from solver.figure import Figure
 from solver.penalty import body_points, covering_points
 from solver.surface import static_surfaces
-from solver.touch import bolted, movers, solids
+from solver.touch import bolted, counts_all, movers, solids
 
 ARM = """
 <mujoco><asset><mesh name="rock" vertex="0 0 0 .1 0 0 0 .1 0 0 0 .1 .1 .1 .1"/></asset>
@@ -60,3 +63,55 @@ def _axes(model: mujoco.MjModel, geom: str) -> np.ndarray:
     out = np.zeros(9)
     mujoco.mju_quat2Mat(out, model.geom(geom).quat)
     return out.reshape(3, 3)
+
+
+ROOM = """
+<mujoco><worldbody>
+  <geom name="ground" type="plane" size="1 1 1" contype="0" conaffinity="0"/>
+  <geom name="hull" type="box" size="4 4 3" {hull}/><geom name="bench" type="box" size=".1 1 .2" pos="2 0 0" {bench}/>
+  <body name="leg" pos="0 0 1"><freejoint/><geom name="bone" type="capsule" size=".05 .2" contype="0" conaffinity="0"/>
+    <geom name="skin" type="capsule" size=".06 .2" {skin}/>
+    <body name="toe"><joint/><geom name="nail" size=".01" contype="0" conaffinity="0"/></body></body>
+</worldbody>{more}</mujoco>"""
+SEEN = 'contype="0" conaffinity="0"'
+
+
+def room(hull: str = SEEN, bench: str = SEEN, skin: str = SEEN, more: str = "") -> mujoco.MjModel:
+    return mujoco.MjModel.from_xml_string(ROOM.format(hull=hull, bench=bench, skin=skin, more=more))
+
+
+def test_where_something_collides_the_hull_of_a_room_is_no_obstacle_and_bones_are_not_kept_clear():
+    model = room(bench="", skin="")
+    assert named(model, solids(model)) == ["ground", "bench"]
+    assert named(model, movers(model)) == ["skin"]
+    assert not counts_all(model)
+    alone = room(skin="")  # planes are grounds whatever they say
+    assert named(alone, solids(alone)) == ["ground"]
+
+
+def test_a_pair_of_geoms_that_may_touch_makes_both_collide():
+    model = room(more='<contact><pair geom1="bench" geom2="skin"/></contact>')
+    assert named(model, solids(model)) == ["ground", "bench"]
+    assert named(model, movers(model)) == ["skin"]
+
+
+def test_a_model_of_which_nothing_collides_is_looked_at_with_all_of_its_geoms():
+    model = room()
+    assert counts_all(model)
+    assert named(model, solids(model)) == ["ground", "hull", "bench"]
+    assert named(model, movers(model)) == ["bone", "skin", "nail"]
+
+
+def test_a_figure_that_collides_with_nothing_in_a_room_that_does_is_kept_clear_with_all_of_its_geoms():
+    model = room(bench="")
+    assert named(model, solids(model)) == ["ground", "bench"]
+    assert named(model, movers(model)) == ["bone", "skin", "nail"]
+
+
+def test_what_a_clip_adds_is_in_the_way_whether_or_not_anything_else_collides():
+    for skin in (SEEN, ""):
+        text = ROOM.format(hull=SEEN, bench=SEEN, skin=skin, more="")
+        table = SceneTable.model_validate({"sphere": [{"name": "ball", "radius": 0.1, "position": [1, 0, 0.1]}]})
+        model = compose(mujoco.MjSpec.from_string(text), Step(1.0, 0.2), obstacles(table)).model()
+        assert {"ground", "step", "ball"} <= set(named(model, solids(model)))
+        assert ("hull" in named(model, solids(model))) == (skin == SEEN)

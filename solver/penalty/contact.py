@@ -22,6 +22,7 @@ from ..figure import Figure, JointKind
 from ..frame import Mask, Timeline
 from ..joint_rows import any_point_rows, any_velocity_rows
 from ..kinematics import Cotangent, Samples
+from ..naming import geom_name
 from ..quaternion import Array, Index
 from ..rows import has_point_rows, point_rows, velocity_rows
 from ..surface import Surface
@@ -269,7 +270,7 @@ def body_points(figure: Figure) -> tuple[Point, ...]:
             pairs.append((len(ends), len(ends) + 1))
         for offset, radius in _cover(model, geom):
             link, position = figure.point_on_link(body, model.geom_pos[geom] + axes @ offset)
-            ends.append(Point(model.geom(geom).name or f"geom {geom}", link, position, radius))
+            ends.append(Point(geom_name(model, geom), link, position, radius))
     kept = _outermost(ends)
     between = [point for a, b in pairs if a in kept and b in kept for point in _between(ends[a], ends[b])]
     return (*(ends[i] for i in sorted(kept)), *between)

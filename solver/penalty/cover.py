@@ -13,6 +13,7 @@ import numpy as np
 
 from .. import quaternion as quat
 from ..figure import Figure
+from ..naming import geom_name
 from ..quaternion import Array
 from ..surface import hull_of
 from ..touch import movers
@@ -38,7 +39,7 @@ def covering_points(figure: Figure) -> tuple[Point, ...]:
         axes = np.stack([quat.rotated(model.geom_quat[geom], e) for e in np.eye(3)], axis=1)
         link = int(figure.body_link[body])
         places = np.array([figure.point_on_link(body, model.geom_pos[geom] + axes @ c)[1] for c in centres])
-        name = model.geom(geom).name or f"geom {geom}"
+        name = geom_name(model, geom)
         found.setdefault(link, []).append((name, places.reshape(-1, 3), radii))
     for link, parts in found.items():
         names = np.repeat([name for name, _, _ in parts], [len(radii) for _, _, radii in parts])

@@ -6,6 +6,7 @@ import mujoco
 import numpy as np
 
 from .. import touch
+from ..naming import geom_name
 from ..quaternion import Array, Index
 from .box import Box
 from .capsule import Capsule, Sphere
@@ -30,19 +31,15 @@ def static_surfaces(model: mujoco.MjModel) -> tuple[Surface, ...]:
     return (*planes, *(solid for solid in solids if solid is not None))
 
 
-def _name(model: mujoco.MjModel, geom: int) -> str:
-    return model.geom(geom).name or f"geom {geom}"
-
-
 def _plane(model: mujoco.MjModel, data: mujoco.MjData, geom: int) -> Plane:
     normal = data.geom_xmat[geom].reshape(3, 3)[:, 2].copy()
-    return Plane(_name(model, geom), data.geom_xpos[geom].copy(), normal)
+    return Plane(geom_name(model, geom), data.geom_xpos[geom].copy(), normal)
 
 
 def _solid(model: mujoco.MjModel, data: mujoco.MjData, geom: int, floor: float) -> Surface | None:
     """The surface of one geom that is not a plane; None for shapes that have none of their own."""
     kinds, kind = mujoco.mjtGeom, int(model.geom_type[geom])
-    name, centre = _name(model, geom), data.geom_xpos[geom].copy()
+    name, centre = geom_name(model, geom), data.geom_xpos[geom].copy()
     axes, size = data.geom_xmat[geom].reshape(3, 3).copy(), np.array(model.geom_size[geom])
     if kind == kinds.mjGEOM_BOX:
         bottom = centre[2] - np.abs(axes[2]) @ size

@@ -1,0 +1,37 @@
+"""Materials for a model that has none: a floor's grid, and limbs light and dark in turn, so that one sees them bend."""
+
+from __future__ import annotations
+
+import mujoco
+import numpy as np
+
+from solver.touch import grounds, moves
+
+GREY = (0.5, 0.5, 0.5, 1.0)  # MuJoCo's colour of a geom that says nothing
+HIDDEN = 3  # the first group of geoms that is not drawn
+
+
+def dress(spec: mujoco.MjSpec, bare: mujoco.MjModel, prefix: str) -> None:
+    """The stage's materials for the geoms that have neither a colour nor a material.
+
+    bare  the spec compiled as it is, without the stage;  prefix  of the stage's names in what it will become
+    """
+    floors, moving, depth = set(grounds(bare)), moves(bare), _depths(bare)
+    for geom in spec.geoms:
+        index = int(geom.id)
+        if geom.material or not np.allclose(geom.rgba, GREY) or bare.geom_group[index] >= HIDDEN:
+            continue
+        if index in floors:
+            geom.material = prefix + "floor"
+        elif moving[index]:
+            geom.material = prefix + ("dark" if depth[bare.geom_bodyid[index]] % 2 else "light")
+        elif bare.geom_type[index] != int(mujoco.mjtGeom.mjGEOM_PLANE):
+            geom.material = prefix + "step"
+
+
+def _depths(model: mujoco.MjModel) -> list[int]:
+    """How many bodies that move are on the way from the world to each body: 0 for what stands still."""
+    depth = [0] * model.nbody
+    for body in range(1, model.nbody):
+        depth[body] = depth[model.body_parentid[body]] + int(model.body_jntnum[body] > 0)
+    return depth

@@ -1,0 +1,58 @@
+"""Whether a model's own lamps light its figure wherever it goes: light added up on the ground where it stands and about.
+
+Many models of robots bring one lamp right above them, a cone in the dark that they walk out of, or none.
+"""
+
+from __future__ import annotations
+
+import mujoco
+import numpy as np
+
+from solver.quaternion import Array
+
+from .framing import rest_box
+
+ABOUT = 2.0  # of a figure's size, how far from it on each side the ground should be lit; half of it for a fixed one
+LEAST = 0.7  # of full light, what a grey ground needs to be seen as grey
+SIDEWAYS = (
+    0.5  # of the headlight, which shines along the camera's axis, what falls on the ground and on a figure's sides
+)
+
+
+def is_well_lit(model: mujoco.MjModel) -> bool:
+    """Whether a model has lamps that are on, and light enough at its figure and to all sides of it."""
+    return bool(np.any(model.light_active)) and float(brightness(model).min()) >= LEAST
+
+
+def brightness(model: mujoco.MjModel) -> Array:
+    """(5,) the light on level ground under a figure at rest and to four sides of it, 1 for full."""
+    data = mujoco.MjData(model)
+    mujoco.mj_kinematics(model, data)
+    mujoco.mj_comPos(model, data)
+    mujoco.mj_camlight(model, data)
+    low, high = rest_box(model)
+    reach = ABOUT * float((high - low).max())
+    if not np.any(model.jnt_type == int(mujoco.mjtJoint.mjJNT_FREE)):
+        reach *= 0.5
+    sides = np.array([[0.0, 0, 0], [1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0]])
+    ground = np.append((low + high)[:2] / 2, low[2]) + reach * sides
+    head = model.vis.headlight
+    found = np.full(len(ground), float(bool(head.active)) * float((head.ambient + SIDEWAYS * head.diffuse).mean()))
+    for lamp in np.flatnonzero(model.light_active):
+        found += model.light_ambient[lamp].mean() + model.light_diffuse[lamp].mean() * _reaching(
+            model, data, lamp, ground
+        )
+    return found
+
+
+def _reaching(model: mujoco.MjModel, data: mujoco.MjData, lamp: int, ground: Array) -> Array:
+    """(n,) the share of a lamp's light that falls on level ground (n, 3), as OpenGL reckons a spot's cone."""
+    ahead = data.light_xdir[lamp] / np.linalg.norm(data.light_xdir[lamp])
+    if model.light_type[lamp] == int(mujoco.mjtLightType.mjLIGHT_DIRECTIONAL):
+        return np.full(len(ground), max(-float(ahead[2]), 0.0))
+    way = ground - data.light_xpos[lamp]
+    way /= np.maximum(np.linalg.norm(way, axis=1, keepdims=True), 1e-9)
+    along = way @ ahead
+    inside = along >= np.cos(np.radians(model.light_cutoff[lamp]))
+    cone = inside * np.maximum(along, 0) ** model.light_exponent[lamp] if model.light_cutoff[lamp] < 90 else 1.0
+    return np.maximum(-way[:, 2], 0) * cone

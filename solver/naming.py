@@ -1,0 +1,40 @@
+"""What geoms are called: by their own names, or where they have none by their body's, so that people know them."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import mujoco
+
+
+def geom_name(model: mujoco.MjModel, geom: int) -> str:
+    """A geom's name; without one that of its body, counted where that has several such; of the world's own "geom 3"."""
+    return _names(model)[geom]
+
+
+def body_title(model: mujoco.MjModel, geom: int) -> str:
+    """What a part of a geom is called: after the geom, or else after its body."""
+    return str(model.geom(geom).name or _of_body(model, geom) or f"geom {geom}")
+
+
+@lru_cache(maxsize=8)
+def _names(model: mujoco.MjModel) -> tuple[str, ...]:
+    """The names of all geoms, each once."""
+    own = [str(model.geom(geom).name) for geom in range(model.ngeom)]
+    nameless: dict[str, list[int]] = {}
+    for geom in range(model.ngeom):
+        if not own[geom]:
+            nameless.setdefault(_of_body(model, geom), []).append(geom)
+    taken = set(own)
+    for body, geoms in nameless.items():
+        for number, geom in enumerate(geoms, start=1):
+            name = body if len(geoms) == 1 else f"{body} {number}"
+            own[geom] = name if body and name not in taken else f"geom {geom}"
+            taken.add(own[geom])
+    return tuple(own)
+
+
+def _of_body(model: mujoco.MjModel, geom: int) -> str:
+    """The name of the body of a geom; none for the world."""
+    body = int(model.geom_bodyid[geom])
+    return str(model.body(body).name) if body else ""
