@@ -53,8 +53,10 @@ from .constraints import Constraints, posing_bends
 from .contacts import rests
 from .couplings import complaints, follow
 from .errors import UserError, unknown
+from .feet import sole_points
 from .motion import Saved, read_arrays
 from .obstacle import obstacles
+from .places import Places
 from .placing import check_search, wanted, with_pose
 from .rotation import quaternion_of
 from .scene import Step, compose, figure_spec, first_line, quietly
@@ -239,7 +241,9 @@ def of_motion(saved: Saved, *, contacts: bool = False) -> Clip:
     solve = solve.model_copy(update={"ends": ends, "travel": travel})
     placed: tuple[Placed, ...] = ()
     if table is not None and contacts:
-        placed = tuple(point for row in table.keyframe for point in wanted(saved.figure, row, saved.name).placed)
+        whole = [key.state for key in saved.keys if key.is_key]
+        places = Places(saved.figure, sole_points(saved.figure, np.reshape(whole, (-1, saved.figure.width))))
+        placed = tuple(point for row in table.keyframe for point in wanted(places, row, saved.name).placed)
     elif table is not None:  # which are those of the clip that it was
         table = table.model_copy(update={"contact": []})
     return _clip(
@@ -369,7 +373,8 @@ def _keys(
     missed  gets a line for every place that no pose was found for
     """
     places = [f"{place}: {_called(number, row.time)}" for number, row in enumerate(rows, start=1)]
-    wants = [wanted(figure, row, where) for row, where in zip(rows, places, strict=True)]
+    known = _named(figure, rows, places)
+    wants = [wanted(known, row, where) for row, where in zip(rows, places, strict=True)]
     loose = [want.loose(figure, row) for want, row in zip(wants, rows, strict=True)]
     keys: list[Frame] = []
     for row, where, free in zip(rows, places, loose, strict=True):
@@ -386,6 +391,17 @@ def _keys(
         check_search(figure, key, want.placed, where)
     left = tuple(point for want in wants for point in want.placed)
     return stander.stood(keys, left), left
+
+
+def _named(figure: Figure, rows: Sequence[KeyframeTable], places: Sequence[str]) -> Places:
+    """What keyframes can place: feet are found from those that say every joint, whatever else they place."""
+    if not any(row.sites or row.bodies for row in rows):
+        return Places(figure)
+    keys: list[Frame] = []
+    for row, where in zip(rows, places, strict=True):
+        keys.append(_key(figure, row, keys[-1] if keys else None, (), where))
+    whole = [key.state for key in keys if key.is_key]
+    return Places(figure, sole_points(figure, np.reshape(whole, (-1, figure.width))))
 
 
 def _key(figure: Figure, row: KeyframeTable, before: Frame | None, loose: Sequence[int], place: str) -> Frame:

@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
+import mujoco
 import numpy as np
 
 from solver.figure import Figure, JointKind
 from solver.mirror import AXIAL, POLAR, TURN, Mirror, other_side
+from solver.penalty import Point
+from solver.quaternion import Array
 
 from .errors import UserError
+from .feet import sole_points
+from .places import Places, places_at
 
 KNOWN = {
     "keyframe": {"time", "root", "roots", "joints", "sites", "bodies", "others"},
@@ -25,16 +31,17 @@ def mirrored_tables(clip: dict[str, Any], figure: Figure, mirror: Mirror) -> dic
         mirror.states(rest), rest, atol=1e-9
     ):
         raise UserError("the figure's rest is no mirror image of itself: say every joint instead of others = 'rest'")
-    out = clip | {"keyframe": [_keyframe(row, figure, mirror) for row in clip["keyframe"]]}
+    places = Places(figure, sole_points(figure, np.zeros((0, figure.width))))
+    out = clip | {"keyframe": [_keyframe(row, places, mirror) for row in clip["keyframe"]]}
     if "scene" in clip:
         _check_known("scene", clip["scene"])
         out["scene"] = {kind: _obstacles(said) for kind, said in clip["scene"].items()}
     if "contact" in clip:
-        out["contact"] = [_placed(row | {"point": _other(row["point"], figure)}) for row in clip["contact"]]
+        out["contact"] = [_placed(row | {"point": _other(row["point"], places)}) for row in clip["contact"]]
     if clip.get("solve", {}).get("travel") is not None:
         out["solve"] = clip["solve"] | {"travel": _signed(clip["solve"]["travel"], POLAR)}
     if "penalty" in clip:
-        out["penalty"] = [_renamed(entry, figure) for entry in clip["penalty"]]
+        out["penalty"] = [_renamed(entry, places) for entry in clip["penalty"]]
     return out
 
 
@@ -59,33 +66,58 @@ def _placed(row: dict[str, Any]) -> dict[str, Any]:
     return out | {"rotation": _rotation(row["rotation"])} if row.get("rotation") else out
 
 
-def _other(name: str, figure: Figure) -> str:
-    """The site, body or joint on the other side; itself where there is none."""
-    model = figure.model
-    known = {model.site(i).name for i in range(model.nsite)} | {model.body(i).name for i in range(model.nbody)}
-    known |= {link.name for link in figure.links}
-    return other if (other := other_side(name)) in known else name
+def _other(name: str, places: Places) -> str:
+    """The site, foot, geom, body or joint on the other side; itself where there is none."""
+    other = other_side(name)
+    if name in places.soles and places.point(name) is places.soles[name] and other != name:
+        return _other_sole(name, places.figure, list(places.soles.values()))
+    return other if places.body(other) is not None else name
 
 
-def _renamed(entry: dict[str, Any], figure: Figure) -> dict[str, Any]:
+def _other_sole(name: str, figure: Figure, soles: Sequence[Point]) -> str:
+    """The sole point that is nearest to where another one is seen in the mirror, at rest."""
+    found = places_at(figure, figure.model.qpos0, soles)
+    seen = found[:, [point.name for point in soles].index(name)] * POLAR
+    return soles[int(np.linalg.norm(found - seen[:, None], axis=0).argmin())].name
+
+
+def _body(name: str, table: dict[str, Any], places: Places) -> dict[str, Any]:
+    """How a body is turned and where it is, or a point in its axes, said of the one on the other side."""
+    out = _rotation(table)
+    if table.get("position") is not None:
+        out["position"] = _signed(table["position"], POLAR)
+    if table.get("at") is not None:
+        own, other = (_turn_at_rest(places.figure.model, places.body(which)) for which in (name, _other(name, places)))
+        out["at"] = (other.T @ (POLAR * (own @ np.array(table["at"], float)))).tolist()
+    return out
+
+
+def _turn_at_rest(model: mujoco.MjModel, body: int | None) -> Array:
+    """(3, 3) a body's axes in the world at rest."""
+    data = mujoco.MjData(model)
+    mujoco.mj_kinematics(model, data)
+    return data.xmat[body or 0].reshape(3, 3).copy()
+
+
+def _renamed(entry: dict[str, Any], places: Places) -> dict[str, Any]:
     """A penalty for the points and joints of the other side."""
-    lists = {key: [_other(name, figure) for name in entry[key]] for key in ("points", "joints") if entry.get(key)}
+    lists = {key: [_other(name, places) for name in entry[key]] for key in ("points", "joints") if entry.get(key)}
     return entry | lists
 
 
-def _keyframe(row: dict[str, Any], figure: Figure, mirror: Mirror) -> dict[str, Any]:
+def _keyframe(row: dict[str, Any], places: Places, mirror: Mirror) -> dict[str, Any]:
     _check_known("keyframe", row)
     out = dict(row)
     if "root" in row:
         out["root"] = _root(row["root"])
     if "roots" in row:
-        out["roots"] = {_other(name, figure): _root(table) for name, table in row["roots"].items()}
+        out["roots"] = {_other(name, places): _root(table) for name, table in row["roots"].items()}
     if "joints" in row:
-        out["joints"] = dict(_joint(name, value, figure, mirror) for name, value in row["joints"].items())
+        out["joints"] = dict(_joint(name, value, places.figure, mirror) for name, value in row["joints"].items())
     if "sites" in row:
-        out["sites"] = {_other(name, figure): _site(value) for name, value in row["sites"].items()}
+        out["sites"] = {_other(name, places): _site(value) for name, value in row["sites"].items()}
     if "bodies" in row:
-        out["bodies"] = {_other(name, figure): _rotation(value) for name, value in row["bodies"].items()}
+        out["bodies"] = {_other(name, places): _body(name, value, places) for name, value in row["bodies"].items()}
     return out
 
 

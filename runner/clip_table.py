@@ -43,7 +43,11 @@ class SiteTable(_Table):
 
 
 class BodyTable(RotationTable):
+    """How a body is turned, and where its origin is, or the point `at` in its axes."""
+
     flat: Flag | None = None
+    position: tuple[Axis, Axis, Axis] | None = None
+    at: Place | None = None
 
 
 class KeyframeTable(_Table):
@@ -279,7 +283,8 @@ _EXPECTED = {
     "rotation": f'{ROTATION} or "free"',
     "joint": f'{ROTATION}, a number or "free"',
     "site": '[x, y, z] in metres, each a number or "free", or {position = [x, y, z], by = "pose" or "search"}',
-    "body": f"{{flat = true}} or a rotation, {ROTATION}",
+    "body": f"{{flat = true}} or a rotation, {ROTATION}, or {{position = [x, y, z]}}",
+    "at": "[x, y, z] in metres, in the body's own axes",
     "by": "'pose' or 'search'",
     "flat": "true",
     "rotvec": "three angles [x, y, z] in degrees",

@@ -60,9 +60,10 @@ from solver.surface import Box, Plane, Surface
 from solver.touch import bolted
 
 from .clip_table import ContactTable, PenaltyTable
-from .contacts import contacts, named_points
+from .contacts import contacts
 from .errors import UserError, unknown
 from .feet import sole_points
+from .places import Places
 
 KINDS = (
     "covariant", "root", "unit", "contact", "clearance", "planted", "resting", "skate", "grounded", "posture", "bend",
@@ -350,11 +351,13 @@ class Constraints:
         return any(self.figure.tables.path[point.link, root] for point in self.points)
 
     def _sites(self, names: list[str]) -> tuple[Point, ...]:
-        known = named_points(self.figure, self.points)
+        places, found = Places(self.figure, self.points), list[Point]()
         for name in names:
-            if name not in known:
-                raise UserError(f"{self.place}: penalty 'contact': {unknown('site', name, known)}")
-        return tuple(known[name] for name in names)
+            point = places.point(name)
+            if point is None:
+                raise UserError(f"{self.place}: penalty 'contact': {unknown('site', name, places.points_listed)}")
+            found.append(point)
+        return tuple(found)
 
     def _bend(self, entry: PenaltyTable) -> Penalty:
         if entry.joints is not None:

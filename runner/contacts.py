@@ -15,13 +15,14 @@ import numpy as np
 from solver.figure import Figure
 from solver.frame import Timeline
 from solver.kinematics import Samples
-from solver.penalty import Contact, Point, Rest, Stance, site_points
+from solver.penalty import Contact, Point, Rest, Stance
 from solver.penalty.contact import placed
 from solver.penalty.planted import SAME_SPOT
 from solver.quaternion import Array
 
 from .clip_table import ContactTable
 from .errors import UserError, unknown
+from .places import Places
 
 ROUNDING = 1e-9  # [s]
 STRETCH = 0.01  # [m] that two points of one body may be told to come nearer or apart
@@ -46,21 +47,16 @@ class Contacts:
         )
 
 
-def named_points(figure: Figure, soles: Sequence[Point]) -> dict[str, Point]:
-    """What a clip can call a point: the model's sites, and the sole points that were found where it has none."""
-    sites = [name for i in range(figure.model.nsite) if (name := figure.model.site(i).name)]
-    return {point.name: point for point in (*soles, *site_points(figure, sites))}
-
-
 def contacts(
     figure: Figure, keys: Timeline, tables: Sequence[ContactTable], place: str, soles: Sequence[Point] = ()
 ) -> Contacts:
     """The contacts of a clip's tables. Raises UserError that names the table and what is wrong with it."""
-    points = named_points(figure, soles)
+    places = Places(figure, soles)
+    points = {table.point: places.point(table.point) for table in tables}
     names = [f"{place}: contact {i} ('{table.point}')" for i, table in enumerate(tables, start=1)]
     for table, name in zip(tables, names, strict=True):
-        if table.point not in points:
-            raise UserError(f"{name}: {unknown('site', table.point, points)}")
+        if points[table.point] is None:
+            raise UserError(f"{name}: {unknown('site', table.point, places.points_listed)}")
         _check_interval(table, keys, name)
     _check_overlaps(tables, names)
     stances: list[Stance] = []
@@ -68,6 +64,7 @@ def contacts(
     given: list[Rest] = []
     for table, name in zip(tables, names, strict=True):
         point = points[table.point]
+        assert point is not None
         given.append(Rest(point, table.start, table.end))
         spots = _spots(figure, keys, point, table, name)
         if spots:
@@ -80,8 +77,9 @@ def contacts(
 
 def rests(figure: Figure, tables: Sequence[ContactTable], soles: Sequence[Point]) -> tuple[Rest, ...]:
     """The contacts of tables whose points are there, however little a motion keeps to them."""
-    points = named_points(figure, soles)
-    return tuple(Rest(points[table.point], table.start, table.end) for table in tables if table.point in points)
+    places = Places(figure, soles)
+    found = [(places.point(table.point), table) for table in tables]
+    return tuple(Rest(point, table.start, table.end) for point, table in found if point is not None)
 
 
 def _check_interval(table: ContactTable, keys: Timeline, name: str) -> None:

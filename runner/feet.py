@@ -21,6 +21,8 @@ from solver.penalty.contact import arrays_of
 from solver.quaternion import Array, Index
 from solver.touch import movers
 
+from .places import posable_sites
+
 SOLES = ("heel", "toe")
 LOW = 0.1  # of a figure's height, how far above its lowest point a foot may be
 THICK = 0.02  # the same of the points of a foot above its lowest
@@ -31,7 +33,7 @@ CORNERS = 4  # points a foot, at most
 
 def sole_points(figure: Figure, qpos: Array) -> tuple[Point, ...]:
     """The points that feet stand on; qpos (K, nq) are poses beside the one at rest in which it may stand."""
-    names = [figure.model.site(i).name for i in range(figure.model.nsite)]
+    names = posable_sites(figure.model)  # no points of the muscles that bend toes
     named = site_points(figure, [name for name in names if any(word in name.lower() for word in SOLES)])
     named = tuple(_grown(figure, point) for point in named if point.link)
     return named or _lowest(figure, qpos)
@@ -100,16 +102,30 @@ def _feet(figure: Figure, root: int, points: Sequence[Point], qpos: Array) -> li
         if not carries and least <= bottom.min() + LOW * height:
             if foot == root:
                 return []
-            found += _corners(points, own[bottom[own] <= bottom[own].min() + THICK * height], places)
+            found += _corners(figure, points, own[bottom[own] <= bottom[own].min() + THICK * height], places)
     hangs = figure.links[root].kind is JointKind.FREE and len({point.link for point in found}) < 2
     return [] if hangs else found
 
 
-def _corners(points: Sequence[Point], some: Index, places: Array) -> list[Point]:
+def _corners(figure: Figure, points: Sequence[Point], some: Index, places: Array) -> list[Point]:
     """Of a foot's lowest points those that reach farthest to its four corners, each with a name of its own."""
     angle = np.pi * (0.25 + 0.5 * np.arange(CORNERS)) + 0.05
     reach = places[:2, some].T @ np.array([np.cos(angle), np.sin(angle)])
     kept = sorted({int(some[i]) for i in reach.argmax(axis=0)})
+    names = [_called(figure, points[i]) for i in kept]
     if len(kept) == 1:
-        return [points[kept[0]]]
-    return [replace(points[i], name=f"{points[i].name} {number}") for number, i in enumerate(kept, 1)]
+        return [replace(points[kept[0]], name=names[0])]
+    return [
+        replace(points[i], name=f"{name} {number}") for number, (i, name) in enumerate(zip(kept, names, strict=True), 1)
+    ]
+
+
+def _called(figure: Figure, point: Point) -> str:
+    """A foot's name: its geom's, or else its body's, or else its joint's."""
+    model, kinds = figure.model, mujoco.mjtObj
+    if mujoco.mj_name2id(model, int(kinds.mjOBJ_GEOM), point.name) >= 0:
+        return point.name
+    stem, _, number = point.name.rpartition(" ")
+    body = stem if number.isdigit() else point.name
+    known = mujoco.mj_name2id(model, int(kinds.mjOBJ_BODY), body) >= 0
+    return body if known else figure.links[point.link].name

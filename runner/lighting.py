@@ -1,4 +1,4 @@
-"""Whether a model's own lamps light its figure wherever it goes: light added up on the ground where it stands and about.
+"""Whether a model's own lamps light its figure wherever it goes: light added up on the ground where it stands.
 
 Many models of robots bring one lamp right above them, a cone in the dark that they walk out of, or none.
 """
@@ -38,7 +38,7 @@ def brightness(model: mujoco.MjModel) -> Array:
     ground = np.append((low + high)[:2] / 2, low[2]) + reach * sides
     head = model.vis.headlight
     found = np.full(len(ground), float(bool(head.active)) * float((head.ambient + SIDEWAYS * head.diffuse).mean()))
-    for lamp in np.flatnonzero(model.light_active):
+    for lamp in np.flatnonzero(model.light_active).tolist():
         found += model.light_ambient[lamp].mean() + model.light_diffuse[lamp].mean() * _reaching(
             model, data, lamp, ground
         )

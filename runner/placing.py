@@ -11,17 +11,20 @@ import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+import mujoco
 import numpy as np
 
 from solver import quaternion as quat
 from solver.figure import Figure, JointKind
 from solver.frame import Frame, TimelineError
-from solver.penalty import Placed, site_points
-from solver.posing import MET, BodyGoal, Goal, Posed, SiteGoal, chain, entries, limb, posed, reached
+from solver.penalty import Placed, Point
+from solver.posing import MET, BodyGoal, Goal, PointGoal, Posed, SiteGoal, chain, entries, limb, posed, reached
+from solver.quaternion import Array
 from solver.unknowns import raw_timeline
 
 from .clip_table import ROTATION, BodyTable, KeyframeTable, SiteTable
 from .errors import UserError, unknown
+from .places import Places
 from .rotation import quaternion_of
 from .standing import Stander
 
@@ -47,33 +50,47 @@ class Wanted:
         return sorted(link for link in limbs if figure.links[link].name not in named)
 
 
-def wanted(figure: Figure, row: KeyframeTable, place: str) -> Wanted:
+def wanted(places: Places, row: KeyframeTable, place: str) -> Wanted:
     """What a keyframe's sites and bodies say; raises UserError for names that are not there and for contradictions."""
-    model = figure.model
-    sites = [model.site(i).name for i in range(model.nsite) if model.site(i).name]
-    bodies = [model.body(i).name for i in range(1, model.nbody) if model.body(i).name]
+    figure = places.figure
     goals: list[Goal] = []
     placed: list[Placed] = []
+    points: list[tuple[Point, Array]] = []
     for name, table in row.sites.items():
-        if name not in sites:
-            raise UserError(f"{place}: {unknown('site', name, sites)}")
+        point = places.point(name)
+        if point is None:
+            raise UserError(f"{place}: {unknown('site', name, places.points_listed)}")
         table = table if isinstance(table, SiteTable) else SiteTable(position=table)
-        target = np.array([np.nan if axis == "free" else axis for axis in table.position])
-        if np.all(np.isnan(target)):
-            raise UserError(f"{place}: sites.{name}: every axis is free; leave the site out, or give it a place")
-        goal = SiteGoal(name, target)
+        target = _target(table.position, f"{place}: sites.{name}", "the site")
+        goal = PointGoal.of(figure, point, target)
         _check_moves(figure, goal, f"{place}: site '{name}'")
         if table.by == "pose":
             goals.append(goal)
+            points.append((point, target))
         else:
-            placed.append(Placed(site_points(figure, [name])[0], row.time, target))
-    _check_apart(figure, [goal for goal in goals if isinstance(goal, SiteGoal)], place)
+            placed.append(Placed(point, row.time, target))
     for name, table in row.bodies.items():
-        if name not in bodies:
-            raise UserError(f"{place}: {unknown('body', name, bodies)}")
-        goals.append(_body_goal(name, table, f"{place}: bodies.{name}"))
-        _check_moves(figure, goals[-1], f"{place}: body '{name}'")
+        body = places.body(name)
+        if body is None:
+            raise UserError(f"{place}: {unknown('body', name, places.bodies_listed)}")
+        own = _body_goals(figure, name, body, table, f"{place}: bodies.{name}")
+        _check_moves(figure, own[0], f"{place}: body '{name}'")
+        goals += own
+        points += [
+            (Point(name, *figure.point_on_link(body, goal.offset)), goal.position)
+            for goal in own
+            if isinstance(goal, PointGoal)
+        ]
+    _check_apart(figure, points, place)
     return Wanted(tuple(goals), tuple(placed))
+
+
+def _target(position: Sequence[float | str], place: str, what: str) -> Array:
+    """(3,) [m] a place as a table says it, NaN along the axes that are free."""
+    target = np.array([np.nan if axis == "free" else float(axis) for axis in position])
+    if np.all(np.isnan(target)):
+        raise UserError(f"{place}: every axis is free; leave {what} out, or give it a place")
+    return target
 
 
 def with_pose(
@@ -114,15 +131,24 @@ def check_search(figure: Figure, key: Frame, placed: Sequence[Placed], place: st
             raise UserError(f"{place}: site '{point.point.name}' {_held(figure, body)}")
 
 
-def _body_goal(name: str, table: BodyTable, place: str) -> BodyGoal:
+def _body_goals(figure: Figure, name: str, body: int, table: BodyTable, place: str) -> list[Goal]:
+    """Where a body's origin, or a point in its axes, is to be, and how it is to be turned: at least one of the two."""
     given = table.model_fields_set & {"rotvec", "euler", "quat", "order"}
+    goals: list[Goal] = []
+    if table.at is not None and table.position is None:
+        raise UserError(f"{place}: 'at' is a point of the body; say where it is to be by position = [x, y, z]")
+    if table.position is not None:
+        target = _target(table.position, place, "the position")
+        goals.append(PointGoal(name, body, np.array(table.at or (0.0, 0, 0)), target))
     if table.flat is not None and given:
         raise UserError(f"{place}: give flat or a rotation, not both")
-    if table.flat is None:
-        return BodyGoal(name, quaternion_of(table, place))
-    if not table.flat:
+    if table.flat is None and (given or not goals):
+        goals.append(BodyGoal(name, quaternion_of(table, place), body))
+    if table.flat is False:
         raise UserError(f"{place}: flat = false says nothing; give flat = true or a rotation, {ROTATION}")
-    return BodyGoal(name)
+    if table.flat:
+        goals.append(BodyGoal(name, index=body))
+    return goals
 
 
 def _check_moves(figure: Figure, goal: Goal, what: str) -> None:
@@ -130,16 +156,15 @@ def _check_moves(figure: Figure, goal: Goal, what: str) -> None:
         raise UserError(f"{what} is no part of the figure: no joint moves it")
 
 
-def _check_apart(figure: Figure, goals: Sequence[SiteGoal], place: str) -> None:
-    """Raises UserError for two sites that move together and are given another distance than they have."""
-    points = dict(zip(goals, site_points(figure, [goal.name for goal in goals]), strict=True))
-    for a, b in itertools.combinations(goals, 2):
-        if points[a].link != points[b].link or np.isnan([a.position, b.position]).any():
+def _check_apart(figure: Figure, points: Sequence[tuple[Point, Array]], place: str) -> None:
+    """Raises UserError for two points that move together and are given places at another distance than they have."""
+    for (a, to), (b, there) in itertools.combinations(points, 2):
+        if a.link != b.link or np.isnan([to, there]).any():
             continue
-        given = float(np.linalg.norm(a.position - b.position))
-        real = float(np.linalg.norm(points[a].position - points[b].position))
+        given = float(np.linalg.norm(to - there))
+        real = float(np.linalg.norm(a.position - b.position))
         if abs(given - real) > MET:
-            body = figure.model.body(a.body(figure.model)).name
+            body = figure.model.body(figure.links[a.link].body).name
             raise UserError(
                 f"{place}: sites '{a.name}' and '{b.name}' are {_metres(real)} apart on the figure, not "
                 f'{_metres(given)}; give one of them a "free" axis, or one site and bodies.{body}'
@@ -156,16 +181,26 @@ def _complaints(figure: Figure, key: Frame, goals: Sequence[Goal], found: Posed)
 def _complaint(figure: Figure, key: Frame, goal: Goal, missed: float, starts: int) -> str:
     body = goal.body(figure.model)
     joints = _free_joints(figure, key, body)
-    kind = "site" if isinstance(goal, SiteGoal) else "body"
+    kind = _kind(figure, goal)
     if not joints:
         return f"{kind} '{goal.name}' {_held(figure, body)}"
     free = f"with the joints that are free: {', '.join(joints)}"
-    if isinstance(goal, SiteGoal):
+    if isinstance(goal, SiteGoal | PointGoal):
         where = ", ".join("free" if np.isnan(axis) else f"{axis:g}" for axis in goal.position)
         closest = f"({starts} starts; closest: {_metres(missed)} short)"
-        return f"no pose found that puts site '{goal.name}' at ({where}) {closest} {free}"
+        return f"no pose found that puts {kind} '{goal.name}' at ({where}) {closest} {free}"
     closest = f"({starts} starts; closest: {np.degrees(missed):.3g} degrees short)"
     return f"no pose found that turns body '{goal.name}' so {closest} {free}"
+
+
+def _kind(figure: Figure, goal: Goal) -> str:
+    """What the thing is that a goal names."""
+    model, named = figure.model, mujoco.mjtObj
+    if isinstance(goal, BodyGoal):
+        return "body"
+    if mujoco.mj_name2id(model, int(named.mjOBJ_SITE), goal.name) >= 0:
+        return "site"
+    return "body" if mujoco.mj_name2id(model, int(named.mjOBJ_BODY), goal.name) >= 0 else "point"
 
 
 def _free_joints(figure: Figure, key: Frame, body: int) -> list[str]:

@@ -20,7 +20,7 @@ from solver.kinematics import Samples
 from solver.penalty import BendLimits, Placed, Point
 from solver.penalty.contact import arrays_of, placed
 from solver.penalty.planted import NEAR_SURFACE, SAME_SPOT
-from solver.posing import Goal, PointGoal, Posed, SiteGoal, TurnGoal, entries, limb, posed, reached
+from solver.posing import Goal, PointGoal, Posed, TurnGoal, entries, limb, posed, reached
 from solver.quaternion import Array
 from solver.seam import Seam
 from solver.surface import Surface
@@ -154,7 +154,7 @@ class Stander:
         groups = [foot.goals(figure) for foot in seen.standing(k)]
         for point in left:
             if abs(point.time - key.time) < ROUNDING:
-                groups.append([SiteGoal(point.point.name, point.target)])
+                groups.append([PointGoal.of(self.figure, point.point, point.target)])
         home, count = figure.to_qpos(frame.state), len(groups)
         while groups:
             goals = [goal for group in groups for goal in group]

@@ -12,11 +12,6 @@ def geom_name(model: mujoco.MjModel, geom: int) -> str:
     return _names(model)[geom]
 
 
-def body_title(model: mujoco.MjModel, geom: int) -> str:
-    """What a part of a geom is called: after the geom, or else after its body."""
-    return str(model.geom(geom).name or _of_body(model, geom) or f"geom {geom}")
-
-
 @lru_cache(maxsize=8)
 def _names(model: mujoco.MjModel) -> tuple[str, ...]:
     """The names of all geoms, each once."""

@@ -90,7 +90,8 @@ class SiteGoal:
 
 @dataclass(frozen=True, eq=False)
 class PointGoal:
-    """A point fixed on a body, offset (3,) [m] in its axes, at a place in the world, position (3,) [m]."""
+    """A point fixed on a body, offset (3,) [m] in its axes, at a place in the world: position (3,) [m], NaN along the
+    axes that are free."""
 
     name: str
     index: int
@@ -112,12 +113,16 @@ class PointGoal:
         return data.xpos[self.index] + data.xmat[self.index].reshape(3, 3) @ self.offset
 
     def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
-        return self.place(data) - self.position
+        return (self.place(data) - self.position)[self._given]
 
     def rows(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
         rows = np.zeros((3, model.nv))
         mujoco.mj_jac(model, data, rows, None, self.place(data), self.index)
-        return rows
+        return rows[self._given]
+
+    @cached_property
+    def _given(self) -> Mask:
+        return ~np.isnan(self.position)
 
 
 @dataclass(frozen=True, eq=False)
@@ -142,16 +147,20 @@ class TurnGoal:
 
 @dataclass(frozen=True, eq=False)
 class BodyGoal:
-    """A body turned as said: its rotation in the world (4,) wxyz, or None for upright as at rest, the heading free."""
+    """A body turned as said: its rotation in the world (4,) wxyz, or None for upright as at rest, the heading free.
+
+    index  MuJoCo's id of the body; None for the one of that name
+    """
 
     name: str
     rotation: Array | None = None
+    index: int | None = None
 
     def body(self, model: mujoco.MjModel) -> int:
-        return int(model.body(self.name).id)
+        return int(model.body(self.name).id) if self.index is None else self.index
 
     def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
-        here = data.body(self.name).xquat
+        here = data.xquat[self.body(model)]
         if self.rotation is not None:
             return quat.rotation_vector(quat.product(here, quat.inverse(self.rotation)))
         up = quat.rotated(quat.product(here, quat.inverse(_at_rest(model, self.body(model)))), [0.0, 0, 1])
