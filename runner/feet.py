@@ -1,5 +1,7 @@
 """Which points of a figure stand on the ground: sites that are called heel or toe, or else what is lowest of its feet.
 
+Sites count if one of them at least is as low as the figure itself; points that muscles run through never do.
+
 Feet are the ends of a figure's limbs that are lowest when it stands tallest: at rest or in one of its keyframes. A
 figure whose trunk is as low has none, nor one with a single limb, unless a plane holds it up, nor one that hangs on
 the world by hinges.
@@ -26,6 +28,7 @@ from .places import posable_sites
 SOLES = ("heel", "toe")
 LOW = 0.1  # of a figure's height, how far above its lowest point a foot may be
 THICK = 0.02  # the same of the points of a foot above its lowest
+SUNK = 0.005  # of a figure's height, how far above its lowest point a site that is called after a sole may be
 LEVEL = 0.002  # [m] by which what carries toes may be above them
 STEEP = 0.5  # of a slide's way, how much of it goes up
 CORNERS = 4  # points a foot, at most
@@ -36,7 +39,22 @@ def sole_points(figure: Figure, qpos: Array) -> tuple[Point, ...]:
     names = posable_sites(figure.model)  # no points of the muscles that bend toes
     named = site_points(figure, [name for name in names if any(word in name.lower() for word in SOLES)])
     named = tuple(_grown(figure, point) for point in named if point.link)
-    return named or _lowest(figure, qpos)
+    if named and _near_ground(figure, named, qpos):
+        return named
+    return _lowest(figure, qpos) or named
+
+
+def _near_ground(figure: Figure, points: Sequence[Point], qpos: Array) -> bool:
+    """Whether one of the points is as low as anything of the figure in some pose: no mark on top of a toe."""
+    body = body_points(figure)
+    if not body:
+        return True
+    states = figure.to_state(np.vstack([figure.model.qpos0, qpos]))
+    links, positions, radii = arrays_of((*points, *body))
+    places, _ = Samples(figure, states, 0 * states, 0 * states).links.points(links, positions)
+    low, high = places[2] - radii[:, None], places[2] + radii[:, None]
+    ground, tall = low.min(axis=0), np.ptp(np.concatenate([low, high]), axis=0)
+    return bool(np.any(low[: len(points)] <= ground + SUNK * tall))
 
 
 def _grown(figure: Figure, point: Point) -> Point:

@@ -42,6 +42,7 @@ from solver.quaternion import Array
 from solver.seam import Seam
 from solver.subdivision import by_weak_form, path_of
 from solver.surface import Box
+from solver.touch import counts_all
 from solver.wrench import RootWrench
 
 from .clip import Clip
@@ -133,6 +134,7 @@ def _side(clip: Clip, objective: Objective, timeline: Timeline, grid: Grid) -> d
             "where": deep.worst(),
             "geoms": {deep.names[i]: float(deep.depth[i]) for i in order},
             "points": _point_depths(clip, grid),
+            "all geoms count": counts_all(model),
         },
         "self-penetration, m": _self_report(clip, grid),
         "bends, degrees": _bend_report(clip, grid),
@@ -503,9 +505,9 @@ def _lines(before: dict[str, Any], after: dict[str, Any]) -> list[tuple[str, str
     for name in after["terms"]:
         lines.append(row(f"  {name}", *(f"{s['terms'].get(name, 0):.4g}" for s in sides)))
     deepest = [s["penetration, m"] for s in sides]
-    lines.append(
-        row("deepest penetration of any geom", *(f"{millimetres(d['deepest'])}, {d['where']}" for d in deepest))
-    )
+    every = "; none collides, all count" if after["penetration, m"].get("all geoms count") else ""
+    deep_name = f"deepest penetration of any geom{every}"
+    lines.append(row(deep_name, *(f"{millimetres(d['deepest'])}, {d['where']}" for d in deepest)))
     for name in after["penetration, m"]["points"]:
         lines.append(row(f"  {name}", *(millimetres(d["points"][name]) for d in deepest)))
     if after["self-penetration, m"]:

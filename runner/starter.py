@@ -18,10 +18,13 @@ from solver.kinematics import Samples
 from solver.penalty import Point, body_points, closures, couplings, joint_ranges
 from solver.penalty.contact import arrays_of
 from solver.quaternion import Array
+from solver.touch import TOUCHING, counts_all, movers
+from solver.touch import solids as solids_of
 
 from .clip_text import keyframe_tables, rotation, written
 from .errors import UserError
 from .feet import sole_points
+from .places import Places, places_at, posable_sites
 from .scene import compose, figure_spec, first_line, quietly
 
 APART = 0.5  # [s] between keyframes whose times do not rise
@@ -30,6 +33,8 @@ ROOM = 0.6  # of what a joint has to its bound, it goes at most so far
 FLEXED = 0.35  # of a figure's size, how far a slide goes at most
 DIGITS = 6  # of angles in degrees and of metres
 WIDE = 110
+AT_REST = "Where these are in the first keyframe, in metres; in a keyframe such a line puts them somewhere:"
+ALL_COUNT = "Nothing of this model collides (contype, conaffinity): all of its geoms count as solid."
 NO_FEET = "nothing was found; name sites heel or toe, or give points"
 
 PENALTIES = """\
@@ -77,7 +82,7 @@ def starter(source: str, target: Path) -> str:
     blocks = [
         _head(source, own, len(poses)),
         written(head).rstrip("\n"),
-        _named(figure, [point.name for point in soles]),
+        _named(figure, poses[0], soles),
         PENALTIES.rstrip("\n"),
         "\n\n".join(written({"keyframe": [_rounded(table)]}).strip("\n") for table in tables),
     ]
@@ -126,7 +131,35 @@ def _stood(figure: Figure, on_feet: bool) -> Array:
         low = _lowest(figure, qpos, int(root))
         if low is not None and (on_feet or low < floor):
             qpos[figure.links[root].qpos + 2] += floor - low
+            _mount(figure, qpos, int(root))
     return qpos
+
+
+def _mount(figure: Figure, qpos: Array, root: int) -> None:
+    """Lifts what hangs from a link on top of what it is in: its own pedestal."""
+    model, data = figure.model, mujoco.MjData(figure.model)
+    solids = [geom for geom in solids_of(model) if model.geom_type[geom] != int(mujoco.mjtGeom.mjGEOM_PLANE)]
+    own = [geom for geom in movers(model) if figure.tables.path[figure.body_link[model.geom_bodyid[geom]], root]]
+    for _ in solids:
+        data.qpos[:] = qpos
+        mujoco.mj_kinematics(model, data)
+        under = [s for s in solids if any(_depth(model, data, geom, s) > TOUCHING for geom in own)]
+        low = _lowest(figure, qpos, root)
+        if not under or low is None:
+            return
+        qpos[figure.links[root].qpos + 2] += max(_top(model, data, geom) for geom in under) - low
+
+
+def _depth(model: mujoco.MjModel, data: mujoco.MjData, geom: int, solid: int) -> float:
+    """[m] of one geom in another."""
+    return -mujoco.mj_geomDistance(model, data, geom, solid, TOUCHING, None)
+
+
+def _top(model: mujoco.MjModel, data: mujoco.MjData, geom: int) -> float:
+    """[m] how high the box about a geom reaches."""
+    middle, half = np.split(model.geom_aabb[geom], 2)
+    turn = data.geom_xmat[geom].reshape(3, 3)
+    return float(data.geom_xpos[geom, 2] + turn[2] @ middle + np.abs(turn[2]) @ half)
 
 
 def _floor(model: mujoco.MjModel) -> float | None:
@@ -280,21 +313,50 @@ def _head(source: str, own: bool, count: int) -> str:
     )
 
 
-def _named(figure: Figure, soles: Sequence[str]) -> str:
+def _named(figure: Figure, qpos: Array, soles: Sequence[Point]) -> str:
     """What the figure's parts are called, in comments."""
     model = figure.model
     lines = ["# Joints, as keyframes name them:"]
     roots = [link for link in figure.links[1:] if link.kind is JointKind.FREE]
     for link in figure.links[1:]:
         lines.append(f"#   {_joint_line(figure, link, roots)}")
-    sites = [model.site(i).name for i in range(model.nsite) if model.site(i).name]
     bodies = [model.body(i).name for i in range(1, model.nbody) if model.body(i).name]
-    lines += _list("Sites, for sites.NAME = [x, y, z]", sites)
-    lines += _list("Bodies, for bodies.NAME = {flat = true} or a rotation", bodies)
+    lines += _list("Bodies, for bodies.NAME = {flat = true}, a rotation or {position = [x, y, z]}", bodies)
     ground = "What stands on the ground"
-    lines += _list(ground, list(dict.fromkeys(soles))) or [f"# {ground}: {NO_FEET}"]
+    lines += _list(ground, list(dict.fromkeys(point.name for point in soles))) or [f"# {ground}: {NO_FEET}"]
     lines += _list("Joints that follow others (equality constraints)", [c.name for c in couplings(figure)])
+    lines += [f"# {ALL_COUNT}"] if counts_all(model) else []
+    lines += _placed(figure, qpos, soles)
     return "\n".join(lines)
+
+
+def _placed(figure: Figure, qpos: Array, soles: Sequence[Point]) -> list[str]:
+    """Where feet, sites and the ends of other limbs are in a pose (nq,), as keyframes place them, in comments."""
+    places = Places(figure, soles)
+    names = [*(point.name for point in soles), *posable_sites(figure.model)]
+    points = [point for name in dict.fromkeys(names) if (point := places.point(name)) is not None and point.link]
+    said = [(f"sites.{_key(p.name)}", "{}", p) for p in points]
+    busy = {point.link for point in points}
+    for body in _ends(figure):
+        name, link = str(figure.model.body(body).name), int(figure.body_link[body])
+        if name and link not in busy:
+            said.append(
+                (f"bodies.{_key(name)}", "{{position = {}}}", Point(name, *figure.point_on_link(body, np.zeros(3))))
+            )
+    if not said:
+        return []
+    lines = [f"# {AT_REST}"]
+    for (key, form, point), place in zip(said, places_at(figure, qpos, [p for *_, p in said]).T, strict=True):
+        thick = f"  # the middle of a ball of radius {point.radius:.3g} m" if point.radius else ""
+        where = ", ".join(f"{round(float(x), 4) + 0.0:g}" for x in place)
+        lines.append(f"#   {key} = {form.format(f'[{where}]')}{thick}")
+    return lines
+
+
+def _ends(figure: Figure) -> list[int]:
+    """The last body of every limb: hands, heads, tips of fingers."""
+    carries = set(figure.tables.parents.tolist())
+    return [link.body for i, link in enumerate(figure.links) if i and i not in carries]
 
 
 def _joint_line(figure: Figure, link: Link, roots: Sequence[Link]) -> str:
