@@ -12,6 +12,7 @@ import mujoco
 import numpy as np
 
 import models
+from solver import quaternion as quat
 from solver.figure import Figure, FigureError, JointKind, Link, quaternion_columns
 from solver.frame import Frame
 from solver.kinematics import Samples
@@ -22,12 +23,15 @@ from solver.touch import TOUCHING, counts_all, movers
 from solver.touch import solids as solids_of
 
 from .clip_text import keyframe_tables, rotation, written
+from .couplings import follow
 from .errors import UserError
 from .feet import sole_points
 from .places import Places, places_at, posable_sites
 from .scene import compose, figure_spec, first_line, quietly
 
 APART = 0.5  # [s] between keyframes whose times do not rise
+STRAIGHT = 0.99  # of a slide's way, how much of it goes along an axis that is told
+TOLD = 5e-4  # [m] from which on it is told that a pose was raised
 MOVED = np.radians(40)  # how far the one joint goes that moves
 ROOM = 0.6  # of what a joint has to its bound, it goes at most so far
 FLEXED = 0.35  # of a figure's size, how far a slide goes at most
@@ -75,12 +79,13 @@ def starter(source: str, target: Path) -> str:
     own = bool(len(poses))
     if not own:
         times, poses = np.zeros(1), _stood(figure, bool(soles))[None]
+    given, poses = poses, np.array([_raised(figure, qpos) for qpos in poses])
     tables = keyframe_tables(figure, [Frame.key(t, q) for t, q in zip(times, poses, strict=True)])
     if len(poses) == 1:
         tables += _moved(figure, poses[0], float(times[0]))
     head = {"figure": source if source in models.figures() else _path(source, target), "fps": 30}
     blocks = [
-        _head(source, own, len(poses)),
+        _head(source, own, len(poses), float(np.abs(poses - given).max())),
         written(head).rstrip("\n"),
         _named(figure, poses[0], soles),
         PENALTIES.rstrip("\n"),
@@ -124,6 +129,7 @@ def _stood(figure: Figure, on_feet: bool) -> Array:
         if joint.kind is not JointKind.BALL:
             column = figure.links[joint.link].qpos
             qpos[column] = np.clip(qpos[column], joint.low, joint.high)
+    follow(figure, qpos, np.ones(figure.width, bool), lambda _: False)
     floor = _floor(figure.model)
     if not figure.tables.free_links.size or floor is None:
         return qpos
@@ -131,14 +137,27 @@ def _stood(figure: Figure, on_feet: bool) -> Array:
         low = _lowest(figure, qpos, int(root))
         if low is not None and (on_feet or low < floor):
             qpos[figure.links[root].qpos + 2] += floor - low
-            _mount(figure, qpos, int(root))
     return qpos
+
+
+def _raised(figure: Figure, qpos: Array) -> Array:
+    """A pose (nq,) with what is free out of the floor and on top of its own pedestal, wherever it sank in."""
+    out, floor = np.array(qpos), _floor(figure.model)
+    for root in figure.tables.free_links.tolist():
+        low = _lowest(figure, out, root)
+        if low is None:
+            continue
+        if floor is not None:
+            out[figure.links[root].qpos + 2] += max(floor - low, 0.0)
+        _mount(figure, out, root)
+    return out
 
 
 def _mount(figure: Figure, qpos: Array, root: int) -> None:
     """Lifts what hangs from a link on top of what it is in: its own pedestal."""
     model, data = figure.model, mujoco.MjData(figure.model)
-    solids = [geom for geom in solids_of(model) if model.geom_type[geom] != int(mujoco.mjtGeom.mjGEOM_PLANE)]
+    endless = (int(mujoco.mjtGeom.mjGEOM_PLANE), int(mujoco.mjtGeom.mjGEOM_HFIELD))
+    solids = [geom for geom in solids_of(model) if model.geom_type[geom] not in endless]
     own = [geom for geom in movers(model) if figure.tables.path[figure.body_link[model.geom_bodyid[geom]], root]]
     for _ in solids:
         data.qpos[:] = qpos
@@ -302,12 +321,13 @@ def _short(value: float) -> float | int:
     return int(number) if number == int(number) else number
 
 
-def _head(source: str, own: bool, count: int) -> str:
+def _head(source: str, own: bool, count: int, raised: float) -> str:
     name = Path(source).name
     said = f"its {count} keyframe{'s' * (count > 1)}" if own else "its rest pose"
     more = "" if count > 1 else ", and one joint moved"
+    up = f" Raised by up to {1000 * raised:.1f} mm, out of what it stood in.\n" if raised >= TOLD else "\n"
     return (
-        f"# A clip for {name}: {said}{more}.\n"
+        f"# A clip for {name}: {said}{more}.{up}"
         "# Angles in degrees, lengths in metres, times in seconds. What a keyframe leaves out is free, unless it says\n"
         '# others = "hold" (as in the keyframe before) or "rest". See it: dynsplines render THIS_FILE'
     )
@@ -366,11 +386,18 @@ def _joint_line(figure: Figure, link: Link, roots: Sequence[Link]) -> str:
     name, limited = f"joints.{_key(link.name)}", bool(figure.model.jnt_limited[link.joint])
     low, high = (float(bound) for bound in figure.model.jnt_range[link.joint])
     if link.kind is JointKind.SLIDE:
-        return f"{name:40} slide, metres" + (f", {low:g} to {high:g}" if limited else "")
+        return f"{name:40} slide, metres{_along(link)}" + (f", {low:g} to {high:g}" if limited else "")
     low, high = np.degrees([low, high])
     if link.kind is JointKind.HINGE:
         return f"{name:40} hinge, degrees" + (f", {low:.4g} to {high:.4g}" if limited else "")
     return f"{name:40} ball, a rotation such as {{rotvec = [0, 30, 0]}}" + (f", up to {high:.4g}°" if limited else "")
+
+
+def _along(link: Link) -> str:
+    """Which of the world's axes a slide goes along at rest, in words; nothing if none."""
+    way = quat.rotated(link.turn, link.axis)
+    axis = int(np.abs(way).argmax())
+    return f" along {'-' if way[axis] < 0 else ''}{'xyz'[axis]}" if abs(way[axis]) > STRAIGHT else ""
 
 
 def _key(name: str) -> str:
