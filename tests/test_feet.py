@@ -109,3 +109,14 @@ def test_a_clip_calls_found_feet_by_their_names():
     assert [rest.point.name for rest in found.given] == ["bl_foot"]
     with pytest.raises(UserError, match="did you mean 'bl_foot'"):
         contacts(figure, keys, [table.model_copy(update={"point": "bl_fot"})], "clip", points)
+
+
+def test_feet_without_a_name_are_called_after_their_bodies():
+    foot = '<geom size=".04" pos="0 0 -.3"/>'
+    assert soles(figure_of(FOUR, foot)) == ["fl_shin", "fr_shin", "bl_shin", "br_shin"]
+    box = BOX.replace('name="{name}_sole"', "")
+    assert soles(figure_of(TWO, box)) == [f"{side}_ankle {k}" for side in "lr" for k in (1, 2, 3, 4)]
+
+
+def test_a_mark_on_top_of_a_toe_is_no_sole():
+    assert soles(figure_of(TWO, SPHERE + '<site name="{name}_toe" pos="0 0 -.2"/>')) == ["l_foot", "r_foot"]

@@ -135,3 +135,62 @@ def test_a_soft_body_is_refused_in_words(tmp_path):
     flex = """<flexcomp name="cloth" type="grid" count="3 3 1" spacing=".1 .1 .1" radius=".01" dim="2"/>"""
     with pytest.raises(UserError, match="'cloth'"):
         written(f"<mujoco><worldbody>{flex}</worldbody></mujoco>", tmp_path)
+
+
+PAIR = "".join(
+    f'<body name="{side}" pos="0 {y} 0"><joint name="{side}_hip" axis="0 1 0"/>'
+    '<geom type="capsule" size=".02" fromto="0 0 0 0 0 -.3"/></body>'
+    for side, y in (("l", 0.1), ("r", -0.1))
+)
+STOOL = '<geom name="stool" type="cylinder" size=".5 .1" pos="0 0 .1"/>'
+TRUNK = '<body name="trunk" pos="0 0 .35"><freejoint/><geom type="box" size=".1 .2 .05"/>{}</body>'
+ARMS = (
+    PAIR
+    + '<body name="arm" pos="0 0 .1"><joint axis="0 1 0"/><geom type="capsule" size=".02" fromto="0 0 0 .3 0 0"/></body>'
+)
+
+
+def test_a_figure_stands_on_its_own_pedestal_and_its_keyframes_out_of_the_floor(tmp_path):
+    (tmp_path / "a").mkdir()
+    problem = written(f"<mujoco><worldbody>{STOOL}{TRUNK.format(PAIR)}</worldbody></mujoco>", tmp_path / "a")
+    assert problem.keys[0].state[2] == pytest.approx(0.2 + 0.32, abs=1e-5)
+    key = "<keyframe><key qpos='0 0 .25 1 0 0 0 0 0'/><key qpos='0 0 .5 1 0 0 0 0 0'/></keyframe>"
+    problem = written(f"<mujoco><worldbody>{TRUNK.format(PAIR)}</worldbody>{key}</mujoco>", tmp_path)
+    np.testing.assert_allclose([key.state[2] for key in problem.keys], [0.32, 0.5], atol=1e-5)
+    assert "its 2 keyframes. Raised by up to 70.0 mm, out of what it stood in.\n" in problem.text
+
+
+def test_where_feet_and_hands_are_is_told_as_a_keyframe_would_say_it(tmp_path):
+    problem = written(f"<mujoco><worldbody>{TRUNK.format(ARMS)}</worldbody></mujoco>", tmp_path)
+    told = [line[4:] for line in problem.text.splitlines() if line.startswith(("#   sites.", "#   bodies."))]
+    assert told == [
+        "sites.l = [0, 0.1, 0.02]  # the middle of a ball of radius 0.02 m",
+        "sites.r = [0, -0.1, 0.02]  # the middle of a ball of radius 0.02 m",
+        "bodies.arm = {position = [0, 0, 0.42]}",
+    ]
+    said = "".join(
+        f"[[keyframe]]\ntime = {t}\n" + "\n".join(told) + '\nothers = "rest"\nroot.position = [0, 0, 0.32]\n'
+        for t in (0, 1)
+    )
+    again = clip.from_text(f'figure = "models/it.xml"\n{said}', name="it", folder=tmp_path)
+    np.testing.assert_allclose(again.keys[0].state, problem.keys[0].state, atol=1e-6)
+
+
+def test_a_model_of_which_nothing_collides_is_told_to_be_solid_all_over(tmp_path):
+    for folder, seen in (("all", ' contype="0" conaffinity="0"'), ("none", "")):
+        (tmp_path / folder).mkdir()
+        problem = written(
+            f"<mujoco><worldbody>{ARM.format('').replace('<geom', '<geom' + seen)}</worldbody></mujoco>",
+            tmp_path / folder,
+        )
+        assert ("# Nothing of this model collides" in problem.text) == bool(seen)
+
+
+def test_followers_begin_where_they_belong(tmp_path):
+    joints = '<joint name="knee" axis="0 1 0"/>', '<joint name="cap" type="slide" axis="0 0 1"/>'
+    tie = '<equality><joint joint1="cap" joint2="knee" polycoef=".05 0 0 0 0"/></equality>'
+    legs = BODY.format(joints[0], f'<body>{joints[1]}<geom size=".1"/></body>')
+    problem = written(f"<mujoco><worldbody>{legs}</worldbody>{tie}</mujoco>", tmp_path)
+    assert problem.keys[0].state[1] == pytest.approx(0.05)
+    assert "joints.cap                               slide, metres along z" in problem.text
+    assert not problem.notes[1:]

@@ -1,0 +1,126 @@
+"""What a clip can name of a figure: sites, the feet that were found, geoms, bodies and joints, as points or bodies."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import cached_property
+
+import mujoco
+import numpy as np
+
+from solver import quaternion as quat
+from solver.figure import Figure
+from solver.kinematics import Samples
+from solver.naming import geom_name
+from solver.penalty import Point, body_points, site_points
+from solver.penalty.contact import arrays_of
+from solver.quaternion import Array
+
+# Names that converters from OpenSim give to the points of a muscle's path, and to the sides on which it wraps.
+MUSCLE = re.compile(r"-P\d+[a-z]?(_|$)|path_?point|side_?site|_site_", re.IGNORECASE)
+
+
+def posable_sites(model: mujoco.MjModel) -> list[str]:
+    """The names of a model's sites but for the points that muscles and cables run through."""
+    wraps = mujoco.mjtWrap
+    on_path = model.wrap_objid[model.wrap_type == int(wraps.mjWRAP_SITE)]
+    around = np.isin(model.wrap_type, [int(wraps.mjWRAP_SPHERE), int(wraps.mjWRAP_CYLINDER)])
+    through = {int(site) for site in (*on_path, *model.wrap_prm[around])}
+    names = [(i, str(model.site(i).name)) for i in range(model.nsite)]
+    has_muscles = bool(model.ntendon)
+    return [name for i, name in names if name and i not in through and not (has_muscles and MUSCLE.search(name))]
+
+
+class Places:
+    """The names of one figure, each as a point or as a body.
+
+    soles  the sole points that were found
+    """
+
+    def __init__(self, figure: Figure, soles: Sequence[Point] = ()) -> None:
+        self.figure, self.soles = figure, {point.name: point for point in soles}
+
+    def point(self, name: str) -> Point | None:
+        """A site, a foot that was found, the middle of a geom, or the origin of a body, in this order; None without.
+
+        A geom is as thick as a ball that fits into it, a body as it is high over its lowest point at rest.
+        """
+        if name in self._sites:
+            return site_points(self.figure, [name])[0]
+        if name in self.soles:
+            return self.soles[name]
+        if name in self._geoms:
+            return self._geom_point(name)
+        body = self.body(name)
+        return None if body is None else self._body_point(name, body)
+
+    def body(self, name: str) -> int | None:
+        """A body, or that of a joint, a site, a foot or a geom; None without."""
+        model = self.figure.model
+        if name in self._bodies:
+            return self._bodies[name]
+        joint = next((link for link in self.figure.links[1:] if link.name == name), None)
+        if joint is not None:
+            return int(joint.body)
+        if name in self._sites:
+            return int(model.site_bodyid[self._sites[name]])
+        if name in self._geoms:
+            return int(model.geom_bodyid[self._geoms[name]])
+        return self.figure.links[self.soles[name].link].body if name in self.soles else None
+
+    @property
+    def points_listed(self) -> list[str]:
+        """The names of points that a message tells: sites and feet, or bodies if there are none."""
+        return list(dict.fromkeys([*posable_sites(self.figure.model), *self.soles])) or self.bodies_listed
+
+    @property
+    def bodies_listed(self) -> list[str]:
+        """The names of bodies that a message tells."""
+        return list(self._bodies)
+
+    @cached_property
+    def _sites(self) -> dict[str, int]:
+        model = self.figure.model
+        return {name: i for i in range(model.nsite) if (name := str(model.site(i).name))}
+
+    @cached_property
+    def _bodies(self) -> dict[str, int]:
+        model = self.figure.model
+        return {name: i for i in range(1, model.nbody) if (name := str(model.body(i).name))}
+
+    @cached_property
+    def _geoms(self) -> dict[str, int]:
+        model = self.figure.model
+        return {geom_name(model, i): i for i in range(model.ngeom) if model.geom_type[i] != mujoco.mjtGeom.mjGEOM_PLANE}
+
+    def _geom_point(self, name: str) -> Point:
+        model, geom = self.figure.model, self._geoms[name]
+        middle, half = np.split(model.geom_aabb[geom], 2)
+        centre = model.geom_pos[geom] + quat.rotated(model.geom_quat[geom], middle)
+        link, position = self.figure.point_on_link(int(model.geom_bodyid[geom]), centre)
+        return Point(name, link, position, float(half.min()))
+
+    def _body_point(self, name: str, body: int) -> Point:
+        figure = self.figure
+        link, position = figure.point_on_link(body, np.zeros(3))
+        origin = Point(name, link, position)
+        own = [point for point in body_points(figure) if point.link == link]
+        if not own or not link:
+            return origin
+        height, *bottoms = heights_at_rest(figure, [origin, *own])
+        return replace(origin, radius=max(float(height - min(bottoms)), 0.0))
+
+
+def heights_at_rest(figure: Figure, points: Sequence[Point]) -> Array:
+    """(n,) [m] how high the lowest place of each point is in the figure's rest pose."""
+    return places_at(figure, figure.model.qpos0, points)[2] - np.array([point.radius for point in points])
+
+
+def places_at(figure: Figure, qpos: Array, points: Sequence[Point]) -> Array:
+    """(3, n) [m] where points are in a pose (nq,)."""
+    state = figure.to_state(qpos[None])
+    links, positions, _ = arrays_of(points)
+    found, _ = Samples(figure, state, 0 * state, 0 * state).links.points(links, positions)
+    return found[:, :, 0]

@@ -1,0 +1,160 @@
+"""Feet, geoms and bodies go by the names that are told: in `sites.`, in `bodies.` and in [[contact]]."""
+
+from __future__ import annotations
+
+import mujoco
+import numpy as np
+import pytest
+
+from runner import clip
+from runner.clip import Clip
+from runner.clip_mirror import mirrored_tables
+from runner.errors import UserError
+from runner.feet import sole_points
+from runner.places import Places, posable_sites
+from solver.figure import Figure
+from solver.mirror import Mirror
+
+LEG = """<body name="{side}_thigh" pos="0 {y} 0"><joint name="{side}_hip_x" axis="1 0 0" range="-60 60"/>
+  <joint name="{side}_hip_y" axis="0 1 0" range="-120 90"/><geom type="capsule" size=".03" fromto="0 0 0 0 0 -.3"/>
+  <body name="{side}_calf" pos="0 0 -.3"><joint name="{side}_knee" axis="0 1 0" range="0 150"/>
+    <geom type="capsule" size=".02" fromto="0 0 0 0 0 -.3"/><geom name="{side}_ball" size=".04" pos="0 0 -.3"/>
+    <geom type="box" size=".01 .02 .03" pos=".05 0 -.1" quat=".6 0 .8 0"/></body></body>"""
+ROBOT = (
+    '<mujoco model="robot"><compiler angle="degree"/><worldbody><body name="trunk" pos="0 0 .65">'
+    '<freejoint name="base"/>'
+    '<geom name="box" type="box" size=".1 .1 .05"/>'
+    f"{LEG.format(side='left', y=0.1)}{LEG.format(side='right', y=-0.1)}</body></worldbody></mujoco>"
+)
+HEAD = 'figure = "robot.xml"\n[[keyframe]]\ntime = 0\nothers = "rest"\n[[keyframe]]\ntime = 1\nothers = "hold"\n'
+
+
+def figure() -> Figure:
+    return Figure(mujoco.MjModel.from_xml_string(ROBOT))
+
+
+def read(said: str, more: str = "") -> Clip:
+    return clip.from_text(HEAD + said + more, name="it", spec=mujoco.MjSpec.from_string(ROBOT))
+
+
+def places() -> Places:
+    whole = figure()
+    return Places(whole, sole_points(whole, np.zeros((0, whole.width))))
+
+
+def seen(problem: Clip, k: int = 1) -> mujoco.MjData:
+    data = mujoco.MjData(problem.figure.model)
+    data.qpos[:] = problem.keys[k].state
+    mujoco.mj_kinematics(problem.figure.model, data)
+    return data
+
+
+@pytest.mark.parametrize("name", ["left_ball", "left_calf 2", "left_calf 1", "left_calf", "box"])
+def test_a_point_is_where_mujoco_has_the_geom_or_the_body(name, rng):
+    found, whole = places().point(name), figure()
+    assert found is not None
+    data = mujoco.MjData(whole.model)
+    data.qpos[:] = rng.normal(size=whole.width)
+    mujoco.mj_kinematics(whole.model, data)
+    geoms = {"left_ball": 3, "left_calf 1": 2, "left_calf 2": 4, "box": 0}
+    there = data.geom_xpos[geoms[name]] if name in geoms else data.body(name).xpos
+    link = whole.links[found.link].body
+    here = data.xpos[link] + data.xmat[link].reshape(3, 3) @ found.position
+    np.testing.assert_allclose(here, there, atol=1e-9)
+
+
+def test_points_are_as_thick_as_what_they_name():
+    known = places()
+    thick = {name: known.point(name) for name in ("left_ball", "left_calf 2", "left_calf")}
+    assert {name: round(point.radius, 6) for name, point in thick.items() if point} == {
+        "left_ball": 0.04, "left_calf 2": 0.01, "left_calf": 0.34
+    }  # fmt: skip
+
+
+def test_a_body_goes_by_the_names_of_all_that_is_on_it():
+    known, model = places(), figure().model
+    for name in ("left_calf", "left_knee", "left_ball", "left_calf 2"):
+        assert known.body(name) == model.body("left_calf").id
+    assert known.body("nothing") is None
+    assert known.point("nothing") is None
+
+
+def test_a_found_foot_is_put_where_a_keyframe_says_and_stays_there_as_a_contact_says():
+    problem = read("sites.left_ball = [0.2, 0.12, 0.1]\n", '[[contact]]\npoint = "right_ball"\nfrom = 0\nto = 1\n')
+    np.testing.assert_allclose(seen(problem).geom("left_ball").xpos, [0.2, 0.12, 0.1], atol=1e-6)
+    assert [rest.point.name for rest in problem.contacts] == ["right_ball"]
+
+
+@pytest.mark.parametrize("point", ["left_calf 2", "left_calf", "trunk"])
+def test_geoms_and_bodies_may_rest(point):
+    problem = read("joints.left_knee = 20\n", f'[[contact]]\npoint = "{point}"\nfrom = 0\nto = 1\n')
+    assert [rest.point.name for rest in problem.contacts] == [point]
+
+
+def test_a_body_takes_a_place_of_its_origin_or_of_a_point_in_its_axes():
+    problem = read("bodies.left_calf = {position = [0.18, 0.1, 0.41]}\n")
+    np.testing.assert_allclose(seen(problem).body("left_calf").xpos, [0.18, 0.1, 0.41], atol=1e-6)
+    problem = read('bodies.left_calf = {position = [0.1, "free", 0.15], at = [0, 0, -0.3]}\n')
+    data = seen(problem)
+    tip = data.body("left_calf").xpos + data.body("left_calf").xmat.reshape(3, 3) @ [0, 0, -0.3]
+    np.testing.assert_allclose(tip[[0, 2]], [0.1, 0.15], atol=1e-6)
+
+
+def test_a_body_is_placed_and_turned_at_once():
+    problem = read(
+        'root = {position = "free", rotation = "free"}\nbodies.trunk = {position = [0.1, 0, 0.6], flat = true}\n'
+    )
+    data = seen(problem)
+    np.testing.assert_allclose(data.body("trunk").xpos, [0.1, 0, 0.6], atol=1e-6)
+    np.testing.assert_allclose(data.body("trunk").xmat[8], 1, atol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("said", "words"),
+    [
+        ("sites.left_bal = [0, 0, 0]\n", "no site 'left_bal'; did you mean 'left_ball'? Sites: left_ball, right_ball"),
+        ("bodies.left_calf = {at = [0, 0, 0]}\n", "'at' is a point of the body"),
+        ('bodies.left_calf = {position = ["free", "free", "free"]}\n', "every axis is free"),
+        ("bodies.left_calf = {position = [0, 0]}\n", "position must be [x, y, z] in metres"),
+        ("bodies.left_calf = {position = [9, 0, 0]}\n", "no pose found that puts body 'left_calf' at (9, 0, 0)"),
+        ("sites.left_ball = [9, 0, 0]\n", "no pose found that puts point 'left_ball' at (9, 0, 0)"),
+        (
+            "sites.left_ball = [0, 0, 0.1]\nbodies.left_calf = {position = [0, 0, 0.5]}\n",
+            "sites 'left_ball' and 'left_calf' are 0.3 m apart on the figure",
+        ),
+    ],
+)
+def test_a_mistake_is_one_line_that_says_what_there_is(said, words):
+    with pytest.raises(UserError) as caught:
+        read(said)
+    assert words in str(caught.value)
+    assert "\n" not in str(caught.value)
+
+
+def test_feet_and_bodies_change_sides_in_a_mirror():
+    whole = figure()
+    table = {
+        "sites": {"left_ball": [0.1, 0.2, 0.3]},
+        "bodies": {"left_calf": {"position": [0.1, 0.2, "free"], "at": [0.01, 0.02, 0.03]}},
+        "time": 0,
+    }
+    out = mirrored_tables({"keyframe": [table]}, whole, Mirror.of(whole))["keyframe"][0]
+    assert out["sites"] == {"right_ball": [0.1, -0.2, 0.3]}
+    assert out["bodies"]["right_calf"]["position"] == [0.1, -0.2, "free"]
+    np.testing.assert_allclose(out["bodies"]["right_calf"]["at"], [0.01, -0.02, 0.03], atol=1e-12)
+
+
+MUSCLES = """<mujoco><worldbody><body name="leg" pos="0 0 1"><freejoint/><geom type="capsule" size=".05 .3"/>
+  <site name="knee"/><site name="toe_muscle"/><site name="edl-P1_r"/><site name="wrap"/><site name="ext-P2"/>
+  <geom name="bone" type="sphere" size=".1"/><body><joint/><geom size=".1"/><site name="tip"/></body></body></worldbody>
+  <tendon><spatial><site site="toe_muscle"/><geom geom="bone" sidesite="wrap"/><site site="tip"/></spatial></tendon>
+</mujoco>"""
+
+
+def test_the_points_of_muscles_are_no_sites_to_pose_and_no_feet():
+    model = mujoco.MjModel.from_xml_string(MUSCLES)
+    assert posable_sites(model) == ["knee"]
+    whole = Figure(model)
+    assert all(point.name != "toe_muscle" for point in sole_points(whole, np.zeros((0, whole.width))))
+    bare = mujoco.MjModel.from_xml_string(MUSCLES[: MUSCLES.index("<tendon>")] + "</mujoco>")
+    assert "edl-P1_r" in posable_sites(bare)  # who has no muscles may call a site what one likes
