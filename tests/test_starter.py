@@ -144,10 +144,8 @@ PAIR = "".join(
 )
 STOOL = '<geom name="stool" type="cylinder" size=".5 .1" pos="0 0 .1"/>'
 TRUNK = '<body name="trunk" pos="0 0 .35"><freejoint/><geom type="box" size=".1 .2 .05"/>{}</body>'
-ARMS = (
-    PAIR
-    + '<body name="arm" pos="0 0 .1"><joint axis="0 1 0"/><geom type="capsule" size=".02" fromto="0 0 0 .3 0 0"/></body>'
-)
+REACH = '<geom type="capsule" size=".02" fromto="0 0 0 .3 0 0"/>'
+ARMS = f'{PAIR}<body name="arm" pos="0 0 .1"><joint axis="0 1 0"/>{REACH}</body>'
 
 
 def test_a_figure_stands_on_its_own_pedestal_and_its_keyframes_out_of_the_floor(tmp_path):
