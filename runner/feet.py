@@ -28,7 +28,7 @@ from .places import posable_sites
 SOLES = ("heel", "toe")
 LOW = 0.1  # of a figure's height, how far above its lowest point a foot may be
 THICK = 0.02  # the same of the points of a foot above its lowest
-SUNK = 0.005  # of a figure's height, how far above its lowest point a site that is called after a sole may be
+SUNK = 0.005  # of the height of a figure with muscles, how far above its lowest point a site named as a sole may be
 LEVEL = 0.002  # [m] by which what carries toes may be above them
 STEEP = 0.5  # of a slide's way, how much of it goes up
 CORNERS = 4  # points a foot, at most
@@ -54,7 +54,8 @@ def _near_ground(figure: Figure, points: Sequence[Point], qpos: Array) -> bool:
     places, _ = Samples(figure, states, 0 * states, 0 * states).links.points(links, positions)
     low, high = places[2] - radii[:, None], places[2] + radii[:, None]
     ground, tall = low.min(axis=0), np.ptp(np.concatenate([low, high]), axis=0)
-    return bool(np.any(low[: len(points)] <= ground + SUNK * tall))
+    share = SUNK if figure.model.ntendon else THICK  # skeletons with muscles bring marks all over their feet
+    return bool(np.any(low[: len(points)] <= ground + share * tall))
 
 
 def _grown(figure: Figure, point: Point) -> Point:
