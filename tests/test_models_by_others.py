@@ -20,7 +20,9 @@ from rich.console import Console
 
 from runner import clip, motion, report, work
 from runner.feet import sole_points
+from runner.lighting import is_well_lit
 from runner.progress import Teller
+from runner.scene import compose, figure_spec
 from runner.show import Look, images
 from runner.starter import starter
 from solver.figure import Figure
@@ -129,3 +131,10 @@ def test_a_robot_by_others_squats(path):
     assert found.deep <= 2e-3
     assert found.moved <= 10e-3
     assert not {joint: over for joint, over in found.beyond.items() if over > 0.1}
+
+
+@pytest.mark.parametrize("path", [*SQUATTERS, "mjlab/asset_zoo/robots/i2rt_yam/xmls/yam.xml"])
+def test_a_robot_by_others_without_good_lamps_is_seen_in_the_stages_light(path):
+    spec = figure_spec(str(model_file(path)))
+    assert not is_well_lit(spec.compile())
+    assert is_well_lit(compose(figure_spec(str(model_file(path)))).model())
