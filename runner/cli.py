@@ -47,6 +47,7 @@ Overwrite = Annotated[bool, typer.Option("--overwrite", help="let -o be the file
 OverThere = Annotated[bool, typer.Option("--overwrite", help="let -o be a file that is there")]
 Repeat = Annotated[int | None, typer.Option("--repeat", help="play a loop so many times, without a seam")]
 Strict = Annotated[bool, typer.Option("--strict", help="exit with code 3 if anything is wrong with the motion")]
+Fresh = Annotated[bool, typer.Option("--fresh", help="solve a clip again that was solved before, unchanged")]
 AsJson = Annotated[bool, typer.Option("--json", help="print JSON")]
 
 
@@ -113,6 +114,7 @@ def render(
     ] = None,
     repeat: Repeat = None,
     strict: Strict = False,
+    fresh: Fresh = False,
     model: Model = None,
     keys: Keys = None,
 ) -> None:
@@ -149,7 +151,7 @@ def render(
         look = Look(width, height, fps or found.fps, only, ghosts, camera, slow, at)
         _check_length(found, look, repeat)
         teller.say(graphics.line)
-        result = _result(found, teller, repeat, solve=only not in ("keys", "before"))
+        result = _result(found, teller, repeat, solve=only not in ("keys", "before"), fresh=fresh)
         draw(result.saved, look, graphics, target, workers, teller)
         _tell(teller, target, result.problems, source)
     _judge(result.problems, strict)
@@ -163,6 +165,7 @@ def solve(
     repeat: Repeat = None,
     strict: Strict = False,
     as_json: AsJson = False,
+    fresh: Fresh = False,
     model: Model = None,
     keys: Keys = None,
 ) -> None:
@@ -184,7 +187,7 @@ def solve(
             raise UserError(f"{source}: a motion is solved already; report, plot and render take it")
         _check_repeat(found, repeat)
         motion.sample_count((found.keys[-1].time - found.keys[0].time) * (repeat or 1), found.fps)
-        result = _result(found, teller, repeat)
+        result = _result(found, teller, repeat, fresh=fresh)
         motion.save(result.saved, target)
         _tell(teller, target, result.problems, target)
     if as_json:
@@ -196,7 +199,12 @@ def solve(
 
 @app.command()
 def report(
-    source: Source = "", strict: Strict = False, as_json: AsJson = False, model: Model = None, keys: Keys = None
+    source: Source = "",
+    strict: Strict = False,
+    as_json: AsJson = False,
+    fresh: Fresh = False,
+    model: Model = None,
+    keys: Keys = None,
 ) -> None:
     """Measure before and after on a 1 kHz grid: penetration, knees, skate, torques, what is left to gain."""
     _without_graphics()
@@ -207,7 +215,7 @@ def report(
 
     _name(source, model, keys)
     with Teller() as teller:
-        measured = _measured(_found(source, model, keys), teller).report
+        measured = _measured(_found(source, model, keys), teller, fresh=fresh).report
     if as_json:
         print(json.dumps(_plain(measured), indent=2))
     else:
@@ -218,7 +226,9 @@ def report(
 
 
 @app.command()
-def plot(source: Source = "", output: Output = None, model: Model = None, keys: Keys = None) -> None:
+def plot(
+    source: Source = "", output: Output = None, fresh: Fresh = False, model: Model = None, keys: Keys = None
+) -> None:
     """Charts: foot height, unit magnitude, Euler-Lagrange deviation, penalties per evaluation (.png .svg .pdf)."""
     _without_graphics()
     import numpy as np
@@ -230,7 +240,7 @@ def plot(source: Source = "", output: Output = None, model: Model = None, keys: 
     chart.check_target(target)
     motion.check_target(target)
     with Teller() as teller:
-        saved = _measured(_found(source, model, keys), teller)
+        saved = _measured(_found(source, model, keys), teller, fresh=fresh)
         with _whole(source):
             chart.draw(saved.name, saved.report, saved.trace, np.array([key.time for key in saved.keys]), target)
         teller.say(f"wrote {target}")
@@ -259,12 +269,12 @@ def new_clip(
 
 
 @app.command()
-def mirror(source: Source, output: Output = None, overwrite: Overwrite = False) -> None:
+def mirror(source: Source, output: Output = None, overwrite: Overwrite = False, fresh: Fresh = False) -> None:
     """Exchange left and right of a motion (.npz) or a clip (.toml), in the x-z plane."""
     _without_graphics()
     from . import edit_files
 
-    _edited([source], edit_files.mirrored(), output, overwrite)
+    _edited([source], edit_files.mirrored(), output, overwrite=overwrite, fresh=fresh)
 
 
 @app.command()
@@ -274,12 +284,13 @@ def retime(
     speed: Annotated[float | None, typer.Option(help="how many times as fast")] = None,
     duration: Annotated[float | None, typer.Option(help="how long it shall last, seconds")] = None,
     overwrite: Overwrite = False,
+    fresh: Fresh = False,
 ) -> None:
     """Play a motion (.npz) or a clip (.toml) faster or slower."""
     _without_graphics()
     from . import edit_files
 
-    _edited([source], edit_files.retimed(speed, duration), output, overwrite)
+    _edited([source], edit_files.retimed(speed, duration), output, overwrite=overwrite, fresh=fresh)
 
 
 @app.command()
@@ -289,12 +300,13 @@ def trim(
     first: Annotated[float | None, typer.Option("--from", help="seconds of the clip")] = None,
     last: Annotated[float | None, typer.Option("--to", help="seconds of the clip")] = None,
     overwrite: Overwrite = False,
+    fresh: Fresh = False,
 ) -> None:
     """Cut a motion to an interval; inside it stays the same."""
     _without_graphics()
     from . import edit_files
 
-    _edited([source], edit_files.trimmed(first, last), output, overwrite)
+    _edited([source], edit_files.trimmed(first, last), output, overwrite=overwrite, fresh=fresh)
 
 
 @app.command()
@@ -306,12 +318,13 @@ def join(
         float, typer.Option(help="seconds from the end of the first to the start of the second")
     ] = 0.4,
     overwrite: Overwrite = False,
+    fresh: Fresh = False,
 ) -> None:
     """Let a second motion follow a first: moved to where that one goes on, with a transition in between."""
     _without_graphics()
     from . import edit_files
 
-    _edited([first, second], edit_files.joined(transition), output, overwrite)
+    _edited([first, second], edit_files.joined(transition), output, overwrite=overwrite, fresh=fresh)
 
 
 @app.command()
@@ -331,13 +344,14 @@ def thin(
     ] = None,
     fps: Annotated[float | None, typer.Option(help="the recording's images a second, if it does not tell")] = None,
     overwrite: OverThere = False,
+    fresh: Fresh = False,
 ) -> None:
     """The fewest keyframes that keep a motion within a bound, as a clip (.toml) or a motion (.npz)."""
     _without_graphics()
     from . import thin_files
     from .progress import Teller
 
-    recording = thin_files.Recording(source, figure, kind, fps)
+    recording = thin_files.Recording(source, figure, kind, fps, fresh)
     bound = thin_files.bound(max_error, max_angle)
     with Teller() as teller:
         thin_files.run(recording, bound, output, solve=solve, overwrite=overwrite, teller=teller)
@@ -352,6 +366,7 @@ def export(
     output: Output = None,
     fps: Annotated[float | None, typer.Option(help="samples a second [default: the motion's]")] = None,
     repeat: Repeat = None,
+    fresh: Fresh = False,
 ) -> None:
     """Write a motion in the format of another program."""
     _without_graphics()
@@ -368,7 +383,7 @@ def export(
     with Teller() as teller:
         found = _found(source, None, None)
         _check_repeat(found, repeat)
-        result = _result(found, teller, repeat)
+        result = _result(found, teller, repeat, fresh=fresh)
         target = formats.export(result.saved, form.name, output, fps=fps, tell=teller.say)
         _tell(teller, target, result.problems, source)
 
@@ -519,13 +534,13 @@ def list_models() -> None:
         print(f"{name:16} {line}")
 
 
-def _edited(sources: list[str], edit: Edit, output: Path | None, overwrite: bool) -> None:
+def _edited(sources: list[str], edit: Edit, output: Path | None, *, overwrite: bool, fresh: bool) -> None:
     """An edit of files, told as it goes."""
     from .edit_files import run
     from .progress import Teller
 
     with Teller() as teller:
-        target, found = run(sources, edit, output, overwrite=overwrite, teller=teller)
+        target, found = run(sources, edit, output, overwrite=overwrite, fresh=fresh, teller=teller)
         _tell(teller, target, found, target)
 
 
@@ -616,9 +631,14 @@ class _Result:
     problems: tuple[Problem, ...]
 
 
-def _result(found: Clip | Saved, teller: Teller, repeat: int | None = None, *, solve: bool = True) -> _Result:
-    """A saved motion as it is, or a clip solved now, played so many times; nothing is wrong with what is not solved."""
-    from . import motion, problems, work
+def _result(
+    found: Clip | Saved, teller: Teller, repeat: int | None = None, *, solve: bool = True, fresh: bool = False
+) -> _Result:
+    """A saved motion as it is, or a clip solved, played so many times; nothing is wrong with what is not solved.
+
+    fresh  a clip is solved now, and not as it may have been before
+    """
+    from . import kept, motion, problems, work
 
     if not solve:
         saved = found if isinstance(found, motion.Saved) else work.unsolved(found).saved(teller, with_report=False)
@@ -626,7 +646,7 @@ def _result(found: Clip | Saved, teller: Teller, repeat: int | None = None, *, s
     if isinstance(found, motion.Saved):
         saved = _repeated(found, repeat)
         return _Result(saved, () if problems.is_recording(saved) else problems.of_motion(saved))
-    solved = work.solve(found, teller)
+    solved = kept.solved(found, teller, fresh=fresh)
     saved = solved.saved(teller, with_report=False)
     if repeat is None:
         return _Result(saved, solved.problems)
@@ -634,13 +654,13 @@ def _result(found: Clip | Saved, teller: Teller, repeat: int | None = None, *, s
     return _Result(saved, problems.of_motion(saved))
 
 
-def _measured(found: Clip | Saved, teller: Teller) -> Saved:
-    """A motion with its report, made now unless its file has one."""
-    from . import motion, problems, work
+def _measured(found: Clip | Saved, teller: Teller, *, fresh: bool) -> Saved:
+    """A motion with its report, made now unless its file has one; `fresh` as for `_result`."""
+    from . import kept, motion, problems
     from .edits import measured
 
     if not isinstance(found, motion.Saved):
-        return work.solve(found, teller).saved(teller)
+        return kept.solved(found, teller, fresh=fresh).saved(teller)
     if not found.report:
         return measured(found, teller, "not searched: imported")
     if "problems" in found.report:

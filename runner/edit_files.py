@@ -11,7 +11,7 @@ from typing import Any
 import models
 
 from . import clip as clips
-from . import edits, motion, problems, work
+from . import edits, kept, motion, problems
 from .clip import Clip
 from .clip_mirror import mirrored_tables
 from .clip_text import tables, written
@@ -37,9 +37,12 @@ class Edit:
 
 
 def run(
-    sources: list[str], edit: Edit, target: Path | None, *, overwrite: bool, teller: Teller
+    sources: list[str], edit: Edit, target: Path | None, *, overwrite: bool, fresh: bool = False, teller: Teller
 ) -> tuple[Path, Problems]:
-    """Does an edit; where its result lies, a motion or by the ending .toml a clip, and what is wrong with a motion."""
+    """Does an edit; where its result lies, a motion or by the ending .toml a clip, and what is wrong with a motion.
+
+    fresh  clips are solved now, and not as they may have been before
+    """
     direct = edit.clip is not None and not motion.is_motion(sources[0])
     ending = ".toml" if direct and Path(sources[0]).suffix.lower() == ".toml" else ".npz"
     target = target or Path(f"{Path(sources[0]).stem}_{edit.word}{ending}")
@@ -49,21 +52,23 @@ def run(
     if target.suffix == ".toml":
         one = found[0]
         text = _clip_text(one, sources[0], edit, target) if direct and isinstance(one, Clip) else ""
-        text = text or edit.motions([_solved(each, teller) for each in found], teller).text
+        text = text or edit.motions([_solved(each, teller, fresh) for each in found], teller).text
         if not text:
             raise UserError(f"{target}: '{sources[0]}' came from no clip file, so there is none to edit; write an .npz")
         with Replacement(target) as temporary:
             temporary.write_text(text, encoding="utf-8")
         return target, ()
-    saved = edit.motions([_solved(each, teller) for each in found], teller)
+    saved = edit.motions([_solved(each, teller, fresh) for each in found], teller)
     search = {"stopped because": f"not searched: {edit.word}"}
     saved = replace(saved, name=target.stem, trace=[], report={}, search=search)
     motion.save(saved, target)
     return target, problems.of_motion(saved)
 
 
-def _solved(found: Clip | Saved, teller: Teller) -> Saved:
-    return found if isinstance(found, Saved) else work.solve(found, teller).saved(teller, with_report=False)
+def _solved(found: Clip | Saved, teller: Teller, fresh: bool) -> Saved:
+    if isinstance(found, Saved):
+        return found
+    return kept.solved(found, teller, fresh=fresh).saved(teller, with_report=False)
 
 
 def _check_target(target: Path, sources: list[str], overwrite: bool) -> None:

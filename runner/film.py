@@ -266,10 +266,15 @@ def _write_sheet(path: Path, images: Iterator[Picture], fps: float, count: int |
     iio.imwrite(path, sheet, extension=".png")
 
 
+def sheet_picks(count: int) -> list[int]:
+    """Which of so many images a contact sheet shows: up to twelve, evenly spaced, first and last among them."""
+    return np.linspace(0, count - 1, min(count, SHEET_PICTURES)).round().astype(int).tolist()
+
+
 def _picks(images: Iterator[Picture], count: int | None) -> Iterator[Picture]:
-    """Up to twelve of the images, evenly spaced, first and last among them."""
+    """The images that a contact sheet shows."""
     if count is not None:
-        wanted = set(np.linspace(0, count - 1, min(count, SHEET_PICTURES)).round().astype(int).tolist())
+        wanted = set(sheet_picks(count))
         yield from (image for index, image in enumerate(images) if index in wanted)
         return
     kept: list[Picture] = []

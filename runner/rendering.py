@@ -22,8 +22,14 @@ def draw(saved: Saved, look: Look, graphics: Graphics, target: Path, asked: int 
         if look.ghosts and still:
             film.write(target, [show.figure_six(saved, look, graphics, workers=workers)], look.fps)
             return
-        count = show.image_count(saved, look, still_keys=still)
-        with contextlib.closing(show.images(saved, look, graphics, still_keys=still, workers=workers)) as images:
+        count, picks = show.image_count(saved, look, still_keys=still), None
+        if still:
+            picks = film.sheet_picks(count)
+            count = len(picks)
+        if still and count > 1:
+            look = show.for_tiles(look, film.SHEET_TILE, graphics)
+        drawn = show.images(saved, look, graphics, still_keys=still, workers=workers, picks=picks)
+        with contextlib.closing(drawn) as images:
             film.write(target, teller.over(images, "rendering", count), look.fps, count=count)
     except (film.FilmError, ValueError) as error:
         raise UserError(str(error)) from None

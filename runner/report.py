@@ -46,6 +46,7 @@ from solver.touch import counts_all
 from solver.wrench import RootWrench
 
 from .clip import Clip
+from .exactness import keyframe_error
 from .motion import continuous, samples_at
 from .penetration import lowest, penetration, self_penetration
 from .problems import plain, problems
@@ -319,22 +320,6 @@ def _unit_deviation(grid: Grid) -> dict[str, float]:
         "longest": float(length.max()),
         "largest": float(np.abs(length - 1).max()),
     }
-
-
-def keyframe_error(clip: Clip, timeline: Timeline) -> float:
-    """Largest error of a fixed entry at its key time: the spline evaluated there and turned into qpos."""
-    figure = clip.figure
-    times = np.array([key.time for key in clip.keys])
-    reached = figure.to_qpos(path_of(timeline).at(times))
-    worst = 0.0
-    for key, qpos in zip(clip.keys, reached, strict=True):
-        wanted = key.state.copy()
-        for columns in figure.tables.quaternion_columns.T:
-            wanted[columns] /= np.linalg.norm(wanted[columns])
-            if wanted[columns] @ qpos[columns] < 0:
-                wanted[columns] *= -1
-        worst = max(worst, float(np.abs(wanted - qpos)[key.fixed].max(initial=0.0)))
-    return worst
 
 
 def _seam(clip: Clip, timeline: Timeline) -> dict[str, Any]:

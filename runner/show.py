@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator
-from dataclasses import dataclass
+from collections.abc import Generator, Sequence
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import TypedDict
 
@@ -24,6 +24,7 @@ from .workers import in_order
 
 KEY_SECONDS = 0.5
 PIXELS_OF_A_PROCESS = 1_000_000  # rays draw so many in the time that a process takes to start, and some more
+SMOOTHING = 2  # times larger than a tile are its pictures drawn: four samples a pixel, as many as multisampling takes
 KEY_SHADE, VARIABLE_SHADE, BETWEEN_SHADE = 0.0, 0.45, 0.75
 KEY_OPACITY, VARIABLE_OPACITY, BETWEEN_OPACITY = 1.0, 0.55, 0.25
 
@@ -36,6 +37,7 @@ class Look:
     ghosts  draw the keyframes, darkest, beside the moving figure; in a still, also variable frames and in-betweens
     slow    how many times slower than life
     at      only the image nearest to this time [s]
+    shrunk  how many times smaller it is shown than it is drawn
     """
 
     width: int = 1280
@@ -46,6 +48,7 @@ class Look:
     camera: str = "side"
     slow: float = 1.0
     at: float | None = None
+    shrunk: float = 1.0
 
 
 @dataclass(frozen=True)
@@ -91,15 +94,36 @@ def image_count(saved: Saved, look: Look, *, still_keys: bool = False) -> int:
     return 1 if look.at is not None else len(sampled(saved.figure, saved.raw, look.fps * look.slow).time)
 
 
+def for_tiles(look: Look, tile: int, graphics: Graphics) -> Look:
+    """The same look drawn no larger than its images need to be as tiles of a contact sheet.
+
+    tile  the longer side of one [pixels]; rays smooth edges themselves, OpenGL's pictures are shrunk by half for that
+    """
+    longest = max(look.width, look.height)
+    times = 1 if graphics.kind == "rays" else SMOOTHING
+    if longest <= times * tile:
+        return replace(look, shrunk=max(1.0, longest / tile))
+    width, height = (times * max(1, round(side * tile / longest)) for side in (look.width, look.height))
+    return replace(look, width=width + width % 2, height=height, shrunk=float(times))
+
+
 def images(
-    saved: Saved, look: Look, graphics: Graphics, *, still_keys: bool = False, workers: int = 1
+    saved: Saved,
+    look: Look,
+    graphics: Graphics,
+    *,
+    still_keys: bool = False,
+    workers: int = 1,
+    picks: Sequence[int] | None = None,
 ) -> Generator[Picture, None, None]:
     """The images of a video; `still_keys` gives each keyframe once. The same whatever the number of workers.
 
     workers  processes that draw, at most: as many as there is work for; with rays, threads where one process is enough
+    picks    which of the images of a still to draw, if not all
     """
     keys = look.only == "keys"
     shots = _key_shots(saved, look) if keys else _moving_shots(saved, look)
+    shots = shots if picks is None else [shots[i] for i in picks]
     repeat = max(1, round(KEY_SECONDS * look.fps)) if keys and not still_keys else 1
     processes = max(1, min(workers, len(shots), len(shots) * look.width * look.height // PIXELS_OF_A_PROCESS))
     stage = partial(_stage, saved.scene, look, graphics, len(shots[0].panes), max(1, workers // processes))
@@ -109,7 +133,7 @@ def images(
 
 
 def _stage(scene: Scene, look: Look, graphics: Graphics, panes: int, threads: int) -> Stage:
-    return Stage(scene, look.width // panes, look.height, graphics, threads=threads)
+    return Stage(scene, look.width // panes, look.height, graphics, threads=threads, shrunk=look.shrunk)
 
 
 def _drawn(stage: Stage, shot: Shot) -> Picture:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from types import TracebackType
 from typing import Protocol, Self
@@ -18,6 +19,9 @@ from .graphics import Graphics
 Picture = NDArray[np.uint8]
 Array = NDArray[np.float64]
 
+SMOOTH = 2.0  # times smaller: four pixels make one
+FULL = 720  # [pixels] high are pictures that need all of a scene's quality
+LEAST_SLICES, LEAST_STACKS = 12, 8  # of round shapes, round and along: with fewer, heads show their corners
 _SUN_DISTANCE = 6.0  # [m]; a directional light's shadows are drawn round the place it stands at
 
 
@@ -36,8 +40,23 @@ class Stage:
     Call `graphics.choose` before anything imports mujoco, this file included.
     """
 
-    def __init__(self, scene: Scene, width: int, height: int, graphics: Graphics, *, threads: int = 0) -> None:
-        """scene  the model; width, height  of the pictures [pixels]; threads  for rays, 0 for one a core."""
+    def __init__(
+        self,
+        scene: Scene,
+        width: int,
+        height: int,
+        graphics: Graphics,
+        *,
+        threads: int = 0,
+        shrunk: float = 1.0,
+    ) -> None:
+        """Opens what draws.
+
+        scene          the model
+        width, height  of the pictures [pixels]
+        threads        for rays, 0 for one a core
+        shrunk         how many times smaller the pictures will be shown: OpenGL then spends less on what nobody sees
+        """
         if width < 1 or height < 1:
             raise ValueError(f"a picture of {width}x{height} pixels; both must be at least 1")
         spec = scene.spec()
@@ -51,6 +70,7 @@ class Stage:
 
             self._painter: Painter = Rays(spec, width, height, threads=threads)
         else:
+            _simplify(self.model.vis, height, shrunk)
             self._painter = self._gl = _OpenGL(self.model, width, height)
 
     def __enter__(self) -> Self:
@@ -86,12 +106,27 @@ class Stage:
         return self._painter.picture(figures, view)
 
 
+def _simplify(vis: mujoco.MjVisual, height: int, shrunk: float) -> None:
+    """Takes from the quality of pictures of this height [pixels] what is lost when they are shown smaller.
+
+    Shrinking smooths edges as multisampling does, which costs software more than all the rest; on small figures round
+    shapes need fewer facets, and shadows fewer texels.
+    """
+    if shrunk < SMOOTH:
+        return
+    quality, share = vis.quality, min(1.0, height / shrunk / FULL)
+    quality.offsamples = 0
+    quality.numslices = max(min(quality.numslices, LEAST_SLICES), round(share * quality.numslices))
+    quality.numstacks = max(min(quality.numstacks, LEAST_STACKS), round(share * quality.numstacks))
+    if quality.shadowsize > 0:
+        quality.shadowsize = 2 ** math.ceil(math.log2(max(1.0, share * quality.shadowsize)))
+
+
 class _OpenGL:
     """Draws through mujoco.Renderer."""
 
     def __init__(self, model: mujoco.MjModel, width: int, height: int) -> None:
-        model.vis.global_.offwidth = max(model.vis.global_.offwidth, width)
-        model.vis.global_.offheight = max(model.vis.global_.offheight, height)
+        model.vis.global_.offwidth, model.vis.global_.offheight = width, height  # a larger buffer takes long to clear
         self._model, self._data = model, mujoco.MjData(model)
         self._renderer = mujoco.Renderer(model, height, width, max_geom=max(10_000, 100 * model.ngeom))
         self._option = mujoco.MjvOption()

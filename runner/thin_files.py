@@ -10,7 +10,7 @@ import numpy as np
 import models
 
 from . import clip as clips
-from . import motion, thinning, work
+from . import kept, motion, thinning, work
 from .errors import UserError
 from .exchange.formats import stem
 from .exchange.imported import imported
@@ -21,12 +21,16 @@ from .quantity import length
 
 @dataclass(frozen=True)
 class Recording:
-    """A motion's file, and what a file of another program may not tell: figure, format, images a second."""
+    """A motion's file, and what a file of another program may not tell: figure, format, images a second.
+
+    fresh  a clip is solved now, and not as it may have been before
+    """
 
     source: str
     figure: str | None = None
     kind: str | None = None
     fps: float | None = None
+    fresh: bool = False
 
     def read(self, teller: Teller) -> Saved:
         """A saved motion as it is, a clip solved, any other file imported."""
@@ -35,7 +39,7 @@ class Recording:
         if not told and motion.is_motion(self.source):
             return motion.load(path)
         if not told and (self.source in models.clips() or path.suffix.lower() == ".toml"):
-            return work.solve(clips.load(self.source), teller).saved(teller, with_report=False)
+            return kept.solved(clips.load(self.source), teller, fresh=self.fresh).saved(teller, with_report=False)
         return imported(path, self.kind, figure=self.figure, fps=self.fps)
 
 

@@ -17,11 +17,9 @@ from solver.optimiser import Stop, StopSearch
 from solver.unknowns import raw_timeline
 
 from .clip import Clip
-from .curves import curves
 from .motion import Saved
 from .problems import Problem, problems
 from .progress import Teller
-from .report import report
 
 
 @contextmanager
@@ -79,6 +77,9 @@ class Solved:
                     if asked.is_set():
                         raise KeyboardInterrupt
 
+                from .curves import curves  # only here: most commands measure nothing
+                from .report import report
+
                 drawn = curves(clip, motion)
                 data = report(clip, motion, self.seconds, told)
                 data["curves"] = drawn
@@ -95,8 +96,7 @@ def solve(clip: Clip, teller: Teller, *, stop_after: int | None = None) -> Solve
 
     stop_after  evaluations after which to stop and keep the best path
     """
-    for note in clip.notes:
-        teller.say(f"note: {note}")
+    tell_notes(clip, teller)
 
     def improved(improvement: Improvement) -> None:
         note = f"evaluation {improvement.evaluation}, objective {improvement.value:.4g}"
@@ -118,9 +118,21 @@ def solve(clip: Clip, teller: Teller, *, stop_after: int | None = None) -> Solve
     )
     seconds = time.perf_counter() - begin
     if found.trace:
-        note = f"evaluation {found.evaluations}, objective {found.trace[0][2]:.4g} -> {found.trace[-1][2]:.4g}"
-        teller.step("solving", 1.0, note, force=True)
+        teller.step("solving", 1.0, course(found), force=True)
     return Solved(clip, found, seconds)
+
+
+def tell_notes(clip: Clip, teller: Teller) -> None:
+    """What was looked for in a clip and not found."""
+    for note in clip.notes:
+        teller.say(f"note: {note}")
+
+
+def course(motion: Motion) -> str:
+    """How a search went, in a few words; none for no search."""
+    if not motion.trace:
+        return ""
+    return f"evaluation {motion.evaluations}, objective {motion.trace[0][2]:.4g} -> {motion.trace[-1][2]:.4g}"
 
 
 def unsolved(clip: Clip) -> Solved:

@@ -150,9 +150,7 @@ def inbetween(
     """
     settings = settings or Settings()
     raw = raw_timeline(figure, list(keys), ends, end_slope, travel)
-    objective = Objective.of(figure, penalties, quadrature=settings.quadrature)
-    if settings.renormalise:
-        objective = renormalised(objective, raw)
+    objective = objective_of(raw, figure, penalties, settings)
     segments, in_windows = len(keys) - 1, settings.quadrature.kind == "gauss" and is_long(raw)
     first = split(raw, beginning(raw, settings, in_windows=in_windows))
     guide = _guide(objective)
@@ -166,6 +164,14 @@ def inbetween(
     except KeyboardInterrupt:
         timeline, loop.stop = loop.best() if loop.best is not None else raw, Stop.ASKED
     return Motion(figure, objective, timeline, raw, tuple(loop.trace), loop.evaluations, loop.stop)
+
+
+def objective_of(
+    raw: Timeline, figure: Figure, penalties: Sequence[tuple[Penalty, float]], settings: Settings
+) -> Objective:
+    """E as a search of these settings minimises it, from the raw timeline through the keyframes."""
+    objective = Objective.of(figure, penalties, quadrature=settings.quadrature)
+    return renormalised(objective, raw) if settings.renormalise else objective
 
 
 def beginning(raw: Timeline, settings: Settings, *, in_windows: bool) -> Array:

@@ -1,0 +1,211 @@
+"""Solved clips kept from one command to the next: what nothing has changed of is not searched again.
+
+They lie in the user's folder for such things, out of the way of clips and motions and good for all of them; in
+DYNSPLINES_CACHE=FOLDER if that is set, nowhere with DYNSPLINES_CACHE=off. A file is called after all that the search
+depends on: keyframes and settings, the scene with every file of its model, this program's own text and the libraries
+that it counts with. So an old file is never wrong, only unused, and the ones that were not used for longest go.
+
+A file holds plain arrays, and what it says is looked at before it is believed: one that is damaged, or does not go
+through the clip's keyframes, is as good as none. Whatever goes wrong with keeping, the clip is solved.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import re
+import tomllib
+from collections.abc import Iterator, Mapping
+from contextlib import suppress
+from functools import lru_cache
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import solver
+from solver.frame import Frame, Timeline
+from solver.inbetween import Motion, objective_of
+from solver.optimiser import Stop
+from solver.unknowns import raw_timeline
+
+from . import work
+from .clip import Clip
+from .errors import UserError
+from .exactness import keyframe_error
+from .motion import Replacement
+from .progress import Teller
+from .work import Solved
+
+FORMAT = 1
+PLACE = "DYNSPLINES_CACHE"
+OFF = ("off", "0", "no", "false")
+MOST_BYTES = 200_000_000  # of all files together; a clip of some seconds takes 50 to 200 kB
+OWN = re.compile(r"[0-9a-f]{40}\.npz|\.\w+\.npz")  # a solved clip, or one that was being written
+LIBRARIES = ("mujoco", "numpy", "scipy", "nlopt")
+UNMET = 1e-9  # [m, rad] by which a motion may miss a keyframe: rounding
+SMALLEST = 1e-6  # length of a quaternion that can still be normalised
+APART = ("figure", "fps")  # keys of a clip on which its solution does not depend: the scene holds the figure
+
+
+def solved(clip: Clip, teller: Teller, *, fresh: bool = False) -> Solved:
+    """A clip solved, or as it was solved before if nothing that it depends on has changed since.
+
+    fresh  solve it whatever is kept
+    """
+    folder = place()
+    if folder is None:
+        return work.solve(clip, teller)
+    file = folder / f"{key_of(clip)}.npz"
+    found = None if fresh else read(file, clip)
+    if found is None:
+        found = work.solve(clip, teller)
+        if found.motion.stop is not Stop.ASKED:
+            write(found, file)
+        return found
+    work.tell_notes(clip, teller)
+    teller.say(f"solved before: {work.course(found.motion) or 'nothing to search'}; --fresh solves it again")
+    return found
+
+
+def place() -> Path | None:
+    """The folder of solved clips, whether or not it is there; None where nothing is to be kept."""
+    asked = os.environ.get(PLACE, "").strip()
+    if asked.lower() in OFF:
+        return None
+    if asked:
+        return Path(asked)
+    from platformdirs import user_cache_path
+
+    return user_cache_path("dynsplines", appauthor=False)
+
+
+def key_of(clip: Clip) -> str:
+    """40 hexadecimal digits that are others for anything else that the search depends on."""
+    digest = hashlib.blake2b(digest_size=20)
+    for part in _parts(clip):
+        digest.update(len(part).to_bytes(8, "big"))
+        digest.update(part)
+    return digest.hexdigest()
+
+
+def _parts(clip: Clip) -> Iterator[bytes]:
+    yield _program().encode()
+    yield clip.scene.mjcf.encode()
+    for name, data in sorted(clip.scene.assets.items()):
+        yield name.encode()
+        yield data
+    said = {key: value for key, value in tomllib.loads(clip.text).items() if key not in APART}
+    yield json.dumps(said, sort_keys=True, default=str).encode()
+    for key in clip.keys:
+        yield np.float64(key.time).tobytes()
+        yield key.state.tobytes()
+        yield key.fixed.tobytes() + key.known.tobytes()
+    weights = [(penalty.name, weight) for penalty, weight in clip.penalties]
+    yield repr((clip.figure.coordinates, clip.ends, clip.travel, clip.settings, weights)).encode()
+    yield b"" if clip.end_slope is None else clip.end_slope.tobytes()
+
+
+@lru_cache(maxsize=1)
+def _program() -> str:
+    """What solves: the text of this program, and the libraries' versions."""
+    digest = hashlib.blake2b(str(FORMAT).encode(), digest_size=20)
+    for folder in (Path(solver.__file__).parent, Path(__file__).parent):
+        for file in sorted(folder.rglob("*.py")):
+            digest.update(file.relative_to(folder).as_posix().encode())
+            digest.update(file.read_bytes())
+    return " ".join([digest.hexdigest(), *map(_version, ("dynamic-splines", *LIBRARIES))])
+
+
+def _version(library: str) -> str:
+    try:
+        return version(library)
+    except PackageNotFoundError:  # run from where it lies
+        return "?"
+
+
+def write(found: Solved, file: Path) -> None:
+    """Keeps a solved clip, whole or not at all, and lets others go that were not used for longest."""
+    motion = found.motion
+    timeline = motion.timeline
+    with suppress(OSError, UserError):
+        file.parent.mkdir(parents=True, exist_ok=True)
+        with Replacement(file) as temporary, temporary.open("wb") as stream:
+            np.savez(
+                stream,
+                allow_pickle=False,
+                key=file.stem,
+                time=timeline.times,
+                state=timeline.states,
+                end_slope=timeline.end_slope,
+                trace=json.dumps(motion.trace),
+                evaluations=motion.evaluations,
+                stop=motion.stop.name,
+                seconds=found.seconds,
+            )
+        _make_room(file.parent)
+
+
+def read(file: Path, clip: Clip) -> Solved | None:
+    """What a file says of a clip; None if there is none, or nothing that can be believed."""
+    if not file.is_file():
+        return None
+    try:
+        with np.load(file, allow_pickle=False) as data:
+            found = _restored(clip, data, file.stem)
+    except Exception:  # of a damaged file nearly anything
+        return None
+    with suppress(OSError):
+        os.utime(file)  # so that it stays
+    return found
+
+
+def _restored(clip: Clip, data: Mapping[str, Any], key: str) -> Solved:
+    """Raises an exception of any kind for what is no solution of the clip."""
+    raw = raw_timeline(clip.figure, list(clip.keys), clip.ends, clip.end_slope, clip.travel)
+    timeline = _timeline(raw, data)
+    seconds, evaluations = float(data["seconds"]), int(data["evaluations"])
+    trace = tuple(
+        (int(n), int(turn), float(value), dict(parts)) for n, turn, value, parts in json.loads(str(data["trace"]))
+    )
+    quaternions = [timeline.states[:, columns] for columns in clip.figure.tables.quaternion_columns.T]
+    lengths = [np.linalg.norm(some, axis=1).min() for some in quaternions]
+    if str(data["key"]) != key or min(lengths, default=1.0) < SMALLEST or not np.isfinite(seconds):
+        raise ValueError("not what it is called")
+    if not keyframe_error(clip, timeline) <= UNMET:
+        raise ValueError("not through the keyframes")
+    objective = objective_of(raw, clip.figure, clip.penalties, clip.settings)
+    motion = Motion(clip.figure, objective, timeline, raw, trace, evaluations, Stop[str(data["stop"])])
+    return Solved(clip, motion, seconds)
+
+
+def _timeline(raw: Timeline, data: Mapping[str, Any]) -> Timeline:
+    """The raw timeline's frames where it has them, moved, and variable ones between."""
+    times, states = data["time"], data["state"]
+    at = np.searchsorted(times, raw.times)
+    if times.ndim != 1 or not np.array_equal(times[at], raw.times):
+        raise ValueError("a keyframe has no frame")
+    fixed = np.zeros(states.shape, bool)
+    fixed[at] = raw.fixed
+    posed = [None] * times.size
+    for index, frame in zip(at.tolist(), raw.frames, strict=True):
+        posed[index] = frame.posed
+    return Timeline(tuple(Frame.many(times, states, fixed, posed)), data["end_slope"], raw.ends)
+
+
+def _make_room(folder: Path) -> None:
+    """Takes away what was not used for longest, until the rest is small enough; nothing but what was kept here."""
+    files: list[tuple[float, int, Path]] = []
+    for path in folder.iterdir():
+        if OWN.fullmatch(path.name):
+            with suppress(OSError):  # another command may have taken it away
+                about = path.stat()
+                files.append((about.st_mtime, about.st_size, path))
+    left = sum(size for _, size, _ in files)
+    for _, size, path in sorted(files):
+        if left <= MOST_BYTES:
+            return
+        path.unlink(missing_ok=True)
+        left -= size
