@@ -24,7 +24,7 @@ class Discrete:
         count = (len(track) - 1) * steps + 1
         self.h = 1 / steps
         self.t = np.linspace(0, len(track) - 1, count)
-        self.start = quat.normalised(natural_spline(np.arange(len(track)), track)(self.t))
+        self.start = quat.normalised(natural_spline(np.arange(len(track)), track).at(self.t))
         self.start[::steps] = track
         self.free = np.flatnonzero(np.arange(count) % steps)
 
@@ -104,5 +104,5 @@ class Discrete:
     def path(self, x: Array) -> Path:
         """The natural spline through the samples."""
         keys = [Frame.key(t, q) for t, q in zip(self.t, self.whole(x), strict=True)]
-        slopes = natural_spline(self.t, self.whole(x))(self.t[[0, -1]], 1)
+        slopes = natural_spline(self.t, self.whole(x)).at(self.t[[0, -1]], 1)
         return path_of(Timeline(tuple(keys), slopes))

@@ -27,7 +27,7 @@ UsageError = cast("type[typer.BadParameter]", typer.BadParameter.__mro__[1])  # 
 
 MOST_IMAGES = 100_000
 WRONG = 3  # the exit code of --strict
-BEFORE_MUJOCO = ("scipy.interpolate", "scipy.sparse.linalg", ".clip_table", ".progress")
+BEFORE_MUJOCO = ("scipy.sparse", "scipy.linalg", ".clip_table", ".progress")
 
 app = typer.Typer(
     help="Sparse keyframes of an articulated figure into smooth motion that keeps its feet out of the floor.",

@@ -49,7 +49,7 @@ from .clip_table import (
     SolveTable,
     spoken,
 )
-from .constraints import Constraints, posing_bends
+from .constraints import Constraints, numbers, posing_bends
 from .contacts import rests
 from .couplings import complaints, follow
 from .errors import UserError, unknown
@@ -59,7 +59,7 @@ from .obstacle import obstacles
 from .places import Places
 from .placing import check_search, wanted, with_pose
 from .rotation import quaternion_of
-from .scene import Step, compose, figure_spec, first_line, quietly
+from .scene import Step, compose, figure_spec, first_line, quietly, spec_joint_names
 from .standing import Stander
 
 LONGEST_PANEL = 0.05
@@ -184,14 +184,18 @@ def from_text(
     """
     place = place or f"{name}.toml"
     table = table_of(text, place)
+    _check_text(table, place)
     step = table.scene.step
     try:
         spec = figure_spec(figure_file or table.figure, folder) if spec is None else spec
+    except UserError as error:
+        raise UserError(f"{place}: {error}") from None
+    _check_joints(table.keyframe, spec, place)
+    try:
         scene = compose(spec, None if step is None else Step(**step.model_dump()), obstacles(table.scene))
     except UserError as error:
         raise UserError(f"{place}: {error}") from None
     figure = _figure(scene, table.solve.coordinates, place)
-    check_times([row.time for row in table.keyframe], place)
     bends = posing_bends(figure, table.penalty)
     surfaces = static_surfaces(figure.model)
     stander = Stander(figure, surfaces, table.contact, bends, table.solve.ends, table.solve.travel, place)
@@ -286,7 +290,7 @@ def _clip(
     solve = solve or (SolveTable() if table is None else table.solve)
     try:
         timeline = raw_timeline(figure, keys, solve.ends, np.zeros((2, figure.width)), solve.travel)
-        settings = _settings(solve, keys)
+        settings = _settings(solve, [key.time for key in keys])
     except (TimelineError, ValueError) as error:
         raise UserError(f"{place}: {error}") from None
     surfaces = static_surfaces(figure.model)
@@ -316,6 +320,35 @@ def _check_filled(raw: dict[str, Any], place: str) -> None:
         raise UserError(f"{place}: no keyframes; a clip needs at least two [[keyframe]] tables")
 
 
+def _check_text(table: ClipTable, place: str) -> None:
+    """Raises UserError for what is wrong whatever the figure is, before its meshes are read."""
+    times = [row.time for row in table.keyframe]
+    check_times(times, place)
+    try:
+        _settings(table.solve, times)
+    except ValueError as error:
+        raise UserError(f"{place}: {error}") from None
+    numbers(table.penalty, place)
+    for number, row in enumerate(table.keyframe, start=1):
+        where = f"{place}: {_called(number, row.time)}"
+        if isinstance(row.root.rotation, RotationTable):
+            quaternion_of(row.root.rotation, f"{where}: root.rotation")
+        for name, value in row.joints.items():
+            if isinstance(value, RotationTable):
+                quaternion_of(value, f"{where}: joints.{name}")
+
+
+def _check_joints(rows: Sequence[KeyframeTable], spec: mujoco.MjSpec, place: str) -> None:
+    """Raises UserError for a joint that the figure does not have, before its meshes are read, if it has any."""
+    if not (spec.meshes or spec.hfields or spec.skins):
+        return  # it is compiled in a moment
+    names = spec_joint_names(spec)
+    for number, row in enumerate(rows, start=1):
+        for name in row.joints:
+            if name not in names:
+                raise UserError(f"{place}: {_called(number, row.time)}: {unknown('joint', name, names)}")
+
+
 def _called(number: int, time: float) -> str:
     return f"keyframe {number} (t = {time:g} s)"
 
@@ -335,11 +368,11 @@ def check_times(times: Sequence[float], place: str) -> None:
         )
 
 
-def _settings(solve: SolveTable, keys: list[Frame]) -> Settings:
+def _settings(solve: SolveTable, times: Sequence[float]) -> Settings:
     """The clip's settings; the budget of variable frames is three a segment, or one a tenth of a second if more."""
     if solve.quadrature == "gauss" and (solve.samples or 0) > 64:
         raise ValueError(f"solve: samples must be at most 64 a panel with quadrature = 'gauss', not {solve.samples}")
-    budget = max(3 * (len(keys) - 1), round((keys[-1].time - keys[0].time) / FRAME_SECONDS))
+    budget = max(3 * (len(times) - 1), round((times[-1] - times[0]) / FRAME_SECONDS))
     settings = Settings(frames=budget, tolerance=TOLERANCE, quadrature=Quadrature("gauss", POINTS, LONGEST_PANEL))
     if solve.quadrature == "uniform":
         settings = replace(settings, quadrature=Quadrature("uniform", solve.samples or 100))
@@ -351,7 +384,7 @@ def _settings(solve: SolveTable, keys: list[Frame]) -> Settings:
         check_method(solve.optimiser)
     begin = solve.variable
     if begin is None and solve.frames is not None:
-        begin = min(FEW, solve.frames // (len(keys) - 1))
+        begin = min(FEW, solve.frames // (len(times) - 1))
     chosen = {
         "variable": begin,
         "frames": solve.frames,

@@ -113,6 +113,22 @@ RAW_UNIT = 0.1  # of the raw spline's squared deviations from unit length, summe
 DEEP = 0.02  # [m] of a sole point in something, by a keyframe, from which on the user is told
 
 
+def numbers(entries: Sequence[PenaltyTable], place: str) -> dict[str, int]:
+    """The number of every kind's table; raises UserError for kinds and options that are not there, or given twice."""
+    seen: dict[str, int] = {}
+    for i, entry in enumerate(entries, 1):
+        here = f"{place}: penalty {i}"
+        if entry.kind not in KINDS:
+            raise UserError(f"{here}: {unknown('penalty', entry.kind, KINDS)}")
+        if entry.kind in seen:
+            raise UserError(f"{here}: kind '{entry.kind}' is given already by penalty {seen[entry.kind]}")
+        for option in sorted(entry.model_fields_set - {"kind", "weight"} - OPTIONS.get(entry.kind, set())):
+            takes = ", ".join(["weight", *sorted(OPTIONS.get(entry.kind, ()))])
+            raise UserError(f"{here}: '{option}' is not for kind '{entry.kind}', which takes: {takes}")
+        seen[entry.kind] = i
+    return seen
+
+
 class Constraints:
     """The table of soft constraints by kind."""
 
@@ -145,18 +161,8 @@ class Constraints:
         chosen = {kind: PenaltyTable(kind=kind, weight=weight) for kind, weight in DEFAULT_WEIGHTS.items()}
         if not joint_ranges(self.figure):
             del chosen["range"]
-        seen: dict[str, int] = {}
-        for i, entry in enumerate(entries, 1):
-            place = f"{self.place}: penalty {i}"
-            if entry.kind not in KINDS:
-                raise UserError(f"{place}: {unknown('penalty', entry.kind, KINDS)}")
-            if entry.kind in seen:
-                raise UserError(f"{place}: kind '{entry.kind}' is given already by penalty {seen[entry.kind]}")
-            for option in sorted(entry.model_fields_set - {"kind", "weight"} - OPTIONS.get(entry.kind, set())):
-                takes = ", ".join(["weight", *sorted(OPTIONS.get(entry.kind, ()))])
-                raise UserError(f"{place}: '{option}' is not for kind '{entry.kind}', which takes: {takes}")
-            seen[entry.kind] = i
-            chosen[entry.kind] = entry
+        seen = numbers(entries, self.place)
+        chosen |= {entry.kind: entry for entry in entries}
         for kind, given in (
             ("placement", self.placed),
             ("upright", self._leans),

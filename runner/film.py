@@ -15,16 +15,17 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from fractions import Fraction
 from itertools import chain
 from pathlib import Path
-from typing import TypeVar, cast
+from typing import TYPE_CHECKING, TypeVar, cast
 
-import av
-import av.filter
 import imageio.v3 as iio
 import numpy as np
-from av.container import OutputContainer
-from av.video.stream import VideoStream
 from numpy.typing import NDArray
 from PIL import Image
+
+if TYPE_CHECKING:  # stills need no video library
+    import av.filter
+    from av.container import OutputContainer
+    from av.video.stream import VideoStream
 
 Picture = NDArray[np.uint8]
 Writer = Callable[[Path, Iterator[Picture], float, int | None], None]
@@ -140,10 +141,12 @@ def _encode(
     container_options: dict[str, str],
 ) -> None:
     """Encode as yuv420p, BT.709 throughout."""
+    import av
+
     rate = Fraction(fps).limit_denominator(65535)
     with av.open(str(path), "w", container_options={"fflags": "+bitexact", **container_options}) as container:
         first = next(images)
-        stream = cast(VideoStream, container.add_stream(codec, rate, options=codec_options))
+        stream = cast("VideoStream", container.add_stream(codec, rate, options=codec_options))
         stream.height, stream.width = first.shape[:2]
         stream.pix_fmt = "yuv420p"
         context = stream.codec_context
@@ -161,6 +164,8 @@ def _encode(
 
 def _frames(images: Iterable[Picture], tick: Fraction) -> Iterator[av.VideoFrame]:
     """The images with their times; copies, so that whoever drew one may draw over it."""
+    import av
+
     for index, image in enumerate(images):
         picture = av.VideoFrame.from_ndarray(image, format="rgb24")
         picture.pts, picture.time_base = index, tick
@@ -196,6 +201,8 @@ def _write_gif(path: Path, images: Iterator[Picture], fps: float, count: int | N
 
 def _store(path: Path, images: Iterator[Picture], rate: Fraction) -> av.VideoFrame:
     """Put the images into a lossless file; return the palette they share."""
+    import av.filter
+
     first = next(images)
     height, width = first.shape[:2]
     graph = av.filter.Graph()
@@ -217,6 +224,8 @@ def _store(path: Path, images: Iterator[Picture], rate: Fraction) -> av.VideoFra
 
 def _paint(path: Path, waiting: Path, palette: av.VideoFrame, rate: Fraction) -> None:
     """Reduce the waiting images to the palette, one at a time, into a GIF that repeats for ever."""
+    import av.filter
+
     with av.open(str(waiting)) as source, av.open(str(path), "w", format="gif") as container:
         kept = source.streams.video[0]
         graph = av.filter.Graph()
@@ -297,6 +306,8 @@ def _tile(image: Picture) -> Picture:
     if scale >= 1:
         return image
     size = max(1, round(width * scale)), max(1, round(height * scale))
+    if (width, height) == (2 * size[0], 2 * size[1]):  # as `show.for_tiles` has it drawn: quicker, and as smooth
+        return np.asarray(Image.fromarray(image).reduce(2))
     return np.asarray(Image.fromarray(image).resize(size, Image.Resampling.LANCZOS))
 
 

@@ -13,6 +13,7 @@ import mujoco
 import numpy as np
 
 import models
+from solver.figure import names_of_joints
 from solver.touch import SCENERY, grounds
 
 from .assets import Assets, Scene, taken_along
@@ -65,6 +66,20 @@ def figure_spec(figure: str, folder: Path | None = None) -> mujoco.MjSpec:
             return mujoco.MjSpec.from_file(str(path))
     except ValueError as error:
         raise UserError(f"{figure}: MuJoCo cannot read it: {first_line(error)}") from None
+
+
+def spec_joint_names(spec: mujoco.MjSpec) -> list[str]:
+    """What the joints of a model are called, as `joint_names` calls them, before it is compiled."""
+    given: list[str] = []
+    bodies: list[tuple[str, int]] = []
+    waiting = list(spec.worldbody.bodies)[::-1]
+    while waiting:  # depth first, as MuJoCo numbers them
+        body = waiting.pop()
+        joints = list(body.joints)
+        given += [joint.name for joint in joints]
+        bodies.append((body.name, len(joints)))
+        waiting += list(body.bodies)[::-1]
+    return names_of_joints(given, bodies)
 
 
 def compose(spec: mujoco.MjSpec, step: Step | None = None, obstacles: Sequence[Obstacle] = ()) -> Scene:

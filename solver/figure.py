@@ -13,6 +13,7 @@ Link 0 is the world.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from enum import IntEnum
 
@@ -165,7 +166,7 @@ class Figure:
         return int(self.body_link[body]) if own is None and body > 0 else own
 
     def point_on_link(self, body: int, position: ArrayLike) -> tuple[int, Array]:
-        """A point given in a body's frame (3,) [m], as (link, position in the link's frame)."""
+        """Points given in a body's frame (..., 3) [m], as (link, positions in the link's frame)."""
         offset = quat.rotated(self.body_turn[body], np.asarray(position, float))
         return int(self.body_link[body]), self.body_offset[body] + offset
 
@@ -198,12 +199,16 @@ def joint_names(model: mujoco.MjModel) -> list[str]:
 
     A name that is taken already gives way to the joint's number.
     """
-    own = [model.joint(i).name for i in range(model.njnt)]
-    taken = set(own)
-    for body in range(model.nbody):
-        first = int(model.body_jntadr[body])
-        nameless = [j for j in range(first, first + int(model.body_jntnum[body])) if not own[j]]
-        called = model.body(body).name
+    bodies = [(model.body(i).name, int(model.body_jntnum[i])) for i in range(model.nbody)]
+    return names_of_joints([model.joint(i).name for i in range(model.njnt)], bodies)
+
+
+def names_of_joints(given: Sequence[str], bodies: Sequence[tuple[str, int]]) -> list[str]:
+    """What joints are called whose own names are given, "" for none, body by body: its name, and how many it has."""
+    own, taken, first = list(given), set(given), 0
+    for called, count in bodies:
+        nameless = [j for j in range(first, first + count) if not own[j]]
+        first += count
         for number, joint in enumerate(nameless, start=1):
             name = called if len(nameless) == 1 else f"{called}_{number}"
             own[joint] = name if called and name not in taken else f"joint {joint}"

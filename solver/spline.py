@@ -11,16 +11,18 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
 from scipy import sparse
-from scipy.interpolate import CubicSpline
-from scipy.sparse.linalg import SuperLU, splu
 
 from .banded import Tridiagonal
 from .frame import Timeline
 from .quaternion import Array, Index
+
+if TYPE_CHECKING:
+    from scipy.sparse.linalg import SuperLU
 
 DEGREE = 3
 SHORT = 150
@@ -56,6 +58,8 @@ class Spline:
 
     def _closed(self) -> SuperLU:
         """The factor of the collocation matrix of a periodic curve, whose last two rows are the jumps at the seam."""
+        from scipy.sparse.linalg import splu  # only here: it takes a while, and only loops need it
+
         first, last = self.times[[0, -1]]
         closing = [self.basis([last], k) - self.basis([first], k) for k in (1, 2)]
         return splu(sparse.csc_matrix(sparse.vstack([self.basis(self.times, 0), *closing])))
@@ -359,6 +363,7 @@ def natural_end_slopes(times: Array, values: Array) -> Array:
     return slopes[[0, -1]]
 
 
-def natural_spline(times: ArrayLike, values: ArrayLike) -> CubicSpline:
+def natural_spline(times: ArrayLike, values: ArrayLike) -> Path:
     """The interpolating C² cubic with y'' = 0 at both ends: the paper's raw spline, componentwise."""
-    return CubicSpline(np.asarray(times, float), np.asarray(values, float), bc_type="natural")
+    times, values = np.asarray(times, float), np.asarray(values, float)
+    return Path(Spline(times), np.concatenate([values, natural_end_slopes(times, values)]))

@@ -340,9 +340,10 @@ def _filled(times: Array, states: Array, told: Mask, columns: slice, rest: Array
     elif known.sum() == 1:
         states[~known, columns] = states[known, columns]
     else:
-        t = times[known]
-        curve = natural_spline(t, states[known, columns])
-        states[~known, columns] = curve(np.clip(times[~known], t[0], t[-1]))
+        t, own = times[known], states[known, columns]
+        between = ~known & (times > t[0]) & (times < t[-1])
+        states[between, columns] = natural_spline(t, own).at(times[between])
+        states[times < t[0], columns], states[times > t[-1], columns] = own[0], own[-1]
 
 
 def _check(figure: Figure, keys: list[Frame]) -> None:

@@ -10,9 +10,9 @@ import pytest
 from conftest import BALL_TREE, EVERY_JOINT, FIGURES
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy.interpolate import CubicSpline
 
 from solver.figure import Figure
-from solver.spline import natural_spline
 from solver.subdivision import path_of
 from solver.thin import Bound, Recorded, natural_splines, refined, thin
 
@@ -23,7 +23,7 @@ def recording(figure: Figure, seed: int, count: int = 14, bends: int = 5) -> tup
     """Times (count,) and qpos of a motion that turns every joint this way and that."""
     model, rng = figure.model, np.random.default_rng(seed)
     times = np.linspace(0, 1, count)
-    velocity = natural_spline(np.linspace(0, 1, bends), 0.4 * rng.normal(size=(bends, model.nv)))(times)
+    velocity = CubicSpline(np.linspace(0, 1, bends), 0.4 * rng.normal(size=(bends, model.nv)), bc_type="natural")(times)
     qpos = np.tile(model.qpos0, (count, 1))
     for row, move in zip(qpos, velocity, strict=True):
         mujoco.mj_integratePos(model, row, move, 1.0)
@@ -181,7 +181,7 @@ def test_many_splines_at_once_are_scipys_natural_ones():
         t = [np.linspace(row[some][0], row[some][-1], 9) for row in times]
         owner = np.repeat([0, 1, 2], 9)
         many = natural_splines(times[:, some], values[:, some], owner, np.concatenate(t))
-        one = [natural_spline(times[k, some], values[k, some])(t[k]) for k in range(3)]
+        one = [CubicSpline(times[k, some], values[k, some], bc_type="natural")(t[k]) for k in range(3)]
         np.testing.assert_allclose(many, np.concatenate(one), atol=1e-12)
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import mujoco
 import numpy as np
@@ -251,6 +251,7 @@ def site_points(figure: Figure, names: Sequence[str]) -> tuple[Point, ...]:
     return tuple(points)
 
 
+@lru_cache(maxsize=2)  # a clip asks for them several times
 def body_points(figure: Figure) -> tuple[Point, ...]:
     """Spheres that cover the outside of the figure's moving geoms.
 
@@ -268,9 +269,11 @@ def body_points(figure: Figure) -> tuple[Point, ...]:
         kind = int(model.geom_type[geom])
         if kind == mujoco.mjtGeom.mjGEOM_CAPSULE:
             pairs.append((len(ends), len(ends) + 1))
-        for offset, radius in _cover(model, geom):
-            link, position = figure.point_on_link(body, model.geom_pos[geom] + axes @ offset)
-            ends.append(Point(geom_name(model, geom), link, position, radius))
+        found = _cover(model, geom)
+        offsets = np.reshape([offset for offset, _ in found], (-1, 3))
+        link, positions = figure.point_on_link(body, model.geom_pos[geom] + offsets @ axes.T)
+        name = geom_name(model, geom)
+        ends += [Point(name, link, place, radius) for place, (_, radius) in zip(positions, found, strict=True)]
     kept = _outermost(ends)
     between = [point for a, b in pairs if a in kept and b in kept for point in _between(ends[a], ends[b])]
     return (*(ends[i] for i in sorted(kept)), *between)
