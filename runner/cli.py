@@ -517,10 +517,21 @@ def paper(seeds: Annotated[int, typer.Option(help="sets of keyframes", min=1)] =
 
 
 @app.command()
-def clips() -> None:
+def clips(
+    shown: Annotated[
+        str | None, typer.Option("--show", metavar="NAME", help="print one's text, to change: > my.toml")
+    ] = None,
+) -> None:
     """The clips that ship."""
     import models
 
+    if shown is not None:
+        from .errors import UserError, unknown
+
+        if shown not in models.clips():
+            raise UserError(f"--show: {unknown('clip', shown, models.clips())}")
+        print(models.clip_text(shown), end="")
+        return
     for name, line in models.clips().items():
         print(f"{name:16} {line}")
 

@@ -15,7 +15,6 @@ import hashlib
 import json
 import os
 import re
-import tomllib
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from functools import lru_cache
@@ -32,7 +31,8 @@ from solver.optimiser import Stop
 from solver.unknowns import raw_timeline
 
 from . import work
-from .clip import Clip
+from .clip import Clip, table_of
+from .clip_text import tables
 from .errors import UserError
 from .exactness import keyframe_error
 from .motion import Replacement
@@ -97,7 +97,8 @@ def _parts(clip: Clip) -> Iterator[bytes]:
     for name, data in sorted(clip.scene.assets.items()):
         yield name.encode()
         yield data
-    said = {key: value for key, value in tomllib.loads(clip.text).items() if key not in APART}
+    said = tables(table_of(clip.text, clip.name)) if clip.text else {}
+    said = {key: value for key, value in said.items() if key not in APART}
     yield json.dumps(said, sort_keys=True, default=str).encode()
     for key in clip.keys:
         yield np.float64(key.time).tobytes()

@@ -50,6 +50,8 @@ from .exactness import keyframe_error
 from .motion import continuous, samples_at
 from .penetration import lowest, penetration, self_penetration
 from .problems import plain, problems
+from .swings import swings
+from .swings import words as swing_words
 
 RATE = 1000.0
 LOCAL_EVALUATIONS = 25
@@ -143,6 +145,7 @@ def _side(clip: Clip, objective: Objective, timeline: Timeline, grid: Grid) -> d
         "equality constraints": _equality_report(clip, grid),
         "skate": _skate(clip, grid),
         "stances": _stance_report(clip, timeline),
+        "swings": swings(clip, grid.samples),
         "contacts": _contact_report(clip, timeline),
         "off their places, m": _placement_report(clip, timeline),
         "edge clearance, m": _edge_clearance(clip, grid),
@@ -346,14 +349,16 @@ def _peak_acceleration(grid: Grid) -> dict[str, Any]:
 
 
 def _torque(grid: Grid) -> dict[str, Any]:
-    """Joint torques by inverse dynamics, and the wrench that the ground would have to supply at the roots."""
+    """Joint torques by inverse dynamics, and the wrench that the ground would have to supply at the roots.
+
+    root mean square  over time, of the norm of the torques of all balls and hinges together
+    """
     figure = grid.samples.figure
     forces = generalised_forces(grid.samples)
     roots = [link.dof for link in figure.links[1:] if link.kind is JointKind.FREE]
-    driven = np.ones(figure.model.nv, bool)
-    driven[[dof + k for dof in roots for k in range(6)]] = False
-    joints = np.linalg.norm(forces[:, driven], axis=1)
     sizes = {JointKind.BALL: 3, JointKind.HINGE: 1}
+    turning = [link.dof + k for link in figure.links[1:] for k in range(sizes.get(link.kind, 0))]
+    joints = np.linalg.norm(forces[:, turning], axis=1)
     peaks = {
         link.name: float(np.linalg.norm(forces[:, link.dof : link.dof + sizes[link.kind]], axis=1).max())
         for link in figure.links[1:]
@@ -519,6 +524,8 @@ def _lines(before: dict[str, Any], after: dict[str, Any]) -> list[tuple[str, str
     for one, two in zip(before["stances"], after["stances"], strict=False):
         name = f"{two['points']} planted {two['from, s']:.2f} - {two['to, s']:.2f} s: lift / slide"
         lines.append(row(name, *(f"{millimetres(s['lift, m'])} / {millimetres(s['slide, m'])}" for s in (one, two))))
+    for foot in after.get("swings", {}):
+        lines.append(row(f"{foot} off the floor, every swing", *(swing_words(s["swings"][foot]) for s in sides)))
     for one, two in zip(before.get("contacts", []), after.get("contacts", []), strict=False):
         name = f"{two['point']} rests {two['from, s']:.2f} - {two['to, s']:.2f} s: moved / path"
         lines.append(row(name, *(f"{millimetres(c['moved, m'])} / {millimetres(c['path, m'])}" for c in (one, two))))
@@ -535,7 +542,12 @@ def _lines(before: dict[str, Any], after: dict[str, Any]) -> list[tuple[str, str
     peaks = [s["angular acceleration, rad/s²"] for s in sides]
     lines.append(row("peak angular acceleration", *(f"{p['peak']:.0f} rad/s², {p['joint']}" for p in peaks)))
     torques = [s["torque, N m"] for s in sides]
-    lines.append(row("all joint torques, root mean square", *(f"{t['root mean square']:.0f} N m" for t in torques)))
+    lines.append(
+        row(
+            "norm of all joints' torques, root mean square over time",
+            *(f"{t['root mean square']:.0f} N m" for t in torques),
+        )
+    )
     lines.append(row("  peak of one joint", *(f"{t['peak of one joint']:.0f} N m, {t['joint']}" for t in torques)))
     lines.append(row("peak root force, the ground's to supply", *(f"{t['peak root force']:.0f} N" for t in torques)))
     carried = [s["support"] for s in sides]

@@ -47,10 +47,16 @@ def apart(one: Saved, other: Saved) -> float:
 
 
 @pytest.mark.parametrize(
-    ("text", "metres"), [("2cm", 0.02), ("20 mm", 0.02), ("0.02", 0.02), ("0.02m", 0.02), ("1e-3", 0.001)]
+    ("text", "metres"), [("2cm", 0.02), ("20 mm", 0.02), (0.02, 0.02), ("0.02m", 0.02), ("1e-3 m", 0.001), (2, 2.0)]
 )
 def test_lengths_are_read_as_people_write_them(text, metres):
     assert length(text, "--max-error") == pytest.approx(metres, rel=1e-12)
+
+
+@pytest.mark.parametrize("text", ["2", "0.02", " 1e-3 "])
+def test_a_length_without_a_unit_is_asked_for_it(text):
+    with pytest.raises(UserError, match=rf"--max-error {text}: of what\? give {float(text):g}cm, .*mm or .*m$"):
+        length(text, "--max-error")
 
 
 @pytest.mark.parametrize("text", ["0", "-1cm", "cm", "2 inches", "nan", "", "1..2", "inf"])

@@ -33,16 +33,19 @@ from ..work import Solved
 PLAYER_HEIGHT = 480  # pixels, in a notebook
 
 
-def inbetween(clip: Clip, *, progress: bool = False) -> Motion:
+def inbetween(clip: Clip | str | os.PathLike[str], *, progress: bool = False) -> Motion:
     """Smooth motion through a clip's keyframes that keeps to its soft constraints.
 
+    clip      of `load` or `build`, or what `load` takes: the name of one that ships, a path, TOML text
     progress  tell on stderr how far it is
 
     Ctrl-C (in a notebook: interrupt) stops the search and keeps the best motion so far; the keyframes are met exactly
     whenever it stops.
     """
+    from .loading import load  # only here: it gives motions too
+
     teller = Teller() if progress else _silent()
-    solved = work.solve(clip, teller)
+    solved = work.solve(clip if isinstance(clip, Clip) else load(clip), teller)
     return Motion(solved.saved(teller, with_report=False), solved)
 
 
