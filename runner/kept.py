@@ -35,7 +35,7 @@ from .clip import Clip, table_of
 from .clip_text import tables
 from .errors import UserError
 from .exactness import keyframe_error
-from .motion import Replacement
+from .motion import Replacement, read_arrays
 from .progress import Teller
 from .work import Solved
 
@@ -154,8 +154,7 @@ def read(file: Path, clip: Clip) -> Solved | None:
     if not file.is_file():
         return None
     try:
-        with np.load(file, allow_pickle=False) as data:
-            found = _restored(clip, data, file.stem)
+        found = _restored(clip, read_arrays(file), file.stem)
     except Exception:  # of a damaged file nearly anything
         return None
     with suppress(OSError):
@@ -173,7 +172,12 @@ def _restored(clip: Clip, data: Mapping[str, Any], key: str) -> Solved:
     )
     quaternions = [timeline.states[:, columns] for columns in clip.figure.tables.quaternion_columns.T]
     lengths = [np.linalg.norm(some, axis=1).min() for some in quaternions]
-    if str(data["key"]) != key or min(lengths, default=1.0) < SMALLEST or not np.isfinite(seconds):
+    if (
+        str(data["key"]) != key
+        or not np.isfinite(timeline.rows).all()
+        or min(lengths, default=1.0) < SMALLEST
+        or not np.isfinite(seconds)
+    ):
         raise ValueError("not what it is called")
     if not keyframe_error(clip, timeline) <= UNMET:
         raise ValueError("not through the keyframes")
