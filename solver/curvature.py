@@ -67,7 +67,8 @@ class Curvature:
 
     def rows(self, phi: Array) -> list[tuple[Index, Array]]:
         """Residuals by the coefficients of K directions phi (S, 3, K): samples (P,) and rows (P, K N)."""
-        local = [(at, np.einsum("poa,pon->pan", phi[at][:, orders, :], rows)) for at, rows, orders in self._rows]
+        seen = [(at, np.ascontiguousarray(phi[at][:, orders].swapaxes(1, 2)), rows) for at, rows, orders in self._rows]
+        local = [(at, np.matmul(ways, rows)) for at, ways, rows in seen]
         return [(at, rows.reshape(at.size, -1)) for at, rows in local]
 
     def blocks(self, phi: Array, together: int = 1) -> list[tuple[Index, Array]]:

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .algebra import applied, cross, dot, gathered, turned_back, vector_product
+from .algebra import applied, cross, dot, gathered, pure_product
 from .dynamics import InverseDynamics
 from .figure import Figure, JointKind
 from .kinematics import Cotangent, LinkMotion, Samples
@@ -41,7 +41,7 @@ def point_rows(samples: Samples, at: Index, link: Index, arm: Array, way: Array)
     carrier, lever = _levers(samples, at, link, arm)
     turn = cross(lever, way[:, None, :]) * (carrier > 0)
     per_length = (2 / links.length_squared)[carrier, at]
-    gradient = turned_back(vector_product(links.Q[:, carrier, at] * per_length), turn)
+    gradient = pure_product(turn, links.Q[:, carrier, at] * per_length)
     out = _by_columns(samples, carrier, gradient)
     _add_positions(out, samples.figure, carrier, way)
     return out
@@ -57,10 +57,10 @@ def velocity_rows(samples: Samples, at: Index, link: Index, arm: Array, way: Arr
     turn = cross(lever, way[:, None, :]) * (carrier > 0)
     turn_d = cross(cross(links.omega[:, carrier, at], lever), way[:, None, :]) * (carrier > 0)
     scale, rate = links.scale[carrier, at], links.rates[0][carrier, at]
-    product = vector_product(links.Q[:, carrier, at] * scale)
-    product_d = vector_product((links.Q_d[:, carrier, at] - rate * links.Q[:, carrier, at]) * scale)
-    first = _by_columns(samples, carrier, turned_back(product_d, turn) + turned_back(product, turn_d))
-    second = _by_columns(samples, carrier, turned_back(product, turn))
+    own = links.Q[:, carrier, at] * scale
+    own_d = (links.Q_d[:, carrier, at] - rate * links.Q[:, carrier, at]) * scale
+    first = _by_columns(samples, carrier, pure_product(turn, own_d) + pure_product(turn_d, own))
+    second = _by_columns(samples, carrier, pure_product(turn, own))
     _add_positions(second, samples.figure, carrier, way)
     return np.stack([first, second], axis=1)
 
@@ -363,9 +363,8 @@ def _quaternion_gradients(
     v_dd = (links.Q_dd - 2 * rate * links.Q_d) * (2 / b) + v * (2 * rate**2 - b_dd)
     p1 = omega + cross(links.omega, alpha)
     p0 = turn + cross(links.omega, omega) + cross(links.alpha, alpha)
-    by_v, by_v_d, by_v_dd = (vector_product(part) for part in (v, v_d, v_dd))
-    first = turned_back(by_v, p0) + turned_back(by_v_d, p1) + turned_back(by_v_dd, alpha)
-    return first, turned_back(by_v, p1) + 2 * turned_back(by_v_d, alpha), turned_back(by_v, alpha)
+    first = pure_product(p0, v) + pure_product(p1, v_d) + pure_product(alpha, v_dd)
+    return first, pure_product(p1, v) + 2 * pure_product(alpha, v_d), pure_product(alpha, v)
 
 
 def _before(relations: _Relations) -> Array:
