@@ -23,7 +23,8 @@ from PIL import Image
 from tiny import CLIP, FIGURE, HINGE, changed, names, written
 
 import models
-from runner import cli, show, work
+from runner import cli, film, show, work
+from runner.graphics import Graphics
 from runner.workers import MOST_WORKERS, cores
 
 POSIX = pytest.mark.skipif(os.name == "nt", reason="signals are another matter there")
@@ -173,6 +174,36 @@ def test_render_of_a_motion_does_not_solve(run, motion_file, solving_forbidden, 
 def test_the_ending_says_what_is_rendered(run, motion_file, tmp_path, ending, magic):
     assert run("render", motion_file, "-o", f"film.{ending}", *SMALL, "--fps", 5).code == 0
     assert (tmp_path / f"film.{ending}").read_bytes().startswith(magic)
+
+
+def test_a_contact_sheet_draws_only_the_images_that_it_shows(run, motion_file, saved, tmp_path, monkeypatch):
+    look = show.Look(32, 32, 100.0)
+    every = list(show.images(saved, look, Graphics("rays", "")))
+    film.write(tmp_path / "all.png", every, 100, count=len(every))
+    drawn: list[show.Shot] = []
+    draw = show._drawn
+
+    def watched(stage: Any, shot: show.Shot) -> Any:
+        drawn.append(shot)
+        return draw(stage, shot)
+
+    monkeypatch.setattr(show, "_drawn", watched)
+    done = run("render", motion_file, "-o", "few.png", *SMALL, "--fps", 100)
+    assert (done.code, told_last(done)) == (0, "wrote few.png")
+    assert len(every) == 42
+    assert len(drawn) == film.SHEET_PICTURES
+    with Image.open("few.png") as few, Image.open("all.png") as all_:
+        np.testing.assert_array_equal(np.array(few), np.array(all_))
+
+
+def test_a_clip_that_ships_is_shown_to_be_changed(run, tmp_path):
+    done = run("clips", "--show", "sit_down")
+    assert (done.code, done.out) == (0, models.clip_text("sit_down"))
+    assert_refused(run("clips", "--show", "sit_dwn"), "--show: no clip 'sit_dwn'; did you mean 'sit_down'")
+
+
+def test_a_bound_says_its_unit(run, motion_file):
+    assert_refused(run("thin", motion_file, "--max-error", "2"), "--max-error 2: of what? give 2cm, 2mm or 2m")
 
 
 def test_ghosts_make_a_still_of_the_size_asked_for(run, motion_file, tmp_path):

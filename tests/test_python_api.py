@@ -122,6 +122,15 @@ def test_a_clip_is_loaded_from_a_path_and_from_text(tmp_path):
         load("x.npz")
 
 
+def test_the_verb_takes_what_load_takes(tmp_path):
+    path = written(tmp_path)
+    expected = inbetween(load(path)).at(0.3)
+    for source in (path, str(path)):
+        np.testing.assert_array_equal(inbetween(source).at(0.3), expected)
+    with pytest.raises(UserError, match=r"no clip 'run_and_stp'; did you mean 'run_and_step'"):
+        inbetween("run_and_stp")
+
+
 def test_a_clip_built_is_the_clip_written():
     text = """
 figure = "human"

@@ -8,7 +8,7 @@ import pytest
 from runner import show
 from runner.graphics import Graphics
 from runner.motion import Saved, sampled
-from runner.show import Look, figure_height, figure_six, image_count, images, root_path
+from runner.show import Look, figure_height, figure_six, for_tiles, image_count, images, root_path
 
 RAYS = Graphics("rays", "renderer: rays")
 W, H = 48, 32
@@ -66,6 +66,34 @@ def test_keyframes_are_shown_as_they_are_each_for_half_a_second(saved):
     sheet = list(images(saved, look(only="keys"), RAYS, still_keys=True))
     assert len(sheet) == image_count(saved, look(only="keys"), still_keys=True) == 3
     np.testing.assert_array_equal(sheet, film[::5])
+
+
+GL = Graphics("egl", "")
+
+
+@pytest.mark.parametrize(
+    ("size", "graphics", "drawn", "shrunk"),
+    [
+        ((1280, 720), GL, (960, 540), 2),
+        ((1280, 720), RAYS, (480, 270), 1),
+        ((720, 1280), GL, (540, 960), 2),
+        ((640, 360), GL, (640, 360), 640 / 480),
+        ((320, 180), GL, (320, 180), 1),
+        ((1001, 300), RAYS, (480, 144), 1),
+        ((301, 1000), RAYS, (144, 480), 1),
+    ],
+)
+def test_images_of_a_sheet_are_drawn_no_larger_than_they_need_be(size, graphics, drawn, shrunk):
+    made = for_tiles(look(width=size[0], height=size[1]), 480, graphics)
+    assert (made.width, made.height) == drawn
+    assert made.shrunk == pytest.approx(shrunk)
+    assert made.width % 2 == 0 or made.width == size[0]
+
+
+def test_picked_images_are_those_of_the_film(saved):
+    film = shot(saved, only="after")
+    some = list(images(saved, look(only="after"), RAYS, picks=[0, 3]))
+    np.testing.assert_array_equal(some, [film[0], film[3]])
 
 
 def test_ghosts_add_the_keyframes_to_every_image(saved):

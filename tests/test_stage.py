@@ -7,7 +7,7 @@ from runner.assets import Scene
 from runner.camera import View
 from runner.ghost import Ghost
 from runner.graphics import Graphics, choose
-from runner.stage import Stage
+from runner.stage import Stage, _simplify
 
 SCENE = """
 <mujoco>
@@ -53,6 +53,31 @@ def test_a_picture_has_the_size_and_type_that_were_asked_for(graphics: Graphics)
         image = stage.picture(HERE, SIDE)
     assert image.shape == (64, 96, 3)
     assert image.dtype == np.uint8
+
+
+def test_a_picture_that_is_drawn_to_be_shrunk_is_the_same_when_it_is(gl: Graphics):
+    shrunk = []
+    for times in (1.0, 2.0):
+        with Stage(Scene(SCENE), 192, 128, gl, shrunk=times) as stage:
+            assert stage.model.vis.quality.offsamples == (0 if times == 2 else 4)
+            picture = stage.picture(moved(0.3), SIDE).astype(float)
+        shrunk.append(picture.reshape(64, 2, 96, 2, 3).mean(axis=(1, 3)))
+    off = np.abs(shrunk[0] - shrunk[1]).max(axis=-1)
+    assert np.percentile(off, 95) < 4
+    assert off.mean() < 2
+
+
+def test_what_is_shown_small_needs_less_quality():
+    vis = Scene(SCENE).model().vis
+    vis.quality.numslices, vis.quality.numstacks, vis.quality.shadowsize = 24, 14, 4096
+    _simplify(vis, 540, 2.0)
+    assert (vis.quality.numslices, vis.quality.numstacks, vis.quality.shadowsize) == (12, 8, 2048)
+    _simplify(vis, 1440, 2.0)
+    assert (vis.quality.numslices, vis.quality.numstacks, vis.quality.shadowsize) == (12, 8, 2048)
+    whole = Scene(SCENE).model().vis
+    before = (whole.quality.offsamples, whole.quality.numslices, whole.quality.shadowsize)
+    _simplify(whole, 100, 1.5)
+    assert (whole.quality.offsamples, whole.quality.numslices, whole.quality.shadowsize) == before
 
 
 def test_the_figure_stands_where_its_state_says(graphics: Graphics):
