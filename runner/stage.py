@@ -21,7 +21,7 @@ Array = NDArray[np.float64]
 
 SMOOTH = 2.0  # times smaller: four pixels make one
 FULL = 720  # [pixels] high are pictures that need all of a scene's quality
-LEAST_SLICES, LEAST_STACKS = 12, 8  # of round shapes, round and along: with fewer, heads show their corners
+LEAST_SLICES, LEAST_STACKS = 9, 6  # of round shapes, round and along: with fewer, heads show their corners
 _SUN_DISTANCE = 6.0  # [m]; a directional light's shadows are drawn round the place it stands at
 
 
@@ -119,7 +119,7 @@ def _simplify(vis: mujoco.MjVisual, height: int, shrunk: float) -> None:
     quality.numslices = max(min(quality.numslices, LEAST_SLICES), round(share * quality.numslices))
     quality.numstacks = max(min(quality.numstacks, LEAST_STACKS), round(share * quality.numstacks))
     if quality.shadowsize > 0:
-        quality.shadowsize = 2 ** math.ceil(math.log2(max(1.0, share * quality.shadowsize)))
+        quality.shadowsize = 2 ** math.floor(math.log2(max(1.0, share * quality.shadowsize)))
 
 
 class _OpenGL:

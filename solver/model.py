@@ -414,9 +414,10 @@ class Model:
         step, pull = np.zeros_like(self.gradient), np.zeros_like(self.gradient)  # δ and H δ
         over, root = sided.value, np.sqrt(2 * sided.weight)
         worth = first = float(sided.weight @ np.maximum(over, 0) ** 2)
+        room = np.empty_like(held)
         for _ in range(MOST_CHANGES):
             active = over > 0
-            room = held.copy()
+            np.copyto(room, held)
             layout.add_squared(room, sided.span[active], sided.local[active] * root[active, None])
             factor = layout.factor(room)
             if factor is None:

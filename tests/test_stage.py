@@ -71,9 +71,9 @@ def test_what_is_shown_small_needs_less_quality():
     vis = Scene(SCENE).model().vis
     vis.quality.numslices, vis.quality.numstacks, vis.quality.shadowsize = 24, 14, 4096
     _simplify(vis, 540, 2.0)
-    assert (vis.quality.numslices, vis.quality.numstacks, vis.quality.shadowsize) == (12, 8, 2048)
+    assert (vis.quality.numslices, vis.quality.numstacks, vis.quality.shadowsize) == (9, 6, 1024)
     _simplify(vis, 1440, 2.0)
-    assert (vis.quality.numslices, vis.quality.numstacks, vis.quality.shadowsize) == (12, 8, 2048)
+    assert (vis.quality.numslices, vis.quality.numstacks, vis.quality.shadowsize) == (9, 6, 1024)
     whole = Scene(SCENE).model().vis
     before = (whole.quality.offsamples, whole.quality.numslices, whole.quality.shadowsize)
     _simplify(whole, 100, 1.5)
