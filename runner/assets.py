@@ -14,6 +14,7 @@ from typing import Any
 import mujoco
 
 from .errors import UserError
+from .mujoco_versions import mesh_folder, texture_folder
 
 Assets = Mapping[str, bytes]
 LARGEST = 1_000_000_000  # [bytes] of all files of a model together
@@ -66,17 +67,17 @@ def taken_along(spec: mujoco.MjSpec) -> Assets:
 
 def _references(spec: mujoco.MjSpec) -> Iterator[_Reference]:
     for element, folder in (
-        *((mesh, mesh.compiler.meshdir) for mesh in spec.meshes),
-        *((grid, grid.compiler.meshdir) for grid in spec.hfields),
-        *((skin, skin.compiler.meshdir) for skin in spec.skins),
-        *((texture, texture.compiler.texturedir) for texture in spec.textures),
+        *((mesh, mesh_folder(spec, mesh)) for mesh in spec.meshes),
+        *((grid, mesh_folder(spec, grid)) for grid in spec.hfields),
+        *((skin, mesh_folder(spec, skin)) for skin in spec.skins),
+        *((texture, texture_folder(spec, texture)) for texture in spec.textures),
     ):
         if element.file:
             yield _Reference(element.file, folder, _renaming(element))
     for texture in spec.textures:
         for side, file in enumerate(texture.cubefiles):
             if file:
-                yield _Reference(file, texture.compiler.texturedir, _renaming_side(texture, side))
+                yield _Reference(file, texture_folder(spec, texture), _renaming_side(texture, side))
 
 
 def _renaming(element: Any) -> Callable[[str], None]:

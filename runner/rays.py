@@ -17,13 +17,14 @@ from queue import SimpleQueue
 
 import mujoco
 import numpy as np
-from mujoco import batch
 from numpy.typing import NDArray
 
 from .camera import View
 from .camera import axes as camera_axes
+from .caster import VISIBLE_GROUPS, Caster, caster
 from .ghost import Ghost
 from .shading import Light, Materials, Silhouette, Sky, lights
+from .mujoco_versions import remove
 from .workers import cores
 
 Picture = NDArray[np.uint8]
@@ -35,7 +36,6 @@ Indices = NDArray[np.intp]
 
 SCENE = -1
 SKY = -2
-_VISIBLE_GROUPS = np.array([1, 1, 1, 0, 0, 0], np.uint8)  # what MuJoCo's own renderer shows unless told otherwise
 _HAZE_START, _HAZE_LENGTH = 9.0, 28.0  # [m]
 _BAND = 40_000  # rays at a time: few enough for the processor's cache
 _JUST_SEEN, _SEEN = 0.05, 0.15  # sums of differences in red, green and blue that deserve smoothing
@@ -81,8 +81,8 @@ class Hits:
 class Worlds:
     """What rays are cast into: the scene without figures, and figures without the scene."""
 
-    scene: batch.Batch
-    figure: batch.Batch
+    scene: Caster
+    figure: Caster
 
 
 class Rays:
@@ -95,13 +95,10 @@ class Rays:
         self.data = mujoco.MjData(model)
         self.pose(model.qpos0)
         dynamic = np.flatnonzero(model.body_weldid[model.geom_bodyid] != 0)
-        self.visible = dynamic[_VISIBLE_GROUPS[model.geom_group[dynamic]] > 0]
+        self.visible = dynamic[VISIBLE_GROUPS[model.geom_group[dynamic]] > 0]
         static = _without_figures(spec, model)
         self.still = np.flatnonzero(model.body_weldid[model.geom_bodyid] == 0).astype(np.int32)
-        self._pairs = [
-            Worlds(batch.Batch(static, nsim=1, nthread=1), batch.Batch(model, nsim=1, nthread=1))
-            for _ in range(threads or cores())
-        ]
+        self._pairs = [Worlds(caster(static), caster(model)) for _ in range(threads or cores())]
         self._free: SimpleQueue[Worlds] = SimpleQueue()
         for pair in self._pairs:
             self._free.put(pair)
@@ -127,7 +124,7 @@ class Rays:
         return np.rint(np.clip(colour, 0, 1) * 255).astype(np.uint8).reshape(height, width, 3)
 
     def _see(self, shot: _Shot, x: Array, y: Array) -> tuple[Floats, Hits, Floats]:
-        """Cast with a pair of batches that no other thread uses."""
+        """Cast into a pair of worlds that no other thread uses."""
         worlds = self._free.get()
         try:
             return shot.see(x, y, worlds)
@@ -210,22 +207,18 @@ class _Shot:
         return rays @ self._eye.axes, step
 
     def _cast_scene(self, directions: Array, worlds: Worlds) -> Hits:
-        distance, geom, normal = worlds.scene.ray(
-            self._eye.position, directions, geomgroup=_VISIBLE_GROUPS, normal=True
-        )
-        met = np.append(self._rays.still, np.int32(-1))[geom[0]]
-        return _hits(SCENE, distance[0], met, normal[0], directions)
+        found = worlds.scene.cast(self._eye.position, directions, static=True)
+        met = np.append(self._rays.still, np.int32(-1))[found.geom]
+        return _hits(SCENE, found.distance, met, found.normal, directions)
 
     def _cast_figure(self, index: int, directions: Array, x: Array, y: Array, worlds: Worlds) -> tuple[Indices, Hits]:
         """The rays that meet a figure, and what they meet."""
         where = np.flatnonzero(self._masks[index][y.astype(np.int32), x.astype(np.int32)])
         rays = directions[where]
-        worlds.figure.qpos = self._figures[index].qpos
-        distance, geom, normal = worlds.figure.ray(
-            self._eye.position, rays, geomgroup=_VISIBLE_GROUPS, flg_static=False, normal=True
-        )
-        met = np.flatnonzero(geom[0] >= 0)
-        return where[met], _hits(index, distance[0][met], geom[0][met], normal[0][met], rays[met])
+        worlds.figure.pose(self._figures[index].qpos)
+        distance, geom, normal = worlds.figure.cast(self._eye.position, rays, static=False)
+        met = np.flatnonzero(geom >= 0)
+        return where[met], _hits(index, distance[met], geom[met], normal[met], rays[met])
 
     def _blend(
         self,
@@ -319,7 +312,7 @@ class _Shot:
             near = light.passes(start[lit], sphere[:3], sphere[3])
             if number in outlines:
                 near[near] = outlines[number].covers(start[lit[near]])
-            worlds.figure.qpos = figure.qpos
+            worlds.figure.pose(figure.qpos)
             self._darken(reached, light, start, lit[near], worlds.figure, False, figure.opacity)
         return reached
 
@@ -329,7 +322,7 @@ class _Shot:
         light: Light,
         start: Array,
         rays: Indices,
-        world: batch.Batch,
+        world: Caster,
         static: bool,
         opacity: float,
     ) -> None:
@@ -338,8 +331,7 @@ class _Shot:
         if not len(rays):
             return
         towards = light.towards(start[rays])
-        distance = world.ray(start[rays], towards, geomgroup=_VISIBLE_GROUPS, flg_static=static)[0][0]
-        blocked = (distance >= 0) & (distance < light.range_from(start[rays]))
+        blocked = world.blocked(start[rays], towards, light.range_from(start[rays]), static=static)
         reached[rays[blocked]] *= np.float32(1 - opacity)
 
     def _on_screen(self, centres: Array, radii: Array) -> Bools:
@@ -392,11 +384,11 @@ def _without_figures(spec: mujoco.MjSpec, model: mujoco.MjModel) -> mujoco.MjMod
     """The model with nothing in it that moves, so that rays do not have to pass by it."""
     scene = spec.copy()
     for key in list(scene.keys):
-        scene.delete(key)
+        remove(scene, key)
     moving = np.flatnonzero((model.body_weldid != 0) & (model.body_weldid[model.body_parentid] == 0))
     bodies = list(scene.bodies)
     for body in moving:
-        scene.delete(bodies[body])
+        remove(scene, bodies[body])
     return scene.compile()
 
 

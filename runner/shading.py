@@ -11,6 +11,8 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from .mujoco_versions import Lamp, lamp
+
 Array = NDArray[np.float64]
 Floats = NDArray[np.float32]
 Bools = NDArray[np.bool_]
@@ -245,20 +247,19 @@ class Silhouette:
 
 def lights(model: mujoco.MjModel, data: mujoco.MjData) -> list[Light]:
     """The lamps that are on. data has seen mj_camlight."""
-    kinds = mujoco.mjtLightType
     return [
         Light(
-            directional=bool(model.light_type[k] == kinds.mjLIGHT_DIRECTIONAL),
+            directional=lamp(model, k) is Lamp.DIRECTIONAL,
             casts_shadow=bool(model.light_castshadow[k]),
             position=data.light_xpos[k].copy(),
             direction=data.light_xdir[k] / np.linalg.norm(data.light_xdir[k]),
-            cutoff=float(np.radians(model.light_cutoff[k])) if model.light_type[k] == kinds.mjLIGHT_SPOT else np.pi,
+            cutoff=float(np.radians(model.light_cutoff[k])) if lamp(model, k) is Lamp.SPOT else np.pi,
             ambient=model.light_ambient[k].copy(),
             diffuse=model.light_diffuse[k].copy(),
             specular=model.light_specular[k].copy(),
         )
         for k in range(model.nlight)
-        if model.light_active[k] and model.light_type[k] != kinds.mjLIGHT_IMAGE
+        if model.light_active[k] and lamp(model, k) is not Lamp.IMAGE
     ]
 
 

@@ -15,6 +15,7 @@ from .assets import Scene
 from .camera import View
 from .ghost import Ghost
 from .graphics import Graphics
+from .mujoco_versions import is_drawn_directional, without_shadow
 
 Picture = NDArray[np.uint8]
 Array = NDArray[np.float64]
@@ -62,11 +63,11 @@ class Stage:
         spec = scene.spec()
         self.model = spec.compile()
         flat = self.model.geom_type == int(mujoco.mjtGeom.mjGEOM_PLANE)
-        self.model.geom_castshadow[flat] = 0  # a floor's own shadow is only specks of rounding on it
+        without_shadow(self.model, flat)  # a floor's own shadow is only specks of rounding on it
         self.width, self.height = width, height
         self._gl: _OpenGL | None = None
         if graphics.kind == "rays":
-            from .rays import Rays  # only here: it needs a MuJoCo that has `mujoco.batch`
+            from .rays import Rays
 
             self._painter: Painter = Rays(spec, width, height, threads=threads)
         else:
@@ -177,7 +178,7 @@ class _OpenGL:
         if view.fixed is not None:
             return
         for light in scene.lights[: scene.nlight]:
-            if light.type == mujoco.mjtLightType.mjLIGHT_DIRECTIONAL and not light.headlight:
+            if is_drawn_directional(light) and not light.headlight:
                 light.pos[:] = np.asarray(view.lookat) - _SUN_DISTANCE * light.dir
 
     def _camera(self, view: View) -> mujoco.MjvCamera:

@@ -13,7 +13,7 @@ SCENE = """
 <mujoco>
   <visual><headlight ambient=".3 .3 .3" diffuse=".3 .3 .3" specular="0 0 0"/></visual>
   <worldbody>
-    <light type="directional" dir="0 0 -1" diffuse=".5 .5 .5" specular="0 0 0"/>
+    <light directional="true" dir="0 0 -1" diffuse=".5 .5 .5" specular="0 0 0"/>
     <geom type="plane" size="0 0 1" rgba=".6 .6 .6 1"/>
     <camera name="high" pos="0 -.01 5" xyaxes="1 0 0 0 1 0"/>
     <body pos="0 0 1"><freejoint/><geom type="sphere" size=".4" rgba=".8 .1 .1 1"/></body>

@@ -18,6 +18,7 @@ import numpy as np
 from ..assets import taken_along
 from ..errors import UserError
 from ..scene import figure_spec, first_line, quietly
+from ..mujoco_versions import remove
 from .held import Held
 from .take import Recording, Take
 
@@ -75,10 +76,11 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     if wanted != own.nq:
         raise UserError(f"{path}: its qpos has {own.nq} numbers; the figure's {wanted}")
     for key in list(spec.keys):
-        spec.delete(key)
+        remove(spec, key)
     values = found.numbers("qpos", "keys", wanted)
     if model is not None:
         return Recording(time, values)
     assets = taken_along(spec)
     spec.assets = dict(assets)
+    spec.compile()
     return Recording(time, values, spec.to_xml(), assets=assets)

@@ -1,0 +1,63 @@
+"""What MuJoCo calls by other names in its older versions, 3.2.7 to 3.3: nobody else asks which version it is."""
+
+from __future__ import annotations
+
+from enum import Enum
+from typing import Any
+
+import mujoco
+
+
+class Lamp(Enum):
+    """The kinds of light."""
+
+    SPOT = "spot"
+    DIRECTIONAL = "directional"
+    POINT = "point"
+    IMAGE = "image"
+
+
+def lamp(model: mujoco.MjModel, light: int) -> Lamp:
+    """Of which kind a light is. Before 3.3.1 all are directional or spots."""
+    if not hasattr(model, "light_type"):
+        return Lamp.DIRECTIONAL if model.light_directional[light] else Lamp.SPOT
+    kinds = mujoco.mjtLightType
+    named = {
+        kinds.mjLIGHT_DIRECTIONAL: Lamp.DIRECTIONAL,
+        kinds.mjLIGHT_POINT: Lamp.POINT,
+        kinds.mjLIGHT_IMAGE: Lamp.IMAGE,
+    }
+    return {int(kind): name for kind, name in named.items()}.get(int(model.light_type[light]), Lamp.SPOT)
+
+
+def is_drawn_directional(light: Any) -> bool:
+    """Whether a light of a scene to be drawn (MjvLight) shines in parallel."""
+    if not hasattr(light, "type"):
+        return bool(light.directional)
+    return light.type == mujoco.mjtLightType.mjLIGHT_DIRECTIONAL
+
+
+def without_shadow(model: mujoco.MjModel, geoms: Any) -> None:
+    """Lets geoms (a mask or numbers) cast no shadow, where this MuJoCo can."""
+    if hasattr(model, "geom_castshadow"):
+        model.geom_castshadow[geoms] = 0
+
+
+def remove(spec: mujoco.MjSpec, element: Any) -> None:
+    """Takes an element out, a body with all that it holds. Compile before the model is written."""
+    if hasattr(spec, "delete"):
+        spec.delete(element)
+    elif isinstance(element, type(spec.worldbody)):
+        spec.detach_body(element)
+    else:
+        element.delete()
+
+
+def mesh_folder(spec: mujoco.MjSpec, element: Any) -> str:
+    """Where the file of a mesh, height field or skin lies. In newer versions attached models keep their own folders."""
+    return element.compiler.meshdir if hasattr(element, "compiler") else spec.meshdir
+
+
+def texture_folder(spec: mujoco.MjSpec, texture: Any) -> str:
+    """Where the files of a texture lie."""
+    return texture.compiler.texturedir if hasattr(texture, "compiler") else spec.texturedir
