@@ -33,7 +33,9 @@ class Scene:
 
     def spec(self) -> mujoco.MjSpec:
         """To be changed; raises ValueError."""
-        return mujoco.MjSpec.from_string(self.mjcf, assets=dict(self.assets))
+        spec = mujoco.MjSpec.from_string(self.mjcf, assets=dict(self.assets))
+        spec.assets = dict(self.assets)  # 3.2.7 forgets them
+        return spec
 
 
 @dataclass(frozen=True)

@@ -61,3 +61,24 @@ def mesh_folder(spec: mujoco.MjSpec, element: Any) -> str:
 def texture_folder(spec: mujoco.MjSpec, texture: Any) -> str:
     """Where the files of a texture lie."""
     return texture.compiler.texturedir if hasattr(texture, "compiler") else spec.texturedir
+
+
+def attach(spec: mujoco.MjSpec, other: mujoco.MjSpec, prefix: str) -> None:
+    """Puts a model of lights and geoms in the world into another one's world, under names with a prefix."""
+    if hasattr(spec, "attach"):
+        spec.attach(other, frame=spec.worldbody.add_frame(), prefix=prefix)
+        return
+    frame = other.worldbody.add_frame()
+    for element in [*other.geoms, *other.lights]:
+        element.set_frame(frame)
+    spec.worldbody.attach_frame(frame, prefix, "")
+
+
+def geom_named(spec: mujoco.MjSpec, name: str) -> Any:
+    """The geom of a name that is there."""
+    return next(geom for geom in spec.geoms if geom.name == name)
+
+
+def size_of_pictures(spec: mujoco.MjSpec) -> Any:
+    """The table with `offwidth` and `offheight` [pixels]."""
+    return getattr(spec.visual, "global_" if hasattr(spec.visual, "global_") else "global")
