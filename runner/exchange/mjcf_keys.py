@@ -19,19 +19,24 @@ from ..assets import taken_along
 from ..errors import UserError
 from ..scene import figure_spec, first_line, quietly
 from ..mujoco_versions import remove
+from . import simulated
 from .held import Held
 from .take import Recording, Take
 
 
 def write(take: Take, path: Path) -> None:
-    """Keys after the model as it is; raises UserError for a model text that does not parse."""
-    root = ElementTree.fromstring(take.saved.mjcf)
+    """Keys after the model as it is, or one that stands by itself, see `simulated`."""
+    drives = simulated.drives(take) if take.wishes.simulate else None
+    root = ElementTree.fromstring(take.saved.mjcf) if drives is None else simulated.scene(take, drives)
+    controls = None if drives is None else simulated.targets(take, drives)
     for keyframes in root.findall("keyframe"):
         root.remove(keyframes)
     keyframes = ElementTree.SubElement(root, "keyframe")
     stem = re.sub(r"\W+", "_", take.name) or "key"
     for i, (time, qpos, qvel) in enumerate(zip(take.time.tolist(), take.qpos, take.qvel, strict=True)):
         values = {"name": f"{stem}_{i}", "time": repr(time), "qpos": _written(qpos), "qvel": _written(qvel)}
+        if controls is not None:
+            values["ctrl"] = _written(controls[i])
         ElementTree.SubElement(keyframes, "key", values)
     ElementTree.indent(root)
     ElementTree.ElementTree(root).write(path, encoding="unicode")

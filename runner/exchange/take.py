@@ -17,12 +17,24 @@ from .hinged import Hinged
 
 
 @dataclass(frozen=True)
+class Wishes:
+    """What a file shall hold beyond what its format needs.
+
+    simulate  figure and scene collide, and joints have actuators
+    columns   groups of a table's columns
+    """
+
+    simulate: bool = False
+    columns: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
 class Take:
     """A motion to be written: time[i] = time[0] + i / fps.
 
     time (T,) [s]; qpos (T, nq), qvel and qacc (T, nv) in MuJoCo's order and units, quaternions wxyz, unit and
     sign-continuous; saved: the motion that it was taken from, with its keyframes, frames and scene; notes: lines for
-    the user that a format adds to
+    the user that a format adds to; wishes: what more is asked for
     """
 
     saved: Saved
@@ -32,13 +44,14 @@ class Take:
     qvel: Array
     qacc: Array
     notes: list[str] = field(default_factory=list)
+    wishes: Wishes = Wishes()
 
     @classmethod
-    def of(cls, saved: Saved, fps: float | None = None) -> Take:
+    def of(cls, saved: Saved, fps: float | None = None, wishes: Wishes | None = None) -> Take:
         """A saved motion at its own rate, or at another; raises UserError for more samples than memory is made for."""
         rate = fps or saved.fps
         at = sampled(saved.figure, saved.timeline, rate)
-        return cls(saved, rate, at.time, at.qpos, at.qvel, at.qacc)
+        return cls(saved, rate, at.time, at.qpos, at.qvel, at.qacc, wishes=wishes or Wishes())
 
     @property
     def figure(self) -> Figure:
