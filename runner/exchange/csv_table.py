@@ -1,4 +1,7 @@
-"""CSV: a row an instant, the time and MuJoCo's qpos, under a heading that names joint and component."""
+"""CSV: a row an instant, the time and MuJoCo's qpos, under a heading that names joint and component.
+
+More columns, of `quantities`, may follow; those are not read.
+"""
 
 from __future__ import annotations
 
@@ -9,7 +12,7 @@ import mujoco
 import numpy as np
 
 from ..errors import UserError
-from . import unsaid
+from . import quantities, unsaid
 from .take import Recording, Take
 
 FREE = ("x", "y", "z", "qw", "qx", "qy", "qz")
@@ -32,10 +35,12 @@ def columns(model: mujoco.MjModel) -> list[str]:
 
 def write(take: Take, path: Path) -> None:
     """Every number with the digits that bring it back exactly."""
+    more = quantities.table(take, take.wishes.columns)
+    table = np.column_stack([take.time, take.qpos, *more.values()])
     with path.open("w", newline="", encoding="utf-8") as stream:
         rows = csv.writer(stream)
-        rows.writerow(["time", *columns(take.model)])
-        rows.writerows([repr(float(x)) for x in (t, *q)] for t, q in zip(take.time, take.qpos, strict=True))
+        rows.writerow(["time", *columns(take.model), *more])
+        rows.writerows(map(repr, row) for row in table.tolist())
 
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:

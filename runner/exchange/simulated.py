@@ -5,12 +5,13 @@ A figure whose geoms were for the eye alone still does not meet itself. Actuator
 
     force = kp (ctrl − q) − kv q'            hinges and slides; a ball joint has three, about its x, y and z
 
-with q the joint's coordinate, for a ball joint its rotation vector. `ctrl` of a key is q + (kv / kp) q' of the motion,
-so that force = kp (q_motion − q) + kv (q'_motion − q'). The gains:
+with q the joint's coordinate, for a ball joint its rotation vector. `ctrl` of a key is q + (kv q' + τ) / kp of the
+motion, τ the torque that moves it so (`forces`): on the motion the actuators give just τ, and off it they pull back.
+The gains:
 
-    kp = m ω², ω = 2π · 5 Hz, m the joint's inertia at rest (of a ball joint the largest), and for the joints of limbs
-         that stand at least 2 / rad (2 / 0.1 m for a slide) times weight times height: they balance all of the figure
-    kv = kp · 0.064 s, which is critical damping, 2 / ω
+    kp = m ω², ω = 2π · 8 Hz, m the joint's inertia at rest (of a ball joint the largest), and for the joints of limbs
+         that stand at least 0.7 / rad of weight times height (a slide: as if 0.1 m were a radian): they bear it all
+    kv = kp · 0.04 s, which is critical damping, 2 / ω
 
 A free root has no actuator. Gains are in N m/rad and N m s/rad, of slides in N/m and N s/m.
 """
@@ -29,13 +30,16 @@ from solver.quaternion import Array
 
 from .. import clip
 from ..penetration import moving_geoms, solid_geoms
+from .forces import Forces
 from .take import Take
 
-FREQUENCY = 5.0  # [Hz] at which a limb held by its actuators would swing: several times what people do
+FREQUENCY = 8.0  # [Hz] at which a limb held by its actuators would swing: several times what people do
 DAMPING = 2 / (2 * np.pi * FREQUENCY)  # [s] kv / kp of critical damping
-STANDING = 2.0  # [1/rad] of weight times height: twice what holds an upright figure, which falls by less than 1
+STANDING = 0.7  # [1/rad] of weight times height: one limb holds an upright figure, which falls by 0.55; more bounces
 SLIDE = 0.1  # [m] by which a slide may give where a hinge gives a radian
 TIMESTEP = 0.002  # [s] at most
+SOFTNESS = (0.01, 1.5)  # time constant [s] and damping of contacts: feet land without bouncing
+IMPEDANCE = 10.0  # of friction beside that of normal forces: standing feet do not creep
 ALL = 1  # the bit by which geoms that were for the eye meet what is solid
 BALL, FREE, HINGE = (
     int(kind) for kind in (mujoco.mjtJoint.mjJNT_BALL, mujoco.mjtJoint.mjJNT_FREE, mujoco.mjtJoint.mjJNT_HINGE)
@@ -109,17 +113,17 @@ def _standing(figure: Figure, feet: set[int]) -> set[int]:
 
 
 def targets(take: Take, actuators: list[Drive]) -> Array:
-    """(T, nu) what `ctrl` is at the samples."""
-    model = take.model
+    """(T, nu) what `ctrl` is at the samples. Where no torque is known, position and velocity alone."""
+    model, torques = take.model, np.nan_to_num(Forces.of(take).torques)
     out = np.zeros((len(take.qpos), len(actuators)))
     for column, drive in enumerate(actuators):
         first, dof = int(model.jnt_qposadr[drive.joint]), int(model.jnt_dofadr[drive.joint])
         if drive.axis is None:
-            at, speed = take.qpos[:, first], take.qvel[:, dof]
+            at = take.qpos[:, first]
         else:
             at = _rotation_vectors(take.qpos[:, first : first + 4])[:, drive.axis]
-            speed = take.qvel[:, dof + drive.axis]
-        out[:, column] = at + drive.kv / drive.kp * speed
+            dof += drive.axis
+        out[:, column] = at + (drive.kv * take.qvel[:, dof] + torques[:, dof]) / drive.kp
     return out
 
 
@@ -140,6 +144,8 @@ def scene(take: Take, actuators: list[Drive]) -> ElementTree.Element:
         joint.name = joint_name(model, number)
     spec.option.timestep = min(float(model.opt.timestep), TIMESTEP)
     spec.option.integrator = int(mujoco.mjtIntegrator.mjINT_IMPLICITFAST)  # or stiff damping makes it explode
+    spec.option.cone = int(mujoco.mjtCone.mjCONE_ELLIPTIC)
+    spec.option.impratio = max(float(model.opt.impratio), IMPEDANCE)
     spec.compile()
     root = ElementTree.fromstring(spec.to_xml())
     for section in root.findall("actuator"):
@@ -164,8 +170,10 @@ def _collide(spec: mujoco.MjSpec, model: mujoco.MjModel) -> None:
     if not any(geoms[i].contype or geoms[i].conaffinity for i in movers):
         for i in movers:
             geoms[i].contype, geoms[i].conaffinity = ALL, 0
+            geoms[i].solref[:2] = SOFTNESS
     types, affinities = ALL, ALL
     for i in movers:
         types, affinities = types | geoms[i].contype, affinities | geoms[i].conaffinity
     for i in solids:
         geoms[i].contype, geoms[i].conaffinity = affinities, types
+        geoms[i].solref[:2] = SOFTNESS

@@ -38,6 +38,16 @@ class _Found(NamedTuple):
     edges: Array
 
 
+class Reactions(NamedTuple):
+    """What the ground gives: at samples `at` (P,), on the points of footings `footing` (P,), at `place` (3, P) [m], a
+    force (3, P) [N], world axes."""
+
+    at: Index
+    footing: Index
+    place: Array
+    force: Array
+
+
 @dataclass(frozen=True)
 class Support:
     """|w − G λ|², least over λ ≥ 0: w the root's wrench, the columns of G the edges of friction pyramids at the points
@@ -90,6 +100,17 @@ class Support:
         if at.size:
             out[:, at] = self._found(samples, at).left.rest
         return out
+
+    def reactions(self, samples: Samples) -> Reactions:
+        """The forces at the points in contact that supply the most, at the samples of which it is known."""
+        known = np.flatnonzero(self.known(samples.t))
+        which, _, _ = self._pairs(samples.t[known])
+        if not which.size:
+            none = np.zeros(0, np.intp)
+            return Reactions(none, none, np.zeros((3, 0)), np.zeros((3, 0)))
+        pushes = self._found(samples, known).pushes
+        x, _ = samples.links.poses(pushes.link * samples.count + pushes.at)
+        return Reactions(pushes.at, which, x + pushes.arm, pushes.force)
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         values, at = np.zeros(samples.count), np.flatnonzero(self.known(samples.t))

@@ -1,0 +1,143 @@
+"""What forces a motion asks for: the wrench at the root, what the ground gives to each foot, torques of the joints.
+
+All of it is inverse dynamics of the motion and what `support` finds for it: the forces within friction cones at the
+points in contact that supply the most of the root's wrench. Where nothing says what carries the figure, neither feet
+that stand nor a flight, the ground's forces and the torques that they change are unknown: nan.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import mujoco
+import numpy as np
+
+from solver.dynamics import generalised_forces
+from solver.frame import Mask
+from solver.kinematics import Samples
+from solver.penalty import Support
+from solver.penalty.support import Reactions
+from solver.quaternion import Array
+from solver.subdivision import path_of
+from solver.wrench import RootWrench
+
+from .. import clip
+from ..motion import samples_at
+from .take import Take
+
+STIFF = 1e-7  # softness of a support so that what is left is what cannot be supplied, and not what would cost force
+
+
+@dataclass(frozen=True)
+class Foot:
+    """What the ground gives to a body, world axes.
+
+    force   (3, T) [N], zero where nothing is given
+    centre  (3, T) [m] of pressure: the mean of the points in contact by the forces along their normals; nan without any
+    free    (T,) [N m] moment about the normal there, nan likewise
+    """
+
+    name: str
+    force: Array
+    centre: Array
+    free: Array
+
+
+@dataclass(frozen=True)
+class Forces:
+    """Of a take whose motion is `samples`; support None: a figure without a free root."""
+
+    take: Take
+    samples: Samples
+    support: Support | None
+
+    @classmethod
+    def of(cls, take: Take) -> Forces:
+        saved = take.saved
+        support = clip.answered(saved).support
+        stiff = None if support is None else replace(support, softness=STIFF)
+        return cls(take, samples_at(saved.figure, path_of(saved.timeline), take.time), stiff)
+
+    @cached_property
+    def known(self) -> Mask:
+        """(T,) whether it is known what carries the figure. A figure that never stands or flies carries itself."""
+        if self.support is None or not self.support.tells:
+            return np.ones(self.samples.count, bool)
+        return self.support.known(self.samples.t)
+
+    @cached_property
+    def wrench(self) -> RootWrench | None:
+        """Force, moment and centre of mass at the free root."""
+        return None if self.support is None else RootWrench(self.samples, self.support.root)
+
+    @cached_property
+    def _reactions(self) -> Reactions | None:
+        return None if self.support is None else self.support.reactions(self.samples)
+
+    @cached_property
+    def rest(self) -> Array:
+        """(6, T) [N, N m] of force and moment at the root that nothing supplies; nan where it is not known."""
+        support = self.support
+        if support is None:
+            return np.zeros((6, self.samples.count))
+        units = np.repeat([support.unit, support.unit * support.length], 3)[:, None]
+        return np.where(self.known, support.rest(self.samples) * units, np.nan)
+
+    @cached_property
+    def feet(self) -> tuple[Foot, ...]:
+        """Every body that ever stands."""
+        if self.support is None or self._reactions is None:
+            return ()
+        links = self._links
+        return tuple(self._foot(int(link)) for link in np.unique(links))
+
+    @property
+    def _links(self) -> Array:
+        """The links of the footings."""
+        assert self.support is not None
+        return np.array([footing.point.link for footing in self.support.footings], np.intp)
+
+    def _foot(self, link: int) -> Foot:
+        assert self.support is not None and self._reactions is not None
+        found, count, figure = self._reactions, self.samples.count, self.take.figure
+        own = np.flatnonzero(self._links[found.footing] == link)
+        at, place, force = found.at[own], found.place[:, own], found.force[:, own]
+        normals = np.array([self.support.footings[i].normal for i in found.footing[own]]).reshape(-1, 3).T
+        press = np.maximum(np.sum(normals * force, axis=0), 0)
+        total = np.bincount(at, press, count)
+        whole = np.array([np.bincount(at, part, count) for part in force])
+        with np.errstate(invalid="ignore", divide="ignore"):
+            centre = np.array([np.bincount(at, press * part, count) for part in place]) / total
+        away = place - centre[:, at]
+        free = np.bincount(at, np.sum(np.cross(away, force, axis=0) * normals, axis=0), count)
+        loaded = total > 0
+        name = figure.model.body(figure.links[link].body).name or figure.links[link].name
+        return Foot(
+            name,
+            np.where(self.known, whole, np.nan),
+            np.where(self.known & loaded, centre, np.nan),
+            np.where(self.known & loaded, free, np.nan),
+        )
+
+    @cached_property
+    def torques(self) -> Array:
+        """(T, nv) MuJoCo's qfrc_inverse less what the ground does; at a free root what is left over."""
+        out = generalised_forces(self.samples)
+        found, model = self._reactions, self.take.model
+        if self.support is None or found is None:
+            return out
+        data, jacobian = mujoco.MjData(model), np.zeros((3, model.nv))
+        bodies = [self.take.figure.links[link].body for link in self._links]
+        order = np.argsort(found.at, kind="stable")
+        posed = -1
+        for i in order:
+            t = int(found.at[i])
+            if t != posed:
+                data.qpos[:] = self.take.qpos[t]
+                mujoco.mj_kinematics(model, data)
+                mujoco.mj_comPos(model, data)
+                posed = t
+            mujoco.mj_jac(model, data, jacobian, None, found.place[:, i], bodies[found.footing[i]])
+            out[t] -= found.force[:, i] @ jacobian
+        return np.where(self.known[:, None], out, np.nan)

@@ -1,0 +1,117 @@
+"""What a table can hold beside qpos, in groups of named columns with their units, all by the joints' and bodies' names.
+
+velocities  left_hip.wx [rad/s]: MuJoCo's qvel; free joints in the world, their rotation and ball joints in body axes
+torques     left_hip.tx [N m]: of the joints, as qfrc_inverse has them, less what the ground does; body axes
+wrench      root.fx [N], root.mx [N m], com.x [m]: what must push the figure from outside, about its centre of mass
+ground      left_foot.fx [N], left_foot.cop.x [m], left_foot.free [N m]: the ground's reaction on each foot, its centre of
+            pressure and the moment about the normal there; unsupplied.fx [N], unsupplied.mx [N m]: what no foot can give
+
+Forces and moments are in the world's axes but where it says otherwise. nan: not known, see `forces`, or no pressure.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import mujoco
+import numpy as np
+
+from solver.quaternion import Array
+
+from ..errors import UserError, unknown
+from .forces import Forces
+from .take import Take
+
+Columns = dict[str, Array]
+AXES = "xyz"
+UNKNOWN_NOTE = "of {share:.0%} of the instants nothing says what carries the figure: forces there are nan"
+
+
+def velocities(take: Take, forces: Forces) -> Columns:
+    """MuJoCo's qvel."""
+    units = ("m/s", "rad/s")
+    return _by_dof(take.model, take.qvel, {"free": "v w", "ball": "w", "hinge": "v", "slide": "v"}, units)
+
+
+def torques(take: Take, forces: Forces) -> Columns:
+    """Of every joint but free ones."""
+    units = ("N", "N m")
+    return _by_dof(take.model, forces.torques, {"ball": "t", "hinge": "t", "slide": "f"}, units)
+
+
+def wrench(take: Take, forces: Forces) -> Columns:
+    """At the free root that carries the figure; raises UserError where none does."""
+    found = forces.wrench
+    if found is None:
+        raise UserError(f"{take.name}: the figure has no free root, so no wrench moves it from outside")
+    name = take.figure.links[found.root].name
+    return (
+        _vector(f"{name}.f", "N", found.force)
+        | _vector(f"{name}.m", "N m", found.moment)
+        | _vector("com.", "m", found.centre)
+    )
+
+
+def ground(take: Take, forces: Forces) -> Columns:
+    """Of every foot that ever stands; raises UserError where none does."""
+    if not forces.feet:
+        raise UserError(f"{take.name}: the keyframes tell of no foot that stands, so no ground's reaction is known")
+    out: Columns = {}
+    for foot in forces.feet:
+        out |= _vector(f"{foot.name}.f", "N", foot.force)
+        out |= _vector(f"{foot.name}.cop.", "m", foot.centre)
+        out[f"{foot.name}.free [N m]"] = foot.free
+    return out | _vector("unsupplied.f", "N", forces.rest[:3]) | _vector("unsupplied.m", "N m", forces.rest[3:])
+
+
+GROUPS: dict[str, Callable[[Take, Forces], Columns]] = {
+    "velocities": velocities,
+    "torques": torques,
+    "wrench": wrench,
+    "ground": ground,
+}
+
+
+def named(text: str) -> tuple[str, ...]:
+    """The groups that a list with commas names, "all" for all of them; raises UserError that lists them."""
+    words = tuple(word.strip() for word in text.split(",") if word.strip())
+    for word in words:
+        if word != "all" and word not in GROUPS:
+            raise UserError(f"--with: {unknown('group of columns', word, (*GROUPS, 'all'))}")
+    return tuple(GROUPS) if "all" in words else words
+
+
+def table(take: Take, groups: Sequence[str]) -> Columns:
+    """The columns (T,) of some groups, by heading. What is not known of forces is told in the take's notes."""
+    if not groups:
+        return {}
+    forces = Forces.of(take)
+    out: Columns = {}
+    for group in GROUPS:
+        if group in groups:
+            out |= GROUPS[group](take, forces)
+    if {"torques", "ground"} & set(groups) and not forces.known.all():
+        take.notes.append(UNKNOWN_NOTE.format(share=1 - float(forces.known.mean())))
+    return out
+
+
+def _vector(name: str, unit: str, values: Array) -> Columns:
+    """Three columns of (3, T)."""
+    return {f"{name}{axis} [{unit}]": row for axis, row in zip(AXES, values, strict=True)}
+
+
+def _by_dof(model: mujoco.MjModel, values: Array, letters: dict[str, str], units: tuple[str, str]) -> Columns:
+    """Columns of (T, nv), by kind of joint the letters of its triples or its one number; units of slides, of turns."""
+    kinds, out = ("free", "ball", "slide", "hinge"), {}
+    for joint in range(model.njnt):
+        kind, dof = kinds[int(model.jnt_type[joint])], int(model.jnt_dofadr[joint])
+        name = model.joint(joint).name or f"joint{joint}"
+        if kind not in letters:
+            continue
+        if kind in ("slide", "hinge"):
+            out[f"{name}.{letters[kind]} [{units[kind == 'hinge']}]"] = values[:, dof]
+            continue
+        for part, letter in enumerate(letters[kind].split()):
+            unit = units[0] if kind == "free" and part == 0 else units[1]
+            out |= _vector(f"{name}.{letter}", unit, np.asarray(values[:, dof + 3 * part : dof + 3 * part + 3]).T)
+    return out
