@@ -100,7 +100,7 @@ class Single:
     def _normals(self, origin: Array, along: Array, distance: Array, geom: Ints, static: bool) -> Array:
         """(n, 3) from the plane through three points; where a ray beside it misses the geom, the one opposite."""
         across = np.cross(along, np.eye(3)[np.argmin(np.abs(along), axis=1)])
-        across /= np.linalg.norm(across, axis=1)[:, None]
+        across = np.asarray(across / np.linalg.norm(across, axis=1)[:, None], float)
         sides = []
         for aside in (across, np.cross(along, across)):
             edge = np.zeros_like(along)

@@ -365,26 +365,38 @@ def export(
     ] = None,
     output: Output = None,
     fps: Annotated[float | None, typer.Option(help="samples a second [default: the motion's]")] = None,
+    columns: Annotated[
+        str,
+        typer.Option("--with", help="of csv: more columns, of velocities,torques,wrench,ground (with commas), or all"),
+    ] = "",
+    simulate: Annotated[
+        bool, typer.Option("--simulate", help="of mjcf: a scene that collides, actuators, and their targets")
+    ] = False,
     repeat: Repeat = None,
+    overwrite: OverThere = False,
     fresh: Fresh = False,
 ) -> None:
     """Write a motion in the format of another program."""
     _without_graphics()
     from .errors import UserError
-    from .exchange import formats
-    from .motion import check_target
+    from .exchange import formats, quantities
+    from .exchange.take import Wishes
+    from .motion import check_new, check_target
     from .progress import Teller
 
     form = formats.chosen(to, output)
+    wishes = Wishes(simulate, quantities.named(columns))
+    formats.check_wishes(form, wishes)
     if fps is not None and not 0.01 <= fps <= 100_000:
         raise UserError(f"--fps {fps:g}: give a number of samples a second, 0.01 to 100000")
-    if output is not None:
-        check_target(output)
+    target = output or formats.target_of(_exported_name(source), form, wishes)
+    check_target(target)
+    check_new(target, overwrite=overwrite)
     with Teller() as teller:
         found = _found(source, None, None)
         _check_repeat(found, repeat)
         result = _result(found, teller, repeat, fresh=fresh)
-        target = formats.export(result.saved, form.name, output, fps=fps, tell=teller.say)
+        formats.export(result.saved, form.name, target, fps=fps, wishes=wishes, overwrite=overwrite, tell=teller.say)
         _tell(teller, target, result.problems, source)
 
 
@@ -562,6 +574,14 @@ def _name(source: str, model: str | None, keys: str | None) -> str:
     if not source and keys is None and model is None:
         raise UserError("name a clip (see `dynsplines clips`), a file, or --model with --keys")
     return Path(source if keys is None else keys).stem or "motion"
+
+
+def _exported_name(source: str) -> str:
+    """What an exported file is called after: what it came from."""
+    from .exchange.formats import stem
+
+    _name(source, None, None)
+    return stem(Path(source))
 
 
 @contextlib.contextmanager

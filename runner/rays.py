@@ -23,8 +23,8 @@ from .camera import View
 from .camera import axes as camera_axes
 from .caster import VISIBLE_GROUPS, Caster, caster
 from .ghost import Ghost
-from .shading import Light, Materials, Silhouette, Sky, lights
 from .mujoco_versions import remove
+from .shading import Light, Materials, Silhouette, Sky, lights
 from .workers import cores
 
 Picture = NDArray[np.uint8]

@@ -18,7 +18,7 @@ from solver.frame import Mask
 from solver.kinematics import Samples
 from solver.penalty import Support
 from solver.penalty.support import Reactions
-from solver.quaternion import Array
+from solver.quaternion import Array, Index
 from solver.subdivision import path_of
 from solver.wrench import RootWrench
 
@@ -93,7 +93,7 @@ class Forces:
         return tuple(self._foot(int(link)) for link in np.unique(links))
 
     @property
-    def _links(self) -> Array:
+    def _links(self) -> Index:
         """The links of the footings."""
         assert self.support is not None
         return np.array([footing.point.link for footing in self.support.footings], np.intp)

@@ -11,9 +11,12 @@ from typing import Any
 import mujoco
 
 from ..errors import UserError, unknown
-from ..motion import Replacement, Saved, check_target
+from ..motion import Replacement, Saved, check_new, check_target
 from . import unsaid
-from .take import Recording, Take
+from .take import Recording, Take, Wishes
+
+SIMULATED = ".simulate.xml"  # the ending of a scene that stands by itself
+WISHES = {"simulate": "a scene to simulate", "columns": "columns of forces or velocities"}
 
 
 @dataclass(frozen=True)
@@ -26,6 +29,7 @@ class Format:
     or, where it does not begin with a dot, its name; and `recognises(path)`, for endings that several formats share.
     also   endings of the same format that are read
     variants endings of the same format that it can be written with
+    wishes what more of `Wishes` it can hold
     scales the files do not say their unit of length: `read` takes `scale` [m], None to guess
     extra  of `pip install 'dynamic-splines[...]'`, where the format needs more than the main job
     """
@@ -40,6 +44,7 @@ class Format:
     extra: str | None = None
     also: tuple[str, ...] = ()
     variants: tuple[str, ...] = ()
+    wishes: tuple[str, ...] = ()
 
     @property
     def told_by(self) -> tuple[str, ...]:
@@ -55,9 +60,11 @@ class Format:
 
 
 FORMATS = (
-    Format("csv", ".csv", "a row an instant: time, then qpos, under the joints' names", "csv_table", reads=True),
+    Format("csv", ".csv", "a row an instant: time, qpos under the joints' names, and more", "csv_table", reads=True,
+           wishes=("columns",)),
     Format("npz", ".qpos.npz", "time, qpos, qvel, qacc, names and the figure as plain arrays", "arrays", reads=True),
-    Format("mjcf", ".keys.xml", "figure and scene with a <key> an instant", "mjcf_keys", reads=True, also=(".xml",)),
+    Format("mjcf", ".keys.xml", "figure and scene with a <key> an instant", "mjcf_keys", reads=True, also=(".xml",),
+           wishes=("simulate",)),
     Format("mjlab", ".mjlab.npz", "mjlab, BeyondMimic: hinges and bodies in the world", "mjlab", reads=True),
     Format("mjlab-csv", ".mjlab.csv", "their input: root, quaternion xyzw, hinges; no names", "mjlab_csv", reads=True),
     Format("locomujoco", ".loco.npz", "a trajectory of LocoMuJoCo, with all of its arrays", "locomujoco", reads=True),
@@ -123,35 +130,68 @@ def _longest(path: Path, endings: Iterable[tuple[str, Format]]) -> Format | None
     return max(fitting, key=lambda each: each[0])[1] if fitting else None
 
 
+def target_of(name: str, form: Format, wishes: Wishes) -> Path:
+    """Where a motion of some name is exported to if nobody says: in this folder."""
+    return Path(f"{name}{SIMULATED if wishes.simulate else form.ending}")
+
+
+def check_wishes(form: Format, wishes: Wishes) -> None:
+    """Raises UserError for what a format cannot hold."""
+    for name, said in (("simulate", wishes.simulate), ("columns", bool(wishes.columns))):
+        if said and name not in form.wishes:
+            able = ", ".join(each.name for each in FORMATS if name in each.wishes)
+            raise UserError(f"the format '{form.name}' cannot hold {WISHES[name]}; those that can: {able}")
+
+
 def export(
     saved: Saved,
     kind: str,
     target: Path | None = None,
     *,
     fps: float | None = None,
+    wishes: Wishes | None = None,
+    overwrite: bool = True,
     tell: Callable[[str], None] | None = None,
 ) -> Path:
     """Writes a motion in another format, whole or not at all; where to, if not said, its name and the format's ending.
 
-    tell   takes lines for the user: what else was written, and what the format could not hold
+    wishes     what more it shall hold
+    overwrite  files that are there, the one and those beside it, unless they are just what is written
+    tell       takes lines for the user: what else was written, and what the format could not hold
     Raises UserError for an unknown format, another format's ending, a missing extra, and what the format cannot hold.
     """
-    form = chosen(kind, target)
-    target = target or Path(f"{saved.name}{form.ending}")
+    form, wishes = chosen(kind, target), wishes or Wishes()
+    check_wishes(form, wishes)
+    target = target or target_of(saved.name, form, wishes)
     check_target(target)
+    check_new(target, overwrite=overwrite)
     module = _module(form)
-    take = Take.of(saved, fps)
+    take = Take.of(saved, fps, wishes)
+    others = _beside(module, take, target)
+    for other, content in others.items():
+        if not (other.is_file() and other.read_bytes() == content):
+            check_new(other, overwrite=overwrite)
     with Replacement(target) as temporary:
         module.write(take, temporary)
-    for ending, text in module.beside(take).items() if hasattr(module, "beside") else ():
-        other = target.with_suffix(ending) if ending.startswith(".") else target.parent / ending
+    for other, content in others.items():
         with Replacement(other) as temporary:
-            temporary.write_bytes(text if isinstance(text, bytes) else text.encode())
+            temporary.write_bytes(content)
         take.notes.append(f"wrote {other}")
     if tell is not None:
         for note in take.notes:
             tell(note)
     return target
+
+
+def _beside(module: Any, take: Take, target: Path) -> dict[Path, bytes]:
+    """What is to lie beside a motion's file."""
+    found = module.beside(take) if hasattr(module, "beside") else {}
+    return {
+        target.with_suffix(name) if name.startswith(".") else target.parent / name: (
+            content if isinstance(content, bytes) else content.encode()
+        )
+        for name, content in found.items()
+    }
 
 
 def recording(

@@ -17,8 +17,8 @@ import numpy as np
 
 from ..assets import taken_along
 from ..errors import UserError
-from ..scene import figure_spec, first_line, quietly
 from ..mujoco_versions import remove
+from ..scene import figure_spec, first_line, quietly
 from . import simulated
 from .held import Held
 from .take import Recording, Take
@@ -38,6 +38,8 @@ def write(take: Take, path: Path) -> None:
         if controls is not None:
             values["ctrl"] = _written(controls[i])
         ElementTree.SubElement(keyframes, "key", values)
+    if drives is not None:
+        take.notes.append(f"{len(drives)} position actuators; `ctrl` of the keys is what to aim them at")
     ElementTree.indent(root)
     ElementTree.ElementTree(root).write(path, encoding="unicode")
 

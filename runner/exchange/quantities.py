@@ -3,8 +3,8 @@
 velocities  left_hip.wx [rad/s]: MuJoCo's qvel; free joints in the world, their rotation and ball joints in body axes
 torques     left_hip.tx [N m]: of the joints, as qfrc_inverse has them, less what the ground does; body axes
 wrench      root.fx [N], root.mx [N m], com.x [m]: what must push the figure from outside, about its centre of mass
-ground      left_foot.fx [N], left_foot.cop.x [m], left_foot.free [N m]: the ground's reaction on each foot, its centre of
-            pressure and the moment about the normal there; unsupplied.fx [N], unsupplied.mx [N m]: what no foot can give
+ground      left_foot.fx [N], left_foot.cop.x [m], left_foot.free [N m]: the ground's reaction on each foot, its centre
+            of pressure and the moment about the normal there; unsupplied.fx [N], unsupplied.mx [N m]: what nobody gives
 
 Forces and moments are in the world's axes but where it says otherwise. nan: not known, see `forces`, or no pressure.
 """
@@ -77,8 +77,8 @@ def named(text: str) -> tuple[str, ...]:
     words = tuple(word.strip() for word in text.split(",") if word.strip())
     for word in words:
         if word != "all" and word not in GROUPS:
-            raise UserError(f"--with: {unknown('group of columns', word, (*GROUPS, 'all'))}")
-    return tuple(GROUPS) if "all" in words else words
+            raise UserError(unknown("column group", word, (*GROUPS, "all")))
+    return tuple(GROUPS) if "all" in words else tuple(dict.fromkeys(words))
 
 
 def table(take: Take, groups: Sequence[str]) -> Columns:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import html
 import io
 import os
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
@@ -263,12 +264,26 @@ class Motion:
         if at is not None and not self.start <= at <= self.end:
             raise UserError(f"{self.name}: the motion runs from {self.start:g} to {self.end:g} s; nothing is at {at:g}")
 
-    def export(self, path: str | os.PathLike[str], to: str | None = None, *, fps: float | None = None) -> Path:
-        """Writes it in the format of another program, by the path's ending or by name, and gives the file's path."""
-        from ..exchange import formats
+    def export(
+        self,
+        path: str | os.PathLike[str],
+        to: str | None = None,
+        *,
+        fps: float | None = None,
+        columns: str | Sequence[str] = (),
+        simulate: bool = False,
+    ) -> Path:
+        """Writes it in the format of another program, by the path's ending or by name, and gives the file's path.
+
+        columns   of a table: "velocities", "torques", "wrench", "ground", several of them, or "all"
+        simulate  of MJCF: a scene that collides, actuators on every joint, and the motion as their targets
+        """
+        from ..exchange import formats, quantities
+        from ..exchange.take import Wishes
 
         target = Path(path)
-        return formats.export(self.saved, formats.chosen(to, target).name, target, fps=fps)
+        wishes = Wishes(simulate, quantities.named(columns if isinstance(columns, str) else ",".join(columns)))
+        return formats.export(self.saved, formats.chosen(to, target).name, target, fps=fps, wishes=wishes)
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> Path:
         """Writes it as a motion, .npz, which `load_motion` opens, or as a clip, .toml, of its keyframes.
