@@ -154,8 +154,21 @@ def save(saved: Saved, target: Path) -> None:
         arrays[f"{prefix}frame_fixed"] = timeline.fixed
         arrays[f"{prefix}end_slope"] = timeline.end_slope
     arrays.update(asset_arrays(saved.scene))
-    with Replacement(target) as temporary, temporary.open("wb") as stream:
-        np.savez_compressed(stream, allow_pickle=False, **arrays)
+    with Replacement(target) as temporary:
+        write_arrays(temporary, arrays)
+
+
+def write_arrays(target: Path, arrays: Mapping[str, Any]) -> None:
+    """Writes an .npz of plain arrays by their names; raises TypeError for objects, which would be pickled.
+
+    Without `allow_pickle`, which NumPy knows since 2.1 and takes for the name of an array before.
+    """
+    plain = {name: np.asarray(array) for name, array in arrays.items()}
+    pickled = [name for name, array in plain.items() if array.dtype.hasobject]
+    if pickled:
+        raise TypeError(f"'{pickled[0]}' holds objects")
+    with target.open("wb") as stream:
+        np.savez_compressed(stream, **plain)
 
 
 def asset_arrays(scene: Scene) -> dict[str, Any]:

@@ -259,7 +259,7 @@ def test_a_zero_quaternion_in_an_mjcf_is_an_error(tmp_path):
 
 def arrays(folder: Path, **content: Any) -> Clip:
     written(folder)
-    np.savez(folder / "keys.npz", allow_pickle=True, **content)
+    np.savez(folder / "keys.npz", **content)
     return clip.load("", model=str(folder / "hinge.xml"), keys=str(folder / "keys.npz"))
 
 

@@ -38,7 +38,7 @@ def changed(source: Path, target: Path, **changes: Any) -> Path:
     """A motion file with some arrays replaced (None: left out)."""
     with np.load(source, allow_pickle=False) as archive:
         data = {name: archive[name] for name in archive.files} | changes
-    np.savez(target, allow_pickle=True, **{name: value for name, value in data.items() if value is not None})
+    np.savez(target, **{name: value for name, value in data.items() if value is not None})
     return target
 
 
@@ -269,7 +269,7 @@ def foreign(folder: Path, motion_file: Path) -> dict[str, Path]:
     with (folder / "one array.npz").open("wb") as stream:
         np.save(stream, np.ones(3))
     np.savez(folder / "others.npz", a=np.ones(3))
-    np.savez(folder / "objects.npz", allow_pickle=True, a=np.array([{}], object))
+    np.savez(folder / "objects.npz", a=np.array([{}], object))
     (folder / "folder.npz").mkdir()
     return {path.stem: path for path in folder.iterdir()}
 

@@ -20,7 +20,7 @@ from solver.quaternion import Array
 
 from ..assets import Scene
 from ..errors import UserError
-from ..motion import asset_arrays, assets_in
+from ..motion import asset_arrays, assets_in, write_arrays
 from ..scene import first_line, quietly
 from . import unsaid
 from .held import Held, held, names_in, times
@@ -31,20 +31,18 @@ from .take import Recording, Take
 def write(take: Take, path: Path) -> None:
     """All of it in double precision."""
     model = take.model
-    with path.open("wb") as stream:
-        np.savez_compressed(
-            stream,
-            allow_pickle=False,
-            fps=take.fps,
-            time=take.time,
-            qpos=take.qpos,
-            qvel=take.qvel,
-            qacc=take.qacc,
-            joint_names=np.array([model.joint(i).name for i in range(model.njnt)]),
-            body_names=np.array([model.body(i).name for i in range(model.nbody)]),
-            mjcf=np.array(take.saved.mjcf),
-            **asset_arrays(take.saved.scene),
-        )
+    arrays = {
+        "fps": take.fps,
+        "time": take.time,
+        "qpos": take.qpos,
+        "qvel": take.qvel,
+        "qacc": take.qacc,
+        "joint_names": np.array([model.joint(i).name for i in range(model.njnt)]),
+        "body_names": np.array([model.body(i).name for i in range(model.nbody)]),
+        "mjcf": np.array(take.saved.mjcf),
+        **asset_arrays(take.saved.scene),
+    }
+    write_arrays(path, arrays)
 
 
 def recognises(path: Path) -> bool:

@@ -23,6 +23,7 @@ import numpy as np
 from solver.quaternion import Array
 
 from ..errors import UserError
+from ..motion import write_arrays
 from .held import Held, held, names_in, times
 from .mjlab import beside as beside
 from .robot import configurations, needs_figure
@@ -52,8 +53,7 @@ def write(take: Take, path: Path) -> None:
         **{name: np.array(getattr(model, name)) for name in ("njnt", "nbody", "nsite", *OF_MODEL)},
         **_of_data(model, hinged.qpos, hinged.qvel),
     }
-    with path.open("wb") as stream:
-        np.savez_compressed(stream, allow_pickle=False, **arrays)
+    write_arrays(path, arrays)
 
 
 def _of_data(model: mujoco.MjModel, qpos: Array, qvel: Array) -> dict[str, Array]:

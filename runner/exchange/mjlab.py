@@ -19,6 +19,7 @@ from pathlib import Path
 import mujoco
 import numpy as np
 
+from ..motion import write_arrays
 from .held import held, names_in, times
 from .robot import Robot, configurations, needs_figure
 from .take import Bodies, Recording, Take
@@ -31,20 +32,18 @@ def write(take: Take, path: Path) -> None:
     hinged = take.hinged
     robot = Robot.of(hinged.model, NAME)
     bodies = Bodies.of(hinged.model, hinged.qpos, hinged.qvel)
-    with path.open("wb") as stream:
-        np.savez_compressed(
-            stream,
-            allow_pickle=False,
-            fps=np.array([take.fps]),
-            joint_pos=hinged.qpos[:, robot.columns],
-            joint_vel=hinged.qvel[:, robot.dofs],
-            body_pos_w=bodies.position[:, robot.bodies],
-            body_quat_w=bodies.rotation[:, robot.bodies],
-            body_lin_vel_w=bodies.velocity[:, robot.bodies],
-            body_ang_vel_w=bodies.spin[:, robot.bodies],
-            joint_names=np.array(robot.joint_names),
-            body_names=np.array(robot.body_names),
-        )
+    arrays = {
+        "fps": np.array([take.fps]),
+        "joint_pos": hinged.qpos[:, robot.columns],
+        "joint_vel": hinged.qvel[:, robot.dofs],
+        "body_pos_w": bodies.position[:, robot.bodies],
+        "body_quat_w": bodies.rotation[:, robot.bodies],
+        "body_lin_vel_w": bodies.velocity[:, robot.bodies],
+        "body_ang_vel_w": bodies.spin[:, robot.bodies],
+        "joint_names": np.array(robot.joint_names),
+        "body_names": np.array(robot.body_names),
+    }
+    write_arrays(path, arrays)
 
 
 def beside(take: Take) -> dict[str, str | bytes]:

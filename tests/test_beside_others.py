@@ -1,0 +1,107 @@
+"""Installed beside the programs that it exports to: their own loaders read its files, their own robots replay them.
+
+`pip install mjlab` (a torch for the processor alone is enough), or `pip install loco-mujoco`, into the environment of
+this package; a test is skipped where its program is not there.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import io
+from pathlib import Path
+
+import mujoco
+import numpy as np
+import pytest
+import wild
+from rich.console import Console
+
+from runner import clip, work
+from runner.exchange import formats
+from runner.exchange.hinged import Hinged
+from runner.motion import Saved
+from runner.progress import Teller
+
+SQUAT = """
+figure = "{file}"
+[solve]
+evaluations = 4
+[[keyframe]]
+time = 0
+others = "rest"
+[[keyframe]]
+time = 0.5
+root.position = [0, 0, 0.68]
+joints.left_elbow_joint = 40
+[[keyframe]]
+time = 1
+others = "rest"
+"""
+
+
+def motion_of(text: str) -> Saved:
+    quiet = Teller(Console(file=io.StringIO()))
+    return work.solve(clip.from_text(text, name="squat"), quiet).saved(quiet, with_report=False)
+
+
+def test_mjlab_loads_a_motion_and_its_g1_replays_it(tmp_path):
+    torch = pytest.importorskip("torch")
+    if importlib.util.find_spec("mjlab") is None:
+        pytest.skip("no package mjlab")
+    from mjlab.asset_zoo.robots.unitree_g1.g1_constants import G1_XML
+    from mjlab.scene import Scene
+    from mjlab.sim.sim import Simulation, SimulationCfg
+    from mjlab.tasks.tracking.config.g1.env_cfgs import unitree_g1_flat_tracking_env_cfg
+    from mjlab.tasks.tracking.mdp.commands import MotionLoader
+
+    saved = motion_of(SQUAT.format(file=G1_XML))
+    target = formats.export(saved, "mjlab", tmp_path / "squat.mjlab.npz", fps=50)
+    scene = Scene(unitree_g1_flat_tracking_env_cfg().scene, device="cpu")
+    sim = Simulation(num_envs=1, cfg=SimulationCfg(), model=scene.compile(), device="cpu")
+    scene.initialize(sim.mj_model, sim.model, sim.data)
+    robot = scene["robot"]
+    held = np.load(target)
+    assert list(held["joint_names"]) == list(robot.joint_names)
+    assert list(held["body_names"]) == list(robot.body_names)
+    found = MotionLoader(str(target), torch.arange(len(robot.body_names)))
+    assert found.time_step_total == 51
+    for step in range(0, found.time_step_total, 10):
+        root = torch.cat(
+            [getattr(found, f"body_{part}_w")[step, :1] for part in ("pos", "quat", "lin_vel", "ang_vel")], dim=1
+        )
+        robot.write_root_state_to_sim(root)
+        robot.write_joint_state_to_sim(found.joint_pos[step : step + 1], found.joint_vel[step : step + 1])
+        sim.forward()
+        scene.update(0.02)
+        for theirs, ours in (
+            (robot.data.body_link_pos_w, found.body_pos_w),
+            (robot.data.body_link_lin_vel_w, found.body_lin_vel_w),
+            (robot.data.body_link_ang_vel_w, found.body_ang_vel_w),
+        ):
+            torch.testing.assert_close(theirs[0], ours[step], atol=2e-4, rtol=1e-4)
+    assert float(held["body_pos_w"][25, 0, 2]) < float(held["body_pos_w"][0, 0, 2]) - 0.05
+
+
+@pytest.mark.parametrize("figure", ["human", "robot.xml"])
+def test_locomujoco_loads_a_trajectory_and_its_model_replays_it(tmp_path, monkeypatch, figure):
+    if importlib.util.find_spec("loco_mujoco") is None:
+        pytest.skip("no package loco_mujoco")
+    from loco_mujoco.trajectory import Trajectory
+
+    monkeypatch.chdir(tmp_path)
+    Path("robot.xml").write_text(wild.ROBOT)
+    saved = wild.motion_of(figure)
+    target = formats.export(saved, "locomujoco", tmp_path / "a.loco.npz")
+    found = Trajectory.load(str(target), backend=np)
+    at = wild.samples(saved)
+    hinged = Hinged.of(saved.figure.model, saved.scene, at.qpos, at.qvel)
+    data = mujoco.MjData(hinged.model)
+    assert found.info.frequency == wild.FPS
+    assert found.info.joint_names == [hinged.model.joint(i).name for i in range(hinged.model.njnt)]
+    np.testing.assert_array_equal(np.asarray(found.data.split_points), [0, len(at.time)])
+    for i in (0, len(at.time) // 2, len(at.time) - 1):
+        data.qpos[:], data.qvel[:] = np.asarray(found.data.qpos)[i], np.asarray(found.data.qvel)[i]
+        mujoco.mj_forward(hinged.model, data)
+        np.testing.assert_allclose(np.asarray(found.data.xpos)[i], data.xpos, atol=1e-9)
+        np.testing.assert_allclose(np.asarray(found.data.cvel)[i], data.cvel, atol=1e-8)
+        np.testing.assert_allclose(data.site_xpos, np.asarray(found.data.site_xpos)[i], atol=1e-9)
