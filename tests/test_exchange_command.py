@@ -53,6 +53,48 @@ def test_what_a_format_cannot_hold_leaves_no_file_behind(run, tmp_path):
     assert sorted(path.name for path in tmp_path.iterdir()) == ["robot.xml", "wild.npz"]
 
 
+def test_an_export_is_called_after_what_it_came_from(run, tmp_path):
+    (tmp_path / "wild.npz").rename(tmp_path / "v1.npz")  # whose name inside is still wild
+    code, _, said = run("export", "v1.npz", "--to", "csv")
+    assert code == 0 and said.splitlines()[-1] == "wrote v1.csv"
+    assert run("export", "v1.npz", "--to", "mjcf", "--simulate")[0] == 0
+    assert {path.name for path in tmp_path.iterdir()} == {"robot.xml", "v1.npz", "v1.csv", "v1.simulate.xml"}
+
+
+@pytest.mark.parametrize("output", [[], ["-o", "wild.csv"]])
+def test_an_exported_file_that_is_there_stays_unless_told(run, tmp_path, output):
+    (tmp_path / "wild.csv").write_text("mine")
+    code, _, said = run("export", "wild.npz", "--to", "csv", *output)
+    assert code == 2 and "'wild.csv' is there already; give another -o, or --overwrite" in said
+    assert (tmp_path / "wild.csv").read_text() == "mine"
+    assert run("export", "wild.npz", "--to", "csv", *output, "--overwrite")[0] == 0
+    assert (tmp_path / "wild.csv").read_text().startswith("time,floating.x")
+
+
+def test_what_lies_beside_an_export_stays_too_unless_it_is_the_same(run, tmp_path):
+    motion.save(wild.motion_of("human"), tmp_path / "human.npz")
+    beside = tmp_path / "human.mjlab.hinges.xml"
+    beside.write_text("mine")
+    code, _, said = run("export", "human.npz", "--to", "mjlab")
+    assert code == 2 and "'human.mjlab.hinges.xml' is there already" in said
+    assert beside.read_text() == "mine" and not (tmp_path / "human.mjlab.npz").exists()
+    assert run("export", "human.npz", "--to", "mjlab", "--overwrite")[0] == 0
+    (tmp_path / "human.mjlab.npz").unlink()
+    assert run("export", "human.npz", "--to", "mjlab")[0] == 0  # what is beside it is just what it would be
+
+
+def test_more_columns_are_for_tables_and_a_scene_to_simulate_is_for_mjcf(run, tmp_path):
+    assert run("export", "wild.npz", "--to", "csv", "--with", "velocities,torques")[0] == 0
+    assert "arm_pitch.t [N m]" in (tmp_path / "wild.csv").read_text().splitlines()[0]
+    code, _, said = run("export", "wild.npz", "-o", "a.bvh", "--with", "all")
+    assert code == 2 and "cannot hold columns of forces or velocities; those that can: csv" in said
+    code, _, said = run("export", "wild.npz", "-o", "a.bvh", "--simulate")
+    assert code == 2 and "cannot hold a scene to simulate; those that can: mjcf" in said
+    code, _, said = run("export", "wild.npz", "-o", "a.csv", "--with", "torqes")
+    assert code == 2 and "did you mean 'torques'" in said
+    assert not list(tmp_path.glob("a.*"))
+
+
 @pytest.mark.parametrize("output", [[], ["-o", "walk.npz"]])
 def test_a_motion_that_is_there_stays_unless_told(run, tmp_path, output):
     assert run("export", "wild.npz", "--to", "csv", "-o", "walk.csv")[0] == 0

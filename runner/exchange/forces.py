@@ -13,6 +13,7 @@ from functools import cached_property
 import mujoco
 import numpy as np
 
+from solver.algebra import cross
 from solver.dynamics import generalised_forces
 from solver.frame import Mask
 from solver.kinematics import Samples
@@ -35,13 +36,13 @@ class Foot:
 
     force   (3, T) [N], zero where nothing is given
     centre  (3, T) [m] of pressure: the mean of the points in contact by the forces along their normals; nan without any
-    free    (T,) [N m] moment about the normal there, nan likewise
+    moment  (3, T) [N m] about it, nan likewise: where the points are level, about their normal alone
     """
 
     name: str
     force: Array
     centre: Array
-    free: Array
+    moment: Array
 
 
 @dataclass(frozen=True)
@@ -110,14 +111,14 @@ class Forces:
         with np.errstate(invalid="ignore", divide="ignore"):
             centre = np.array([np.bincount(at, press * part, count) for part in place]) / total
         away = place - centre[:, at]
-        free = np.bincount(at, np.sum(np.cross(away, force, axis=0) * normals, axis=0), count)
+        moment = np.array([np.bincount(at, part, count) for part in cross(away, force)])
         loaded = total > 0
         name = figure.model.body(figure.links[link].body).name or figure.links[link].name
         return Foot(
             name,
             np.where(self.known, whole, np.nan),
             np.where(self.known & loaded, centre, np.nan),
-            np.where(self.known & loaded, free, np.nan),
+            np.where(self.known & loaded, moment, np.nan),
         )
 
     @cached_property

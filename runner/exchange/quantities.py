@@ -3,8 +3,8 @@
 velocities  left_hip.wx [rad/s]: MuJoCo's qvel; free joints in the world, their rotation and ball joints in body axes
 torques     left_hip.tx [N m]: of the joints, as qfrc_inverse has them, less what the ground does; body axes
 wrench      root.fx [N], root.mx [N m], com.x [m]: what must push the figure from outside, about its centre of mass
-ground      left_foot.fx [N], left_foot.cop.x [m], left_foot.free [N m]: the ground's reaction on each foot, its centre
-            of pressure and the moment about the normal there; unsupplied.fx [N], unsupplied.mx [N m]: what nobody gives
+ground      left_foot.fx [N], left_foot.cop.x [m], left_foot.mx [N m]: the ground's reaction on each foot, its centre of
+            pressure and the moment about that; unsupplied.fx [N], unsupplied.mx [N m]: what is left of the wrench
 
 Forces and moments are in the world's axes but where it says otherwise. nan: not known, see `forces`, or no pressure.
 """
@@ -60,7 +60,7 @@ def ground(take: Take, forces: Forces) -> Columns:
     for foot in forces.feet:
         out |= _vector(f"{foot.name}.f", "N", foot.force)
         out |= _vector(f"{foot.name}.cop.", "m", foot.centre)
-        out[f"{foot.name}.free [N m]"] = foot.free
+        out |= _vector(f"{foot.name}.m", "N m", foot.moment)
     return out | _vector("unsupplied.f", "N", forces.rest[:3]) | _vector("unsupplied.m", "N m", forces.rest[3:])
 
 

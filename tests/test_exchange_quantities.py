@@ -1,0 +1,144 @@
+"""Columns of velocities and forces: named, with units, and what MuJoCo's inverse dynamics says of the same motion."""
+
+import csv
+
+import mujoco
+import numpy as np
+import pytest
+import wild
+
+from runner import clip, work
+from runner.errors import UserError
+from runner.exchange import formats, quantities
+from runner.exchange.forces import Forces
+from runner.exchange.imported import imported
+from runner.exchange.take import Take, Wishes
+from runner.progress import Teller
+
+ALL = tuple(quantities.GROUPS)
+NAMES = (
+    "root.vx [m/s]", "root.wz [rad/s]", "left_knee.wy [rad/s]", "left_knee.ty [N m]", "root.fz [N]", "com.x [m]",
+    "left_foot.fz [N]", "left_foot.cop.x [m]", "left_foot.mz [N m]", "unsupplied.my [N m]",
+)  # fmt: skip
+
+
+def unsolved(name):
+    return work.unsolved(clip.load(name)).saved(Teller(), with_report=False)
+
+
+@pytest.fixture(scope="module")
+def walk():
+    return unsolved("walk_loop")
+
+
+@pytest.fixture(scope="module")
+def table(walk, tmp_path_factory):
+    """The file, and its columns by heading."""
+    path = formats.export(walk, "csv", tmp_path_factory.mktemp("walk") / "a.csv", wishes=Wishes(columns=ALL))
+    with path.open(newline="") as stream:
+        heading, *rows = csv.reader(stream)
+    return path, dict(zip(heading, np.array(rows, float).T, strict=True))
+
+
+def vector(columns, name, unit):
+    return np.array([columns[f"{name}{axis} [{unit}]"] for axis in "xyz"]).T
+
+
+def test_columns_have_names_and_units_and_the_table_is_read_as_before(walk, table):
+    path, columns = table
+    assert list(columns)[:3] == ["time", "root.x", "root.y"]
+    assert set(NAMES) <= columns.keys()
+    assert not any(name.startswith("root.t") for name in columns)
+    back = imported(path, figure="human")
+    np.testing.assert_allclose(wild.samples(back).qpos, wild.samples(walk).qpos, atol=1e-12)
+
+
+def test_velocities_are_mujocos(walk, table):
+    at, columns = wild.samples(walk), table[1]
+    np.testing.assert_allclose(vector(columns, "root.v", "m/s"), at.qvel[:, :3], atol=1e-12)
+    np.testing.assert_allclose(vector(columns, "spine.w", "rad/s"), at.qvel[:, 6:9], atol=1e-12)
+
+
+def test_feet_and_what_is_left_make_up_the_wrench_about_the_centre_of_mass(table):
+    columns = table[1]
+    force, moment = vector(columns, "unsupplied.f", "N"), vector(columns, "unsupplied.m", "N m")
+    for foot in ("left_foot", "right_foot"):
+        push = vector(columns, f"{foot}.f", "N")
+        arm = np.nan_to_num(vector(columns, f"{foot}.cop.", "m") - vector(columns, "com.", "m"))
+        force, moment = force + push, moment + np.cross(arm, push) + np.nan_to_num(vector(columns, f"{foot}.m", "N m"))
+    np.testing.assert_allclose(force, vector(columns, "root.f", "N"), atol=1e-3)
+    np.testing.assert_allclose(moment, vector(columns, "root.m", "N m"), atol=1e-3)
+    loaded = columns["left_foot.fz [N]"] > 50
+    assert 0.3 < loaded.mean() < 0.9
+    assert np.median(np.abs(columns["left_foot.cop.z [m]"][loaded])) < 0.01  # the sole, which a raw walk puts deep
+
+
+def test_torques_are_inverse_dynamics_under_the_grounds_forces(walk, table):
+    columns, at, model = table[1], wild.samples(walk), walk.figure.model
+    model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONTACT)
+    data = mujoco.MjData(model)
+    for t in range(0, len(at.time), 6):
+        data.qpos[:], data.qvel[:], data.qacc[:] = at.qpos[t], at.qvel[t], at.qacc[t]
+        mujoco.mj_inverse(model, data)
+        pushed = np.zeros(model.nv)
+        for foot in ("left_foot", "right_foot"):
+            push, place = vector(columns, f"{foot}.f", "N")[t], vector(columns, f"{foot}.cop.", "m")[t]
+            if np.isfinite(place).all():
+                twist = vector(columns, f"{foot}.m", "N m")[t]
+                mujoco.mj_applyFT(model, data, push, twist, place, model.body(foot).id, pushed)
+        expected = data.qfrc_inverse - pushed
+        for joint in ("left_knee", "right_ankle", "spine", "left_elbow"):
+            dof = int(model.joint(joint).dofadr[0])
+            found = vector(columns, f"{joint}.t", "N m")[t]
+            np.testing.assert_allclose(found, expected[dof : dof + 3], atol=1e-6)
+    assert np.abs(vector(columns, "left_ankle.t", "N m")).max() > 20  # a foot that nothing pushes needs less than 1
+
+
+def test_the_ground_carries_a_figure_that_stands():
+    take = Take.of(unsolved("sit_down"))
+    forces = Forces.of(take)
+    assert forces.wrench is not None and forces.support is not None
+    up = sum(foot.force[2, 0] for foot in forces.feet)
+    assert up == pytest.approx(forces.wrench.force[2, 0], rel=0.01)
+    assert up == pytest.approx(forces.support.unit, rel=0.2)
+
+
+def test_what_nobody_knows_is_not_a_number_and_is_told(tmp_path):
+    """A figure that stands for 0.3 s, and is elsewhere after a second: nobody says how it got there."""
+    text = 'figure = "human"\n'
+    for time, x in ((0, 0), (0.3, 0), (1.3, 0.8)):
+        text += f'[[keyframe]]\ntime = {time}\nroot.position = [{x}, 0, 0.93]\nothers = "rest"\n'
+    saved, said = work.unsolved(clip.from_text(text, name="away")).saved(Teller(), with_report=False), []
+    path = formats.export(saved, "csv", tmp_path / "a.csv", wishes=Wishes(columns=("ground",)), tell=said.append)
+    forces = Forces.of(Take.of(saved))
+    assert 0.1 < forces.known.mean() < 0.5
+    assert any("nothing says what carries the figure" in line for line in said)
+    with path.open(newline="") as stream:
+        heading, *rows = csv.reader(stream)
+    column = np.array(rows, float)[:, heading.index("left_foot.fz [N]")]
+    np.testing.assert_array_equal(np.isnan(column), ~forces.known)
+
+
+def test_a_figure_without_a_root_has_torques_but_no_wrench(tmp_path):
+    (tmp_path / "arm.xml").write_text(
+        '<mujoco><worldbody><body><joint name="turn"/><geom size=".1" pos=".3 0 0"/>'
+        '<body pos=".5 0 0"><joint name="reach" type="slide"/><geom size=".1"/></body></body></worldbody></mujoco>'
+    )
+    text = f'figure = "{tmp_path}/arm.xml"\n' + "".join(
+        f"[[keyframe]]\ntime = {t}\njoints.turn = {90 * t}\njoints.reach = 0\n" for t in (0, 1)
+    )
+    saved = work.unsolved(clip.from_text(text, name="arm")).saved(Teller(), with_report=False)
+    columns = quantities.table(Take.of(saved), ("velocities", "torques"))
+    assert list(columns) == ["turn.v [rad/s]", "reach.v [m/s]", "turn.t [N m]", "reach.f [N]"]
+    assert all(np.isfinite(column).all() for column in columns.values())
+    with pytest.raises(UserError, match="no free root"):
+        quantities.table(Take.of(saved), ("wrench",))
+    with pytest.raises(UserError, match="no foot that stands"):
+        quantities.table(Take.of(saved), ("ground",))
+
+
+def test_groups_are_named_with_commas():
+    assert quantities.named(" torques, ground,torques") == ("torques", "ground")
+    assert quantities.named("all") == ALL and quantities.named("") == ()
+    with pytest.raises(UserError, match="no column group 'forces'"):
+        quantities.named("velocities,forces")

@@ -1,0 +1,150 @@
+"""Exported scenes stand by themselves: mj_step plays them, with the motion as the actuators' targets."""
+
+import io
+
+import mujoco
+import numpy as np
+import pytest
+from rich.console import Console
+
+from runner import clip, work
+from runner.errors import UserError
+from runner.exchange import formats
+from runner.exchange.take import Wishes
+from runner.progress import Teller
+
+LASTS = 1.0  # [s] of simulation
+FALLEN = 0.03  # [m]
+WITHIN = {"sit_down": (0.03, 4.0), "walk_loop": (0.2, 16.0)}  # root off [m], turned off [degrees], after a second
+RIG = """
+<mujoco>
+  <worldbody>
+    <geom name="floor" type="plane" size="0 0 1" contype="0" conaffinity="0"/>
+    <geom name="sign" type="sphere" size=".05" pos="9 0 3" contype="4" conaffinity="0"/>
+    <body name="base" pos="0 0 .5"><freejoint name="root"/>
+      <geom name="hull" type="box" size=".2 .2 .05" mass="5" contype="2" conaffinity="2"/>
+      <geom name="badge" type="box" size=".3 .3 .01" mass="0" contype="0" conaffinity="0"/>
+      <body name="lift" pos="0 0 .05"><joint name="lift" type="slide" axis="0 0 1" range="0 .3"/>
+        <geom size=".05" mass="1"/>
+        <body name="lid" pos="0 0 .1"><joint type="hinge" axis="0 1 0"/>
+          <geom type="box" size=".1 .1 .01" mass=".5"/></body></body>
+    </body>
+  </worldbody>
+  <actuator><motor joint="lift" name="old"/></actuator>
+  <sensor><actuatorpos actuator="old"/><jointpos joint="lift"/></sensor>
+</mujoco>
+"""
+KEYS = """
+figure = "{file}"
+[[keyframe]]
+time = 0
+others = "rest"
+[[keyframe]]
+time = 1
+joints.lift = 0.2
+others = "rest"
+"""
+
+
+def quiet():
+    return Teller(Console(file=io.StringIO()))
+
+
+@pytest.fixture(scope="module", params=WITHIN)
+def person(request, tmp_path_factory):
+    """A shipped clip, solved and exported to be simulated, and without."""
+    saved = work.solve(clip.load(request.param), quiet()).saved(quiet(), with_report=False)
+    folder = tmp_path_factory.mktemp("person")
+    formats.export(saved, "mjcf", folder / "stands.xml", wishes=Wishes(simulate=True))
+    formats.export(saved, "mjcf", folder / "falls.xml")
+    return request.param, folder
+
+
+def played(path, lasts=LASTS):
+    """The model, its state after so long with the keys' ctrl as targets, and the deepest contact on the way [m]."""
+    model = mujoco.MjModel.from_xml_path(str(path))
+    data = mujoco.MjData(model)
+    mujoco.mj_resetDataKeyframe(model, data, 0)
+    begin, deepest = data.time, 0.0
+    while data.time < begin + lasts:
+        data.ctrl = at(model, model.key_ctrl, data.time)
+        mujoco.mj_step(model, data)
+        deepest = max([deepest, *(-contact.dist for contact in data.contact)])
+    return model, data, deepest
+
+
+def at(model, rows, time):
+    """Rows of a model's keys at a time between them."""
+    return np.array([np.interp(time, model.key_time, column) for column in rows.T])
+
+
+def off(model, data):
+    """How far the root is from the motion [m], how far turned, and the joint farthest off [degrees]."""
+    away = np.zeros(model.nv)
+    mujoco.mj_differentiatePos(model, away, 1, at(model, model.key_qpos, data.time), data.qpos)
+    return np.linalg.norm(away[:3]), np.degrees(np.linalg.norm(away[3:6])), np.degrees(np.abs(away[6:]).max())
+
+
+def test_the_human_follows_its_motion_and_falls_through_nothing(person):
+    name, folder = person
+    model, data, deepest = played(folder / "stands.xml")
+    moved, turned, joint = off(model, data)
+    assert moved < WITHIN[name][0]
+    assert turned < WITHIN[name][1]
+    assert joint < 5
+    assert deepest < FALLEN
+    assert data.xpos[1, 2] == pytest.approx(at(model, model.key_qpos, data.time)[2], abs=FALLEN)
+
+
+def test_without_it_the_human_falls_through_the_floor(person):
+    _, folder = person
+    model = mujoco.MjModel.from_xml_path(str(folder / "falls.xml"))
+    data = mujoco.MjData(model)
+    mujoco.mj_resetDataKeyframe(model, data, 0)
+    mujoco.mj_step(model, data, round(LASTS / model.opt.timestep))
+    assert data.qpos[2] < -1
+    assert model.nu == 0
+
+
+def test_every_joint_has_actuators_with_gains_that_hold_it(person):
+    _, folder = person
+    model = mujoco.MjModel.from_xml_path(str(folder / "stands.xml"))
+    assert model.nu == model.nv - 6
+    named = {model.actuator(i).name: model.actuator_gainprm[i, 0] for i in range(model.nu)}
+    assert {"left_ankle_x", "left_ankle_y", "left_ankle_z", "spine_x"} <= named.keys()
+    weight = 9.81 * float(model.body_mass.sum())
+    assert named["left_ankle_y"] > weight * 0.93 / 2  # both ankles hold the body above them
+    ratio = -model.actuator_biasprm[:, 2] / model.actuator_gainprm[:, 0]
+    np.testing.assert_allclose(ratio, 0.04, rtol=0.02)
+
+
+@pytest.fixture(scope="module")
+def rig(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("rig")
+    (folder / "rig.xml").write_text(RIG)
+    problem = clip.from_text(KEYS.format(file=folder / "rig.xml"), name="rig")
+    saved = work.unsolved(problem).saved(quiet(), with_report=False)
+    formats.export(saved, "mjcf", folder / "rig.simulate.xml", wishes=Wishes(simulate=True))
+    return saved, folder / "rig.simulate.xml"
+
+
+def test_what_a_model_lets_collide_stays_so_and_meets_the_floor(rig):
+    _, path = rig
+    model, data, _ = played(path, 0.9)
+    assert data.qpos[2] == pytest.approx(0.05, abs=0.01)  # it has dropped on to the floor and lies there
+    assert data.joint("lift").qpos[0] == pytest.approx(0.18, abs=0.01)
+    bits = {
+        name: (int(model.geom(name).contype[0]), int(model.geom(name).conaffinity[0])) for name in ("hull", "badge")
+    }
+    assert bits == {"hull": (2, 2), "badge": (0, 0)}
+
+
+def test_actuators_of_the_model_are_replaced_and_what_has_no_name_gets_one(rig):
+    model = mujoco.MjModel.from_xml_path(str(rig[1]))
+    assert [model.actuator(i).name for i in range(model.nu)] == ["lift", "joint2"]
+    assert model.nsensor == 1
+
+
+def test_only_mjcf_can_be_simulated(rig, tmp_path):
+    with pytest.raises(UserError, match="the format 'csv' cannot hold a scene to simulate; those that can: mjcf"):
+        formats.export(rig[0], "csv", tmp_path / "a.csv", wishes=Wishes(simulate=True))
