@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from enum import Enum
+from functools import cache
 from typing import Any
 
 import mujoco
+import numpy as np
 
 
 class Lamp(Enum):
@@ -51,6 +54,39 @@ def remove(spec: mujoco.MjSpec, element: Any) -> None:
         spec.detach_body(element)
     else:
         element.delete()
+
+
+def portable_text(spec: mujoco.MjSpec) -> str:
+    """A compiled model's text that older versions read as well: without attributes that say what they take for granted.
+
+    Before 3.3.3 or so MuJoCo writes the elevations of a height field upside down; here they are turned back.
+    """
+    text = re.sub(r"<light [^>]*>", lambda found: _plain_light(found[0]), spec.to_xml())
+    text = re.sub(r"<texture [^>]*>", lambda found: found[0].replace(' colorspace="auto"', ""), text)
+    return re.sub(r"<hfield [^>]*>", lambda found: _upright(found[0]), text) if _turns_height_fields() else text
+
+
+def _plain_light(tag: str) -> str:
+    return tag.replace(' type="directional"', ' directional="true"').replace(' type="spot"', "")
+
+
+@cache
+def _turns_height_fields() -> bool:
+    """Whether this MuJoCo reads another height field from a text than the one it wrote there."""
+    text = '<mujoco><asset><hfield name="h" nrow="2" ncol="2" size="1 1 1 1" elevation="0 0 1 1"/></asset></mujoco>'
+    spec = mujoco.MjSpec.from_string(text)
+    before = spec.compile().hfield_data
+    return not np.array_equal(before, mujoco.MjModel.from_xml_string(spec.to_xml()).hfield_data)
+
+
+def _upright(tag: str) -> str:
+    """A height field's element with its rows in the other order."""
+    found = re.search(r'elevation="([^"]*)"', tag)
+    columns = re.search(r'ncol="(\d+)"', tag)
+    if found is None or columns is None:
+        return tag
+    rows = np.array(found[1].split()).reshape(-1, int(columns[1]))[::-1]
+    return tag.replace(found[0], f'elevation="{" ".join(rows.ravel())}"')
 
 
 def mesh_folder(spec: mujoco.MjSpec, element: Any) -> str:

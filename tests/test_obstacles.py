@@ -178,6 +178,7 @@ def _ray_hull(hull: Surface, start: Array, way: Array) -> float:
     return min(found, default=-1.0)
 
 
+@pytest.mark.skipif(int(mujoco.__version__[0]) < 4, reason="MuJoCo 3 tells no distances from height fields")
 def test_spheres_whose_centres_are_over_a_height_field_are_as_deep_as_mujoco_says(rng):
     points = about("ground", rng, 600)
     over = GROUND.height(points)[:, 0]

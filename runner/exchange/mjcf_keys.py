@@ -17,7 +17,7 @@ import numpy as np
 
 from ..assets import taken_along
 from ..errors import UserError
-from ..mujoco_versions import remove
+from ..mujoco_versions import portable_text, remove
 from ..scene import figure_spec, first_line, quietly
 from . import simulated
 from .held import Held
@@ -90,4 +90,4 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     assets = taken_along(spec)
     spec.assets = dict(assets)
     spec.compile()
-    return Recording(time, values, spec.to_xml(), assets=assets)
+    return Recording(time, values, portable_text(spec), assets=assets)

@@ -29,6 +29,7 @@ from solver.figure import Figure
 from solver.quaternion import Array
 
 from .. import clip
+from ..mujoco_versions import portable_text
 from ..penetration import moving_geoms, solid_geoms
 from .forces import Forces
 from .take import Take
@@ -147,7 +148,7 @@ def scene(take: Take, actuators: list[Drive]) -> ElementTree.Element:
     spec.option.cone = int(mujoco.mjtCone.mjCONE_ELLIPTIC)
     spec.option.impratio = max(float(model.opt.impratio), IMPEDANCE)
     spec.compile()
-    root = ElementTree.fromstring(spec.to_xml())
+    root = ElementTree.fromstring(portable_text(spec))
     for section in root.findall("actuator"):
         root.remove(section)
     for sensors in root.findall("sensor"):
