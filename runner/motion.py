@@ -163,7 +163,7 @@ def write_arrays(target: Path, arrays: Mapping[str, Any]) -> None:
 
     Without `allow_pickle`, which NumPy knows since 2.1 and takes for the name of an array before.
     """
-    plain = {name: np.asarray(array) for name, array in arrays.items()}
+    plain: dict[str, Any] = {name: np.asarray(array) for name, array in arrays.items()}
     pickled = [name for name, array in plain.items() if array.dtype.hasobject]
     if pickled:
         raise TypeError(f"'{pickled[0]}' holds objects")

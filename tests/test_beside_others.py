@@ -6,6 +6,7 @@ this package; a test is skipped where its program is not there.
 
 from __future__ import annotations
 
+import importlib
 import importlib.util
 import io
 from pathlib import Path
@@ -48,22 +49,21 @@ def test_mjlab_loads_a_motion_and_its_g1_replays_it(tmp_path):
     torch = pytest.importorskip("torch")
     if importlib.util.find_spec("mjlab") is None:
         pytest.skip("no package mjlab")
-    from mjlab.asset_zoo.robots.unitree_g1.g1_constants import G1_XML
-    from mjlab.scene import Scene
-    from mjlab.sim.sim import Simulation, SimulationCfg
-    from mjlab.tasks.tracking.config.g1.env_cfgs import unitree_g1_flat_tracking_env_cfg
-    from mjlab.tasks.tracking.mdp.commands import MotionLoader
+    mjlab = importlib.import_module
+    simulation, robots = mjlab("mjlab.sim.sim"), mjlab("mjlab.asset_zoo.robots.unitree_g1.g1_constants")
+    config = mjlab("mjlab.tasks.tracking.config.g1.env_cfgs").unitree_g1_flat_tracking_env_cfg()
+    loader = mjlab("mjlab.tasks.tracking.mdp.commands").MotionLoader
 
-    saved = motion_of(SQUAT.format(file=G1_XML))
+    saved = motion_of(SQUAT.format(file=robots.G1_XML))
     target = formats.export(saved, "mjlab", tmp_path / "squat.mjlab.npz", fps=50)
-    scene = Scene(unitree_g1_flat_tracking_env_cfg().scene, device="cpu")
-    sim = Simulation(num_envs=1, cfg=SimulationCfg(), model=scene.compile(), device="cpu")
+    scene = mjlab("mjlab.scene").Scene(config.scene, device="cpu")
+    sim = simulation.Simulation(num_envs=1, cfg=simulation.SimulationCfg(), model=scene.compile(), device="cpu")
     scene.initialize(sim.mj_model, sim.model, sim.data)
     robot = scene["robot"]
     held = np.load(target)
     assert list(held["joint_names"]) == list(robot.joint_names)
     assert list(held["body_names"]) == list(robot.body_names)
-    found = MotionLoader(str(target), torch.arange(len(robot.body_names)))
+    found = loader(str(target), torch.arange(len(robot.body_names)))
     assert found.time_step_total == 51
     for step in range(0, found.time_step_total, 10):
         root = torch.cat(
@@ -86,13 +86,12 @@ def test_mjlab_loads_a_motion_and_its_g1_replays_it(tmp_path):
 def test_locomujoco_loads_a_trajectory_and_its_model_replays_it(tmp_path, monkeypatch, figure):
     if importlib.util.find_spec("loco_mujoco") is None:
         pytest.skip("no package loco_mujoco")
-    from loco_mujoco.trajectory import Trajectory
-
+    trajectory = importlib.import_module("loco_mujoco.trajectory").Trajectory
     monkeypatch.chdir(tmp_path)
     Path("robot.xml").write_text(wild.ROBOT)
     saved = wild.motion_of(figure)
     target = formats.export(saved, "locomujoco", tmp_path / "a.loco.npz")
-    found = Trajectory.load(str(target), backend=np)
+    found = trajectory.load(str(target), backend=np)
     at = wild.samples(saved)
     hinged = Hinged.of(saved.figure.model, saved.scene, at.qpos, at.qvel)
     data = mujoco.MjData(hinged.model)

@@ -89,11 +89,11 @@ def test_mjlab_comes_back_and_so_do_files_without_names_or_in_another_order(huma
     came_back(human, target)
     entries = dict(np.load(target))
     nameless = {name: array for name, array in entries.items() if not name.endswith("names")}
-    np.savez(tmp_path / "theirs.npz", **(nameless | {"fps": np.array([50])}))
+    motion.write_arrays(tmp_path / "theirs.npz", nameless | {"fps": np.array([50])})
     came_back(human, tmp_path / "theirs.npz")
     order = np.random.default_rng(1).permutation(len(entries["joint_names"]))
     mixed = {"joint_names": entries["joint_names"][order], "joint_pos": entries["joint_pos"][:, order]}
-    np.savez(tmp_path / "mixed.npz", **(entries | mixed))
+    motion.write_arrays(tmp_path / "mixed.npz", entries | mixed)
     came_back(human, tmp_path / "mixed.npz")
     target, _ = exported(robot, "mjlab", tmp_path)
     assert list(np.load(target)["joint_names"]) == JOINTS
@@ -176,7 +176,7 @@ def test_locomujoco_reads_files_of_its_own_tool_and_refuses_several_motions(robo
     }
     np.savez(tmp_path / "theirs.npz", **entries)
     came_back(robot, tmp_path / "theirs.npz", str(robot_file), tolerance=1e-5)
-    np.savez(tmp_path / "two.npz", **(entries | {"split_points": np.array([0, 10, len(before.time)])}))
+    motion.write_arrays(tmp_path / "two.npz", entries | {"split_points": np.array([0, 10, len(before.time)])})
     with pytest.raises(UserError, match="holds 2 motions"):
         imported(tmp_path / "two.npz", figure=str(robot_file))
 
