@@ -21,6 +21,7 @@ from .dressing import dress
 from .errors import UserError, unknown
 from .framing import STANDING, is_of_people_size, rest_box, size_of
 from .lighting import is_well_lit
+from .mujoco_versions import attach, geom_named, portable_text, remove, size_of_pictures
 from .obstacle import Obstacle
 
 PREFIX = "stage_"
@@ -89,7 +90,7 @@ def compose(spec: mujoco.MjSpec, step: Step | None = None, obstacles: Sequence[O
     """
     assets = taken_along(spec)
     for key in list(spec.keys):
-        spec.delete(key)
+        remove(spec, key)
     bare = _compiled(spec, assets)
     has_floor = bool(grounds(bare))
     is_staged = has_floor and any(material.name == PREFIX + "step" for material in spec.materials)  # by an earlier call
@@ -98,15 +99,15 @@ def compose(spec: mujoco.MjSpec, step: Step | None = None, obstacles: Sequence[O
         with quietly():
             if not is_staged:
                 dress(spec, bare, PREFIX)
-                spec.attach(stage, frame=spec.worldbody.add_frame(), prefix=PREFIX)
+                attach(spec, stage, PREFIX)
             if not has_floor and all(geom.name != "floor" for geom in spec.geoms):
-                spec.geom(PREFIX + "floor").name = "floor"
+                geom_named(spec, PREFIX + "floor").name = "floor"
             if step is not None:
                 _add_step(spec, step)
             for obstacle in obstacles:
                 obstacle.add_to(spec, PREFIX + "step")
             _compiled(spec, assets)
-            return Scene(spec.to_xml(), assets)
+            return Scene(portable_text(spec), assets)
     except ValueError as error:
         raise UserError(f"MuJoCo cannot compile the model with its stage: {first_line(error)}") from None
 
@@ -119,7 +120,7 @@ def _stage(spec: mujoco.MjSpec, bare: mujoco.MjModel, *, has_floor: bool) -> muj
     skies = [texture for texture in stage.textures if texture.type == mujoco.mjtTexture.mjTEXTURE_SKYBOX]
     for unwanted, present in ((list(stage.geoms), has_floor), (list(stage.lights), has_light), (skies, has_sky)):
         for element in unwanted if present else []:
-            stage.delete(element)
+            remove(stage, element)
     if not has_light:
         for lamp in spec.lights:
             lamp.active = False
@@ -129,9 +130,9 @@ def _stage(spec: mujoco.MjSpec, bare: mujoco.MjModel, *, has_floor: bool) -> muj
     if not has_floor and not np.any(bare.jnt_type == int(mujoco.mjtJoint.mjJNT_FREE)):
         low = float(rest_box(bare)[0][2])
         if low < -BURIED:  # what hangs on the world may hang lower than its origin
-            stage.geom("floor").pos = [0.0, 0.0, low - BELOW * size_of(bare)]
-    spec.visual.global_.offwidth = stage.visual.global_.offwidth
-    spec.visual.global_.offheight = stage.visual.global_.offheight
+            geom_named(stage, "floor").pos = [0.0, 0.0, low - BELOW * size_of(bare)]
+    size, wanted = size_of_pictures(spec), size_of_pictures(stage)
+    size.offwidth, size.offheight = wanted.offwidth, wanted.offheight
     return stage
 
 
