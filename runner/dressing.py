@@ -7,6 +7,8 @@ import numpy as np
 
 from solver.touch import grounds, moves
 
+from .mujoco_versions import geoms_by_number
+
 GREY = (0.5, 0.5, 0.5, 1.0)  # MuJoCo's colour of a geom that says nothing
 HIDDEN = 3  # the first group of geoms that is not drawn
 
@@ -17,8 +19,7 @@ def dress(spec: mujoco.MjSpec, bare: mujoco.MjModel, prefix: str) -> None:
     bare  the spec compiled as it is, without the stage;  prefix  of the stage's names in what it will become
     """
     floors, moving, depth = set(grounds(bare)), moves(bare), _depths(bare)
-    for geom in spec.geoms:
-        index = int(geom.id)
+    for index, geom in enumerate(geoms_by_number(spec)):
         if geom.material or not np.allclose(geom.rgba, GREY) or bare.geom_group[index] >= HIDDEN:
             continue
         if index in floors:

@@ -11,6 +11,8 @@ import numpy as np
 from solver.quaternion import Array
 
 from .framing import rest_box
+from .mujoco_versions import Lamp
+from .mujoco_versions import lamp as kind_of
 
 ABOUT = 2.0  # of a figure's size, how far from it on each side the ground should be lit; half of it for a fixed one
 LEAST = 0.7  # of full light, what a grey ground needs to be seen as grey
@@ -48,7 +50,7 @@ def brightness(model: mujoco.MjModel) -> Array:
 def _reaching(model: mujoco.MjModel, data: mujoco.MjData, lamp: int, ground: Array) -> Array:
     """(n,) the share of a lamp's light that falls on level ground (n, 3), as OpenGL reckons a spot's cone."""
     ahead = data.light_xdir[lamp] / np.linalg.norm(data.light_xdir[lamp])
-    if model.light_type[lamp] == int(mujoco.mjtLightType.mjLIGHT_DIRECTIONAL):
+    if kind_of(model, lamp) is Lamp.DIRECTIONAL:
         return np.full(len(ground), max(-float(ahead[2]), 0.0))
     way = ground - data.light_xpos[lamp]
     way /= np.maximum(np.linalg.norm(way, axis=1, keepdims=True), 1e-9)

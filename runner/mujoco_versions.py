@@ -110,6 +110,11 @@ def attach(spec: mujoco.MjSpec, other: mujoco.MjSpec, prefix: str) -> None:
     spec.worldbody.attach_frame(frame, prefix, "")
 
 
+def geoms_by_number(spec: mujoco.MjSpec) -> list[Any]:
+    """The geoms in the order of the compiled model: body after body."""
+    return [geom for body in spec.bodies for geom in body.geoms]
+
+
 def geom_named(spec: mujoco.MjSpec, name: str) -> Any:
     """The geom of a name that is there."""
     return next(geom for geom in spec.geoms if geom.name == name)

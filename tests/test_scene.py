@@ -13,7 +13,7 @@ from runner.lighting import brightness
 from runner.scene import Step, compose, figure_spec, quietly
 
 OWN_STAGE = """<worldbody>
-  <light name="lamp" type="directional" dir="0 0 -1"/><geom name="ground" type="plane" size="1 1 1" contype="1"/>"""
+  <light name="lamp" directional="true" dir="0 0 -1"/><geom name="ground" type="plane" size="1 1 1" contype="1"/>"""
 
 
 def spec_of(text: str) -> mujoco.MjSpec:
@@ -162,7 +162,7 @@ def test_a_model_that_has_its_stage_already_is_composed_as_it_is():
         "",
         '<light name="lamp" pos="0 0 2" mode="trackcom"/>',
         '<light name="lamp" pos="0 0 9" dir="0 0 -1" active="false"/>',
-        '<light name="lamp" type="directional" dir="0 0 1"/>',
+        '<light name="lamp" directional="true" dir="0 0 1"/>',
     ],
 )
 def test_a_figure_in_the_dark_or_in_a_cone_of_light_is_seen_in_the_stages_light_alone(lamp):
@@ -176,7 +176,7 @@ def test_a_figure_in_the_dark_or_in_a_cone_of_light_is_seen_in_the_stages_light_
 def test_light_is_measured_as_it_falls_on_the_ground_about_a_figure():
     ball = '<body pos="0 0 1"><freejoint/><geom size=".5"/></body>'
     head = '<visual><headlight ambient=".1 .1 .1" diffuse=".2 .2 .2"/></visual>'
-    level = '<light type="directional" dir="1 0 -1" diffuse=".6 .6 .6"/>'
+    level = '<light directional="true" dir="1 0 -1" diffuse=".6 .6 .6"/>'
     slanted = brightness(spec_of(f"<mujoco>{head}<worldbody>{level}{ball}</worldbody></mujoco>").compile())
     np.testing.assert_allclose(slanted, 0.1 + 0.5 * 0.2 + 0.6 * np.sqrt(0.5))
     cone = '<light pos="0 0 2.5" dir="0 0 -1" cutoff="60" exponent="3" diffuse=".6 .6 .6"/>'

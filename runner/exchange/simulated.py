@@ -29,7 +29,7 @@ from solver.figure import Figure
 from solver.quaternion import Array
 
 from .. import clip
-from ..mujoco_versions import portable_text
+from ..mujoco_versions import geoms_by_number, portable_text
 from ..penetration import moving_geoms, solid_geoms
 from .forces import Forces
 from .take import Take
@@ -166,7 +166,7 @@ def scene(take: Take, actuators: list[Drive]) -> ElementTree.Element:
 
 def _collide(spec: mujoco.MjSpec, model: mujoco.MjModel) -> None:
     """Lets the figure and what is solid around it meet."""
-    geoms = [geom for body in spec.bodies for geom in body.geoms]
+    geoms = geoms_by_number(spec)
     movers, solids = list(moving_geoms(model)), list(solid_geoms(model))
     if not any(geoms[i].contype or geoms[i].conaffinity for i in movers):
         for i in movers:
