@@ -22,6 +22,10 @@ from .footing import flights as flights
 from .footing import footings as footings
 from .grounded import Grounded as Grounded
 from .grounded import grounded_intervals as grounded_intervals
+from .hold import Hold as Hold
+from .hold import Holding as Holding
+from .hold import Spot as Spot
+from .hold import slipped as slipped
 from .joint_range import JointRange as JointRange
 from .joint_range import Range as Range
 from .joint_range import joint_ranges as joint_ranges
