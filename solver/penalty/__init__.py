@@ -2,6 +2,9 @@
 
 from .bend import Bend as Bend
 from .bend import BendLimits as BendLimits
+from .carried import carried_links as carried_links
+from .carried import surfaces_on as surfaces_on
+from .carried import tree_of as tree_of
 from .closed import Closed as Closed
 from .closed import Closure as Closure
 from .closed import closures as closures

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import quaternion as quat
-from ..algebra import dot
+from ..algebra import applied, dot
 from ..allowance import Allowance
 from ..curvature import Curvature, Sides
 from ..figure import Figure, JointKind
@@ -58,6 +58,7 @@ class Contact:
     """Σ over points and surfaces of depth² [m²], every point grown by `margin` [m].
 
     allowed  (n, K) [m] how much smaller points are, for what keyframes do themselves
+    carrier  index of the link that carries the surfaces, which are in its axes; 0: the world, where they stand still
     """
 
     points: tuple[Point, ...]
@@ -65,13 +66,14 @@ class Contact:
     margin: float = 0.0
     allowed: Allowance | None = None
     name: str = "contact"
+    carrier: int = 0
 
     def allowing(self, figure: Figure, keys: Timeline) -> Contact:
         """The same that lets pass how deep points whose places keyframes fix are in them, margin and all."""
         if not self.points or not self.surfaces:
             return self
         samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
-        centres, _, _ = self.centres(samples)
+        centres = self.seen(samples, self.centres(samples)[0])
         deep = np.max([surface.depth(centres, self._arrays[2])[0] for surface in self.surfaces], axis=0)
         return replace(self, allowed=Allowance(keys.times, deep * placed(figure, keys.fixed, self.points)))
 
@@ -124,12 +126,19 @@ class Contact:
         links, positions, _ = self._arrays
         return *samples.links.points(links, positions), links
 
+    def seen(self, samples: Samples, points: Array) -> Array:
+        """Points (3, n, S) of the world in the axes of the surfaces' carrier."""
+        if not self.carrier:
+            return points
+        away = points - samples.links.x[:, self.carrier, None]
+        return np.einsum("ijs,ins->jns", samples.links.rotation[:, :, self.carrier], away)
+
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         values = np.zeros(samples.count)
         if not self.points or not self.surfaces:
             return values
         carriers, middles, reach = self._bounds
-        around, _ = samples.links.points(carriers, middles)
+        around = self.seen(samples, samples.links.points(carriers, middles)[0])
         touching = [surface.near(around, reach[:, None]) for surface in self.surfaces]
         near = np.flatnonzero(np.logical_or.reduce(touching))
         if not near.size:
@@ -149,12 +158,22 @@ class Contact:
             if into is not None:
                 force = gradient.reshape(3, -1).take(deep, axis=1)
                 force *= scale.take(at) * depth
+                force, leg = self._in_world(samples, at, force, centres.reshape(3, -1).take(deep, axis=1))
                 into.add_forces(pairs, arms.take(deep, axis=1), force)
+                if self.carrier:
+                    into.add_forces(self.carrier * samples.count + at, leg, -force)
         return values
 
+    def _in_world(self, samples: Samples, at: Index, force: Array, place: Array) -> tuple[Array, Array]:
+        """A vector and a place (3, P) in the carrier's axes, turned into the world's, at samples `at` (P,)."""
+        if not self.carrier:
+            return force, place
+        rotation = samples.links.rotation[:, :, self.carrier, at]
+        return applied(rotation, force), applied(rotation, place)
+
     def _near(self, samples: Samples, near: Index) -> tuple[Index, Array, Array, Array]:
-        """All points of k pairs of a link and a sample: link · S + sample (k,), arms (3, p k), centres (3, p k, 1) and
-        radii (p k,).
+        """All points of k pairs of a link and a sample: link · S + sample (k,), arms (3, p k), centres (3, p k, 1) in
+        the axes of the surfaces and radii (p k,).
 
         near  (k,) which: carrier · S + sample
         """
@@ -163,7 +182,11 @@ class Contact:
         flat = self._bounds[0].take(carrier) * samples.count + at
         x, rotation = samples.links.poses(flat)
         arms = np.einsum("ijk,jpk->ipk", rotation, positions.take(carrier, axis=2))
-        centres = (arms + x[:, None]).reshape(3, -1, 1)
+        centres = arms + x[:, None]
+        if self.carrier:
+            origin, turn = samples.links.poses(self.carrier * samples.count + at)
+            centres = np.einsum("ijk,ipk->jpk", turn, centres - origin[:, None])
+        centres = centres.reshape(3, -1, 1)
         radii = radii.take(carrier, axis=1)
         if self._allowed_by_link is not None:
             radii = radii - self._allowed_by_link.of(carrier, samples.t.take(at))
@@ -176,7 +199,7 @@ class Contact:
         if not self.points or not self.surfaces:
             return None
         carriers, middles, reach = self._bounds
-        around, _ = samples.links.points(carriers, middles)
+        around = self.seen(samples, samples.links.points(carriers, middles)[0])
         parts = []
         for surface in self.surfaces:
             near = np.flatnonzero(surface.near(around, reach[:, None] + NEAR))
@@ -193,7 +216,11 @@ class Contact:
             depth = np.where(inside, depth[:, 0], np.minimum(beyond, 0))
             way = np.where(inside, way[..., 0], way_about)
             link, at = np.divmod(flat[kept % flat.size], samples.count)
-            parts.append(Sides(at, depth, point_gradients(samples, at, link, arms[:, kept], way)))
+            way, leg = self._in_world(samples, at, way, centres[:, kept, 0])
+            rows = point_gradients(samples, at, link, arms[:, kept], way)
+            if self.carrier:
+                rows -= point_gradients(samples, at, np.full(at.size, self.carrier), leg, way)
+            parts.append(Sides(at, depth, rows))
         return Sides.joined(parts) if parts else Sides.none(samples)
 
 

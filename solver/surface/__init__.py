@@ -9,5 +9,6 @@ from .height_field import HeightField as HeightField
 from .hull import Hull as Hull
 from .plane import Plane as Plane
 from .static import hull_of as hull_of
+from .static import moving_surface as moving_surface
 from .static import static_surfaces as static_surfaces
 from .surface import Surface as Surface

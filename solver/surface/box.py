@@ -21,13 +21,17 @@ SIDEWAYS = 4.0
 
 @dataclass(frozen=True)
 class Box:
-    """A solid box: centre (3,) [m], axes (3, 3) by columns, half sizes (3,) [m]; buried: no way out downwards."""
+    """A solid box: centre (3,) [m], axes (3, 3) by columns, half sizes (3,) [m]; buried: no way out downwards.
+
+    sideways  κ of the faces that do not look up
+    """
 
     name: str
     centre: Array
     axes: Array
     half: Array
     buried: bool = True
+    sideways: float = SIDEWAYS
 
     def depth(self, points: Array, radius: Array) -> tuple[Array, Array]:
         local = self._local(points)
@@ -55,7 +59,7 @@ class Box:
         outward = np.concatenate([np.eye(3), -np.eye(3)])
         rise = outward @ self.axes[2]
         kept = ~((rise < -UPRIGHT) & self.buried)
-        kappa = np.where(rise > UPRIGHT, 1.0, SIDEWAYS)[kept, None]
+        kappa = np.where(rise > UPRIGHT, 1.0, self.sideways)[kept, None]
         return outward[kept], np.tile(self.half, 2)[kept], kappa, -self.axes @ (kappa * outward[kept]).T
 
     def near(self, points: Array, radius: Array) -> NDArray[np.bool_]:

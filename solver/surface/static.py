@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import mujoco
 import numpy as np
 
@@ -27,8 +29,17 @@ def static_surfaces(model: mujoco.MjModel) -> tuple[Surface, ...]:
     ids = touch.solids(model)
     planes = [_plane(model, data, g) for g in ids if model.geom_type[g] == mujoco.mjtGeom.mjGEOM_PLANE]
     floor = max((p.point[2] for p in planes if p.normal[2] > 0.99), default=-np.inf)
-    solids = [_solid(model, data, g, floor) for g in ids]
+    solids = [
+        _solid(model, g, data.geom_xpos[g].copy(), data.geom_xmat[g].reshape(3, 3).copy(), floor) for g in ids
+    ]
     return (*planes, *(solid for solid in solids if solid is not None))
+
+
+def moving_surface(model: mujoco.MjModel, geom: int, centre: Array, axes: Array) -> Surface | None:
+    """The surface of a geom that moves, at a place (3,) [m] and with axes (3, 3) in those of its carrier; None for
+    shapes that have none. All its faces are ways out, each as good as another."""
+    found = _solid(model, geom, centre, axes, -np.inf)
+    return replace(found, sideways=1.0) if isinstance(found, Box) else found
 
 
 def _plane(model: mujoco.MjModel, data: mujoco.MjData, geom: int) -> Plane:
@@ -36,11 +47,10 @@ def _plane(model: mujoco.MjModel, data: mujoco.MjData, geom: int) -> Plane:
     return Plane(geom_name(model, geom), data.geom_xpos[geom].copy(), normal)
 
 
-def _solid(model: mujoco.MjModel, data: mujoco.MjData, geom: int, floor: float) -> Surface | None:
+def _solid(model: mujoco.MjModel, geom: int, centre: Array, axes: Array, floor: float) -> Surface | None:
     """The surface of one geom that is not a plane; None for shapes that have none of their own."""
     kinds, kind = mujoco.mjtGeom, int(model.geom_type[geom])
-    name, centre = geom_name(model, geom), data.geom_xpos[geom].copy()
-    axes, size = data.geom_xmat[geom].reshape(3, 3).copy(), np.array(model.geom_size[geom])
+    name, size = geom_name(model, geom), np.array(model.geom_size[geom])
     if kind == kinds.mjGEOM_BOX:
         bottom = centre[2] - np.abs(axes[2]) @ size
         return Box(name, centre, axes, size, bool(bottom <= floor + GROUNDED))
