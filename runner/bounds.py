@@ -25,6 +25,7 @@ BOUNDS = {
         Bound("penetration", 0.005, "m", "more than a sole or skin gives"),
         Bound("self", 0.01, "m", "limbs are soft, and drawn thicker than they are"),
         Bound("contact", 0.01, "m", "a hand or foot that slips so far is seen to slip"),
+        Bound("hold", 0.005, "m", "what is held is near the eye, and hands are looked at"),
         Bound("hover", 0.01, "m", "as contact, of one that is to rest on whatever is below it"),
         Bound("stance", 0.02, "m", "keyframes tell stances less surely than a clip's own contacts"),
         Bound("placement", 0.01, "m", "what is put there is seen to miss"),

@@ -24,6 +24,7 @@ from solver.frame import Frame, Mask, TimelineError
 from solver.inbetween import FEW, Settings
 from solver.penalty import (
     Bend,
+    Hold,
     Penalty,
     Placed,
     Point,
@@ -54,6 +55,7 @@ from .contacts import rests
 from .couplings import complaints, follow
 from .errors import UserError, unknown
 from .feet import sole_points
+from .holds import asked
 from .motion import Saved, read_arrays
 from .obstacle import obstacles
 from .places import Places
@@ -61,6 +63,7 @@ from .placing import check_search, wanted, with_pose
 from .rotation import quaternion_of
 from .scene import Step, compose, figure_spec, first_line, quietly, spec_joint_names
 from .standing import Stander
+from .things import lying
 
 LONGEST_PANEL = 0.05
 POINTS = 3
@@ -82,7 +85,7 @@ class Clip:
     support  what carries the figure when; None without a free joint
     notes   one line each on what was looked for and not found
     placed  points that keyframes leave to the search to place
-    contacts  the clip's own
+    contacts, holds  the clip's own
     """
 
     name: str
@@ -103,6 +106,7 @@ class Clip:
     notes: tuple[str, ...]
     placed: tuple[Placed, ...] = ()
     contacts: tuple[Rest, ...] = ()
+    holds: tuple[Hold, ...] = ()
 
     @property
     def mjcf(self) -> str:
@@ -198,9 +202,11 @@ def from_text(
     figure = _figure(scene, table.solve.coordinates, place)
     bends = posing_bends(figure, table.penalty)
     surfaces = static_surfaces(figure.model)
-    stander = Stander(figure, surfaces, table.contact, bends, table.solve.ends, table.solve.travel, place)
+    stander = Stander(
+        figure, surfaces, table.contact, bends, table.solve.ends, table.solve.travel, place, held=table.hold
+    )
     missed: list[str] = []
-    keys, placed = _keys(figure, table.keyframe, stander, place, missed)
+    keys, placed = _keys(figure, lying(table), stander, place, missed)
     if missed and unmet is None:
         raise UserError(f"{place}: {'; '.join(missed)}")
     if unmet is not None:
@@ -249,7 +255,7 @@ def of_motion(saved: Saved, *, contacts: bool = False) -> Clip:
         places = Places(saved.figure, sole_points(saved.figure, np.reshape(whole, (-1, saved.figure.width))))
         placed = tuple(point for row in table.keyframe for point in wanted(places, row, saved.name).placed)
     elif table is not None:  # which are those of the clip that it was
-        table = table.model_copy(update={"contact": []})
+        table = table.model_copy(update={"contact": [], "hold": []})
     return _clip(
         saved.name, saved.text, saved.scene, saved.figure, saved.fps, list(saved.keys), table, saved.name, placed, solve
     )
@@ -263,8 +269,9 @@ def answered(saved: Saved) -> Clip:
     try:
         return of_motion(saved, contacts=True)
     except UserError:
-        clip = of_motion(saved)
-        return replace(clip, contacts=rests(saved.figure, table_of(saved.text, saved.name).contact, clip.points))
+        clip, table = of_motion(saved), table_of(saved.text, saved.name)
+        resting, held = rests(saved.figure, table.contact, clip.points), asked(saved.figure, table.hold, clip.points)
+        return replace(clip, contacts=resting, holds=held)
 
 
 def with_keys(clip: Clip, keys: Sequence[Frame]) -> Clip:
@@ -295,13 +302,14 @@ def _clip(
         raise UserError(f"{place}: {error}") from None
     surfaces = static_surfaces(figure.model)
     notes = complaints(figure, timeline, keys)
-    contact, penalty = ([], []) if table is None else (table.contact, table.penalty)
-    builder = Constraints(figure, timeline, surfaces, notes, place, placed, contact)
+    contact, held, penalty = ([], [], []) if table is None else (table.contact, table.hold, table.penalty)
+    builder = Constraints(figure, timeline, surfaces, notes, place, placed, contact, held)
     penalties = builder.all(penalty)
     return Clip(
         name, text, scene, figure, fps, tuple(keys), penalties, settings, solve.ends,
         np.zeros((2, figure.width)) if solve.ends == "clamped" else None, solve.travel, surfaces,
         builder.points, builder.bends, builder.support, tuple(notes), placed, builder.contacts.given,
+        builder.holds,
     )  # fmt: skip
 
 

@@ -38,6 +38,9 @@ def mirrored_tables(clip: dict[str, Any], figure: Figure, mirror: Mirror) -> dic
         out["scene"] = {kind: _obstacles(said) for kind, said in clip["scene"].items()}
     if "contact" in clip:
         out["contact"] = [_placed(row | {"point": _other(row["point"], places)}) for row in clip["contact"]]
+    if "hold" in clip:
+        other = [row | {key: _other(row[key], places) for key in ("hand", "body")} for row in clip["hold"]]
+        out["hold"] = [_placed(row) for row in other]
     if clip.get("solve", {}).get("travel") is not None:
         out["solve"] = clip["solve"] | {"travel": _signed(clip["solve"]["travel"], POLAR)}
     if "penalty" in clip:

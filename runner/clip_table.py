@@ -70,6 +70,8 @@ class StepTable(_Table):
 
 class _ObstacleTable(_Table):
     name: Annotated[str, Field(min_length=1)] | None = None
+    body: Annotated[str, Field(min_length=1)] | None = None
+    mass: Annotated[Real, Field(gt=0, le=LARGEST)] | None = None
     color: tuple[Share, Share, Share, Share] | None = None
     position: Place | None = None
     rotation: RotationTable | None = None
@@ -126,6 +128,16 @@ class ContactTable(_Table):
     position: Place | None = None
 
 
+class HoldTable(_Table):
+    """A site that stays where it is on a body, from one time to another [s]."""
+
+    hand: str
+    body: str
+    start: Number = Field(alias="from")
+    end: Number = Field(alias="to")
+    position: Place | None = None
+
+
 class SolveTable(_Table):
     coordinates: Literal["auto", "world", "joint"] = "auto"
     ends: Literal["free", "clamped", "periodic"] = "free"
@@ -148,6 +160,7 @@ class ClipTable(_Table):
     solve: SolveTable = SolveTable()
     penalty: list[PenaltyTable] = []
     contact: list[ContactTable] = []
+    hold: list[HoldTable] = []
     keyframe: list[KeyframeTable]
 
 
@@ -210,10 +223,14 @@ def _role(words: list[str], names: list[str]) -> str:
         return "bent joints"
     if len(names) == 2 and names[0] in _NAMED:
         return _NAMED[names[0]][0]
-    if words and words[0].startswith("contact") and names:
-        return {"from": "time", "to": "time", "position": "obstacle's position"}.get(names[-1], names[-1])
+    if words and words[0].startswith(("contact", "hold")) and names:
+        return {"from": "time", "to": "time", "position": "obstacle's position", "body": "body's name"}.get(
+            names[-1], names[-1]
+        )
     if words and words[0].startswith("scene.") and names[-1:] in (["position"], ["rotation"]):
         return f"obstacle's {names[-1]}"
+    if words and words[0].startswith("scene.") and names[-1:] == ["body"]:
+        return "body's name"
     return names[-1] if names else ""
 
 
@@ -246,6 +263,7 @@ _TABLES: dict[str, type[_Table]] = {
     "keyframe": KeyframeTable,
     "penalty": PenaltyTable,
     "contact": ContactTable,
+    "hold": HoldTable,
     "scene": SceneTable,
     "step": StepTable,
     "scene.box": BoxTable,
@@ -259,12 +277,12 @@ _TABLES: dict[str, type[_Table]] = {
 
 ROTATION = "{rotvec = [x, y, z]}, {euler = [...], order = ...} or {quat = [w, x, y, z]}"
 _NUMBERS = ("time", "fps", "x", "y", "height", "length", "width", "weight", "margin", "least", "sideways", "twist")
-_OF_OTHERS = ("angular", "friction", "period", "radius", "reach")
+_OF_OTHERS = ("angular", "friction", "mass", "period", "radius", "reach")
 _WHOLE = ("variable", "frames", "evaluations", "samples")
 _EXPECTED = {
     **dict.fromkeys((*_NUMBERS, *_OF_OTHERS, "threshold", "tolerance"), "a number"),
     **dict.fromkeys(_WHOLE, "a whole number"),
-    **dict.fromkeys(("kind", "form", "criterion", "optimiser", "order", "point"), "a word in quotes"),
+    **dict.fromkeys(("kind", "form", "criterion", "optimiser", "order", "point", "hand"), "a word in quotes"),
     **dict.fromkeys(("points", "bent joints"), "a list of names"),
     "intervals": "a list of [from, to] in seconds",
     "others": "'free', 'rest' or 'hold'",
@@ -272,13 +290,14 @@ _EXPECTED = {
     "keyframe": "[[keyframe]] tables",
     "penalty": "[[penalty]] tables",
     "contact": "[[contact]] tables",
+    "hold": "[[hold]] tables",
     **{kind: f"[[scene.{kind}]] tables" for kind in ("box", "sphere", "capsule", "cylinder")},
     **dict.fromkeys(("obstacle's position", "from", "to"), "[x, y, z] in metres"),
     "root": "a table: position and rotation of a free joint",
     "obstacle's rotation": ROTATION,
     "size": "[length, width, height] in metres",
     "color": "[red, green, blue, opacity], each from 0 to 1",
-    "name": "a name in quotes",
+    **dict.fromkeys(("name", "body's name"), "a name in quotes"),
     "position": '[x, y, z] in metres, each a number or "free"',
     "rotation": f'{ROTATION} or "free"',
     "joint": f'{ROTATION}, a number or "free"',

@@ -23,6 +23,7 @@ from solver.penalty import (
     Cycle,
     Flight,
     Grounded,
+    Holding,
     JointRange,
     Lean,
     PeakAcceleration,
@@ -43,6 +44,7 @@ from solver.penalty import (
     UnitMagnitude,
     Upright,
     body_points,
+    carried_links,
     closures,
     couplings,
     covering_points,
@@ -51,7 +53,9 @@ from solver.penalty import (
     grounded_intervals,
     joint_ranges,
     leans,
+    lying,
     stances,
+    surfaces_on,
 )
 from solver.quaternion import Array
 from solver.rhythm import Rhythm
@@ -59,14 +63,15 @@ from solver.stride import Gait
 from solver.surface import Box, Plane, Surface
 from solver.touch import bolted
 
-from .clip_table import ContactTable, PenaltyTable
+from .clip_table import ContactTable, HoldTable, PenaltyTable
 from .contacts import contacts
 from .errors import UserError, unknown
 from .feet import sole_points
+from .holds import holds
 from .places import Places
 
 KINDS = (
-    "covariant", "root", "unit", "contact", "clearance", "planted", "resting", "skate", "grounded", "posture", "bend",
+    "covariant", "root", "unit", "contact", "clearance", "planted", "resting", "hold", "skate", "grounded", "posture", "bend",
     "range", "coupled", "closed", "self", "placement", "upright", "flight", "support", "peak", "torque",
     "cycle",
 )  # fmt: skip
@@ -78,6 +83,7 @@ DEFAULT_WEIGHTS = {
     "clearance": 30.0,
     "planted": 0.3,
     "resting": 750.0,
+    "hold": 750.0,
     "skate": 1.4,
     "grounded": 0.3,
     "posture": 0.7,
@@ -141,6 +147,7 @@ class Constraints:
         place: str,
         placed: tuple[Placed, ...] = (),
         tables: Sequence[ContactTable] = (),
+        held: Sequence[HoldTable] = (),
     ) -> None:
         self.figure, self.keys, self.surfaces, self.notes, self.place = figure, keys, surfaces, notes, place
         self.placed = placed
@@ -148,6 +155,8 @@ class Constraints:
         self.points = sole_points(figure, np.reshape(whole, (-1, figure.width)))
         self.bends = tuple(_bends(figure))
         self.contacts = contacts(figure, keys, tables, place, self.points)
+        self.holds = holds(figure, keys, held, place, self.points)
+        self.carried = carried_links(figure, self.holds)
         self.support: Support | None = None
         self.rhythm: Rhythm | None = None
         if not surfaces:
@@ -167,6 +176,7 @@ class Constraints:
             ("placement", self.placed),
             ("upright", self._leans),
             ("resting", self.contacts.given),
+            ("hold", self.holds),
             ("coupled", couplings(self.figure)),
             ("closed", closures(self.figure)),
         ):
@@ -216,10 +226,11 @@ class Constraints:
     def _senseless(self) -> set[str]:
         """Kinds that have nothing to look at in this figure."""
         tables = self.figure.tables
-        soles = set() if self.points else {"contact", "planted", "skate"}
+        soles = set() if self.points else {"contact", "skate"}
+        stay = set() if self.points or self._lying else {"planted"}
         afoot = set() if self.points or tables.free_links.size else {"grounded"}
         quaternions = set() if tables.quaternion_links.size else {"unit"}
-        return soles | afoot | quaternions | (set() if self.bends else {"bend"})
+        return soles | stay | afoot | quaternions | (set() if self.bends else {"bend"})
 
     def one(self, entry: PenaltyTable) -> Penalty:
         try:
@@ -244,7 +255,9 @@ class Constraints:
         if entry.kind == "clearance":
             return self._clearance(entry.margin or 0.0)
         if entry.kind == "planted":
-            return Planted(self._found)
+            return Planted((*self._found, *self._lying))
+        if entry.kind == "hold":
+            return Holding(self.holds)
         if entry.kind == "resting":
             parts = Planted(self.contacts.stances), Resting(self.contacts.rests, self.surfaces)
             return Together(parts, name="resting")
@@ -272,14 +285,30 @@ class Constraints:
         return self._bend(entry)
 
     def _clearance(self, margin: float) -> Penalty:
-        """The body's corners out of floors and steps, all of its skin out of whatever is round, thin or in the air."""
+        """The body's corners out of floors and steps, all of its skin out of whatever is round, thin, in the air or
+        carried."""
         ground = tuple(s for s in self.surfaces if isinstance(s, Plane) or (isinstance(s, Box) and s.buried))
         others = tuple(s for s in self.surfaces if all(s is not g for g in ground))
         clear = self._apart(body_points(self.figure), ground, margin)
-        if not others:
+        if not others and not self.carried:
             return clear[0] if len(clear) == 1 else Together(clear, name="clearance")
-        skin = self._apart(covering_points(self.figure), others, margin)
-        return Together((*clear, *skin), name="clearance")
+        cover = covering_points(self.figure)
+        skin = self._apart(cover, others, margin) if others else ()
+        return Together((*clear, *skin, *self._beside(cover, margin)), name="clearance")
+
+    def _beside(self, points: Sequence[Point], margin: float) -> tuple[Contact, ...]:
+        """The figure's own points out of what it carries."""
+        own = self._own(points)
+        found = [(link, surfaces_on(self.figure, link)) for link in self.carried]
+        return tuple(
+            Contact(own, surfaces, margin, name="clearance", carrier=link).allowing(self.figure, self.keys)
+            for link, surfaces in found
+            if surfaces
+        )
+
+    def _own(self, points: Sequence[Point]) -> tuple[Point, ...]:
+        """The points that are not of what is carried."""
+        return tuple(point for point in points if point.link not in self.carried)
 
     def _apart(self, points: tuple[Point, ...], surfaces: tuple[Surface, ...], margin: float) -> tuple[Contact, ...]:
         """Points out of surfaces, each but those of links that are bolted to it."""
@@ -305,13 +334,19 @@ class Constraints:
         return tuple(stance for stance in found if not self.contacts.overlaps(stance))
 
     @property
+    def _lying(self) -> tuple[Stance, ...]:
+        """Where what is carried lies before and after."""
+        return lying(self.figure, self.keys, [link for link in self.carried if self.figure.links[link].parent == 0])
+
+    @property
     def _leans(self) -> tuple[Lean, ...]:
         """How the trunk leans where it was posed."""
-        return leans(self.figure, self.keys, self.figure.tables.free_links.tolist())
+        roots = [link for link in self.figure.tables.free_links.tolist() if link not in self.carried]
+        return leans(self.figure, self.keys, roots)
 
     def _grounded(self, reach: float) -> Penalty:
         """The lowest point of sole or body stays down between keyframes that are, but for flights."""
-        points = (*self.points, *body_points(self.figure))
+        points = self._own((*self.points, *body_points(self.figure)))
         aloft = () if self.support is None else self.support.flights
         intervals = grounded_intervals(self.figure, self.keys, points, self.surfaces, aloft)
         return Grounded(points, self.surfaces, intervals, reach)
@@ -322,7 +357,7 @@ class Constraints:
         if not figure.tables.free_links.size:
             return None
         root = next((r for r in figure.tables.free_links if self._stands(int(r))), figure.tables.free_links[0])
-        held, body = (*self._found, *self.contacts.stances, *self.contacts.rests), body_points(figure)
+        held, body = (*self._found, *self.contacts.stances, *self.contacts.rests), self._own(body_points(figure))
         carriers = footings(figure, keys, self.points, self.surfaces, held, body)
         if entry.intervals is not None:
             aloft = tuple(entry.intervals)

@@ -20,7 +20,7 @@ from solver.penalty.contact import placed
 from solver.penalty.planted import SAME_SPOT
 from solver.quaternion import Array
 
-from .clip_table import ContactTable
+from .clip_table import ContactTable, HoldTable
 from .errors import UserError, unknown
 from .places import Places
 
@@ -57,7 +57,7 @@ def contacts(
     for table, name in zip(tables, names, strict=True):
         if points[table.point] is None:
             raise UserError(f"{name}: {unknown('site', table.point, places.points_listed)}")
-        _check_interval(table, keys, name)
+        check_interval(table, keys, name)
     _check_overlaps(tables, names)
     stances: list[Stance] = []
     rests: list[Rest] = []
@@ -82,7 +82,8 @@ def rests(figure: Figure, tables: Sequence[ContactTable], soles: Sequence[Point]
     return tuple(Rest(point, table.start, table.end) for point, table in found if point is not None)
 
 
-def _check_interval(table: ContactTable, keys: Timeline, name: str) -> None:
+def check_interval(table: ContactTable | HoldTable, keys: Timeline, name: str) -> None:
+    """Raises UserError unless a table's times rise and are within the clip."""
     first, last = float(keys.times[0]), float(keys.times[-1])
     if not table.start < table.end:
         raise UserError(f"{name}: from = {table.start:g} s is not before to = {table.end:g} s")

@@ -21,6 +21,7 @@ from solver.penalty import (
     Closed,
     Contact,
     Coupled,
+    Hold,
     JointRange,
     Point,
     Rest,
@@ -29,6 +30,7 @@ from solver.penalty import (
     closures,
     couplings,
     joint_ranges,
+    slipped,
 )
 from solver.penalty.contact import FAR, heights
 from solver.penalty.contact import placed as points_placed
@@ -311,6 +313,26 @@ class Held:
         return int(hits.row[worst])
 
 
+def slips(holds: Sequence[Hold], begun: Sequence[Array], placed: Mask) -> Plain:
+    """Sites that move on what they hold.
+
+    begun  (3,) each: where on the link it was when the hold began [m]
+    """
+    rows = [
+        _row("hold", hold.point.name, f"{hold.point.name} moves {{}} on {hold.body}, which it holds") for hold in holds
+    ]
+
+    def amounts(samples: Samples) -> Array:
+        out = np.zeros((len(holds), samples.count))
+        for i, (hold, spot) in enumerate(zip(holds, begun, strict=True)):
+            during = (samples.t >= hold.first) & (samples.t <= hold.last)
+            out[i] = during * np.linalg.norm(slipped(samples, hold) - spot[:, None], axis=0)
+        return out
+
+    own = np.array([placed[hold.point.link] & placed[hold.link] for hold in holds])
+    return Plain.each(rows, amounts, own)
+
+
 def _places(samples: Samples, point: Point, at: Index) -> Array:
     """(3, k) [m] of a point at some samples."""
     x, rotation = samples.links.poses(point.link * samples.count + at)
@@ -332,9 +354,14 @@ class Sunk:
     stride: int = 1
 
     @cached_property
-    def _pairs(self) -> list[tuple[Point, str]]:
-        """The point and surface of every row."""
-        return [(point, surface.name) for part in self.parts for surface in part.surfaces for point in part.points]
+    def _pairs(self) -> list[tuple[Point, str, int]]:
+        """The point and surface of every row, and the surface's carrier."""
+        return [
+            (point, surface.name, part.carrier)
+            for part in self.parts
+            for surface in part.surfaces
+            for point in part.points
+        ]
 
     @property
     def groups(self) -> Index:
@@ -343,7 +370,9 @@ class Sunk:
     @cached_property
     def _groups(self) -> Index:
         numbers: dict[tuple[int, str], int] = {}
-        return np.array([numbers.setdefault((point.link, name), len(numbers)) for point, name in self._pairs], np.intp)
+        return np.array(
+            [numbers.setdefault((point.link, name), len(numbers)) for point, name, _ in self._pairs], np.intp
+        )
 
     def hits(self, samples: Samples) -> Hits:
         return Hits.joined(list(self._hits(samples, BOUNDS["penetration"].most)))
@@ -353,18 +382,19 @@ class Sunk:
         for part in self.parts:
             limbs = bunches(part.points)
             for surface in part.surfaces:
-                for bunch, at, deep in depths(limbs, surface, samples):
+                for bunch, at, deep in depths(limbs, surface, samples, part.carrier):
                     row, sample = np.nonzero(deep > bound)
                     if row.size:
                         yield Hits(first + bunch.which[row], at[sample], deep[row, sample])
                 first += len(part.points)
 
     def row(self, index: int) -> Row:
-        point, surface = self._pairs[index]
+        point, surface, _ = self._pairs[index]
         return _row("penetration", point.name, f"{point.name} is {{}} in {_the(surface)}")
 
     def given(self, index: int) -> Mask:
-        return self.placed[self._pairs[index][0].link]
+        point, _, carrier = self._pairs[index]
+        return self.placed[point.link] & self.placed[carrier] if carrier else self.placed[point.link]
 
     def named(self, hits: Hits, worst: int) -> int:
         """A sole point, where one is about as deep."""

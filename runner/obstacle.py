@@ -1,8 +1,11 @@
-"""Obstacles of a clip's scene: boxes, spheres, capsules and cylinders in metres, as geoms of the stage."""
+"""Obstacles of a clip's scene: boxes, spheres, capsules and cylinders in metres, as geoms of the stage.
+
+Those that name a `body` are parts of a thing that moves freely, in its axes: keyframes place it, hands hold it.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import mujoco
@@ -26,12 +29,13 @@ KINDS = {
 
 @dataclass(frozen=True)
 class Obstacle:
-    """A static geom.
+    """A static geom, or a part of a body that moves freely.
 
     kind   "box", "sphere", "capsule" or "cylinder"
     size   MuJoCo's: half sizes, or radius and half length [m]
     place  (3,) centre [m]; turn (4,) wxyz; or ends (6,), the points that a capsule or cylinder goes from and to [m]
     color  (4,) red, green, blue, opacity; None: that of the step
+    body   of which it is a part, place and turn in its axes; None: of the world;  mass  [kg] of the part
     """
 
     name: str
@@ -41,12 +45,17 @@ class Obstacle:
     turn: Array
     ends: Array | None = None
     color: tuple[float, float, float, float] | None = None
+    body: str | None = None
+    mass: float | None = None
 
     def add_to(self, spec: mujoco.MjSpec, material: str) -> None:
-        """The geom in the world of a spec."""
+        """The geom in the world of a spec, or on its body."""
         if any(geom.name == self.name for geom in spec.geoms):
             raise UserError(f"the scene has a {self.kind} '{self.name}', but there already is a geom of that name")
-        geom = spec.worldbody.add_geom(name=self.name, type=KINDS[self.kind], contype=0, conaffinity=1 | SCENERY)
+        owner = spec.worldbody if self.body is None else spec.body(self.body)
+        geom = owner.add_geom(name=self.name, type=KINDS[self.kind], contype=0, conaffinity=1 | SCENERY)
+        if self.mass is not None:
+            geom.mass = self.mass
         geom.size[: len(self.size)] = self.size
         if self.ends is None:
             geom.pos, geom.quat = self.place, self.turn
@@ -56,6 +65,15 @@ class Obstacle:
             geom.material = material
         else:
             geom.rgba = self.color
+
+
+def add_bodies(spec: mujoco.MjSpec, parts: Sequence[Obstacle]) -> None:
+    """The bodies of the parts that have one, each with a free joint of its name, at the world's origin at rest."""
+    for name in dict.fromkeys(part.body for part in parts if part.body is not None):
+        known = {body.name for body in spec.bodies} | {joint.name for joint in spec.joints}
+        if name in known:
+            raise UserError(f"the scene has a body '{name}', but there already is a body or joint of that name")
+        spec.worldbody.add_body(name=name).add_freejoint(name=name)
 
 
 def obstacles(scene: SceneTable) -> tuple[Obstacle, ...]:
@@ -80,11 +98,13 @@ def _one(kind: str, name: str, table: BoxTable | SphereTable | BarTable, where: 
     else:
         ends = _ends(table, where)
         size = (table.radius,) if table.length is None else (table.radius, 0.5 * table.length)
-    if table.position is None and ends is None:
+    if table.mass is not None and table.body is None:
+        raise UserError(f"{where}: 'mass' is for parts of a body that moves; name it by body = '...'")
+    if table.position is None and ends is None and table.body is None:
         raise UserError(f"{where}: 'position' is missing")
     place = np.array(table.position or (0.0, 0, 0))
     turn = np.array([1.0, 0, 0, 0]) if table.rotation is None else quaternion_of(table.rotation, f"{where}: rotation")
-    return Obstacle(name, kind, size, place, turn, ends, table.color)
+    return Obstacle(name, kind, size, place, turn, ends, table.color, table.body, table.mass)
 
 
 def _ends(table: BarTable, where: str) -> Array | None:

@@ -6,18 +6,20 @@ keyframe itself says is told as the keyframe's, and not once more as the path's 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
 import numpy as np
 
+from solver.figure import Figure
 from solver.frame import Timeline
 from solver.kinematics import Samples
 from solver.optimiser import Stop
 from solver.penalty import (
     BendLimits,
     Contact,
+    Hold,
     Penalty,
     Placement,
     Planted,
@@ -27,6 +29,7 @@ from solver.penalty import (
     Stance,
     Together,
     body_points,
+    slipped,
     stances,
 )
 from solver.quaternion import Array, Index
@@ -138,20 +141,33 @@ def _found(clip: Clip, timeline: Timeline, raw: Timeline) -> Iterator[Problem]:
     figure, path = clip.figure, path_of(timeline)
     key_times = np.array([key.time for key in clip.keys])
     held = list(_held(clip, timeline))
-    time = _grid(timeline, key_times, [each.stances for each in held])
+    ends = [t for each in held for stance in each.stances for t in (stance.first, stance.last)]
+    ends += [t for hold in clip.holds for t in (hold.first, hold.last)]
+    time = _grid(timeline, key_times, ends)
     grid, keys = samples_at(figure, path, time), samples_at(figure, path, key_times)
     raw_peak = _peak(samples_at(figure, path_of(raw), time))
-    for measure in (*held, *_measures(clip, raw_peak)):
+    for measure in (*held, *_slips(clip, timeline), *_measures(clip, raw_peak)):
         yield from _worst(measure, grid, keys)
     yield from _drifts(held, key_times)
     yield from _misses(clip, timeline)
 
 
-def _grid(timeline: Timeline, key_times: Array, held: Iterable[Sequence[Stance]]) -> Array:
-    """(T,) [s] so many a second, and the instants that matter."""
+def _slips(clip: Clip, timeline: Timeline) -> Iterator[Measure]:
+    """The clip's holds, beside where they began."""
+    if clip.holds:
+        placed = measures.links_placed(clip.figure, np.array([key.fixed for key in clip.keys]))
+        yield measures.slips(clip.holds, [begun(clip.figure, timeline, hold) for hold in clip.holds], placed)
+
+
+def begun(figure: Figure, timeline: Timeline, hold: Hold) -> Array:
+    """(3,) [m] where on the link that it holds a hold's point is when it begins."""
+    return slipped(samples_at(figure, path_of(timeline), np.array([hold.first])), hold)[:, 0]
+
+
+def _grid(timeline: Timeline, key_times: Array, ends: Sequence[float]) -> Array:
+    """(T,) [s] so many a second, and the instants that matter: keyframes, and where contacts and holds begin and end."""
     first, last = float(timeline.times[0]), float(timeline.times[-1])
     even = np.linspace(first, last, max(2, round((last - first) * RATE) + 1))
-    ends = [time for some in held for stance in some for time in (stance.first, stance.last)]
     return np.unique(np.concatenate([even, np.clip(key_times, first, last), np.array(ends, float)]))
 
 

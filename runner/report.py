@@ -32,9 +32,11 @@ from solver.penalty import (
     JointRange,
     Placement,
     SelfContact,
+    carried_links,
     closures,
     couplings,
     joint_ranges,
+    slipped,
     stances,
     within,
 )
@@ -48,7 +50,7 @@ from solver.wrench import RootWrench
 from .clip import Clip
 from .exactness import keyframe_error
 from .motion import continuous, samples_at
-from .penetration import lowest, penetration, self_penetration
+from .penetration import lowest, moving_geoms, penetration, self_penetration
 from .problems import plain, problems
 from .swings import swings
 from .swings import words as swing_words
@@ -147,6 +149,8 @@ def _side(clip: Clip, objective: Objective, timeline: Timeline, grid: Grid) -> d
         "stances": _stance_report(clip, timeline),
         "swings": swings(clip, grid.samples),
         "contacts": _contact_report(clip, timeline),
+        "holds": _hold_report(clip, timeline),
+        "in what is carried, m": _carried_report(clip, grid),
         "off their places, m": _placement_report(clip, timeline),
         "edge clearance, m": _edge_clearance(clip, grid),
         "unit deviation": _unit_deviation(grid),
@@ -279,6 +283,31 @@ def _contact_report(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
         told = {"point": rest.point.name, "from, s": rest.first, "to, s": rest.last}
         out.append(told | {"moved, m": moved, "path, m": path, "speed, m/s": speed})
     return out
+
+
+def _hold_report(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
+    """Every hold that the clip gives: how far its site gets on the body from where it was when it took hold."""
+    out = []
+    for hold in clip.holds:
+        time = np.linspace(hold.first, hold.last, max(3, round((hold.last - hold.first) * RATE)))
+        track = slipped(samples_at(clip.figure, path_of(timeline), time), hold)
+        moved = np.linalg.norm(track - track[:, :1], axis=0)
+        told = {"hand": hold.point.name, "body": hold.body, "from, s": hold.first, "to, s": hold.last}
+        out.append(told | {"moved, m": float(moved.max()), "at, s": float(time[int(moved.argmax())])})
+    return out
+
+
+def _carried_report(clip: Clip, grid: Grid) -> dict[str, Any]:
+    """The deepest that the figure is in what it carries; empty if it holds nothing."""
+    model, links = clip.figure.model, carried_links(clip.figure, clip.holds)
+    if not links:
+        return {}
+    is_carried = np.isin(clip.figure.body_link[model.geom_bodyid], links)
+    movers = np.array(moving_geoms(model), np.intp)
+    own, things = movers[~is_carried[movers]], movers[is_carried[movers]]
+    pairs = np.array(np.meshgrid(own, things)).reshape(2, -1)
+    deepest, where = self_penetration(model, pairs, grid.time, grid.qpos)
+    return {"deepest": deepest, "where": where}
 
 
 def _placement_report(clip: Clip, timeline: Timeline) -> dict[str, float]:
@@ -529,6 +558,14 @@ def _lines(before: dict[str, Any], after: dict[str, Any]) -> list[tuple[str, str
     for one, two in zip(before.get("contacts", []), after.get("contacts", []), strict=False):
         name = f"{two['point']} rests {two['from, s']:.2f} - {two['to, s']:.2f} s: moved / path"
         lines.append(row(name, *(f"{millimetres(c['moved, m'])} / {millimetres(c['path, m'])}" for c in (one, two))))
+    for one, two in zip(before.get("holds", []), after.get("holds", []), strict=False):
+        name = f"{two['hand']} on {two['body']} {two['from, s']:.2f} - {two['to, s']:.2f} s: moved"
+        lines.append(row(name, *(millimetres(found["moved, m"]) for found in (one, two))))
+    if after.get("in what is carried, m"):
+        carried = [s["in what is carried, m"] for s in sides]
+        lines.append(
+            row("deepest in what is carried", *(f"{millimetres(c['deepest'])}, {c['where']}" for c in carried))
+        )
     for name in after["off their places, m"]:
         lines.append(row(f"{name}, off its place", *(millimetres(s["off their places, m"][name]) for s in sides)))
     for name, value in after["edge clearance, m"].items():

@@ -22,7 +22,7 @@ from .errors import UserError, unknown
 from .framing import STANDING, is_of_people_size, rest_box, size_of
 from .lighting import is_well_lit
 from .mujoco_versions import attach, geom_named, portable_text, remove, size_of_pictures
-from .obstacle import Obstacle
+from .obstacle import Obstacle, add_bodies
 
 PREFIX = "stage_"
 BURIED = 0.005  # [m] by which a bolted figure may go into the floor
@@ -104,6 +104,7 @@ def compose(spec: mujoco.MjSpec, step: Step | None = None, obstacles: Sequence[O
                 geom_named(spec, PREFIX + "floor").name = "floor"
             if step is not None:
                 _add_step(spec, step)
+            add_bodies(spec, obstacles)
             for obstacle in obstacles:
                 obstacle.add_to(spec, PREFIX + "step")
             _compiled(spec, assets)

@@ -1,8 +1,9 @@
 """What a partial keyframe leaves free is posed before the search: feet that stand stay where they stand.
 
 A straight leg has no gradient that bends it, so the search cannot find a squat by itself. The points that rest in a
-[[contact]] at a keyframe's time, the sole points that the keyframes before and after put on one spot, and the places
-that are left to the search are the goals of a pose; the entries that lead to them start there and stay free.
+[[contact]] at a keyframe's time, the sites that a [[hold]] keeps on a body, the sole points that the keyframes before
+and after put on one spot, and the places that are left to the search are the goals of a pose; the entries that lead to
+them start there and stay free.
 """
 
 from __future__ import annotations
@@ -17,18 +18,19 @@ from solver import quaternion as quat
 from solver.figure import Figure
 from solver.frame import Frame, Mask, Timeline, TimelineError
 from solver.kinematics import Samples
-from solver.penalty import BendLimits, Placed, Point
+from solver.penalty import BendLimits, Hold, Placed, Point
 from solver.penalty.contact import arrays_of, placed
 from solver.penalty.planted import NEAR_SURFACE, SAME_SPOT
-from solver.posing import Goal, PointGoal, Posed, TurnGoal, entries, limb, posed, reached
+from solver.posing import Goal, HoldGoal, PointGoal, Posed, TurnGoal, entries, limb, posed, reached
 from solver.quaternion import Array
 from solver.seam import Seam
 from solver.surface import Surface
 from solver.unknowns import raw_timeline
 
-from .clip_table import ContactTable
+from .clip_table import ContactTable, HoldTable
 from .contacts import ROUNDING, Contacts, contacts
 from .feet import sole_points
+from .holds import holds
 
 NEARLY = 1e-3  # [m, rad] by which a pose may miss a foot's place and still tell that it stands there
 BEYOND = float(np.radians(10))  # [rad] beyond their ranges that joints go rather than that a foot leaves its place
@@ -74,7 +76,7 @@ def fitted(own: Array, seen: Array, turn: Array) -> Array:
 class Stander:
     """Finds where feet stand in partial keyframes, and poses them.
 
-    tables  the clip's contacts;  place  how errors call the clip
+    tables  the clip's contacts;  held  its holds;  place  how errors call the clip
     """
 
     def __init__(
@@ -86,9 +88,10 @@ class Stander:
         ends: str,
         travel: Sequence[float] | None,
         place: str,
+        held: Sequence[HoldTable] = (),
     ) -> None:
         self.figure, self.surfaces, self.tables, self.bends = figure, surfaces, tables, bends
-        self.ends, self.travel, self.place = ends, travel, place
+        self.ends, self.travel, self.place, self.held = ends, travel, place, held
 
     def stood(self, keys: Sequence[Frame], left: Sequence[Placed]) -> list[Frame]:
         """The keyframes, what the partial ones leave free posed as far as it is beyond doubt.
@@ -121,6 +124,10 @@ class Stander:
             more = foot.goals(figure)
             if foot.points[0].link not in busy and (reached(figure, more) & own & free).any():
                 found += more
+        for goal in seen.holding(k):
+            links = limb(figure, goal.body(figure.model))
+            if not busy.intersection(links) and (reached(figure, [goal]) & own & free).any():
+                found.append(goal)
         return found
 
     def seen(self, keys: Sequence[Frame]) -> _Seen | None:
@@ -133,7 +140,8 @@ class Stander:
         whole = [self.figure.to_qpos(frame.state) for frame in timeline.frames if frame.is_key]
         soles = sole_points(self.figure, np.reshape(whole, (-1, self.figure.width)))
         found = contacts(self.figure, timeline, self.tables, self.place, soles)
-        return _Seen(self.figure, timeline, soles, self.surfaces, found)
+        held = holds(self.figure, timeline, self.held, self.place, soles)
+        return _Seen(self.figure, timeline, soles, self.surfaces, found, held)
 
     def _upright(self, home: Array, free: Mask, goals: Sequence[Goal]) -> Posed:
         """The pose with the trunk turned as at home, from the root to where limbs branch off, or else with all that is
@@ -152,6 +160,7 @@ class Stander:
         figure = self.figure
         frame = seen.timeline.frames[k]
         groups = [foot.goals(figure) for foot in seen.standing(k)]
+        groups += [[goal] for goal in seen.holding(k)]
         for point in left:
             if abs(point.time - key.time) < ROUNDING:
                 groups.append([PointGoal.of(self.figure, point.point, point.target)])
@@ -176,9 +185,16 @@ class _Seen:
     """
 
     def __init__(
-        self, figure: Figure, timeline: Timeline, soles: Sequence[Point], surfaces: Sequence[Surface], found: Contacts
+        self,
+        figure: Figure,
+        timeline: Timeline,
+        soles: Sequence[Point],
+        surfaces: Sequence[Surface],
+        found: Contacts,
+        held: Sequence[Hold] = (),
     ) -> None:
         self.figure, self.timeline, self.soles, self.contacts = figure, timeline, tuple(soles), found
+        self.holds = tuple(held)
         rests = [stance.point for stance in found.stances]
         self.points = (*self.soles, *(p for i, p in enumerate(rests) if not _among(p, (*self.soles, *rests[:i]))))
         states = timeline.states
@@ -220,6 +236,17 @@ class _Seen:
             Standing(tuple(p for p, _, _ in some), np.array([spot for _, spot, _ in some]), some[0][2])
             for some in own.values()
         ]
+
+    def holding(self, k: int) -> list[HoldGoal]:
+        """Goals of the sites that hold something at keyframe k where somebody says, but for those it tells itself."""
+        t, known, found = self.timeline.times[k], self.timeline.known[k : k + 1], list[HoldGoal]()
+        for hold in self.holds:
+            spot = hold.spot(np.array([t]))
+            ends = (hold.point, Point(hold.body, hold.link, np.zeros(3)))
+            is_told = placed(self.figure, known, ends).all()
+            if spot is not None and hold.first - ROUNDING <= t <= hold.last + ROUNDING and not is_told:
+                found.append(HoldGoal.of(self.figure, hold.point, hold.link, spot[:, 0]))
+        return found
 
     def _neighbours(self, i: int, k: int) -> tuple[int | None, int | None]:
         """The nearest keyframes before and after keyframe k that tell where point i is, of those unrolled."""

@@ -177,6 +177,42 @@ class BodyGoal:
 
 
 @dataclass(frozen=True, eq=False)
+class HoldGoal:
+    """A point of one body where another one is held: offsets (3,) [m] in the axes of both."""
+
+    name: str
+    index: int
+    offset: Array
+    held: int
+    spot: Array
+
+    @classmethod
+    def of(cls, figure: Figure, point: Point, link: int, spot: Array) -> HoldGoal:
+        """A point that is to be at a spot (3,) [m] of a link, in its axes."""
+        hand, held = PointGoal.of(figure, point), PointGoal.of(figure, Point(point.name, link, spot))
+        return cls(point.name, hand.index, hand.offset, held.index, held.offset)
+
+    def body(self, model: mujoco.MjModel) -> int:
+        return self.index
+
+    def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+        hand, held = self._places(data)
+        return hand - held
+
+    def rows(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+        rows, back = np.zeros((3, model.nv)), np.zeros((3, model.nv))
+        hand, held = self._places(data)
+        mujoco.mj_jac(model, data, rows, None, hand, self.index)
+        mujoco.mj_jac(model, data, back, None, held, self.held)
+        return rows - back
+
+    def _places(self, data: mujoco.MjData) -> tuple[Array, Array]:
+        ends = ((self.index, self.offset), (self.held, self.spot))
+        hand, held = (data.xpos[body] + data.xmat[body].reshape(3, 3) @ offset for body, offset in ends)
+        return hand, held
+
+
+@dataclass(frozen=True, eq=False)
 class Posed:
     """A pose and how far it misses each goal.
 
@@ -252,7 +288,7 @@ def _apart(figure: Figure, free: Mask, goals: Sequence[Goal]) -> list[list[int]]
     """The goals in groups that no free joint has a part in two of, by index."""
     groups: list[tuple[set[int], list[int]]] = []
     for number, goal in enumerate(goals):
-        links = {i for i in chain(figure, goal.body(figure.model)) if free[entries(figure, i)].any()}
+        links = {i for i in moved_by(figure, goal) if free[entries(figure, i)].any()}
         touched = [group for group in groups if group[0] & links]
         groups = [group for group in groups if not group[0] & links]
         merged = sorted(i for _, own in touched for i in own)
@@ -269,10 +305,16 @@ def chain(figure: Figure, body: int) -> list[int]:
     return links
 
 
+def moved_by(figure: Figure, goal: Goal) -> set[int]:
+    """The links whose joints a goal depends on."""
+    links = set(chain(figure, goal.body(figure.model)))
+    return links | set(chain(figure, goal.held)) if isinstance(goal, HoldGoal) else links
+
+
 def reached(figure: Figure, goals: Sequence[Goal]) -> Mask:
     """(nq,) the entries that goals depend on: of the joints from the root to them."""
     mask = np.zeros(figure.width, bool)
-    for link in {link for goal in goals for link in chain(figure, goal.body(figure.model))}:
+    for link in {link for goal in goals for link in moved_by(figure, goal)}:
         mask[entries(figure, link)] = True
     return mask
 
@@ -315,7 +357,7 @@ class _Search:
     ) -> None:
         self.figure, self.model, self.home, self.goals = figure, figure.model, home, goals
         self.data = mujoco.MjData(self.model)
-        links = sorted({link for goal in goals for link in chain(figure, goal.body(self.model))})
+        links = sorted({link for goal in goals for link in moved_by(figure, goal)})
         self.fixed = reached(figure, goals)
         free = free & self.fixed
         self.dofs, self.weights = self._freedoms(links, free)

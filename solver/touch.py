@@ -52,10 +52,11 @@ def counts_all(model: mujoco.MjModel) -> bool:
 
 
 def movers(model: mujoco.MjModel) -> list[int]:
-    """The moving geoms that count."""
-    moving = moves(model)
-    solid = moving & collides(model)
-    return np.flatnonzero(solid if solid.any() else moving).tolist()
+    """The moving geoms that count, those of what a clip adds among them."""
+    moving, scenery = moves(model), is_scenery(model)
+    own = moving & ~scenery
+    solid = own & collides(model)
+    return np.flatnonzero((solid if solid.any() else own) | (moving & scenery)).tolist()
 
 
 def solids(model: mujoco.MjModel) -> list[int]:

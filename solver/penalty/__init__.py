@@ -41,6 +41,7 @@ from .placement import Placed as Placed
 from .placement import Placement as Placement
 from .planted import Planted as Planted
 from .planted import Stance as Stance
+from .planted import lying as lying
 from .planted import stances as stances
 from .posture import Posture as Posture
 from .resting import Rest as Rest

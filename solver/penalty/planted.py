@@ -23,6 +23,8 @@ from .penalty import Scale
 
 NEAR_SURFACE = 0.012
 SAME_SPOT = 0.05
+SAME_PLACE = 0.001  # [m] by which keyframes may put a thing that lies differently: it has no reason to drift
+ARM = 0.2  # [m] from a thing's origin to the points that tell how it lies: about half of what a person carries
 HELD = 10.0  # times as much a stance weighs that a posed keyframe tells: nothing exact holds the point at its end
 
 
@@ -145,4 +147,24 @@ def stances(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: S
             if low[i, k] and low[i, k + 1] and np.linalg.norm(landed - spot) < SAME_SPOT:
                 weight = 1.0 if exact[i, k] and exact[i, k + 1] else HELD
                 found.append(Stance(point, float(first), float(last), spot.copy(), landed.copy(), weight))
+    return tuple(found)
+
+
+def lying(figure: Figure, keys: Timeline, links: Sequence[int]) -> tuple[Stance, ...]:
+    """Stances of things, links with trees of their own, that two neighbouring keyframes put in the same place, turned
+    alike: three points of each."""
+    points = [Point(figure.links[link].name, link, ARM * axis) for link in links for axis in np.eye(3)]
+    if not points:
+        return ()
+    states = keys.states
+    centres, _, _ = Contact(tuple(points), ()).centres(Samples(figure, states, 0 * states, 0 * states))
+    told = placed(figure, keys.known, points)
+    found: list[Stance] = []
+    for k, (first, last) in enumerate(zip(keys.times[:-1], keys.times[1:], strict=True)):
+        for i, point in enumerate(points):
+            here, there = centres[:, i, k], centres[:, i, k + 1]
+            own = slice(i - i % 3, i - i % 3 + 3)
+            moved = np.linalg.norm(centres[:, own, k + 1] - centres[:, own, k], axis=0)
+            if told[i, k] and told[i, k + 1] and np.all(moved < SAME_PLACE):
+                found.append(Stance(point, float(first), float(last), here.copy(), there.copy()))
     return tuple(found)

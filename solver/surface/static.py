@@ -29,9 +29,7 @@ def static_surfaces(model: mujoco.MjModel) -> tuple[Surface, ...]:
     ids = touch.solids(model)
     planes = [_plane(model, data, g) for g in ids if model.geom_type[g] == mujoco.mjtGeom.mjGEOM_PLANE]
     floor = max((p.point[2] for p in planes if p.normal[2] > 0.99), default=-np.inf)
-    solids = [
-        _solid(model, g, data.geom_xpos[g].copy(), data.geom_xmat[g].reshape(3, 3).copy(), floor) for g in ids
-    ]
+    solids = [_solid(model, g, data.geom_xpos[g].copy(), data.geom_xmat[g].reshape(3, 3).copy(), floor) for g in ids]
     return (*planes, *(solid for solid in solids if solid is not None))
 
 
