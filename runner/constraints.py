@@ -71,8 +71,8 @@ from .holds import holds
 from .places import Places
 
 KINDS = (
-    "covariant", "root", "unit", "contact", "clearance", "planted", "resting", "hold", "skate", "grounded", "posture", "bend",
-    "range", "coupled", "closed", "self", "placement", "upright", "flight", "support", "peak", "torque",
+    "covariant", "root", "unit", "contact", "clearance", "planted", "resting", "hold", "skate", "grounded", "posture",
+    "bend",     "range", "coupled", "closed", "self", "placement", "upright", "flight", "support", "peak", "torque",
     "cycle",
 )  # fmt: skip
 DEFAULT_WEIGHTS = {
@@ -285,20 +285,19 @@ class Constraints:
         return self._bend(entry)
 
     def _clearance(self, margin: float) -> Penalty:
-        """The body's corners out of floors and steps, all of its skin out of whatever is round, thin, in the air or
-        carried."""
+        """The body's corners out of floors and steps, all of its skin out of whatever is round, thin or in the air."""
         ground = tuple(s for s in self.surfaces if isinstance(s, Plane) or (isinstance(s, Box) and s.buried))
         others = tuple(s for s in self.surfaces if all(s is not g for g in ground))
         clear = self._apart(body_points(self.figure), ground, margin)
         if not others and not self.carried:
             return clear[0] if len(clear) == 1 else Together(clear, name="clearance")
-        cover = covering_points(self.figure)
-        skin = self._apart(cover, others, margin) if others else ()
-        return Together((*clear, *skin, *self._beside(cover, margin)), name="clearance")
+        skin = self._apart(covering_points(self.figure), others, margin) if others else ()
+        return Together((*clear, *skin, *self._beside(margin)), name="clearance")
 
-    def _beside(self, points: Sequence[Point], margin: float) -> tuple[Contact, ...]:
-        """The figure's own points out of what it carries."""
-        own = self._own(points)
+    def _beside(self, margin: float) -> tuple[Contact, ...]:
+        """The corners of the figure out of what it carries, which is near its hands all the time: the whole of its
+        skin would take ten times as long."""
+        own = self._own(body_points(self.figure))
         found = [(link, surfaces_on(self.figure, link)) for link in self.carried]
         return tuple(
             Contact(own, surfaces, margin, name="clearance", carrier=link).allowing(self.figure, self.keys)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from typing import Any
@@ -32,7 +32,9 @@ from .progress import Teller
 from .work import Solved
 
 Rows = Sequence[dict[str, Any]]
+Lasting = Mapping[str, Rows]
 Edit = Callable[[dict[str, Any]], dict[str, Any]]
+LASTING = ("contact", "hold")  # tables of a clip that last from one time to another
 
 FRAME_SECONDS = 0.025  # a variable frame of a transition, about: its ends leave no time to get out of the floor
 LEAST_FRAMES = 6
@@ -79,15 +81,15 @@ def retimed(saved: Saved, speed: float) -> Saved:
 
 
 def retimed_tables(clip: dict[str, Any], speed: float) -> dict[str, Any]:
-    """A clip's tables with the times of keyframes, contacts and flights at another speed, from the first on."""
+    """A clip's tables with the times of keyframes, contacts, holds and flights at another speed, from the first on."""
     start = clip["keyframe"][0]["time"]
 
     def later(time: float) -> float:
         return start + (time - start) / speed
 
     out = clip | {"keyframe": [row | {"time": later(row["time"])} for row in clip["keyframe"]]}
-    if "contact" in clip:
-        out["contact"] = [row | {key: later(row[key]) for key in ("from", "to")} for row in clip["contact"]]
+    for kind in clip.keys() & set(LASTING):
+        out[kind] = [row | {key: later(row[key]) for key in ("from", "to")} for row in clip[kind]]
     if "penalty" in clip:
         out["penalty"] = [
             row | {"intervals": [list(map(later, pair)) for pair in row["intervals"]]} if row.get("intervals") else row
@@ -129,7 +131,10 @@ def repeated(saved: Saved, count: int) -> Saved:
     seam = Seam.of(saved.figure, saved.timeline)
     roots = saved.figure.tables.position_columns
     travel = seam.travel[roots[:, 0]] if roots.size else np.zeros(3)
-    more = [row for i in range(1, count) for row in _later(_contacts(saved), period * i, travel * i)]
+    more = {
+        "contact": [row for i in range(1, count) for row in _later(_rows(saved, "contact"), period * i, travel * i)],
+        "hold": [row for i in range(1, count) for row in _later(_rows(saved, "hold"), period * i)],
+    }
     text = _keyed(saved, keys, lambda solve: _repeated_travel(solve, count), more)
     return replace(saved, text=text, keys=tuple(keys), timeline=timeline, raw=raw, trace=[], report={}, search={})
 
@@ -155,7 +160,11 @@ def joined(before: Saved, after: Saved, transition: float, teller: Teller) -> Sa
     keys = (*before.keys[:-1], *ends, *moved[1:])
     with _told("join"):
         clips.check_times([key.time for key in keys], "join")
-    more = [row for row in _later(_contacts(after), shift) if row.get("position") is None]  # it has moved elsewhere
+    contacts = _later(_rows(after, "contact"), shift)
+    more = {
+        "contact": [row for row in contacts if row.get("position") is None],  # what has one has moved elsewhere
+        "hold": _later(_rows(after, "hold"), shift),
+    }
     return _with_keys(before, keys, join.joined(one, between, two), more)
 
 
@@ -215,12 +224,12 @@ def _key_on(figure: Figure, timeline: Timeline, number: int) -> Frame:
     return Frame.key(frame.time, figure.to_qpos(frame.state))
 
 
-def _with_keys(saved: Saved, keys: tuple[Frame, ...], timeline: Timeline, contacts: Rows = ()) -> Saved:
+def _with_keys(saved: Saved, keys: tuple[Frame, ...], timeline: Timeline, more: Lasting | None = None) -> Saved:
     """A motion with free ends through other keyframes, before it the raw spline through them."""
     raw = raw_timeline(saved.figure, list(keys))
     return replace(
         saved,
-        text=_keyed(saved, keys, contacts=contacts),
+        text=_keyed(saved, keys, more=more),
         keys=keys,
         timeline=timeline,
         raw=raw,
@@ -235,26 +244,28 @@ def _freed(solve: dict[str, Any]) -> dict[str, Any]:
     return {key: value for key, value in solve.items() if key not in ("ends", "travel")}
 
 
-def _keyed(saved: Saved, keys: Sequence[Frame], ends: Edit = _freed, contacts: Rows = ()) -> str:
-    """The clip's text with other keyframes, its [solve] table changed, its contacts cut to their time, and more."""
+def _keyed(saved: Saved, keys: Sequence[Frame], ends: Edit = _freed, more: Lasting | None = None) -> str:
+    """The clip's text with other keyframes, its [solve] table changed, its contacts and holds, and more of them, cut to
+    their time."""
 
     def changed(clip: dict[str, Any]) -> dict[str, Any]:
         keyed = clip | {"solve": ends(clip.get("solve", {})), "keyframe": keyframe_tables(saved.figure, keys)}
-        keyed["contact"] = _cut([*keyed.get("contact", ()), *contacts], keys[0].time, keys[-1].time)
-        return {key: value for key, value in keyed.items() if key != "contact" or value}
+        for kind in LASTING:
+            keyed[kind] = _cut([*keyed.get(kind, ()), *(more or {}).get(kind, ())], keys[0].time, keys[-1].time)
+        return {key: value for key, value in keyed.items() if key not in LASTING or value}
 
     return _text(saved, changed)
 
 
-def _contacts(saved: Saved) -> Rows:
-    """The contacts of a motion's text."""
-    return tables(clips.table_of(saved.text, saved.name)).get("contact", []) if saved.text else []
+def _rows(saved: Saved, kind: str) -> Rows:
+    """The contacts or holds of a motion's text."""
+    return tables(clips.table_of(saved.text, saved.name)).get(kind, []) if saved.text else []
 
 
-def _later(contacts: Rows, shift: float, travel: ArrayLike = 0.0) -> list[dict[str, Any]]:
-    """Contacts a time [s] later, and their positions so far on [m]."""
+def _later(rows: Rows, shift: float, travel: ArrayLike = 0.0) -> list[dict[str, Any]]:
+    """Contacts or holds a time [s] later, and their positions so far on [m]."""
     out = []
-    for row in contacts:
+    for row in rows:
         moved = row | {"from": row["from"] + shift, "to": row["to"] + shift}
         if row.get("position") is not None:
             moved["position"] = (np.array(row["position"]) + travel).tolist()
@@ -262,9 +273,9 @@ def _later(contacts: Rows, shift: float, travel: ArrayLike = 0.0) -> list[dict[s
     return out
 
 
-def _cut(contacts: Rows, first: float, last: float) -> list[dict[str, Any]]:
-    """The parts of contacts that lie between two times [s]."""
-    cut = [row | {"from": max(row["from"], first), "to": min(row["to"], last)} for row in contacts]
+def _cut(rows: Rows, first: float, last: float) -> list[dict[str, Any]]:
+    """The parts of contacts or holds that lie between two times [s]."""
+    cut = [row | {"from": max(row["from"], first), "to": min(row["to"], last)} for row in rows]
     return [row for row in cut if row["to"] - row["from"] >= clips.SHORTEST]
 
 

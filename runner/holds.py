@@ -13,7 +13,7 @@ from itertools import pairwise
 import numpy as np
 
 from solver.figure import Figure
-from solver.frame import Timeline
+from solver.frame import Mask, Timeline
 from solver.kinematics import Samples
 from solver.penalty import Hold, Point, Spot, slipped
 from solver.penalty.contact import placed
@@ -121,11 +121,11 @@ def _spots(figure: Figure, keys: Timeline, row: _Row) -> list[Spot]:
     return [Spot(first, last, a, b) for (first, a), (last, b) in pairwise(whole) if last > first + ROUNDING]
 
 
-def _said(figure: Figure, keys: Timeline, hold: Hold) -> tuple[Index, Array, Array]:
+def _said(figure: Figure, keys: Timeline, hold: Hold) -> tuple[Index, Array, Mask]:
     """The keyframes (k,) within a hold that tell both site and body, the place on the body in all (3, K), and which of
     them fix it (K,)."""
     samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
     both = [hold.point, Point(hold.body, hold.link, np.zeros(3))]
-    known, exact = (placed(figure, told, both).all(axis=0) for told in (keys.known, keys.fixed))
+    known, exact = (np.logical_and.reduce(placed(figure, told, both)) for told in (keys.known, keys.fixed))
     inside = (keys.times >= hold.first - ROUNDING) & (keys.times <= hold.last + ROUNDING)
     return np.flatnonzero(inside & known), slipped(samples, hold), exact

@@ -165,7 +165,7 @@ def begun(figure: Figure, timeline: Timeline, hold: Hold) -> Array:
 
 
 def _grid(timeline: Timeline, key_times: Array, ends: Sequence[float]) -> Array:
-    """(T,) [s] so many a second, and the instants that matter: keyframes, and where contacts and holds begin and end."""
+    """(T,) [s] so many a second, and the instants that matter: of keyframes, and the ends of contacts and holds."""
     first, last = float(timeline.times[0]), float(timeline.times[-1])
     even = np.linspace(first, last, max(2, round((last - first) * RATE) + 1))
     return np.unique(np.concatenate([even, np.clip(key_times, first, last), np.array(ends, float)]))

@@ -32,11 +32,9 @@ from solver.penalty import (
     JointRange,
     Placement,
     SelfContact,
-    carried_links,
     closures,
     couplings,
     joint_ranges,
-    slipped,
     stances,
     within,
 )
@@ -49,8 +47,9 @@ from solver.wrench import RootWrench
 
 from .clip import Clip
 from .exactness import keyframe_error
+from .hold_report import hold_rows, in_carried
 from .motion import continuous, samples_at
-from .penetration import lowest, moving_geoms, penetration, self_penetration
+from .penetration import lowest, penetration, self_penetration
 from .problems import plain, problems
 from .swings import swings
 from .swings import words as swing_words
@@ -149,8 +148,8 @@ def _side(clip: Clip, objective: Objective, timeline: Timeline, grid: Grid) -> d
         "stances": _stance_report(clip, timeline),
         "swings": swings(clip, grid.samples),
         "contacts": _contact_report(clip, timeline),
-        "holds": _hold_report(clip, timeline),
-        "in what is carried, m": _carried_report(clip, grid),
+        "holds": hold_rows(clip, timeline, RATE),
+        "in what is carried, m": in_carried(clip, grid.time, grid.qpos),
         "off their places, m": _placement_report(clip, timeline),
         "edge clearance, m": _edge_clearance(clip, grid),
         "unit deviation": _unit_deviation(grid),
@@ -283,31 +282,6 @@ def _contact_report(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
         told = {"point": rest.point.name, "from, s": rest.first, "to, s": rest.last}
         out.append(told | {"moved, m": moved, "path, m": path, "speed, m/s": speed})
     return out
-
-
-def _hold_report(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
-    """Every hold that the clip gives: how far its site gets on the body from where it was when it took hold."""
-    out = []
-    for hold in clip.holds:
-        time = np.linspace(hold.first, hold.last, max(3, round((hold.last - hold.first) * RATE)))
-        track = slipped(samples_at(clip.figure, path_of(timeline), time), hold)
-        moved = np.linalg.norm(track - track[:, :1], axis=0)
-        told = {"hand": hold.point.name, "body": hold.body, "from, s": hold.first, "to, s": hold.last}
-        out.append(told | {"moved, m": float(moved.max()), "at, s": float(time[int(moved.argmax())])})
-    return out
-
-
-def _carried_report(clip: Clip, grid: Grid) -> dict[str, Any]:
-    """The deepest that the figure is in what it carries; empty if it holds nothing."""
-    model, links = clip.figure.model, carried_links(clip.figure, clip.holds)
-    if not links:
-        return {}
-    is_carried = np.isin(clip.figure.body_link[model.geom_bodyid], links)
-    movers = np.array(moving_geoms(model), np.intp)
-    own, things = movers[~is_carried[movers]], movers[is_carried[movers]]
-    pairs = np.array(np.meshgrid(own, things)).reshape(2, -1)
-    deepest, where = self_penetration(model, pairs, grid.time, grid.qpos)
-    return {"deepest": deepest, "where": where}
 
 
 def _placement_report(clip: Clip, timeline: Timeline) -> dict[str, float]:

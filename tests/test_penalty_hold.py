@@ -7,6 +7,7 @@ from test_kinematics import random_samples
 from test_penalty_planted import at_times
 from test_penalty_unit import penalty_slope
 
+from solver import quaternion as quat
 from solver.curvature import Curvature
 from solver.figure import Figure
 from solver.frame import Frame
@@ -99,14 +100,10 @@ def test_its_curvature_is_that_of_its_residuals(figure, rng):
 @pytest.mark.parametrize("is_known", [True, False])
 def test_a_hand_stays_on_a_box_that_turns_where_the_raw_spline_loses_it(is_known):
     figure = Figure(mujoco.MjModel.from_xml_string(TWO))
-    turns = [[1, 0, 0, 0], [np.cos(0.6), 0, 0, np.sin(0.6)]]
-    keys = []
-    for i, turn in enumerate(turns):
-        box = np.array([0.5 * i, 0.4 * i, 0.3 * i, *turn])
-        where = box[:3] + np.array([[1 - 2 * turn[3] ** 2, -2 * turn[0] * turn[3], 0],
-                                    [2 * turn[0] * turn[3], 1 - 2 * turn[3] ** 2, 0], [0, 0, 1]]) @ [0.9, 0, 0]  # fmt: skip
-        keys.append(Frame.key(float(i), [*where, 1, 0, 0, 0, *box]))
-    spot = np.array([0.9, 0, 0])
+    spot, keys = np.array([0.9, 0, 0]), []
+    for i in range(2):
+        box, turn = np.array([0.5, 0.4, 0.3]) * i, [np.cos(0.6 * i), 0, 0, np.sin(0.6 * i)]
+        keys.append(Frame.key(float(i), [*(box + quat.rotated(turn, spot)), 1, 0, 0, 0, *box, *turn]))
     spots = (Spot(0, 1, spot, spot),) if is_known else ()
     hold = Hold(Point("hand", 1, np.zeros(3)), 2, "box", 0.0, 1.0, spots)
     others = [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0), (UnitMagnitude(), 1.0)]

@@ -62,6 +62,7 @@ def build(
     fps: float = 30.0,
     scene: Table | None = None,
     contacts: Sequence[Table] = (),
+    holds: Sequence[Table] = (),
     penalties: Mapping[str, float | Table] | None = None,
     solve: Table | None = None,
 ) -> Clip:
@@ -70,6 +71,7 @@ def build(
     figure     the name of a figure that ships (see `figures()`), a path to MJCF, or an MjSpec
     scene      as the file's [scene]: {"step": {"x": 0.3, "height": 0.27}, "box": [{...}, ...]}
     contacts   as [[contact]]: {"point": "right_heel", "from": 0.0, "to": 0.8}
+    holds      as [[hold]]: {"hand": "left_hand", "body": "crate", "from": 1.2, "to": 2.8}
     penalties  what differs from the defaults: {"torque": 0.1, "clearance": {"weight": 100, "margin": 0.002}}
     solve      as [solve]: {"ends": "periodic", "variable": 3}
 
@@ -80,6 +82,7 @@ def build(
     raw: dict[str, Any] = {"figure": called, "fps": float(fps)}
     raw |= {key: _plain(value) for key, value in (("scene", scene), ("solve", solve)) if value}
     raw |= {"contact": [_plain(row) for row in contacts]} if contacts else {}
+    raw |= {"hold": [_plain(row) for row in holds]} if holds else {}
     raw |= {"penalty": [_penalty(*entry) for entry in penalties.items()]} if penalties else {}
     raw |= {"keyframe": [_table(key, own) for key in keyframes]}
     return clips.from_text(written(raw), name=name, place=name, spec=spec)

@@ -1,0 +1,227 @@
+"""The clip's [[hold]] tables and things of its scene: what they become, what moves with what, every mistake in one
+line."""
+
+import mujoco
+import numpy as np
+import pytest
+
+from runner import clip as clips
+from runner.clip_mirror import mirrored_tables
+from runner.clip_text import tables, written
+from runner.errors import UserError
+from runner.hold_report import hold_rows, in_carried
+from runner.problems import problems
+from solver.inbetween import inbetween
+from solver.mirror import Mirror
+from solver.penalty import Contact, Hold, Holding, Planted, Together
+from solver.subdivision import path_of as path
+
+SCENE = """
+figure = "human"
+[[scene.box]]
+name = "crate's walls"
+body = "crate"
+size = [0.3, 0.3, 0.3]
+mass = 4
+[[scene.sphere]]
+name = "crate's knob"
+body = "crate"
+position = [0, 0, 0.18]
+radius = 0.03
+mass = 1
+"""
+HOLD = """
+[[hold]]
+hand = "{hand}_hand"
+body = "crate"
+from = {start}
+to = {end}
+"""
+CRATE = "roots.crate = {{position = [{x}, 0, {z}], rotation = {{rotvec = [0, {pitch}, 0]}}}}"
+AT = CRATE.format(x=0.42, z=1.0, pitch=0)
+
+
+def keyframe(time: float, *lines: str) -> str:
+    return "\n".join(["[[keyframe]]", f"time = {time}", *lines, ""])
+
+
+STANDING = "root.position = [0, 0, 0.93]\nroot.rotation = {rotvec = [0, 0, 0]}"
+HANDS = "sites.left_hand = [0.42, 0.17, 1.0]\nsites.right_hand = [0.42, -0.17, 1.0]"
+
+
+def lift(*more: str, hands: tuple[str, ...] = ("left", "right")) -> str:
+    """Hands at a crate in the air, which is then moved to three places without a word about the arms."""
+    rows = [
+        keyframe(0.0, 'others = "rest"', AT),
+        keyframe(0.6, STANDING, AT, HANDS),
+        keyframe(1.0, STANDING, CRATE.format(x=0.36, z=1.2, pitch=15)),
+        keyframe(1.5, STANDING, CRATE.format(x=0.44, z=1.1, pitch=-10)),
+        keyframe(2.1, STANDING),
+    ]
+    return SCENE + "".join(HOLD.format(hand=hand, start=0.6, end=1.5) for hand in hands) + "".join([*rows, *more])
+
+
+def place(clip: clips.Clip, qpos: np.ndarray, hand: str) -> np.ndarray:
+    """(3,) where a hand is on the crate, by MuJoCo."""
+    data = mujoco.MjData(clip.figure.model)
+    data.qpos[:] = qpos
+    mujoco.mj_kinematics(clip.figure.model, data)
+    crate = data.body("crate")
+    return crate.xmat.reshape(3, 3).T @ (data.site(hand).xpos - crate.xpos)
+
+
+def spot_of(hold: Hold, *times: float) -> np.ndarray:
+    """(T, 3) where it is on the body."""
+    found = hold.spot(np.array(times))
+    assert found is not None
+    return found.T
+
+
+def parts(clip: clips.Clip, name: str) -> list:
+    found = [penalty for penalty, _ in clip.penalties if penalty.name == name]
+    return [part for penalty in found for part in (penalty.parts if isinstance(penalty, Together) else (penalty,))]
+
+
+def test_boxes_that_name_a_body_are_parts_of_one_that_moves_freely():
+    clip = clips.from_text(lift(), name="lift")
+    model = clip.figure.model
+    crate = model.body("crate")
+    assert crate.mass == pytest.approx(5) and crate.jntnum == 1 and crate.geomnum == 2
+    assert model.joint("crate").type == mujoco.mjtJoint.mjJNT_FREE
+    assert "crate's walls" not in {surface.name for surface in clip.surfaces}
+
+
+def test_a_hold_is_where_the_keyframes_have_the_site_on_the_body():
+    clip = clips.from_text(lift(), name="lift")
+    assert [hold.name for hold in clip.holds] == ["left_hand on crate", "right_hand on crate"]
+    for hold, y in zip(clip.holds, (0.17, -0.17), strict=True):
+        assert (hold.first, hold.last, clip.figure.links[hold.link].name) == (0.6, 1.5, "crate")
+        np.testing.assert_allclose(spot_of(hold, 0.6, 0.8, 1.0, 1.5), [[0, y, 0]] * 4, atol=1e-5)
+    (holding,) = parts(clip, "hold")
+    assert isinstance(holding, Holding) and [w for p, w in clip.penalties if p is holding] == [750]
+
+
+def test_arms_that_keyframes_leave_free_begin_where_the_hands_hold():
+    clip = clips.from_text(lift(), name="lift")
+    for key in clip.keys[2:4]:
+        for hand, y in (("left_hand", 0.17), ("right_hand", -0.17)):
+            np.testing.assert_allclose(place(clip, key.state, hand), [0, y, 0], atol=1e-5)
+        arm = clip.figure.model.joint("left_shoulder").qposadr[0]
+        assert not key.fixed[arm : arm + 4].any() and key.known[arm : arm + 4].all()
+
+
+def test_a_thing_lies_where_it_was_put_until_it_is_held_and_again_after():
+    clip = clips.from_text(lift(), name="lift")
+    own = slice(clip.figure.model.joint("crate").qposadr[0], None)
+    assert [bool(key.fixed[own].all()) for key in clip.keys] == [True, True, True, True, True]
+    np.testing.assert_array_equal(clip.keys[4].state[own], clip.keys[3].state[own])
+    stances = [stance for part in parts(clip, "planted") if isinstance(part, Planted) for stance in part.stances]
+    assert {(s.first, s.last) for s in stances if s.point.name == "crate"} == {(0.0, 0.6), (1.5, 2.1)}
+    free = lift().replace(CRATE.format(x=0.36, z=1.2, pitch=15), 'others = "hold"')
+    assert not clips.from_text(free, name="free").keys[2].fixed[own].any()
+
+
+def test_a_crate_that_keyframes_leave_free_goes_with_the_hands():
+    up = HANDS.replace("1.0]", "1.2]")
+    rows = keyframe(0.6, STANDING, AT, HANDS), keyframe(1.0, STANDING, up), keyframe(1.4, STANDING, up)
+    holds = "".join(HOLD.format(hand=hand, start=0.6, end=1.4) for hand in ("left", "right"))
+    clip = clips.from_text(SCENE + holds + keyframe(0.0, 'others = "rest"', AT) + "".join(rows), name="hands")
+    for hand, y in (("left_hand", 0.17), ("right_hand", -0.17)):
+        np.testing.assert_allclose(place(clip, clip.keys[2].state, hand), [0, y, 0], atol=1e-5)
+
+
+@pytest.fixture(scope="module")
+def solved():
+    clip = clips.from_text(lift(), name="lift")
+    settings = clip.settings
+    return clip, inbetween(clip.figure, list(clip.keys), clip.penalties, settings, ends=clip.ends)
+
+
+def test_the_hands_stay_within_millimetres_where_the_raw_spline_loses_the_crate(solved):
+    clip, motion = solved
+    time = np.linspace(0.6, 1.5, 200)
+    for timeline, most in ((motion.raw, None), (motion.timeline, 0.003)):
+        moved = []
+        for hand in ("left_hand", "right_hand"):
+            track = np.array([place(clip, clip.figure.to_qpos(y), hand) for y in path(timeline).at(time)])
+            moved.append(np.linalg.norm(track - track[0], axis=1).max())
+        assert max(moved) > 0.006 if most is None else max(moved) <= most
+    assert not [each for each in problems(clip, motion.timeline, motion.raw) if each.kind == "hold"]
+    assert {each.name for each in problems(clip, motion.raw, motion.raw) if each.kind == "hold"}
+
+
+def test_the_report_says_how_far_hands_move_and_how_deep_the_figure_is_in_what_it_carries(solved):
+    clip, motion = solved
+    (left, right), (raw, _) = (hold_rows(clip, timeline, 500) for timeline in (motion.timeline, motion.raw))
+    assert (left["hand"], right["hand"], left["body"]) == ("left_hand", "right_hand", "crate")
+    assert left["moved, m"] <= 0.003 < raw["moved, m"]
+    time = np.linspace(0.0, 2.1, 60)
+    found = in_carried(clip, time, motion.at(time))
+    assert found["deepest"] <= 0.03 and "crate" in found["where"]
+    assert in_carried(clips.from_text(lift(hands=()), name="none"), time, motion.at(time)) == {}
+
+
+def test_limbs_stay_out_of_what_is_carried_and_not_of_what_nobody_holds():
+    for hands, expected in (((), 0), (("left",), 1)):
+        found = parts(clips.from_text(lift(hands=hands), name="lift"), "clearance")
+        assert sum(isinstance(part, Contact) and part.carrier > 0 for part in found) == expected
+
+
+def test_a_hold_with_a_position_and_one_that_nobody_placed():
+    free = lift(hands=()).replace(HANDS, "")
+    hold = HOLD.format(hand="left", start=0.7, end=0.9)
+    (unknown,) = clips.from_text(free + hold, name="free").holds
+    assert unknown.spots == ()
+    (known,) = clips.from_text(free + hold + "position = [0, 0.15, 0.05]\n", name="free").holds
+    np.testing.assert_allclose(spot_of(known, 0.7, 0.8, 0.9), [[0, 0.15, 0.05]] * 3)
+
+
+MISTAKES = {
+    "no such site": (HOLD.format(hand="lift", start=0, end=1), ["hold 1 ('lift_hand' on 'crate')", "'left_hand'?"]),
+    "no such body": (HOLD.format(hand="left", start=0, end=1).replace("crate", "crat"), ["no body 'crat'", "'crate'"]),
+    "a body that does not move": (
+        HOLD.format(hand="left", start=0, end=1).replace('"crate"', '"floor"'), ["'floor' does not move", "[[contact]]"]
+    ),
+    "its own body": (HOLD.format(hand="left", start=0, end=1).replace('"crate"', '"left_forearm"'), ["on that body"]),
+    "backwards": (HOLD.format(hand="left", start=1, end=0.5), ["from = 1 s is not before to = 0.5 s"]),
+    "outside": (HOLD.format(hand="left", start=1, end=3), ["outside the clip"]),
+    "two at once": (HOLD.format(hand="left", start=0, end=1) * 2, ["hold 2", "overlaps hold 1", "one thing at a time"]),
+    "no end": ('[[hold]]\nhand = "left_hand"\nbody = "crate"\nfrom = 1\n', ["hold 1", "'to' is missing"]),
+    "an unknown key": (HOLD.format(hand="left", start=0, end=1) + "hnad = 1\n", ["hold 1", "no key 'hnad'", "'hand'?"]),
+    "a number for a body": (
+        '[[hold]]\nhand = "left_hand"\nbody = 3\nfrom = 0\nto = 1\n', ["hold 1", "body must be a name in quotes"]
+    ),
+    "keyframes that contradict it": (
+        HOLD.format(hand="left", start=0, end=0.6), ["keyframe 2", "m from where keyframe 1 has it on the body"]
+    ),
+    "mass of what stands still": ("[[scene.box]]\nsize = [1, 1, 1]\nposition = [5, 0, 0]\nmass = 1\n", ["'mass'"]),
+    "a body's name twice": (
+        '[[scene.box]]\nbody = "pelvis"\nsize = [1, 1, 1]\n', ["there already is a body or joint of that name"]
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", MISTAKES)
+def test_every_mistake_is_told_in_one_line_that_names_it(case):
+    more, words = MISTAKES[case]
+    with pytest.raises(UserError) as caught:
+        clips.from_text(lift(hands=()) + more, name="wrong")
+    assert "\n" not in str(caught.value)
+    for word in ["wrong.toml", *words]:
+        assert word in str(caught.value)
+
+
+def test_a_mirrored_clip_holds_with_the_other_hand():
+    clip = clips.from_text(lift(hands=("left",)), name="lift")
+    figure = clip.figure
+    said = mirrored_tables(tables(clips.table_of(clip.text, "lift")), figure, Mirror.of(figure))
+    other = clips.from_text(written(said), name="other")
+    (hold,) = other.holds
+    assert hold.name == "right_hand on crate"
+    np.testing.assert_allclose(hold.spots[0].start, clip.holds[0].spots[0].start * [1, -1, 1], atol=1e-6)
+
+
+def test_several_hold_one_thing_one_after_the_other_and_at_once():
+    both = lift(hands=("left",)) + HOLD.format(hand="right", start=0.6, end=1.0)
+    holds: tuple[Hold, ...] = clips.from_text(both, name="both").holds
+    assert [(hold.point.name, hold.last) for hold in holds] == [("left_hand", 1.5), ("right_hand", 1.0)]
