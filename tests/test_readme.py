@@ -41,9 +41,9 @@ def test_every_format_of_the_table_exists_and_none_is_left_out() -> None:
 
 
 def test_the_example_clip_solves() -> None:
-    text, more = blocks("toml")
+    text, more, carried = blocks("toml")
     assert len(text.splitlines()) <= 12
-    for name, whole in (("readme", text), ("with places", text + more)):
+    for name, whole in (("readme", text), ("with places", text + more), ("carrying", text + carried)):
         problem = clip.from_text(whole, name=name)
         motion = inbetween(problem.figure, problem.keys, problem.penalties, problem.settings)
         assert motion.trace[-1][2] < motion.trace[0][2]
