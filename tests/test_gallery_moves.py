@@ -1,4 +1,5 @@
-"""The shipped moves about things: sitting down, a jump over a box, a hand on a rail, a cartwheel. MuJoCo measures them.
+"""The shipped moves about things: sitting down, a jump over a box, a hand on a rail, a crate carried, a cartwheel.
+MuJoCo measures them.
 
 Every figure is of the solved motion between its keyframes, beside that of the raw spline where that shows what it is
 good for.
@@ -20,12 +21,14 @@ from runner import work
 from runner.clip import Clip
 from runner.clip_text import tables, written
 from runner.edits import retimed_tables
+from runner.hold_report import in_carried
 from runner.motion import continuous, sampled
 from runner.penetration import penetration
 from runner.progress import Teller
 from solver.inbetween import Motion
 from solver.penalty import BendLimits
 from solver.quaternion import Array
+from solver.subdivision import path_of
 
 RATE = 500.0
 G = 9.81
@@ -48,6 +51,24 @@ RESTS = {
         ("left_heel", 1.45, 2.0),
         ("left_toe", 1.45, 2.0),
     ],
+    "carry_box": [
+        ("left_heel", 0.0, 0.36),
+        ("left_toe", 0.0, 0.62),
+        ("right_heel", 0.74, 1.0),
+        ("right_toe", 1.0, 1.28),
+        ("left_heel", 1.38, 1.64),
+        ("left_toe", 1.64, 1.94),
+        ("right_heel", 1.98, 2.32),
+        ("right_toe", 1.98, 2.60),
+        ("left_heel", 2.64, 6.0),
+        ("left_toe", 2.64, 6.24),
+        ("right_heel", 3.24, 5.62),
+        ("right_toe", 3.24, 5.62),
+        ("right_heel", 6.36, 8.15),
+        ("right_toe", 6.62, 8.15),
+        ("left_heel", 6.90, 8.15),
+        ("left_toe", 6.90, 8.15),
+    ],
     "cartwheel": [
         ("left_hand", 0.60, 0.98),
         ("right_hand", 0.92, 1.30),
@@ -61,7 +82,13 @@ RESTS = {
         ("left_heel", 1.71, 1.90),
     ],
 }
-RAW_DEPTH = {"sit_down": 0.02, "jump_over_box": 0.1, "hand_on_rail": 0.02, "cartwheel": 0.02}  # [m] at least, before
+RAW_DEPTH = {  # [m] at least, before
+    "sit_down": 0.02,
+    "jump_over_box": 0.1,
+    "hand_on_rail": 0.02,
+    "carry_box": 0.02,
+    "cartwheel": 0.02,
+}
 
 
 @dataclass(frozen=True)
@@ -110,6 +137,22 @@ class Move:
 
     def at(self, time: float) -> int:
         return int(np.argmin(np.abs(self.time - time)))
+
+    def on(self, body: str, site: str, *, raw: bool = False) -> Array:
+        """(T, 3) [m] where a site is on a body, in its axes, at all times."""
+        data, out = mujoco.MjData(self.scene), []
+        path = path_of(self.motion.raw if raw else self.motion.timeline)
+        for qpos in self.clip.figure.to_qpos(path.at(self.time)):
+            data.qpos[:] = qpos
+            mujoco.mj_kinematics(self.scene, data)
+            held = data.body(body)
+            out.append(held.xmat.reshape(3, 3).T @ (data.site(site).xpos - held.xpos))
+        return np.array(out)
+
+    def body(self, name: str) -> Array:
+        """(T, 7) place [m] and rotation of a body with a free joint."""
+        start = int(self.scene.joint(name).qposadr[0])
+        return self.qpos[:, start : start + 7]
 
     def gap(self, time: float, words: tuple[str, ...], obstacle: str) -> float:
         """The least distance [m] of geoms whose names begin with some words from an obstacle."""
@@ -231,6 +274,43 @@ def test_the_hand_comes_from_above_and_is_closed_about_the_rail():
     assert np.all(move.site("left_hand")[coming, 2] > 0.97 + 0.05)
     passed = move.qpos[move.at(2.0), 0] - move.qpos[move.at(0.75), 0]
     assert passed == pytest.approx(0.25, abs=0.01)
+
+
+def test_the_hands_keep_their_place_on_the_crate_to_a_tenth_of_what_they_may():
+    move = solved("carry_box")
+    for hold in move.clip.holds:
+        during = (move.time >= hold.first) & (move.time <= hold.last)
+        for raw in (True, False):
+            track = move.on("crate", hold.point.name, raw=raw)[during]
+            moved = np.linalg.norm(track - track[0], axis=1).max()
+            assert moved >= 0.01 if raw else moved <= 0.0003
+
+
+def test_the_crate_lies_on_the_floor_is_carried_level_and_stands_on_the_table():
+    move = solved("carry_box")
+    crate, bottom = move.body("crate"), move.body("crate")[:, 2] - 0.17
+    lying, standing = move.time <= 4.45, move.time >= 7.25
+    for some, height in ((lying, 0.0), (standing, 0.70)):
+        np.testing.assert_allclose(bottom[some], height, atol=0.0015)
+        assert np.linalg.norm(crate[some, :3] - crate[some][0, :3], axis=1).max() <= 0.0015
+    assert np.degrees(2 * np.arccos(np.abs(crate[:, 3]))).max() <= 10
+    assert bottom[move.at(6.0)] > 0.70
+    assert in_carried(move.clip, move.time[::10], move.qpos[::10])["deepest"] <= 0.005
+
+
+def test_three_steps_and_a_quarter_turn_lead_to_the_crate_and_the_legs_lift_it():
+    move = solved("carry_box")
+    heading = np.degrees(np.unwrap(2 * np.arctan2(move.qpos[:, 6], move.qpos[:, 3])))
+    assert heading[0] == pytest.approx(-90, abs=0.1) and np.abs(heading[move.time >= 3.2]).max() <= 6
+    landings = [move.site(f"{side}_heel")[move.at(t), 1] for side, t in (("right", 0.8), ("left", 1.5), ("right", 2.1))]
+    assert np.all(np.diff([1.39, *landings]) < -0.3)
+    squat, upright = move.at(4.45), move.at(5.7)
+    assert move.qpos[squat, 2] < 0.5 and move.qpos[upright, 2] > 0.9
+    assert move.up("chest")[squat, 2] > np.cos(np.radians(60)) and move.up("chest")[upright, 2] > 0.99
+    flexion = np.degrees(BendLimits(move.clip.bends).angles(move.motion.objective.samples(move.motion.path, move.time)))
+    knees = [i for i, bend in enumerate(move.clip.bends) if "knee" in bend.name]
+    assert flexion[0][knees, squat].min() > 90
+    assert np.ptp(flexion[0][knees, squat]) <= 3
 
 
 def test_the_cartwheel_goes_over_left_hand_right_hand_right_foot():

@@ -1,16 +1,23 @@
 """The clip's [[hold]] tables and things of its scene: what they become, what moves with what, every mistake in one
 line."""
 
+import io
+from dataclasses import replace
+
 import mujoco
 import numpy as np
 import pytest
+from rich.console import Console
 
 from runner import clip as clips
+from runner import work
 from runner.clip_mirror import mirrored_tables
 from runner.clip_text import tables, written
+from runner.edits import retimed_tables, trimmed
 from runner.errors import UserError
 from runner.hold_report import hold_rows, in_carried
 from runner.problems import problems
+from runner.progress import Teller
 from solver.inbetween import inbetween
 from solver.mirror import Mirror
 from solver.penalty import Contact, Hold, Holding, Planted, Together
@@ -117,6 +124,9 @@ def test_a_thing_lies_where_it_was_put_until_it_is_held_and_again_after():
     np.testing.assert_array_equal(clip.keys[4].state[own], clip.keys[3].state[own])
     stances = [stance for part in parts(clip, "planted") if isinstance(part, Planted) for stance in part.stances]
     assert {(s.first, s.last) for s in stances if s.point.name == "crate"} == {(0.0, 0.6), (1.5, 2.1)}
+    late = clips.from_text(lift().replace(AT, "", 1), name="late")
+    np.testing.assert_array_equal(late.keys[0].state[own], clip.keys[0].state[own])
+    assert late.keys[0].fixed[own].all()
     free = lift().replace(CRATE.format(x=0.36, z=1.2, pitch=15), 'others = "hold"')
     assert not clips.from_text(free, name="free").keys[2].fixed[own].any()
 
@@ -133,7 +143,7 @@ def test_a_crate_that_keyframes_leave_free_goes_with_the_hands():
 @pytest.fixture(scope="module")
 def solved():
     clip = clips.from_text(lift(), name="lift")
-    settings = clip.settings
+    settings = replace(clip.settings, variable=1, frames=8)
     return clip, inbetween(clip.figure, list(clip.keys), clip.penalties, settings, ends=clip.ends)
 
 
@@ -225,3 +235,13 @@ def test_several_hold_one_thing_one_after_the_other_and_at_once():
     both = lift(hands=("left",)) + HOLD.format(hand="right", start=0.6, end=1.0)
     holds: tuple[Hold, ...] = clips.from_text(both, name="both").holds
     assert [(hold.point.name, hold.last) for hold in holds] == [("left_hand", 1.5), ("right_hand", 1.0)]
+
+
+def test_at_another_speed_and_in_a_part_of_the_clip_holds_keep_their_place(solved):
+    clip, _ = solved
+    fast = retimed_tables(tables(clips.table_of(clip.text, "lift")), 2.0)
+    assert [(row["from"], row["to"]) for row in fast["hold"]] == [(0.3, 0.75)] * 2
+    part = trimmed(work.unsolved(clip).saved(Teller(Console(file=io.StringIO())), with_report=False), 0.8, 1.3)
+    (left, right) = clips.answered(part).holds
+    assert (left.first, left.last, right.last) == (0.8, 1.3, 1.3)
+    assert [penalty.name for penalty, _ in clips.answered(part).penalties].count("hold") == 1
