@@ -10,7 +10,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 
 import numpy as np
@@ -38,6 +38,8 @@ ROUGH = 1e-2
 SHARE_OF_PROMISE = 0.1
 FEW, MORE = 2, 3
 MOST_FRAMES = 12
+OF_FEET = frozenset({"skate", "grounded", "planted", "resting", "hold", "flight", "support", "peak"})
+OF_LIMBS = frozenset({"bend", "range"})
 SPACING = 0.3  # [s] between the frames to begin with in a long segment, so that it can follow what is beside it
 
 
@@ -226,11 +228,16 @@ class _Loop:
 
     def searched(self, timeline: Timeline, segments: int, budget: int | None) -> Timeline:
         """The best timeline found from where one begins, and if that ended in a heap from the straight way between
-        keyframes; the other way round where the beginning itself is far off."""
+        keyframes; the other way round where the beginning itself is far off. If both did, from where either comes to
+        without the terms that such a limb is trapped by: first what feet do, then bends."""
         figure = self.objective.figure
-        starts = [lambda: timeline, lambda: straightened(figure, timeline)]
+        starts: list[Callable[[], Timeline]] = [lambda: timeline, lambda: straightened(figure, timeline)]
         if farthest(figure, timeline) > FAR:
             starts.reverse()
+        starts += [
+            lambda: self.loosened(straightened(figure, timeline), OF_FEET),
+            lambda: self.loosened(timeline, OF_LIMBS),
+        ]
         ends: list[_End] = []
         for start in starts:
             if ends:
@@ -265,6 +272,14 @@ class _Loop:
             rough = float(np.clip(SHARE_OF_PROMISE * promise, tolerance, rough)) if chosen.size else tolerance
             timeline = split(timeline, chosen)
             self.round += bool(chosen.size)
+
+    def loosened(self, timeline: Timeline, without: frozenset[str]) -> Timeline:
+        """Where a rough search comes to without some terms."""
+        terms = tuple(term for term in self.objective.terms if term.penalty.name not in without)
+        descent = Descent(replace(self.objective, terms=terms), timeline)
+        found = descent.run(max_evaluations=self.settings.max_evaluations, tolerance=ROUGH)
+        self.evaluations += found.evaluations
+        return timeline.with_rows(descent.problem.unknowns.rows(found.x))
 
     def run_windows(self, raw: Timeline, first: Timeline) -> Timeline:
         """The rounds of every window of a long clip, one window after the other."""

@@ -241,3 +241,18 @@ def test_a_round_that_hid_what_it_costs_is_not_kept(monkeypatch):
     own = [objective.value(path_of(timeline)) for timeline in timelines]
     assert objective.value(path_of(chosen), times) == min(values)
     assert max(values[i] / own[i] for i in range(len(own))) > 10
+
+
+def test_where_both_ways_end_in_a_heap_terms_enter_one_after_the_other(monkeypatch):
+    keys, plain = swinging(3), inbetween(LIMB, swinging(3), TERMS)
+    without: list[frozenset[str]] = []
+    loosened = VERB._Loop.loosened
+    monkeypatch.setattr(VERB, "is_astray", lambda *_: True)
+    monkeypatch.setattr(VERB._Loop, "loosened", lambda *of: (without.append(of[2]), loosened(*of))[1])
+    motion = inbetween(LIMB, keys, TERMS)
+    assert without == [VERB.OF_FEET, VERB.OF_LIMBS]
+    assert motion.evaluations > plain.evaluations
+    edges = np.linspace(*motion.path.span, 500)
+    assert motion.objective.value(motion.path, edges) <= 1.001 * plain.objective.value(plain.path, edges)
+    ends = motion.path.at(np.array([key.time for key in keys]))
+    assert max(distance_from_key(LIMB, state, key) for state, key in zip(ends, keys, strict=True)) < 1e-12
