@@ -21,7 +21,8 @@ TENTHS = 10
 
 def curves(clip: Clip, motion: Motion) -> dict[str, Any]:
     """Foot heights, lengths of quaternions and EL deviation over tenths, of both motions; plain lists."""
-    return {"before": _side(clip, motion, motion.raw), "after": _side(clip, motion, motion.timeline)}
+    before = _side(clip, motion, motion.raw)
+    return {"before": before, "after": before if motion.is_raw else _side(clip, motion, motion.timeline)}
 
 
 def _side(clip: Clip, motion: Motion, timeline: Timeline) -> dict[str, Any]:

@@ -57,6 +57,7 @@ from .swings import words as swing_words
 RATE = 1000.0
 LOCAL_EVALUATIONS = 25
 RESTING = 0.01
+LEAST_STANCE = 0.05  # [s]: shorter, and two images of a recording stand next to each other, and no foot
 STIFF = 1e-7
 
 
@@ -81,12 +82,15 @@ def report(
 ) -> dict[str, Any]:
     """The whole report of a solved clip; `seconds` is what the solve took, `told` hears of the local solves' progress.
 
-    Ctrl-C leaves out the segments, which take longest, and nothing else.
+    Ctrl-C leaves out the segments, which take longest, and nothing else. Nothing was searched of a recording: it has no
+    segments and nothing left to gain, and is measured once for both sides.
     """
-    before, after = Grid.of(clip, motion.raw), Grid.of(clip, motion.timeline)
+    before, searched = Grid.of(clip, motion.raw), not motion.is_raw
+    after = Grid.of(clip, motion.timeline) if searched else before
+    first = _side(clip, motion.objective, motion.raw, before)
     sides = {
-        "before": _side(clip, motion.objective, motion.raw, before),
-        "after": _side(clip, motion.objective, motion.timeline, after),
+        "before": first,
+        "after": _side(clip, motion.objective, motion.timeline, after) if searched else dict(first),
     }
     drift = np.linalg.norm(_centre_of_mass(after.samples) - _centre_of_mass(before.samples), axis=0)
     sides["after"]["centre of mass off before, m"] = {
@@ -97,7 +101,7 @@ def report(
         "problems": plain(problems(clip, motion.timeline, motion.raw, motion.stop)),
         "clip": clip.name,
         "duration, s": float(before.time[-1] - before.time[0]),
-        "left to gain": _left_to_gain(motion),
+        "left to gain": _left_to_gain(motion) if searched else {},
         "keyframes": len(clip.keys),
         "partial keyframes": sum(not key.is_key for key in clip.keys),
         "variable frames": motion.timeline.variable_count,
@@ -105,7 +109,7 @@ def report(
         "seconds": seconds,
         "stopped because": motion.stop.value,
         "cycle": _cycle_report(clip),
-        "segments": _segments(clip, motion, told),
+        "segments": _segments(clip, motion, told) if searched else [],
         **sides,
     }
 
@@ -247,9 +251,9 @@ def _skate(clip: Clip, grid: Grid) -> dict[str, dict[str, float]]:
 
 
 def _stance_report(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
-    """Every foot that two neighbouring keyframes plant: how high its lowest geom rises, and how far it slides."""
+    """Every foot that two neighbouring keyframes plant for a while: how high its lowest geom rises, and how far it slides."""
     keys = _key_timeline(clip, timeline)
-    found = stances(clip.figure, keys, clip.points, clip.surfaces)
+    found = [s for s in stances(clip.figure, keys, clip.points, clip.surfaces) if s.last - s.first > LEAST_STANCE]
     groups: dict[tuple[float, float, int], list[Any]] = {}
     for stance in found:
         groups.setdefault((stance.first, stance.last, stance.point.link), []).append(stance)
@@ -456,11 +460,12 @@ def _segments(clip: Clip, motion: Motion, told: Callable[[int, int], None] | Non
 def tables(data: dict[str, Any]) -> Group:
     """The report for a screen."""
     before, after = data["before"], data["after"]
+    gain = f"; about {data['left to gain']['share']:.1%} of the objective is left to gain" if data["left to gain"] else ""
     head = (
         f"{data['clip']}: {data['duration, s']:.2f} s, {data['keyframes']} keyframes "
         f"({data['partial keyframes']} partial), {data['variable frames']} variable frames; "
-        f"{data['evaluations']} evaluations in {data['seconds']:.2f} s; {data['stopped because']}; "
-        f"about {data['left to gain']['share']:.1%} of the objective is left to gain{_cycle_words(data)}"
+        f"{data['evaluations']} evaluations in {data['seconds']:.2f} s; {data['stopped because']}"
+        f"{gain}{_cycle_words(data)}"
     )
     main = Table("measure", "before", "after", title="on a 1 kHz grid", title_justify="left")
     for name, one, two in _lines(before, after):
@@ -473,7 +478,7 @@ def tables(data: dict[str, Any]) -> Group:
             f"{row['variable frames']:.0f}",
         )
     wrong = [Text(f"problem: {problem['text']}") for problem in data.get("problems", [])]
-    return Group(*wrong, head, main, segments)
+    return Group(*wrong, head, main, *([segments] if data["segments"] else []))
 
 
 def _cycle_words(data: dict[str, Any]) -> str:

@@ -121,6 +121,12 @@ class Motion:
     def path(self) -> Path:
         return path_of(self.timeline)
 
+    @property
+    def is_raw(self) -> bool:
+        """Whether nothing was searched and it is the raw spline, as a recording is."""
+        pairs = [(line.times, line.states, line.end_slope) for line in (self.raw, self.timeline)]
+        return self.evaluations == 0 and all(map(np.array_equal, *pairs))
+
     def at(self, t: ArrayLike) -> Array:
         """MuJoCo configurations at times t (S,) [s] of the clip: (S, nq), quaternions unit."""
         first, last = self.path.span

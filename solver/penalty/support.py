@@ -180,8 +180,10 @@ class Support:
         """Links (n,), positions (3, n) of the points, and the edges of their friction pyramids (3, n, 4)."""
         links = np.array([f.point.link for f in self.footings], np.intp)
         positions = np.array([f.point.position for f in self.footings]).reshape(-1, 3).T
-        edges = np.array([friction_edges(f.normal, self.friction) for f in self.footings])
-        return links, positions, edges.reshape(-1, 3, EDGES).transpose(1, 0, 2)
+        normals = np.array([f.normal for f in self.footings]).reshape(-1, 3)
+        unlike, which = np.unique(normals, axis=0, return_inverse=True)
+        edges = np.array([friction_edges(normal, self.friction) for normal in unlike]).reshape(-1, 3, EDGES)
+        return links, positions, edges[which.ravel()].transpose(1, 0, 2)
 
 
 def friction_edges(normal: Array, friction: float) -> Array:
