@@ -5,6 +5,7 @@ Everything here is a plain dict, so that it goes into JSON, into the motion file
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
@@ -467,9 +468,11 @@ def tables(data: dict[str, Any]) -> Group:
         f"{data['evaluations']} evaluations in {data['seconds']:.2f} s; {data['stopped because']}"
         f"{gain}{_cycle_words(data)}"
     )
-    main = Table("measure", "before", "after", title="on a 1 kHz grid", title_justify="left")
+    searched = bool(data["left to gain"])
+    sides = ("before", "after") if searched else ("recording",)
+    main = Table("measure", *sides, title="on a 1 kHz grid", title_justify="left")
     for name, one, two in _lines(before, after):
-        main.add_row(name, one, two)
+        main.add_row(name, *((one, two) if searched else (two,)))
     segments = Table("segment, s", "EL before", "EL after", "δ", "δ · EL", "left", "variable", title="segments")
     for row in data["segments"]:
         segments.add_row(
@@ -477,8 +480,18 @@ def tables(data: dict[str, Any]) -> Group:
             *(f"{row[key]:.3g}" for key in ("deviation before", "deviation after", "delta", "delta · EL", "left")),
             f"{row['variable frames']:.0f}",
         )
-    wrong = [Text(f"problem: {problem['text']}") for problem in data.get("problems", [])]
+    told = data.get("problems", [])
+    wrong = [Text(f"problem: {text}") for text in ([p["text"] for p in told] if searched else _worst_of_each(told))]
     return Group(*wrong, head, main, *([segments] if data["segments"] else []))
+
+
+def _worst_of_each(told: list[dict[str, Any]]) -> list[str]:
+    """Of the problems of a recording, worst first, the first of a kind and a name: nearly every image repeats it."""
+    count = Counter((problem["kind"], problem["name"]) for problem in told)
+    first: dict[tuple[str, str], str] = {}
+    for problem in told:
+        first.setdefault((problem["kind"], problem["name"]), problem["text"])
+    return [text + (f"; {count[key] - 1} times more" if count[key] > 1 else "") for key, text in first.items()]
 
 
 def _cycle_words(data: dict[str, Any]) -> str:

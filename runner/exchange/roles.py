@@ -29,6 +29,7 @@ EITHER = {
     "shoulder": ("clavicle", "upper_arm"),
     "hip": ("thigh",),
 }
+ONWARD = {"upper_arm": "forearm", "forearm": "hand", "thigh": "shin", "shin": "foot", "foot": "toe"}  # along a limb
 KNOWN = {word for words in WORDS.values() for word in words} | set(EITHER)
 PREFIX = re.compile(
     r"^(.*[:|])|^(mixamorig\d*|bip\d*|bip\d+|character\d*|b|def|org|skel|bone|jnt)[ _](?=.)", re.IGNORECASE
@@ -56,18 +57,23 @@ def roles(names: Sequence[str], parents: Sequence[int]) -> dict[str, int]:
     """Index by role: "pelvis", "chest", "neck", "head", "left_upper_arm", ... as far as they are found.
 
     The pelvis is where the legs come together, the chest where the arms do; parents stand before their children, -1
-    above the first.
+    above the first. Of several joints that a role fits, it is the first on which the limb goes on: bones of a drawing
+    hang beside the skeleton's in some files, "L_Humerus" beside "LeftArm".
     """
     parts = [split(name) for name in names]
     found: dict[str, int] = {}
     for side in ("left", "right"):
+        on = {role: _going_on(role, side, parts, parents) for role in WORDS}
         for role, words in WORDS.items():
-            _first(found, f"{side}_{role}", [i for i, (s, word) in enumerate(parts) if s == side and word in words])
+            fitting = [i for i, (s, word) in enumerate(parts) if s == side and word in words]
+            general = [i for i, part in enumerate(parts) if part[0] == side and role in EITHER.get(part[1], ())]
+            at_ends = on[role].isdisjoint(fitting) and not on[role].isdisjoint(general)
+            _first(found, f"{side}_{role}", [] if at_ends else _preferred(fitting, on[role]))
         for word, choices in EITHER.items():
             same = [i for i, part in enumerate(parts) if part == (side, word)]
             for role in choices:
                 if f"{side}_{role}" not in found and _fits(found, side, role, word, same, parents):
-                    _first(found, f"{side}_{role}", same)
+                    _first(found, f"{side}_{role}", _preferred(same, on[role]))
                     break
     for role, words in MIDDLE.items():
         _first(found, role, [i for i, (side, word) in enumerate(parts) if side is None and word in words])
@@ -85,6 +91,21 @@ def _trunk(role: str, shared: list[int], words: list[str]) -> int:
     if role == "chest":
         return next((i for i in shared if words[i] != "neck"), shared[0])
     return next((i for i in shared if words[i] in ("pelvis", "hips", "hip")), shared[0])
+
+
+def _going_on(role: str, side: str, parts: Sequence[tuple[str | None, str]], parents: Sequence[int]) -> set[int]:
+    """The joints that carry one that could be the next part of the limb; none at its end."""
+    onward = ONWARD.get(role)
+    if onward is None:
+        return set()
+    words = (*WORDS[onward], *(word for word, choices in EITHER.items() if onward in choices))
+    ends = [i for i, (s, word) in enumerate(parts) if s == side and word in words]
+    return {above for end in ends for above in lineage(end, parents)[1:]}
+
+
+def _preferred(fitting: list[int], on: set[int]) -> list[int]:
+    """Those first on which the limb goes on."""
+    return sorted(fitting, key=lambda i: i not in on)
 
 
 def _first(found: dict[str, int], role: str, fitting: list[int]) -> None:
