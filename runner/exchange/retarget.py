@@ -1,14 +1,15 @@
 """A captured skeleton's motion on another figure: directions of limbs coincide, the root is scaled by the legs' length.
 
-Every body that has a counterpart by its role turns with it: R_body(t) = R_joint(t) A, A constant. Where the captured
-skeleton stands upright when nothing is turned, as in a T-pose, A takes the figure's bones at rest to the skeleton's
-there by the shortest way. Where it does not (LAFAN1's bones all lie along x), A is made of two directions: the bone's,
-and the axis about which knee and elbow bend in the motion itself; hips and shoulders give those of pelvis and chest.
+Every body that has a counterpart by its role turns with it: R_body(t) = R_joint(t) A, A constant; feet without toes
+turn with the line from the ankle to the end of the skeleton's. Where the captured skeleton stands upright when nothing
+is turned, as in a T-pose, A takes the figure's bones at rest to the skeleton's there by the shortest way. Where it does
+not (LAFAN1's bones all lie along x), A is made of two directions: the bone's, and the axis about which knee and elbow
+bend in the motion itself; hips and shoulders give those of pelvis and chest.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import mujoco
 import numpy as np
@@ -82,7 +83,11 @@ def onto(captured: Captured, model: mujoco.MjModel, place: str) -> tuple[Array, 
     if model.jnt_type[0] != mujoco.mjtJoint.mjJNT_FREE or model.jnt_bodyid[0] != _root(standing):
         raise UserError(f"{place}: the figure's root, '{model.body(_root(standing)).name}', needs a free joint")
     shared = [role for role in standing.roles if role in captured.roles]
-    alignment = _upright(captured, standing, shared) if _stands(captured) else _by_bends(captured, standing, shared)
+    upright = _stands(captured)
+    alignment = _upright(captured, standing, shared) if upright else _by_bends(captured, standing, shared)
+    bent = [role for role in ("left_toe", "right_toe") if role in captured.roles and role not in standing.roles]
+    for role in bent:
+        captured = _toes_in_foot(captured, role.removesuffix("_toe"), at_zero=upright)
     turns = {
         standing.roles[role]: quat.product(
             quat.product(captured.rotation[:, captured.roles[role]], alignment[role]),
@@ -95,13 +100,36 @@ def onto(captured: Captured, model: mujoco.MjModel, place: str) -> tuple[Array, 
     qpos, lift = _on_ground(model, _placed(captured, standing, qpos, scale))
     notes = [f"scaled by {scale:.3f}, the ratio of the legs"]
     notes += [f"raised by {lift:+.3f} m, so that soles meet the ground"] if lift else []
-    lost = [name for i, name in enumerate(captured.names) if i not in {captured.roles[role] for role in shared}]
+    told = {joint for role in (*shared, *bent) for joint in lineage(captured.roles[role], captured.parents)}
+    lost = [name for i, name in enumerate(captured.names) if i not in told]
     still = [
         hierarchy.names(model)[body] for body in range(1, model.nbody) if model.body_jntnum[body] and body not in turns
     ]
+    toes = " and ".join(captured.names[captured.roles[role]] for role in bent)
+    notes += [f"the figure has no toes: what {toes} bend turns its feet"] if bent else []
     notes += [f"without a counterpart in the figure: {_some(lost)}"] if lost else []
     notes += [f"without a counterpart in the file, kept at rest: {_some(still)}"] if still else []
     return qpos, tuple(notes)
+
+
+def _toes_in_foot(captured: Captured, side: str, *, at_zero: bool) -> Captured:
+    """Turned at an ankle so that, with stiff toes, the foot would end where it does with those that bend.
+
+    at_zero  toes are straight when nothing is turned; otherwise they are in the image in which the foot is lowest
+    """
+    ankle, toe, end, low = captured.feet[side]
+    turn, along = captured.rotation[:, ankle], captured.at(toe, end) - captured.position[:, ankle]
+    if at_zero:
+        straight = captured.at_zero[toe] + end - captured.at_zero[ankle]
+    else:
+        straight = quat.rotated(quat.conjugate(turn[low]), along[low])
+    start, stop = quat.rotated(turn, straight), along
+    sizes = np.linalg.norm(start, axis=1) * np.linalg.norm(stop, axis=1)
+    swung = np.concatenate([(sizes + np.sum(start * stop, axis=1))[:, None], np.cross(start, stop)], axis=1)
+    swung[swung[:, 0] <= 1e-6 * sizes] = [1, 0, 0, 0]  # toes turned right back, or without length: not a foot's
+    rotation = captured.rotation.copy()
+    rotation[:, ankle] = quat.product(quat.normalised(swung), turn)
+    return replace(captured, rotation=rotation)
 
 
 def _some(names: list[str]) -> str:
