@@ -3,7 +3,8 @@
 Keyframes stand at instants of the recording, so every choice of them is a set of instants. Greedy insertion where the
 in-between is furthest off gives one that keeps the bound; then keyframes go that are not missed, and those whose
 neighbours can make up for them from other places, until nothing more goes. The fewest of all would take a search of
-every set: this comes within one of it on short motions.
+every set: this comes within one of it on short motions. What slides is seen sooner than what passes by a little off:
+hands and feet that stand still are bound more closely while they do, and so have keyframes where they come and go.
 
 The insertion at the worst point is that of U. Ramer (1972), D. Douglas and T. Peucker (1973), for a spline instead of
 a polygon: it runs through all keyframes, so each trial looks at the whole of it near what it changes.
@@ -11,7 +12,7 @@ a polygon: it runs through all keyframes, so each trial looks at the whole of it
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Sequence, Set
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -20,8 +21,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .figure import Figure, on_links
-from .frame import Frame, Timeline
+from .frame import Frame, Mask, Timeline
 from .kinematics import LinkMotion, States
+from .penalty.contact import body_points
 from .quaternion import Array, Index
 from .seam import Seam
 from .subdivision import path_of
@@ -36,6 +38,9 @@ NEAR = 3  # keyframes on either side of one that goes, which may move to make up
 FIRST_STEP, LEAST_STEP = 0.5, 0.04  # of the way to the next keyframe
 GAIN = 0.98  # a move that leaves more of the breach than this is none
 FINE = 1e-9  # what rounding adds to a miss
+STILL = 0.1  # [m/s]: slower, and the end of a limb stands, as captured feet do that stand
+STANDS = 0.1  # [s] at least; shorter, and it turns round
+CLOSELY = 0.25  # of the bound is what a standing end of a limb may be off
 
 
 @dataclass(frozen=True)
@@ -72,7 +77,10 @@ class Recorded:
 
     @cached_property
     def points(self) -> tuple[tuple[str, ...], Index, Array]:
-        """Origins of the moving bodies and the sites on them: names, links (n,), and places (3, n) [m] in the links."""
+        """What is looked at: names, links (n,), and places (3, n) [m] in the links.
+
+        Origins of the moving bodies, the sites on them, and the tips of limbs that end without a site.
+        """
         figure, model = self.figure, self.figure.model
         names = [model.body(i).name or f"body {i}" for i in range(model.nbody)]
         found = [(names[i], figure.point_on_link(i, np.zeros(3))) for i in range(1, model.nbody)]
@@ -80,6 +88,7 @@ class Recorded:
             place = figure.point_on_link(int(model.site_bodyid[i]), model.site_pos[i])
             found.append((model.site(i).name or f"site {i} of {names[model.site_bodyid[i]]}", place))
         moving = [(name, link, place) for name, (link, place) in found if link]
+        moving += tips(figure, {int(model.site_bodyid[i]) for i in range(model.nsite)})
         called, links, places = zip(*moving, strict=True)
         return called, np.array(links, np.intp), np.array(places).T
 
@@ -97,6 +106,22 @@ class Recorded:
     @cached_property
     def _own(self) -> tuple[Array, Array]:
         return self._seen(self.figure.to_state(self.qpos))
+
+    @cached_property
+    def stands(self) -> Mask:
+        """(n, S) whether a point at the end of a limb stands still for a while."""
+        links = self.points[1]
+        ends = ~np.isin(links, self.figure.tables.parents[1:])
+        slow = np.zeros((links.size, self.times.size), bool)
+        if self.times.size > 1:
+            velocity = np.gradient(self._own[0], self.times, axis=2)
+            slow[ends] = np.einsum("cns,cns->ns", velocity, velocity)[ends] < STILL**2
+        return np.array([_lasting(row, self.times, STANDS) for row in slow])
+
+    @cached_property
+    def _lengths(self) -> Array:
+        """(n, S) [m] how far the points may be off."""
+        return self.bound.distance * np.where(self.stands, CLOSELY, 1.0)
 
     @cached_property
     def _states(self) -> Array:
@@ -119,10 +144,11 @@ class Recorded:
 
     def excess(self, timeline: Timeline) -> Array:
         """(S,) the largest miss at every instant, as a multiple of the bound."""
-        return self._excess(*self.misses(timeline))
+        return self._excess(*self.misses(timeline), np.arange(len(self.times)))
 
-    def _excess(self, distance: Array, angle: Array) -> Array:
-        return np.maximum(distance.max(axis=0) / self.bound.distance, angle.max(axis=0) / self.bound.angle)
+    def _excess(self, distance: Array, angle: Array, instants: Index) -> Array:
+        lengths = self._lengths.take(instants, axis=1)
+        return np.maximum((distance / lengths).max(axis=0), angle.max(axis=0) / self.bound.angle)
 
     def breaches(self, sets: Sequence[Sequence[int]], at: int) -> Array:
         """By how much the raw splines through sets of instants break the bound near the instant with number `at`.
@@ -145,7 +171,7 @@ class Recorded:
         if self.ends == "periodic":
             turns, instants = np.divmod(instants, last)
             states = (states - turns[:, None] * self._seam.travel) * self._seam.signs ** turns[:, None]
-        over = np.maximum(self._excess(*self._misses(states, instants)) - 1 - FINE, 0)
+        over = np.maximum(self._excess(*self._misses(states, instants), instants) - 1 - FINE, 0)
         return np.bincount(owner, over**2, len(sets)).astype(float)
 
     def _near(self, count: int, at: int) -> tuple[Index, int, int]:
@@ -177,6 +203,10 @@ class Recorded:
             row, instant = np.unravel_index(int(missed.argmax()), missed.shape)
             found.append(Worst(float(missed[row, instant]), int(instant), called[row]))
         return found[0], found[1]
+
+    def slipped(self, timeline: Timeline) -> float:
+        """[m] by how much what stands is off, at most."""
+        return float(self.misses(timeline)[0][self.stands].max(initial=0.0))
 
     def frames(self, kept: Sequence[int]) -> list[Frame]:
         """Whole keyframes at these instants."""
@@ -222,6 +252,34 @@ def refined(
         least = max(1.0, SHARE * excess.max())
         peaks = [a + 1 + int(excess[a + 1 : b].argmax()) for a, b in pairwise(chosen) if b > a + 1]
         chosen = sorted([*chosen, *(peak for peak in peaks if excess[peak] >= min(least, excess.max()))])
+
+
+def tips(figure: Figure, marked: Set[int]) -> list[tuple[str, int, Array]]:
+    """The tips of limbs, farthest from the joint that ends them: name, link and place (3,) [m] in it.
+
+    marked  bodies that have a site, which is what people look at; their limbs have no other tip
+    """
+    model, out = figure.model, []
+    ends = set(range(1, len(figure.links))) - set(figure.tables.parents[1:].tolist())
+    ends -= {figure.point_on_link(body, np.zeros(3))[0] for body in marked}
+    far: dict[int, tuple[float, Array]] = {}
+    for point in body_points(figure) if ends else ():
+        size = float(np.linalg.norm(point.position))
+        if point.link in ends and size > 0 and size + point.radius > far.get(point.link, (0.0,))[0]:
+            far[point.link] = size + point.radius, point.position * (1 + point.radius / size)
+    for link, (_, place) in sorted(far.items()):
+        name = model.body(figure.links[link].body).name or f"body {figure.links[link].body}"
+        out.append((f"tip of {name}", link, place))
+    return out
+
+
+def _lasting(wanted: Mask, times: Array, least: float) -> Mask:
+    """(S,) where something is so, in runs that last."""
+    out = np.zeros(wanted.size, bool)
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], wanted, [False]])))
+    for first, end in zip(edges[::2], edges[1::2], strict=True):
+        out[first:end] = times[end - 1] - times[first] >= least
+    return out
 
 
 def natural_splines(times: Array, values: Array, owner: Index, t: Array) -> Array:
