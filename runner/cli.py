@@ -48,6 +48,7 @@ OverThere = Annotated[bool, typer.Option("--overwrite", help="let -o be a file t
 Repeat = Annotated[int | None, typer.Option("--repeat", help="play a loop so many times, without a seam")]
 Strict = Annotated[bool, typer.Option("--strict", help="exit with code 3 if anything is wrong with the motion")]
 Fresh = Annotated[bool, typer.Option("--fresh", help="solve a clip again that was solved before, unchanged")]
+SkipRest = Annotated[bool, typer.Option("--skip-rest", help="leave out the T-pose before the motion of a recording")]
 AsJson = Annotated[bool, typer.Option("--json", help="print JSON")]
 
 
@@ -338,6 +339,10 @@ def thin(
     solve: Annotated[
         bool, typer.Option("--solve", help="let the solved motion keep the bound, and not only the spline")
     ] = False,
+    exact: Annotated[
+        bool, typer.Option("--exact", help="write settings that leave the spline as it is, also after an edit")
+    ] = False,
+    skip_rest: SkipRest = False,
     figure: Annotated[str | None, typer.Option(help="of a recording: a shipped figure or MJCF")] = None,
     kind: Annotated[
         str | None, typer.Option("--from", help="the recording's format, if its ending is not enough")
@@ -351,10 +356,12 @@ def thin(
     from . import thin_files
     from .progress import Teller
 
-    recording = thin_files.Recording(source, figure, kind, fps, fresh)
+    recording = thin_files.Recording(source, figure, kind, fps, fresh, skip_rest)
     bound = thin_files.bound(max_error, max_angle)
     with Teller() as teller:
-        thin_files.run(recording, bound, output, solve=solve, overwrite=overwrite, teller=teller)
+        thin_files.run(
+            recording, bound, output, solve=solve, exact=exact, overwrite=overwrite, teller=teller
+        )
 
 
 @app.command()
@@ -409,12 +416,13 @@ def import_motion(
     scale: Annotated[
         float | None, typer.Option(help="the file's unit of length in metres, where it is guessed")
     ] = None,
+    skip_rest: SkipRest = False,
     output: Output = None,
     overwrite: OverThere = False,
 ) -> None:
     """Read a recorded motion; every instant of it becomes a keyframe, and nothing is searched."""
     _without_graphics()
-    from . import motion
+    from . import lead_in, motion
     from .errors import UserError
     from .exchange.formats import stem
     from .exchange.imported import imported
@@ -432,7 +440,8 @@ def import_motion(
         raise UserError(f"'{target}' is what is read; give another -o")
     motion.check_new(target, overwrite=overwrite)
     with Teller() as teller:
-        motion.save(imported(source, kind, figure=figure, fps=fps, scale=scale, teller=teller), target)
+        found = imported(source, kind, figure=figure, fps=fps, scale=scale, teller=teller)
+        motion.save(lead_in.told(found, teller, skip=skip_rest), target)
         teller.say(f"wrote {target}")
 
 

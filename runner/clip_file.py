@@ -15,20 +15,23 @@ from .motion import Replacement, Saved, check_target
 from .scene import compose, figure_spec
 
 
-def write(
-    saved: Saved, target: Path, *, note: str = "", search: dict[str, Any] | None = None, overwrite: bool
-) -> list[Path]:
+AS_SPLINE = {"variable": 0, "frames": 0, "evaluations": 1}  # [solve] that leaves the raw spline as it is
+
+
+def write(saved: Saved, target: Path, *, note: str = "", exact: bool = False, overwrite: bool) -> list[Path]:
     """Writes a clip, .toml, and gives the files written: its figure's whole scene is one, if it is none that ships.
 
-    note    the comment at its head
-    search  what its [solve] says if the motion came from no clip
+    note   the comment at its head
+    exact  its [solve] leaves the spline through its keyframes as it is
     """
     check(target)
     if saved.text:
         said = tables(clips.table_of(saved.text, saved.name))
     else:
-        said = {"figure": _shipped(saved), "fps": saved.fps, "solve": (search or {}) | _ends(saved)}
+        said = {"figure": _shipped(saved), "fps": saved.fps, "solve": _ends(saved)}
         said["keyframe"] = keyframe_tables(saved.figure, saved.keys)
+    if exact:
+        said["solve"] = said.get("solve", {}) | AS_SPLINE
     files: list[tuple[Path, bytes]] = []
     if said["figure"] not in models.figures() or (saved.text and not _tells_scene(saved)):
         scene = target.with_suffix(".xml")
@@ -48,6 +51,12 @@ def write(
         with Replacement(path) as temporary:
             temporary.write_bytes(data)
     return [path for path, _ in files]
+
+
+def searching(solve: dict[str, Any]) -> dict[str, Any]:
+    """A [solve] table of a clip that is to be searched: without what leaves the spline as it is."""
+    held = all(solve.get(key) == value for key, value in AS_SPLINE.items())
+    return {key: value for key, value in solve.items() if not (held and key in AS_SPLINE)}
 
 
 def check(target: Path) -> None:

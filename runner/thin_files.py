@@ -10,20 +10,24 @@ import numpy as np
 import models
 
 from . import clip as clips
-from . import kept, motion, thinning, work
+from . import kept, lead_in, motion, thinning
 from .errors import UserError
 from .exchange.formats import stem
 from .exchange.imported import imported
 from .motion import Saved
 from .progress import Teller
 from .quantity import length
+from .thinning import Thinned
+
+ROUNDING = 1e-6  # of the bound, what a file's digits may add
 
 
 @dataclass(frozen=True)
 class Recording:
     """A motion's file, and what a file of another program may not tell: figure, format, images a second.
 
-    fresh  a clip is solved now, and not as it may have been before
+    fresh      a clip is solved now, and not as it may have been before
+    skip_rest  without the T-pose or rest pose before the motion
     """
 
     source: str
@@ -31,16 +35,20 @@ class Recording:
     kind: str | None = None
     fps: float | None = None
     fresh: bool = False
+    skip_rest: bool = False
 
     def read(self, teller: Teller) -> Saved:
         """A saved motion as it is, a clip solved, any other file imported."""
+        return lead_in.told(self._read(teller), teller, skip=self.skip_rest)
+
+    def _read(self, teller: Teller) -> Saved:
         told = self.figure is not None or self.kind is not None
         path = Path(self.source)
         if not told and motion.is_motion(self.source):
             return motion.load(path)
         if not told and (self.source in models.clips() or path.suffix.lower() == ".toml"):
             return kept.solved(clips.load(self.source), teller, fresh=self.fresh).saved(teller, with_report=False)
-        return imported(path, self.kind, figure=self.figure, fps=self.fps)
+        return imported(path, self.kind, figure=self.figure, fps=self.fps, teller=teller)
 
 
 def bound(error: str, angle: float) -> tuple[float, float]:
@@ -55,11 +63,18 @@ def run(
     bound: tuple[float, float],
     target: Path | None,
     *,
-    solve: bool,
+    solve: bool = False,
+    exact: bool = False,
     overwrite: bool,
     teller: Teller,
 ) -> Path:
-    """Thins a motion and writes what is left; a clip's file is read and solved again, and its misses are told."""
+    """Thins a motion and writes what is left; a clip's file is read and solved again, and its misses are told.
+
+    solve  the solved motion keeps the bound, and not only the spline
+    exact  the clip's settings leave the spline as it is
+    """
+    if solve and exact:
+        raise UserError("--solve lets the solved motion keep the bound, --exact writes a clip without a search: give one")
     source = Path(recording.source)
     target = target or Path(f"{stem(source)}_thin.toml")
     thinning.check(target)
@@ -68,10 +83,20 @@ def run(
     motion.check_new(target, overwrite=overwrite)
     saved = recording.read(teller)
     found = thinning.thinned(saved, *bound, solve=solve, teller=teller)
-    written = thinning.write(found, target, solve=solve, overwrite=overwrite)
+    written = thinning.write(found, target, exact=exact, overwrite=overwrite)
+    told = [found.line]
     if target.suffix == ".toml":
-        again = work.solve(clips.load(str(target)), teller).motion.timeline
-        found = thinning.measured(thinning.recorded_of(saved, *bound), replace(found.motion, timeline=again))
-    teller.say(found.line)
+        solved = kept.solved(clips.load(str(target)), teller, fresh=recording.fresh).motion.timeline
+        after = thinning.measured(thinning.recorded_of(saved, *bound), replace(found.motion, timeline=solved))
+        told = [after.line] if solve or exact else [f"{found.line}: the spline", _as_solved(after)]
+        thinning.write(found, target, exact=exact, note="; ".join(told), overwrite=True)
+    for line in told:
+        teller.say(line)
     teller.say(f"wrote {' and '.join(map(str, written))}")
     return target
+
+
+def _as_solved(found: Thinned) -> str:
+    """How far the motion is off that the clip's own settings make."""
+    beyond = "; more than was asked for: --solve keeps to it, --exact leaves the spline as it is"
+    return f"solved as the clip says: {found.misses}{beyond if found.excess > 1 + ROUNDING else ''}"

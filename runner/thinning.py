@@ -1,8 +1,8 @@
 """`thin`: a recorded motion as few keyframes, with the guarantee measured on what comes out.
 
 The in-between that has to keep the bound is the raw spline through the keyframes, or with `solve` the dynamic spline
-that the clip's own penalties make of them. Either way the clip's [solve] table says which, so that `dynsplines solve`
-of its file gives the motion that was measured.
+that the clip's own penalties make of them. The clip's settings are the ordinary ones, so that it is solved like any
+other when a keyframe is edited; how far that takes it from the recording is measured, too (`thin_files`).
 """
 
 from __future__ import annotations
@@ -29,8 +29,6 @@ from .progress import Teller
 
 RATE = 100.0  # instants a second, at least, that a motion between keyframes is looked at
 LOOSE = 4.0  # times the bound: what the spline keeps through keyframes of which the search is to make the rest
-AS_SPLINE = {"variable": 0, "frames": 0, "evaluations": 1}  # [solve] that leaves the raw spline as it is
-SEARCH = ("variable", "frames", "evaluations")
 
 
 @dataclass(frozen=True)
@@ -38,7 +36,9 @@ class Thinned:
     """What thinning gave: the motion through the keyframes left, and how far it is off at the instants looked at.
 
     instants         how many there were
-    distance, angle  the largest misses [m, rad], each at its time [s]: of a body's origin or a site, of a joint's link
+    distance, angle  the largest misses [m, rad], each at its time [s]: of a body's origin, a site or a tip, of a link
+    slipped          the largest [m] of ends of limbs while they stand still
+    excess           the largest as a multiple of its bound; above 1, it is broken
     """
 
     motion: Saved
@@ -46,14 +46,21 @@ class Thinned:
     distance: Worst
     angle: Worst
     times: tuple[float, float]
+    slipped: float
+    excess: float
 
     @property
     def line(self) -> str:
-        """ "14 keyframes of 331; at most 1.8 cm at 0.83 s (left_hand), 3.1° at 0.40 s (neck)" """
+        """ "14 keyframes of 331; at most 1.8 cm at 0.83 s (left_hand), 3.1° at 0.40 s (neck); standing 0.4 cm" """
+        return f"{len(self.motion.keys)} keyframes of {self.instants}; {self.misses}"
+
+    @property
+    def misses(self) -> str:
+        """The line's second half: how far it is off."""
+        standing = f"; hands and feet that stand, {100 * self.slipped:.2g} cm" if self.slipped > 0 else ""
         return (
-            f"{len(self.motion.keys)} keyframes of {self.instants}; "
             f"at most {100 * self.distance.value:.3g} cm at {self.times[0]:.2f} s ({self.distance.name}), "
-            f"{np.degrees(self.angle.value):.3g}° at {self.times[1]:.2f} s ({self.angle.name})"
+            f"{np.degrees(self.angle.value):.3g}° at {self.times[1]:.2f} s ({self.angle.name}){standing}"
         )
 
 
@@ -66,7 +73,7 @@ def thinned(
     """
     teller = teller or Teller()
     recorded = recorded_of(saved, distance, angle)
-    text = _Text(saved, solve)
+    text = _Text(saved)
 
     def told(note: str) -> None:
         teller.step("thinning", None, note)
@@ -89,7 +96,8 @@ def measured(recorded: Recorded, motion: Saved) -> Thinned:
     """How far a motion is off what was recorded."""
     worst = recorded.worst(motion.timeline)
     times = float(recorded.times[worst[0].instant]), float(recorded.times[worst[1].instant])
-    return Thinned(motion, recorded.times.size, *worst, times)
+    slipped, excess = recorded.slipped(motion.timeline), float(recorded.excess(motion.timeline).max())
+    return Thinned(motion, recorded.times.size, *worst, times, slipped, excess)
 
 
 def recorded_of(saved: Saved, distance: float, angle: float) -> Recorded:
@@ -124,20 +132,19 @@ def _instants(saved: Saved, keys: Array) -> Array:
 class _Text:
     """A motion's clip text with other keyframes; none for a motion that came from no clip."""
 
-    def __init__(self, saved: Saved, solve: bool) -> None:
-        self.saved, self.solve = saved, solve
+    def __init__(self, saved: Saved) -> None:
+        self.saved = saved
         self.said = tables(clips.table_of(saved.text, saved.name)) if saved.text else None
 
     def of(self, keys: Sequence[Frame]) -> str:
         if self.said is None:
             return ""
-        return written(_with_keys(self.said, self.saved, keys, self.solve))
+        return written(_with_keys(self.said, self.saved, keys))
 
 
-def _with_keys(said: dict[str, Any], saved: Saved, keys: Sequence[Frame], solve: bool) -> dict[str, Any]:
+def _with_keys(said: dict[str, Any], saved: Saved, keys: Sequence[Frame]) -> dict[str, Any]:
     """A clip's tables through other keyframes, with the contacts that are inside them."""
-    search = {key: value for key, value in said.get("solve", {}).items() if key not in SEARCH or solve}
-    search |= {} if solve else AS_SPLINE
+    search = clip_file.searching(said.get("solve", {}))
     roots = saved.figure.tables.position_columns
     if saved.timeline.ends == "periodic" and roots.size:
         search |= {"travel": Seam.of(saved.figure, saved.timeline).travel[roots[:, 0]].tolist()}
@@ -150,12 +157,18 @@ def _with_keys(said: dict[str, Any], saved: Saved, keys: Sequence[Frame], solve:
     return out
 
 
-def write(found: Thinned, target: Path, *, solve: bool, overwrite: bool = False) -> list[Path]:
-    """Writes a thinned motion as a clip, .toml, or as a motion, .npz; gives the files written."""
+def write(
+    found: Thinned, target: Path, *, exact: bool = False, note: str = "", overwrite: bool = False
+) -> list[Path]:
+    """Writes a thinned motion as a clip, .toml, or as a motion, .npz; gives the files written.
+
+    exact  the clip's [solve] leaves the spline as it is
+    note   the comment at a clip's head, if it is to be another than the motion's line
+    """
     check(target)
     saved = replace(found.motion, name=target.stem)
     if target.suffix == ".toml":
-        return clip_file.write(saved, target, note=found.line, search=None if solve else AS_SPLINE, overwrite=overwrite)
+        return clip_file.write(saved, target, note=note or found.line, exact=exact, overwrite=overwrite)
     save(saved, target)
     return [target]
 

@@ -285,17 +285,17 @@ class Motion:
         wishes = Wishes(simulate, quantities.named(columns if isinstance(columns, str) else ",".join(columns)))
         return formats.export(self.saved, formats.chosen(to, target).name, target, fps=fps, wishes=wishes)
 
-    def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> Path:
+    def save(self, path: str | os.PathLike[str], *, exact: bool = False, overwrite: bool = False) -> Path:
         """Writes it as a motion, .npz, which `load_motion` opens, or as a clip, .toml, of its keyframes.
 
         A report goes into the file if there is one already; nothing is measured for it.
 
+        exact      the clip's [solve] leaves the spline through its keyframes as it is; else it is searched as ever
         overwrite  a scene that lies beside the clip and is another one
         """
         target = Path(path)
         if target.suffix == ".toml":
-            search = thinning.AS_SPLINE if self.saved.timeline.variable_count == 0 else None
-            clip_file.write(replace(self.saved, name=target.stem), target, search=search, overwrite=overwrite)
+            clip_file.write(replace(self.saved, name=target.stem), target, exact=exact, overwrite=overwrite)
         elif target.suffix == ".npz":
             files.check_target(target)
             files.save(self._kept, target)
@@ -334,7 +334,8 @@ class Motion:
     def thinned(self, max_error: float | str = 0.02, *, max_angle: float = 5.0, solve: bool = False) -> Motion:
         """The fewest keyframes found that keep it within a bound of what it is, at every instant looked at.
 
-        max_error  of any body's origin and any site: metres, or text such as "2cm"
+        max_error  of any body's origin, any site and any limb's tip: metres, or text such as "2cm"; a quarter of it for
+                   hands and feet, or whatever ends a limb, while they stand still
         max_angle  of any body's rotation [degrees]
         solve      let the in-between through the keyframes keep the bound, and not only the spline
         """
