@@ -62,10 +62,10 @@ def lead_in(model: mujoco.MjModel, times: Array, qpos: Array) -> LeadIn | None:
 
 def told(saved: Saved, teller: Teller, *, skip: bool) -> Saved:
     """A recording's lead-in is said, and left out if asked for; any other motion stays as it is."""
-    if not is_recording(saved) or saved.text:
-        return saved
-    times = np.array([key.time for key in saved.keys])
-    found = lead_in(saved.figure.model, times, np.array([key.state for key in saved.keys]))
+    found = None
+    if is_recording(saved) and not saved.text:
+        times = np.array([key.time for key in saved.keys])
+        found = lead_in(saved.figure.model, times, np.array([key.state for key in saved.keys]))
     if found is None:
         if skip:
             teller.say("note: --skip-rest: no T-pose or rest pose stands before the motion; nothing is left out")

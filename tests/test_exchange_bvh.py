@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import warnings
+from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 
 import disguise
@@ -15,6 +17,7 @@ import models
 from runner import clip, work
 from runner.errors import UserError
 from runner.exchange import bvh, bvh_file, euler, formats, hierarchy, retarget
+from runner.exchange.bvh_file import Joint, Skeleton
 from runner.exchange.captured import Captured
 from runner.exchange.imported import imported
 from runner.exchange.roles import roles
@@ -290,6 +293,76 @@ def test_parts_are_known_by_the_names_of_many_makers(maker):
     )
     prefixed = roles([f"mixamorig:{name}" for name in names], [int(parent) for parent in parents])
     assert prefixed == found
+
+
+@pytest.mark.parametrize("before", [True, False])
+def test_bones_of_a_drawing_beside_the_skeleton_are_no_part_of_it(before):
+    """As in recordings whose meshes were exported with the joints, under the anatomist's names."""
+    names = ["Hips", "Spine", "LeftShoulder", "LeftArm", "LeftForeArm", "LeftHand", "LeftUpLeg", "LeftLeg", "LeftFoot",
+             "LeftToeBase"]  # fmt: skip
+    above = {"Spine": "Hips", "LeftUpLeg": "Hips"} | {b: a for a, b in pairwise(names) if b not in ("LeftUpLeg",)}
+    drawn = {"L_Humerus": "LeftArm", "L_Radius": "LeftForeArm", "L_Femur": "LeftUpLeg", "L_Tibia": "LeftLeg",
+             "L_Foot": "LeftFoot"}  # fmt: skip
+    order: list[str] = []
+    for name in names:
+        beside = [mesh for mesh, joint in drawn.items() if joint == above.get(name)]
+        order += [*beside, name] if before else [name]
+    order += [mesh for mesh in drawn if mesh not in order]
+    all_above = above | drawn
+    parents = [order.index(all_above[name]) if name in all_above else -1 for name in order]
+    assert all(parent < i for i, parent in enumerate(parents))
+    found = {role: order[i] for role, i in roles(order, parents).items()}
+    assert found == {
+        "left_clavicle": "LeftShoulder", "left_upper_arm": "LeftArm", "left_forearm": "LeftForeArm",
+        "left_hand": "LeftHand", "left_thigh": "LeftUpLeg", "left_shin": "LeftLeg", "left_foot": "LeftFoot",
+        "left_toe": "LeftToeBase",
+    }  # fmt: skip
+
+
+def with_toes(take: Take, bend: np.ndarray) -> Skeleton:
+    """The human's motion on a skeleton whose feet have toes in their front third, bent up by angles (T,) [rad]."""
+    found = bvh.skeleton(take)
+    joints, columns, at = [], [], 0
+    moved: dict[int, int] = {}
+    for i, joint in enumerate(found.joints):
+        moved[i] = len(joints)
+        width = len(joint.channels)
+        columns.append(found.values[:, at : at + width])
+        at += width
+        parent = -1 if joint.parent < 0 else moved[joint.parent]
+        joints.append(replace(joint, parent=parent))
+        if joint.name.endswith("_foot"):
+            assert joint.end is not None
+            ball = np.array([0.0, joint.end[1], 0.7 * joint.end[2]])
+            joints[-1] = replace(joint, parent=parent, end=None)
+            toe = joint.name.replace("foot", "toe")
+            joints.append(Joint(toe, moved[i], ball, ("Xrotation", "Yrotation", "Zrotation"), joint.end - ball))
+            columns.append(np.stack([-np.degrees(bend), 0 * bend, 0 * bend], axis=1))
+    return Skeleton(tuple(joints), found.frame_time, np.concatenate(columns, axis=1))
+
+
+def test_toes_turn_the_feet_of_a_figure_that_has_none(cartwheel):
+    """The foot points to where the toes end: straight ones change nothing, raised ones raise the figure's."""
+    count = len(cartwheel.time)
+    model, angles = cartwheel.model, np.linspace(0, 0.9, count)
+    seen = []
+    for bend in (np.zeros(count), angles):
+        qpos, notes = retarget.onto(Captured.of(with_toes(cartwheel, bend), 0.01), model, "a.bvh")
+        assert any("the figure has no toes: what left_toe and right_toe bend turns its feet" in note for note in notes)
+        assert not any("without a counterpart in the figure" in note for note in notes)
+        seen.append(Bodies.of(model, qpos, np.zeros((count, model.nv))))
+    straight, raised = seen
+    assert quat.angle_between(straight.rotation[:, 1:], cartwheel.bodies.rotation[:, 1:]).max() < 1e-5
+    for side in ("left", "right"):
+        foot = model.body(f"{side}_foot").id
+        end = 0.01 * np.array(next(j.end for j in bvh.skeleton(cartwheel).joints if j.name == f"{side}_foot"))
+        ahead, below = 0.3 * end[2], 0.7 * end[2]
+        tip = np.stack([below + ahead * np.cos(angles), end[1] + ahead * np.sin(angles)])
+        expected = np.arctan2(tip[1], tip[0]) - np.arctan2(end[1], end[2])
+        turned = quat.angle_between(raised.rotation[:, foot], straight.rotation[:, foot])
+        np.testing.assert_allclose(turned, expected, atol=1e-5)
+        own = quat.product(quat.conjugate(straight.rotation[:, foot]), raised.rotation[:, foot])
+        assert np.all(own[angles > 0.1, 2] * own[angles > 0.1, 0] < 0)  # about −y of the foot: its tip goes up
 
 
 GOOD = """HIERARCHY

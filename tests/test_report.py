@@ -170,6 +170,33 @@ def test_what_is_left_to_gain_is_about_what_four_times_the_frames_gain(solved: S
     assert told["share"] == pytest.approx(told["objective"] / motion.objective.value(motion.path))
 
 
+def test_a_recording_is_told_once_and_nothing_is_said_of_a_search(tmp_path):
+    keys = [(0.02 * i, 0.01 * i, 0, 0.07 + 0.001 * (i % 3)) for i in range(40)]
+    solved = unsolved(tmp_path, keys)
+    data = report(solved.clip, solved.motion, 0.0)
+    assert (data["segments"], data["left to gain"], data["after"]["stances"]) == ([], {}, [])
+    assert {name: data["before"][name] for name in data["before"]} == {
+        name: data["after"][name] for name in data["before"]
+    }
+    assert len(data["problems"]) > 30  # every image has the box in the floor itself
+    out = io.StringIO()
+    Console(file=out, width=160).print(tables(json.loads(json.dumps(data))))
+    shown = out.getvalue()
+    assert "recording" in shown and "before" not in shown.split("centre of mass")[0] and "left to gain" not in shown
+    told = [line for line in shown.splitlines() if line.startswith("problem:")]
+    assert len(told) < 5
+    assert any(line.rstrip().endswith("times more") for line in told)
+
+
+def test_a_recording_is_measured_as_what_was_searched_is(solved: Solved):
+    """The raw spline of a clip: once as a recording, and once beside what the search made of it."""
+    raw = work.unsolved(solved.clip)
+    assert raw.motion.is_raw and not solved.motion.is_raw
+    alone, beside = report(raw.clip, raw.motion, 0.0)["after"], report(solved.clip, solved.motion, 0.0)["before"]
+    for name in ("penetration, m", "bends, degrees", "torque, N m", "skate", "angular acceleration, rad/s²"):
+        assert alone[name] == beside[name], name
+
+
 def test_the_objective_of_the_report_is_the_solvers(solved: Solved):
     data = report(solved.clip, solved.motion, 1.25)
     assert data["after"]["objective"] == pytest.approx(solved.motion.trace[-1][2], rel=1e-9)

@@ -34,10 +34,16 @@ def straight(walk: Saved) -> Saved:
 
 
 def run(
-    source: Path | str, target: Path | None = None, *, solve: bool = False, overwrite: bool = False, **told
+    source: Path | str,
+    target: Path | None = None,
+    *,
+    solve: bool = False,
+    exact: bool = False,
+    overwrite: bool = False,
+    **told,
 ) -> Path:
     recording = thin_files.Recording(str(source), **told)
-    return thin_files.run(recording, BOUND, target, solve=solve, overwrite=overwrite, teller=Teller())
+    return thin_files.run(recording, BOUND, target, solve=solve, exact=exact, overwrite=overwrite, teller=Teller())
 
 
 def apart(one: Saved, other: Saved) -> float:
@@ -71,10 +77,10 @@ def test_what_is_no_angle_is_refused(angle):
         thin_files.bound("2cm", angle)
 
 
-def test_solving_the_clip_gives_the_motion_that_was_measured(straight, tmp_path, capsys):
+def test_solving_an_exact_clip_gives_the_motion_that_was_measured(straight, tmp_path, capsys):
     source, target = tmp_path / "step.npz", tmp_path / "step.toml"
     motion.save(straight, source)
-    run(source, target)
+    run(source, target, exact=True)
     again = work.solve(clip.load(str(target)), Teller()).saved(Teller(), with_report=False)
     said = re.search(r"(\d+) keyframes of (\d+); at most ([\d.]+) cm at ([\d.]+) s \((\w+)\)", capsys.readouterr().err)
     assert said
@@ -85,6 +91,41 @@ def test_solving_the_clip_gives_the_motion_that_was_measured(straight, tmp_path,
     fine = np.arange(0.1, 0.6, 1e-3)
     one, other = (each.figure.to_qpos(path_of(each.timeline).at(fine)) for each in (straight, again))
     assert np.abs(one - other)[:, :3].max() < 0.025
+
+
+def test_a_clip_is_solved_as_ever_and_both_motions_are_told(straight, tmp_path, capsys):
+    source, target = tmp_path / "step.npz", tmp_path / "step.toml"
+    motion.save(straight, source)
+    run(source, target)
+    found = clip.load(str(target))
+    assert found.settings.max_evaluations > 1 and found.settings.variable != 0
+    again = work.solve(found, Teller()).saved(Teller(), with_report=False)
+    assert again.timeline.variable_count > 0
+    spline, solved = (
+        float(number) for number in re.findall(r"at most ([\d.]+) cm", "".join(capsys.readouterr().err.splitlines()))
+    )
+    assert spline <= 2
+    assert solved == pytest.approx(100 * apart(straight, again), rel=0.01)
+    # this is a raw spline, whose feet sink and slide: what the search mends is told, and what else to ask for
+    assert solved > 2
+    head = target.read_text().splitlines()[0]
+    assert f"at most {spline:g} cm" in head and f"at most {solved:.3g} cm" in head and "--exact" in head
+
+
+def test_thinning_an_exact_clip_gives_one_that_is_searched(straight, tmp_path):
+    source, target = tmp_path / "step.npz", tmp_path / "step.toml"
+    motion.save(straight, source)
+    run(source, target, exact=True)
+    solve = clip.table_of(target.read_text(), "step").solve
+    assert solve is not None and (solve.variable, solve.frames, solve.evaluations) == (0, 0, 1)
+    exact = work.solve(clip.load(str(target)), Teller()).saved(Teller(), with_report=False)
+    solve = clip.table_of(thinned(exact, *BOUND).motion.text, "again").solve
+    assert solve is None or (solve.variable, solve.frames, solve.evaluations) == (None, None, None)
+
+
+def test_what_a_clip_is_to_keep_to_is_asked_for_once(motion_file, tmp_path):
+    with pytest.raises(UserError, match=r"--solve .* --exact .*give one"):
+        run(motion_file, tmp_path / "out.toml", solve=True, exact=True)
 
 
 def test_a_loop_stays_a_loop_in_its_clip(walk, tmp_path):
