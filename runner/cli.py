@@ -359,9 +359,7 @@ def thin(
     recording = thin_files.Recording(source, figure, kind, fps, fresh, skip_rest)
     bound = thin_files.bound(max_error, max_angle)
     with Teller() as teller:
-        thin_files.run(
-            recording, bound, output, solve=solve, exact=exact, overwrite=overwrite, teller=teller
-        )
+        thin_files.run(recording, bound, output, solve=solve, exact=exact, overwrite=overwrite, teller=teller)
 
 
 @app.command()

@@ -14,7 +14,6 @@ from .errors import UserError
 from .motion import Replacement, Saved, check_target
 from .scene import compose, figure_spec
 
-
 AS_SPLINE = {"variable": 0, "frames": 0, "evaluations": 1}  # [solve] that leaves the raw spline as it is
 
 

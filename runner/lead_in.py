@@ -1,7 +1,7 @@
 """What a recording begins with before its motion: the pose to which the cameras or the skeleton were set.
 
-Two signs tell it, and standing still has neither. A T-pose: both arms straight out to the sides, legs and trunk upright.
-Or the figure's own rest, every joint at its nought, of which nobody moves away as fast as the next image has it.
+Two signs tell it, and standing still has neither. A T-pose: both arms straight out to the sides, legs and trunk
+upright. Or the figure's own rest, every joint at its nought, that nobody leaves as fast as the next image has it.
 """
 
 from __future__ import annotations
@@ -60,22 +60,32 @@ def lead_in(model: mujoco.MjModel, times: Array, qpos: Array) -> LeadIn | None:
     return None
 
 
-def told(saved: Saved, teller: Teller, *, skip: bool) -> Saved:
-    """A recording's lead-in is said, and left out if asked for; any other motion stays as it is."""
-    found = None
-    if is_recording(saved) and not saved.text:
-        times = np.array([key.time for key in saved.keys])
-        found = lead_in(saved.figure.model, times, np.array([key.state for key in saved.keys]))
+def of_motion(saved: Saved) -> LeadIn | None:
+    """That of a recording; any other motion has none."""
+    if not is_recording(saved) or saved.text:
+        return None
+    times = np.array([key.time for key in saved.keys])
+    return lead_in(saved.figure.model, times, np.array([key.state for key in saved.keys]))
+
+
+def without(saved: Saved) -> Saved:
+    """A recording without its lead-in, the spline through the rest of it; times stay."""
+    found = of_motion(saved)
     if found is None:
-        if skip:
-            teller.say("note: --skip-rest: no T-pose or rest pose stands before the motion; nothing is left out")
-        return saved
-    teller.say(f"note: {found.line}: {'left out' if skip else '--skip-rest leaves it out'}")
-    if not skip:
         return saved
     keys = saved.keys[found.count :]
     raw = raw_timeline(saved.figure, list(keys))
     return replace(saved, keys=keys, timeline=raw, raw=raw, trace=[], report={})
+
+
+def told(saved: Saved, teller: Teller, *, skip: bool) -> Saved:
+    """A recording's lead-in is said, and left out if asked for; any other motion stays as it is."""
+    found = of_motion(saved)
+    if found is not None:
+        teller.say(f"note: {found.line}: {'left out' if skip else '--skip-rest leaves it out'}")
+    elif skip:
+        teller.say("note: --skip-rest: no T-pose or rest pose stands before the motion; nothing is left out")
+    return without(saved) if skip else saved
 
 
 @dataclass(frozen=True)
@@ -144,7 +154,7 @@ def _moved(model: mujoco.MjModel, one: Array, other: Array) -> Array:
     mujoco.mj_differentiatePos(model, move, 1.0, one, other)
     sizes = {mujoco.mjtJoint.mjJNT_BALL: 3, mujoco.mjtJoint.mjJNT_HINGE: 1}
     turning = [(int(model.jnt_dofadr[j]), sizes.get(mujoco.mjtJoint(model.jnt_type[j]), 0)) for j in range(model.njnt)]
-    return np.array([np.linalg.norm(move[first : first + size]) for first, size in turning if size])
+    return np.array([float(np.linalg.norm(move[first : first + size])) for first, size in turning if size], float)
 
 
 def _jumps(model: mujoco.MjModel, times: Array, qpos: Array, at: int) -> bool:

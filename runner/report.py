@@ -461,7 +461,9 @@ def _segments(clip: Clip, motion: Motion, told: Callable[[int, int], None] | Non
 def tables(data: dict[str, Any]) -> Group:
     """The report for a screen."""
     before, after = data["before"], data["after"]
-    gain = f"; about {data['left to gain']['share']:.1%} of the objective is left to gain" if data["left to gain"] else ""
+    gain = (
+        f"; about {data['left to gain']['share']:.1%} of the objective is left to gain" if data["left to gain"] else ""
+    )
     head = (
         f"{data['clip']}: {data['duration, s']:.2f} s, {data['keyframes']} keyframes "
         f"({data['partial keyframes']} partial), {data['variable frames']} variable frames; "

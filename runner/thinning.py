@@ -157,9 +157,7 @@ def _with_keys(said: dict[str, Any], saved: Saved, keys: Sequence[Frame]) -> dic
     return out
 
 
-def write(
-    found: Thinned, target: Path, *, exact: bool = False, note: str = "", overwrite: bool = False
-) -> list[Path]:
+def write(found: Thinned, target: Path, *, exact: bool = False, note: str = "", overwrite: bool = False) -> list[Path]:
     """Writes a thinned motion as a clip, .toml, or as a motion, .npz; gives the files written.
 
     exact  the clip's [solve] leaves the spline as it is

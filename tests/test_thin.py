@@ -207,3 +207,60 @@ def test_figures_without_names_are_told_by_number():
     figure = Figure(mujoco.MjModel.from_xml_string(EVERY_JOINT.replace('name="tip"', "")), "joint")
     recorded = Recorded(figure, *recording(figure, 0), WIDE)
     assert any(name.startswith("body ") for name in recorded.points[0])
+
+
+SWAY = """<mujoco><worldbody><body name="foot"><joint type="slide" axis="1 0 0"/><geom size=".02"/>
+<site name="sole" pos="0 0 -.02"/></body></worldbody></mujoco>"""
+
+
+@pytest.mark.parametrize(("hertz", "stands"), [(1.1, True), (4.0, False)])
+def test_what_stands_keeps_to_a_quarter_of_the_bound_and_what_moves_to_all_of_it(hertz, stands):
+    """A foot comes, and then sways by a centimetre: below 0.1 m/s that is standing, above it is not."""
+    figure = Figure(mujoco.MjModel.from_xml_string(SWAY))
+    times = np.linspace(0, 3, 301)
+    come = np.clip(times, 0, 1)
+    qpos = (come**2 * (3 - 2 * come) + 0.01 * np.sin(2 * np.pi * hertz * (times - 1)) * (times > 1))[:, None]
+    recorded = Recorded(figure, times, qpos, Bound(0.02, np.radians(5)))
+    found = thin(recorded)
+    off = np.abs(figure.to_qpos(path_of(found.timeline).at(times)) - qpos)[:, 0]
+    swaying = times > 1.05
+    assert off.max() <= 0.02 * (1 + 1e-6)
+    if stands:
+        assert recorded.stands[:, swaying].all()
+        assert off[swaying].max() <= 0.005 * (1 + 1e-6)
+        assert recorded.slipped(found.timeline) == pytest.approx(off[recorded.stands[0]].max(), rel=1e-6)
+    else:
+        assert off[swaying].max() > 0.005
+    assert not recorded.stands[:, (times > 0.2) & (times < 0.8)].any()
+
+
+def test_a_stand_of_a_moment_is_none():
+    figure = Figure(mujoco.MjModel.from_xml_string(SWAY))
+    times = np.linspace(0, 1, 201)
+    qpos = 0.5 * np.abs(times - 0.5)[:, None]  # turns round at once
+    assert not Recorded(figure, times, qpos, WIDE).stands.any()
+
+
+def test_a_body_between_others_may_stand_or_move():
+    """Only the ends of limbs are held more closely: hips that pause over swinging legs are not."""
+    text, coordinates = FIGURES["ball tree, joint"]
+    figure = Figure(mujoco.MjModel.from_xml_string(text), coordinates)
+    times = np.linspace(0, 1, 50)
+    recorded = Recorded(figure, times, np.tile(figure.model.qpos0, (50, 1)), WIDE)
+    parents = {link.parent for link in figure.links[1:]}
+    for row, link in zip(recorded.stands, recorded.points[1], strict=True):
+        assert row.all() == (link not in parents)
+
+
+def test_limbs_without_a_site_are_looked_at_to_their_tips():
+    arm = """<mujoco><worldbody><body name="upper"><joint type="ball"/><geom type="capsule" size=".03" fromto="0 0 0 0 0 -.3"/>
+    <body name="lower" pos="0 0 -.3"><joint axis="0 1 0"/><geom type="capsule" size=".02" fromto="0 0 0 0 0 -.25"/>{}
+    </body></body></worldbody></mujoco>"""
+    bare, marked = (Figure(mujoco.MjModel.from_xml_string(arm.format(site))) for site in ("", '<site name="hand"/>'))
+    times, qpos = recording(bare, 0)
+    names, links, places = Recorded(bare, times, qpos, WIDE).points
+    at = names.index("tip of lower")
+    assert bare.links[links[at]].body == bare.model.body("lower").id
+    np.testing.assert_allclose(places[:, at], [0, 0, -0.27], atol=1e-9)
+    assert set(names) == {"upper", "lower", "tip of lower"}
+    assert set(Recorded(marked, times, qpos, WIDE).points[0]) == {"upper", "lower", "hand"}

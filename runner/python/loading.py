@@ -41,6 +41,7 @@ def import_motion(
     format: str | None = None,
     fps: float | None = None,
     scale: float | None = None,
+    skip_rest: bool = False,
 ) -> Motion:
     """A recording of another program; every instant of it is a keyframe, and nothing is searched.
 
@@ -48,10 +49,13 @@ def import_motion(
     format  by name (`dynsplines formats` lists them), where the file's ending does not tell it
     fps     images a second, where the file does not tell them
     scale   the file's unit of length [m], where it is guessed
+    skip_rest  leave out a T-pose, or the figure's rest pose, that stands before the motion
 
     Raises UserError, in one line, for a file that does not fit.
     """
+    from .. import lead_in
     from ..exchange.imported import imported
 
     figure = None if figure is None else os.fspath(figure)
-    return Motion(imported(Path(source), format, figure=figure, fps=fps, scale=scale))
+    found = imported(Path(source), format, figure=figure, fps=fps, scale=scale)
+    return Motion(lead_in.without(found) if skip_rest else found)
