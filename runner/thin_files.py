@@ -74,9 +74,7 @@ def run(
     exact  the clip's settings leave the spline as it is
     """
     if solve and exact:
-        raise UserError(
-            "--solve lets the solved motion keep the bound, --exact writes a clip without a search: give one"
-        )
+        raise UserError("--solve bounds the solved motion, --exact writes a clip that is not searched: give one")
     source = Path(recording.source)
     target = target or Path(f"{stem(source)}_thin.toml")
     thinning.check(target)

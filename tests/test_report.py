@@ -171,7 +171,7 @@ def test_what_is_left_to_gain_is_about_what_four_times_the_frames_gain(solved: S
 
 
 def test_a_recording_is_told_once_and_nothing_is_said_of_a_search(tmp_path):
-    keys = [(0.02 * i, 0.01 * i, 0, 0.07 + 0.001 * (i % 3)) for i in range(40)]
+    keys = [(0.02 * i, 0.01 * i, 0.0, 0.07 + 0.001 * (i % 3)) for i in range(40)]
     solved = unsolved(tmp_path, keys)
     data = report(solved.clip, solved.motion, 0.0)
     assert (data["segments"], data["left to gain"], data["after"]["stances"]) == ([], {}, [])

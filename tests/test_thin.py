@@ -253,7 +253,8 @@ def test_a_body_between_others_may_stand_or_move():
 
 
 def test_limbs_without_a_site_are_looked_at_to_their_tips():
-    arm = """<mujoco><worldbody><body name="upper"><joint type="ball"/><geom type="capsule" size=".03" fromto="0 0 0 0 0 -.3"/>
+    arm = """<mujoco><worldbody><body name="upper"><joint type="ball"/>
+    <geom type="capsule" size=".03" fromto="0 0 0 0 0 -.3"/>
     <body name="lower" pos="0 0 -.3"><joint axis="0 1 0"/><geom type="capsule" size=".02" fromto="0 0 0 0 0 -.25"/>{}
     </body></body></worldbody></mujoco>"""
     bare, marked = (Figure(mujoco.MjModel.from_xml_string(arm.format(site))) for site in ("", '<site name="hand"/>'))

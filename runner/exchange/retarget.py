@@ -85,9 +85,9 @@ def onto(captured: Captured, model: mujoco.MjModel, place: str) -> tuple[Array, 
     shared = [role for role in standing.roles if role in captured.roles]
     upright = _stands(captured)
     alignment = _upright(captured, standing, shared) if upright else _by_bends(captured, standing, shared)
-    bent = [role for role in ("left_toe", "right_toe") if role in captured.roles and role not in standing.roles]
-    for role in bent:
-        captured = _toes_in_foot(captured, role.removesuffix("_toe"), at_zero=upright)
+    bent = [side for side in ("left", "right") if f"{side}_toe" not in standing.roles and _has_toes(captured, side)]
+    for side in bent:
+        captured = _toes_in_foot(captured, side, at_zero=upright)
     turns = {
         standing.roles[role]: quat.product(
             quat.product(captured.rotation[:, captured.roles[role]], alignment[role]),
@@ -100,16 +100,26 @@ def onto(captured: Captured, model: mujoco.MjModel, place: str) -> tuple[Array, 
     qpos, lift = _on_ground(model, _placed(captured, standing, qpos, scale))
     notes = [f"scaled by {scale:.3f}, the ratio of the legs"]
     notes += [f"raised by {lift:+.3f} m, so that soles meet the ground"] if lift else []
-    told = {joint for role in (*shared, *bent) for joint in lineage(captured.roles[role], captured.parents)}
+    toes_of_feet = [role for role in ("left_toe", "right_toe") if role in captured.roles]
+    told = {joint for role in (*shared, *toes_of_feet) for joint in lineage(captured.roles[role], captured.parents)}
     lost = [name for i, name in enumerate(captured.names) if i not in told]
     still = [
         hierarchy.names(model)[body] for body in range(1, model.nbody) if model.body_jntnum[body] and body not in turns
     ]
-    toes = " and ".join(captured.names[captured.roles[role]] for role in bent)
+    toes = " and ".join(captured.names[captured.roles[f"{side}_toe"]] for side in bent)
     notes += [f"the figure has no toes: what {toes} bend turns its feet"] if bent else []
     notes += [f"without a counterpart in the figure: {_some(lost)}"] if lost else []
     notes += [f"without a counterpart in the file, kept at rest: {_some(still)}"] if still else []
     return qpos, tuple(notes)
+
+
+def _has_toes(captured: Captured, side: str) -> bool:
+    """Whether there is a joint of toes between ankle and tip of a foot, and anything beyond it that it turns."""
+    toes = captured.roles.get(f"{side}_toe")
+    if toes is None or side not in captured.feet:
+        return False
+    _, tip, end, _ = captured.feet[side]
+    return toes in lineage(tip, captured.parents) and (toes != tip or bool(np.any(end)))
 
 
 def _toes_in_foot(captured: Captured, side: str, *, at_zero: bool) -> Captured:
