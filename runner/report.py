@@ -252,7 +252,7 @@ def _skate(clip: Clip, grid: Grid) -> dict[str, dict[str, float]]:
 
 
 def _stance_report(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
-    """Every foot that two neighbouring keyframes plant for a while: how high its lowest geom rises, how far it slides."""
+    """Every foot that two neighbouring keyframes plant for a while: how high its lowest geom rises, and its slide."""
     keys = _key_timeline(clip, timeline)
     found = [s for s in stances(clip.figure, keys, clip.points, clip.surfaces) if s.last - s.first > LEAST_STANCE]
     groups: dict[tuple[float, float, int], list[Any]] = {}
