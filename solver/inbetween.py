@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .arcs import straightened
-from .astray import FAR, farthest, is_astray
+from .astray import FAR, farthest, is_astray, is_violent
 from .descent import NEWTON, Descent
 from .figure import Figure
 from .frame import Frame, Timeline
@@ -40,6 +40,7 @@ FEW, MORE = 2, 3
 MOST_FRAMES = 12
 OF_FEET = frozenset({"skate", "grounded", "planted", "resting", "hold", "flight", "support", "peak"})
 OF_LIMBS = frozenset({"bend", "range"})
+ALIKE = 1.1  # times the lower E of two searches: what is no higher lies in the same valley
 SPACING = 0.3  # [s] between the frames to begin with in a long segment, so that it can follow what is beside it
 
 
@@ -234,23 +235,33 @@ class _Loop:
 
     def searched(self, timeline: Timeline, segments: int, budget: int | None) -> Timeline:
         """The best timeline found from where one begins, and if that ended in a heap from the straight way between
-        keyframes; the other way round where the beginning itself is far off. If both did, from where either comes to
-        without the terms that such a limb is trapped by: first what feet do, then bends."""
+        keyframes; the other way round where the beginning itself is far off.
+
+        If those two end in a heap, or in different valleys, from where either comes to without the terms that such a
+        limb is trapped by: first what feet do, then bends. One evaluation sees what is there and looks for nothing.
+        """
         figure = self.objective.figure
         starts: list[Callable[[], Timeline]] = [lambda: timeline, lambda: straightened(figure, timeline)]
-        if farthest(figure, timeline) > FAR:
+        if farthest(figure, timeline) > FAR and self.settings.max_evaluations > 1:
             starts.reverse()
-        starts += [
+        others: list[Callable[[], Timeline]] = [
             lambda: self.loosened(straightened(figure, timeline), OF_FEET),
             lambda: self.loosened(timeline, OF_LIMBS),
         ]
         ends: list[_End] = []
-        for start in starts:
+        values: list[float] = []
+        for start in (*starts, *others):
             if ends:
                 self.round += 1
                 self.damping = FIRST_DAMPING
             ends += self.run(start(), segments, budget)
-            if self.stop is Stop.ASKED or not is_astray(self.objective, ends[-1].timeline, self.last):
+            values.append(sum(self.last.values()))
+            if self.stop is Stop.ASKED or self.settings.max_evaluations == 1:
+                break
+            if not is_astray(self.objective, ends[-1].timeline, self.last):
+                break
+            same_valley = max(values) <= ALIKE * min(values)
+            if len(values) == len(starts) and same_valley and not is_violent(self.objective, self.last):
                 break
         found = best(self.objective, [end.timeline for end in reversed(ends)])
         end = next(end for end in reversed(ends) if end.timeline is found)

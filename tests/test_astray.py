@@ -248,6 +248,7 @@ def test_where_both_ways_end_in_a_heap_terms_enter_one_after_the_other(monkeypat
     without: list[frozenset[str]] = []
     loosened = VERB._Loop.loosened
     monkeypatch.setattr(VERB, "is_astray", lambda *_: True)
+    monkeypatch.setattr(VERB, "is_violent", lambda *_: True)
     monkeypatch.setattr(VERB._Loop, "loosened", lambda *of: (without.append(of[2]), loosened(*of))[1])
     motion = inbetween(LIMB, keys, TERMS)
     assert without == [VERB.OF_FEET, VERB.OF_LIMBS]
@@ -256,3 +257,19 @@ def test_where_both_ways_end_in_a_heap_terms_enter_one_after_the_other(monkeypat
     assert motion.objective.value(motion.path, edges) <= 1.001 * plain.objective.value(plain.path, edges)
     ends = motion.path.at(np.array([key.time for key in keys]))
     assert max(distance_from_key(LIMB, state, key) for state, key in zip(ends, keys, strict=True)) < 1e-12
+
+
+def test_a_single_evaluation_leaves_the_raw_spline_as_it_is(monkeypatch):
+    """However bad it is: what is written to be reproduced is not exchanged for a straight one."""
+    monkeypatch.setattr(VERB, "FAR", 0.0)
+    monkeypatch.setattr(VERB, "is_astray", lambda *_: True)
+    figure = Figure(mujoco.MjModel.from_xml_string(BALL_TREE))
+    rng = np.random.default_rng(0)
+    keys = []
+    for i in range(4):
+        state = figure.model.qpos0 + 0.2 * rng.normal(size=figure.model.nq)
+        keys.append(Frame.key(0.3 * i, state))
+    settings = VERB.Settings(variable=0, frames=0, max_evaluations=1)
+    found = inbetween(figure, keys, [(CovariantAcceleration(), 1.0)], settings)
+    np.testing.assert_array_equal(found.timeline.states, found.raw.states)
+    np.testing.assert_array_equal(found.timeline.end_slope, found.raw.end_slope)
