@@ -263,6 +263,7 @@ def test_a_single_evaluation_leaves_the_raw_spline_as_it_is(monkeypatch):
     """However bad it is: what is written to be reproduced is not exchanged for a straight one."""
     monkeypatch.setattr(VERB, "FAR", 0.0)
     monkeypatch.setattr(VERB, "is_astray", lambda *_: True)
+    monkeypatch.setattr(VERB, "straightened", lambda *_: pytest.fail("it began from elsewhere"))
     figure = Figure(mujoco.MjModel.from_xml_string(BALL_TREE))
     rng = np.random.default_rng(0)
     keys = []
