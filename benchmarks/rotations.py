@@ -33,8 +33,10 @@ LEAST_GAIN, MOST_WASTED = 0.5, 2
 
 @cache
 def spinner() -> Figure:
-    """The figure of one ball joint that ships."""
-    return Figure(mujoco.MjModel.from_xml_string(models.figure_text("spinner")))
+    """The toy aeroplane that ships, held in its place: it turns on one ball joint."""
+    spec = mujoco.MjSpec.from_string(models.figure_text("spinner"))
+    spec.joint("spin").type = mujoco.mjtJoint.mjJNT_BALL
+    return Figure(spec.compile())
 
 
 def moderate(rng: np.random.Generator, count: int) -> Array:

@@ -9,36 +9,39 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
-from functools import cache, cached_property, partial
+from dataclasses import dataclass
+from functools import partial
 from typing import Any, TypeVar
 
-import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-import models
-from solver import quaternion as quat
 from solver.displacement import displacement
-from solver.euler_lagrange import WeakForm, covariant_residual, tangential
-from solver.figure import Figure
-from solver.frame import Frame
-from solver.inbetween import Improvement, Motion, Settings, inbetween
-from solver.objective import Objective
-from solver.penalty import CovariantAcceleration, Penalty, UnitMagnitude
-from solver.quadrature import gauss_nodes
+from solver.inbetween import Improvement, Settings, inbetween
+from solver.penalty import CovariantAcceleration, UnitMagnitude
 from solver.quaternion import Array
-from solver.spline import Path
 from solver.subdivision import path_of
 
 from .barr import Discrete
 from .claim import Claim
+from .orientations import (
+    INTRINSIC,
+    KEYFRAMES,
+    PAPER,
+    REFERENCE_FRAMES,
+    TENTHS,
+    Case,
+    Weights,
+    energy,
+    figure_ten,
+    promised,
+    spinner,
+    strong_tenths,
+    unit_deviation,
+)
 from .progress import Teller
 
-KEYFRAMES = 7
 SHARE_OF_SETS = 0.9
-TENTHS = 10
-REFERENCE_FRAMES = 15
 UNIT_LIMIT = 0.002
 ENERGY_LIMIT = 1.01
 FOUND_WEIGHT = 10.0
@@ -55,10 +58,7 @@ EXACT = f"the intrinsic form with {REFERENCE_FRAMES} variable frames a segment s
 Row = dict[str, float]
 Truth = NDArray[np.bool_]
 Result = TypeVar("Result")
-Weights = tuple[tuple[Penalty, float], ...]
-PAPER: Weights = ((CovariantAcceleration(form="paper"), 5.0), (UnitMagnitude(), 2.0))
 FOUND: Weights = ((CovariantAcceleration(form="paper"), 1.0), (UnitMagnitude(), FOUND_WEIGHT))
-INTRINSIC: Weights = ((CovariantAcceleration(), 5.0), (UnitMagnitude(), 2.0))
 
 
 @dataclass(frozen=True)
@@ -86,75 +86,6 @@ def run(seeds: int = 20, teller: Teller | None = None) -> list[Claim]:
     if teller is not None:
         teller.step("measuring", 1.0, f"{seeds} sets", force=True)
     return [claim for study in STUDIES for claim in study.judge(rows[study.name])]
-
-
-@cache
-def spinner() -> Figure:
-    """The figure of one ball joint that ships."""
-    return Figure(mujoco.MjModel.from_xml_string(models.figure_text("spinner")))
-
-
-def orientations(seed: int) -> Array:
-    """(7, 4) unit quaternions: steps of 20-90° about random axes."""
-    rng = np.random.default_rng(seed)
-    track = [np.array([1.0, 0.0, 0.0, 0.0])]
-    for _ in range(KEYFRAMES - 1):
-        axis = rng.normal(size=3)
-        turn = axis / np.linalg.norm(axis) * np.radians(rng.uniform(20, 90))
-        track.append(quat.product(track[-1], quat.from_rotation_vector(turn)))
-    return quat.aligned(np.array(track))
-
-
-class Case:
-    """One set of keyframes, and the paths through it that several studies use."""
-
-    def __init__(self, seed: int) -> None:
-        self.seed = seed
-        self.track = orientations(seed)
-        self.keys = [Frame.key(float(i), q) for i, q in enumerate(self.track)]
-        self._solved: dict[tuple[Weights, int], Motion] = {}
-
-    def solved(self, weights: Weights, variable: int) -> Motion:
-        """The optimum with `variable` frames in every segment."""
-        if (weights, variable) not in self._solved:
-            self._solved[weights, variable] = self.inbetween(weights, Settings(variable=variable, frames=0))
-        return self._solved[weights, variable]
-
-    def adaptive(self, weights: Weights, frames: int, criterion: str) -> Motion:
-        """The optimum with `frames` variable frames in all, added one by one where the criterion is largest."""
-        settings = Settings(variable=0, frames=frames, criterion=criterion, batch=1e-9, threshold=0.0)
-        return self.inbetween(weights, settings)
-
-    def inbetween(
-        self, weights: Weights, settings: Settings, improved: Callable[[Improvement], None] | None = None
-    ) -> Motion:
-        """Tightly converged: the claims are about optima."""
-        tight = replace(settings, tolerance=1e-9, max_evaluations=1000)
-        return inbetween(spinner(), self.keys, weights, tight, improved=improved)
-
-    @cached_property
-    def least(self) -> float:
-        """The energy of the near-exact minimum."""
-        return energy(self.solved(INTRINSIC, REFERENCE_FRAMES).path)
-
-    def ratio(self, path: Path) -> float:
-        """A path's energy over the near-exact minimum."""
-        return energy(path) / self.least
-
-
-def energy(path: Path) -> float:
-    """∫ ¼|ω'|² dt of the normalised path, on panels of at most 0.1 s."""
-    first, last = path.span
-    t, w = gauss_nodes(np.union1d(path.spline.times, np.linspace(first, last, round(10 * (last - first)) + 1)), 5)
-    samples = Objective.of(spinner(), INTRINSIC).samples(path, t)
-    return float(w @ CovariantAcceleration().evaluate(samples))
-
-
-def unit_deviation(path: Path) -> float:
-    """max | |q| − 1 | on a grid of 1 kHz."""
-    first, last = path.span
-    grid = np.linspace(first, last, round(1000 * (last - first)) + 1)
-    return float(np.max(np.abs(np.linalg.norm(path.at(grid), axis=1) - 1)))
 
 
 def _column(rows: list[Row], name: str) -> Array:
@@ -362,41 +293,15 @@ PATHS = ("raw", "1", "3", "adaptive 2", "adaptive 6")
 
 def _measure_deviation(case: Case) -> Row:
     row: Row = {}
-    for name, path in _compared(case, PAPER).items():
+    for name, path in figure_ten(case, PAPER).items():
         objective = case.solved(PAPER, 1).objective
-        for reading, tenths in _tenths(objective, path).items():
+        for reading, tenths in strong_tenths(objective, path).items():
             row |= {f"{reading}, {name}, tenth {i + 1}": float(v) for i, v in enumerate(tenths)}
             row[f"{reading}, {name}"] = float(np.mean(tenths))
-        row[f"weak, {name}"] = _promised(objective, path)
-    for name, path in _compared(case, INTRINSIC).items():
-        row[f"intrinsic, {name}"] = _promised(case.solved(INTRINSIC, 1).objective, path)
+        row[f"weak, {name}"] = float(promised(objective, path).sum())
+    for name, path in figure_ten(case, INTRINSIC).items():
+        row[f"intrinsic, {name}"] = float(promised(case.solved(INTRINSIC, 1).objective, path).sum())
     return row
-
-
-def _compared(case: Case, weights: Weights) -> dict[str, Path]:
-    """The paths of figure 10, and the adaptive one with as many frames as one a segment."""
-    one, three = (case.solved(weights, variable) for variable in (1, 3))
-    adaptive = [case.adaptive(weights, frames, "residual") for frames in (2, KEYFRAMES - 1)]
-    paths = [path_of(one.raw), *(motion.path for motion in (one, three, *adaptive))]
-    return dict(zip(PATHS, paths, strict=True))
-
-
-def _promised(objective: Objective, path: Path) -> float:
-    """What variable frames in the middle of all segments promise, summed: about the whole E that is left to gain."""
-    times = path.spline.times
-    return float(WeakForm.of(objective, path).decrements((times[1:] + times[:-1]) / 2).sum())
-
-
-def _tenths(objective: Objective, path: Path) -> dict[str, Array]:
-    """The mean |EL| over tenths of the path, (10,): of eq. 10's left side and of its part off q."""
-    cuts = np.linspace(*path.span, TENTHS + 1)
-    t, w = gauss_nodes(np.union1d(path.spline.times, cuts), 8)
-    factors = {term.penalty.name: term.factor for term in objective.terms}
-    value = covariant_residual(path, t, factors["unit"] / factors["covariant"])
-    part = np.clip(np.searchsorted(cuts, t, side="right") - 1, 0, TENTHS - 1)
-    parts = {"strong": value, "tangential": tangential(value, path.at(t))}
-    length = np.diff(cuts)
-    return {name: np.bincount(part, w * np.linalg.norm(v, axis=1), TENTHS) / length for name, v in parts.items()}
 
 
 def _judge_deviation(rows: list[Row]) -> list[Claim]:
