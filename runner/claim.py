@@ -6,7 +6,9 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
+from rich.console import Group
 from rich.table import Table
+from rich.text import Text
 
 
 @dataclass(frozen=True)
@@ -33,16 +35,32 @@ class Claim:
         return "reproduced" if self.reproduced else "not reproduced"
 
 
-def table(claims: Sequence[Claim]) -> Table:
-    """Claims as a table for a terminal."""
-    out = Table(title="The paper's claims", show_lines=True, caption="median, worst in brackets, over the sets")
-    for title in ("where", "claim", "paper", "here", "verdict"):
-        out.add_column(title, ratio={"claim": 3, "paper": 2, "here": 4}.get(title))
+def table(claims: Sequence[Claim]) -> Group:
+    """Claims for a terminal of 80 columns or more: the verdict, then the claim, and below it what it rests on."""
+    held = sum(claim.reproduced for claim in claims)
+    out = Table(box=None, show_header=False, padding=(0, 2, 1, 0))
+    out.add_column("verdict", no_wrap=True)
+    out.add_column("claim", ratio=1)
     for claim in claims:
-        style = "green" if claim.reproduced else "red"
-        words = f"{claim.text}\n[dim]{claim.note}[/dim]" if claim.note else claim.text
-        verdict = f"[{style}]{claim.verdict}[/{style}]"
-        out.add_row(claim.place, words, claim.paper, f"{claim.here}\n[dim]if {claim.criterion}[/dim]", verdict)
+        verdict = Text(claim.verdict, style="green" if claim.reproduced else "red")
+        out.add_row(verdict, Group(Text(claim.text, style="bold"), _details(claim)))
+    title = Text(f"The paper's claims: {held} of {len(claims)} reproduced", style="bold")
+    return Group(title, Text("Median, worst in brackets, over the sets.\n", style="dim"), out)
+
+
+def _details(claim: Claim) -> Table:
+    """A line each, or several where they are long, of what stands behind a verdict."""
+    out = Table.grid(padding=(0, 2, 0, 0))
+    out.add_column("what", no_wrap=True, style="dim")
+    out.add_column("is")
+    for what, text in (
+        ("paper", f"{claim.paper} ({claim.place})"),
+        ("here", claim.here),
+        ("if", claim.criterion),
+        ("note", claim.note),
+    ):
+        if text:
+            out.add_row(what, Text(text, style="dim" if what in ("if", "note") else ""))
     return out
 
 

@@ -515,8 +515,17 @@ def batch(
 
 
 @app.command()
-def paper(seeds: Annotated[int, typer.Option(help="sets of keyframes", min=1)] = 20, as_json: AsJson = False) -> None:
-    """Reproduce the paper's claims on fixed sets: claim | paper | here."""
+def paper(
+    seeds: Annotated[int | None, typer.Option(help="sets of keyframes [default: 20]", min=1)] = None,
+    figures: Annotated[
+        Path | None, typer.Option(help="draw the paper's figures into this folder instead", metavar="DIR")
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Reproduce the paper's claims on fixed sets: verdict, claim, paper, here; or draw its figures."""
+    if figures is not None:
+        _paper_figures(figures, seeds, as_json=as_json)
+        return
     _without_graphics()
     from rich.console import Console
 
@@ -526,13 +535,33 @@ def paper(seeds: Annotated[int, typer.Option(help="sets of keyframes", min=1)] =
     from .report import report as measured
 
     with Teller() as teller:
-        claims = study.run(seeds, teller)
+        claims = study.run(seeds or study.SETS, teller)
         solved = work.solve(clip.load("run_and_step"), teller)
         claims += study.clip_claims(measured(solved.clip, solved.motion, solved.seconds))
     if as_json:
         print(json.dumps(claim.as_json(claims), indent=2))
     else:
         Console(highlight=False).print(claim.table(claims))
+
+
+def _paper_figures(folder: Path, seeds: int | None, *, as_json: bool) -> None:
+    """The paper's figures in a folder, told one by one."""
+    from .errors import UserError
+
+    if seeds is not None:
+        raise UserError("--seeds: figures are of the clips run_and_step and tumble, not of sets; leave it out")
+    graphics = _graphics()
+    from .figures import paper as drawing
+    from .progress import Teller
+
+    drawing.check_folder(folder)
+    with Teller() as teller:
+        teller.say(graphics.line)
+        drawn = drawing.draw(folder, graphics, teller)
+        for each in drawn:
+            teller.say(f"wrote {each.file}")
+    if as_json:
+        print(json.dumps([each.as_json for each in drawn], indent=2))
 
 
 @app.command()

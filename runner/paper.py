@@ -41,6 +41,7 @@ from .orientations import (
 )
 from .progress import Teller
 
+SETS = 20
 SHARE_OF_SETS = 0.9
 UNIT_LIMIT = 0.002
 ENERGY_LIMIT = 1.01
@@ -71,7 +72,7 @@ class Study:
     limit: int | None = None
 
 
-def run(seeds: int = 20, teller: Teller | None = None) -> list[Claim]:
+def run(seeds: int = SETS, teller: Teller | None = None) -> list[Claim]:
     """All claims about rotations, measured on the sets 0 … seeds − 1; `teller` hears how far the work has come."""
     if seeds < 1:
         raise ValueError(f"seeds = {seeds}: at least one set of keyframes is needed")

@@ -27,6 +27,7 @@ PIXELS_OF_A_PROCESS = 1_000_000  # rays draw so many in the time that a process 
 SMOOTHING = 2  # times larger than a tile are its pictures drawn: four samples a pixel, as many as multisampling takes
 KEY_SHADE, VARIABLE_SHADE, BETWEEN_SHADE = 0.0, 0.45, 0.75
 KEY_OPACITY, VARIABLE_OPACITY, BETWEEN_OPACITY = 1.0, 0.55, 0.25
+BETWEEN_RATE = 15.0  # [1/s] in-betweens of a still
 
 
 @dataclass(frozen=True)
@@ -192,17 +193,20 @@ def _key_ghosts(saved: Saved) -> tuple[Ghost, ...]:
     return tuple(Ghost(q, shade=0.6, opacity=0.3) for q in qpos)
 
 
-def figure_six(saved: Saved, look: Look, graphics: Graphics, *, workers: int = 1) -> Picture:
+def figure_six(
+    saved: Saved, look: Look, graphics: Graphics, *, workers: int = 1, rate: float = BETWEEN_RATE
+) -> Picture:
     """One still: keyframes darkest, variable frames lighter, in-betweens lightest (figure 6 of the paper).
 
     workers  threads, with rays
+    rate     in-betweens a second
     """
     figure = saved.figure
     timeline = saved.raw if look.only == "before" else saved.timeline
     keys = {key.time for key in saved.keys}
     qpos = figure.to_qpos(timeline.states)
     own = np.array([any(abs(t - k) < 1e-9 for k in keys) for t in timeline.times])
-    between = sampled(figure, timeline, 15.0).qpos
+    between = sampled(figure, timeline, rate).qpos
     ghosts = [Ghost(q, shade=BETWEEN_SHADE, opacity=BETWEEN_OPACITY) for q in between]
     if look.only != "keys":
         ghosts += [Ghost(q, shade=VARIABLE_SHADE, opacity=VARIABLE_OPACITY) for q in qpos[~own]]

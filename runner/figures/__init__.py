@@ -1,0 +1,7 @@
+"""The paper's own figures, drawn anew: what each shows, in charts and pictures, each with its caption beneath.
+
+captioned  a picture with words under it
+scenes     figures 6, 7, 11 and 12: figures in a scene
+charts     figures 9 and 10: one rotating body's quaternion
+paper      all of them, into a folder
+"""
