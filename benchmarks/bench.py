@@ -8,6 +8,7 @@ import math
 import statistics
 import sys
 import time
+import tomllib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -15,11 +16,18 @@ from typing import Any
 
 import pinned as pinned
 
+import models
+
 NOT_INSTALLED = "not installed (pip install '.[bench]')"
 CLIP = "run_and_step"
 COMMAND = "import sys; from runner.cli import main; sys.argv = ['dynsplines', *sys.argv[1:]]; main()"
 REPEATS = 5
 QUICK_REPEATS = 2
+
+
+def people() -> list[str]:
+    """The clips that ship whose figure is the human."""
+    return [name for name in models.clips() if tomllib.loads(models.clip_text(name))["figure"] == "human"]
 
 
 @dataclass(frozen=True)

@@ -17,12 +17,11 @@ from typing import Any
 
 import mujoco
 import numpy as np
-from bench import Effort, Section, Target, median
+from bench import Effort, Section, Target, median, people
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 from scipy.spatial.transform import Rotation, RotationSpline, Slerp
 
-import models
 from runner import clip as clips
 from runner.motion import continuous
 from solver import inbetween
@@ -166,7 +165,8 @@ def measure(effort: Effort) -> Section:
         "In-betweening the motions of the shipped clips, every n-th of 30 images a second kept, means over clips",
         ("every", "method", "clips", "joints [°]", "hands, ankles [cm]", "deepest sole [cm]", "skate [cm/s]", "npss"),
     )
-    names = list(models.clips())[: effort.count(len(models.clips()), 2)]
+    names = people()
+    names = names[: effort.count(len(names), 2)]
     rows: list[dict[str, Any]] = []
     with tempfile.TemporaryDirectory() as folder:
         for name in names:

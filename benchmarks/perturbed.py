@@ -13,9 +13,8 @@ from dataclasses import asdict, dataclass, replace
 
 import numpy as np
 import report
-from bench import Effort, Section, Target, median, seconds, worst
+from bench import Effort, Section, Target, median, people, seconds, worst
 
-import models
 from runner import clip as clips
 from runner.clip_text import tables, written
 from runner.contacts import contacts
@@ -204,12 +203,12 @@ def compared(names: Sequence[str], seeds: Sequence[int], effort: Effort) -> Sect
 
 
 def measure(effort: Effort) -> Section:
-    return compared(sorted(models.clips()), range(effort.count(*SETS)), effort)
+    return compared(people(), range(effort.count(*SETS)), effort)
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description="keyframes of shipped clips, moved at random")
-    parser.add_argument("--clips", nargs="+", default=sorted(models.clips()), metavar="NAME")
+    parser.add_argument("--clips", nargs="+", default=people(), metavar="NAME")
     parser.add_argument("--first", type=int, default=0, metavar="SEED")
     parser.add_argument("--count", type=int, default=SETS[0], metavar="SETS")
     chosen = parser.parse_args()

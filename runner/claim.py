@@ -45,7 +45,7 @@ def table(claims: Sequence[Claim]) -> Group:
         verdict = Text(claim.verdict, style="green" if claim.reproduced else "red")
         out.add_row(verdict, Group(Text(claim.text, style="bold"), _details(claim)))
     title = Text(f"The paper's claims: {held} of {len(claims)} reproduced", style="bold")
-    return Group(title, Text("Median, worst in brackets, over the sets.\n", style="dim"), out)
+    return Group(title, Text("median, worst in brackets, over the sets", style="dim"), Text(), out)
 
 
 def _details(claim: Claim) -> Table:

@@ -292,10 +292,10 @@ def test_heel_and_toe_soles_are_lateral_capsules_of_one_radius_with_their_sites_
             np.testing.assert_allclose(standing.site(f"{side}_{part}").xpos, centre - [0, 0, 0.024], atol=1e-12)
 
 
-def test_the_spinner_only_turns() -> None:
+def test_the_spinner_is_one_body_that_turns_and_travels_freely() -> None:
     spinner = mujoco.MjModel.from_xml_string(models.figure_text("spinner"))
-    assert (spinner.nq, spinner.nv, spinner.njnt) == (4, 3, 1)
-    assert spinner.joint("spin").type[0] == mujoco.mjtJoint.mjJNT_BALL
+    assert (spinner.nbody, spinner.nq, spinner.nv, spinner.njnt) == (2, 7, 6, 1)
+    assert spinner.joint("spin").type[0] == mujoco.mjtJoint.mjJNT_FREE
     assert spinner.body("body").id == spinner.jnt_bodyid[0]
 
 

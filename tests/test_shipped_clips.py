@@ -177,6 +177,7 @@ def test_in_walking_a_foot_is_always_down_and_knees_and_pelvis_move_as_in_normal
     assert 0.03 < np.ptp(samples.y[:, 2]) < 0.05
 
 
+UNHINDERED = {"tumble"}  # nothing is in its way: its raw spline breaks nothing and is only less smooth
 # the toe of a foot that leaves the ground is turned inward by the keyframe that lifts it, while its contact lasts
 KNOWN = {"walk_loop": [("left_toe", 5), ("left_toe", 6), ("right_toe", 2), ("right_toe", 9)]}
 
@@ -189,6 +190,9 @@ def test_nothing_is_wrong_with_a_clip_that_ships_but_what_is_known(name):
     assert {each.kind for each in told} <= {"contact"}
     assert all(each.amount < 0.02 for each in told)
     raw = problems(found.clip, found.motion.raw, found.motion.raw)
+    if name in UNHINDERED:
+        assert not raw
+        return
     assert len(raw) > len(told)
     assert raw[0].severity > 2
 
