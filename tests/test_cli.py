@@ -255,6 +255,25 @@ def test_clips_and_models_are_listed_with_what_they_are(run):
         assert all(line in done.out for line in found.values())
 
 
+def test_figures_of_the_paper_are_told_one_by_one_and_as_json(run, monkeypatch, tmp_path):
+    from runner.figures import paper
+
+    drawn = [paper.Drawn(7, Path("figures/figure_7.png"), "seven orientations")]
+    monkeypatch.setattr(paper, "draw", lambda folder, *_: drawn if folder == Path("figures") else [])
+    done = run("paper", "--figures", "figures")
+    assert (done.code, done.out) == (0, "")
+    assert "wrote figures/figure_7.png" in done.err
+    done = run("paper", "--figures", "figures", "--json")
+    assert json.loads(done.out) == [
+        {"figure": 7, "file": "figures/figure_7.png", "caption": "seven orientations"},
+    ]
+
+
+def test_figures_of_the_paper_need_a_folder_and_no_sets(run, tmp_path, solving_forbidden):
+    assert_refused(run("paper", "--figures", "figures", "--seeds", 3), "--seeds", "leave it out")
+    assert_refused(run("paper", "--figures", "tiny.toml"), "tiny.toml", "it is a file")
+
+
 @pytest.mark.parametrize("words", [(), ("--help",), ("render", "--help")])
 def test_help_is_help(run, words):
     done = run(*words)

@@ -61,6 +61,20 @@ def test_the_table_shows_every_claim_with_its_verdict(claims: list[Claim]) -> No
         assert claim.text in out.getvalue()
 
 
+def test_the_table_fits_into_80_columns_verdict_first_and_nothing_cut_off(claims: list[Claim]) -> None:
+    out = StringIO()
+    Console(file=out, width=80).print(table(claims))
+    lines = out.getvalue().splitlines()
+    assert max(map(len, lines)) <= 80
+    assert lines[0] == f"The paper's claims: {sum(claim.reproduced for claim in claims)} of {len(claims)} reproduced"
+    assert [line.split("  ")[0] for line in lines[3:] if line[:1].strip()] == [claim.verdict for claim in claims]
+    words = " ".join(out.getvalue().split())
+    for claim in claims:
+        for part in (claim.text, claim.here, claim.criterion, claim.note, claim.paper, claim.place):
+            assert " ".join(part.split()) in words
+    assert "…" not in words.replace("– ", "")
+
+
 def test_claims_become_json_with_their_verdicts(claims: list[Claim]) -> None:
     entries = json.loads(json.dumps(as_json(claims), allow_nan=False))
     assert [entry["verdict"] for entry in entries] == [claim.verdict for claim in claims]
