@@ -551,7 +551,7 @@ def _paper_figures(folder: Path, seeds: int | None, *, as_json: bool) -> None:
     if seeds is not None:
         raise UserError("--seeds: figures are of the clips run_and_step and tumble, not of sets; leave it out")
     graphics = _graphics()
-    from .figures import paper as drawing
+    from .paper_figures import drawing
     from .progress import Teller
 
     drawing.check_folder(folder)

@@ -256,10 +256,10 @@ def test_clips_and_models_are_listed_with_what_they_are(run):
 
 
 def test_figures_of_the_paper_are_told_one_by_one_and_as_json(run, monkeypatch, tmp_path):
-    from runner.figures import paper
+    from runner.paper_figures import drawing
 
-    drawn = [paper.Drawn(7, Path("figures/figure_7.png"), "seven orientations")]
-    monkeypatch.setattr(paper, "draw", lambda folder, *_: drawn if folder == Path("figures") else [])
+    drawn = [drawing.Drawn(7, Path("figures/figure_7.png"), "seven orientations")]
+    monkeypatch.setattr(drawing, "draw", lambda folder, *_: drawn if folder == Path("figures") else [])
     done = run("paper", "--figures", "figures")
     assert (done.code, done.out) == (0, "")
     assert "wrote figures/figure_7.png" in done.err

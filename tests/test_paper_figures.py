@@ -18,14 +18,14 @@ from tiny import names
 
 from runner import clip, work
 from runner.errors import UserError
-from runner.figures import charts, paper, scenes
-from runner.figures.captioned import captioned
-from runner.figures.charts import Deviations, Lengths, draw_deviations, draw_lengths
-from runner.figures.paper import FIGURES, Results, check_folder
-from runner.figures.scenes import Dip, inset, keyframes_and_sample, looked_at
 from runner.graphics import Graphics
 from runner.motion import Saved
 from runner.orientations import PAPER, TENTHS, Case, Run, figure_ten, promised, strong_tenths, weak_tenths
+from runner.paper_figures import charts, drawing, scenes
+from runner.paper_figures.captioned import captioned
+from runner.paper_figures.charts import Deviations, Lengths, draw_deviations, draw_lengths
+from runner.paper_figures.drawing import FIGURES, Results, check_folder
+from runner.paper_figures.scenes import Dip, inset, keyframes_and_sample, looked_at
 from runner.progress import Teller
 from solver.euler_lagrange import covariant_residual
 
@@ -231,13 +231,13 @@ def test_an_inset_stands_framed_in_the_upper_left_corner():
 @pytest.fixture
 def results(climber: Saved, tumbler: Saved, monkeypatch: pytest.MonkeyPatch) -> Results:
     """Of a short clip in place of the runner, which is not solved anew."""
-    found = {paper.RUNNER: climber, paper.TUMBLER: tumbler}
+    found = {drawing.RUNNER: climber, drawing.TUMBLER: tumbler}
     monkeypatch.setattr(Results, "_solved", lambda self, name: found[name])
     return Results(RAYS, quiet())
 
 
 def test_all_figures_are_drawn_into_a_folder_that_is_made_for_them(results, small, tmp_path):
-    drawn = paper.draw(tmp_path / "new" / "figures", RAYS, quiet())
+    drawn = drawing.draw(tmp_path / "new" / "figures", RAYS, quiet())
     assert [each.number for each in drawn] == [6, 7, 9, 10, 11, 12] == list(FIGURES)
     assert names(tmp_path / "new" / "figures") == sorted(f"figure_{number}.png" for number in FIGURES)
     for each in drawn:
