@@ -1,0 +1,95 @@
+"""The README's picture of the clips that ship: python docs/gallery.py [-o renders/gallery.png]
+
+A tile for every clip, four in a row, each drawn by `dynsplines render`. A clip that TILES does not know is shown in the
+middle of its time; a body that tumbles along its whole way, in a tile twice as wide.
+"""
+
+from __future__ import annotations
+
+import argparse
+import subprocess
+import sys
+import tempfile
+import tomllib
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+import models
+
+Picture = NDArray[np.uint8]
+
+ROOT = Path(__file__).parent.parent
+COMMAND = "import sys; from runner.cli import main; main()"
+WIDTH, HEIGHT, GAP = 400, 300, 6  # [pixels]
+COLUMNS = 4
+WHITE = 255
+CAMERA = "three_quarter"
+TILES: dict[str, tuple[float, str]] = {  # clips in their order: the time that is shown [s], from where
+    "run_and_step": (1.03, "side"),
+    "walk_loop": (0.57, CAMERA),
+    "run_loop": (0.17, "side"),
+    "stairs": (2.0, "side"),
+    "jump_over_box": (1.07, CAMERA),
+    "sit_down": (1.3, CAMERA),
+    "cartwheel": (1.0, "side"),
+    "hand_on_rail": (1.0, CAMERA),
+}
+ALONG = ("tumble",)  # shown along their whole way
+
+
+def tile(name: str, folder: Path) -> Picture:
+    """A clip's picture."""
+    target = folder / f"{name}.png"
+    if name in ALONG:
+        words = ["--ghosts", "--size", f"{2 * WIDTH + GAP}x{HEIGHT}"]
+    else:
+        time, camera = TILES.get(name, (middle(name), CAMERA))
+        words = ["--only", "after", "--at", f"{time:g}", "--camera", camera, "--size", f"{WIDTH}x{HEIGHT}"]
+    subprocess.run([sys.executable, "-c", COMMAND, "render", name, *words, "-o", str(target)], cwd=ROOT, check=True)
+    return np.asarray(Image.open(target).convert("RGB"))
+
+
+def middle(name: str) -> float:
+    """The middle of a clip's time [s]."""
+    times = [key["time"] for key in tomllib.loads(models.clip_text(name))["keyframe"]]
+    return (times[0] + times[-1]) / 2
+
+
+def rows(tiles: list[Picture]) -> list[list[Picture]]:
+    """Tiles in rows that are no wider than COLUMNS."""
+    out: list[list[Picture]] = [[]]
+    for each in tiles:
+        if sum(one.shape[1] + GAP for one in [*out[-1], each]) > COLUMNS * (WIDTH + GAP):
+            out.append([])
+        out[-1].append(each)
+    return out
+
+
+def sheet(tiles: list[Picture]) -> Picture:
+    """All tiles on white, each row in the middle."""
+    found = rows(tiles)
+    out = np.full((len(found) * (HEIGHT + GAP) - GAP, COLUMNS * (WIDTH + GAP) - GAP, 3), WHITE, np.uint8)
+    for i, row in enumerate(found):
+        left = (out.shape[1] - sum(one.shape[1] + GAP for one in row) + GAP) // 2
+        for one in row:
+            top = i * (HEIGHT + GAP)
+            out[top : top + HEIGHT, left : left + one.shape[1]] = one
+            left += one.shape[1] + GAP
+    return out
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("-o", "--output", type=Path, default=ROOT / "renders" / "gallery.png")
+    target = parser.parse_args().output
+    others = [name for name in models.clips() if name not in (*TILES, *ALONG)]
+    with tempfile.TemporaryDirectory() as folder:
+        tiles = [tile(name, Path(folder)) for name in (*TILES, *others, *ALONG)]
+    Image.fromarray(sheet(tiles)).save(target, optimize=True)
+
+
+if __name__ == "__main__":
+    main()
