@@ -36,6 +36,7 @@ TILES: dict[str, tuple[float, str]] = {  # clips in their order: the time that i
     "sit_down": (1.3, CAMERA),
     "cartwheel": (1.0, "side"),
     "hand_on_rail": (1.0, CAMERA),
+    "carry_box": (5.4, CAMERA),
 }
 ALONG = ("tumble",)  # shown along their whole way
 
