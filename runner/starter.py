@@ -263,7 +263,10 @@ def _telling(figure: Figure, qpos: Array) -> tuple[Link, float]:
             choices.append((i, value))
             poses.append(moved)
     if not choices:
-        raise UserError(f"'{figure.links[1].name}' is all that moves: a free body needs keyframes of its own")
+        name = figure.links[1].name
+        raise UserError(
+            f"'{name}' is all that moves: a free body needs keyframes of its own, such as `dynsplines clips --show tumble`"
+        )
     points = body_points(figure)
     lowest = _bottoms(figure, np.array(poses), points).min(axis=0, initial=np.inf)
     worth = []
