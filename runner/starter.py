@@ -265,7 +265,8 @@ def _telling(figure: Figure, qpos: Array) -> tuple[Link, float]:
     if not choices:
         name = figure.links[1].name
         raise UserError(
-            f"'{name}' is all that moves: a free body needs keyframes of its own, such as `dynsplines clips --show tumble`"
+            f"'{name}' is all that moves: a free body needs keyframes of its own, "
+            "as in `dynsplines clips --show tumble`"
         )
     points = body_points(figure)
     lowest = _bottoms(figure, np.array(poses), points).min(axis=0, initial=np.inf)
