@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import importlib
 import json
 import os
 import re
@@ -678,7 +679,7 @@ def test_a_clip_that_ends_at_once_under_ctrl_c_ends_with_130(run, monkeypatch, t
     def stop(*_: object, **__: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("runner.work.report", stop)
+    monkeypatch.setattr(importlib.import_module("runner.report"), "report", stop)
     with nothing_written(tmp_path):
         done = run("report", "tiny.toml")
     assert done.code == 130
@@ -865,7 +866,7 @@ SUNK = "problem: keyframe 2 itself: shin is 140 mm in the floor at 0.20 s"
 def sinking(run: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Command:
     """The command beside a clip that sinks, where measuring at length is forbidden."""
     (tmp_path / "sinks.toml").write_text(SINKING, encoding="utf-8")
-    monkeypatch.setattr(work, "report", lambda *_: pytest.fail("measured"))
+    monkeypatch.setattr(importlib.import_module("runner.report"), "report", lambda *_: pytest.fail("measured"))
     return run
 
 

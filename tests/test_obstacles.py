@@ -257,7 +257,8 @@ def test_what_stands_on_the_floor_has_no_way_out_downwards(name, x, rise):
 def test_meshes_without_a_hull_of_mujocos_get_one_and_flat_ones_none():
     text = """<mujoco><asset><mesh name="m" inertia="shell" vertex="{}" face="0 1 2 1 3 2"/></asset>
       <worldbody><geom name="m" type="mesh" mesh="m" contype="0" conaffinity="0" pos="1 2 3"/>
-      <body name="ball"><freejoint/><geom name="ball" size=".15"/></body></worldbody></mujoco>"""
+      <body name="ball"><freejoint/><geom name="ball" size=".15" contype="0" conaffinity="0"/></body></worldbody>
+      </mujoco>"""  # nothing collides: all counts
     flat = mujoco.MjModel.from_xml_string(text.format("0 0 0 1 0 0 0 1 0 1 1 0"))
     assert flat.mesh_graphadr[0] == -1
     assert static_surfaces(flat) == ()
