@@ -505,6 +505,8 @@ def _set_joint(qpos: Array, fixed: Mask, link: Any, value: RotationTable | float
         raise UserError(f"{place}: a free joint is placed by root.position and root.rotation, or by roots.{link.name}")
     if not isinstance(value, RotationTable):
         raise UserError(f"{place}: a ball joint takes a rotation, {ROTATION}, not a number")
+    if value.heading is not None:
+        raise UserError(f"{place}: a heading is of the root, of bodies and of obstacles; a joint turns in its parent")
     qpos[columns] = quaternion_of(value, place)
     fixed[columns] = True
 

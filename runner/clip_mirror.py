@@ -165,6 +165,8 @@ def _rotation(table: dict[str, Any]) -> dict[str, Any]:
     if table.get("euler") is not None:
         signs = [AXIAL["xyz".index(letter)] for letter in table.get("order") or "xyz"]
         out["euler"] = _signed(table["euler"], signs)
+    if table.get("heading") is not None:
+        out["heading"] = 0.0 - table["heading"]
     return out
 
 

@@ -30,6 +30,7 @@ class RotationTable(_Table):
     euler: list[Number] | None = None
     order: str | None = None
     quat: tuple[Number, Number, Number, Number] | None = None
+    heading: Number | None = None
 
 
 class RootTable(_Table):
@@ -277,7 +278,7 @@ _TABLES: dict[str, type[_Table]] = {
 
 ROTATION = "{rotvec = [x, y, z]}, {euler = [...], order = ...} or {quat = [w, x, y, z]}"
 _NUMBERS = ("time", "fps", "x", "y", "height", "length", "width", "weight", "margin", "least", "sideways", "twist")
-_OF_OTHERS = ("angular", "friction", "mass", "period", "radius", "reach")
+_OF_OTHERS = ("angular", "friction", "heading", "mass", "period", "radius", "reach")
 _WHOLE = ("variable", "frames", "evaluations", "samples")
 _EXPECTED = {
     **dict.fromkeys((*_NUMBERS, *_OF_OTHERS, "threshold", "tolerance"), "a number"),

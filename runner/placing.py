@@ -133,7 +133,7 @@ def check_search(figure: Figure, key: Frame, placed: Sequence[Placed], place: st
 
 def _body_goals(figure: Figure, name: str, body: int, table: BodyTable, place: str) -> list[Goal]:
     """Where a body's origin, or a point in its axes, is to be, and how it is to be turned: at least one of the two."""
-    given = table.model_fields_set & {"rotvec", "euler", "quat", "order"}
+    given = table.model_fields_set & {"rotvec", "euler", "quat", "order", "heading"}
     goals: list[Goal] = []
     if table.at is not None and table.position is None:
         raise UserError(f"{place}: 'at' is a point of the body; say where it is to be by position = [x, y, z]")

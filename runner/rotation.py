@@ -1,4 +1,4 @@
-"""Rotations as a clip file writes them: rotation vectors, Euler angles in degrees, quaternions."""
+"""Rotations as a clip file writes them: rotation vectors, Euler angles in degrees, quaternions, and a heading."""
 
 from __future__ import annotations
 
@@ -11,8 +11,21 @@ from .clip_table import RotationTable
 from .errors import UserError
 
 
+UP = np.array([0.0, 0.0, 1.0])
+
+
 def quaternion_of(table: RotationTable, place: str) -> Array:
-    """The unit quaternion wxyz of a rotation given in degrees."""
+    """The unit quaternion wxyz of a rotation in the world, given in degrees: the heading turns all else, if there is
+    anything else, about the vertical."""
+    if table.heading is None:
+        return plain_quaternion(table, place)
+    heading = quat.from_rotation_vector(np.radians(table.heading) * UP)
+    others = table.model_fields_set & {"rotvec", "euler", "quat", "order"}
+    return quat.product(heading, plain_quaternion(table, place)) if others else heading
+
+
+def plain_quaternion(table: RotationTable, place: str) -> Array:
+    """The unit quaternion wxyz of a rotation given in degrees, whatever its heading."""
     given = [name for name in ("rotvec", "euler", "quat") if getattr(table, name) is not None]
     if len(given) != 1:
         raise UserError(f"{place}: give exactly one of rotvec, euler, quat, not {' and '.join(given) or 'none'}")
