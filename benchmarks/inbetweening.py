@@ -58,6 +58,7 @@ def whole(name: str) -> Motion:
         ends=clip.ends,
         end_slope=clip.end_slope,
         travel=clip.travel,
+        turn=clip.turn,
     )
     first, last = found.path.span
     time = first + np.arange(int((last - first) * FPS + 1e-9) + 1) / FPS

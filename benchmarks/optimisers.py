@@ -35,6 +35,7 @@ def solve(problem: clips.Clip, method: str) -> Motion:
         ends=problem.ends,
         end_slope=problem.end_slope,
         travel=problem.travel,
+        turn=problem.turn,
     )
 
 

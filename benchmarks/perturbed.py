@@ -129,7 +129,7 @@ def _moved(figure: Figure, key: Frame, rng: np.random.Generator) -> Frame:
 def _without_contradictions(clip: clips.Clip, keys: Sequence[Frame]) -> clips.Clip:
     """The clip without the contacts that other keyframes contradict, which would be refused."""
     table = clips.table_of(clip.text, clip.name)
-    timeline = raw_timeline(clip.figure, list(keys), clip.ends, clip.end_slope, clip.travel)
+    timeline = raw_timeline(clip.figure, list(keys), clip.ends, clip.end_slope, clip.travel, clip.turn)
     kept: list[int] = []
     for i in range(len(table.contact)):
         try:
@@ -147,7 +147,7 @@ def solved(clip: clips.Clip) -> Motion:
     """As `dynsplines solve` does it."""
     return inbetween(
         clip.figure, clip.keys, clip.penalties, clip.settings,
-        ends=clip.ends, end_slope=clip.end_slope, travel=clip.travel,
+        ends=clip.ends, end_slope=clip.end_slope, travel=clip.travel, turn=clip.turn,
     )  # fmt: skip
 
 

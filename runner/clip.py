@@ -70,6 +70,7 @@ POINTS = 3
 TOLERANCE = 1e-3
 FRAME_SECONDS = 0.1
 
+AROUND = ("travel", "turn")  # what [solve] says of how a loop comes back
 SHORTEST = 0.001  # [s] between neighbouring keyframes
 LONGEST = 600.0  # [s] from the first keyframe to the last
 
@@ -81,6 +82,7 @@ class Clip:
     text    the TOML text (empty for MJCF and NPZ clips)
     scene   the complete MJCF of figure and scene, with the files that it refers to
     travel  (3,) [m] how far a loop's root comes in a period; None: as the keyframes say
+    turn    [rad] by how much it is turned about the vertical by then; None: as the keyframes say
     points  the sole points that stand on surfaces; bends: knees and elbows
     support  what carries the figure when; None without a free joint
     notes   one line each on what was looked for and not found
@@ -99,6 +101,7 @@ class Clip:
     ends: str
     end_slope: Array | None
     travel: tuple[float, float, float] | None
+    turn: float | None
     surfaces: tuple[Surface, ...]
     points: tuple[Point, ...]
     bends: tuple[Bend, ...]
@@ -202,9 +205,7 @@ def from_text(
     figure = _figure(scene, table.solve.coordinates, place)
     bends = posing_bends(figure, table.penalty)
     surfaces = static_surfaces(figure.model)
-    stander = Stander(
-        figure, surfaces, table.contact, bends, table.solve.ends, table.solve.travel, place, held=table.hold
-    )
+    stander = Stander(figure, surfaces, table.contact, bends, table.solve, place, held=table.hold)
     missed: list[str] = []
     keys, placed = _keys(figure, lying(table), stander, place, missed)
     if missed and unmet is None:
@@ -245,10 +246,8 @@ def of_motion(saved: Saved, *, contacts: bool = False) -> Clip:
     """
     table = table_of(saved.text, saved.name) if saved.text else None
     solve = SolveTable() if table is None else table.solve
-    ends, travel, roots = saved.timeline.ends, None, saved.figure.tables.position_columns
-    if ends == "periodic" and roots.size:
-        travel = tuple(Seam.of(saved.figure, saved.timeline).travel[roots[:, 0]].tolist())
-    solve = solve.model_copy(update={"ends": ends, "travel": travel})
+    ends = saved.timeline.ends
+    solve = solve.model_copy(update={"ends": ends, **{name: None for name in AROUND}, **around(saved)})
     placed: tuple[Placed, ...] = ()
     if table is not None and contacts:
         whole = [key.state for key in saved.keys if key.is_key]
@@ -259,6 +258,21 @@ def of_motion(saved: Saved, *, contacts: bool = False) -> Clip:
     return _clip(
         saved.name, saved.text, saved.scene, saved.figure, saved.fps, list(saved.keys), table, saved.name, placed, solve
     )
+
+
+def around(saved: Saved) -> dict[str, Any]:
+    """What [solve] says of how a saved loop comes back: travel [m] and, if it turns, turn [degrees]."""
+    roots = saved.figure.tables.position_columns
+    if saved.timeline.ends != "periodic" or not roots.size:
+        return {}
+    seam = Seam.of(saved.figure, saved.timeline)
+    turn = {"turn": float(np.degrees(seam.headings[0]))} if seam.headings[0] else {}
+    return {"travel": seam.travel[roots[:, 0]].tolist(), **turn}
+
+
+def radians(degrees: float | None) -> float | None:
+    """An angle, if there is one."""
+    return None if degrees is None else float(np.radians(degrees))
 
 
 def answered(saved: Saved) -> Clip:
@@ -296,7 +310,8 @@ def _clip(
 ) -> Clip:
     solve = solve or (SolveTable() if table is None else table.solve)
     try:
-        timeline = raw_timeline(figure, keys, solve.ends, np.zeros((2, figure.width)), solve.travel)
+        slope = np.zeros((2, figure.width))
+        timeline = raw_timeline(figure, keys, solve.ends, slope, solve.travel, radians(solve.turn))
         settings = _settings(solve, [key.time for key in keys])
     except (TimelineError, ValueError) as error:
         raise UserError(f"{place}: {error}") from None
@@ -307,7 +322,8 @@ def _clip(
     penalties = builder.all(penalty)
     return Clip(
         name, text, scene, figure, fps, tuple(keys), penalties, settings, solve.ends,
-        np.zeros((2, figure.width)) if solve.ends == "clamped" else None, solve.travel, surfaces,
+        np.zeros((2, figure.width)) if solve.ends == "clamped" else None, solve.travel,
+        radians(solve.turn), surfaces,
         builder.points, builder.bends, builder.support, tuple(notes), placed, builder.contacts.given,
         builder.holds,
     )  # fmt: skip

@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import Any
 
 import models
-from solver.seam import Seam
 
 from . import clip as clips
 from .clip_text import keyframe_tables, tables, written
@@ -80,7 +79,4 @@ def _ends(saved: Saved) -> dict[str, Any]:
     out: dict[str, Any] = {"coordinates": saved.figure.coordinates}
     if saved.timeline.ends in ("periodic", "clamped"):
         out["ends"] = saved.timeline.ends
-    roots = saved.figure.tables.position_columns
-    if saved.timeline.ends == "periodic" and roots.size:
-        out["travel"] = Seam.of(saved.figure, saved.timeline).travel[roots[:, 0]].tolist()
-    return out
+    return out | clips.around(saved)

@@ -43,6 +43,8 @@ def mirrored_tables(clip: dict[str, Any], figure: Figure, mirror: Mirror) -> dic
         out["hold"] = [_placed(row) for row in other]
     if clip.get("solve", {}).get("travel") is not None:
         out["solve"] = clip["solve"] | {"travel": _signed(clip["solve"]["travel"], POLAR)}
+    if clip.get("solve", {}).get("turn") is not None:
+        out["solve"] = out["solve"] | {"turn": 0.0 - clip["solve"]["turn"]}
     if "penalty" in clip:
         out["penalty"] = [_renamed(entry, places) for entry in clip["penalty"]]
     return out

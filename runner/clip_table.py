@@ -143,6 +143,7 @@ class SolveTable(_Table):
     coordinates: Literal["auto", "world", "joint"] = "auto"
     ends: Literal["free", "clamped", "periodic"] = "free"
     travel: tuple[Number, Number, Number] | None = None
+    turn: Annotated[Real, Field(ge=-360, le=360)] | None = None
     variable: Annotated[Whole, Field(ge=0, le=50)] | None = None
     frames: Annotated[Whole, Field(ge=0, le=100_000)] | None = None
     criterion: str | None = None
@@ -278,7 +279,7 @@ _TABLES: dict[str, type[_Table]] = {
 
 ROTATION = "{rotvec = [x, y, z]}, {euler = [...], order = ...} or {quat = [w, x, y, z]}"
 _NUMBERS = ("time", "fps", "x", "y", "height", "length", "width", "weight", "margin", "least", "sideways", "twist")
-_OF_OTHERS = ("angular", "friction", "heading", "mass", "period", "radius", "reach")
+_OF_OTHERS = ("angular", "friction", "heading", "mass", "period", "radius", "reach", "turn")
 _WHOLE = ("variable", "frames", "evaluations", "samples")
 _EXPECTED = {
     **dict.fromkeys((*_NUMBERS, *_OF_OTHERS, "threshold", "tolerance"), "a number"),

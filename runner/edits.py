@@ -129,19 +129,20 @@ def repeated(saved: Saved, count: int) -> Saved:
     fixed, posed = zip(*said, strict=True)
     keys = Frame.many(times, saved.figure.to_qpos(path_of(timeline).at(np.array(times))), fixed, posed)
     seam = Seam.of(saved.figure, saved.timeline)
-    roots = saved.figure.tables.position_columns
-    travel = seam.travel[roots[:, 0]] if roots.size else np.zeros(3)
+    contacts, held = _rows(saved, "contact"), _rows(saved, "hold")
+    rounds = range(1, count)
     more = {
-        "contact": [row for i in range(1, count) for row in _later(_rows(saved, "contact"), period * i, travel * i)],
-        "hold": [row for i in range(1, count) for row in _later(_rows(saved, "hold"), period * i)],
+        "contact": [row for i in rounds for row in _carried(_later(contacts, period * i), saved.figure, seam, i)],
+        "hold": [row for i in rounds for row in _later(held, period * i)],
     }
-    text = _keyed(saved, keys, lambda solve: _repeated_travel(solve, count), more)
+    around = clips.around(replace(saved, timeline=timeline))
+    text = _keyed(saved, keys, lambda solve: _around(solve, around), more)
     return replace(saved, text=text, keys=tuple(keys), timeline=timeline, raw=raw, trace=[], report={}, search={})
 
 
-def _repeated_travel(solve: dict[str, Any], count: int) -> dict[str, Any]:
-    given = solve.get("travel")
-    return solve if given is None else solve | {"travel": [count * metres for metres in given]}
+def _around(solve: dict[str, Any], around: dict[str, Any]) -> dict[str, Any]:
+    """[solve] of a loop that comes back another way, where it says how."""
+    return solve | {name: around.get(name, 0.0) for name in clips.AROUND if solve.get(name) is not None}
 
 
 def joined(before: Saved, after: Saved, transition: float, teller: Teller) -> Saved:
@@ -241,7 +242,7 @@ def _with_keys(saved: Saved, keys: tuple[Frame, ...], timeline: Timeline, more: 
 
 def _freed(solve: dict[str, Any]) -> dict[str, Any]:
     """[solve] of a clip whose ends are free now."""
-    return {key: value for key, value in solve.items() if key not in ("ends", "travel")}
+    return {key: value for key, value in solve.items() if key not in ("ends", *clips.AROUND)}
 
 
 def _keyed(saved: Saved, keys: Sequence[Frame], ends: Edit = _freed, more: Lasting | None = None) -> str:
@@ -262,15 +263,18 @@ def _rows(saved: Saved, kind: str) -> Rows:
     return tables(clips.table_of(saved.text, saved.name)).get(kind, []) if saved.text else []
 
 
-def _later(rows: Rows, shift: float, travel: ArrayLike = 0.0) -> list[dict[str, Any]]:
-    """Contacts or holds a time [s] later, and their positions so far on [m]."""
-    out = []
-    for row in rows:
-        moved = row | {"from": row["from"] + shift, "to": row["to"] + shift}
-        if row.get("position") is not None:
-            moved["position"] = (np.array(row["position"]) + travel).tolist()
-        out.append(moved)
-    return out
+def _later(rows: Rows, shift: float) -> list[dict[str, Any]]:
+    """Contacts or holds a time [s] later."""
+    return [row | {"from": row["from"] + shift, "to": row["to"] + shift} for row in rows]
+
+
+def _carried(contacts: Rows, figure: Figure, seam: Seam, periods: int) -> list[dict[str, Any]]:
+    """Contacts with their positions where a loop has them some periods later."""
+
+    def later(position: ArrayLike) -> list[float]:
+        return seam.carried(figure, np.array(position), periods).tolist()
+
+    return [row | {"position": later(row["position"])} if row.get("position") is not None else row for row in contacts]
 
 
 def _cut(rows: Rows, first: float, last: float) -> list[dict[str, Any]]:

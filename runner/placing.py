@@ -108,7 +108,7 @@ def with_pose(
     where they stand before and after.
     """
     try:
-        path = raw_timeline(figure, list(keys), "periodic" if stander.ends == "periodic" else "free")
+        path = stander.timeline(keys, "periodic") if stander.ends == "periodic" else raw_timeline(figure, list(keys))
     except TimelineError as error:
         raise UserError(f"{place}: {error}") from None
     key = keys[k]

@@ -334,14 +334,16 @@ def _unit_deviation(grid: Grid) -> dict[str, float]:
 
 
 def _seam(clip: Clip, timeline: Timeline) -> dict[str, Any]:
-    """How far a loop's root travels in a period, and by how much y, y', y'' at the end miss the start, moved on."""
+    """How far a loop's root travels and turns in a period, and by how much y, y', y'' at the end miss the start, moved on."""
     if timeline.ends != "periodic":
         return {}
     seam = Seam.of(clip.figure, timeline)
     roots = clip.figure.tables.position_columns
     position, velocity, acceleration = map(float, seam.apart(path_of(timeline)))
     mismatch = {"state": position, "first derivative": velocity, "second derivative": acceleration}
-    return {"seam": {"travel, m": seam.travel[roots[:, 0]].tolist() if roots.size else [], **mismatch}}
+    travel = seam.travel[roots[:, 0]].tolist() if roots.size else []
+    turn = {"turn, degrees": float(np.degrees(seam.headings[0]))} if seam.turns else {}
+    return {"seam": {"travel, m": travel, **turn, **mismatch}}
 
 
 def _peak_acceleration(grid: Grid) -> dict[str, Any]:

@@ -27,7 +27,7 @@ from solver.seam import Seam
 from solver.surface import Surface
 from solver.unknowns import raw_timeline
 
-from .clip_table import ContactTable, HoldTable
+from .clip_table import ContactTable, HoldTable, SolveTable
 from .contacts import ROUNDING, Contacts, contacts
 from .feet import sole_points
 from .holds import holds
@@ -85,13 +85,22 @@ class Stander:
         surfaces: tuple[Surface, ...],
         tables: Sequence[ContactTable],
         bends: BendLimits | None,
-        ends: str,
-        travel: Sequence[float] | None,
+        solve: SolveTable,
         place: str,
         held: Sequence[HoldTable] = (),
     ) -> None:
         self.figure, self.surfaces, self.tables, self.bends = figure, surfaces, tables, bends
-        self.ends, self.travel, self.place, self.held = ends, travel, place, held
+        self.solve, self.place, self.held = solve, place, held
+
+    @property
+    def ends(self) -> str:
+        return self.solve.ends
+
+    def timeline(self, keys: Sequence[Frame], ends: str) -> Timeline:
+        """The keyframes' timeline; of a loop, as it comes back. Raises TimelineError."""
+        slope, solve = np.zeros((2, self.figure.width)), self.solve
+        turn = None if solve.turn is None else float(np.radians(solve.turn))
+        return raw_timeline(self.figure, list(keys), ends, slope, solve.travel, turn)
 
     def stood(self, keys: Sequence[Frame], left: Sequence[Placed]) -> list[Frame]:
         """The keyframes, what the partial ones leave free posed as far as it is beyond doubt.
@@ -132,9 +141,8 @@ class Stander:
 
     def seen(self, keys: Sequence[Frame]) -> _Seen | None:
         """What keyframes tell of feet; None where they make no timeline, which the clip complains of."""
-        slope = np.zeros((2, self.figure.width))
         try:
-            timeline = raw_timeline(self.figure, list(keys), self.ends, slope, self.travel)
+            timeline = self.timeline(keys, self.ends)
         except TimelineError:
             return None
         whole = [self.figure.to_qpos(frame.state) for frame in timeline.frames if frame.is_key]
@@ -211,12 +219,11 @@ class _Seen:
         times, centres, low = self.timeline.times, np.moveaxis(centres, 0, 2), np.abs(above) < NEAR_SURFACE
         if self.timeline.ends != "periodic":
             return times, centres, low
-        roots, period = self.figure.tables.position_columns, times[-1] - times[0]
-        way = Seam.of(self.figure, self.timeline).travel[roots[:, 0]] if roots.size else np.zeros(3)
+        seam, period = Seam.of(self.figure, self.timeline), times[-1] - times[0]
         turns = np.arange(-1, 2)
         return (
             (times[:-1] + period * turns[:, None]).ravel(),
-            np.concatenate([centres[:, :-1] + turn * way for turn in turns], axis=1),
+            np.concatenate([seam.carried(self.figure, centres[:, :-1], turn) for turn in turns], axis=1),
             np.tile(low[:, :-1], (1, 3)),
         )
 
@@ -302,9 +309,12 @@ class _Seen:
     def _turn(self, link: int, k: int, near: tuple[int | None, int | None]) -> Array:
         """(4,) how a link is turned in the nearer of the neighbours that tell it, or else at keyframe k."""
         some = [n for n in near if n is not None]
-        period = self.times.size // 3 if self.timeline.ends == "periodic" else self.times.size
-        nearest = min(some, key=lambda n: abs(self.times[n] - self.timeline.times[k])) % period if some else k
-        return _quaternion(self.samples.links.rotation[:, :, link, nearest])
+        nearest = min(some, key=lambda n: abs(self.times[n] - self.timeline.times[k])) if some else k
+        if self.timeline.ends != "periodic" or not some:
+            return _quaternion(self.samples.links.rotation[:, :, link, nearest])
+        number, nearest = divmod(nearest, self.times.size // 3)  # of the periods before, of and after the loop
+        own = _quaternion(self.samples.links.rotation[:, :, link, nearest])
+        return quat.product(Seam.of(self.figure, self.timeline).turn(number - 1), own)
 
 
 def _quaternion(rotation: Array) -> Array:

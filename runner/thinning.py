@@ -16,7 +16,6 @@ import numpy as np
 
 from solver.frame import Frame, Timeline
 from solver.quaternion import Array
-from solver.seam import Seam
 from solver.subdivision import path_of
 from solver.thin import Bound, Recorded, Worst, refined, thin
 
@@ -110,11 +109,9 @@ def recorded_of(saved: Saved, distance: float, angle: float) -> Recorded:
     keys = np.array([key.time for key in saved.keys])
     times, figure = _instants(saved, keys), saved.figure
     qpos = figure.to_qpos(path_of(saved.timeline).at(times))
-    ends, travel = saved.timeline.ends, None
-    roots = figure.tables.position_columns
-    if ends == "periodic" and roots.size:
-        travel = tuple(Seam.of(figure, saved.timeline).travel[roots[:, 0]].tolist())
-    return Recorded(figure, times, qpos, Bound(distance, angle), ends, travel)
+    back = clips.around(saved)
+    travel, turn = back.get("travel"), clips.radians(back.get("turn"))
+    return Recorded(figure, times, qpos, Bound(distance, angle), saved.timeline.ends, travel, turn)
 
 
 def _instants(saved: Saved, keys: Array) -> Array:
@@ -144,10 +141,7 @@ class _Text:
 
 def _with_keys(said: dict[str, Any], saved: Saved, keys: Sequence[Frame]) -> dict[str, Any]:
     """A clip's tables through other keyframes, with the contacts that are inside them."""
-    search = clip_file.searching(said.get("solve", {}))
-    roots = saved.figure.tables.position_columns
-    if saved.timeline.ends == "periodic" and roots.size:
-        search |= {"travel": Seam.of(saved.figure, saved.timeline).travel[roots[:, 0]].tolist()}
+    search = clip_file.searching(said.get("solve", {})) | clips.around(saved)
     out = said | {"solve": search, "keyframe": keyframe_tables(saved.figure, keys)}
     if not search:
         del out["solve"]

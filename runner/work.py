@@ -114,6 +114,7 @@ def solve(clip: Clip, teller: Teller, *, stop_after: int | None = None) -> Solve
         ends=clip.ends,
         end_slope=clip.end_slope,
         travel=clip.travel,
+        turn=clip.turn,
         improved=improved,
     )
     seconds = time.perf_counter() - begin
@@ -137,6 +138,6 @@ def course(motion: Motion) -> str:
 
 def unsolved(clip: Clip) -> Solved:
     """A clip as its raw spline, for looking at keyframes."""
-    raw = raw_timeline(clip.figure, list(clip.keys), clip.ends, clip.end_slope, clip.travel)
+    raw = raw_timeline(clip.figure, list(clip.keys), clip.ends, clip.end_slope, clip.travel, clip.turn)
     objective = Objective.of(clip.figure, clip.penalties, quadrature=clip.settings.quadrature)
     return Solved(clip, Motion(clip.figure, objective, raw, raw, (), 0, Stop.CONVERGED), 0.0)

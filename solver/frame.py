@@ -119,11 +119,12 @@ class Timeline:
     """Frames in order of time, and what holds at the two ends of the clip.
 
     ends       "free": both end slopes are unknowns; "clamped": they are `end_slope`; "periodic": the last frame repeats
-               the first, its free roots as far on as the two frames say, and the curve is C² across the seam; "held":
-               y, y' and y'' of both ends stay as they are, for which the variable frames beside them make way
+               the first, its free roots as far on and turned as the two frames say, and the curve is C² across the
+               seam; "held": y, y' and y'' of both ends stay as they are, for which the variable frames beside them
+               make way
     end_slope  (2, N)  y' at the first and the last frame [state/s]; a starting value where the slopes are free. Of a
-               periodic clip the jumps of y' and y'' from the end to the start: zero, but for quaternions that come
-               back as −q
+               periodic clip the jumps of y' and y'' from the end to the start: zero, but for what comes back turned
+               and for quaternions that come back as −q
     """
 
     frames: tuple[Frame, ...]

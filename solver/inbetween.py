@@ -145,6 +145,7 @@ def inbetween(
     ends: str = "free",
     end_slope: Array | None = None,
     travel: ArrayLike | None = None,
+    turn: float | None = None,
     improved: Callable[[Improvement], None] | None = None,
 ) -> Motion:
     """Smooth motion through keyframes that keeps to soft constraints.
@@ -153,12 +154,13 @@ def inbetween(
     penalties  soft constraints with their weights α
     ends       "free", "clamped" (with end_slope (2, N), in the figure's coordinates) or "periodic"
     travel     (3,) [m] how far the root of a loop comes in one period; None: as far in x and y as the keyframes say
+    turn       [rad] by how much the root of a loop is turned by then; None: as the keyframes say
     improved   gets every evaluation that lowers E; raise optimiser.StopSearch in it to stop and keep the best path
 
     The keyframes are met exactly whenever the search is stopped. Raises TimelineError for frames that make no clip.
     """
     settings = settings or Settings()
-    raw = raw_timeline(figure, list(keys), ends, end_slope, travel)
+    raw = raw_timeline(figure, list(keys), ends, end_slope, travel, turn)
     objective = objective_of(raw, figure, penalties, settings)
     segments, in_windows = len(keys) - 1, settings.quadrature.kind == "gauss" and is_long(raw)
     first = split(raw, beginning(raw, settings, in_windows=in_windows))

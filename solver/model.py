@@ -218,16 +218,19 @@ class Layout:
         np.add.at(room.reshape(-1), flat.ravel(), values.ravel())
 
     def _tie_seam(self, room: Array, spline: Spline, order: int) -> None:
-        """y, y' or y'' of a step at the end equal to that at the start, or its negative where quaternions come back so.
+        """y, y' or y'' of a step at the end equal to that at the start, as it comes back after a period.
 
-        A loop's travel is constant: no step has any.
+        A loop's shift is constant: no step has any.
         """
         start, end = (spline.basis([t], order) for t in spline.times[[0, -1]])
-        sign = Seam.of(self.problem.objective.figure, self.problem.timeline).signs
-        both = sparse.csr_matrix(sparse.vstack([start, end]))
-        weights = np.array(both.data, float)[:, None] + np.zeros(self.width)
-        weights[: start.nnz] *= -sign
-        self._hold(room, np.asarray(both.indices, np.intp), weights, np.eye(self.width))
+        back, still = Seam.of(self.problem.objective.figure, self.problem.timeline).matrix(), np.eye(self.width)
+        parts = [(j, -w * back) for j, w in zip(start.indices, start.data, strict=True)]
+        parts += [(j, w * still) for j, w in zip(end.indices, end.data, strict=True)]
+        size = np.sum(start.data**2) + np.sum(end.data**2)
+        for (ja, a), (jb, b) in product(parts, parts):
+            row, column = self.rank[ja], self.rank[jb]
+            if row >= column:
+                room[column, :, row - column, :] += b.T @ a / size
 
     def _hold_curvature(self, room: Array, spline: Spline) -> None:
         """No step of y'' at either end."""

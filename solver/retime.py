@@ -65,4 +65,5 @@ def repeated(figure: Figure, timeline: Timeline, count: int) -> Timeline:
 
 def _jumps(timeline: Timeline, seam: Seam, count: int) -> Array:
     """(2, N): the jumps of y' and y'' from the end of `count` periods to the start; see `Spline`."""
-    return path_of(timeline).motion(timeline.times[:1])[1:, 0] * (seam.signs**count - 1)
+    start = path_of(timeline).motion(timeline.times[:1])[1:, 0]
+    return seam.linear(start, count) - start

@@ -33,7 +33,7 @@ class Spline:
     """Cubic B-splines with one knot at each of M rising times [s], and the map from rows (M + 2, N) to their curve.
 
     Rows are the states at the times and, below them, the slopes at the first and the last time; with ends "periodic"
-    these two rows are the jumps of y' and y'' from end to start (zero for a loop; see `opposite_jumps`).
+    these two rows are the jumps of y' and y'' from end to start (zero for a loop; see `jumps_of`).
     """
 
     def __init__(self, times: ArrayLike, ends: str = "free") -> None:
@@ -143,15 +143,17 @@ class Spline:
         weights[:count], weights[count, :2], weights[count + 1, 1:] = self.at_times, *self._slopes
         return np.append(np.arange(count), [0, count - 1]), weights
 
-    def opposite_jumps(self) -> Array:
-        """(2, M): the jumps, as a map of the states, with which a periodic spline's column comes back as its negative.
+    def jumps_of(self, factor: complex) -> Array:
+        """(2, M) complex: the jumps, as a map of the states, with which a periodic spline's column comes back as so
+        many times itself, a factor of length 1.
 
-        So does a quaternion after a full turn: smooth across the seam are then −q' and −q'', not q' and q''.
+        By −1 comes a quaternion after a full turn: smooth across the seam are then −q' and −q'', not q' and q''. By
+        exp(iθ) comes a pair of columns, read as x + iy, that is turned by θ.
         """
-        first, last = self.times[[0, -1]]
-        sums = sparse.vstack([self.basis(last, k) + self.basis(first, k) for k in (1, 2)])
-        by_rows = self.coefficients_transposed(sums.toarray().T).T
-        return np.negative(np.linalg.solve(by_rows[:, -2:], by_rows[:, :-2]), dtype=float)
+        start = sparse.vstack([self.basis(self.times[0], k) for k in (1, 2)])
+        by_rows = self.coefficients_transposed(start.toarray().T).T
+        change = factor - 1
+        return np.linalg.solve(np.eye(2) - change * by_rows[:, -2:], change * by_rows[:, :-2])
 
     def held_shares(self) -> Array:
         """(2, M + 2): with which shares of all rows the second and the last frame but one keep y'' at both ends.

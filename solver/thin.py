@@ -74,6 +74,7 @@ class Recorded:
     bound: Bound
     ends: str = "free"
     travel: ArrayLike | None = None
+    turn: float | None = None
 
     @cached_property
     def points(self) -> tuple[tuple[str, ...], Index, Array]:
@@ -170,7 +171,7 @@ class Recorded:
         states = natural_splines(times, values, owner, self._unrolled(instants)[0])
         if self.ends == "periodic":
             turns, instants = np.divmod(instants, last)
-            states = (states - turns[:, None] * self._seam.travel) * self._seam.signs ** turns[:, None]
+            states = self._seam.moved(states, -turns)
         over = np.maximum(self._excess(*self._misses(states, instants), instants) - 1 - FINE, 0)
         return np.bincount(owner, over**2, len(sets)).astype(float)
 
@@ -192,7 +193,7 @@ class Recorded:
         if self.ends != "periodic":
             return self.times[instants], self._states[instants]
         turns, within = np.divmod(instants, len(self.times) - 1)
-        states = self._states[within] * self._seam.signs ** turns[..., None] + turns[..., None] * self._seam.travel
+        states = self._seam.moved(self._states[within], turns)
         return self.times[within] + turns * (self.times[-1] - self.times[0]), states
 
     def worst(self, timeline: Timeline) -> tuple[Worst, Worst]:
@@ -215,8 +216,8 @@ class Recorded:
     def spline(self, keys: Sequence[Frame]) -> Timeline:
         """The raw spline through keyframes, with the recording's ends."""
         slope = np.zeros((2, self.figure.width)) if self.ends == "clamped" else None
-        travel = self.travel if self.ends == "periodic" else None
-        return raw_timeline(self.figure, list(keys), self.ends, slope, travel)
+        travel, turn = (self.travel, self.turn) if self.ends == "periodic" else (None, None)
+        return raw_timeline(self.figure, list(keys), self.ends, slope, travel, turn)
 
 
 @dataclass(frozen=True, eq=False)

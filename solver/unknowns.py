@@ -2,13 +2,13 @@
 
 x holds the entries that nobody fixed, and nothing else, so the keyframes are met for *every* x (§2 of the paper). A
 fixed joint of a partial keyframe is a relative rotation: in world coordinates its row is Q_parent ⊗ q, linear in the
-unknown Q_parent. A loop's last frame repeats the first, moved on by its travel. Held ends take the two frames beside
+unknown Q_parent. A loop's last frame repeats the first, moved on by its travel and turned. Held ends take the two frames beside
 them along. All of this is Y = constant + A x with a sparse A.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -19,11 +19,10 @@ from . import quaternion as quat
 from .figure import Figure, JointKind, Link, quaternion_columns
 from .frame import Frame, Mask, Timeline, TimelineError
 from .quaternion import Array, Index
+from .closing import closed
 from .seam import Seam, sameness
 from .spline import Spline, natural_end_slopes, natural_spline, spline_of
 from .winding import signs
-
-SAME = 1e-9  # entries of a loop's ends that differ by no more agree
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,13 +92,13 @@ class Unknowns:
         if timeline.ends == "periodic":
             seam = Seam.of(figure, timeline)
             ties.repeat(0, last, seam)
-            back = np.flatnonzero(seam.signs < 0)
-            if back.size:
-                ties.follow(np.array([last + 1, last + 2]), spline_of(timeline).opposite_jumps(), back)
+            ties.jump(np.array([last + 1, last + 2]), spline_of(timeline), seam)
         if timeline.ends == "held":
             beside = np.array([1, last - 1])
             shares = spline_of(timeline).held_shares()
-            ties.follow(beside, shares, np.arange(width), rows[beside] - shares @ rows)
+            every = np.arange(width)
+            constant[beside] = rows[beside] - shares @ rows
+            ties.follow(beside, shares, every, every)
         whole = np.flatnonzero(loose.all(axis=1))
         blocks = np.searchsorted(place, whole * width)[:, None] + np.arange(width)
         return cls(constant, start, whole, blocks, place, ties.matrix())
@@ -173,17 +172,32 @@ class _Ties:
         """Makes a row equal to an earlier one, as it comes back after a period."""
         self.constant[row] = seam.moved(self.constant[source])
         entries, unknowns, factors = self._of(source, source + 1)
-        self._put(entries + (row - source) * self.width, unknowns, factors * seam.signs[entries % self.width])
+        column = entries % self.width
+        own, beside = (seam.signs * wave(seam.angles) for wave in (np.cos, np.sin))
+        self._put(row * self.width + column, unknowns, factors * own[column])
+        other = seam.partners[column]
+        turned = np.flatnonzero(other != column)
+        self._put((row * self.width + other)[turned], unknowns[turned], (factors * beside[other])[turned])
 
-    def follow(self, followers: Index, shares: Array, columns: Index, beyond: Array | float = 0.0) -> None:
-        """Makes rows (F,) in some columns a sum of the first R rows, with shares (F, R), and what is beyond (F, C)."""
+    def jump(self, followers: Index, spline: Spline, seam: Seam) -> None:
+        """Makes the rows of a loop's jumps what its seam wants of the states."""
+        self.constant[followers] = 0
+        for columns, shares in seam.shares(spline):
+            self.follow(followers, shares.real, columns, columns)
+            if (seam.partners[columns] != columns).any():
+                self.follow(followers, shares.imag, columns, seam.partners[columns])
+
+    def follow(self, followers: Index, shares: Array, columns: Index, sources: Index) -> None:
+        """Adds to rows (F,), in some columns (C,), the first R rows' columns of `sources` (C,), with shares (F, R)."""
         count = shares.shape[1]
-        self.constant[np.ix_(followers, columns)] = shares @ self.constant[:count, columns] + beyond
+        self.constant[np.ix_(followers, columns)] += shares @ self.constant[:count, sources]
+        goal = np.full(self.width, -1, np.intp)
+        goal[sources] = columns
         entries, unknowns, factors = self._of(0, count)
         row, column = np.divmod(entries, self.width)
-        some = np.flatnonzero(np.isin(column, columns))
+        some = np.flatnonzero(goal[column] >= 0)
         for follower, share in zip(followers, shares, strict=True):
-            self._put(follower * self.width + column[some], unknowns[some], factors[some] * share[row[some]])
+            self._put(follower * self.width + goal[column[some]], unknowns[some], factors[some] * share[row[some]])
 
     def matrix(self) -> sparse.csr_matrix | None:
         if not self.entries.size:
@@ -198,6 +212,7 @@ def raw_timeline(
     ends: str = "free",
     end_slope: Array | None = None,
     travel: ArrayLike | None = None,
+    turn: float | None = None,
 ) -> Timeline:
     """The keyframes' timeline in the figure's coordinates, and the natural spline's end slopes (method of §2).
 
@@ -207,14 +222,15 @@ def raw_timeline(
     both.
 
     travel  (3,) [m] how far the root of a loop comes in one period; None: as far in x and y as the keyframes say
+    turn    [rad] by how much the root of a loop is turned about the vertical by then; None: as the keyframes say
     """
     _check(figure, keys)
-    offset = np.zeros(figure.width)
+    seam = None
     if ends == "periodic" and len(keys) > 1:
-        offset = _travelled(figure, keys[0], keys[-1], travel)
-        keys = _closed(figure, keys, offset)
-    elif travel is not None:
-        raise TimelineError(f"travel is for ends = 'periodic', not '{ends}'")
+        keys, seam = closed(figure, keys, travel, turn)
+    elif travel is not None or turn is not None:
+        name = "travel" if travel is not None else "turn"
+        raise TimelineError(f"{name} is for ends = 'periodic', not '{ends}'")
     plain = Timeline(tuple(keys), np.zeros((2, figure.width)))
     states = np.array(plain.states)
     rest = np.array(figure.model.qpos0)
@@ -236,11 +252,14 @@ def raw_timeline(
                 states[known, columns] = _laid_along(link, plain.times[known], base[known], states[known, columns])
                 _filled(plain.times, states, told, columns, states[0])
                 states[:, columns] = quat.normalised(states[:, columns])
-        if ends == "periodic":  # it comes back as it began, in its parent's axes
+        if seam is not None and link.kind is JointKind.FREE:
+            states[-1, columns] = seam.linear(states[0])[columns]
+        elif seam is not None:  # it comes back as it began, in its parent's axes
             states[-1, columns] = quat.product(base[-1], quat.product(quat.inverse(base[0]), states[0, columns]))
         states[:, columns] = _laid_along(link, plain.times, base, states[:, columns])
-    if ends == "periodic":
-        states[-1] = states[0] * sameness(figure, states[0], states[-1]) + offset
+    if seam is not None:
+        lifted = Seam.turned(figure, states[0], states[-1], seam.headings)
+        states[-1] = lifted.linear(states[0]) + seam.shift
     frames = tuple(Frame.many(plain.times, states, plain.fixed, [key.posed for key in keys]))
     return Timeline(frames, _end_slope(figure, keys, states, ends, end_slope), ends)
 
@@ -249,11 +268,7 @@ def _end_slope(figure: Figure, keys: list[Frame], states: Array, ends: str, give
     """(2, N): the rows below the frames' states, for any ends."""
     times = np.array([frame.time for frame in keys])
     if ends == "periodic":
-        back = np.flatnonzero(sameness(figure, states[0], states[-1]) < 0)
-        jumps = np.zeros((2, figure.width))
-        if back.size:
-            jumps[:, back] = Spline(times, ends).opposite_jumps() @ states[:, back]
-        return jumps
+        return Seam.between(figure, states[0], states[-1]).jumps(Spline(times, ends), states)
     if ends != "clamped":
         return natural_end_slopes(times, states)
     shape = None if given is None else np.shape(given)
@@ -264,55 +279,6 @@ def _end_slope(figure: Figure, keys: list[Frame], states: Array, ends: str, give
     as_given = [figure.to_state(np.where(keys[i].known, keys[i].state, rest)) for i in (0, -1)]
     signs = [sameness(figure, a, b) for a, b in zip(as_given, states[[0, -1]], strict=True)]
     return np.asarray(given, float) * signs
-
-
-def _travelled(figure: Figure, first: Frame, last: Frame, travel: ArrayLike | None) -> Array:
-    """(N,) by how much the last state of a loop lies beyond its first: the travel of its root."""
-    offset, roots = np.zeros(figure.width), figure.tables.position_columns
-    if travel is None:
-        ground = roots[:2, :1].ravel()
-        apart = np.where(first.fixed & last.fixed, last.state - first.state, 0.0)[ground]
-        offset[ground] = np.where(np.abs(apart) > SAME, apart, 0.0)
-        return offset
-    travel = np.asarray(travel, float)
-    if travel.shape != (3,) or not np.all(np.isfinite(travel)):
-        raise TimelineError(f"travel must be three finite numbers [x, y, z] in metres, not {travel.tolist()}")
-    if not roots.size:
-        raise TimelineError("the figure has no free joint, so no root to travel")
-    offset[roots[:, 0]] = travel
-    return offset
-
-
-def _closed(figure: Figure, keys: list[Frame], offset: Array) -> list[Frame]:
-    """The keyframes of a loop: the first and the last with the entries that either fixes."""
-    first, last = keys[0], keys[-1]
-    a, b = (np.array(frame.state) for frame in (first, last))
-    both = first.fixed & last.fixed
-    for columns in figure.tables.quaternion_columns.T:
-        if both[columns].all():
-            a[columns], b[columns] = quat.normalised(a[columns]), quat.normalised(b[columns])
-    apart = np.abs(a * sameness(figure, a, b) + offset - b) * both
-    if apart.max() > SAME:
-        raise TimelineError(
-            f"periodic ends: the last keyframe (t = {last.time:g} s) differs from the first at "
-            f"{_where(figure, int(np.argmax(apart)), offset)} by {apart.max():.3g}; "
-            "they must agree, or leave it free in one of them"
-        )
-    fixed, known = first.fixed | last.fixed, first.known | last.known
-    own = first.fixed | (first.known & ~last.fixed)
-    state, said = np.where(own, a, b - offset), {"fixed": fixed, "posed": known & ~fixed}
-    return [replace(first, state=state, **said), *keys[1:-1], replace(last, state=state + offset, **said)]
-
-
-def _where(figure: Figure, column: int, offset: Array) -> str:
-    """How an error calls an entry of a loop's ends: its joint, for a root with what may differ."""
-    link = next(link for link in reversed(figure.links) if link.qpos <= column)
-    if link.kind is not JointKind.FREE:
-        return f"'{link.name}'"
-    if column >= link.qpos + 3:
-        return f"'{link.name}' (a loop may travel, not turn)"
-    travel = ", ".join(f"{metres:g}" for metres in offset[link.qpos : link.qpos + 3])
-    return f"'{link.name}' along {'xyz'[column - link.qpos]} (with travel = [{travel}])"
 
 
 def bases(figure: Figure, states: Array, link: Link) -> Array:

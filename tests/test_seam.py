@@ -173,7 +173,7 @@ def test_a_loop_that_does_not_close_says_where_and_by_how_much():
         0.02 * one[2],
     )
     refused(r"at 'root' along x \(with travel = \[0\.5, 0, 0\]\) by 0\.1", travel=[0.5, 0, 0])
-    refused(r"at 'root' \(a loop may travel, not turn\) by", 0.1 * one[4])
+    refused(r"at 'root' \(a loop may travel, and turn about the vertical\) by", 0.1 * one[4])
     refused(r"at 'knee' by", 0.1 * one[9])
 
 

@@ -67,8 +67,9 @@ class Take:
 
     @property
     def is_loop(self) -> bool:
-        """Whether the last sample is the first again, further on by what the root has travelled."""
-        return self.saved.timeline.ends == "periodic"
+        """Whether the last sample is the first again, further on by what the root has travelled, and not turned."""
+        timeline = self.saved.timeline
+        return timeline.ends == "periodic" and not Seam.of(self.figure, timeline).turns
 
     @cached_property
     def period(self) -> Take:
