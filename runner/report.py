@@ -569,6 +569,8 @@ def _lines(before: dict[str, Any], after: dict[str, Any]) -> list[tuple[str, str
     units = [s["unit deviation"] for s in sides]
     lines.append(row("length of quaternions", *(f"{u['shortest']:.4f} - {u['longest']:.4f}" for u in units)))
     lines.append(row("keyframe error", *(f"{s['keyframe error']:.1e}" for s in sides)))
+    if "turn, degrees" in after.get("seam", {}):
+        lines.append(row("a period turns by", *(f"{s['seam'].get('turn, degrees', 0.0):.4g}°" for s in sides)))
     if "seam" in after:
         apart = ([s["seam"][k] for k in ("state", "first derivative", "second derivative")] for s in sides)
         lines.append(row("seam of the loop: y / y' / y'' apart", *(" / ".join(f"{a:.0e}" for a in s) for s in apart)))

@@ -24,7 +24,7 @@ from solver.mirror import Mirror
 from solver.objective import SMALL_SHARE
 from solver.penalty import BendLimits, Contact, Planted, SelfContact, Stance, Together
 from solver.quaternion import Array
-from solver.seam import Seam
+from solver.seam import Seam, heading_between
 from solver.subdivision import path_of
 
 
@@ -48,6 +48,7 @@ class Promise:
 PROMISES = {
     "run_loop": Promise(raw=0.02, contacts=4, travel=2.0, mirrored=1e-3),
     "stairs": Promise(raw=0.05, contacts=32, travel=1.19, climb=0.68),
+    "walk_and_turn": Promise(raw=0.007, contacts=49, travel=2.652),
     # the knee of a leg that is given by its foot may swivel a little, another way in either step
     "walk_loop": Promise(raw=0.005, contacts=14, travel=1.38, mirrored=0.04),
 }
@@ -175,6 +176,31 @@ def test_in_walking_a_foot_is_always_down_and_knees_and_pelvis_move_as_in_normal
         assert 5 < knee.min() < 12
         assert 55 < knee.max() < 70
     assert 0.03 < np.ptp(samples.y[:, 2]) < 0.05
+
+
+def test_the_walk_turns_a_quarter_evenly_over_its_middle_steps_and_its_feet_land_turned_as_the_way_is():
+    walk = of("walk_and_turn")
+    t = walk.all().t
+    heading = np.unwrap(heading_between(np.array([1.0, 0, 0, 0]), level(walk.motion.at(t)[:, 3:7])))
+    about = np.degrees(heading)
+    assert abs(about[0]) < 5
+    assert abs(about[-1] - 90) < 5
+    assert np.abs(about[t < 0.9]).max() < 15
+    assert np.abs(about[t > 3.2] - 90).max() < 15
+    assert np.ptp(np.gradient(about, t)) < 160  # degrees a second, the pelvis' own turn at every step included
+    # it goes where it faces: along x at first, along y in the end
+    places = walk.motion.at(np.array([0.0, 0.56, 3.36, 3.92]))[:, :2]
+    first, last = places[1] - places[0], places[3] - places[2]
+    assert first[0] > 0.55
+    assert abs(first[1]) < 0.1
+    assert last[1] > 0.55
+    assert abs(last[0]) < 0.1
+
+
+def level(rotations: Array) -> Array:
+    """The turns about the vertical in rotations (n, 4)."""
+    about = rotations * np.array([1.0, 0, 0, 1])
+    return about / np.linalg.norm(about, axis=1, keepdims=True)
 
 
 UNHINDERED = {"tumble"}  # nothing is in its way: its raw spline breaks nothing and is only less smooth

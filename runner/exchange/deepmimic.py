@@ -78,7 +78,7 @@ def write(take: Take, path: Path) -> None:
             f"'{worst}' is a hinge there: up to {np.degrees(lost[worst]):.1f}° of twist and swing are left out"
         )
     rows = ",\n".join(json.dumps(row) for row in np.concatenate(columns, 1).tolist())
-    loop = "wrap" if take.is_loop else "none"
+    loop = "wrap" if take.is_wrapped else "none"
     path.write_text(f'{{\n"Loop": "{loop}",\n"Frames":\n[\n{rows}\n]\n}}\n', encoding="utf-8")
 
 

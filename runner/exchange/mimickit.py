@@ -106,7 +106,7 @@ def write(take: Take, path: Path) -> None:
     root, joints = parts(take.model)
     at, turn = whole.qpos[:, root : root + 3], quat.rotation_vector(whole.qpos[:, root + 3 : root + 7])
     frames = np.concatenate([at, turn, *(part.numbers(whole.qpos) for part in joints)], axis=1)
-    entries = {"loop_mode": WRAP if take.is_loop else CLAMP, "fps": whole.fps, "frames": frames.tolist()}
+    entries = {"loop_mode": WRAP if take.is_wrapped else CLAMP, "fps": whole.fps, "frames": frames.tolist()}
     plain_pickle.dump(entries, path)
     if abs(whole.fps - take.fps) > 1e-9:
         take.notes.append(f"{whole.fps:.6g} samples a second, so that the last is the end of the loop")

@@ -10,6 +10,7 @@ import numpy as np
 
 from solver.figure import Figure
 from solver.quaternion import Array
+from solver.seam import Seam
 
 from ..assets import Assets
 from ..motion import Saved, sampled
@@ -68,8 +69,19 @@ class Take:
     @property
     def is_loop(self) -> bool:
         """Whether the last sample is the first again, further on by what the root has travelled, and not turned."""
-        timeline = self.saved.timeline
-        return timeline.ends == "periodic" and not Seam.of(self.figure, timeline).turns
+        return self.saved.timeline.ends == "periodic" and not self.turns
+
+    @property
+    def turns(self) -> bool:
+        """Whether it is a loop that comes back turned, which formats that know loops do not know."""
+        return self.saved.timeline.ends == "periodic" and Seam.of(self.figure, self.saved.timeline).turns
+
+    @property
+    def is_wrapped(self) -> bool:
+        """Whether it is a loop to a format that moves it on, but does not turn it; otherwise the user is told."""
+        if self.turns:
+            self.notes.append("a loop that turns is none there: it is written as one period that does not repeat")
+        return self.is_loop
 
     @cached_property
     def period(self) -> Take:
