@@ -247,7 +247,7 @@ def of_motion(saved: Saved, *, contacts: bool = False) -> Clip:
     table = table_of(saved.text, saved.name) if saved.text else None
     solve = SolveTable() if table is None else table.solve
     ends = saved.timeline.ends
-    solve = solve.model_copy(update={"ends": ends, **{name: None for name in AROUND}, **around(saved)})
+    solve = solve.model_copy(update={"ends": ends, **dict.fromkeys(AROUND), **around(saved)})
     placed: tuple[Placed, ...] = ()
     if table is not None and contacts:
         whole = [key.state for key in saved.keys if key.is_key]

@@ -164,7 +164,7 @@ def read(file: Path, clip: Clip) -> Solved | None:
 
 def _restored(clip: Clip, data: Mapping[str, Any], key: str) -> Solved:
     """Raises an exception of any kind for what is no solution of the clip."""
-    raw = raw_timeline(clip.figure, list(clip.keys), clip.ends, clip.end_slope, clip.travel)
+    raw = raw_timeline(clip.figure, list(clip.keys), clip.ends, clip.end_slope, clip.travel, clip.turn)
     timeline = _timeline(raw, data)
     seconds, evaluations = float(data["seconds"]), int(data["evaluations"])
     trace = tuple(

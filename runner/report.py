@@ -334,7 +334,7 @@ def _unit_deviation(grid: Grid) -> dict[str, float]:
 
 
 def _seam(clip: Clip, timeline: Timeline) -> dict[str, Any]:
-    """How far a loop's root travels and turns in a period, and by how much y, y', y'' at the end miss the start, moved on."""
+    """How far a loop's root travels and turns in a period, and by how far y, y', y'' at its end are off."""
     if timeline.ends != "periodic":
         return {}
     seam = Seam.of(clip.figure, timeline)

@@ -10,7 +10,6 @@ from solver.quaternion import Array
 from .clip_table import RotationTable
 from .errors import UserError
 
-
 UP = np.array([0.0, 0.0, 1.0])
 
 

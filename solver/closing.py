@@ -19,9 +19,7 @@ from .seam import Seam, heading_between
 SAME = 1e-9  # entries of a loop's ends that differ by no more agree
 
 
-def closed(
-    figure: Figure, keys: list[Frame], travel: ArrayLike | None, turn: float | None
-) -> tuple[list[Frame], Seam]:
+def closed(figure: Figure, keys: list[Frame], travel: ArrayLike | None, turn: float | None) -> tuple[list[Frame], Seam]:
     """The keyframes (qpos) of a loop, the first and the last with what either fixes; and their seam, as one of qpos.
 
     travel  (3,) [m] of the first free root; None: as far in x and y as the keyframes say

@@ -13,12 +13,15 @@ import numpy as np
 from . import quaternion as quat
 from .figure import Figure, JointKind
 from .frame import Frame, Mask, Timeline, TimelineError
+from .kinematics import Samples
 from .quaternion import Array
 from .seam import sameness
 from .subdivision import path_of
 from .unknowns import raw_timeline
 
 LEAST_FRAMES = 4
+UPSIDE_DOWN = 1e-9  # of a sine and a cosine, below which nothing is left but a tilt
+OF_TRUNK = 0.25  # least share of the mass that hangs from a link of the trunk: from feet with toes hangs less
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,25 +70,47 @@ def _carried(figure: Figure, coordinates: str) -> Mask:
     return np.array(found, bool)
 
 
-def heading(q: Array) -> Array:
-    """(4,) the turn about z in a quaternion (4,): what is left of it without the shortest tilt."""
-    about = q * np.array([1.0, 0, 0, 1])
-    length = float(np.linalg.norm(about))
-    return about / length if length > 1e-6 * float(np.linalg.norm(q)) else np.array([1.0, 0, 0, 0])
+def heading(rotation: Array) -> Array:
+    """(...) [rad] the turn about z in rotation matrices (..., 3, 3): what is left of them without the shortest tilt."""
+    sine, cosine = rotation[..., 1, 0] - rotation[..., 0, 1], rotation[..., 0, 0] + rotation[..., 1, 1]
+    return np.where(np.hypot(sine, cosine) > UPSIDE_DOWN, np.arctan2(sine, cosine), 0.0)
 
 
 def following(figure: Figure, before: Timeline, after: Timeline, duration: float) -> Placement:
-    """Where a motion goes on from another: the root's heading, and the way it makes at both motions' mean velocity."""
+    """Where a motion goes on from another: the trunk's heading, and the way it makes at both motions' mean velocity."""
     still = Placement(np.array([1.0, 0, 0, 0]), np.zeros(3))
     roots = figure.tables.position_columns
     if not roots.size:
         return still
-    place, about = roots[:, 0], roots[-1, 0] + np.arange(1, 5)
+    place = roots[:, 0]
     (end, end_d), (start, start_d) = _side(before, -1), _side(after, 0)
-    turn = quat.product(heading(end[about]), quat.inverse(heading(start[about])))
+    turn = quat.from_rotation_vector(_heading_between(figure, start, end) * np.array([0.0, 0.0, 1.0]))
     pace = (end_d[place] + quat.rotated(turn, start_d[place])) / 2
     shift = end[place] + pace * duration - quat.rotated(turn, start[place])
     return Placement(turn, shift * np.array([1.0, 1, 0]))
+
+
+def _heading_between(figure: Figure, start: Array, end: Array) -> float:
+    """[rad] the turn about z from one state (N,) to another: the mean of the trunk's links, for in walking pelvis and
+    chest turn against each other, one way or the other at either step."""
+    rest = figure.to_state(np.array(figure.model.qpos0))
+    states = np.stack([rest, start, end])
+    rotations = np.moveaxis(Samples(figure, states, 0 * states, 0 * states).links.rotation, (2, 3), (0, 1))
+    turned = rotations[:, 1:] @ rotations[:, :1].swapaxes(-1, -2)
+    headings = heading(turned)
+    between = (headings[:, 1] - headings[:, 0])[trunk(figure)]
+    off = between - between[0]  # of the root's own, which may be any number of turns
+    return float(between[0] + np.mean(np.arctan2(np.sin(off), np.cos(off))))
+
+
+def trunk(figure: Figure) -> list[int]:
+    """The first free root, and the links from which limbs branch off and a good share of the mass hangs."""
+    tables = figure.tables
+    root = int(tables.free_links[0])
+    hangs = tables.mass @ tables.path
+    branches = np.bincount(tables.parents[1:], minlength=len(figure.links))
+    forks = (branches > 1) & (tables.path[:, root] > 0) & (hangs > OF_TRUNK * hangs[root])
+    return [root, *(i for i in np.flatnonzero(forks).tolist() if i != root)]
 
 
 def _side(timeline: Timeline, end: int) -> Array:

@@ -51,9 +51,7 @@ class Seam:
         return cls.turned(figure, first, last, heading_between(first[about], last[about]))
 
     @classmethod
-    def turned(
-        cls, figure: Figure, first: Array, last: Array, headings: Array, coordinates: str | None = None
-    ) -> Seam:
+    def turned(cls, figure: Figure, first: Array, last: Array, headings: Array, coordinates: str | None = None) -> Seam:
         """The seam between states (N,) whose free roots turn by headings (f,) [rad], whatever their quaternions say.
 
         coordinates  "joint" for configurations qpos, where no link but the roots is turned
@@ -121,7 +119,7 @@ class Seam:
         return quat.from_rotation_vector(periods * angle * np.array([0.0, 0.0, 1.0]))
 
     def jumps(self, spline: Spline, states: Array) -> Array:
-        """(2, N): the jumps of y' and y'' from end to start of a periodic spline through states (M, N); see `Spline`."""
+        """(2, N): the jumps of y' and y'' from end to start of a periodic `Spline` through states (M, N)."""
         out = np.zeros((2, self.signs.size))
         for columns, shares in self.shares(spline):
             out[:, columns] += (shares.real @ states)[:, columns] + (shares.imag @ states)[:, self.partners[columns]]
@@ -169,7 +167,7 @@ def _root_quaternions(figure: Figure) -> Index:
 
 
 def heading_between(first: Array, last: Array) -> Array:
-    """(...) [rad] by how much quaternions (..., 4) turn about the vertical, from −π to π; 0 where it is another turn."""
+    """(...) [rad] by how much quaternions (..., 4) turn about the vertical, −π to π; 0 where it is another turn."""
     w, x, y, z = np.moveaxis(quat.normalised(quat.product(last, quat.inverse(first))), -1, 0)
     upright = (np.abs(x) <= LEVEL) & (np.abs(y) <= LEVEL) & (np.abs(z) > LEVEL)
     return np.where(upright, 2 * np.arctan2(np.copysign(1.0, w) * z, np.abs(w)), 0.0)

@@ -2,8 +2,8 @@
 
 x holds the entries that nobody fixed, and nothing else, so the keyframes are met for *every* x (§2 of the paper). A
 fixed joint of a partial keyframe is a relative rotation: in world coordinates its row is Q_parent ⊗ q, linear in the
-unknown Q_parent. A loop's last frame repeats the first, moved on by its travel and turned. Held ends take the two frames beside
-them along. All of this is Y = constant + A x with a sparse A.
+unknown Q_parent. A loop's last frame repeats the first, moved on by its travel and turned. Held ends take the two
+frames beside them along. All of this is Y = constant + A x with a sparse A.
 """
 
 from __future__ import annotations
@@ -16,10 +16,10 @@ from numpy.typing import ArrayLike
 from scipy import sparse
 
 from . import quaternion as quat
+from .closing import closed
 from .figure import Figure, JointKind, Link, quaternion_columns
 from .frame import Frame, Mask, Timeline, TimelineError
 from .quaternion import Array, Index
-from .closing import closed
 from .seam import Seam, sameness
 from .spline import Spline, natural_end_slopes, natural_spline, spline_of
 from .winding import signs
