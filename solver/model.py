@@ -224,9 +224,9 @@ class Layout:
         """
         start, end = (spline.basis([t], order) for t in spline.times[[0, -1]])
         back, still = Seam.of(self.problem.objective.figure, self.problem.timeline).matrix(), np.eye(self.width)
-        parts = [(j, -w * back) for j, w in zip(start.indices, start.data, strict=True)]
-        parts += [(j, w * still) for j, w in zip(end.indices, end.data, strict=True)]
-        size = np.sum(start.data**2) + np.sum(end.data**2)
+        parts = [(j, -w * back) for j, w in zip(start.indices.tolist(), start.data.tolist(), strict=True)]
+        parts += [(j, w * still) for j, w in zip(end.indices.tolist(), end.data.tolist(), strict=True)]
+        size = float(start.data @ start.data + end.data @ end.data)
         for (ja, a), (jb, b) in product(parts, parts):
             row, column = self.rank[ja], self.rank[jb]
             if row >= column:

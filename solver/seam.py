@@ -20,7 +20,7 @@ from . import quaternion as quat
 from .figure import Figure, JointKind, quaternion_columns
 from .frame import Timeline
 from .quaternion import Array, Index
-from .spline import Path, Spline
+from .spline import Complex, Path, Spline
 
 LEVEL = 1e-9  # of a turn's quaternion x and y, up to which it is about the vertical; and z, up to which it is none
 
@@ -125,7 +125,7 @@ class Seam:
             out[:, columns] += (shares.real @ states)[:, columns] + (shares.imag @ states)[:, self.partners[columns]]
         return out
 
-    def shares(self, spline: Spline) -> list[tuple[Index, Array]]:
+    def shares(self, spline: Spline) -> list[tuple[Index, Complex]]:
         """Columns with a jump, and as which shares (2, M) of states it comes: real ones of their own, imaginary ones of
         their partners."""
         ways = np.stack([self.signs, self.angles], axis=1)

@@ -14,7 +14,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 from scipy import sparse
 
 from .banded import Tridiagonal
@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 
 DEGREE = 3
 SHORT = 150
+Complex = NDArray[np.complex128]
 TAYLOR = np.arange(2, -1, -1)[:, None] + np.arange(DEGREE + 1)
 
 
@@ -143,7 +144,7 @@ class Spline:
         weights[:count], weights[count, :2], weights[count + 1, 1:] = self.at_times, *self._slopes
         return np.append(np.arange(count), [0, count - 1]), weights
 
-    def jumps_of(self, factor: complex) -> Array:
+    def jumps_of(self, factor: complex) -> Complex:
         """(2, M) complex: the jumps, as a map of the states, with which a periodic spline's column comes back as so
         many times itself, a factor of length 1.
 
@@ -153,7 +154,7 @@ class Spline:
         start = sparse.vstack([self.basis(self.times[0], k) for k in (1, 2)])
         by_rows = self.coefficients_transposed(start.toarray().T).T
         change = factor - 1
-        return np.linalg.solve(np.eye(2) - change * by_rows[:, -2:], change * by_rows[:, :-2])
+        return np.linalg.solve(np.eye(2) - change * by_rows[:, -2:], change * by_rows[:, :-2]).astype(complex)
 
     def held_shares(self) -> Array:
         """(2, M + 2): with which shares of all rows the second and the last frame but one keep y'' at both ends.

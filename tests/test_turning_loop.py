@@ -189,10 +189,8 @@ def test_jumps_of_a_turned_pair_make_it_smooth_across_the_seam(rng):
     z[-1] = factor * z[0]
     jumps = spline.jumps_of(factor) @ z
     for order in range(3):
-        first, last = sum(
-            unit * spline.evaluate(np.vstack([part(z), part(jumps)]), times[[0, -1]], order)
-            for unit, part in ((1, np.real), (1j, np.imag))
-        )
+        parts = [spline.evaluate(np.vstack([of(z), of(jumps)]), times[[0, -1]], order) for of in (np.real, np.imag)]
+        first, last = parts[0] + 1j * parts[1]
         np.testing.assert_allclose(last, factor * first, atol=1e-9)
 
 

@@ -1,0 +1,184 @@
+"""Clips that turn: headings beside rotations, loops that come back turned, what edits and files make of them."""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+
+import numpy as np
+import pytest
+import tiny
+from rich.console import Console
+from scipy.spatial.transform import Rotation
+
+from runner import clip as clips
+from runner import edits, motion, work
+from runner.clip_mirror import mirrored_tables
+from runner.clip_table import RotationTable
+from runner.errors import UserError
+from runner.exchange.take import Take
+from runner.motion import Saved
+from runner.progress import Teller
+from runner.rotation import quaternion_of
+from runner.scene import figure_spec
+from runner.thinning import recorded_of
+from solver import quaternion as quat
+from solver.figure import Figure
+from solver.mirror import Mirror
+from solver.seam import Seam
+from solver.subdivision import path_of
+from solver.thin import thin
+
+ENDS = 'frames = 2\nends = "periodic"\n'
+LAST = "root.position = [0.3, 0, 1]\nroot.rotation = {rotvec = [0, 10, 170]}"
+TOLD = tiny.changed("frames = 2\n", ENDS).replace(LAST, "root.position = [0.3, 0.1, 1]\nroot.rotation = {heading = 45}")
+GIVEN = tiny.changed("frames = 2\n", ENDS + "travel = [0.3, 0.1, 0]\nturn = 45\n").replace(LAST, "")
+
+LEFT = Rotation.from_euler("z", 30, degrees=True)
+
+
+def teller() -> Teller:
+    return Teller(Console(file=io.StringIO()))
+
+
+def solved(folder: Path, text: str) -> Saved:
+    return work.solve(clips.load(str(tiny.written(folder, text))), teller()).saved(teller(), with_report=False)
+
+
+@pytest.fixture(scope="module", params=[TOLD, GIVEN], ids=["told", "given"])
+def circle(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Saved:
+    """A loop that turns by an eighth, as its keyframes tell or as its [solve] table says."""
+    return solved(tmp_path_factory.mktemp("circle"), request.param)
+
+
+@pytest.mark.parametrize(
+    ("entry", "wanted"),
+    [
+        ("{heading = 120}", Rotation.from_euler("z", 120, degrees=True)),
+        (
+            "{euler = [5, -40, 10], heading = 30}",
+            Rotation.from_euler("z", 30, degrees=True) * Rotation.from_euler("XYZ", [5, -40, 10], degrees=True),
+        ),
+        ("{rotvec = [0, 20, 0], heading = -90}", Rotation.from_euler("ZY", [-90, 20], degrees=True)),
+        ("{quat = [1, 1, 0, 0], heading = 10}", Rotation.from_euler("ZX", [10, 90], degrees=True)),
+    ],
+)
+def test_a_heading_turns_the_rest_of_a_rotation_about_the_vertical(tmp_path, entry, wanted):
+    text = tiny.changed("root.rotation = {rotvec = [0, 0, 0]}", f"root.rotation = {entry}")
+    key = clips.load(str(tiny.written(tmp_path, text))).keys[0]
+    assert (Rotation.from_quat(key.state[3:7], scalar_first=True).inv() * wanted).magnitude() < 1e-12
+
+
+def test_a_body_and_an_obstacle_take_a_heading(tmp_path):
+    ways = ("{rotvec = [0, 30, 0], heading = 30}", '{euler = [30, 30], order = "zy"}')
+    text = (
+        tiny.CLIP
+        + '[[scene.box]]\nname = "crate"\nposition = [3, 0, 0.5]\nsize = [1, 1, 1]\nrotation = {heading = 20}\n'
+    )
+    shins = []
+    for way in ways:
+        own = tiny.changed("joints.left_knee = {rotvec = [0, 0, 0]}", f"bodies.left_shin = {way}", text)
+        found = clips.load(str(tiny.written(tmp_path, own)))
+        shins.append(found.keys[0].state[7:11])
+        crate = Rotation.from_quat(found.figure.model.geom("crate").quat, scalar_first=True)
+        assert (crate.inv() * Rotation.from_euler("z", 20, degrees=True)).magnitude() < 1e-6
+    assert abs(shins[0] @ shins[1]) == pytest.approx(1, abs=1e-9)
+    assert abs(shins[0][0]) < 0.99
+
+
+def refused(folder: Path, text: str, words: str) -> None:
+    with pytest.raises(UserError, match=words):
+        clips.load(str(tiny.written(folder, text)))
+
+
+def test_headings_and_turns_that_make_no_sense_are_refused_where_they_stand(tmp_path):
+    knee = "joints.left_knee = {rotvec = [0, 0, 0]}"
+    refused(
+        tmp_path,
+        tiny.changed(knee, "joints.left_knee = {rotvec = [0, 0, 0], heading = 3}"),
+        r"keyframe 1 \(t = 0 s\): joints.left_knee: a heading is of the root, of bodies and of obstacles",
+    )
+    refused(
+        tmp_path,
+        tiny.changed(knee, f"{knee}\nbodies.left_shin = {{flat = true, heading = 3}}"),
+        "give flat or a rotation, not both",
+    )
+    refused(
+        tmp_path,
+        tiny.changed("root.rotation = {rotvec = [0, 0, 0]}", 'root.rotation = {heading = "north"}'),
+        "root.rotation.heading must be a number, not 'north'",
+    )
+    refused(tmp_path, tiny.changed("frames = 2", "frames = 2\nturn = 45"), "turn is for ends = 'periodic', not 'free'")
+    refused(tmp_path, tiny.changed("frames = 2\n", ENDS + "turn = 400\n"), "solve.turn must be at most 360, not 400")
+    refused(
+        tmp_path,
+        TOLD.replace(ENDS, ENDS + "turn = 40\n"),
+        r"'root' \(a loop may travel, and turn about the vertical, here by 40 degrees\)",
+    )
+    refused(tmp_path, tiny.changed("frames = 2\n", ENDS).replace(LAST, LAST.replace("0.3, 0, 1", "0, 0, 1")), "by 0.99")
+
+
+def test_a_loop_comes_back_turned_and_smooth_and_its_report_says_so(circle):
+    seam = Seam.of(circle.figure, circle.timeline)
+    assert np.degrees(seam.headings) == pytest.approx([45])
+    np.testing.assert_allclose(seam.travel[:3], [0.3, 0.1, 0], atol=1e-12)
+    assert seam.apart(path_of(circle.timeline)).max() < 1e-9
+    for side in ("before", "after"):
+        found = edits.measured(circle, teller(), "edited").report[side]["seam"]
+        assert found["turn, degrees"] == pytest.approx(45)
+        assert max(found[name] for name in ("state", "first derivative", "second derivative")) < 1e-9
+
+
+@pytest.mark.parametrize("count", [3, 8])
+def test_a_turning_loop_played_on_goes_round_and_its_text_makes_the_same_keyframes(circle, count, tmp_path):
+    many = edits.repeated(circle, count)
+    first, last = circle.figure.to_qpos(many.timeline.states[[0, -1]])
+    turn = quat.from_rotation_vector(np.radians(45.0 * count) * np.array([0, 0, 1.0]))
+    assert abs(quat.product(turn, first[3:7]) @ last[3:7]) == pytest.approx(1)
+    if count == 8:
+        np.testing.assert_allclose(last[:3], first[:3], atol=1e-9)  # eight eighths are the whole way round
+    again = clips.from_text(many.text, name="again", spec=None, folder=_with_figure(tmp_path))
+    assert again.ends == "periodic"
+    for one, two in zip(again.keys, many.keys, strict=True):
+        own = [each.state.copy() for each in (one, two)]
+        for columns in circle.figure.tables.quaternion_columns.T:
+            own[0][columns] *= np.sign(own[0][columns] @ own[1][columns])
+        np.testing.assert_array_equal(one.fixed, two.fixed)
+        np.testing.assert_allclose(own[0][one.fixed], own[1][one.fixed], atol=1e-9)
+    assert clips.of_motion(many).ends == "periodic"
+    assert edits.measured(many, teller(), "edited").report["after"]["seam"]["second derivative"] < 1e-8
+
+
+def _with_figure(folder: Path) -> Path:
+    tiny.written(folder)
+    return folder
+
+
+def test_a_turning_loop_is_saved_retimed_and_thinned_as_one(circle, tmp_path):
+    motion.save(circle, tmp_path / "circle.npz")
+    again = motion.load(tmp_path / "circle.npz")
+    for each in (again, edits.retimed(again, 1.5)):
+        seam = Seam.of(each.figure, each.timeline)
+        assert np.degrees(seam.headings) == pytest.approx([45])
+        assert seam.apart(path_of(each.timeline)).max() < 1e-8
+    recorded = recorded_of(again, 0.05, 0.2)
+    few = thin(recorded).timeline
+    assert recorded.excess(few).max() <= 1
+    assert np.degrees(Seam.of(again.figure, few).headings) == pytest.approx([45])
+
+
+def test_formats_whose_loops_only_travel_get_no_loop_and_a_word_of_it(circle):
+    take = Take.of(circle, 20.0)
+    assert not take.is_wrapped
+    assert take.notes == ["a loop that turns is none there: it is written as one period that does not repeat"]
+
+
+def test_a_mirrored_clip_turns_the_other_way():
+    figure = Figure(figure_spec("human").compile())
+    rotation = {"euler": [5.0, -10.0, 3.0], "heading": 40.0}
+    said = {"solve": {"travel": [1.0, 0.5, 0.0], "turn": 45.0}, "keyframe": [{"root": {"rotation": rotation}}]}
+    mirrored = mirrored_tables(said, figure, Mirror.of(figure))
+    assert mirrored["solve"] == {"travel": [1.0, -0.5, 0.0], "turn": -45.0}
+    one = quaternion_of(RotationTable.model_validate(rotation), "left")
+    two = quaternion_of(RotationTable.model_validate(mirrored["keyframe"][0]["root"]["rotation"]), "right")
+    np.testing.assert_allclose(two, one * [1, -1, 1, -1], atol=1e-12)
