@@ -70,7 +70,7 @@ def test_a_heading_turns_the_rest_of_a_rotation_about_the_vertical(tmp_path, ent
 
 
 def test_a_body_and_an_obstacle_take_a_heading(tmp_path):
-    ways = ("{rotvec = [0, 30, 0], heading = 30}", '{euler = [30, 30], order = "zy"}')
+    ways = ("{rotvec = [0, 8, 0], heading = 30}", '{euler = [30, 8], order = "zy"}')
     text = (
         tiny.CLIP
         + '[[scene.box]]\nname = "crate"\nposition = [3, 0, 0.5]\nsize = [1, 1, 1]\nrotation = {heading = 20}\n'
@@ -83,7 +83,7 @@ def test_a_body_and_an_obstacle_take_a_heading(tmp_path):
         crate = Rotation.from_quat(found.figure.model.geom("crate").quat, scalar_first=True)
         assert (crate.inv() * Rotation.from_euler("z", 20, degrees=True)).magnitude() < 1e-6
     assert abs(shins[0] @ shins[1]) == pytest.approx(1, abs=1e-9)
-    assert abs(shins[0][0]) < 0.99
+    assert 0.9 < abs(shins[0][0]) < 0.999
 
 
 def refused(folder: Path, text: str, words: str) -> None:
