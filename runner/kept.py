@@ -105,7 +105,7 @@ def _parts(clip: Clip) -> Iterator[bytes]:
         yield key.state.tobytes()
         yield key.fixed.tobytes() + key.known.tobytes()
     weights = [(penalty.name, weight) for penalty, weight in clip.penalties]
-    yield repr((clip.figure.coordinates, clip.ends, clip.travel, clip.settings, weights)).encode()
+    yield repr((clip.figure.coordinates, clip.ends, clip.travel, clip.turn, clip.settings, weights)).encode()
     yield b"" if clip.end_slope is None else clip.end_slope.tobytes()
 
 
