@@ -25,7 +25,9 @@ from solver.objective import SMALL_SHARE
 from solver.penalty import BendLimits, Contact, Planted, SelfContact, Stance, Together
 from solver.quaternion import Array
 from solver.seam import Seam, heading_between
+from solver.stride import Gait
 from solver.subdivision import path_of
+from solver.unknowns import raw_timeline
 
 
 @dataclass(frozen=True)
@@ -195,6 +197,15 @@ def test_the_walk_turns_a_quarter_evenly_over_its_middle_steps_and_its_feet_land
     assert abs(first[1]) < 0.1
     assert last[1] > 0.55
     assert abs(last[0]) < 0.1
+
+
+def test_every_third_keyframe_of_the_turning_walk_tells_its_cycle():
+    found = of("walk_and_turn").clip
+    some = raw_timeline(found.figure, list(found.keys[::3]))
+    rhythm = Gait(found.figure, some, found.points, found.surfaces).told()
+    assert rhythm is not None
+    assert rhythm.period == pytest.approx(1.12, rel=0.01)
+    assert rhythm.slip < 0.15
 
 
 def level(rotations: Array) -> Array:
