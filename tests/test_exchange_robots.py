@@ -176,7 +176,8 @@ def test_locomujoco_reads_files_of_its_own_tool_and_refuses_several_motions(robo
     }
     np.savez(tmp_path / "theirs.npz", **entries)
     came_back(robot, tmp_path / "theirs.npz", str(robot_file), tolerance=1e-5)
-    np.savez(tmp_path / "two.npz", **(entries | {"split_points": np.array([0, 10, len(before.time)])}))
+    entries["split_points"] = np.array([0, 10, len(before.time)])
+    np.savez(tmp_path / "two.npz", **entries)
     with pytest.raises(UserError, match="holds 2 motions"):
         imported(tmp_path / "two.npz", figure=str(robot_file))
 
