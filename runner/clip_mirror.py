@@ -32,7 +32,7 @@ def mirrored_tables(clip: dict[str, Any], figure: Figure, mirror: Mirror) -> dic
     ):
         raise UserError("the figure's rest is no mirror image of itself: say every joint instead of others = 'rest'")
     places = Places(figure, sole_points(figure, np.zeros((0, figure.width))))
-    out = clip | {"keyframe": [_keyframe(row, places, mirror) for row in clip["keyframe"]]}
+    out: dict[str, Any] = clip | {"keyframe": [_keyframe(row, places, mirror) for row in clip["keyframe"]]}
     if "scene" in clip:
         _check_known("scene", clip["scene"])
         out["scene"] = {kind: _obstacles(said) for kind, said in clip["scene"].items()}
