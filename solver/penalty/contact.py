@@ -21,7 +21,7 @@ from ..curvature import Curvature, Sides
 from ..figure import Figure, JointKind
 from ..frame import Mask, Timeline
 from ..joint_rows import any_point_rows, any_velocity_rows
-from ..kinematics import Cotangent, Samples
+from ..kinematics import Cotangent, Samples, attached_pulled_back
 from ..naming import geom_name
 from ..quaternion import Array, Index
 from ..rows import has_point_rows, point_rows, velocity_rows
@@ -235,6 +235,14 @@ def velocity_gradients(samples: Samples, at: Index, link: Index, arm: Array, way
     `point_gradients`."""
     rows = velocity_rows if has_point_rows(samples.figure) else any_velocity_rows
     return rows(samples, at, link, arm, way)
+
+
+def add_by_velocity(into: Cotangent, link: int, at: Index, arm: Array, gradient: Array) -> None:
+    """Adds gradients (3, P) with respect to the velocities of points at `arm` (3, P) on a link, at samples `at`."""
+    gradients, arms = np.zeros((2, 3, 1, into.samples.count))
+    gradients[:, 0, at], arms[:, 0, at] = gradient, arm
+    into.room("x_d")[:, link] += gradients[:, 0]
+    attached_pulled_back(into, arms, (None, gradients, None), np.array([link]))
 
 
 def height_over(surfaces: Sequence[Surface], points: Array, radius: Array) -> tuple[Array, Array]:

@@ -13,9 +13,9 @@ import numpy as np
 
 from ..algebra import applied, cross, dot
 from ..curvature import Curvature, Sides
-from ..kinematics import Cotangent, Samples, attached_pulled_back
+from ..kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
-from .contact import Point, point_gradients, velocity_gradients
+from .contact import Point, add_by_velocity, point_gradients, velocity_gradients
 from .penalty import Scale
 from .resting import SETTLING
 
@@ -129,7 +129,7 @@ class Holding:
         if into is not None:
             by_slide = SETTLING**2 * scale[at] * slide
             for link, arms, force in ((hold.point.link, arm, by_slide), (hold.link, own, -by_slide)):
-                _push(into, link, at, arms, force)
+                add_by_velocity(into, link, at, arms, force)
             by_place = cross(spin, by_slide)  # the matter under the point is other matter when the point moves
             into.add_forces(hold.point.link * samples.count + at, arm, by_place)
             into.add_forces(hold.link * samples.count + at, own, -by_place)
@@ -163,12 +163,3 @@ def _velocity_rows(samples: Samples, hold: Hold, at: Index, arm: Array, own: Arr
     """(P, 2, N) the gradients of way · (velocity of the point − that of the spot), both fixed on their links."""
     one, two = (np.full(at.size, link) for link in (hold.point.link, hold.link))
     return velocity_gradients(samples, at, one, arm, way) - velocity_gradients(samples, at, two, own, way)
-
-
-def _push(into: Cotangent, link: int, at: Index, arm: Array, force: Array) -> None:
-    """Adds gradients (3, P) with respect to velocities of points at `arm` (3, P) on a link."""
-    count = into.samples.count
-    forces, arms = np.zeros((3, 1, count)), np.zeros((3, 1, count))
-    forces[:, 0, at], arms[:, 0, at] = force, arm
-    into.room("x_d")[:, link] += forces[:, 0]
-    attached_pulled_back(into, arms, (None, forces, None), np.array([link]))

@@ -11,10 +11,10 @@ import numpy as np
 
 from ..algebra import cross, dot
 from ..curvature import Curvature, Sides
-from ..kinematics import Cotangent, Samples, attached_pulled_back
+from ..kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
 from ..surface import Surface
-from .contact import Point, height_over, point_gradients, velocity_gradients
+from .contact import Point, add_by_velocity, height_over, point_gradients, velocity_gradients
 from .penalty import Scale
 
 SETTLING = 0.05  # [s]: a speed counts like the way it makes in so long
@@ -49,13 +49,7 @@ class Resting:
             values[at] += SETTLING**2 * dot(velocity, velocity) + height**2
             if into is None:
                 continue
-            link = np.array([rest.point.link])
-            by_velocity = np.zeros((3, 1, samples.count))
-            by_velocity[:, 0, at] = 2 * SETTLING**2 * scale[at] * velocity
-            arms = np.zeros((3, 1, samples.count))
-            arms[:, 0, at] = arm
-            into.room("x_d")[:, rest.point.link] += by_velocity[:, 0]
-            attached_pulled_back(into, arms, (None, by_velocity, None), link)
+            add_by_velocity(into, rest.point.link, at, arm, 2 * SETTLING**2 * scale[at] * velocity)
             into.add_forces(rest.point.link * samples.count + at, arm, 2 * scale[at] * height * up)
         return values
 
