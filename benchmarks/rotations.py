@@ -11,42 +11,22 @@ from itertools import pairwise
 from pathlib import Path as File
 from typing import Any
 
-import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-import models
-from solver import Figure, Frame, Motion, Objective, Path, Quadrature, Settings, inbetween
+from runner.orientations import INTRINSIC, moderate, spinner
+from solver import Frame, Motion, Objective, Path, Quadrature, Settings, inbetween
 from solver import quaternion as quat
 from solver.penalty import CovariantAcceleration, UnitMagnitude
 
 Array = NDArray[np.float64]
 
-INTRINSIC = ((CovariantAcceleration(), 5.0), (UnitMagnitude(), 2.0))
 LIGHT = ((CovariantAcceleration(), 5.0), (UnitMagnitude(), 0.25))
 ENERGY = ((CovariantAcceleration(), 1.0),)
 FINE = Quadrature("gauss", 8, 0.05)
 OTHER_CLASS = 0.05
 CLOSED, NEWTON_STEPS = 1e-10, 25
 LEAST_GAIN, MOST_WASTED = 0.5, 2
-
-
-@cache
-def spinner() -> Figure:
-    """The toy aeroplane that ships, held in its place: it turns on one ball joint."""
-    spec = mujoco.MjSpec.from_string(models.figure_text("spinner"))
-    spec.joint("spin").type = mujoco.mjtJoint.mjJNT_BALL
-    return Figure(spec.compile())
-
-
-def moderate(rng: np.random.Generator, count: int) -> Array:
-    """(count, 4) orientations: steps of 20-90° about random axes, by shortest arcs."""
-    track = [np.array([1.0, 0.0, 0.0, 0.0])]
-    for _ in range(count - 1):
-        axis = rng.normal(size=3)
-        turn = axis / np.linalg.norm(axis) * np.radians(rng.uniform(20, 90))
-        track.append(quat.product(track[-1], quat.from_rotation_vector(turn)))
-    return quat.aligned(np.array(track))
 
 
 def uniform(rng: np.random.Generator, count: int) -> Array:

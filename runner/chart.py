@@ -28,15 +28,14 @@ def check_target(target: Path) -> None:
         raise UserError(f"{target}: no way to write '{target.suffix}'; endings: {', '.join(ENDINGS)}")
 
 
+def style(size: float) -> dict[Any, Any]:
+    """How charts look: open at the top and on the right, words of a size [points]."""
+    return {"axes.spines.top": False, "axes.spines.right": False, "axes.edgecolor": INK, "font.size": size}
+
+
 def draw(name: str, report: dict[str, Any], trace: list[Any], key_times: np.ndarray, target: Path) -> None:
     """Four charts in one picture, written whole or not at all."""
-    style: dict[Any, Any] = {
-        "axes.spines.top": False,
-        "axes.spines.right": False,
-        "axes.edgecolor": INK,
-        "font.size": 9,
-    }
-    with plt.rc_context(style):
+    with plt.rc_context(style(9)):
         figure, axes = plt.subplots(2, 2, figsize=(12, 7.2), layout="constrained")
         try:
             figure.suptitle(f"{name}: before and after", color=INK, fontsize=12, x=0.01, ha="left", parse_math=False)

@@ -128,6 +128,11 @@ class ContactTable(_Table):
     end: Number = Field(alias="to")
     position: Place | None = None
 
+    @property
+    def subject(self) -> str:
+        """What can be in one place at a time only."""
+        return self.point
+
 
 class HoldTable(_Table):
     """A site that stays where it is on a body, from one time to another [s]."""
@@ -137,6 +142,11 @@ class HoldTable(_Table):
     start: Number = Field(alias="from")
     end: Number = Field(alias="to")
     position: Place | None = None
+
+    @property
+    def subject(self) -> str:
+        """What can hold one thing at a time only."""
+        return self.hand
 
 
 class SolveTable(_Table):

@@ -6,19 +6,19 @@ finds the spot.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
 
 from solver.figure import Figure
-from solver.frame import Timeline
+from solver.frame import Mask, Timeline
 from solver.kinematics import Samples
 from solver.penalty import Contact, Point, Rest, Stance
 from solver.penalty.contact import placed
 from solver.penalty.planted import SAME_SPOT
-from solver.quaternion import Array
+from solver.quaternion import Array, Index
 
 from .clip_table import ContactTable, HoldTable
 from .errors import UserError, unknown
@@ -58,7 +58,9 @@ def contacts(
         if points[table.point] is None:
             raise UserError(f"{name}: {unknown('site', table.point, places.points_listed)}")
         check_interval(table, keys, name)
-    _check_overlaps(tables, names)
+    for i, (table, name) in enumerate(zip(tables, names, strict=True)):
+        why = "a point rests in one place at a time"
+        check_overlap(table, tables[:i], name, "contact {} of the same point", why)
     stances: list[Stance] = []
     rests: list[Rest] = []
     given: list[Rest] = []
@@ -68,7 +70,7 @@ def contacts(
         given.append(Rest(point, table.start, table.end))
         spots = _spots(figure, keys, point, table, name)
         if spots:
-            stances += _stances(point, table, spots)
+            stances += [Stance(point, *stretch) for stretch in stretches(spots, table.start, table.end)]
         else:
             rests.append(given[-1])
     _check_bodies(stances, place)
@@ -93,15 +95,14 @@ def check_interval(table: ContactTable | HoldTable, keys: Timeline, name: str) -
         )
 
 
-def _check_overlaps(tables: Sequence[ContactTable], names: Sequence[str]) -> None:
-    for i, (table, name) in enumerate(zip(tables, names, strict=True)):
-        for k, other in enumerate(tables[:i], start=1):
-            shared = min(table.end, other.end) - max(table.start, other.start)
-            if other.point == table.point and shared > ROUNDING:
-                raise UserError(
-                    f"{name}: overlaps contact {k} of the same point from {max(table.start, other.start):g} to "
-                    f"{min(table.end, other.end):g} s; a point rests in one place at a time"
-                )
+def check_overlap(
+    table: ContactTable | HoldTable, before: Sequence[ContactTable | HoldTable], name: str, kind: str, why: str
+) -> None:
+    """Raises UserError if a table speaks of the time of one `before` it that is of the same point or site."""
+    for number, other in enumerate(before, start=1):
+        first, last = max(table.start, other.start), min(table.end, other.end)
+        if other.subject == table.subject and last - first > ROUNDING:
+            raise UserError(f"{name}: overlaps {kind.format(number)} from {first:g} to {last:g} s; {why}")
 
 
 def _spots(figure: Figure, keys: Timeline, point: Point, table: ContactTable, name: str) -> list[tuple[float, Array]]:
@@ -112,32 +113,49 @@ def _spots(figure: Figure, keys: Timeline, point: Point, table: ContactTable, na
     said = np.flatnonzero(inside & placed(figure, keys.known, [point])[0])
     wanted = None if table.position is None else np.array(table.position, float)
     exact = placed(figure, keys.fixed, [point])[0]
-    said = said[np.argsort(~exact[said], kind="stable")]  # what was posed has less to say than what is fixed
-    kept: list[int] = []
-    for k in said:
-        reference = centres[:, 0, said[0]] if wanted is None else wanted
-        apart = float(np.linalg.norm(centres[:, 0, k] - reference))
-        if apart <= SAME_SPOT:
-            kept.append(int(k))
-        elif exact[k]:
-            where = f"where keyframe {said[0] + 1} does" if wanted is None else "the contact's position"
-            raise UserError(
-                f"{name}: keyframe {k + 1} (t = {keys.times[k]:g} s) puts the point {apart:.3f} m from {where}; "
-                f"a contact may drift by {SAME_SPOT:g} m"
-            )
+
+    def contradicts(k: int, apart: float, first: int | None) -> str:
+        where = "the contact's position" if first is None else f"where keyframe {first + 1} does"
+        return (
+            f"{name}: keyframe {k + 1} (t = {keys.times[k]:g} s) puts the point {apart:.3f} m from {where}; "
+            f"a contact may drift by {SAME_SPOT:g} m"
+        )
+
+    kept = agreeing(centres[:, 0], said, exact, wanted, contradicts)
     if kept:
-        return [(float(keys.times[k]), centres[:, 0, k].copy()) for k in sorted(kept)]
+        return [(float(keys.times[k]), centres[:, 0, k].copy()) for k in kept]
     return [] if wanted is None else [(table.start, wanted)]
 
 
-def _stances(point: Point, table: ContactTable, spots: list[tuple[float, Array]]) -> list[Stance]:
-    """From spot to spot, held before the first and after the last."""
-    whole = [(table.start, spots[0][1]), *spots, (table.end, spots[-1][1])]
-    return [
-        Stance(point, start, end, spot, landed)
-        for (start, spot), (end, landed) in pairwise(whole)
-        if end > start + ROUNDING
-    ]
+def agreeing(
+    places: Array, said: Index, exact: Mask, wanted: Array | None, contradicts: Callable[[int, float, int | None], str]
+) -> list[int]:
+    """Those keyframes of `said` whose places, of (3, K) [m], are the wanted one (3,), or without one that of the first
+    keyframe, but for what may drift.
+
+    exact        (K,) which keyframes fix the place: what was posed has less to say, and is left out where it is off
+    contradicts  what to tell of one that fixes another place: its index, how far off it is [m], and that of the first
+    """
+    kept: list[int] = []
+    said = said[np.argsort(~exact[said], kind="stable")]
+    for k in said.tolist():
+        reference = places[:, said[0]] if wanted is None else wanted
+        apart = float(np.linalg.norm(places[:, k] - reference))
+        if apart <= SAME_SPOT:
+            kept.append(k)
+        elif exact[k]:
+            raise UserError(contradicts(k, apart, int(said[0]) if wanted is None else None))
+    return sorted(kept)
+
+
+def stretches(
+    spots: Sequence[tuple[float, Array]], first: float, last: float
+) -> Iterator[tuple[float, float, Array, Array]]:
+    """(first, last, from, to) from spot to spot, held before the first and after the last."""
+    whole = [(first, spots[0][1]), *spots, (last, spots[-1][1])]
+    for (start, spot), (end, landed) in pairwise(whole):
+        if end > start + ROUNDING:
+            yield start, end, spot, landed
 
 
 def _check_bodies(stances: Sequence[Stance], place: str) -> None:

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise
 
 import numpy as np
 
@@ -21,7 +20,7 @@ from solver.penalty.planted import SAME_SPOT
 from solver.quaternion import Array, Index
 
 from .clip_table import HoldTable
-from .contacts import ROUNDING, check_interval
+from .contacts import ROUNDING, agreeing, check_interval, check_overlap, stretches
 from .errors import UserError, unknown
 from .places import Places
 
@@ -53,7 +52,7 @@ def holds(
             raise UserError(f"{name}: the site is on that body itself, where it always stays")
         check_interval(table, keys, name)
         rows.append(_Row(table, Hold(point, link, table.body, table.start, table.end), name))
-        _check_overlaps(rows)
+        check_overlap(table, tables[: number - 1], name, "hold {} of the same site", "a site holds one thing at a time")
     return tuple(replace(row.hold, spots=tuple(_spots(figure, keys, row))) for row in rows)
 
 
@@ -83,17 +82,6 @@ def _no_body(figure: Figure, name: str, bodies: dict[str, int]) -> str:
     return unknown("body", name, bodies)
 
 
-def _check_overlaps(rows: Sequence[_Row]) -> None:
-    *before, row = rows
-    for number, other in enumerate(before, start=1):
-        first, last = max(row.table.start, other.table.start), min(row.table.end, other.table.end)
-        if other.table.hand == row.table.hand and last - first > ROUNDING:
-            raise UserError(
-                f"{row.name}: overlaps hold {number} of the same site from {first:g} to {last:g} s; "
-                f"a site holds one thing at a time"
-            )
-
-
 def _spots(figure: Figure, keys: Timeline, row: _Row) -> list[Spot]:
     """Where the site is on the body over the interval, as far as the table and keyframes say."""
     hold, table = row.hold, row.table
@@ -101,24 +89,18 @@ def _spots(figure: Figure, keys: Timeline, row: _Row) -> list[Spot]:
     wanted = None
     if table.position is not None:
         wanted = figure.point_on_link(moving_bodies(figure)[table.body], np.array(table.position, float))[1]
-    kept: list[int] = []
-    for k in said[np.argsort(~exact[said], kind="stable")]:  # what was posed has less to say than what is fixed
-        reference = places[:, kept[0]] if wanted is None and kept else wanted
-        apart = 0.0 if reference is None else float(np.linalg.norm(places[:, k] - reference))
-        if apart <= SAME_SPOT:
-            kept.append(int(k))
-        elif exact[k]:
-            where = f"where keyframe {kept[0] + 1} has it" if wanted is None else "the hold's position"
-            raise UserError(
-                f"{row.name}: keyframe {k + 1} (t = {keys.times[k]:g} s) has the site {apart:.3f} m from {where} on "
-                f"the body; a hold may drift by {SAME_SPOT:g} m"
-            )
-    found = [(float(keys.times[k]), places[:, k].copy()) for k in sorted(kept)]
-    if not found and wanted is None:
-        return []
-    found = found or [(hold.first, np.asarray(wanted))]
-    whole = [(hold.first, found[0][1]), *found, (hold.last, found[-1][1])]
-    return [Spot(first, last, a, b) for (first, a), (last, b) in pairwise(whole) if last > first + ROUNDING]
+
+    def contradicts(k: int, apart: float, first: int | None) -> str:
+        where = "the hold's position" if first is None else f"where keyframe {first + 1} has it"
+        return (
+            f"{row.name}: keyframe {k + 1} (t = {keys.times[k]:g} s) has the site {apart:.3f} m from {where} on "
+            f"the body; a hold may drift by {SAME_SPOT:g} m"
+        )
+
+    found = [(float(keys.times[k]), places[:, k].copy()) for k in agreeing(places, said, exact, wanted, contradicts)]
+    if wanted is not None:
+        found = found or [(hold.first, wanted)]
+    return [Spot(*stretch) for stretch in stretches(found, hold.first, hold.last)] if found else []
 
 
 def _said(figure: Figure, keys: Timeline, hold: Hold) -> tuple[Index, Array, Mask]:

@@ -45,10 +45,14 @@ def spinner() -> Figure:
 
 
 def orientations(seed: int) -> Array:
-    """(7, 4) unit quaternions: steps of 20-90° about random axes."""
-    rng = np.random.default_rng(seed)
+    """(7, 4) unit quaternions that are drawn by `moderate`."""
+    return moderate(np.random.default_rng(seed), KEYFRAMES)
+
+
+def moderate(rng: np.random.Generator, count: int) -> Array:
+    """(count, 4) unit quaternions: steps of 20-90° about random axes, by shortest arcs."""
     track = [np.array([1.0, 0.0, 0.0, 0.0])]
-    for _ in range(KEYFRAMES - 1):
+    for _ in range(count - 1):
         axis = rng.normal(size=3)
         turn = axis / np.linalg.norm(axis) * np.radians(rng.uniform(20, 90))
         track.append(quat.product(track[-1], quat.from_rotation_vector(turn)))

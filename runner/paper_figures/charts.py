@@ -8,7 +8,6 @@ deviation is largest.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import matplotlib
 import numpy as np
@@ -23,7 +22,7 @@ from solver.frame import Frame
 from solver.inbetween import Improvement, Settings
 from solver.quaternion import Array
 
-from ..chart import INK
+from ..chart import INK, style
 from ..orientations import FEW_FRAMES, PAPER, TENTHS, Run, figure_ten, strong_tenths, unit_deviation, weak_tenths
 from .captioned import Picture
 
@@ -180,13 +179,7 @@ def _curves(axes: Axes, curves: dict[str, Array], title: str, label: str) -> Non
 
 
 def _sheet(count: int) -> tuple[Figure, list[Axes]]:
-    style: dict[Any, Any] = {
-        "axes.spines.top": False,
-        "axes.spines.right": False,
-        "axes.edgecolor": INK,
-        "font.size": 10,
-    }
-    with plt.rc_context(style):
+    with plt.rc_context(style(10)):
         figure, axes = plt.subplots(1, count, figsize=(10, 4.4), dpi=DPI, layout="constrained", squeeze=False)
     return figure, list(axes[0])
 
