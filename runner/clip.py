@@ -203,11 +203,8 @@ def from_text(
     except UserError as error:
         raise UserError(f"{place}: {error}") from None
     figure = _figure(scene, table.solve.coordinates, place)
-    bends = posing_bends(figure, table.penalty)
-    surfaces = static_surfaces(figure.model)
-    stander = Stander(figure, surfaces, table.contact, bends, table.solve, place, held=table.hold)
     missed: list[str] = []
-    keys, placed = _keys(figure, lying(table), stander, place, missed)
+    keys, placed = _keys(figure, lying(table), _stander(figure, table, place), place, missed)
     if missed and unmet is None:
         raise UserError(f"{place}: {'; '.join(missed)}")
     if unmet is not None:
@@ -289,11 +286,19 @@ def answered(saved: Saved) -> Clip:
 
 
 def with_keys(clip: Clip, keys: Sequence[Frame]) -> Clip:
-    """The same clip through other keyframes; what was found from the old ones is found again."""
+    """The same clip through other keyframes; what was found from the old ones is found again, poses too."""
     table = ClipTable.model_validate(tomllib.loads(clip.text)) if clip.text else None
     times = {key.time for key in keys}
     placed = tuple(point for point in clip.placed if point.time in times)
-    return _clip(clip.name, clip.text, clip.scene, clip.figure, clip.fps, list(keys), table, clip.name, placed)
+    keys = [replace(key, posed=None) for key in keys]
+    if table is not None:
+        keys = _stander(clip.figure, table, clip.name).stood(keys, placed)
+    return _clip(clip.name, clip.text, clip.scene, clip.figure, clip.fps, keys, table, clip.name, placed)
+
+
+def _stander(figure: Figure, table: ClipTable, place: str) -> Stander:
+    bends, surfaces = posing_bends(figure, table.penalty), static_surfaces(figure.model)
+    return Stander(figure, surfaces, table.contact, bends, table.solve, place, held=table.hold)
 
 
 def _clip(

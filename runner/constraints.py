@@ -154,7 +154,7 @@ class Constraints:
         whole = [figure.to_qpos(frame.state) for frame in keys.frames if frame.fixed.all()]
         self.points = sole_points(figure, np.reshape(whole, (-1, figure.width)))
         self.bends = tuple(_bends(figure))
-        self.contacts = contacts(figure, keys, tables, place, self.points)
+        self.contacts = contacts(figure, keys, tables, place, self.points, surfaces)
         self.holds = holds(figure, keys, held, place, self.points)
         self.carried = carried_links(figure, self.holds)
         self.support: Support | None = None

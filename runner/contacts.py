@@ -12,13 +12,15 @@ from itertools import pairwise
 
 import numpy as np
 
+from solver.allowance import Allowance
 from solver.figure import Figure
 from solver.frame import Mask, Timeline
 from solver.kinematics import Samples
 from solver.penalty import Contact, Point, Rest, Stance
-from solver.penalty.contact import placed
+from solver.penalty.contact import height_over, placed
 from solver.penalty.planted import SAME_SPOT
 from solver.quaternion import Array, Index
+from solver.surface import Surface
 
 from .clip_table import ContactTable, HoldTable
 from .errors import UserError, unknown
@@ -48,9 +50,17 @@ class Contacts:
 
 
 def contacts(
-    figure: Figure, keys: Timeline, tables: Sequence[ContactTable], place: str, soles: Sequence[Point] = ()
+    figure: Figure,
+    keys: Timeline,
+    tables: Sequence[ContactTable],
+    place: str,
+    soles: Sequence[Point] = (),
+    surfaces: Sequence[Surface] = (),
 ) -> Contacts:
-    """The contacts of a clip's tables. Raises UserError that names the table and what is wrong with it."""
+    """The contacts of a clip's tables. Raises UserError that names the table and what is wrong with it.
+
+    surfaces  where a keyframe has a point in one of these, the point rises as `clearance` and `contact` ask for it
+    """
     places = Places(figure, soles)
     points = {table.point: places.point(table.point) for table in tables}
     names = [f"{place}: contact {i} ('{table.point}')" for i, table in enumerate(tables, start=1)]
@@ -68,7 +78,7 @@ def contacts(
         point = points[table.point]
         assert point is not None
         given.append(Rest(point, table.start, table.end))
-        spots = _spots(figure, keys, point, table, name)
+        spots = _spots(figure, keys, point, table, name, surfaces)
         if spots:
             stances += [Stance(point, *stretch) for stretch in stretches(spots, table.start, table.end)]
         else:
@@ -105,7 +115,9 @@ def check_overlap(
             raise UserError(f"{name}: overlaps {kind.format(number)} from {first:g} to {last:g} s; {why}")
 
 
-def _spots(figure: Figure, keys: Timeline, point: Point, table: ContactTable, name: str) -> list[tuple[float, Array]]:
+def _spots(
+    figure: Figure, keys: Timeline, point: Point, table: ContactTable, name: str, surfaces: Sequence[Surface]
+) -> list[tuple[float, Array]]:
     """Where the point is to be at some times of the interval, by the table and by keyframes that say where it is."""
     samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
     centres, _, _ = Contact((point,), ()).centres(samples)
@@ -122,9 +134,23 @@ def _spots(figure: Figure, keys: Timeline, point: Point, table: ContactTable, na
         )
 
     kept = agreeing(centres[:, 0], said, exact, wanted, contradicts)
-    if kept:
-        return [(float(keys.times[k]), centres[:, 0, k].copy()) for k in kept]
-    return [] if wanted is None else [(table.start, wanted)]
+    if not kept:
+        return [] if wanted is None else [(table.start, wanted)]
+    height, up = height_over(surfaces, centres, np.array([point.radius]))
+    sunk = Allowance(keys.times, np.maximum(-height[0], 0.0) * exact)
+    spots = [(float(keys.times[k]), centres[:, 0, k].copy()) for k in kept]
+    first, last = (_risen(spots[i], end, sunk, up[:, 0, kept[i]]) for i, end in ((0, table.start), (-1, table.end)))
+    return [*first, *spots, *last]
+
+
+def _risen(spot: tuple[float, Array], end: float, sunk: Allowance, up: Array) -> list[tuple[float, Array]]:
+    """Where a point rests at an end [s] of its contact if the keyframe next to it has it in a surface: higher by what
+    clearance lets pass less there.
+
+    spot  when [s] and where (3,) [m] the keyframe has it;  sunk  how deep keyframes have it;  up  (3,) the way out
+    """
+    deep = sunk.at(np.array([spot[0], end]))
+    return [(end, spot[1] + (deep[0] - deep[1]) * up)] if abs(end - spot[0]) > ROUNDING and deep[0] > deep[1] else []
 
 
 def agreeing(

@@ -147,7 +147,7 @@ class Stander:
             return None
         whole = [self.figure.to_qpos(frame.state) for frame in timeline.frames if frame.is_key]
         soles = sole_points(self.figure, np.reshape(whole, (-1, self.figure.width)))
-        found = contacts(self.figure, timeline, self.tables, self.place, soles)
+        found = contacts(self.figure, timeline, self.tables, self.place, soles, self.surfaces)
         held = holds(self.figure, timeline, self.held, self.place, soles)
         return _Seen(self.figure, timeline, soles, self.surfaces, found, held)
 

@@ -1,5 +1,7 @@
 """The clip's [[contact]] tables: what they become, what they replace, and every mistake in one line."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -52,6 +54,40 @@ def test_a_contact_takes_its_spot_from_the_keyframes_inside_and_holds_it_beyond(
     np.testing.assert_allclose([s.spot for s in own], [own[0].landed] * 2)
     assert not rests
     assert any(s.point.name == "left_toe" and s.first == 0 for s in stances)
+
+
+def test_a_contact_that_a_keyframe_begins_in_the_floor_rises_with_what_is_let_pass():
+    sunk = text('point = "left_heel"\nfrom = 0.3\nto = 0.8').replace("[0.0, 0, 0.93]", "[0.0, 0, 0.90]", 1)
+    clip = clips.from_text(sunk, name="sunk")
+    stances, _ = planted(clip)
+    before, after = sorted(
+        (s for s in stances if s.point.name == "left_heel" and s.first >= 0.3), key=lambda s: s.first
+    )
+    (clearance,) = [p for p, _ in clip.penalties if p.name == "contact" and isinstance(p, Contact)]
+    heel = [point.name for point in clearance.points].index("left_heel")
+    for end, spot in ((0.3, before.spot), (0.5, before.landed), (0.5, after.spot), (0.8, after.landed)):
+        let_pass = clearance.allowed.at(np.array([end]))[heel, 0]
+        depth = -(spot[2] - clearance.points[heel].radius)
+        assert depth == pytest.approx(let_pass, abs=1e-9)
+        assert depth > 0.005
+    np.testing.assert_allclose(before.spot[:2], before.landed[:2])
+
+
+def test_other_keyframes_are_posed_anew():
+    squat = """
+figure = "human"
+keyframe = [{time = 0, others = "rest"}, {time = 1, root.position = [0, 0, 0.7]}, {time = 2, others = "rest"}]
+"""
+    clip = clips.from_text(squat, name="squat")
+    higher = clips.from_text(squat.replace("0.7]", "0.8]"), name="squat")
+    moved = np.array(clip.keys[1].state)
+    moved[2] = 0.8
+    again = clips.with_keys(clip, [clip.keys[0], replace(clip.keys[1], state=moved), clip.keys[2]])
+    still = np.zeros((2, 1, clip.figure.width))
+    feet = [Samples(clip.figure, clip.figure.to_state(k.keys[1].state[None]), *still) for k in (higher, again)]
+    assert again.keys[1].posed is not None
+    np.testing.assert_array_equal(again.keys[1].posed, higher.keys[1].posed)
+    np.testing.assert_allclose(feet[0].links.x, feet[1].links.x, atol=2e-3)
 
 
 def test_a_contact_with_a_position_and_one_that_nobody_placed():
