@@ -1,5 +1,5 @@
-"""Whether a search ended in a heap: constraints cost more than all motion does, or a limb is far from where its
-neighbouring keyframes have it. A limb that begins on the wrong side of a bound, behind its own knee, does not come
+"""Whether a search ended in a heap: constraints cost more than all motion does, motion costs much more than on the raw
+spline, or a limb is far from where its neighbouring keyframes have it. A limb that begins on the wrong side of a bound, behind its own knee, does not come
 back through it; it is searched again from elsewhere, see `arcs`.
 """
 
@@ -17,6 +17,7 @@ from .objective import Objective
 from .quaternion import Array
 from .subdivision import path_of
 
+DEAR = 2.0  # times what motion cost on the raw spline: from here on another way round an obstacle may be less
 FAR = 0.5  # of a figure's size, its farthest joint at rest from its root
 LOOKS = 4  # a segment between frames of which something is fixed
 
@@ -27,10 +28,13 @@ def is_astray(objective: Objective, timeline: Timeline, parts: Mapping[str, floa
 
 
 def is_violent(objective: Objective, parts: Mapping[str, float]) -> bool:
-    """Whether what constraints cost exceeds what motion costs and what motion cost on the raw spline."""
+    """Whether what constraints cost exceeds what motion costs and what motion cost on the raw spline, or motion costs
+    more than twice that."""
     bounds = {term.penalty.name for term in objective.terms if term.penalty.scale.is_violation}
+    measured = {term.penalty.name for term in objective.measured}
     violated = sum(value for name, value in parts.items() if name in bounds)
-    return violated > max(sum(parts.values()) - violated, objective.raw_cost)
+    moved = sum(value for name, value in parts.items() if name in measured)
+    return violated > max(sum(parts.values()) - violated, objective.raw_cost) or moved > DEAR * objective.raw_cost
 
 
 def farthest(figure: Figure, timeline: Timeline) -> float:

@@ -100,7 +100,12 @@ class Objective:
     def raw_cost(self) -> float:
         """What motion costs on the raw spline of a renormalised objective: a weight for each term that is measured by
         its own integral there."""
-        return sum(t.weight for t in self.terms if not t.penalty.scale.is_violation and not t.penalty.scale.beside)
+        return sum(term.weight for term in self.measured)
+
+    @property
+    def measured(self) -> tuple[Term, ...]:
+        """The terms that are measured by their own integrals over the raw spline."""
+        return tuple(t for t in self.terms if not t.penalty.scale.is_violation and not t.penalty.scale.beside)
 
     def _typical(self, raw: Path, integrals: Array) -> Array:
         """Integrals (terms,) over the raw path with what its violent segments have too much taken off.
