@@ -105,6 +105,15 @@ def test_nobody_leaps_more_than_60_centimetres_unasked(length, found):
     assert bool(tell(key(0, 0, AIR, z=2), key(length, 1, AIR, z=2))) is found
 
 
+def test_two_keyframes_in_the_air_with_time_for_a_step_tell_no_flight():
+    low, high = 0.76, 1.26  # soles 6 cm and 56 cm over the floor
+    assert tell(key(0, 0, AIR, z=low), key(0.4, 0.5, AIR, z=low)) == ()
+    assert tell(key(0, 0, AIR, z=low), key(0.2, 0.2, AIR, z=low)) == ((0.0, 0.2),)
+    assert tell(key(0, 0, AIR, z=high), key(0.4, 0.5, AIR, z=high)) == ((0.0, 0.4),)
+    between = key(0.2, 0.3, AIR, z=low + 0.15)
+    assert tell(key(0, 0, AIR, z=low), between, key(0.4, 0.5, AIR, z=low)) == ((0.0, 0.4),)
+
+
 def test_who_lies_on_the_floor_does_not_fly():
     low = [key(t, t, AIR, z=z) for t, z in ((0.0, 1.5), (0.3, 1.5))]
     assert tell(*low, body=HEAD) == ((0.0, 0.3),)

@@ -26,6 +26,8 @@ HIGHEST = 0.6  # [m] that a centre of mass rises in a flight that nobody asked f
 PUSHED = 0.2  # of its speed at take-off and landing, the centre of mass has on the average in the segments beside
 ALOFT = 0.05  # [m] over which all soles are in the air beyond doubt
 STRAY = 0.15  # [m] that keyframes in the air may be off the free fall between the ends of the flight
+STEP = 0.2  # [s] that a foot is on the ground for in a running step
+DOWN = 2.0  # [m/s] at which a foot comes down for a step and is lifted after it
 Interval = tuple[float, float]
 
 
@@ -142,7 +144,8 @@ def flights(
         if not seen.free[k]:
             first = k + 1
         elif k + 2 == times.size or seen.touched[k + 1] or not seen.free[k + 1]:
-            if seen.leaves(first) and seen.lands(k + 1) and _falls(figure, times, rising, first, k + 1):
+            is_told = seen.leaves(first) and seen.lands(k + 1) and not seen.leaves_room(times, first, k + 1)
+            if is_told and _falls(figure, times, rising, first, k + 1):
                 found.append((float(times[first]), float(times[k + 1])))
             first = k + 1
     return tuple(found)
@@ -151,11 +154,12 @@ def flights(
 @dataclass(frozen=True)
 class _Keys:
     """What keyframes say of contact: free (K − 1,) segments that nothing carries; touched, flat (K,): whether a foot
-    touches there, and with all its points."""
+    touches there, and with all its points; lowest (K,) [m] how high the lowest point of a foot is."""
 
     free: Mask
     touched: Mask
     flat: Mask
+    lowest: Array
 
     @classmethod
     def of(
@@ -183,11 +187,17 @@ class _Keys:
         carried = np.zeros(begin.size, bool)
         for stance in stances:
             carried |= (stance.first < end) & (begin < stance.last)
-        return cls(~carried & known[:-1] & known[1:], np.logical_or.reduce(low), flat)
+        return cls(~carried & known[:-1] & known[1:], np.logical_or.reduce(low), flat, height.min(axis=0))
 
     def leaves(self, k: int) -> bool:
         """Whether a flight may begin at a keyframe."""
         return not self.touched[k] or (not self.flat[k] and (k == 0 or not self.free[k - 1]))
+
+    def leaves_room(self, times: Array, first: int, last: int) -> bool:
+        """Whether there is time for a step between keyframes at both ends that are in the air."""
+        if last > first + 1 or self.touched[first] or self.touched[last]:
+            return False
+        return bool(times[last] - times[first] >= STEP + (self.lowest[first] + self.lowest[last]) / DOWN)
 
     def lands(self, k: int) -> bool:
         """Whether a flight may end at a keyframe."""
