@@ -1,6 +1,6 @@
 """Whether a search ended in a heap: constraints cost more than all motion does, motion costs much more than on the raw
-spline, or a limb is far from where its neighbouring keyframes have it. A limb that begins on the wrong side of a bound, behind its own knee, does not come
-back through it; it is searched again from elsewhere, see `arcs`.
+spline, or a limb is far from where its neighbouring keyframes have it. A limb that begins on the wrong side of a bound,
+behind its own knee, does not come back through it; it is searched again from elsewhere, see `arcs`.
 """
 
 from __future__ import annotations
