@@ -14,10 +14,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 import report
 from bench import Effort, Section, median
+from perturbed import solved
 
 import models
 from runner import clip as clips
-from solver import Motion, inbetween
+from solver import Motion
 from solver.quaternion import Array
 
 RATE = 200.0  # [1/s] of the samples over which integrals are summed
@@ -39,14 +40,6 @@ class Outcome:
     own: float
     rest: float
     share: float
-
-
-def solved(clip: clips.Clip) -> Motion:
-    """As `dynsplines solve` does it."""
-    return inbetween(
-        clip.figure, clip.keys, clip.penalties, clip.settings,
-        ends=clip.ends, end_slope=clip.end_slope, travel=clip.travel,
-    )  # fmt: skip
 
 
 def costs(of: Motion, motion: Motion) -> dict[str, float]:

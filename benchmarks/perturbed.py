@@ -156,7 +156,8 @@ def outcome(clip: clips.Clip, seed: int, peak: float) -> Outcome:
     other = perturbed(clip, seed)
     spent, motion = seconds(lambda: solved(other))
     seen, parts, dropped = Seen.of(motion), motion.trace[-1][3], len(clip.contacts) - len(other.contacts)
-    return Outcome(clip.name, seed, seen.peak / peak, seen, spent, motion.evaluations, parts, dropped)
+    ratio = seen.peak / peak if peak > 0 else 1.0  # a figure without joints has no peak, moved or not
+    return Outcome(clip.name, seed, ratio, seen, spent, motion.evaluations, parts, dropped)
 
 
 def compared(names: Sequence[str], seeds: Sequence[int], effort: Effort) -> Section:

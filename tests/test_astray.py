@@ -13,7 +13,7 @@ from test_unknowns import distance_from_key, random_keys
 
 from solver import Motion, inbetween
 from solver import quaternion as quat
-from solver.astray import FAR, LOOKS, farthest, is_astray, is_violent
+from solver.astray import DEAR, FAR, LOOKS, farthest, is_astray, is_violent
 from solver.figure import Figure
 from solver.frame import Frame
 from solver.judgement import best, common_grid
@@ -115,13 +115,16 @@ def test_a_limb_turned_round_is_far_and_a_figure_that_is_carried_off_is_not():
     assert farthest(figure, alone) == 0
 
 
-def test_constraints_that_cost_more_than_all_motion_does_are_violent_and_less_are_not():
+def test_constraints_that_cost_more_than_motion_are_violent_and_so_is_motion_that_costs_twice_the_raw_spline():
     raw = path_of(raw_timeline(LIMB, swinging(6)))
     objective = Objective.of(LIMB, TERMS).renormalised(raw)
     assert not is_violent(objective, {"covariant": 0.5, "unit": 0.0, "bend": 1.9})
     assert is_violent(objective, {"covariant": 0.5, "unit": 0.0, "bend": 3.1})
-    assert not is_violent(objective, {"covariant": 5.0, "unit": 0.0, "bend": 3.1})
-    assert not is_violent(objective, {"covariant": 50.0})
+    dear = DEAR * objective.raw_cost
+    assert not is_violent(objective, {"covariant": dear - 0.1, "unit": 0.0, "bend": 3.1})
+    assert not is_violent(objective, {"covariant": dear - 0.1})
+    assert is_violent(objective, {"covariant": dear + 0.1})
+    assert not is_violent(objective, {"bend": 0.5, "covariant": 0.1})
 
 
 # and what is done
