@@ -61,11 +61,11 @@ def _near_ground(figure: Figure, points: Sequence[Point], qpos: Array) -> bool:
 def _grown(figure: Figure, point: Point) -> Point:
     """A site in the middle of a sphere of its link, as thick as that: a foot is meant, not a point of its sole."""
     model = figure.model
-    for geom in movers(model):
+    spheres = model.geom_type == int(mujoco.mjtGeom.mjGEOM_SPHERE)
+    for geom in (geom for geom in movers(model) if spheres[geom]):
         link, centre = figure.point_on_link(int(model.geom_bodyid[geom]), model.geom_pos[geom])
         radius = float(model.geom_size[geom, 0])
-        round_ = model.geom_type[geom] == int(mujoco.mjtGeom.mjGEOM_SPHERE)
-        if round_ and link == point.link and np.linalg.norm(point.position - centre) < 0.5 * radius:
+        if link == point.link and np.linalg.norm(point.position - centre) < 0.5 * radius:
             return Point(point.name, link, centre, radius)
     return point
 
