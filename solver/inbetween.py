@@ -38,7 +38,7 @@ ROUGH = 1e-2
 SHARE_OF_PROMISE = 0.1
 FEW, MORE = 2, 3
 MOST_FRAMES = 12
-OF_FEET = frozenset({"skate", "grounded", "planted", "resting", "hold", "flight", "support", "peak"})
+OF_CONTACTS = frozenset({"skate", "grounded", "planted", "resting", "hold", "flight", "support", "peak"})
 OF_LIMBS = frozenset({"bend", "range"})
 ALIKE = 1.1  # times the lower E of two searches: what is no higher lies in the same valley
 SPACING = 0.3  # [s] between the frames to begin with in a long segment, so that it can follow what is beside it
@@ -240,35 +240,44 @@ class _Loop:
         keyframes; the other way round where the beginning itself is far off.
 
         If those two end in a heap, or in different valleys, from where either comes to without the terms that such a
-        limb is trapped by: first what feet do, then bends. One evaluation sees what is there and looks for nothing.
+        limb is trapped by: first what feet and hands that touch something do, then bends. One evaluation sees what is
+        there and looks for nothing.
         """
-        figure = self.objective.figure
-        starts: list[Callable[[], Timeline]] = [lambda: timeline, lambda: straightened(figure, timeline)]
-        if farthest(figure, timeline) > FAR and self.settings.max_evaluations > 1:
-            starts.reverse()
-        others: list[Callable[[], Timeline]] = [
-            lambda: self.loosened(straightened(figure, timeline), OF_FEET),
-            lambda: self.loosened(timeline, OF_LIMBS),
-        ]
         ends: list[_End] = []
         values: list[float] = []
-        for start in (*starts, *others):
+        for start in self._starts(timeline):
             if ends:
                 self.round += 1
                 self.damping = FIRST_DAMPING
             ends += self.run(start(), segments, budget)
             values.append(sum(self.last.values()))
-            if self.stop is Stop.ASKED or self.settings.max_evaluations == 1:
-                break
-            if not is_astray(self.objective, ends[-1].timeline, self.last):
-                break
-            same_valley = max(values) <= ALIKE * min(values)
-            if len(values) == len(starts) and same_valley and not is_violent(self.objective, self.last):
+            if self.stop is Stop.ASKED or self._is_settled(ends[-1].timeline, values):
                 break
         found = best(self.objective, [end.timeline for end in reversed(ends)])
         end = next(end for end in reversed(ends) if end.timeline is found)
         self.stop, self.damping = Stop.ASKED if self.stop is Stop.ASKED else end.stop, end.damping
         return found
+
+    def _starts(self, timeline: Timeline) -> list[Callable[[], Timeline]]:
+        """Where searches begin, one after the other: two, and two more."""
+        figure = self.objective.figure
+        starts: list[Callable[[], Timeline]] = [lambda: timeline, lambda: straightened(figure, timeline)]
+        if self.settings.max_evaluations == 1:
+            return starts[:1]
+        if farthest(figure, timeline) > FAR:
+            starts.reverse()
+        return [
+            *starts,
+            lambda: self.loosened(straightened(figure, timeline), OF_CONTACTS),
+            lambda: self.loosened(timeline, OF_LIMBS),
+        ]
+
+    def _is_settled(self, timeline: Timeline, values: Sequence[float]) -> bool:
+        """Whether the last search, of those that ended at these E, needs no other beside it."""
+        if not is_astray(self.objective, timeline, self.last):
+            return True
+        same_valley = max(values) <= ALIKE * min(values)
+        return len(values) == 2 and same_valley and not is_violent(self.objective, self.last)
 
     def run(self, timeline: Timeline, segments: int, budget: int | None) -> list[_End]:
         """Rounds until no segment deserves another frame, or their budget is spent; how each of them ended.

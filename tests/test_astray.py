@@ -254,7 +254,7 @@ def test_where_both_ways_end_in_a_heap_terms_enter_one_after_the_other(monkeypat
     monkeypatch.setattr(VERB, "is_violent", lambda *_: True)
     monkeypatch.setattr(VERB._Loop, "loosened", lambda *of: (without.append(of[2]), loosened(*of))[1])
     motion = inbetween(LIMB, keys, TERMS)
-    assert without == [VERB.OF_FEET, VERB.OF_LIMBS]
+    assert without == [VERB.OF_CONTACTS, VERB.OF_LIMBS]
     assert motion.evaluations > plain.evaluations
     edges = np.linspace(*motion.path.span, 500)
     assert motion.objective.value(motion.path, edges) <= 1.001 * plain.objective.value(plain.path, edges)

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from oracles import tells_height_fields
 from taylor import taylor_slope
 
 from solver.quaternion import Array
@@ -178,7 +179,7 @@ def _ray_hull(hull: Surface, start: Array, way: Array) -> float:
     return min(found, default=-1.0)
 
 
-@pytest.mark.skipif(int(mujoco.__version__[0]) < 4, reason="MuJoCo 3 tells no distances from height fields")
+@tells_height_fields
 def test_spheres_whose_centres_are_over_a_height_field_are_as_deep_as_mujoco_says(rng):
     points = about("ground", rng, 600)
     over = GROUND.height(points)[:, 0]

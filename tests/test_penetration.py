@@ -5,6 +5,7 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 import pytest
+from oracles import tells_height_fields
 
 from runner.penetration import lowest, moving_geoms, penetration, solid_geoms
 
@@ -91,10 +92,9 @@ ASSETS = """<asset><mesh name="m"
   <hfield name="h" nrow="4" ncol="4" size=".5 .5 .3 .1" elevation="1 1 1 1 1 1 1 1 0 1 1 1 0 0 1 1"/></asset>"""
 
 
-OLD = pytest.mark.skipif(int(mujoco.__version__[0]) < 4, reason="MuJoCo 3 tells no distances from height fields")
-
-
-@pytest.mark.parametrize("shape", [pytest.param(name, marks=OLD) if name == "hfield" else name for name in SHAPES])
+@pytest.mark.parametrize(
+    "shape", [pytest.param(name, marks=tells_height_fields) if name == "hfield" else name for name in SHAPES]
+)
 def test_a_ball_sunk_in_any_shape_is_as_deep_as_it_is(shape):
     geom, top = SHAPES[shape]
     model = mujoco.MjModel.from_xml_string(

@@ -75,11 +75,8 @@ def test_a_travelling_loop_is_smooth_across_its_seam_for_every_x(rng, coordinate
         np.testing.assert_allclose(y_dd[1], y_dd[0] * seam.signs, atol=1e-9)
 
 
-@pytest.mark.parametrize("turns", [0, 1])
-@pytest.mark.parametrize("coordinates", ["world", "joint"])
-def test_the_gradient_through_the_seam_is_exact(rng, coordinates, turns):
-    figure = figure_of(TINY, coordinates)
-    raw = loop(figure, turns, partial=True)
+def assert_exact_gradient(raw: Timeline, figure: Figure, rng: np.random.Generator) -> None:
+    """Of all penalties together on a loop, by Taylor's slope; and that unknowns pull back what they push forward."""
     objective = Objective.of(figure, every_penalty(figure)).renormalised(path_of(raw))
     problem = objective.on(evenly(raw, 1))
     x = problem.unknowns.start + 0.02 * rng.normal(size=problem.unknowns.size)
@@ -87,6 +84,22 @@ def test_the_gradient_through_the_seam_is_exact(rng, coordinates, turns):
     g = rng.normal(size=(problem.spline.size, figure.width))
     linear = problem.unknowns.rows(x) - problem.unknowns.rows(0 * x)
     np.testing.assert_allclose(np.sum(g * linear), problem.unknowns.pulled_back(g) @ x, rtol=1e-11, atol=1e-11)
+
+
+def assert_splits_keep_the_curve(timeline: Timeline) -> Timeline:
+    """With its derivatives; the loop with frames put in."""
+    finer = split(timeline, np.array([0.02, 0.41, 0.79]))
+    t = np.linspace(0, PERIOD, 101)
+    for order in range(3):
+        np.testing.assert_allclose(path_of(finer).at(t, order), path_of(timeline).at(t, order), atol=1e-9)
+    return finer
+
+
+@pytest.mark.parametrize("turns", [0, 1])
+@pytest.mark.parametrize("coordinates", ["world", "joint"])
+def test_the_gradient_through_the_seam_is_exact(rng, coordinates, turns):
+    figure = figure_of(TINY, coordinates)
+    assert_exact_gradient(loop(figure, turns, partial=True), figure, rng)
 
 
 @pytest.mark.parametrize("turns", [0, 1])
@@ -101,11 +114,9 @@ def test_the_step_of_the_search_is_the_dense_gauss_newton_step(rng, partial, tur
 def test_frames_inserted_into_a_travelling_loop_leave_its_curve(rng, turns):
     figure = figure_of(TINY)
     timeline = loop(figure, turns, partial=False)
-    finer = split(timeline, np.array([0.02, 0.41, 0.79]))
-    t = np.linspace(0, PERIOD, 101)
-    for order in range(3):
-        np.testing.assert_allclose(path_of(finer).at(t, order), path_of(timeline).at(t, order), atol=1e-9)
+    finer = assert_splits_keep_the_curve(timeline)
     rows = Unknowns.of(figure, finer).rows(Unknowns.of(figure, finer).start)
+    t = np.linspace(0, PERIOD, 101)
     np.testing.assert_allclose(Path(path_of(finer).spline, rows).at(t), path_of(timeline).at(t), atol=1e-10)
 
 

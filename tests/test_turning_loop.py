@@ -5,10 +5,8 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 import pytest
-from taylor import taylor_slope
 from test_model import SMOOTH, TINY, assert_dense, figure_of, smooth_problem
-from test_objective import every_penalty
-from test_seam import PERIOD, TERMS, TIMES
+from test_seam import PERIOD, TERMS, TIMES, assert_exact_gradient, assert_splits_keep_the_curve
 from test_seam import pose as straight
 from test_unknowns import mask_without
 
@@ -17,12 +15,11 @@ from solver.figure import Figure
 from solver.frame import Frame, Timeline, TimelineError
 from solver.inbetween import Settings, inbetween
 from solver.mirror import Mirror
-from solver.objective import Objective
 from solver.quaternion import Array
 from solver.retime import repeated, retimed
 from solver.seam import Seam
 from solver.spline import Spline
-from solver.subdivision import evenly, path_of, split
+from solver.subdivision import evenly, path_of
 from solver.unknowns import Unknowns, raw_timeline
 
 TURN = np.radians(50)  # a period, about a centre 0.7 m to the left
@@ -84,14 +81,7 @@ def test_a_turning_loop_is_smooth_across_its_seam_for_every_x(rng, coordinates, 
 @pytest.mark.parametrize("coordinates", ["world", "joint"])
 def test_the_gradient_through_a_turning_seam_is_exact(rng, coordinates):
     figure = figure_of(TINY, coordinates)
-    raw = loop(figure, partial=True)
-    objective = Objective.of(figure, every_penalty(figure)).renormalised(path_of(raw))
-    problem = objective.on(evenly(raw, 1))
-    x = problem.unknowns.start + 0.02 * rng.normal(size=problem.unknowns.size)
-    assert taylor_slope(lambda z: problem(z).value, x, problem(x).gradient, rng) > 1.9
-    g = rng.normal(size=(problem.spline.size, figure.width))
-    linear = problem.unknowns.rows(x) - problem.unknowns.rows(0 * x)
-    np.testing.assert_allclose(np.sum(g * linear), problem.unknowns.pulled_back(g) @ x, rtol=1e-11, atol=1e-11)
+    assert_exact_gradient(loop(figure, partial=True), figure, rng)
 
 
 @pytest.mark.parametrize("partial", [False, True])
@@ -102,12 +92,7 @@ def test_the_step_of_the_search_is_the_dense_gauss_newton_step(rng, partial):
 
 
 def test_frames_inserted_into_a_turning_loop_leave_its_curve():
-    figure = figure_of(TINY)
-    timeline = loop(figure)
-    finer = split(timeline, np.array([0.02, 0.41, 0.79]))
-    t = np.linspace(0, PERIOD, 101)
-    for order in range(3):
-        np.testing.assert_allclose(path_of(finer).at(t, order), path_of(timeline).at(t, order), atol=1e-9)
+    assert_splits_keep_the_curve(loop(figure_of(TINY)))
 
 
 def test_a_turning_loop_is_the_middle_of_the_same_motion_round_many_periods():
