@@ -97,12 +97,12 @@ def self_penetration(model: mujoco.MjModel, pairs: Index, time: Array, qpos: Arr
 def lowest(model: mujoco.MjModel, qpos: Array, body: int, reach: float = 1.0) -> Array:
     """(T,) signed distance [m] of a body's nearest geom to the nearest surface, at most `reach`."""
     data = mujoco.MjData(model)
-    own = [g for g in moving_geoms(model) if model.geom_bodyid[g] == body]
+    own, solids = [g for g in moving_geoms(model) if model.geom_bodyid[g] == body], solid_geoms(model)
     out = np.full(len(qpos), reach)
     for i, q in enumerate(qpos):
         data.qpos[:] = q
         mujoco.mj_kinematics(model, data)
-        for solid in solid_geoms(model):
+        for solid in solids:
             gap = _gap(model, data, solid, data.geom_xpos[own]) - model.geom_rbound[own]
             for k in np.argsort(gap):
                 if gap[k] >= out[i]:

@@ -43,9 +43,10 @@ def displacement(
     *,
     variable: int = 3,
     max_evaluations: int = 60,
+    tolerance: float = 1e-7,
     told: Callable[[int, int], None] | None = None,
 ) -> Displacement:
-    """δ of every segment by a local solve with `variable` frames inside it.
+    """δ of every segment by a local solve with `variable` frames inside it, to a relative tolerance of its own E.
 
     told  hears how many segments of how many are done
     """
@@ -55,7 +56,7 @@ def displacement(
     rows = []
     for i, (a, b) in enumerate(zip(timeline.times[:-1], timeline.times[1:], strict=True)):
         local = _segment(path, float(a), float(b), variable)
-        better = optimised(local_objective, local, max_evaluations=max_evaluations)
+        better = optimised(local_objective, local, max_evaluations=max_evaluations, tolerance=tolerance)
         t, w = gauss_nodes(np.array([a, b]), NODES)
         delta = np.linalg.norm(path.at(t) - path_of(better).at(t), axis=1)
         level = np.interp(t, strength.t[i], strength.size[i])

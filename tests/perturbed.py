@@ -23,14 +23,13 @@ def nearest(model: mujoco.MjModel, qpos: Array) -> float:
     data = mujoco.MjData(model)
     data.qpos[:] = qpos
     mujoco.mj_kinematics(model, data)
-    least = REACH
-    for geom in moving_geoms(model):
-        for solid in solid_geoms(model):
-            away = np.maximum(np.abs(data.geom_xpos[geom] - data.geom_xpos[solid]) - model.geom_size[solid], 0)
-            if model.geom_type[solid] == mujoco.mjtGeom.mjGEOM_PLANE:
-                away = away[2:]
-            if np.linalg.norm(away) < model.geom_rbound[geom] + least:
-                least = min(least, mujoco.mj_geomDistance(model, data, geom, solid, REACH, None))
+    least, movers = REACH, np.array(moving_geoms(model))
+    for solid in solid_geoms(model):
+        away = np.maximum(np.abs(data.geom_xpos[movers] - data.geom_xpos[solid]) - model.geom_size[solid], 0)
+        if model.geom_type[solid] == mujoco.mjtGeom.mjGEOM_PLANE:
+            away = away[:, 2:]
+        for geom in movers[np.linalg.norm(away, axis=1) < model.geom_rbound[movers] + REACH].tolist():
+            least = min(least, mujoco.mj_geomDistance(model, data, geom, solid, REACH, None))
     return least
 
 
