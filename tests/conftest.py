@@ -10,6 +10,7 @@ import drawing
 import mujoco
 import numpy as np
 import pytest
+import shipped
 import tiny
 from rich.console import Console
 
@@ -21,6 +22,13 @@ from runner.work import Solved
 from solver.figure import Figure
 
 os.environ["DYNSPLINES_CACHE"] = "off"  # a test solves what it asks for, and leaves nothing in a user's folder
+shipped.open_folder()
+
+
+def pytest_unconfigure(config: pytest.Config) -> None:
+    if not hasattr(config, "workerinput"):
+        shipped.remove_folder()
+
 
 BALL_TREE = """
 <mujoco><option gravity="0 0 -9.81"/>

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
+import shipped
 from perturbed import perturbed
 
 import models
@@ -50,9 +51,8 @@ def deepest(clip: Clip, motion: Motion, rate: float = 500.0) -> float:
 
 @pytest.fixture(scope="module")
 def run_and_step() -> Solved:
-    clip = clips.from_text(TEXT, name="run_and_step")
-    motion = solved(clip)
-    return Solved(clip, motion, report(clip, motion, 0.0))
+    done = shipped.solved("run_and_step")
+    return Solved(done.clip, done.motion, report(done.clip, done.motion, 0.0))
 
 
 def test_the_clip_has_eight_to_twelve_keyframes_in_two_to_three_seconds(run_and_step):

@@ -3,20 +3,17 @@
 from __future__ import annotations
 
 import functools
-import io
 from dataclasses import dataclass
 
 import numpy as np
 import pytest
-from rich.console import Console
+import shipped
 
 import models
-from runner import clip, work
 from runner.clip import Clip
 from runner.motion import sampled, samples_at
 from runner.penetration import penetration, self_penetration
 from runner.problems import problems
-from runner.progress import Teller
 from solver.astray import is_astray
 from solver.inbetween import Motion
 from solver.kinematics import Samples
@@ -98,8 +95,8 @@ class Found:
 @functools.cache
 def of(name: str) -> Found:
     """A clip, solved once a session."""
-    problem = clip.load(name)
-    return Found(name, problem, work.solve(problem, Teller(Console(file=io.StringIO()))).motion)
+    done = shipped.solved(name)
+    return Found(name, done.clip, done.motion)
 
 
 @pytest.fixture(params=sorted(PROMISES))

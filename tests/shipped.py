@@ -1,0 +1,56 @@
+"""Shipped clips, solved once for all tests of a run, whichever of its processes asks first."""
+
+from __future__ import annotations
+
+import io
+import os
+import shutil
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import cache
+from pathlib import Path
+
+from rich.console import Console
+
+from runner import clip, kept, work
+from runner.progress import Teller
+from runner.work import Solved
+
+PLACE = "DYNSPLINES_TESTS_SOLVED"  # the folder of this run's solved clips; its other processes inherit it
+
+
+def open_folder() -> None:
+    """Makes this run's folder, in the first of its processes."""
+    if PLACE not in os.environ:
+        os.environ[PLACE] = tempfile.mkdtemp(prefix="dynsplines-tests-")
+
+
+def remove_folder() -> None:
+    shutil.rmtree(os.environ[PLACE], ignore_errors=True)
+
+
+@cache
+def solved(name: str) -> Solved:
+    """A shipped clip as `dynsplines solve` solves it."""
+    problem = clip.load(name)
+    file = Path(os.environ[PLACE]) / f"{kept.key_of(problem)}.npz"
+    with _alone(file.with_suffix(".lock")):
+        found = kept.read(file, problem)
+        if found is None:
+            found = work.solve(problem, Teller(Console(file=io.StringIO())))
+            kept.write(found, file)
+    return found
+
+
+@contextmanager
+def _alone(file: Path) -> Iterator[None]:
+    """With no other process of this run in the same place, where the system has locks."""
+    if os.name == "nt":
+        yield
+        return
+    import fcntl
+
+    with file.open("w") as stream:
+        fcntl.flock(stream, fcntl.LOCK_EX)
+        yield
