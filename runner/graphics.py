@@ -2,23 +2,34 @@
 
 MuJoCo reads MUJOCO_GL once, while it is imported, and a value that does not work makes that import raise. Some drivers
 even abort the process. So every candidate is tried in a child process, and `choose` must run before the first
-`import mujoco`. This file never imports mujoco itself.
+`import mujoco`. This file never imports mujoco itself. What drew is remembered for a day, until the machine is started
+anew or anything that it depends on is another: a trial takes as long as all the rest of a short command.
 """
 
 from __future__ import annotations
 
 import ctypes
 import functools
+import hashlib
 import os
+import platform
 import subprocess
 import sys
+import time
+from contextlib import suppress
 from dataclasses import dataclass
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
 from typing import Literal
+
+from .cache_folder import place
 
 Kind = Literal["egl", "osmesa", "display", "rays"]
 
 OVERRIDE = "DYNSPLINES_RENDERER"
 PROBE_SECONDS = 60.0
+REMEMBERED = 24 * 3600.0  # [s] that a trial is believed: drivers are renewed while a machine runs
+BOOT = Path("/proc/sys/kernel/random/boot_id")
 
 _NAMES: dict[Kind, str] = {
     "egl": "EGL",
@@ -187,6 +198,59 @@ def _opens(*names: str) -> bool:
 
 @functools.cache
 def _draws(backend: str) -> bool:
+    """Whether it drew a short while ago, or else does now."""
+    memory = _Memory.of(backend)
+    if memory is not None and memory.holds():
+        return True
+    drawn = _tried(backend)
+    if drawn and memory is not None:
+        memory.keep()
+    return drawn
+
+
+@dataclass(frozen=True)
+class _Memory:
+    """That a backend drew: a file, and what is to stand in it."""
+
+    file: Path
+    said: str
+
+    @classmethod
+    def of(cls, backend: str) -> _Memory | None:
+        """None where nothing is to be kept, or nobody can say whether the machine was started since."""
+        folder = place()
+        try:
+            boot = BOOT.read_text()
+        except OSError:
+            return None
+        words = ("GL", "DISPLAY", "MESA", "GALLIUM", "NVIDIA", "CUDA", "LD_")
+        settings = sorted(item for item in os.environ.items() if any(word in item[0] for word in words))
+        packages = [_version(name) for name in ("mujoco", "PyOpenGL", "glfw")]
+        whole = repr((boot, platform.node(), sys.executable, packages, settings))
+        said = hashlib.blake2b(whole.encode("utf-8", "surrogateescape"), digest_size=20).hexdigest()
+        return None if folder is None else cls(folder / f"draws-{backend or 'default'}", said)
+
+    def holds(self) -> bool:
+        try:
+            is_young = 0 <= time.time() - self.file.stat().st_mtime < REMEMBERED
+            return is_young and self.file.read_text(encoding="ascii") == self.said
+        except (OSError, ValueError):
+            return False
+
+    def keep(self) -> None:
+        with suppress(OSError):
+            self.file.parent.mkdir(parents=True, exist_ok=True)
+            self.file.write_text(self.said, encoding="ascii")
+
+
+def _version(package: str) -> str:
+    try:
+        return version(package)
+    except PackageNotFoundError:
+        return "none"
+
+
+def _tried(backend: str) -> bool:
     """Draw in a child process, where neither an exception nor an abort nor a hang can reach us."""
     if not sys.executable:
         return False

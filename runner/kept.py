@@ -31,6 +31,7 @@ from solver.optimiser import Stop
 from solver.unknowns import raw_timeline
 
 from . import work
+from .cache_folder import place
 from .clip import Clip, table_of
 from .clip_text import tables
 from .errors import UserError
@@ -40,8 +41,6 @@ from .progress import Teller
 from .work import Solved
 
 FORMAT = 1
-PLACE = "DYNSPLINES_CACHE"
-OFF = ("off", "0", "no", "false")
 MOST_BYTES = 200_000_000  # of all files together; a clip of some seconds takes 50 to 200 kB
 OWN = re.compile(r"[0-9a-f]{40}\.npz|\.\w+\.npz")  # a solved clip, or one that was being written
 LIBRARIES = ("mujoco", "numpy", "scipy", "nlopt")
@@ -68,18 +67,6 @@ def solved(clip: Clip, teller: Teller, *, fresh: bool = False) -> Solved:
     work.tell_notes(clip, teller)
     teller.say(f"solved before: {work.course(found.motion) or 'nothing to search'}; --fresh solves it again")
     return found
-
-
-def place() -> Path | None:
-    """The folder of solved clips, whether or not it is there; None where nothing is to be kept."""
-    asked = os.environ.get(PLACE, "").strip()
-    if asked.lower() in OFF:
-        return None
-    if asked:
-        return Path(asked)
-    from platformdirs import user_cache_path
-
-    return user_cache_path("dynsplines", appauthor=False)
 
 
 def key_of(clip: Clip) -> str:
