@@ -213,9 +213,9 @@ def measured(saved: Saved, teller: Teller, edit: str) -> Saved:
     problem = clips.answered(saved)
     objective = Objective.of(saved.figure, problem.penalties, quadrature=problem.settings.quadrature)
     objective = renormalised(objective, saved.raw)
-    evaluations, seconds = (saved.search.get(name, 0) for name in ("evaluations", "seconds"))
+    evaluations = saved.search.get("evaluations", 0)
     found = Motion(saved.figure, objective, saved.timeline, saved.raw, (), evaluations, stop_of(saved))
-    again = Solved(problem, found, seconds).saved(teller)
+    again = Solved(problem, found, saved.search.get("seconds")).saved(teller)
     return replace(saved, report=again.report | {"stopped because": saved.search.get("stopped because", edit)})
 
 

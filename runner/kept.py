@@ -131,7 +131,7 @@ def write(found: Solved, file: Path) -> None:
                 trace=json.dumps(motion.trace),
                 evaluations=motion.evaluations,
                 stop=motion.stop.name,
-                seconds=found.seconds,
+                seconds=found.seconds or 0.0,
             )
         _make_room(file.parent)
 

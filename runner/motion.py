@@ -8,7 +8,7 @@ frame_time (M,), frame_state (M, N), frame_fixed (M, N), end_slope (2, N), and r
 asset_names (A,), asset_0 … (B,) uint8  the files that the model refers to, by name; left out where there are none
 joint_names, body_names, mjcf, clip, trace, search, report, name, coordinates, ends, format_version
 
-report is {} until somebody measures the motion; search is what only the search knew: why it ended, how long it took
+report is {} until somebody measures the motion; search is what only the search knew: why it ended
 """
 
 from __future__ import annotations
@@ -142,8 +142,8 @@ def save(saved: Saved, target: Path) -> None:
         "mjcf": saved.mjcf,
         "clip": saved.text,
         "trace": json.dumps(saved.trace),
-        "search": json.dumps(saved.search),
-        "report": json.dumps(saved.report),
+        "search": json.dumps(_timeless(saved.search)),
+        "report": json.dumps(_timeless(saved.report)),
         "name": saved.name,
         "coordinates": figure.coordinates,
         "ends": saved.timeline.ends,
@@ -156,6 +156,11 @@ def save(saved: Saved, target: Path) -> None:
     arrays.update(asset_arrays(saved.scene))
     with Replacement(target) as temporary:
         write_arrays(temporary, arrays)
+
+
+def _timeless(told: dict[str, Any]) -> dict[str, Any]:
+    """Without how long a search took: the same command writes the same bytes."""
+    return {name: value for name, value in told.items() if name != "seconds"}
 
 
 def write_arrays(target: Path, arrays: Mapping[str, Any]) -> None:

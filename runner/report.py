@@ -80,9 +80,10 @@ class Grid:
 
 
 def report(
-    clip: Clip, motion: Motion, seconds: float, told: Callable[[int, int], None] | None = None
+    clip: Clip, motion: Motion, seconds: float | None, told: Callable[[int, int], None] | None = None
 ) -> dict[str, Any]:
-    """The whole report of a solved clip; `seconds` is what the solve took, `told` hears of the local solves' progress.
+    """The whole report of a solved clip; `seconds` is what the solve took, where that is known; `told`
+    hears of the local solves' progress.
 
     Ctrl-C leaves out the segments, which take longest, and nothing else. Nothing was searched of a recording: it has no
     segments and nothing left to gain, and is measured once for both sides.
@@ -108,7 +109,7 @@ def report(
         "partial keyframes": sum(not key.is_key for key in clip.keys),
         "variable frames": motion.timeline.variable_count,
         "evaluations": motion.evaluations,
-        "seconds": seconds,
+        **({} if seconds is None else {"seconds": seconds}),
         "stopped because": motion.stop.value,
         "cycle": _cycle_report(clip),
         "segments": _segments(clip, motion, told) if searched else [],
@@ -473,10 +474,11 @@ def tables(data: dict[str, Any]) -> Group:
     gain = (
         f"; about {data['left to gain']['share']:.1%} of the objective is left to gain" if data["left to gain"] else ""
     )
+    took = f" in {data['seconds']:.2f} s" if "seconds" in data else ""
     head = (
         f"{data['clip']}: {data['duration, s']:.2f} s, {data['keyframes']} keyframes "
         f"({data['partial keyframes']} partial), {data['variable frames']} variable frames; "
-        f"{data['evaluations']} evaluations in {data['seconds']:.2f} s; {data['stopped because']}"
+        f"{data['evaluations']} evaluations{took}; {data['stopped because']}"
         f"{gain}{_cycle_words(data)}"
     )
     searched = bool(data["left to gain"])

@@ -38,11 +38,11 @@ def _unhurried() -> Iterator[threading.Event]:
 
 @dataclass(frozen=True)
 class Solved:
-    """A solved clip and how long the solve took [s]."""
+    """A solved clip and how long the solve took [s], where that is known."""
 
     clip: Clip
     motion: Motion
-    seconds: float
+    seconds: float | None
 
     @cached_property
     def problems(self) -> tuple[Problem, ...]:
@@ -51,13 +51,13 @@ class Solved:
 
     @property
     def search(self) -> dict[str, Any]:
-        """What the motion file keeps of the search, for nobody can measure it later; empty where there was none."""
+        """What nobody can measure of the search later; empty where there was none."""
         motion = self.motion
         if motion.timeline is motion.raw and motion.stop is Stop.CONVERGED:
             return {}
         return {
             "evaluations": motion.evaluations,
-            "seconds": self.seconds,
+            **({} if self.seconds is None else {"seconds": self.seconds}),
             "stop": motion.stop.name,
             "stopped because": motion.stop.value,
         }
