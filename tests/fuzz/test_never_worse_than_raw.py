@@ -1,0 +1,92 @@
+"""Clips changed at random, searched for long or for a moment by any optimiser: finite, through their keyframes, and
+never worse than the raw spline, E of both summed over one fine grid.
+
+A short run is part of the tests; DYNSPLINES_FUZZ=300 makes a long one.
+"""
+
+from __future__ import annotations
+
+import os
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from runner import clip as clips
+from runner.clip import Clip
+from runner.errors import UserError
+from runner.exactness import keyframe_error
+from solver import Frame, Motion, inbetween
+from solver import quaternion as quat
+from solver.descent import NEWTON
+from solver.figure import Figure, JointKind
+from solver.judgement import common_grid
+from solver.optimiser import METHODS
+from solver.quaternion import Array
+from solver.subdivision import path_of
+
+CLIPS = ("sit_down", "walk_loop", "run_loop", "cartwheel", "tumble", "run_and_step", "stairs")
+EVALUATIONS = (1, 2, 5, 20, 60)
+SHORT = 10
+FINER = 7  # parts of the spans of both splines: another grid than the search's own
+EXACT = 1e-12
+DEGREES, METRES = 8.0, 0.05  # by which joints and the root are moved, at most
+DROPPED, FREED = 0.2, 0.1  # of the keyframes but the first and last, and of the joints of a keyframe
+
+
+def varied(seed: int) -> Clip:
+    """A shipped clip with numbers moved, keyframes left out and joints freed; drawn again while contacts forbid that."""
+    rng = np.random.default_rng(seed)
+    clip = clips.load(CLIPS[seed % len(CLIPS)])
+    for size in np.geomspace(1, 0.01, 20):
+        inner = [key for key in clip.keys[1:-1] if rng.random() > DROPPED]
+        ends = [clip.keys[0], clip.keys[-1]] if clip.ends == "periodic" else []
+        keys = [
+            key if any(key is end for end in ends) else changed(clip.figure, key, float(size), rng)
+            for key in (clip.keys[0], *inner, clip.keys[-1])
+        ]
+        try:
+            other = clips.with_keys(clip, keys)
+        except UserError:  # keyframes that contradict a contact
+            continue
+        evaluations, method = int(rng.choice(EVALUATIONS)), str(rng.choice([NEWTON, *METHODS]))
+        return replace(other, settings=replace(other.settings, max_evaluations=evaluations, method=method))
+    raise AssertionError(f"{clip.name}: whatever is moved contradicts a contact")
+
+
+def changed(figure: Figure, key: Frame, size: float, rng: np.random.Generator) -> Frame:
+    """A keyframe moved by up to a share `size` of the most, some of its joints free."""
+    state, fixed = np.array(key.state), np.array(key.fixed)
+    for link in figure.links[1:]:
+        if link.kind is JointKind.FREE:
+            state[link.qpos : link.qpos + 3] += size * rng.uniform(-METRES, METRES, 3)
+        elif link.kind is JointKind.BALL:
+            columns = slice(link.qpos, link.qpos + 4)
+            state[columns] = quat.product(state[columns], turn(size, rng))
+            if rng.random() < FREED:
+                fixed[columns] = False
+    return Frame(key.time, state, fixed)
+
+
+def turn(size: float, rng: np.random.Generator) -> Array:
+    return quat.from_rotation_vector(np.radians(size * rng.uniform(-DEGREES, DEGREES, 3)))
+
+
+def solved(clip: Clip) -> Motion:
+    return inbetween(
+        clip.figure, clip.keys, clip.penalties, clip.settings,
+        ends=clip.ends, end_slope=clip.end_slope, travel=clip.travel, turn=clip.turn,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("seed", range(int(os.environ.get("DYNSPLINES_FUZZ", SHORT))))
+def test_a_changed_clip_is_never_worse_than_its_raw_spline(seed):
+    clip = varied(seed)
+    motion = solved(clip)
+    assert np.isfinite(motion.timeline.rows).all()
+    assert keyframe_error(clip, motion.timeline) <= EXACT
+    edges = common_grid([motion.timeline, motion.raw])
+    share = np.arange(FINER) / FINER
+    times = np.append((edges[:-1, None] + share * np.diff(edges)[:, None]).ravel(), edges[-1])
+    found, raw = (motion.objective.value(path_of(line), times) for line in (motion.timeline, motion.raw))
+    assert found <= raw * (1 + 1e-6), (clip.name, clip.settings.method, clip.settings.max_evaluations)
