@@ -35,7 +35,7 @@ DROPPED, FREED = 0.2, 0.1  # of the keyframes but the first and last, and of the
 
 
 def varied(seed: int) -> Clip:
-    """A shipped clip with numbers moved, keyframes left out and joints freed; drawn again while contacts forbid that."""
+    """A shipped clip with numbers moved, keyframes left out, joints freed; drawn again while contacts forbid that."""
     rng = np.random.default_rng(seed)
     clip = clips.load(CLIPS[seed % len(CLIPS)])
     for size in np.geomspace(1, 0.01, 20):
