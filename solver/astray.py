@@ -1,6 +1,7 @@
-"""Whether a search ended in a heap: constraints cost more than all motion does, motion costs much more than on the raw
-spline, or a limb is far from where its neighbouring keyframes have it. A limb that begins on the wrong side of a bound,
-behind its own knee, does not come back through it; it is searched again from elsewhere, see `arcs`.
+"""Whether a search ended in a heap: constraints cost more than all motion does, or a limb is far from where its
+neighbouring keyframes have it. A limb that begins on the wrong side of a bound, behind its own knee, does not come
+back through it; it is searched again from elsewhere, see `arcs`. And whether it came out dear: perhaps the long way
+round an obstacle.
 """
 
 from __future__ import annotations
@@ -28,13 +29,16 @@ def is_astray(objective: Objective, timeline: Timeline, parts: Mapping[str, floa
 
 
 def is_violent(objective: Objective, parts: Mapping[str, float]) -> bool:
-    """Whether what constraints cost exceeds what motion costs and what motion cost on the raw spline, or motion costs
-    more than twice that."""
+    """Whether what constraints cost exceeds what motion costs and what motion cost on the raw spline."""
     bounds = {term.penalty.name for term in objective.terms if term.penalty.scale.is_violation}
-    measured = {term.penalty.name for term in objective.measured}
     violated = sum(value for name, value in parts.items() if name in bounds)
-    moved = sum(value for name, value in parts.items() if name in measured)
-    return violated > max(sum(parts.values()) - violated, objective.raw_cost) or moved > DEAR * objective.raw_cost
+    return violated > max(sum(parts.values()) - violated, objective.raw_cost)
+
+
+def is_dear(objective: Objective, parts: Mapping[str, float]) -> bool:
+    """Whether motion costs more than twice what it cost on the raw spline."""
+    measured = {term.penalty.name for term in objective.measured}
+    return sum(value for name, value in parts.items() if name in measured) > DEAR * objective.raw_cost
 
 
 def farthest(figure: Figure, timeline: Timeline) -> float:

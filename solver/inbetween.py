@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .arcs import straightened
-from .astray import FAR, farthest, is_astray, is_violent
+from .astray import FAR, farthest, is_astray, is_dear, is_violent
 from .descent import NEWTON, Descent
 from .figure import Figure
 from .frame import Frame, Timeline
@@ -240,19 +240,24 @@ class _Loop:
         keyframes; the other way round where the beginning itself is far off.
 
         If those two end in a heap, or in different valleys, from where either comes to without the terms that such a
-        limb is trapped by: first what feet and hands that touch something do, then bends. One evaluation sees what is
-        there and looks for nothing.
+        limb is trapped by: first what feet and hands that touch something do, then bends. One that came out well but
+        dear is searched once more, from where it comes to without bends. One evaluation sees what is there and looks
+        for nothing.
         """
         ends: list[_End] = []
         values: list[float] = []
-        for start in self._starts(timeline):
+        waiting = self._starts(timeline)
+        while waiting:
             if ends:
                 self.round += 1
                 self.damping = FIRST_DAMPING
-            ends += self.run(start(), segments, budget)
+            ends += self.run(waiting.pop(0)(), segments, budget)
             values.append(sum(self.last.values()))
-            if self.stop is Stop.ASKED or self._is_settled(ends[-1].timeline, values):
+            if self.stop is Stop.ASKED:
                 break
+            if self._is_settled(ends[-1].timeline, values):
+                is_last_word = len(values) > 1 or not is_dear(self.objective, self.last)
+                waiting = [] if is_last_word else waiting[-1:]
         found = best(self.objective, [end.timeline for end in reversed(ends)])
         end = next(end for end in reversed(ends) if end.timeline is found)
         self.stop, self.damping = Stop.ASKED if self.stop is Stop.ASKED else end.stop, end.damping

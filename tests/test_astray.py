@@ -13,7 +13,7 @@ from test_unknowns import distance_from_key, random_keys
 
 from solver import Motion, inbetween
 from solver import quaternion as quat
-from solver.astray import DEAR, FAR, LOOKS, farthest, is_astray, is_violent
+from solver.astray import DEAR, FAR, LOOKS, farthest, is_astray, is_dear, is_violent
 from solver.figure import Figure
 from solver.frame import Frame
 from solver.judgement import best, common_grid
@@ -115,16 +115,21 @@ def test_a_limb_turned_round_is_far_and_a_figure_that_is_carried_off_is_not():
     assert farthest(figure, alone) == 0
 
 
-def test_constraints_that_cost_more_than_motion_are_violent_and_so_is_motion_that_costs_twice_the_raw_spline():
+def test_constraints_that_cost_more_than_all_motion_does_are_violent_and_less_are_not():
     raw = path_of(raw_timeline(LIMB, swinging(6)))
     objective = Objective.of(LIMB, TERMS).renormalised(raw)
     assert not is_violent(objective, {"covariant": 0.5, "unit": 0.0, "bend": 1.9})
     assert is_violent(objective, {"covariant": 0.5, "unit": 0.0, "bend": 3.1})
+    assert not is_violent(objective, {"covariant": 5.0, "unit": 0.0, "bend": 3.1})
+    assert not is_violent(objective, {"covariant": 50.0})
+
+
+def test_motion_that_costs_twice_what_the_raw_spline_does_is_dear_and_constraints_are_no_motion():
+    raw = path_of(raw_timeline(LIMB, swinging(6)))
+    objective = Objective.of(LIMB, TERMS).renormalised(raw)
     dear = DEAR * objective.raw_cost
-    assert not is_violent(objective, {"covariant": dear - 0.1, "unit": 0.0, "bend": 3.1})
-    assert not is_violent(objective, {"covariant": dear - 0.1})
-    assert is_violent(objective, {"covariant": dear + 0.1})
-    assert not is_violent(objective, {"bend": 0.5, "covariant": 0.1})
+    assert is_dear(objective, {"covariant": dear + 0.1})
+    assert not is_dear(objective, {"covariant": dear - 0.1, "bend": 50.0})
 
 
 # and what is done
@@ -260,6 +265,21 @@ def test_where_both_ways_end_in_a_heap_terms_enter_one_after_the_other(monkeypat
     assert motion.objective.value(motion.path, edges) <= 1.001 * plain.objective.value(plain.path, edges)
     ends = motion.path.at(np.array([key.time for key in keys]))
     assert max(distance_from_key(LIMB, state, key) for state, key in zip(ends, keys, strict=True)) < 1e-12
+
+
+def test_what_came_out_well_but_dear_is_searched_once_more_without_bends_to_begin_with(monkeypatch):
+    without: list[frozenset[str]] = []
+    loosened = VERB._Loop.loosened
+    monkeypatch.setattr(VERB, "is_astray", lambda *_: False)
+    monkeypatch.setattr(VERB._Loop, "loosened", lambda *of: (without.append(of[2]), loosened(*of))[1])
+    plain = inbetween(LIMB, swinging(3), TERMS)
+    assert without == []
+    monkeypatch.setattr(VERB, "is_dear", lambda *_: True)
+    again = inbetween(LIMB, swinging(3), TERMS)
+    assert without == [VERB.OF_LIMBS]
+    assert again.evaluations > plain.evaluations
+    edges = np.linspace(*again.path.span, 500)
+    assert again.objective.value(again.path, edges) <= 1.001 * plain.objective.value(plain.path, edges)
 
 
 def test_a_single_evaluation_leaves_the_raw_spline_as_it_is(monkeypatch):
