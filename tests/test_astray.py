@@ -51,6 +51,7 @@ def first_search(keys: list[Frame], monkeypatch: pytest.MonkeyPatch) -> Motion:
     """What comes out if nobody begins again."""
     with monkeypatch.context() as patch:
         patch.setattr(VERB, "is_astray", lambda *_: False)
+        patch.setattr(VERB, "is_dear", lambda *_: False)
         patch.setattr(VERB, "farthest", lambda *_: 0.0)
         return inbetween(LIMB, keys, TERMS)
 
@@ -186,6 +187,7 @@ def test_a_second_search_that_ends_no_lower_changes_nothing(figure, rng, monkeyp
     keys = random_keys(figure, rng)
     with monkeypatch.context() as patch:
         patch.setattr(VERB, "is_astray", lambda *_: False)
+        patch.setattr(VERB, "is_dear", lambda *_: False)
         once = inbetween(figure, keys, PENALTIES)
     monkeypatch.setattr(VERB, "is_astray", lambda *_: True)
     monkeypatch.setattr(VERB, "straightened", lambda _figure, timeline: timeline)
