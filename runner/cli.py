@@ -174,6 +174,7 @@ def solve(
     _without_graphics()
     from . import motion
     from .errors import UserError
+    from .output import check_target
     from .progress import Teller
 
     target = output or Path(f"{_name(source, model, keys)}.npz")
@@ -181,7 +182,7 @@ def solve(
         raise UserError(f"{target}: a motion file's name ends in .npz")
     if fps is not None and not 0.01 <= fps <= 100_000:
         raise UserError(f"--fps {fps:g}: give a number of samples a second, 0.01 to 100000")
-    motion.check_target(target)
+    check_target(target)
     with Teller() as teller:
         found = _found(source, model, keys, fps)
         if isinstance(found, motion.Saved):
@@ -234,12 +235,13 @@ def plot(
     _without_graphics()
     import numpy as np
 
-    from . import chart, motion
+    from . import chart
+    from .output import check_target
     from .progress import Teller
 
     target = output or Path(f"{_name(source, model, keys)}.png")
     chart.check_target(target)
-    motion.check_target(target)
+    check_target(target)
     with Teller() as teller:
         saved = _measured(_found(source, model, keys), teller, fresh=fresh)
         with _whole(source):
@@ -256,7 +258,7 @@ def new_clip(
     """Write a clip to begin with, for any model: its keyframes, or a pose and a move; comments name all its parts."""
     _without_graphics()
     from .errors import UserError
-    from .motion import check_new, check_target
+    from .output import Replacement, check_new, check_target
     from .starter import starter
 
     target = output or Path(f"{Path(model).stem}.toml")
@@ -265,7 +267,8 @@ def new_clip(
     check_target(target)
     check_new(target, overwrite=overwrite)
     text = starter(model, target)
-    target.write_text(text, encoding="utf-8")
+    with Replacement(target) as temporary:
+        temporary.write_text(text, encoding="utf-8")
     print(f"wrote {target}; see it: dynsplines render {target}")
 
 
@@ -386,7 +389,7 @@ def export(
     from .errors import UserError
     from .exchange import formats, quantities
     from .exchange.take import Wishes
-    from .motion import check_new, check_target
+    from .output import check_new, check_target
     from .progress import Teller
 
     form = formats.chosen(to, output)
@@ -424,6 +427,7 @@ def import_motion(
     from .errors import UserError
     from .exchange.formats import stem
     from .exchange.imported import imported
+    from .output import check_new, check_target
     from .progress import Teller
 
     if fps is not None and not 0.01 <= fps <= 1000:
@@ -433,10 +437,10 @@ def import_motion(
     target = output or Path(f"{stem(source)}.npz")
     if target.suffix != ".npz":
         raise UserError(f"{target}: a motion file's name ends in .npz")
-    motion.check_target(target)
+    check_target(target)
     if target.exists() and source.exists() and target.samefile(source):
         raise UserError(f"'{target}' is what is read; give another -o")
-    motion.check_new(target, overwrite=overwrite)
+    check_new(target, overwrite=overwrite)
     with Teller() as teller:
         found = imported(source, kind, figure=figure, fps=fps, scale=scale, teller=teller)
         motion.save(lead_in.told(found, teller, skip=skip_rest), target)

@@ -10,7 +10,8 @@ import models
 from . import clip as clips
 from .clip_text import keyframe_tables, tables, written
 from .errors import UserError
-from .motion import Replacement, Saved, check_target
+from .motion import Saved
+from .output import Replacement, check_target
 from .scene import compose, figure_spec
 
 AS_SPLINE = {"variable": 0, "frames": 0, "evaluations": 1}  # [solve] that leaves the raw spline as it is

@@ -16,7 +16,8 @@ from .clip import Clip
 from .clip_mirror import mirrored_tables
 from .clip_text import tables, written
 from .errors import UserError
-from .motion import Replacement, Saved
+from .motion import Saved
+from .output import Replacement, check_target
 from .problems import Problem
 from .progress import Teller
 
@@ -74,7 +75,7 @@ def _solved(found: Clip | Saved, teller: Teller, fresh: bool) -> Saved:
 def _check_target(target: Path, sources: list[str], overwrite: bool) -> None:
     if target.suffix not in (".npz", ".toml"):
         raise UserError(f"{target}: an edit is written as a motion, .npz, or as a clip, .toml")
-    motion.check_target(target)
+    check_target(target)
     for source in sources:
         if target.exists() and Path(source).exists() and target.samefile(source) and not overwrite:
             raise UserError(f"'{target}' is what is edited; give another -o, or --overwrite")

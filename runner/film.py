@@ -22,6 +22,9 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
+from .errors import UserError
+from .output import Replacement, beside, real_target
+
 if TYPE_CHECKING:  # stills need no video library
     import av.filter
     from av.container import OutputContainer
@@ -52,7 +55,10 @@ def check_target(path: str | os.PathLike[str], width: int, height: int) -> None:
         raise FilmError(f"{target}: no way to write '{target.suffix}'; endings: {', '.join(_WRITERS)}")
     if target.is_dir():
         raise FilmError(f"{target}: is a directory; name a file in it, such as {target / ('clip' + target.suffix)}")
-    parent = _real(target).parent
+    try:
+        parent = real_target(target).parent
+    except UserError as error:
+        raise FilmError(str(error)) from None
     if not parent.is_dir():
         raise FilmError(f"{target}: the directory {parent} does not exist; create it or name another")
     if not os.access(parent, os.W_OK | os.X_OK):
@@ -77,20 +83,10 @@ def write(path: str | os.PathLike[str], images: Iterable[Picture], fps: float, *
         raise FilmError(f"{path}: there are no images to write")
     _check_image(Path(path), first, first.shape)
     check_target(path, first.shape[1], first.shape[0])
-    target = _real(Path(path))
-    partial = target.with_name(f".{target.stem}.{os.getpid()}.partial{target.suffix}")
-    checked = _checked(Path(path), chain([first], source), first.shape)
-    try:
+    target = Path(path)
+    checked = _checked(target, chain([first], source), first.shape)
+    with Replacement(target) as partial:
         _WRITERS[target.suffix.lower()](partial, checked, fps, count)
-        partial.replace(target)
-    finally:
-        partial.unlink(missing_ok=True)
-
-
-def _real(path: Path) -> Path:
-    """Where a link points, so that the link itself is kept; the ending is the link's own."""
-    real = path.resolve()
-    return real if real.suffix.lower() == path.suffix.lower() else path.absolute()
 
 
 def _check_size(target: Path, width: int, height: int) -> None:
@@ -191,12 +187,9 @@ def _write_gif(path: Path, images: Iterator[Picture], fps: float, count: int | N
     """
     step = math.ceil(fps / GIF_FPS - 1e-9)
     rate = Fraction(fps).limit_denominator(65535) / step
-    waiting = path.with_name(path.stem + ".waiting.mkv")
-    try:
-        palette = _store(waiting, (image for index, image in enumerate(images) if index % step == 0), rate)
-        _paint(path, waiting, palette, rate)
-    finally:
-        waiting.unlink(missing_ok=True)
+    waiting = beside(path, ".mkv")
+    palette = _store(waiting, (image for index, image in enumerate(images) if index % step == 0), rate)
+    _paint(path, waiting, palette, rate)
 
 
 def _store(path: Path, images: Iterator[Picture], rate: Fraction) -> av.VideoFrame:

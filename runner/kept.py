@@ -36,13 +36,14 @@ from .clip import Clip, table_of
 from .clip_text import tables
 from .errors import UserError
 from .exactness import keyframe_error
-from .motion import Replacement, read_arrays
+from .motion import read_arrays
+from .output import Replacement
 from .progress import Teller
 from .work import Solved
 
 FORMAT = 1
 MOST_BYTES = 200_000_000  # of all files together; a clip of some seconds takes 50 to 200 kB
-OWN = re.compile(r"[0-9a-f]{40}\.npz|\.\w+\.npz")  # a solved clip, or one that was being written
+OWN = re.compile(r"[0-9a-f]{40}\.npz|\.[0-9a-f]{40}\.\w+\.partial\.npz")  # a solved clip, or one that was being written
 LIBRARIES = ("mujoco", "numpy", "scipy", "nlopt")
 UNMET = 1e-9  # [m, rad] by which a motion may miss a keyframe: rounding
 SMALLEST = 1e-6  # length of a quaternion that can still be normalised

@@ -14,8 +14,6 @@ report is {} until somebody measures the motion; search is what only the search 
 from __future__ import annotations
 
 import json
-import os
-import tempfile
 import zipfile
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -35,6 +33,7 @@ from solver.subdivision import path_of
 
 from .assets import Scene
 from .errors import UserError
+from .output import Replacement
 
 FORMAT_VERSION = 2  # 1: without assets
 MOST_SAMPLES = 1_000_000
@@ -193,49 +192,6 @@ def assets_in(data: Mapping[str, Any]) -> dict[str, bytes]:
     if any(file.dtype != np.uint8 for file in files):
         raise ValueError("an asset is not of bytes")
     return {str(name): file.tobytes() for name, file in zip(names, files, strict=True)}
-
-
-class Replacement:
-    """A temporary file beside the target that takes its place when the block ends well, and is removed otherwise."""
-
-    def __init__(self, target: Path) -> None:
-        self.target = target
-
-    def __enter__(self) -> Path:
-        try:
-            handle, name = tempfile.mkstemp(dir=self.target.parent, prefix=".", suffix=self.target.suffix)
-        except OSError as error:
-            raise UserError(f"cannot write '{self.target}': {error.strerror}") from None
-        os.close(handle)
-        self.temporary = Path(name)
-        return self.temporary
-
-    def __exit__(self, kind: object, value: object, trace: object) -> None:
-        if kind is None:
-            self.temporary.chmod(0o644)
-            self.temporary.replace(self.target)
-        else:
-            self.temporary.unlink(missing_ok=True)
-
-
-def check_target(target: Path) -> None:
-    """Raises UserError unless a file can be put there."""
-    try:
-        target.exists()
-    except OSError as error:
-        raise UserError(f"cannot write '{target}': {error.strerror}") from None
-    if target.is_dir():
-        raise UserError(f"cannot write '{target}': it is a folder")
-    if not target.parent.is_dir():
-        raise UserError(f"cannot write '{target}': no folder '{target.parent}'")
-    if not os.access(target.parent, os.W_OK):
-        raise UserError(f"cannot write '{target}': the folder is not writable")
-
-
-def check_new(target: Path, *, overwrite: bool) -> None:
-    """Raises UserError if a file is there that nobody said may go."""
-    if target.exists() and not overwrite:
-        raise UserError(f"'{target}' is there already; give another -o, or --overwrite")
 
 
 def is_motion(source: str) -> bool:

@@ -15,6 +15,7 @@ from .errors import UserError
 from .exchange.formats import stem
 from .exchange.imported import imported
 from .motion import Saved
+from .output import check_new
 from .progress import Teller
 from .quantity import length
 from .thinning import Thinned
@@ -80,7 +81,7 @@ def run(
     thinning.check(target)
     if target.exists() and source.exists() and target.samefile(source) and not overwrite:
         raise UserError(f"'{target}' is what is read; give another -o, or --overwrite")
-    motion.check_new(target, overwrite=overwrite)
+    check_new(target, overwrite=overwrite)
     saved = recording.read(teller)
     found = thinning.thinned(saved, *bound, solve=solve, teller=teller)
     written = thinning.write(found, target, exact=exact, overwrite=overwrite)

@@ -23,7 +23,8 @@ from . import clip as clips
 from . import clip_file, work
 from .clip_text import keyframe_tables, tables, written
 from .errors import UserError
-from .motion import Saved, check_target, save
+from .motion import Saved, save
+from .output import check_target
 from .progress import Teller
 
 RATE = 100.0  # instants a second, at least, that a motion between keyframes is looked at

@@ -14,7 +14,8 @@ from tiny import names
 
 from runner import motion
 from runner.errors import UserError
-from runner.motion import Replacement, Saved, check_target, load, sampled, samples_at, save
+from runner.motion import Saved, load, sampled, samples_at, save
+from runner.output import Replacement, check_target
 from runner.work import Solved
 from solver.dynamics import generalised_forces
 from solver.subdivision import path_of

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import queue
-import re
 import time
 import uuid
 from asyncio import CancelledError
@@ -18,7 +17,7 @@ from distributed.comm.core import CommClosedError
 
 from ..errors import UserError, one_line
 from ..exchange import formats
-from ..motion import Replacement
+from ..output import Replacement, clear_below
 from ..progress import Teller
 from .bounded import Bounds, Outcome
 from .cluster import opened, threads
@@ -37,7 +36,6 @@ AHEAD = 2  # clips handed over for every thread there is
 TICK_SECONDS = 0.5
 GONE = "the Dask scheduler is gone; the same command goes on where it stopped"
 GATHER_SECONDS = 60
-LEFTOVER = re.compile(r"\.[a-z0-9_]{8}")  # of a Replacement whose program was killed
 
 
 @dataclass(frozen=True)
@@ -89,7 +87,7 @@ def run(words: list[str], folder: Path, options: Options, bounds: Bounds, teller
         raise UserError(f"cannot write to '{folder}': {error.strerror}") from None
     folder = folder.resolve()
     with Lock(folder):
-        _tidied(folder, options.ending)
+        clear_below(folder)
         manifest = Manifest.of(folder)
         plan = planned(found, manifest, options, bounds, teller)
         names = {clip.name for clip in plan.all}
@@ -114,14 +112,6 @@ def _severity(entry: Entry) -> tuple[float, str]:
     """How many times its bound the worst problem of a clip is."""
     worst = entry.problems[0]
     return worst["amount"] / worst["bound"], entry.clip
-
-
-def _tidied(folder: Path, ending: str) -> None:
-    """Removes files that a killed program had begun."""
-    endings = (Path(f"clip{ending}").suffix, ".jsonl")
-    for path in folder.rglob(".*"):
-        if LEFTOVER.fullmatch(path.stem) and path.suffix in endings and path.is_file():
-            path.unlink(missing_ok=True)
 
 
 class _Dispatch:

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from ..errors import UserError
-from ..motion import Replacement
+from ..output import Replacement
 
 NAME = "manifest.jsonl"
 VERSION = 1
@@ -133,8 +133,6 @@ class Manifest:
         with Replacement(self.path) as temporary, temporary.open("wb") as stream:
             stream.write(f"{json.dumps({'dynsplines batch': VERSION})}\n".encode())
             stream.write("".join(entry.line() for entry in self.entries.values()).encode())
-            stream.flush()
-            os.fsync(stream.fileno())
         self._whole = True
 
 

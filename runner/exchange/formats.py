@@ -11,7 +11,8 @@ from typing import Any
 import mujoco
 
 from ..errors import UserError, unknown
-from ..motion import Replacement, Saved, check_new, check_target
+from ..motion import Saved
+from ..output import Replacement, check_new, check_target
 from . import unsaid
 from .take import Recording, Take, Wishes
 

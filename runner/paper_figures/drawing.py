@@ -20,7 +20,8 @@ from solver.frame import Frame
 from .. import clip, work
 from ..errors import UserError
 from ..graphics import Graphics
-from ..motion import Replacement, Saved
+from ..motion import Saved
+from ..output import Replacement
 from ..progress import Teller
 from ..workers import MOST_WORKERS, cores
 from . import charts, scenes

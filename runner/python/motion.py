@@ -25,6 +25,7 @@ from .. import motion as files
 from ..clip import Clip
 from ..errors import UserError, unknown
 from ..motion import Sampled, Saved
+from ..output import check_target
 from ..problems import Problem
 from ..progress import Teller
 from ..quantity import length
@@ -297,7 +298,7 @@ class Motion:
         if target.suffix == ".toml":
             clip_file.write(replace(self.saved, name=target.stem), target, exact=exact, overwrite=overwrite)
         elif target.suffix == ".npz":
-            files.check_target(target)
+            check_target(target)
             files.save(self._kept, target)
         else:
             raise UserError(

@@ -1,0 +1,188 @@
+"""Every file is written one way: whole or not at all, through links, to plain files alone, with the right mode."""
+
+from __future__ import annotations
+
+import ast
+import os
+import signal
+import stat
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from runner import film, motion
+from runner.errors import UserError
+from runner.exchange import formats
+from runner.motion import Saved
+from runner.output import Replacement, check_target
+
+POSIX = pytest.mark.skipif(os.name == "nt", reason="modes, links and pipes are another matter there")
+RUNNER = Path(motion.__file__).parent
+Write = Callable[[Saved, Path], object]
+
+
+def filmed(_: Saved, target: Path) -> None:
+    film.write(target, [np.full((48, 64, 3), shade, np.uint8) for shade in range(3)], 30)
+
+
+def exported(saved: Saved, target: Path) -> None:
+    formats.export(saved, formats.chosen(None, target).name, target)
+
+
+WRITERS: dict[str, Write] = {
+    ".npz": motion.save,
+    ".png": filmed,
+    ".gif": filmed,
+    ".mp4": filmed,
+    ".html": exported,
+    ".csv": exported,
+}
+
+
+@pytest.fixture
+def umask() -> Iterator[None]:
+    before = os.umask(0o077)
+    yield
+    os.umask(before)
+
+
+def mode(path: Path) -> int:
+    return stat.S_IMODE(path.stat().st_mode)
+
+
+def names(folder: Path) -> list[str]:
+    return sorted(path.name for path in folder.iterdir())
+
+
+@POSIX
+@pytest.mark.parametrize("ending", WRITERS)
+def test_a_link_stays_and_what_it_leads_to_is_replaced(saved, tmp_path, ending):
+    (tmp_path / "real").mkdir()
+    real, link = tmp_path / "real" / "file.old", tmp_path / f"link{ending}"
+    real.write_bytes(b"before")
+    link.symlink_to(real)
+    WRITERS[ending](saved, link)
+    assert link.is_symlink()
+    assert len(real.read_bytes()) > 20
+    assert names(tmp_path / "real") == ["file.old"]
+
+
+@POSIX
+@pytest.mark.parametrize("ending", WRITERS)
+def test_a_pipe_and_a_device_are_refused_and_stay(saved, tmp_path, ending):
+    pipe, device = tmp_path / f"pipe{ending}", tmp_path / f"device{ending}"
+    os.mkfifo(pipe)
+    device.symlink_to("/dev/null")
+    for target, words in ((pipe, "it is a pipe"), (device, "it is a device")):
+        with pytest.raises((UserError, film.FilmError), match=words):
+            WRITERS[ending](saved, target)
+    assert stat.S_ISFIFO(pipe.stat().st_mode)
+    assert device.is_symlink()
+    assert names(tmp_path) == [device.name, pipe.name]
+
+
+@POSIX
+@pytest.mark.usefixtures("umask")
+@pytest.mark.parametrize("ending", WRITERS)
+def test_the_umask_counts_for_a_new_file_and_an_older_ones_mode_stays(saved, tmp_path, ending):
+    new, old = tmp_path / f"new{ending}", tmp_path / f"old{ending}"
+    old.write_bytes(b"before")
+    old.chmod(0o640)
+    WRITERS[ending](saved, new)
+    WRITERS[ending](saved, old)
+    assert (mode(new), mode(old)) == (0o600, 0o640)
+
+
+@POSIX
+def test_the_rest_of_the_world_reads_no_half_of_a_file_that_it_may_not_read(tmp_path):
+    target = tmp_path / "mine.npz"
+    target.write_bytes(b"before")
+    target.chmod(0o600)
+    with Replacement(target) as temporary:
+        assert mode(temporary) == 0o600
+
+
+@POSIX
+def test_links_planted_under_the_names_of_another_time_are_not_followed(saved, tmp_path):
+    prey = tmp_path / "prey"
+    prey.write_bytes(b"before")
+    planted = tmp_path / f".film.{os.getpid()}.partial.gif"
+    planted.symlink_to(prey)
+    filmed(saved, tmp_path / "film.gif")
+    assert prey.read_bytes() == b"before"
+    used: set[str] = set()
+    for _ in range(3):
+        with Replacement(tmp_path / "film.gif") as temporary:
+            used.add(temporary.name)
+            temporary.write_bytes(b"film")
+    assert len(used) == 3
+
+
+def test_a_link_that_leads_to_itself_is_told(tmp_path):
+    link = tmp_path / "round.npz"
+    link.symlink_to(link)
+    with pytest.raises(UserError, match=r"cannot write '.*round\.npz'"):
+        check_target(link)
+
+
+def test_the_disk_has_file_and_folder_before_the_writer_goes_on(tmp_path, monkeypatch):
+    synchronised: list[str] = []
+    real = os.fsync
+
+    def noted(handle: int) -> None:
+        synchronised.append("folder" if stat.S_ISDIR(os.fstat(handle).st_mode) else "file")
+        assert (tmp_path / "a.csv").exists() is (synchronised[-1] == "folder")
+        real(handle)
+
+    monkeypatch.setattr(os, "fsync", noted)
+    with Replacement(tmp_path / "a.csv") as temporary:
+        temporary.write_bytes(b"all of it")
+    assert synchronised == ["file", "folder"][: 1 if os.name == "nt" else 2]
+
+
+@POSIX
+def test_what_a_killed_program_left_goes_with_the_next_writer_of_that_file_and_nothing_else(tmp_path):
+    script = (
+        "import os, signal, sys; from pathlib import Path; from runner.output import Replacement, beside\n"
+        "with Replacement(Path(sys.argv[1])) as path:\n"
+        "    path.write_bytes(b'half'); beside(path, '.mkv').write_bytes(b'images')\n"
+        "    os.kill(os.getpid(), signal.SIGKILL)"
+    )
+    for name in ("film.gif", "other.gif"):
+        ended = subprocess.run([sys.executable, "-c", script, tmp_path / name], cwd=RUNNER.parent, check=False)
+        assert ended.returncode == -signal.SIGKILL
+    assert len(names(tmp_path)) == 4
+    with Replacement(tmp_path / "film.gif") as being_written:
+        with Replacement(tmp_path / "film.gif") as temporary:
+            temporary.write_bytes(b"whole")
+        assert being_written.exists()
+        being_written.write_bytes(b"later")
+    left = names(tmp_path)
+    assert [name.split(".")[1] for name in left if name.startswith(".")] == ["other", "other"]
+    assert (tmp_path / "film.gif").read_bytes() == b"later"
+
+
+OWN_WAYS = {  # what writes without being an output: to a temporary file that it was given, or to a place of its own
+    "batch/lock.py", "batch/manifest.py", "batch/bounded.py", "batch/solving.py",
+    "cli.py", "clip_file.py", "edit_files.py", "kept.py", "motion.py", "output.py",
+    "exchange/bvh.py", "exchange/csv_table.py", "exchange/deepmimic.py", "exchange/formats.py", "exchange/gltf.py",
+    "exchange/html.py", "exchange/mjlab_csv.py", "exchange/plain_pickle.py", "batch/dispatch.py",
+}  # fmt: skip
+
+
+def test_whoever_opens_a_file_to_write_is_known():
+    writing: set[str] = set()
+    for path in RUNNER.rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Attribute):
+                continue
+            modes = [each.value for each in node.args if isinstance(each, ast.Constant)]
+            if node.func.attr in ("write_text", "write_bytes") or (
+                node.func.attr == "open" and any(str(mode).strip("bt+") in ("w", "a", "x") for mode in modes)
+            ):
+                writing.add(path.relative_to(RUNNER).as_posix())
+    assert {"motion.py", "exchange/gltf.py"} <= writing <= OWN_WAYS | {"film.py"}
