@@ -6,18 +6,23 @@ made flat and unique here, so that neither the model's folder nor its compiler's
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 import mujoco
 
+from . import outside
 from .errors import UserError
+from .model_files import FOLDERS, Model, elements
 from .mujoco_versions import mesh_folder, texture_folder
 
 Assets = Mapping[str, bytes]
 LARGEST = 1_000_000_000  # [bytes] of all files of a model together
+LONGEST = 255  # [bytes] of a file's name, on every disk
+ODD = re.compile(r"[\x00-\x1f\x7f/\\:*?\"<>|]")  # what some system does not have in names, or takes for a path
 
 
 @dataclass(frozen=True)
@@ -26,6 +31,29 @@ class Scene:
 
     mjcf: str
     assets: Assets = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        """Raises ValueError for names that are more than names: they become files beside others some day."""
+        for name in self.assets:
+            if not is_plain(name):
+                raise ValueError(f"its file '{name}' is no plain name of a file")
+
+    @classmethod
+    def received(cls, mjcf: str, assets: Assets) -> Scene:
+        """A scene from a file that anybody may have written; raises ValueError if it refers to any other files."""
+        scene = cls(mjcf, assets)
+        if outside.is_allowed():
+            return scene
+        for tag, said in elements(mjcf):
+            if tag == "include":
+                raise ValueError(f"its model includes '{said.get('file', '')}'; a file brings its whole model along")
+            folder = next((name for name in FOLDERS if tag == "compiler" and said.get(name)), None)
+            if folder is not None:
+                raise ValueError(f"its model has a {folder}, '{said[folder]}'; a file brings its model's files along")
+            for file in (value for key, value in said.items() if key.startswith("file") and value):
+                if file not in assets:
+                    raise ValueError(f"its model refers to '{file}', which it does not bring along")
+        return scene
 
     def model(self) -> mujoco.MjModel:
         """Compiled; raises ValueError."""
@@ -56,7 +84,7 @@ def taken_along(spec: mujoco.MjSpec) -> Assets:
     for reference in list(_references(spec)):
         where, data = _read(reference, base, own)
         if where not in names:
-            names[where] = _fresh(Path(reference.file.replace("\\", "/")).name, found)
+            names[where] = _fresh(_plain(Path(reference.file.replace("\\", "/")).name), found)
             found[names[where]] = data
         reference.rename(names[where])
     if sum(map(len, found.values())) > LARGEST:
@@ -65,6 +93,27 @@ def taken_along(spec: mujoco.MjSpec) -> Assets:
     spec.strippath = False
     spec.assets = {}
     return found
+
+
+def check_places(spec: mujoco.MjSpec, models: Sequence[Model]) -> None:
+    """Raises UserError for files outside the model's folder; those of models in it are called by where they are.
+
+    models  the one that is read, and those that it brings along
+    """
+    base = Path(spec.modelfiledir)
+    for reference in list(_references(spec)):
+        file, folder = reference.file.replace("\\", "/"), reference.folder.replace("\\", "/")
+        naming = [model for model in models[1:] if file in model.files and folder in model.folders]
+        theirs = [place for model in naming if (place := model.folder / folder / file).is_file()]
+        is_own = not theirs or (file in models[0].files and folder in models[0].folders)
+        places = [place for place in _places(reference, base) if place.is_file()][:1] if is_own else []
+        for place in [*places, *theirs] or [base / folder / file]:
+            outside.check(place, base, reference.file)
+        if len({place.read_bytes() for place in [*places, *theirs]}) > 1:
+            known = " and ".join(f"'{place}'" for place in [*places, *theirs])
+            raise UserError(f"models that are attached use different files of one name: {known}; rename one")
+        if theirs and not places:
+            reference.rename(str(theirs[0].absolute()))
 
 
 def _references(spec: mujoco.MjSpec) -> Iterator[_Reference]:
@@ -102,14 +151,32 @@ def _read(reference: _Reference, base: Path, own: Assets) -> tuple[str, bytes]:
     for name in (reference.file, file, str(Path(folder) / file), Path(file).name):
         if name in own:
             return name, own[name]
-    places = [base / folder / file, base / file, base / folder / Path(file).name]
+    places = _places(reference, base)
     for place in places:
         if place.is_file():
+            outside.check(place, base, reference.file)
             try:
                 return str(place.resolve()), place.read_bytes()
             except OSError as error:
                 raise UserError(f"the model refers to '{place}': it cannot be read: {error.strerror}") from None
     raise UserError(f"the model refers to the file '{reference.file}', which is not there: no '{places[0]}'")
+
+
+def _places(reference: _Reference, base: Path) -> list[Path]:
+    """Where MuJoCo looks for a file on the disk, one after the other."""
+    folder, file = reference.folder.replace("\\", "/"), reference.file.replace("\\", "/")
+    return [base / folder / file, base / file, base / folder / Path(file).name]
+
+
+def is_plain(name: str) -> bool:
+    """Whether a name is that of a file, in plain sight, in whatever folder: no path, and one on every system."""
+    return bool(name) and not name.startswith(".") and not ODD.search(name) and len(name.encode()) <= LONGEST
+
+
+def _plain(name: str) -> str:
+    """A name like the given one that is plain."""
+    name = ODD.sub("_", name).lstrip(".") or "file"
+    return name if is_plain(name) else f"file{Path(name).suffix[:16]}"
 
 
 def _fresh(name: str, taken: Assets) -> str:

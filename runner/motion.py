@@ -271,7 +271,7 @@ def _check(saved: Saved, data: dict[str, Any]) -> None:
 
 
 def _restored(data: dict[str, Any]) -> Saved:
-    scene = Scene(str(data["mjcf"]), assets_in(data))
+    scene = Scene.received(str(data["mjcf"]), assets_in(data))
     figure = Figure(scene.model(), str(data["coordinates"]))
     posed = data.get("key_posed", np.zeros_like(data["key_fixed"]))
     said = zip(data["key_time"], data["key_qpos"], data["key_fixed"], posed, strict=True)

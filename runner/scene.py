@@ -16,11 +16,12 @@ import models
 from solver.figure import names_of_joints
 from solver.touch import SCENERY, grounds
 
-from .assets import Assets, Scene, taken_along
+from .assets import Assets, Scene, check_places, taken_along
 from .dressing import dress
 from .errors import UserError, unknown
 from .framing import STANDING, is_of_people_size, rest_box, size_of
 from .lighting import is_well_lit
+from .model_files import models_in
 from .mujoco_versions import attach, geom_named, portable_text, remove, size_of_pictures
 from .obstacle import Obstacle, add_bodies
 
@@ -63,10 +64,15 @@ def figure_spec(figure: str, folder: Path | None = None) -> mujoco.MjSpec:
             raise UserError(f"no file '{figure}'; a figure is a path to MJCF or one of: {', '.join(models.figures())}")
         raise UserError(unknown("figure", figure, models.figures()))
     try:
+        models_read = models_in(path)
         with quietly():
-            return mujoco.MjSpec.from_file(str(path))
+            spec = mujoco.MjSpec.from_file(str(path))
+        check_places(spec, models_read)
+    except UserError as error:
+        raise UserError(f"{figure}: {error}") from None
     except ValueError as error:
         raise UserError(f"{figure}: MuJoCo cannot read it: {first_line(error)}") from None
+    return spec
 
 
 def spec_joint_names(spec: mujoco.MjSpec) -> list[str]:

@@ -60,9 +60,10 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
         mjcf = str(found.of("mjcf"))
     try:
         assets = assets_in(found.entries)
+        scene = None if mjcf is None else Scene.received(mjcf, assets)
     except (ValueError, KeyError) as error:
         raise UserError(f"{path}: the files of its figure: {error}") from None
-    figure = _compiled(Scene(mjcf, assets), path) if mjcf is not None else needs_figure(model, path)
+    figure = _compiled(scene, path) if scene is not None else needs_figure(model, path)
     names = [figure.joint(i).name for i in range(figure.njnt)]
     if "joint_names" in found and found.texts("joint_names") != names:
         raise UserError(

@@ -1,0 +1,66 @@
+"""What an MJCF file reads besides itself, as its text tells, before MuJoCo reads any of it.
+
+A model includes further text, and may bring whole models along, `<model file="arm.xml"/>`, to attach them: these look
+for their meshes and images from their own folder on.
+"""
+
+from __future__ import annotations
+
+import html
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from xml.etree import ElementTree
+
+from . import outside
+
+FOLDERS = ("meshdir", "texturedir", "assetdir")
+TAG = re.compile(r"<\s*([\w:.-]+)([^<>]*)")
+ATTRIBUTE = re.compile(r"""([\w:.-]+)\s*=\s*(?:"([^"]*)"|'([^']*)')""")
+
+
+@dataclass
+class Model:
+    """A model's folder, the folders in it that it gives for its files, and the files that it names."""
+
+    folder: Path
+    folders: set[str] = field(default_factory=lambda: {""})
+    files: set[str] = field(default_factory=set)
+
+
+def models_in(path: Path) -> list[Model]:
+    """A model and those that it brings along; raises UserError for text that lies outside its folder."""
+    found = [Model(path.parent)]
+    _walk(path, found[0], found, path.parent, {path})
+    return found
+
+
+def _walk(path: Path, own: Model, found: list[Model], home: Path, seen: set[Path]) -> None:
+    """Through a model's text and all text that it includes; `own` gets the files, `found` the models."""
+    for tag, said in list(elements(path.read_bytes().decode("utf-8-sig", errors="replace"))):
+        own.folders |= {said[name].replace("\\", "/") for name in FOLDERS if tag == "compiler" and name in said}
+        named = [value.replace("\\", "/") for key, value in said.items() if key.startswith("file") and value]
+        if tag not in ("include", "model", "flexcomp"):
+            own.files |= set(named)
+            continue
+        for file in named:
+            places = [path.parent / file, own.folder / file, *(own.folder / each / file for each in own.folders)]
+            there = [place for place in places if place.exists()] or places[:1]
+            for place in there:
+                outside.check(place, home, file)
+            if tag == "flexcomp" or there[0] in seen or not there[0].is_file():
+                continue
+            seen.add(there[0])
+            if tag == "model":
+                found.append(Model(there[0].parent))
+            _walk(there[0], found[-1] if tag == "model" else own, found, home, seen)
+
+
+def elements(text: str) -> Iterator[tuple[str, Mapping[str, str]]]:
+    """Name and attributes of every element. Of text that is no XML, which MuJoCo may yet read, of all that looks so."""
+    try:
+        yield from [(each.tag, each.attrib) for each in ElementTree.fromstring(text).iter()]
+    except ElementTree.ParseError:
+        for tag, attributes in TAG.findall(text):
+            yield tag, {name: html.unescape(a or b) for name, a, b in ATTRIBUTE.findall(attributes)}
