@@ -6,6 +6,7 @@ made flat and unique here, so that neither the model's folder nor its compiler's
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -163,9 +164,10 @@ def _read(reference: _Reference, base: Path, own: Assets) -> tuple[str, bytes]:
 
 
 def _places(reference: _Reference, base: Path) -> list[Path]:
-    """Where MuJoCo looks for a file on the disk, one after the other."""
+    """Where MuJoCo looks for a file on the disk, one after the other; at last as if there were every folder named."""
     folder, file = reference.folder.replace("\\", "/"), reference.file.replace("\\", "/")
-    return [base / folder / file, base / file, base / folder / Path(file).name]
+    first = base / folder / file
+    return [first, base / file, base / folder / Path(file).name, Path(os.path.normpath(first))]
 
 
 def is_plain(name: str) -> bool:

@@ -49,6 +49,22 @@ Repeat = Annotated[int | None, typer.Option("--repeat", help="play a loop so man
 Strict = Annotated[bool, typer.Option("--strict", help="exit with code 3 if anything is wrong with the motion")]
 Fresh = Annotated[bool, typer.Option("--fresh", help="solve a clip again that was solved before, unchanged")]
 SkipRest = Annotated[bool, typer.Option("--skip-rest", help="leave out the T-pose before the motion of a recording")]
+
+
+def _let_outside(context: typer.Context, yes: bool) -> bool:
+    """What --allow-outside does, until the command ends."""
+    from .outside import allowed
+
+    context.with_resource(allowed(yes))
+    return yes
+
+
+Outside = Annotated[
+    bool,
+    typer.Option(
+        "--allow-outside", callback=_let_outside, help="let a model read files that lie outside its own folder"
+    ),
+]
 AsJson = Annotated[bool, typer.Option("--json", help="print JSON")]
 
 
@@ -118,6 +134,7 @@ def render(
     fresh: Fresh = False,
     model: Model = None,
     keys: Keys = None,
+    allow_outside: Outside = False,
 ) -> None:
     """Solve a clip (or take a saved motion) and render before | after; .mp4 .webm .gif .png by the ending."""
     from .errors import UserError
@@ -169,6 +186,7 @@ def solve(
     fresh: Fresh = False,
     model: Model = None,
     keys: Keys = None,
+    allow_outside: Outside = False,
 ) -> None:
     """Solve a clip and save the motion as arrays (.npz)."""
     _without_graphics()
@@ -207,6 +225,7 @@ def report(
     fresh: Fresh = False,
     model: Model = None,
     keys: Keys = None,
+    allow_outside: Outside = False,
 ) -> None:
     """Measure before and after on a 1 kHz grid: penetration, knees, skate, torques, what is left to gain."""
     _without_graphics()
@@ -229,7 +248,12 @@ def report(
 
 @app.command()
 def plot(
-    source: Source = "", output: Output = None, fresh: Fresh = False, model: Model = None, keys: Keys = None
+    source: Source = "",
+    output: Output = None,
+    fresh: Fresh = False,
+    model: Model = None,
+    keys: Keys = None,
+    allow_outside: Outside = False,
 ) -> None:
     """Charts: foot height, unit magnitude, Euler-Lagrange deviation, penalties per evaluation (.png .svg .pdf)."""
     _without_graphics()
@@ -254,6 +278,7 @@ def new_clip(
     model: Annotated[str, typer.Argument(metavar="MODEL", help="an MJCF file, or a shipped figure")],
     output: Output = None,
     overwrite: OverThere = False,
+    allow_outside: Outside = False,
 ) -> None:
     """Write a clip to begin with, for any model: its keyframes, or a pose and a move; comments name all its parts."""
     _without_graphics()
@@ -273,7 +298,13 @@ def new_clip(
 
 
 @app.command()
-def mirror(source: Source, output: Output = None, overwrite: Overwrite = False, fresh: Fresh = False) -> None:
+def mirror(
+    source: Source,
+    output: Output = None,
+    overwrite: Overwrite = False,
+    fresh: Fresh = False,
+    allow_outside: Outside = False,
+) -> None:
     """Exchange left and right of a motion (.npz) or a clip (.toml), in the x-z plane."""
     _without_graphics()
     from . import edit_files
@@ -289,6 +320,7 @@ def retime(
     duration: Annotated[float | None, typer.Option(help="how long it shall last, seconds")] = None,
     overwrite: Overwrite = False,
     fresh: Fresh = False,
+    allow_outside: Outside = False,
 ) -> None:
     """Play a motion (.npz) or a clip (.toml) faster or slower."""
     _without_graphics()
@@ -305,6 +337,7 @@ def trim(
     last: Annotated[float | None, typer.Option("--to", help="seconds of the clip")] = None,
     overwrite: Overwrite = False,
     fresh: Fresh = False,
+    allow_outside: Outside = False,
 ) -> None:
     """Cut a motion to an interval; inside it stays the same."""
     _without_graphics()
@@ -323,6 +356,7 @@ def join(
     ] = 0.4,
     overwrite: Overwrite = False,
     fresh: Fresh = False,
+    allow_outside: Outside = False,
 ) -> None:
     """Let a second motion follow a first: moved to where that one goes on, with a transition in between."""
     _without_graphics()
@@ -353,6 +387,7 @@ def thin(
     fps: Annotated[float | None, typer.Option(help="the recording's images a second, if it does not tell")] = None,
     overwrite: OverThere = False,
     fresh: Fresh = False,
+    allow_outside: Outside = False,
 ) -> None:
     """The fewest keyframes that keep a motion within a bound, as a clip (.toml) or a motion (.npz)."""
     _without_graphics()
@@ -383,6 +418,7 @@ def export(
     repeat: Repeat = None,
     overwrite: OverThere = False,
     fresh: Fresh = False,
+    allow_outside: Outside = False,
 ) -> None:
     """Write a motion in the format of another program."""
     _without_graphics()
@@ -420,6 +456,7 @@ def import_motion(
     skip_rest: SkipRest = False,
     output: Output = None,
     overwrite: OverThere = False,
+    allow_outside: Outside = False,
 ) -> None:
     """Read a recorded motion; every instant of it becomes a keyframe, and nothing is searched."""
     _without_graphics()
@@ -489,6 +526,7 @@ def batch(
     strict: Annotated[
         bool, typer.Option("--strict", help="exit with code 3 if anything is wrong with a motion")
     ] = False,
+    allow_outside: Outside = False,
 ) -> None:
     """Solve many clips, on every core or on a Dask cluster; the same command again goes on where it stopped."""
     _without_graphics()

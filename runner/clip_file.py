@@ -42,6 +42,8 @@ def write(saved: Saved, target: Path, *, note: str = "", exact: bool = False, ov
         files.append((scene, saved.mjcf.encode()))
         for name, data in saved.scene.assets.items():
             file = target.parent / name
+            if file in (target, scene):
+                raise UserError(f"'{file}' would be both the clip's and a file of its figure; choose another name")
             if file.exists() and file.read_bytes() != data and not overwrite:
                 raise UserError(f"'{file}' is there already, and a file of the clip's figure goes there")
             files.append((file, data))

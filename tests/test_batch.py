@@ -277,7 +277,7 @@ def test_what_a_killed_program_had_begun_to_write_is_removed_whatever_the_ending
     (tmp_path / "tiny.toml").write_text(CLIP, encoding="utf-8")
     (tmp_path / "tiny.xml").write_text(FIGURE, encoding="utf-8")
     (tmp_path / "out").mkdir()
-    (tmp_path / "out/.a1b2c3_z.xml").write_text("<mujo", encoding="utf-8")
+    (tmp_path / "out/.tiny.keys.xml.0123456789abcdef.partial.xml").write_text("<mujo", encoding="utf-8")
     process = start("batch", "tiny.toml", "-o", "out", "--no-report", "--to", "mjcf")
     _, said = process.communicate(timeout=PATIENCE)
     assert process.returncode == 0, said

@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 
 from runner.batch.lock import Lock
-from runner.batch.manifest import Entry, Manifest
+from runner.batch.manifest import Entry, Manifest, digest_of
 from runner.errors import UserError
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="needs POSIX locks")
@@ -70,7 +70,7 @@ def test_an_output_counts_only_if_it_is_whole(tmp_path: Path):
     path = tmp_path / "walk.npz"
     with zipfile.ZipFile(path, "w") as archive:
         archive.writestr("time.npy", bytes(1000))
-    entry = replace(DONE, size=path.stat().st_size)
+    entry = replace(DONE, size=path.stat().st_size, sha256=digest_of(path.read_bytes()))
     assert entry.holds(tmp_path)
     data = path.read_bytes()
     path.write_bytes(data[:-5])

@@ -15,7 +15,7 @@ pytest.importorskip("psutil")
 
 from runner.batch.bounded import Bounds
 from runner.batch.inputs import sources
-from runner.batch.manifest import Entry, Manifest
+from runner.batch.manifest import Entry, Manifest, digest_of
 from runner.batch.plan import Options, Plan, planned
 from runner.progress import Teller
 
@@ -51,7 +51,8 @@ def end(manifest: Manifest, name: str, **changes: object) -> Entry:
 
 def finish(manifest: Manifest, name: str) -> None:
     (manifest.path.parent / f"{name}.csv").write_bytes(b"data")
-    end(manifest, name, state="done", attempts=1, output=f"{name}.csv", size=4)
+    output = {"output": f"{name}.csv", "size": 4, "sha256": digest_of(b"data")}
+    end(manifest, name, state="done", attempts=1, **output)
 
 
 def test_all_is_queued_at_first_and_what_is_done_and_there_is_left_alone(manifest: Manifest):
@@ -59,6 +60,8 @@ def test_all_is_queued_at_first_and_what_is_done_and_there_is_left_alone(manifes
     assert {entry.state for entry in Manifest.of(manifest.path.parent).entries.values()} == {"queued"}
     finish(manifest, "other")
     assert left(manifest) == ["tiny"]
+    (manifest.path.parent / "other.csv").write_bytes(b"d\0ta")
+    assert left(manifest) == ["tiny", "other"]
     (manifest.path.parent / "other.csv").unlink()
     assert left(manifest) == ["tiny", "other"]
 

@@ -18,13 +18,14 @@ from distributed.comm.core import CommClosedError
 from ..errors import UserError, one_line
 from ..exchange import formats
 from ..output import Replacement, clear_below
+from ..outside import is_allowed
 from ..progress import Teller
 from .bounded import Bounds, Outcome
 from .cluster import opened, threads
 from .crew import work
 from .inputs import files_of, sources
 from .lock import Lock
-from .manifest import Entry, Manifest
+from .manifest import Entry, Manifest, check_below, digest_of
 from .plan import Clip, Options, Plan, planned
 from .solving import solved
 from .task import NPZ, Product, Task, program
@@ -164,7 +165,11 @@ class _Dispatch:
 
     def _submit(self, clip: Clip) -> None:
         try:
+            check_below(self.folder, f"{clip.name}{self.options.ending}")
             files = files_of(clip.source, self.plan.figures)
+        except UserError as error:
+            self._failed(clip, Outcome(0.0, cause="error", error=one_line(error)))
+            return
         except OSError as error:
             words = f"'{error.filename}': {error.strerror}" if error.filename else str(error.strerror or error)
             self._failed(clip, Outcome(0.0, cause="error", error=one_line(words)))
@@ -173,7 +178,7 @@ class _Dispatch:
         entry = self.manifest.entries[clip.name]
         digest = options.digest(files)
         self.manifest.entries[clip.name] = replace(entry, input=digest)  # it may have changed since it was queued
-        task = Task(files, options.to, options.fps, options.report, program())
+        task = Task(files, options.to, options.fps, options.report, program(), is_allowed())
         self.tries[clip.name] = self.tries.get(clip.name, 0) + 1
         key = f"{self.batch}-{clip.name}-{self.tries[clip.name]}"
         future = self.client.submit(work, self.batch, clip.name, self.do, task, self.bounds, key=key, pure=False)
@@ -229,7 +234,15 @@ class _Dispatch:
             temporary.write_bytes(data)
         entry = self.manifest.entries[clip.name]
         seconds, found = round(outcome.seconds, 3), outcome.problems
-        done = replace(entry, state="done", seconds=seconds, output=output, size=len(data), problems=found)
+        done = replace(
+            entry,
+            state="done",
+            seconds=seconds,
+            output=output,
+            size=len(data),
+            sha256=digest_of(data),
+            problems=found,
+        )
         self.manifest.record([done])
         self.solved += 1
 

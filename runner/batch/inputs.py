@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import glob
 import os
-import re
 import sys
 from collections import Counter
 from collections.abc import Collection, Iterable, Iterator, Mapping
@@ -13,14 +12,12 @@ from pathlib import Path, PurePosixPath
 
 import models
 
-from .. import clip
+from .. import clip, outside
 from ..errors import UserError, unknown
+from ..model_files import FOLDERS, elements
 from .task import Files
 
 ENDINGS = (".toml", ".xml")
-FILE_ATTRIBUTE = re.compile(r"""\bfile\w*\s*=\s*(?:"([^"]+)"|'([^']+)')""")
-FOLDER_ATTRIBUTE = re.compile(r"""\b(?:meshdir|texturedir|assetdir)\s*=\s*(?:"([^"]+)"|'([^']+)')""")
-COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 
 
 @dataclass(frozen=True)
@@ -87,9 +84,11 @@ def named_apart(fresh: list[Source], taken: Collection[str]) -> list[Source]:
 
 
 def files_of(source: Source, figures: dict[Path, dict[Path, bytes]]) -> Files:
-    """Reads a clip and all that it refers to; what is missing is left to whoever loads it. Raises OSError.
+    """Reads a clip and all that it refers to; what is missing is left to whoever loads it.
 
     figures  those that have been read before, by their path
+
+    Raises OSError, and UserError for a model that reads files outside its folder.
     """
     if source.path is None:
         name = str(source.name)
@@ -160,27 +159,40 @@ def _above(source: Source, count: int) -> PurePosixPath | None:
 
 
 def _model_files(path: Path, figures: dict[Path, dict[Path, bytes]]) -> dict[Path, bytes]:
-    """An MJCF file and the files that it names: what it includes, meshes, images; from wherever MuJoCo looks."""
+    """An MJCF file and the files that it names: what it includes, meshes, images; from wherever MuJoCo looks.
+
+    Raises UserError for a name that leads out of the model's folder alone, unless that is allowed.
+    """
     if path not in figures:
         found: dict[Path, bytes] = {}
         folders, names = {path.parent}, {path.name}
         while True:
-            places = {Path(os.path.normpath(folder / name)) for folder in folders for name in names}
-            fresh = {place: place.read_bytes() for place in sorted(places - found.keys()) if place.is_file()}
+            fresh = {
+                place: place.read_bytes()
+                for place in sorted(_places(folders, names) - found.keys())
+                if place == path or outside.is_allowed() or outside.lies_in(place, path.parent)
+            }
             if not fresh:
                 break
             found |= fresh
             for file, data in fresh.items():
                 if file.suffix.lower() in (".xml", ".mjcf"):
-                    text = COMMENT.sub("", data.decode("utf-8", errors="replace"))
-                    folders |= {file.parent, *(path.parent / value for value in _values(FOLDER_ATTRIBUTE, text))}
-                    names |= {*_values(FILE_ATTRIBUTE, text)}
+                    for tag, said in elements(data.decode("utf-8-sig", errors="replace")):
+                        values = [said[key] for key in FOLDERS if tag == "compiler" and key in said]
+                        folders |= {file.parent, *(path.parent / value for value in values)}
+                        names |= {value for key, value in said.items() if key.startswith("file") and value}
+        for name in sorted(names):
+            places = _places(folders, {name})
+            for place in sorted(places) if not places & found.keys() else ():
+                outside.check(place, path.parent, name)
         figures[path] = found
     return figures[path]
 
 
-def _values(attribute: re.Pattern[str], text: str) -> list[str]:
-    return [a or b for a, b in attribute.findall(text)]
+def _places(folders: Collection[Path], names: Collection[str]) -> set[Path]:
+    """The files of these names that are in these folders."""
+    places = {Path(os.path.normpath(folder / name)) for folder in folders for name in names}
+    return {place for place in places if place.is_file()}
 
 
 def _packed(path: Path, files: Mapping[Path, bytes], figure: Path | None = None) -> Files:

@@ -34,7 +34,10 @@ class Lock:
         if fcntl is None:
             raise UserError("batches need a system with POSIX locks and limits, such as Linux or macOS")
         while True:
-            handle = os.open(self.path, os.O_RDWR | os.O_CREAT, 0o644)
+            try:
+                handle = os.open(self.path, os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW, 0o644)
+            except OSError as error:
+                raise UserError(f"cannot write '{self.path}': {error.strerror}") from None
             try:
                 self._take(handle)
                 if self._is(handle):

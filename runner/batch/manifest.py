@@ -7,16 +7,17 @@ not at all, with one line a clip.
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
-import zipfile
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass, field, replace
-from pathlib import Path
+from pathlib import Path, PurePosixPath, PureWindowsPath
 from typing import Any, Literal
 
 from ..errors import UserError
 from ..output import Replacement
+from ..outside import lies_in
 
 NAME = "manifest.jsonl"
 VERSION = 1
@@ -34,7 +35,7 @@ class Entry:
     input     a digest of everything that the output depends on; empty before it has been read
     attempts  how often it was begun
     seconds   of the last attempt
-    output, size  the file in the manifest's folder and its bytes
+    output, size, sha256  the file in the manifest's folder, how many bytes it has, and a digest of them
     cause     of a failure: "error", "time", "memory" or "lost" (its process or its worker went away)
     bound     that a failure by time [s] or memory [MB] came up against
     problems  what is wrong with the motion, worst first: `Problem`s as tables
@@ -49,6 +50,7 @@ class Entry:
     worker: str = ""
     output: str = ""
     size: int = 0
+    sha256: str = ""
     cause: str = ""
     bound: float | None = None
     error: str = ""
@@ -67,25 +69,52 @@ class Entry:
         entry = replace(entry, problems=tuple(entry.problems))
         if entry.state not in STATES:
             raise ValueError(f"no state '{entry.state}'; states: {', '.join(STATES)}")
-        for name, kind in (("clip", str), ("source", str), ("input", str), ("output", str), ("size", int)):
+        for name, kind in (
+            ("clip", str),
+            ("source", str),
+            ("input", str),
+            ("output", str),
+            ("size", int),
+            ("sha256", str),
+        ):
             if not isinstance(getattr(entry, name), kind):
                 raise TypeError(f"'{name}' is {getattr(entry, name)!r}")
+        for name in (entry.clip, entry.output):
+            if not is_below(name):
+                raise ValueError(f"'{name}' is no path in this folder")
         if not isinstance(entry.attempts, int):
             raise TypeError(f"'attempts' is {entry.attempts!r}")
         return entry
 
     def holds(self, folder: Path) -> bool:
-        """Whether the output is there, as long as it was, and, for an archive, with its table of contents whole."""
+        """Whether the output is there with every byte that was written."""
         path = folder / self.output
         try:
             if not self.output or path.stat().st_size != self.size:
                 return False
-            if path.suffix == ".npz":
-                with zipfile.ZipFile(path) as archive:
-                    return bool(archive.namelist())
-        except (OSError, zipfile.BadZipFile):
+            with path.open("rb") as stream:
+                return hashlib.file_digest(stream, "sha256").hexdigest() == self.sha256
+        except OSError:
             return False
-        return True
+
+
+def digest_of(data: bytes) -> str:
+    """What a manifest says of an output's bytes."""
+    return hashlib.sha256(data).hexdigest()
+
+
+def is_below(name: str) -> bool:
+    """Whether a clip's name is a path that leads down from the manifest's folder."""
+    path = PurePosixPath(name)
+    parts = name.replace("\\", "/").split("/")
+    return not (path.is_absolute() or PureWindowsPath(name).drive or ".." in parts or "\0" in name)
+
+
+def check_below(folder: Path, name: str) -> None:
+    """Raises UserError if a file is not to be written there: a link leads out of the manifest's folder."""
+    if not lies_in(folder / name, folder):
+        where = os.path.realpath(folder / name)
+        raise UserError(f"'{folder / name}' leads out of the folder, to '{where}'; remove the link")
 
 
 def _is_problem(told: Any) -> bool:
@@ -109,6 +138,7 @@ class Manifest:
     def of(cls, folder: Path) -> Manifest:
         """Read, or new and empty; raises UserError for a file that is none."""
         manifest = cls(folder / NAME)
+        check_below(folder, NAME)
         if manifest.path.exists():
             manifest.entries = _read(manifest.path)
         return manifest

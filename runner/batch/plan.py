@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from ..errors import UserError
 from ..exchange import formats
 from ..progress import Teller
 from .bounded import Bounds
@@ -91,7 +92,7 @@ def _digest(source: Source, figures: dict[Path, dict[Path, bytes]], options: Opt
     """Empty for what cannot be read, which is told when it is its turn."""
     try:
         files = files_of(source, figures)
-    except OSError:
+    except (OSError, UserError):
         return ""
     return options.digest(files)
 

@@ -21,7 +21,7 @@ def solved(task: Task, folder: Path) -> Product:
     """
     from rich.console import Console
 
-    from .. import clip, motion, work
+    from .. import clip, motion, outside, work
     from ..exchange import formats
     from ..problems import plain
     from ..progress import Teller
@@ -34,7 +34,8 @@ def solved(task: Task, folder: Path) -> Product:
         path.write_bytes(data)
     source, figure = task.files.clip, task.files.figure
     where = str(folder / source) if Path(source).suffix else source
-    problem = clip.load(where, figure_file=figure and str(folder / figure), fps=task.fps)
+    with outside.allowed(task.allow_outside):
+        problem = clip.load(where, figure_file=figure and str(folder / figure), fps=task.fps)
     with Path(os.devnull).open("w") as nowhere:
         teller = Teller(Console(file=nowhere))
         result = work.solve(problem, teller)

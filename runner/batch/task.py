@@ -41,6 +41,7 @@ class Task:
     fps      samples a second; None: the clip's
     report   measure the motion at length, too
     program  the version of this program that asks
+    allow_outside  let a model read files outside its folder: those that came along with it
     """
 
     files: Files
@@ -48,6 +49,7 @@ class Task:
     fps: float | None = None
     report: bool = False
     program: str = ""
+    allow_outside: bool = False
 
 
 @dataclass(frozen=True)

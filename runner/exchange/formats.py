@@ -170,6 +170,8 @@ def export(
     take = Take.of(saved, fps, wishes)
     others = _beside(module, take, target)
     for other, content in others.items():
+        if other == target:
+            raise UserError(f"'{target}' is the name of a file of the figure, too; give another -o")
         if not (other.is_file() and other.read_bytes() == content):
             check_new(other, overwrite=overwrite)
     with Replacement(target) as temporary:

@@ -7,26 +7,30 @@ from pathlib import Path
 
 from .. import clip as clips
 from .. import motion as files
+from .. import outside
 from ..clip import Clip
 from ..errors import UserError
 from .motion import Motion
 
 
-def load(source: str | os.PathLike[str], *, fps: float | None = None) -> Clip:
+def load(source: str | os.PathLike[str], *, fps: float | None = None, allow_outside: bool = False) -> Clip:
     """A clip, ready to be in-betweened.
 
     source  the name of a clip that ships (see `clips()`), a .toml file, an MJCF file with <keyframe> elements, or TOML
             text itself, which has a line break in it
     fps     samples a second of what is made of it, instead of the clip's own
+    allow_outside  let its model read files that lie outside the model's own folder
 
     Raises UserError, in one line that names the file, the keyframe and the key.
     """
     source = os.fspath(source)
     if "\n" in source:
-        return clips.from_text(source, name="clip", place="clip", fps=fps)
+        with outside.allowed(allow_outside):
+            return clips.from_text(source, name="clip", place="clip", fps=fps)
     if files.is_motion(source):
         raise UserError(f"'{source}' is a motion, solved already; load_motion opens it")
-    return clips.load(source, fps=fps)
+    with outside.allowed(allow_outside):
+        return clips.load(source, fps=fps)
 
 
 def load_motion(source: str | os.PathLike[str]) -> Motion:
@@ -42,6 +46,7 @@ def import_motion(
     fps: float | None = None,
     scale: float | None = None,
     skip_rest: bool = False,
+    allow_outside: bool = False,
 ) -> Motion:
     """A recording of another program; every instant of it is a keyframe, and nothing is searched.
 
@@ -50,6 +55,7 @@ def import_motion(
     fps     images a second, where the file does not tell them
     scale   the file's unit of length [m], where it is guessed
     skip_rest  leave out a T-pose, or the figure's rest pose, that stands before the motion
+    allow_outside  let the figure's model read files that lie outside the model's own folder
 
     Raises UserError, in one line, for a file that does not fit.
     """
@@ -57,5 +63,6 @@ def import_motion(
     from ..exchange.imported import imported
 
     figure = None if figure is None else os.fspath(figure)
-    found = imported(Path(source), format, figure=figure, fps=fps, scale=scale)
+    with outside.allowed(allow_outside):
+        found = imported(Path(source), format, figure=figure, fps=fps, scale=scale)
     return Motion(lead_in.without(found) if skip_rest else found)
