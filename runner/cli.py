@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING, Annotated, NoReturn, cast
 
 import typer
 
+from . import stopping
+
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
@@ -84,11 +86,11 @@ def main() -> None:
             2, one_line(f"{error.format_message()} (see `{context.command_path if context else 'dynsplines'} --help`)")
         )
     except (KeyboardInterrupt, typer.Abort):
-        _end(130, "stopped")
+        _end(stopping.code(130), "stopped")
     except ImportError as error:
         if not _interrupted(error):
             raise
-        _end(130, "stopped")
+        _end(stopping.code(130), "stopped")
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or Python complains while it shuts down
         sys.exit(1)
@@ -97,8 +99,8 @@ def main() -> None:
     except MemoryError:
         _end(2, "not enough memory for this")
     if code == 130:  # typer's own answer to Ctrl-C
-        _end(130, "stopped")
-    sys.exit(code)
+        _end(stopping.code(130), "stopped")
+    sys.exit(stopping.code(code or 0))
 
 
 def _interrupted(error: BaseException | None) -> bool:
@@ -294,7 +296,7 @@ def new_clip(
     text = starter(model, target)
     with Replacement(target) as temporary:
         temporary.write_text(text, encoding="utf-8")
-    print(f"wrote {target}; see it: dynsplines render {target}")
+    print(f"wrote {target}; see it: dynsplines render {target}{' --allow-outside' if allow_outside else ''}")
 
 
 @app.command()

@@ -45,7 +45,7 @@ def test_the_wheel_knows_its_command_its_licence_and_nothing_of_the_tests(conten
     assert not [name for name in contents if name.split("/")[0] in ("tests", "renders", "benchmarks")]
     (entries,) = (name for name in contents if name.endswith("entry_points.txt"))
     with zipfile.ZipFile(wheel) as archive:
-        assert "dynsplines = runner.cli:main" in archive.read(entries).decode()
+        assert "dynsplines = runner.start:main" in archive.read(entries).decode()
     assert any("licenses/LICENSE" in name for name in contents)
 
 

@@ -1,0 +1,68 @@
+"""Signals that ask a command to end: a terminal's hangup and SIGTERM do what Ctrl-C does, with exit codes of their own.
+
+What a search has found by then is kept and written; the exit code then tells the signal all the same, 129 or 143, so
+that whoever sent it knows that the command did not come to its own end. Imports next to nothing: the handlers are set
+before whatever takes time.
+"""
+
+from __future__ import annotations
+
+import os
+import signal
+from types import FrameType
+
+FIRST = 128  # the exit code of a command that a signal ended is so much more than the signal's number
+TERMINALS = 1, 2  # stdout and stderr, which nobody can write to once their terminal has hung up
+
+_received: int | None = None
+_terminals: list[int] = []
+
+
+def heed() -> None:
+    """Sets the handlers, but for signals that this process was started to ignore."""
+    global _received
+    _received = None
+    _terminals[:] = [each for each in TERMINALS if _is_terminal(each)]
+    for name in ("SIGINT", "SIGTERM", "SIGHUP"):
+        number = getattr(signal, name, None)  # Windows has no SIGHUP
+        if number is not None and signal.getsignal(number) is not signal.SIG_IGN:
+            signal.signal(number, _stop)
+
+
+def ignore() -> None:
+    """No more stopping: the command is about to end."""
+    for name in ("SIGINT", "SIGTERM", "SIGHUP"):
+        if hasattr(signal, name):
+            signal.signal(getattr(signal, name), signal.SIG_IGN)
+
+
+def was_asked() -> bool:
+    """Whether a signal has come."""
+    return _received is not None
+
+
+def code(otherwise: int) -> int:
+    """A command's exit code: of the signal that asked it to end, if it was another one than Ctrl-C's."""
+    return otherwise if _received in (None, signal.SIGINT) else FIRST + int(_received)
+
+
+def _stop(number: int, frame: FrameType | None) -> None:
+    """As Ctrl-C: what is set for it where it must not interrupt, else KeyboardInterrupt."""
+    global _received
+    _received = number
+    if number == getattr(signal, "SIGHUP", None):
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        for each in _terminals:
+            os.dup2(nowhere, each)
+    asked = signal.getsignal(signal.SIGINT)
+    if callable(asked) and asked is not _stop:
+        asked(number, frame)
+        return
+    raise KeyboardInterrupt
+
+
+def _is_terminal(number: int) -> bool:
+    try:
+        return os.isatty(number)
+    except OSError:
+        return False

@@ -1,0 +1,103 @@
+"""Ctrl-C, SIGTERM and a hangup end a command in one way, at any time, and what has been found by then is kept."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from tiny import changed, written
+
+pytestmark = pytest.mark.skipif(os.name == "nt", reason="signals are another matter there")
+
+ROOT = Path(__file__).parent.parent
+LONG = changed("evaluations = 8\nframes = 2", "evaluations = 100000\nframes = 400\ntolerance = 1e-15\nthreshold = 0")
+DEFAULT = "import signal, sys; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
+COMMAND = DEFAULT + "sys.argv = sys.argv[1:]; from runner.start import main; main()"
+INTERRUPTED = (
+    DEFAULT
+    + """
+import importlib.abc, os
+number, wanted = int(sys.argv[1]), sys.argv[2]
+class Interrupting(importlib.abc.MetaPathFinder):
+    def find_spec(self, name, path, target=None):
+        if name == wanted:
+            sys.meta_path.remove(self)
+            os.kill(os.getpid(), number)
+sys.meta_path.insert(0, Interrupting())
+sys.argv = sys.argv[3:]
+from runner.start import main; main()"""
+)
+CODES = {signal.SIGINT: 130, signal.SIGTERM: 143, signal.SIGHUP: 129} if os.name != "nt" else {}
+Start = Callable[..., "subprocess.Popen[str]"]
+
+
+@pytest.fixture
+def start(tmp_path: Path) -> Iterator[Start]:
+    """Starts the command in the test's folder, beside the tiny clip and one that takes for ever."""
+    written(tmp_path)
+    written(tmp_path, LONG, "long.toml")
+    begun: list[subprocess.Popen[str]] = []
+
+    def start(script: str, *words: object) -> subprocess.Popen[str]:
+        command = [sys.executable, "-c", script, *map(str, words)]
+        environment = {**os.environ, "PYTHONPATH": str(ROOT), "DYNSPLINES_CACHE": "off"}
+        pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
+        begun.append(subprocess.Popen(command, cwd=tmp_path, env=environment, text=True, **pipes))
+        return begun[-1]
+
+    yield start
+    for process in begun:
+        process.kill()
+        process.communicate()
+
+
+FIRST_IMPORTS = ["runner.cli", "typer", "mujoco"]
+
+
+@pytest.mark.parametrize(
+    ("number", "module"),
+    [*((signal.SIGINT, each) for each in FIRST_IMPORTS), *((each, "typer") for each in CODES if CODES[each] == 143)],
+)
+def test_a_signal_in_the_first_imports_ends_in_one_line(start: Start, number: signal.Signals, module: str):
+    process = start(INTERRUPTED, int(number), module, "dynsplines", "solve", "tiny.toml")
+    out, said = process.communicate(timeout=60)
+    assert (process.returncode, out, said) == (CODES[number], "", "dynsplines: stopped\n")
+
+
+@pytest.mark.parametrize(("number", "code"), [(signal.SIGTERM, 143), (signal.SIGHUP, 129)])
+def test_a_signal_while_solving_keeps_the_best_path_and_tells_in_the_exit_code(
+    start: Start, tmp_path: Path, number: signal.Signals, code: int
+):
+    process = start(COMMAND, "dynsplines", "solve", "long.toml")
+    assert process.stderr is not None
+    assert "solving" in process.stderr.readline()
+    time.sleep(0.3)
+    process.send_signal(number)
+    _, said = process.communicate(timeout=60)
+    assert process.returncode == code
+    assert "the best path so far is kept" in said
+    assert "Traceback" not in said
+    with np.load(tmp_path / "long.npz") as data:
+        assert "stopped as asked" in json.loads(str(data["search"]))["stopped because"]
+    assert not [path.name for path in tmp_path.iterdir() if path.name.startswith(".")]
+
+
+def test_a_signal_that_a_command_is_started_to_ignore_stays_ignored(start: Start):
+    script = COMMAND.replace(DEFAULT, DEFAULT + "signal.signal(signal.SIGHUP, signal.SIG_IGN)\n")
+    process = start(script, "dynsplines", "solve", "long.toml")
+    assert process.stderr is not None
+    assert "solving" in process.stderr.readline()
+    process.send_signal(signal.SIGHUP)
+    time.sleep(0.3)
+    assert process.poll() is None
+    process.send_signal(signal.SIGTERM)
+    process.communicate(timeout=60)
+    assert process.returncode == 143
