@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import importlib.util
 import io
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
@@ -18,7 +19,7 @@ import pytest
 import squats
 from rich.console import Console
 
-from runner import clip, motion, report, work
+from runner import clip, motion, outside, report, work
 from runner.feet import sole_points
 from runner.lighting import is_well_lit
 from runner.progress import Teller
@@ -57,6 +58,13 @@ FEET = {  # how many sole points each is found to have
 }
 SMALL = 24  # entries of a configuration up to which the whole report is made
 EVALUATIONS, FRAMES = 4, 4
+
+
+@pytest.fixture(autouse=True)
+def from_everywhere() -> Iterator[None]:
+    """Many of these have their meshes in a folder beside the model's."""
+    with outside.allowed():
+        yield
 
 
 def model_file(path: str) -> Path:

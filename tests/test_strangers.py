@@ -96,8 +96,8 @@ def tampered(saved: Saved, target: Path, **changes: object) -> Path:
 # names of files in motions
 
 
-LEADING = ["/{there}/prey", "sub/../../prey"]
-ODD = ["../prey", ".profile", "C:prey", "a\\prey", ""]
+LEADING = ["/{there}/prey.stl", "sub/../../prey.stl"]
+ODD = ["../prey.stl", ".prey.stl", "C:prey.stl", "a\\prey.stl", ""]
 
 
 @pytest.mark.parametrize(
@@ -105,7 +105,7 @@ ODD = ["../prey", ".profile", "C:prey", "a\\prey", ""]
     [*((to, name) for to in ("thin", "mjcf", "gmr", "mjlab") for name in LEADING), *(("thin", name) for name in ODD)],
 )
 def test_a_motion_writes_no_file_that_its_names_lead_to(run: Run, meshed: Saved, tmp_path: Path, to: str, name: str):
-    (tmp_path / "prey").write_bytes(b"before")
+    (tmp_path / "prey.stl").write_bytes(b"before")
     (tmp_path / "here" / "sub").mkdir()
     name = name.format(there=tmp_path.as_posix().strip("/"))
     tampered(meshed, tmp_path / "here" / "evil.npz", asset_names=np.array([name]), mjcf={'"bone.stl"': f'"{name}"'})
@@ -150,6 +150,14 @@ def test_a_recording_that_brings_its_figure_reads_no_file_beside_its_own(meshed:
     np.savez(target, **{**arrays, "mjcf": np.array(other)})
     with pytest.raises(UserError, match=r"refers to '.*secret\.stl', which it does not bring along"):
         runner.import_motion(target)
+
+
+def test_a_motions_own_name_leads_to_no_other_folder(meshed: Saved, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    (tmp_path / "here").mkdir()
+    monkeypatch.chdir(tmp_path / "here")
+    assert formats.export(replace(meshed, name="../prey"), "csv") == Path("prey.csv")
+    assert formats.export(replace(meshed, name=str(tmp_path / "prey")), "csv") == Path("prey.csv")
+    assert [path.name for path in (tmp_path / "here").iterdir()] == ["prey.csv"]
 
 
 @pytest.mark.parametrize("name", ["x.toml", "x.xml"])

@@ -132,8 +132,9 @@ def _longest(path: Path, endings: Iterable[tuple[str, Format]]) -> Format | None
 
 
 def target_of(name: str, form: Format, wishes: Wishes) -> Path:
-    """Where a motion of some name is exported to if nobody says: in this folder."""
-    return Path(f"{name}{SIMULATED if wishes.simulate else form.ending}")
+    """Where a motion of some name is exported to if nobody says: in this folder, whatever the name holds."""
+    plain = Path(name.replace("\\", "/")).name or "motion"
+    return Path(f"{plain}{SIMULATED if wishes.simulate else form.ending}")
 
 
 def check_wishes(form: Format, wishes: Wishes) -> None:
