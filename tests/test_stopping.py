@@ -49,8 +49,11 @@ def start(tmp_path: Path) -> Iterator[Start]:
     def start(script: str, *words: object) -> subprocess.Popen[str]:
         command = [sys.executable, "-c", script, *map(str, words)]
         environment = {**os.environ, "PYTHONPATH": str(ROOT), "DYNSPLINES_CACHE": "off"}
-        pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
-        begun.append(subprocess.Popen(command, cwd=tmp_path, env=environment, text=True, **pipes))
+        begun.append(
+            subprocess.Popen(
+                command, cwd=tmp_path, env=environment, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE
+            )
+        )
         return begun[-1]
 
     yield start
