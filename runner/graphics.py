@@ -23,6 +23,8 @@ from pathlib import Path
 from typing import Literal
 
 from .cache_folder import place
+from .errors import UserError
+from .output import Replacement
 
 Kind = Literal["egl", "osmesa", "display", "rays"]
 
@@ -238,9 +240,10 @@ class _Memory:
             return False
 
     def keep(self) -> None:
-        with suppress(OSError):
+        with suppress(OSError, UserError):
             self.file.parent.mkdir(parents=True, exist_ok=True)
-            self.file.write_text(self.said, encoding="ascii")
+            with Replacement(self.file) as temporary:
+                temporary.write_text(self.said, encoding="ascii")
 
 
 def _version(package: str) -> str:
