@@ -64,6 +64,7 @@ def test_a_contact_that_a_keyframe_begins_in_the_floor_rises_with_what_is_let_pa
         (s for s in stances if s.point.name == "left_heel" and s.first >= 0.3), key=lambda s: s.first
     )
     (clearance,) = [p for p, _ in clip.penalties if p.name == "contact" and isinstance(p, Contact)]
+    assert clearance.allowed is not None
     heel = [point.name for point in clearance.points].index("left_heel")
     for end, spot in ((0.3, before.spot), (0.5, before.landed), (0.5, after.spot), (0.8, after.landed)):
         let_pass = clearance.allowed.at(np.array([end]))[heel, 0]
