@@ -15,7 +15,7 @@ from typing import Any
 
 import mujoco
 
-from . import outside
+from . import mjcf_size, outside
 from .errors import UserError
 from .model_files import FOLDERS, Model, elements
 from .mujoco_versions import mesh_folder, texture_folder
@@ -57,11 +57,13 @@ class Scene:
         return scene
 
     def model(self) -> mujoco.MjModel:
-        """Compiled; raises ValueError."""
+        """Compiled; raises ValueError, and UserError for one that would be too large."""
+        mjcf_size.check(self.mjcf, "model", assets=self.assets)
         return mujoco.MjModel.from_xml_string(self.mjcf, dict(self.assets))
 
     def spec(self) -> mujoco.MjSpec:
-        """To be changed; raises ValueError."""
+        """To be changed; raises ValueError, and UserError for one that would be too large."""
+        mjcf_size.check(self.mjcf, "model", assets=self.assets)
         spec = mujoco.MjSpec.from_string(self.mjcf, assets=dict(self.assets))
         spec.assets = dict(self.assets)  # 3.2.7 forgets them
         return spec

@@ -31,6 +31,7 @@ from solver.quaternion import Array
 from solver.spline import Path as Curve
 from solver.subdivision import path_of
 
+from . import archive as archive_sizes
 from .assets import Scene
 from .errors import UserError
 from .output import Replacement
@@ -216,7 +217,7 @@ def load(source: Path) -> Saved:
     try:
         saved = _restored(data)
         _check(saved, data)
-    except (ValueError, KeyError, IndexError, TypeError) as error:
+    except (ValueError, KeyError, IndexError, TypeError, RecursionError) as error:
         raise UserError(f"{source}: its arrays do not fit together: {' '.join(str(error).split())}") from None
     return saved
 
@@ -230,8 +231,11 @@ def read_arrays(source: Path) -> dict[str, Any]:
             raise UserError(f"{source}: not an .npz file, or cut short")
         stream.seek(0)
         try:
+            archive_sizes.check(stream, source)
             with np.load(stream, allow_pickle=False) as archive:
                 data = {name: archive[name] for name in archive.files}
+        except UserError:
+            raise
         except Exception as error:  # a damaged zip raises nearly anything
             if "allow_pickle" in str(error):
                 raise UserError(f"{source}: it holds pickled objects, which are never loaded") from None

@@ -16,6 +16,7 @@ import models
 from solver.figure import names_of_joints
 from solver.touch import SCENERY, grounds
 
+from . import mjcf_size
 from .assets import Assets, Scene, check_places, taken_along
 from .dressing import dress
 from .errors import UserError, unknown
@@ -63,6 +64,7 @@ def figure_spec(figure: str, folder: Path | None = None) -> mujoco.MjSpec:
         if Path(figure).suffix or "/" in figure:
             raise UserError(f"no file '{figure}'; a figure is a path to MJCF or one of: {', '.join(models.figures())}")
         raise UserError(unknown("figure", figure, models.figures()))
+    mjcf_size.check_file(path)
     try:
         models_read = models_in(path)
         with quietly():

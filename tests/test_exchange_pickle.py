@@ -1,5 +1,6 @@
 """Pickles: plain data is read whoever wrote it, and nothing in one is ever run."""
 
+import io
 import os
 import pickle
 import pickletools
@@ -77,3 +78,129 @@ def test_damaged_pickles_are_told(content, tmp_path):
     (tmp_path / "list.pkl").write_bytes(pickle.dumps([1]))
     with pytest.raises(UserError, match="it holds a list, not a dict"):
         plain_pickle.load(tmp_path / "list.pkl")
+
+
+class Named:
+    """A name in a pickle, `module.name`."""
+
+    def __init__(self, module: str, name: str):
+        self.module, self.name = module, name
+
+
+class Spelling(pickle._Pickler):
+    """Writes what no honest pickler does: calls of names with any arguments, and any state after."""
+
+    dispatch = dict(pickle._Pickler.dispatch)
+
+    def save_named(self, named):
+        self.write(b"c" + f"{named.module}\n{named.name}\n".encode())
+
+    def save_call(self, call):
+        self.save(call.make)
+        self.save(call.arguments)
+        self.write(pickle.REDUCE)
+        if call.state is not None:
+            self.save(call.state)
+            self.write(pickle.BUILD)
+
+    dispatch[Named] = save_named
+
+
+class Call:
+    def __init__(self, module, name, *arguments, state=None):
+        self.make, self.arguments, self.state = Named(module, name), arguments, state
+
+
+Spelling.dispatch[Call] = Spelling.save_call
+
+
+def spelled(value) -> bytes:
+    stream = io.BytesIO()
+    Spelling(stream, 3).dump({"frames": value})
+    return stream.getvalue()
+
+
+def kind(text, *state):
+    return Call("numpy", "dtype", text, False, True, state=state or (3, "<", None, None, None, -1, -1, 0))
+
+
+def array(of, shape, data):
+    blank = (Named("numpy", "ndarray"), (0,), b"b")
+    return Call("numpy.core.multiarray", "_reconstruct", *blank, state=(1, shape, of, False, data))
+
+
+ADDRESSES = b"\x41" * 16
+WITHOUT_REFERENCES = kind("O8", 3, "|", None, None, None, -1, -1, 0)
+LIES = {
+    "references that are bytes": array(WITHOUT_REFERENCES, (2,), ADDRESSES),
+    "references of a buffer": Call("numpy.core.numeric", "_frombuffer", ADDRESSES, WITHOUT_REFERENCES, (2,), "C"),
+    "a reference of its own": Call("numpy.core.multiarray", "scalar", WITHOUT_REFERENCES, ADDRESSES[:8]),
+    "fewer references than its shape": array(kind("O8", 3, "|", None, None, None, -1, -1, 63), (1000,), [1]),
+    "fewer bytes than its shape": array(kind("f8"), (1000,), ADDRESSES),
+    "a shape beyond all bounds": array(kind("f8"), (2**40, 2**40), ADDRESSES),
+    "a shape below nought": array(kind("f8"), (-2, -1), ADDRESSES),
+    "a scalar of more bytes": Call("numpy.core.multiarray", "scalar", kind("S100000"), b"a"),
+    "a type larger than it says": array(kind("f8", 3, "<", None, None, None, 800, 8, 0), (200,), ADDRESSES),
+    "parts beyond the item": array(
+        kind("V8", 3, "|", None, ("a",), {"a": (kind("O8"), 4000)}, 8, 1, 27), (1,), ADDRESSES
+    ),
+    "a type without a state": array(Call("numpy", "dtype", "f8", False, True), (2,), ADDRESSES),
+    "letters that are none": array(kind("U2", 3, "<", None, None, None, 8, 4, 8), (2,), b"\xff" * 16),
+    "a state that is none": array(kind("f8", 3), (2,), ADDRESSES),
+    "an array without a state": Call("numpy.core.multiarray", "_reconstruct", Named("numpy", "ndarray"), (0,), b"b"),
+    "a call of what was made": Call("numpy", "ndarray", (10**9,)),
+}
+
+
+@pytest.mark.parametrize("lie", LIES)
+def test_what_a_pickle_says_of_its_memory_is_never_believed(lie, tmp_path):
+    (tmp_path / "bad.pkl").write_bytes(spelled(LIES[lie]))
+    with pytest.raises(UserError, match=r"bad\.pkl: .*(it holds '|not a readable pickle|'frames' holds )"):
+        plain_pickle.load(tmp_path / "bad.pkl").numbers("frames", "n")
+
+
+def test_the_same_spelling_told_truly_is_read(tmp_path):
+    (tmp_path / "good.pkl").write_bytes(spelled(array(kind("f8"), (2,), np.array([1.0, 2.0]).tobytes())))
+    np.testing.assert_array_equal(plain_pickle.load(tmp_path / "good.pkl").numbers("frames", "n"), [1, 2])
+    (tmp_path / "good.pkl").write_bytes(spelled(Call("numpy.core.multiarray", "scalar", kind("f4"), b"\0\0\0\x40")))
+    assert plain_pickle.load(tmp_path / "good.pkl").rate("frames") == 2
+
+
+@pytest.mark.parametrize("protocol", range(6))
+@pytest.mark.parametrize("core", ["core", "_core"])
+def test_every_plain_type_of_either_numpy_comes_back_as_it_was(protocol, core, tmp_path):
+    plain = [np.array([0, 1, 5]).astype(f"{order}{code}") for order in "<>" for code in ("i2", "u4", "i8", "f2", "f8")]
+    plain += [np.array([True, False]), np.array([b"ab", b"c"]), np.array(["é", "yz"]), np.zeros((0, 3)), np.float64(3)]
+    plain += [np.array(["a", "b"], object), np.arange(24.0).reshape(2, 3, 4).transpose(1, 2, 0), np.array(7)]
+    content = pickle.dumps({str(i): each for i, each in enumerate(plain)}, protocol)
+    if protocol < 4:  # later ones say how long a name is
+        content = content.replace(b"numpy._core.", f"numpy.{core}.".encode())
+    (tmp_path / "a.pkl").write_bytes(content)
+    for found, value in zip(plain_pickle.load(tmp_path / "a.pkl").entries.values(), plain, strict=True):
+        np.testing.assert_array_equal(found, value, strict=True)
+
+
+def test_a_short_pickle_that_asks_for_much_memory_is_refused_at_once(tmp_path, monkeypatch):
+    monkeypatch.setenv("DYNSPLINES_LARGEST", "10")
+    ten = [1.0] * 10
+    for _ in range(7):
+        ten = [ten] * 10
+    far = b"\x80\x02}r\xff\xff\xff\x7f."  # a place in the memo that makes room for all before it
+    for content, name, axes in (
+        (pickle.dumps({"a": ten}), "'a' comes to 800 MB|over 10 MB", 8),
+        (pickle.dumps({"a": ten}), "deeper than it should", 2),
+        (b"(" + b"]" * 200_000 + b"0" * 200_000 + b".", "what it holds comes to", 2),
+        (far, "no 'a'; it holds: nothing", 2),
+    ):
+        (tmp_path / "bad.pkl").write_bytes(content)
+        with pytest.raises(UserError, match=name):
+            plain_pickle.load(tmp_path / "bad.pkl").numbers("a", *(f"n{i}" for i in range(axes)))
+
+
+def test_keys_that_are_no_texts_and_integers_beyond_numbers_are_refused(tmp_path):
+    (tmp_path / "bad.pkl").write_bytes(pickle.dumps({(1, 2): 3}))
+    with pytest.raises(UserError, match="a key in it is a tuple, not a text"):
+        plain_pickle.load(tmp_path / "bad.pkl")
+    (tmp_path / "bad.pkl").write_bytes(pickle.dumps({"fps": 1 << 9000}))
+    with pytest.raises(UserError, match="it holds 'an integer of 9001 bits'"):
+        plain_pickle.load(tmp_path / "bad.pkl")

@@ -10,6 +10,7 @@ from typing import Any
 
 import mujoco
 
+from .. import largest
 from ..errors import UserError, unknown
 from ..motion import Saved
 from ..output import Replacement, check_new, check_target
@@ -229,6 +230,7 @@ def _write_only(name: str) -> str:
 def _check_file(source: Path) -> None:
     if not source.is_file():
         raise UserError(f"'{source}' is a folder, not a file" if source.is_dir() else f"no file '{source}'")
+    largest.check(source, source.stat().st_size, "it")
 
 
 def _told(source: Path) -> Format:

@@ -11,9 +11,12 @@ import numpy as np
 
 from solver.quaternion import Array
 
+from .. import archive as archive_sizes
+from .. import largest
 from ..errors import UserError
 
 LARGEST = 1e9
+NUMBER = 8  # [bytes]
 
 
 class Held:
@@ -38,11 +41,7 @@ class Held:
 
     def numbers(self, name: str, *shape: int | str) -> Array:
         """An array of finite numbers; letters in its shape are sizes that it shares with others, any at first."""
-        found = self.of(name)
-        try:
-            array = np.asarray(found)
-        except ValueError:
-            raise UserError(f"{self.place}: '{name}' has rows of different lengths") from None
+        array = self._array(name, len(shape))
         if array.dtype.kind not in "fiu":
             raise UserError(f"{self.place}: '{name}' holds {array.dtype.name}, not numbers")
         wanted = [self.sizes.get(size, size) if isinstance(size, str) else size for size in shape]
@@ -70,17 +69,48 @@ class Held:
 
     def rate(self, name: str) -> float:
         """Samples a second, a number or an array of one."""
-        array = np.asarray(self.of(name))
+        array = self._array(name, 1)
         if array.dtype.kind not in "fiu" or array.size != 1 or not 0.01 <= float(array.reshape(())) <= 100_000:
             raise UserError(f"{self.place}: '{name}' is not a number of samples a second from 0.01 to 100000")
         return float(array.reshape(()))
 
+    def whole(self, name: str) -> int:
+        """A whole number, or an array of one."""
+        array = self._array(name, 1)
+        if array.dtype.kind not in "iub" or array.size != 1:
+            raise UserError(f"{self.place}: '{name}' is not a whole number")
+        return int(array.reshape(()))
+
     def texts(self, name: str) -> list[str]:
         """A list of names."""
-        array = np.asarray(self.of(name))
+        array = self._array(name, 1)
         if array.ndim != 1 or array.dtype.kind not in "UO" or not all(isinstance(each, str) for each in array.tolist()):
             raise UserError(f"{self.place}: '{name}' is not a list of names")
         return array.tolist()
+
+    def _array(self, name: str, axes: int) -> Any:
+        """An entry as an array; raises UserError for lists that are nested deeper or not of equal lengths."""
+        found = self.of(name)
+        largest.check(self.place, NUMBER * self._items(name, found, axes), f"'{name}'")
+        try:
+            return np.asarray(found)
+        except ValueError:
+            raise UserError(f"{self.place}: '{name}' has rows of different lengths") from None
+
+    def _items(self, name: str, found: object, axes: int) -> int:
+        """How many items lists would have, written out: a short pickle may name one list a million times."""
+        if not isinstance(found, list | tuple):
+            return found.size if isinstance(found, np.ndarray) else 1
+        if axes == 0:
+            raise UserError(f"{self.place}: '{name}' has lists in lists, deeper than it should")
+        if axes == 1 and not any(isinstance(each, list | tuple | np.ndarray) for each in found):
+            return len(found)
+        total, most = 0, largest.bound() // NUMBER
+        for each in found:
+            total += 1 + self._items(name, each, axes - 1)
+            if total > most:
+                break
+        return total
 
 
 def held(source: Path) -> Held:
@@ -90,6 +120,7 @@ def held(source: Path) -> Held:
             if not zipfile.is_zipfile(stream):
                 raise UserError(f"{source}: not an .npz file, or cut short")
             stream.seek(0)
+            archive_sizes.check(stream, source)
             with np.load(stream, allow_pickle=False) as archive:
                 found = {name: _unpickled(archive, name) for name in archive.files}
     except UserError:

@@ -143,5 +143,5 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     for part in joints:
         qpos[:, part.columns] = part.configuration(frames[:, start : start + part.width])
         start += part.width
-    loops = "loop_mode" in found and found.of("loop_mode") == WRAP
+    loops = "loop_mode" in found and found.whole("loop_mode") == WRAP
     return Recording(times(len(frames), rate), qpos, fps=rate, loops=loops)

@@ -1,55 +1,27 @@
 """Pickles of plain data: dicts, lists, numbers, texts and numpy arrays; whatever else is in one is refused unread.
 
-A pickle is a program, and one from elsewhere can do anything when it is loaded. This reader knows only the functions
-that make an array, by name; every other one ends in an error before it is even imported.
+A pickle is a program, and one from elsewhere can do anything when Python loads it. It is run by `pickle_program`
+instead, which has no functions but those of `pickled_arrays`.
 """
 
 from __future__ import annotations
 
 import pickle
-from collections import OrderedDict
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from ..errors import UserError
 from .held import Held
-
-ARRAY_MAKERS = {"multiarray": ("_reconstruct", "scalar"), "numeric": ("_frombuffer",)}
-
-
-class Refused(pickle.UnpicklingError):
-    """A pickle asks for something that is not data."""
-
-
-class _Reader(pickle.Unpickler):
-    def find_class(self, module: str, name: str) -> Any:
-        """numpy's own, under its names before and since version 2; nothing else is looked up."""
-        package, _, last = module.rpartition(".")
-        if package in ("numpy.core", "numpy._core") and name in ARRAY_MAKERS.get(last, ()):
-            return super().find_class(f"numpy._core.{last}", name)
-        if module == "numpy" and name in ("ndarray", "dtype"):
-            return getattr(np, name)
-        if (module, name) == ("collections", "OrderedDict"):
-            return OrderedDict
-        if (module, name) == ("_codecs", "encode"):
-            return _latin
-        raise Refused(f"{module}.{name}")
-
-
-def _latin(text: str, encoding: str) -> bytes:
-    """How protocol 2 spells bytes."""
-    if encoding not in ("latin1", "latin-1"):
-        raise Refused(f"the encoding {encoding}")
-    return text.encode("latin1")
+from .pickle_program import Machine, Refused
+from .pickled_arrays import MAKERS
 
 
 def load(source: Path) -> Held:
     """The dict in a pickle; raises UserError for a damaged one, and for one that holds more than plain data."""
     try:
-        with source.open("rb") as stream:
-            found = _Reader(stream).load()
+        found = Machine(MAKERS).run(source.read_bytes(), source)
+    except (UserError, OSError, MemoryError):
+        raise
     except Refused as error:
         raise UserError(
             f"{source}: it holds '{error}'; only numbers, texts, lists and numpy arrays are loaded"
@@ -58,6 +30,9 @@ def load(source: Path) -> Held:
         raise UserError(f"{source}: not a readable pickle: {' '.join(str(error).split())}") from None
     if not isinstance(found, dict):
         raise UserError(f"{source}: it holds a {type(found).__name__}, not a dict")
+    foreign = next((key for key in found if not isinstance(key, str)), None)
+    if foreign is not None:
+        raise UserError(f"{source}: a key in it is a {type(foreign).__name__}, not a text")
     return Held(source, found)
 
 
