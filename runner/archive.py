@@ -1,4 +1,4 @@
-"""What the arrays of an .npz come to in memory, told from the archive's directory and their heads before any is read."""
+"""What the arrays of an .npz come to in memory, told from their heads before any is read."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How much a file may come to in memory: files are read that strangers send, and a small one can ask for all there is."""
+"""How much a file may come to in memory: strangers send files, and a small one can ask for all that there is."""
 
 from __future__ import annotations
 

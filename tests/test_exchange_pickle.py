@@ -90,8 +90,6 @@ class Named:
 class Spelling(pickle._Pickler):
     """Writes what no honest pickler does: calls of names with any arguments, and any state after."""
 
-    dispatch = dict(pickle._Pickler.dispatch)
-
     def save_named(self, named):
         self.write(b"c" + f"{named.module}\n{named.name}\n".encode())
 
@@ -103,15 +101,13 @@ class Spelling(pickle._Pickler):
             self.save(call.state)
             self.write(pickle.BUILD)
 
-    dispatch[Named] = save_named
-
 
 class Call:
     def __init__(self, module, name, *arguments, state=None):
         self.make, self.arguments, self.state = Named(module, name), arguments, state
 
 
-Spelling.dispatch[Call] = Spelling.save_call
+Spelling.dispatch = {**pickle._Pickler.dispatch, Named: Spelling.save_named, Call: Spelling.save_call}
 
 
 def spelled(value) -> bytes:

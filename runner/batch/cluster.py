@@ -1,14 +1,21 @@
-"""The Dask workers: processes of this machine, or those of a scheduler elsewhere."""
+"""The Dask workers: one within this process, or those of a scheduler elsewhere.
+
+Whoever can talk to a Dask scheduler can run any code. So the one that is started here listens to nobody: scheduler, worker
+and client are in this process and pass each other objects, and what solves clips are child processes of it, at
+the other end of a pipe. How to protect a scheduler elsewhere is for whoever runs it to say, in Dask's own settings.
+"""
 
 from __future__ import annotations
 
 import logging
+import tempfile
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager, suppress
 from typing import cast
 
 import dask.config
-from distributed import Client, LocalCluster
+from distributed import Client, Scheduler, SpecCluster, Worker
+from distributed.system import MEMORY_LIMIT
 from distributed.utils import silence_logging_cmgr
 
 from ..errors import UserError, one_line
@@ -16,6 +23,7 @@ from ..progress import Teller
 from ..workers import ctrl_c_blocked
 from .crew import Crew
 
+WITHIN = "inproc://"
 CONNECT_SECONDS = 10
 CLOSE_SECONDS = 10
 CALM = {  # what Dask watches of itself every few milliseconds would cost a tenth of a small clip
@@ -30,7 +38,7 @@ CALM = {  # what Dask watches of itself every few milliseconds would cost a tent
 def opened(batch: str, workers: int, scheduler: str | None, teller: Teller) -> Iterator[Client]:
     """A client whose workers have a crew for the batch.
 
-    workers    processes to start here, each with one thread
+    workers    clips at a time here
     scheduler  the address of one that runs already, "tcp://host:8786"; then none are started
     """
     with ExitStack() as stack:
@@ -55,19 +63,33 @@ def opened(batch: str, workers: int, scheduler: str | None, teller: Teller) -> I
                     client.unregister_worker_plugin(batch)
 
 
+class _Unheard:
+    """What keeps a part of Dask from answering HTTP, which it does at every address of the machine."""
+
+    def start_http_server(self, *_: object, **__: object) -> None:
+        """None."""
+
+
+class _Scheduler(_Unheard, Scheduler):
+    """A scheduler that nobody outside this process can reach, given the transport within it."""
+
+
+class _Worker(_Unheard, Worker):
+    """A worker alike."""
+
+
 def _local(workers: int, stack: ExitStack) -> str:
-    """The address of a scheduler in this process, which listens to this machine alone; it goes with the stack."""
-    cluster = LocalCluster(
-        n_workers=workers,
-        threads_per_worker=1,
-        processes=True,
-        host="127.0.0.1",
-        dashboard_address="127.0.0.1:0",
-        scheduler_kwargs={"dashboard": False},
+    """The address of a scheduler in this process, with a worker of so many threads; all goes with the stack."""
+    folder = stack.enter_context(tempfile.TemporaryDirectory(prefix="dynsplines-", ignore_cleanup_errors=True))
+    ours: dict[str, object] = {"protocol": WITHIN, "dashboard": False}
+    worker = {"nthreads": workers, "memory_limit": MEMORY_LIMIT, "local_directory": folder, **ours}
+    cluster = SpecCluster(
+        workers={0: {"cls": _Worker, "options": worker}},
+        scheduler={"cls": _Scheduler, "options": ours},
         silence_logs=logging.CRITICAL,
     )
     stack.callback(cluster.close, timeout=CLOSE_SECONDS)
-    return str(cluster.scheduler.address)  # type: ignore[union-attr]
+    return str(cluster.scheduler_address)
 
 
 def _connected(address: str) -> Client:

@@ -142,7 +142,7 @@ class _Dispatch:
         self.events: queue.SimpleQueue[Callable[[], None]] = queue.SimpleQueue()
         self.solved = self.failed = 0
         self.begin = time.monotonic()
-        self._threads, self._asked = 0, -1e9
+        self._threads, self._asked, self._submitted = 0, -1e9, 0
 
     def all(self) -> None:
         """Until every clip is done or has failed; raises UserError if the scheduler goes away."""
@@ -181,7 +181,10 @@ class _Dispatch:
         task = Task(files, options.to, options.fps, options.report, program(), is_allowed())
         self.tries[clip.name] = self.tries.get(clip.name, 0) + 1
         key = f"{self.batch}-{clip.name}-{self.tries[clip.name]}"
-        future = self.client.submit(work, self.batch, clip.name, self.do, task, self.bounds, key=key, pure=False)
+        self._submitted += 1
+        future = self.client.submit(
+            work, self.batch, clip.name, self.do, task, self.bounds, key=key, pure=False, priority=-self._submitted
+        )
         self.flying[clip.name] = (clip, future)
         self._listen(clip)
 
