@@ -29,6 +29,10 @@ UsageError = cast("type[typer.BadParameter]", typer.BadParameter.__mro__[1])  # 
 
 MOST_IMAGES = 100_000
 WRONG = 3  # the exit code of --strict
+OURS = 4  # that of a mistake in the program
+DEBUG = "DYNSPLINES_DEBUG"
+HOW = "what the same command prints as `dynsplines --debug ...`"
+NO_ROOM = ("failed to map segment", "annot allocate memory", "ould not allocate memory")  # the linker's and MuJoCo's
 BEFORE_MUJOCO = ("scipy.sparse", "scipy.linalg", ".clip_table", ".progress")
 
 app = typer.Typer(
@@ -71,36 +75,59 @@ AsJson = Annotated[bool, typer.Option("--json", help="print JSON")]
 
 
 def main() -> None:
-    """The command, with bad input told in one line and exit code 2."""
-    from .errors import UserError, one_line
+    """The command, with bad input told in one line and exit code 2; whatever else goes wrong is one line, too."""
+    from .terminal import fit
     from .threads import keep_to_one
 
     keep_to_one()
+    fit()
     try:
         code = app(sys.argv[1:] or ["--help"], prog_name="dynsplines", standalone_mode=False)
-    except UserError as error:
-        _end(2, one_line(error))
-    except UsageError as error:
-        context = error.ctx
-        _end(
-            2, one_line(f"{error.format_message()} (see `{context.command_path if context else 'dynsplines'} --help`)")
-        )
-    except (KeyboardInterrupt, typer.Abort):
-        _end(stopping.code(130), "stopped")
-    except ImportError as error:
-        if not _interrupted(error):
-            raise
-        _end(stopping.code(130), "stopped")
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or Python complains while it shuts down
         sys.exit(1)
-    except OSError as error:
-        _end(2, one_line(f"'{error.filename}': {error.strerror}" if error.filename else error.strerror or error))
-    except MemoryError:
-        _end(2, "not enough memory for this")
+    except SystemExit:
+        raise
+    except BaseException as error:
+        code, line = _ending(error)
+        if code == OURS and os.environ.get(DEBUG):
+            raise
+        _end(code, line)
     if code == 130:  # typer's own answer to Ctrl-C
         _end(stopping.code(130), "stopped")
     sys.exit(stopping.code(code or 0))
+
+
+def _ending(error: BaseException) -> tuple[int, str]:
+    """The exit code for an error, and how it is told."""
+    from .errors import UserError, one_line
+
+    match error:
+        case UserError():
+            return 2, one_line(error)
+        case UsageError():
+            command = error.ctx.command_path if error.ctx else "dynsplines"
+            return 2, one_line(f"{error.format_message()} (see `{command} --help`)")
+        case OSError():
+            return 2, one_line(f"'{error.filename}': {error.strerror}" if error.filename else error.strerror or error)
+        case MemoryError():
+            return 2, "not enough memory for this"
+    if isinstance(error, typer.Abort) or _interrupted(error):
+        return stopping.code(130), "stopped"
+    if any(words in str(error) for words in NO_ROOM):
+        return 2, "not enough memory for this, or to load what it needs"
+    if isinstance(error, RuntimeError) and "can't start new thread" in str(error):
+        return 2, "the system allows no more threads, or no more memory"
+    return OURS, one_line(f"a mistake of dynsplines, not of yours: {_place(error)}; please report it, with {HOW}")
+
+
+def _place(error: BaseException) -> str:
+    """What went wrong, and where in the program."""
+    import traceback
+
+    found = traceback.extract_tb(error.__traceback__)
+    where = f" ({Path(found[-1].filename).name}:{found[-1].lineno})" if found else ""
+    return f"{type(error).__name__}: {error}{where}"
 
 
 def _interrupted(error: BaseException | None) -> bool:
@@ -113,6 +140,14 @@ def _interrupted(error: BaseException | None) -> bool:
 def _end(code: int, line: str) -> NoReturn:
     print(f"dynsplines: {line}", file=sys.stderr)
     sys.exit(code)
+
+
+@app.callback()
+def _whatever(
+    debug: Annotated[bool, typer.Option("--debug", help="show where in the program a mistake of its own is")] = False,
+) -> None:
+    if debug:
+        os.environ[DEBUG] = "1"
 
 
 @app.command()

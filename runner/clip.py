@@ -220,6 +220,8 @@ def table_of(text: str, place: str) -> ClipTable:
         raise UserError(f"{place}: not valid TOML: {error}") from None
     except RecursionError:
         raise UserError(f"{place}: not valid TOML: nested too deeply") from None
+    except ValueError:  # what Python calls too many digits for an integer
+        raise UserError(f"{place}: not valid TOML: a number of thousands of digits") from None
     _check_filled(raw, place)
     try:
         return ClipTable.model_validate(raw)
@@ -231,7 +233,7 @@ def figure_named(text: str) -> str | None:
     """What a clip's TOML text calls its figure; None if it does not say or cannot be read."""
     try:
         figure = tomllib.loads(text).get("figure")
-    except (tomllib.TOMLDecodeError, RecursionError):
+    except (ValueError, RecursionError):
         return None
     return figure if isinstance(figure, str) else None
 

@@ -219,7 +219,7 @@ def _walked(location: tuple[int | str, ...], raw: Any) -> tuple[list[str], list[
                 names.clear()
             if i == 1:
                 time = here.get("time") if isinstance(here, dict) else None
-                known = isinstance(time, int | float) and not isinstance(time, bool)
+                known = isinstance(time, int | float) and not isinstance(time, bool) and abs(time) <= LARGEST
                 words.append(f"{names.pop()} {part + 1}" + (f" (t = {time:g} s)" if known else ""))
         elif isinstance(here, dict) and part in here:
             names.append(str(part))

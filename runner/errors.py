@@ -3,22 +3,45 @@
 from __future__ import annotations
 
 import difflib
+import re
 from collections.abc import Iterable
+
+LONGEST_WORD = 300  # letters; a path is hardly longer
+LONGEST = 4000  # letters of an error; a person's joints are 700
+CUT = "…"
 
 
 class UserError(Exception):
-    """Bad input. The command line prints it without a traceback and exits with code 2."""
+    """Bad input. The command line prints it without a traceback and exits with code 2.
+
+    Words and names from files can be of any length; of very long ones the message keeps the begin and the end.
+    """
+
+    def __init__(self, text: object = "") -> None:
+        super().__init__(shortened(str(text)))
+
+
+def shortened(text: str) -> str:
+    """Text that a person can read, whatever was quoted in it."""
+    if len(text) <= LONGEST_WORD:
+        return text
+    text = re.sub(rf"\S{{{LONGEST_WORD + 1},}}", lambda word: _middle_out(word[0], LONGEST_WORD), text)
+    return text if len(text) <= LONGEST else _middle_out(text, LONGEST)
+
+
+def _middle_out(text: str, most: int) -> str:
+    return f"{text[: 2 * most // 3]}{CUT}{text[-(most // 3) :]}"
 
 
 def one_line(text: object) -> str:
     """Text with everything that does not print written out, so that a message stays one line whatever a file holds."""
-    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in str(text))
+    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in shortened(str(text)))
 
 
 def unknown(kind: str, name: str, known: Iterable[str]) -> str:
     """ "no joint 'left_kne'; did you mean 'left_knee'? Joints: ..." """
     names = list(known)
-    close = difflib.get_close_matches(name, names, n=1)
+    close = difflib.get_close_matches(name, names, n=1) if len(name) <= LONGEST_WORD else []
     guess = f"; did you mean '{close[0]}'?" if close else "."
     several = {"penalty": "Penalties", "criterion": "Criteria", "body": "Bodies"}.get(kind, f"{kind.capitalize()}s")
     return f"no {kind} '{name}'{guess} {several}: {', '.join(names) or 'none'}"

@@ -112,6 +112,9 @@ def model_keys(spec: mujoco.MjSpec, place: str) -> tuple[Array, Array]:
         if said.size == model.nq:
             pose[:] = said
     times = np.array(model.key_time)[: len(own)]
+    odd = np.flatnonzero(~np.isfinite(np.column_stack([times, poses])).all(axis=1))
+    if odd.size:
+        raise UserError(f"{place}: keyframe {odd[0] + 1}: an entry is not a finite number")
     if times.size and not np.all(np.diff(times) >= 1e-3):
         times = np.array([APART * k for k in range(times.size)])
     return times, poses

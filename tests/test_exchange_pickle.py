@@ -5,6 +5,7 @@ import os
 import pickle
 import pickletools
 from collections import OrderedDict
+from typing import Any
 
 import numpy as np
 import pytest
@@ -87,7 +88,10 @@ class Named:
         self.module, self.name = module, name
 
 
-class Spelling(pickle._Pickler):
+OPEN: Any = pickle._Pickler  # in Python, and so open to change
+
+
+class Spelling(OPEN):
     """Writes what no honest pickler does: calls of names with any arguments, and any state after."""
 
     def save_named(self, named):
@@ -107,7 +111,7 @@ class Call:
         self.make, self.arguments, self.state = Named(module, name), arguments, state
 
 
-Spelling.dispatch = {**pickle._Pickler.dispatch, Named: Spelling.save_named, Call: Spelling.save_call}
+Spelling.dispatch = {**OPEN.dispatch, Named: Spelling.save_named, Call: Spelling.save_call}
 
 
 def spelled(value) -> bytes:

@@ -1,7 +1,7 @@
 """The Dask workers: one within this process, or those of a scheduler elsewhere.
 
-Whoever can talk to a Dask scheduler can run any code. So the one that is started here listens to nobody: scheduler, worker
-and client are in this process and pass each other objects, and what solves clips are child processes of it, at
+Whoever can talk to a Dask scheduler can run any code. So the one that is started here listens to nobody: scheduler,
+worker and client are in this process and pass each other objects, and what solves clips are child processes of it, at
 the other end of a pipe. How to protect a scheduler elsewhere is for whoever runs it to say, in Dask's own settings.
 """
 
@@ -86,7 +86,7 @@ def _local(workers: int, stack: ExitStack) -> str:
     cluster = SpecCluster(
         workers={0: {"cls": _Worker, "options": worker}},
         scheduler={"cls": _Scheduler, "options": ours},
-        silence_logs=logging.CRITICAL,
+        silence_logs=logging.CRITICAL,  # type: ignore[arg-type]
     )
     stack.callback(cluster.close, timeout=CLOSE_SECONDS)
     return str(cluster.scheduler_address)

@@ -49,10 +49,21 @@ def sources(words: Iterable[str], listed: str | None = None) -> list[Source]:
     found: dict[object, Source] = {}
     for word in (*words, *(_lines(listed) if listed else ())):
         for source in _named(word):
+            _check_written(source)
             found.setdefault(source.path or source.name, source)
     if not found:
         raise UserError("no clips; give names, .toml or .xml files, folders, patterns, or --list FILE")
     return list(found.values())
+
+
+def _check_written(source: Source) -> None:
+    """Raises UserError for a path that is no text: neither the manifest nor a worker could be told of it."""
+    path = str(source.path or source.name)
+    try:
+        path.encode()
+    except UnicodeEncodeError:
+        shown = path.encode("utf-8", "backslashreplace").decode()
+        raise UserError(f"'{shown}': its name is not UTF-8 text; rename it") from None
 
 
 def named_apart(fresh: list[Source], taken: Collection[str]) -> list[Source]:

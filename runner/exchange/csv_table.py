@@ -1,6 +1,7 @@
 """CSV: a row an instant, the time and MuJoCo's qpos, under a heading that names joint and component.
 
-More columns, of `quantities`, may follow; those are not read.
+More columns, of `quantities`, may follow; those are not read. A name that a spreadsheet would take for a formula has
+a ' before it.
 """
 
 from __future__ import annotations
@@ -15,6 +16,8 @@ from ..errors import UserError
 from . import quantities, unsaid
 from .take import Recording, Take
 
+FORMULA = "=+-@\t\r"  # what a spreadsheet takes for the begin of one, and runs
+QUOTE = "'"
 FREE = ("x", "y", "z", "qw", "qx", "qy", "qz")
 
 
@@ -39,7 +42,7 @@ def write(take: Take, path: Path) -> None:
     table = np.column_stack([take.time, take.qpos, *more.values()])
     with path.open("w", newline="", encoding="utf-8") as stream:
         rows = csv.writer(stream)
-        rows.writerow(["time", *columns(take.model), *more])
+        rows.writerow([_inert(name) for name in ("time", *columns(take.model), *more)])
         rows.writerows(map(repr, row) for row in table.tolist())
 
 
@@ -54,7 +57,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
         raise UserError(f"{path}: not a table of text: {error}") from None
     if not rows:
         raise UserError(f"{path}: the file is empty")
-    heading = None if _is_number(rows[0][0]) else [cell.strip() for cell in rows[0]]
+    heading = None if _is_number(rows[0][0]) else [_named(cell.strip()) for cell in rows[0]]
     body = rows if heading is None else rows[1:]
     width = len(rows[0])
     try:
@@ -79,6 +82,16 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
             raise UserError(f"{path}: it has no column of times; {unsaid.RATE}")
         time = np.arange(len(qpos)) / fps
     return Recording(time, qpos)
+
+
+def _inert(name: str) -> str:
+    """A heading that is text to every spreadsheet: names of joints come from whoever made the model."""
+    return QUOTE + name if name.startswith(tuple(FORMULA + QUOTE)) else name
+
+
+def _named(cell: str) -> str:
+    """The name in such a heading."""
+    return cell[1:] if cell.startswith(QUOTE) and cell[1:].startswith(tuple(FORMULA + QUOTE)) else cell
 
 
 def _is_number(cell: str) -> bool:

@@ -9,14 +9,14 @@ from __future__ import annotations
 import math
 import re
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
 from .pickle_program import Makers, Refused, Unfinished
 
 FIXED = re.compile(r"b1|[iu][1248]|f[248]|[SU][1-9][0-9]{0,5}|O8?")
-ORDERS = "<>|"
+ORDERS: dict[str, Literal["<", ">", "|"]] = {"<": "<", ">": ">", "|": "|"}
 MOST_AXES = 32
 LAST_CHARACTER = 0x10FFFF
 
@@ -29,7 +29,8 @@ class Type:
 
     def of(self, data: object, shape: object, order: str) -> Any:
         """An array; raises Refused unless the data are just its items."""
-        count, axes = _count(shape), shape
+        axes = _axes(shape)
+        count = math.prod(axes)
         if self.numpy is None:
             if type(data) is not list or len(data) != count:
                 raise Refused("an array without its items")
@@ -53,11 +54,11 @@ class Type:
         return np.frombuffer(data, self.numpy)
 
 
-def _count(shape: object) -> int:
-    """Of the items of a shape; raises Refused for what is none."""
+def _axes(shape: object) -> tuple[int, ...]:
+    """A shape; raises Refused for what is none."""
     if type(shape) is not tuple or len(shape) > MOST_AXES or not all(type(n) is int and n >= 0 for n in shape):
         raise Refused("an array of no shape")
-    return math.prod(shape)
+    return shape
 
 
 def _type(text: Any = None, *_: Any) -> Unfinished:
@@ -70,9 +71,10 @@ def _type(text: Any = None, *_: Any) -> Unfinished:
             raise Refused("numpy.dtype of several parts")
         if text.startswith("O"):
             return Type(None)
-        if not (isinstance(state[1], str) and len(state[1]) == 1 and state[1] in ORDERS):
+        order = ORDERS.get(state[1]) if isinstance(state[1], str) else None
+        if order is None:
             raise Refused("numpy.dtype in no order of bytes")
-        return Type(np.dtype(text).newbyteorder(state[1]))
+        return Type(np.dtype(text).newbyteorder(order))
 
     return Unfinished(complete)
 

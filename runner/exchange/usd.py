@@ -13,7 +13,7 @@ from typing import Any
 
 import mujoco
 import numpy as np
-from pxr import Gf, Sdf, Usd, UsdGeom, UsdShade, Vt
+from pxr import Gf, Sdf, Tf, Usd, UsdGeom, UsdShade, Vt
 
 from solver import quaternion as quat
 from solver.quaternion import Array
@@ -44,8 +44,12 @@ def write(take: Take, path: Path) -> None:
     reach = 10.0 + float(np.abs(take.bodies.position).max())
     for piece in pieces(take.model):
         _bind(_prim(stage, take.model, piece, paths[piece.body], reach), take.model, piece, looks, scope)
-    if not stage.GetRootLayer().Export(str(path)):
-        raise UserError(f"cannot write '{path}'")
+    try:
+        is_written = stage.GetRootLayer().Export(str(path))
+    except Tf.ErrorException:  # it lists what it was doing, over many lines
+        is_written = False
+    if not is_written:
+        raise UserError(f"cannot write '{path}': the disk is full, or a limit on the size of files is reached")
 
 
 def _free(stage: Usd.Stage, above: Sdf.Path, text: str) -> Sdf.Path:

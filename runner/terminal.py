@@ -1,0 +1,31 @@
+"""Text for terminals that do not know all letters: what they lack is spelled with those that they have."""
+
+from __future__ import annotations
+
+import codecs
+import sys
+import unicodedata
+
+NAME = "dynsplines"
+SPELLED = {"°": " deg", "×": "x", "·": "*", "–": "-", "−": "-", "…": "...", "→": "->", "┃": "|", "│": "|", "━": "-"}
+
+
+def _spelled(error: UnicodeError) -> tuple[str, int]:
+    """Letters without their accents and signs in words; what has neither by its number."""
+    if not isinstance(error, UnicodeEncodeError):
+        raise error
+    return "".join(map(_letter, error.object[error.start : error.end])), error.end
+
+
+def _letter(letter: str) -> str:
+    plain = unicodedata.normalize("NFKD", letter).encode("ascii", "ignore").decode()
+    return SPELLED.get(letter) or plain or letter.encode("unicode_escape").decode()
+
+
+def fit() -> None:
+    """Lets both streams write any text, whatever their encoding."""
+    codecs.register_error(NAME, _spelled)
+    for stream in (sys.stdout, sys.stderr):
+        reconfigure = getattr(stream, "reconfigure", None)
+        if reconfigure is not None:
+            reconfigure(errors=NAME)

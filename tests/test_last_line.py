@@ -1,0 +1,180 @@
+"""Whatever goes wrong, the command ends with one line that a person understands, and never with a traceback."""
+
+from __future__ import annotations
+
+import csv
+import os
+import re
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import mujoco
+import numpy as np
+import pytest
+from tiny import CLIP, changed, written
+
+from runner import cli
+from runner.batch.inputs import sources
+from runner.errors import UserError, one_line, unknown
+from runner.exchange import csv_table
+from runner.starter import starter
+
+Ended = Callable[..., tuple[int, str]]
+
+
+@pytest.fixture
+def ended(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Ended:
+    """Exit code and last line of the command, run in an empty folder with the tiny clip in it."""
+    monkeypatch.setenv("MUJOCO_GL", "disable")
+    monkeypatch.setenv("DYNSPLINES_DEBUG", "")  # so that it is put back
+    monkeypatch.chdir(tmp_path)
+    written(tmp_path)
+
+    def ended(*words: str) -> tuple[int, str]:
+        monkeypatch.setattr(sys, "argv", ["dynsplines", *words])
+        with pytest.raises(SystemExit) as end:
+            cli.main()
+        assert isinstance(end.value.code, int)
+        said = capsys.readouterr().err
+        assert "Traceback" not in said
+        return end.value.code, said.splitlines()[-1]
+
+    return ended
+
+
+def broken(monkeypatch: pytest.MonkeyPatch, error: Exception) -> None:
+    def starter(*_: object) -> str:
+        raise error
+
+    monkeypatch.setattr("runner.starter.starter", starter)
+
+
+def test_a_mistake_of_the_program_is_one_line_that_asks_for_a_report(ended: Ended, monkeypatch: pytest.MonkeyPatch):
+    broken(monkeypatch, ZeroDivisionError("by\nnought"))
+    code, line = ended("new", "tiny.xml", "-o", "a.toml")
+    assert code == 4
+    assert re.fullmatch(
+        r"dynsplines: a mistake of dynsplines, not of yours: ZeroDivisionError: by\\nnought \(test_last_line.py:\d+\); "
+        r"please report it, with what the same command prints as `dynsplines --debug ...`",
+        line,
+    )
+
+
+@pytest.mark.parametrize("asked", ["flag", "environment"])
+def test_who_asks_for_it_is_shown_where_a_mistake_is(asked: str, ended: Ended, monkeypatch: pytest.MonkeyPatch):
+    broken(monkeypatch, ZeroDivisionError("by nought"))
+    flag = ["--debug"] if asked == "flag" else []
+    monkeypatch.setenv("DYNSPLINES_DEBUG", "" if flag else "1")
+    with pytest.raises(ZeroDivisionError, match="by nought"):
+        ended(*flag, "new", "tiny.xml", "-o", "a.toml")
+    assert ended(*flag, "solve", "none.toml")[0] == 2  # what is no mistake of ours has no place in the program
+
+
+@pytest.mark.parametrize(
+    ("error", "words"),
+    [
+        (MemoryError(), "not enough memory for this"),
+        (mujoco.FatalError("Could not allocate memory"), "not enough memory for this, or to load what it needs"),
+        (ImportError("a.so: failed to map segment"), "not enough memory for this, or to load what it needs"),
+        (RuntimeError("can't start new thread"), "the system allows no more threads, or no more memory"),
+        (OSError(24, "Too many open files", "a"), "'a': Too many open files"),
+    ],
+)
+def test_too_little_of_anything_is_no_mistake_of_the_program(
+    error: Exception, words: str, ended: Ended, monkeypatch: pytest.MonkeyPatch
+):
+    broken(monkeypatch, error)
+    assert ended("new", "tiny.xml", "-o", "a.toml") == (2, f"dynsplines: {words}")
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ("fps = 20", f"fps = {'9' * 5000}", "not valid TOML: a number of thousands of digits"),
+        ("time = 0.41", f"time = {'9' * 400}", ": time must be a number, not 999"),
+        ("joints.left_knee", f"joints.{'x' * 20_000}", "no joint 'xxx"),
+    ],
+)
+def test_numbers_and_names_of_any_length_are_told_shortly(old: str, new: str, words: str, ended: Ended):
+    Path("tiny.toml").write_text(changed(old, new), encoding="utf-8")
+    code, line = ended("solve", "tiny.toml")
+    assert code == 2
+    assert words in line
+    assert len(line) < 1000
+
+
+def test_an_error_keeps_the_begin_and_the_end_of_a_name_of_any_length():
+    name = "a" + "b" * 20_000 + "c"
+    for error in (UserError(f"no joint '{name}' here"), UserError(unknown("joint", name, ["knee"]))):
+        assert re.match(r"no joint 'ab{198}…b+c'(; .*|\.)? ", str(error)) or "…" in str(error)
+        assert len(str(error)) < 400
+    assert len(str(UserError("many words " * 10_000))) < 4100
+    assert len(one_line("\n" * 20_000)) < 8100
+    usual = "joints: " + ", ".join(f"left_knee_{i}" for i in range(200))
+    assert str(UserError(usual)) == usual
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "latin-1"])
+def test_a_report_is_printed_in_terminals_of_few_letters(encoding: str, tmp_path: Path):
+    said = "from runner.terminal import fit; fit(); import sys; print('5° → 2 × 3 m², naïve ┃ 人', end='')"
+    environment = os.environ | {"PYTHONIOENCODING": encoding}
+    done = subprocess.run([sys.executable, "-c", said], env=environment, capture_output=True, check=True)
+    accents = {"ascii": "5 deg -> 2 x 3 m2, naive | \\u4eba", "latin-1": "5° -> 2 × 3 m², naïve | \\u4eba"}
+    assert done.stdout.decode(encoding) == accents[encoding]
+
+
+def test_keyframes_that_are_no_numbers_are_told_by_new_as_well(tmp_path: Path):
+    ball = '<worldbody><body><freejoint/><geom size=".1"/></body></worldbody>'
+    keys = '<keyframe><key/><key time="1" qpos="0 0 nan 1 0 0 0"/></keyframe>'
+    (tmp_path / "nan.xml").write_text(f"<mujoco>{ball}{keys}</mujoco>", encoding="utf-8")
+    with pytest.raises(UserError, match=r"nan.xml: keyframe 2: an entry is not a finite number"):
+        starter(str(tmp_path / "nan.xml"), tmp_path / "a.toml")
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="other systems have no such names")
+def test_a_clip_whose_name_is_no_text_is_told_before_a_batch_begins(tmp_path: Path):
+    path = os.fsencode(tmp_path) + b"/caf\xe9.toml"
+    with open(path, "w", encoding="utf-8") as stream:  # noqa: PTH123
+        stream.write(CLIP)
+    with pytest.raises(UserError, match=r"/caf\\udce9.toml': its name is not UTF-8 text; rename it"):
+        sources([str(tmp_path)])
+
+
+def test_names_in_a_table_are_no_formulas_and_come_back(tmp_path: Path):
+    from runner.clip import from_qpos
+    from runner.exchange import formats
+    from runner.progress import Teller
+    from runner.scene import compose, figure_spec
+    from runner.work import unsolved
+
+    names = ["=cmd|' /C calc'!A0", "+1", "-1", "@SUM(1)", "'=quoted", "'plain", "plain"]
+    hinges = "".join(
+        f'<body pos="0 0 1"><joint name="{name}"/><geom size=".1" mass="1"/>' for name in names
+    ) + "</body>" * len(names)
+    (tmp_path / "m.xml").write_text(f"<mujoco><worldbody>{hinges}</worldbody></mujoco>", encoding="utf-8")
+    scene = compose(figure_spec(str(tmp_path / "m.xml")))
+    qpos = np.arange(2.0 * len(names)).reshape(2, -1) / 100
+    saved = unsolved(from_qpos("m", scene, np.array([0, 1.0]), qpos, 10.0, "m")).saved(Teller(), with_report=False)
+    target = formats.export(saved, "csv", tmp_path / "m.csv")
+    with target.open(newline="", encoding="utf-8") as stream:
+        heading = next(csv.reader(stream))
+    assert heading[1:] == ["'" + name for name in names[:6]] + ["plain"]
+    np.testing.assert_allclose(csv_table.read(target, scene.model(), None).qpos[[0, -1]], qpos, atol=1e-12)
+
+
+def test_a_full_disk_is_told_of_usd_too(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    pytest.importorskip("pxr.Usd")
+    resource = pytest.importorskip("resource")
+    import puppet
+
+    from runner.exchange import formats
+
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (1000, before[1]))
+    try:
+        with pytest.raises(UserError, match=r"cannot write '.*': the disk is full, or a limit on the size of files"):
+            formats.export(puppet.moved(name="puppet"), "usd", tmp_path / "a.usdc")
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
