@@ -72,6 +72,7 @@ FRAME_SECONDS = 0.1
 
 AROUND = ("travel", "turn")  # what [solve] says of how a loop comes back
 SHORTEST = 0.001  # [s] between neighbouring keyframes
+UNEVEN = 10_000  # times that a distance between keyframes may be its neighbour: the spline overshoots by as much
 LONGEST = 600.0  # [s] from the first keyframe to the last
 
 
@@ -385,7 +386,7 @@ def _called(number: int, time: float) -> str:
 
 
 def check_times(times: Sequence[float], place: str) -> None:
-    """Two keyframes or more, in order, apart, and no longer than a report can look at every millisecond of."""
+    """Two keyframes or more, in order, apart but not too unevenly, in a time that a report can look through."""
     if len(times) < 2:
         raise UserError(f"{place}: {len(times) or 'no'} keyframe{'s' if not times else ''}; a clip needs at least two")
     for i, (a, b) in enumerate(pairwise(times), 1):
@@ -393,6 +394,13 @@ def check_times(times: Sequence[float], place: str) -> None:
             raise UserError(f"{place}: {_called(i + 1, b)} is not after {_called(i, a)}; times must rise")
         if b - a < SHORTEST:
             raise UserError(f"{place}: {_called(i + 1, b)} is less than {SHORTEST:g} s after keyframe {i}")
+    for i, (a, b, c) in enumerate(zip(times, times[1:], times[2:], strict=False), 1):
+        short, long = sorted((b - a, c - b))
+        if long > UNEVEN * short * (1 + 1e-9):
+            raise UserError(
+                f"{place}: keyframes {i}, {i + 1} and {i + 2} are {b - a:g} s and {c - b:g} s apart, which is over "
+                f"{UNEVEN:,} : 1; put keyframes in between, the nearer to the short one the closer"
+            )
     if times[-1] - times[0] > LONGEST:
         raise UserError(
             f"{place}: from the first to the last keyframe are {times[-1] - times[0]:g} s, over {LONGEST:g} s"

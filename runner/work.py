@@ -16,10 +16,15 @@ from solver.objective import Objective
 from solver.optimiser import Stop, StopSearch
 from solver.unknowns import raw_timeline
 
+from . import largest
 from .clip import Clip
 from .motion import Saved
 from .problems import Problem, problems
 from .progress import Teller
+
+PAIR = (
+    2000  # [bytes] of a search for every pair of a frame's numbers; short clips of chains of hinges take 1100 to 1500
+)
 
 
 @contextmanager
@@ -91,12 +96,19 @@ class Solved:
         )
 
 
+def _check_size(clip: Clip) -> None:
+    """Raises UserError for a figure of so many joints that the curvature, of all with all, has no room."""
+    width = clip.figure.width
+    largest.check(clip.name, PAIR * width**2, f"the search with {width} numbers a frame, all with all,")
+
+
 def solve(clip: Clip, teller: Teller, *, stop_after: int | None = None) -> Solved:
     """Solves a clip, telling every improvement. Ctrl-C stops and keeps the best path.
 
     stop_after  evaluations after which to stop and keep the best path
     """
     tell_notes(clip, teller)
+    _check_size(clip)
 
     def improved(improvement: Improvement) -> None:
         note = f"evaluation {improvement.evaluation}, objective {improvement.value:.4g}"

@@ -21,7 +21,7 @@ pytest.importorskip("distributed")
 
 import psutil
 import pytest
-from distributed.comm import connect
+from distributed.comm.core import connect
 
 from runner import motion
 from runner.batch.manifest import Entry, Manifest

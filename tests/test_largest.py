@@ -13,10 +13,12 @@ import pytest
 import models
 from runner import largest, mjcf_size, motion
 from runner.assets import Scene
-from runner.clip import load
+from runner.clip import check_times, load
 from runner.errors import UserError
 from runner.exchange.held import held
+from runner.progress import Teller
 from runner.scene import compose, figure_spec
+from runner.work import solve
 
 
 def model(inside: str) -> str:
@@ -139,3 +141,23 @@ def test_arrays_are_weighed_before_they_are_read(read, tmp_path: Path, monkeypat
     bomb.write_bytes(stream.getvalue())
     found = read(bomb)
     assert (found.entries if read is held else found)["a"].size == 1e6
+
+
+def test_a_figure_of_so_many_joints_that_no_search_has_room_is_refused_before_one(monkeypatch: pytest.MonkeyPatch):
+    problem = load("run_and_step")
+    monkeypatch.setenv("DYNSPLINES_LARGEST", "5")
+    with pytest.raises(
+        UserError, match=r"run_and_step: the search with 51 numbers a frame, all with all, comes to 5 MB"
+    ):
+        solve(problem, Teller())
+
+
+def test_keyframes_too_unevenly_apart_for_a_spline_are_refused() -> None:
+    check_times([0, 0.001, 10.001, 20], "clip")
+    check_times([0, 0.001, 1, 100], "clip")
+    for times, told in (
+        ([0, 0.001, 100], "keyframes 1, 2 and 3 are 0.001 s and 100 s apart, which is over 10,000 : 1"),
+        ([-100, 0, 0.001], "keyframes 1, 2 and 3 are 100 s and 0.001 s apart, which is over 10,000 : 1"),
+    ):
+        with pytest.raises(UserError, match=f"clip: {told}; put keyframes in between"):
+            check_times(times, "clip")

@@ -9,6 +9,7 @@ ball joint is three of them (`hinged`), and the model that has them is written b
 
 from __future__ import annotations
 
+import warnings
 from pathlib import Path
 
 import mujoco
@@ -41,7 +42,9 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     if fps is None:
         raise UserError(f"{path}: the format tells none; {unsaid.RATE}")
     try:
-        table = np.loadtxt(path, delimiter=",", ndmin=2)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of an empty file, which is told below
+            table = np.loadtxt(path, delimiter=",", ndmin=2)
     except ValueError as error:
         raise UserError(f"{path}: not a table of numbers: {' '.join(str(error).split())}") from None
     if table.shape[0] == 0 or table.shape[1] < 8:
