@@ -156,7 +156,7 @@ def test_keyframes_too_unevenly_apart_for_a_spline_are_refused() -> None:
     check_times([0, 0.001, 10.001, 20], "clip")
     check_times([0, 0.001, 1, 100], "clip")
     for times, told in (
-        ([0, 0.001, 100], "keyframes 1, 2 and 3 are 0.001 s and 100 s apart, which is over 10,000 : 1"),
+        ([0, 0.001, 100], "keyframes 1, 2 and 3 are 0.001 s and 99.999 s apart, which is over 10,000 : 1"),
         ([-100, 0, 0.001], "keyframes 1, 2 and 3 are 100 s and 0.001 s apart, which is over 10,000 : 1"),
     ):
         with pytest.raises(UserError, match=f"clip: {told}; put keyframes in between"):
