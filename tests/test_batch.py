@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -304,3 +305,17 @@ def test_what_a_killed_program_had_begun_to_write_is_removed_whatever_the_ending
     assert again.returncode == 3, said
     assert said.splitlines()[-1] == "out: 0 solved, 1 already there, 0 failed"
     assert said.splitlines()[-2].startswith(problem)
+
+
+def test_a_folder_that_is_removed_meanwhile_is_told(tmp_path: Path, start):
+    (tmp_path / "clips").mkdir()
+    for name, text in {"a": "fine", "b": "hang"}.items():
+        (tmp_path / "clips" / f"{name}.toml").write_text(text, encoding="utf-8")
+    process = start("batch", "clips", "-o", "out", "--workers", 1, program=INJECTED)
+    until(lambda: ("b", "running") in {(e.clip, e.state) for e in journal(tmp_path / "out")}, "one that hangs")
+    shutil.rmtree(tmp_path / "out")
+    _, said = process.communicate(timeout=PATIENCE)
+    assert process.returncode == 2
+    assert said.splitlines()[-1].endswith("/out' or its manifest has been removed; the same command begins anew")
+    assert "Traceback" not in said
+    assert not (tmp_path / "out").exists()

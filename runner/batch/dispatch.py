@@ -100,7 +100,8 @@ def run(words: list[str], folder: Path, options: Options, bounds: Bounds, teller
         finally:
             stopped = [entry for entry in manifest.entries.values() if entry.state == "running"]
             manifest.entries |= {entry.clip: replace(entry, state="queued") for entry in stopped}
-            manifest.rewrite()
+            if manifest.path.exists():  # the folder may have been removed meanwhile, which is told
+                manifest.rewrite()
         failed = tuple(manifest.entries[name] for name in names if manifest.entries[name].state == "failed")
         done = sum(manifest.entries[clip.name].state == "done" for clip in plan.left)
         good = [manifest.entries[name] for name in names if manifest.entries[name].state == "done"]
@@ -149,6 +150,7 @@ class _Dispatch:
         try:
             self.client.subscribe_topic(self.batch, self._heard)
             while self.waiting or self.flying:
+                self._check_folder()
                 while self.waiting and len(self.flying) < AHEAD * max(self._threads_there(), 1):
                     self._submit(self.waiting.popleft())
                 self._tell()
@@ -268,6 +270,11 @@ class _Dispatch:
             self._threads = sum(threads(self.client).values())
             self._asked = time.monotonic()
         return self._threads
+
+    def _check_folder(self) -> None:
+        """Raises UserError if what has been done is gone."""
+        if not self.manifest.path.exists():
+            raise UserError(f"'{self.folder}' or its manifest has been removed; the same command begins anew")
 
     def _check_connected(self) -> None:
         if self.client.status != "running":
