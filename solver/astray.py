@@ -15,8 +15,10 @@ from .figure import Figure
 from .frame import Timeline
 from .kinematics import Samples
 from .objective import Objective
+from .penalty import Contact
 from .quaternion import Array
 from .subdivision import path_of
+from .surface import Box, Plane
 
 DEAR = 2.0  # times what motion cost on the raw spline: from here on another way round an obstacle may be less
 FAR = 0.5  # of a figure's size, its farthest joint at rest from its root
@@ -36,9 +38,18 @@ def is_violent(objective: Objective, parts: Mapping[str, float]) -> bool:
 
 
 def is_dear(objective: Objective, parts: Mapping[str, float]) -> bool:
-    """Whether motion costs more than twice what it cost on the raw spline."""
+    """Whether motion costs more than twice what it cost on the raw spline, where there is something to go round:
+    feet that must come off the floor or on a step cost as much whichever way they are searched."""
     measured = {term.penalty.name for term in objective.measured}
-    return sum(value for name, value in parts.items() if name in measured) > DEAR * objective.raw_cost
+    cost = sum(value for name, value in parts.items() if name in measured)
+    return cost > DEAR * objective.raw_cost and _is_obstructed(objective)
+
+
+def _is_obstructed(objective: Objective) -> bool:
+    """Whether a soft constraint keeps the figure out of more than floors and steps."""
+    penalties = [part for term in objective.terms for part in getattr(term.penalty, "parts", (term.penalty,))]
+    surfaces = [surface for part in penalties if isinstance(part, Contact) for surface in part.surfaces]
+    return any(not isinstance(each, Plane) and not (isinstance(each, Box) and each.buried) for each in surfaces)
 
 
 def farthest(figure: Figure, timeline: Timeline) -> float:

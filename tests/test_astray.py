@@ -19,9 +19,10 @@ from solver.frame import Frame
 from solver.judgement import best, common_grid
 from solver.objective import Objective
 from solver.optimiser import Stop, StopSearch
-from solver.penalty import CovariantAcceleration, Penalty, RootAcceleration, UnitMagnitude
+from solver.penalty import Contact, CovariantAcceleration, Penalty, Point, RootAcceleration, UnitMagnitude
 from solver.quaternion import Array
 from solver.subdivision import evenly, path_of
+from solver.surface import Plane, Sphere
 from solver.unknowns import raw_timeline
 
 VERB = sys.modules["solver.inbetween"]  # the package has the verb under the module's name
@@ -125,12 +126,18 @@ def test_constraints_that_cost_more_than_all_motion_does_are_violent_and_less_ar
     assert not is_violent(objective, {"covariant": 50.0})
 
 
-def test_motion_that_costs_twice_what_the_raw_spline_does_is_dear_and_constraints_are_no_motion():
+def test_motion_that_costs_twice_what_the_raw_spline_does_is_dear_where_there_is_something_to_go_round():
     raw = path_of(raw_timeline(LIMB, swinging(6)))
-    objective = Objective.of(LIMB, TERMS).renormalised(raw)
-    dear = DEAR * objective.raw_cost
-    assert is_dear(objective, {"covariant": dear + 0.1})
-    assert not is_dear(objective, {"covariant": dear - 0.1, "bend": 50.0})
+    ball, floor = (
+        Sphere("ball", centre=np.array([0.0, 0, 5]), radius=0.1),
+        Plane("floor", np.array([0.0, 0, -9]), np.array([0.0, 0, 1])),
+    )
+    for surfaces, found in (((floor, ball), True), ((floor,), False)):
+        contact = Contact((Point("tip", 1, np.zeros(3)),), surfaces)
+        objective = Objective.of(LIMB, [*TERMS, (contact, 1.0)]).renormalised(raw)
+        dear = DEAR * objective.raw_cost
+        assert is_dear(objective, {"covariant": dear + 0.1}) is found
+        assert not is_dear(objective, {"covariant": dear - 0.1, "bend": 50.0})
 
 
 # and what is done
