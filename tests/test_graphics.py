@@ -8,6 +8,9 @@ import pytest
 
 from runner import graphics
 
+TELLS_ITS_START = pytest.mark.skipif(
+    not graphics.BOOT.is_file(), reason="nobody says when the machine was started, so nothing is remembered"
+)
 SHOW = """
 import os
 from runner.graphics import choose
@@ -123,7 +126,7 @@ def test_a_driver_that_draws_nothing_does_not_pass(monkeypatch: pytest.MonkeyPat
     assert not graphics._draws.__wrapped__("egl")
 
 
-@pytest.mark.skipif(not graphics.BOOT.is_file(), reason="nobody says when the machine was started")
+@TELLS_ITS_START
 def test_what_drew_is_remembered_until_something_that_it_depends_on_is_another(monkeypatch, tmp_path):
     monkeypatch.setenv("DYNSPLINES_CACHE", str(tmp_path))
     tries: list[str] = []
@@ -144,7 +147,7 @@ def test_what_drew_is_remembered_until_something_that_it_depends_on_is_another(m
     assert tries == ["egl", "osmesa", "egl", "egl", "egl"]
 
 
-@pytest.mark.skipif(not graphics.BOOT.is_file(), reason="nobody says when the machine was started")
+@TELLS_ITS_START
 def test_what_did_not_draw_is_tried_again_and_a_folder_that_cannot_be_written_is_no_error(monkeypatch, tmp_path):
     draws = graphics._draws.__wrapped__
     monkeypatch.setenv("DYNSPLINES_CACHE", str(tmp_path))

@@ -296,7 +296,7 @@ def test_models_that_are_attached_bring_their_meshes_from_below(tmp_path: Path):
 # manifests that strangers send
 
 
-@pytest.mark.parametrize("name", ["../prey", "/tmp/prey", "sub/../../prey", "a\\..\\..\\prey"])
+@pytest.mark.parametrize("name", ["../prey", "/prey", "sub/../../prey", "a\\..\\..\\prey"])
 @pytest.mark.parametrize("key", ["clip", "output"])
 def test_a_manifest_leads_nowhere_but_into_its_folder(tmp_path: Path, key: str, name: str):
     entry = Entry("walk", "../walk.toml", "done", output="walk.npz", size=1)

@@ -6,17 +6,21 @@ A short run is part of the tests; DYNSPLINES_FUZZ=300 makes a long one.
 
 from __future__ import annotations
 
+import io
 import os
 from dataclasses import replace
 
 import numpy as np
 import pytest
+from rich.console import Console
 
 from runner import clip as clips
+from runner import work
 from runner.clip import Clip
 from runner.errors import UserError
 from runner.exactness import keyframe_error
-from solver import Frame, Motion, inbetween
+from runner.progress import Teller
+from solver import Frame
 from solver import quaternion as quat
 from solver.descent import NEWTON
 from solver.figure import Figure, JointKind
@@ -72,17 +76,10 @@ def turn(size: float, rng: np.random.Generator) -> Array:
     return quat.from_rotation_vector(np.radians(size * rng.uniform(-DEGREES, DEGREES, 3)))
 
 
-def solved(clip: Clip) -> Motion:
-    return inbetween(
-        clip.figure, clip.keys, clip.penalties, clip.settings,
-        ends=clip.ends, end_slope=clip.end_slope, travel=clip.travel, turn=clip.turn,
-    )  # fmt: skip
-
-
 @pytest.mark.parametrize("seed", range(int(os.environ.get("DYNSPLINES_FUZZ", SHORT))))
 def test_a_changed_clip_is_never_worse_than_its_raw_spline(seed):
     clip = varied(seed)
-    motion = solved(clip)
+    motion = work.solve(clip, Teller(Console(file=io.StringIO()))).motion
     assert np.isfinite(motion.timeline.rows).all()
     assert keyframe_error(clip, motion.timeline) <= EXACT
     edges = common_grid([motion.timeline, motion.raw])
