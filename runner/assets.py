@@ -15,13 +15,12 @@ from typing import Any
 
 import mujoco
 
-from . import mjcf_size, outside
+from . import largest, mjcf_size, outside
 from .errors import UserError
 from .model_files import FOLDERS, Model, elements
 from .mujoco_versions import mesh_folder, texture_folder
 
 Assets = Mapping[str, bytes]
-LARGEST = 1_000_000_000  # [bytes] of all files of a model together
 LONGEST = 255  # [bytes] of a file's name, on every disk
 ODD = re.compile(r"[\x00-\x1f\x7f/\\:*?\"<>|]")  # what some system does not have in names, or takes for a path
 
@@ -90,8 +89,7 @@ def taken_along(spec: mujoco.MjSpec) -> Assets:
             names[where] = _fresh(_plain(Path(reference.file.replace("\\", "/")).name), found)
             found[names[where]] = data
         reference.rename(names[where])
-    if sum(map(len, found.values())) > LARGEST:
-        raise UserError(f"the files that the model refers to have over {LARGEST // 1_000_000} MB together")
+    largest.check("the model", sum(map(len, found.values())), "what the files it refers to hold")
     spec.meshdir = spec.texturedir = spec.modelfiledir = ""
     spec.strippath = False
     spec.assets = {}

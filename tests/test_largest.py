@@ -7,12 +7,13 @@ import struct
 import zipfile
 from pathlib import Path
 
+import mujoco
 import numpy as np
 import pytest
 
 import models
 from runner import largest, mjcf_size, motion
-from runner.assets import Scene
+from runner.assets import Scene, taken_along
 from runner.clip import check_times, load
 from runner.errors import UserError
 from runner.exchange.held import held
@@ -161,3 +162,14 @@ def test_keyframes_too_unevenly_apart_for_a_spline_are_refused() -> None:
     ):
         with pytest.raises(UserError, match=f"clip: {told}; put keyframes in between"):
             check_times(times, "clip")
+
+
+def test_the_files_of_a_model_are_held_to_the_same_bound(monkeypatch: pytest.MonkeyPatch) -> None:
+    spec = mujoco.MjSpec()
+    spec.add_mesh(name="a", file="a.stl")
+    spec.assets = {"a.stl": bytes(2_000_000)}
+    monkeypatch.setenv("DYNSPLINES_LARGEST", "1")
+    with pytest.raises(UserError, match="files it refers to hold comes to 2 MB in memory, over 1 MB"):
+        taken_along(spec)
+    monkeypatch.setenv("DYNSPLINES_LARGEST", "3")
+    assert set(taken_along(spec)) == {"a.stl"}
