@@ -104,7 +104,7 @@ def test_the_curvature_is_twice_the_square_of_the_residuals_jacobian(figure, rng
 
 
 @pytest.mark.parametrize("pushed", [False, True])
-def test_rows_by_adjoint_sweeps_are_the_closed_ones(rng, monkeypatch, pushed):
+def test_rows_for_any_joints_are_those_for_ball_joints_in_the_world(rng, monkeypatch, pushed):
     figure = Figure(mujoco.MjModel.from_xml_string(WOOD))
     root = int(figure.tables.free_links[0])
     samples = random_samples(figure, rng, 4)

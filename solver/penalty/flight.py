@@ -9,11 +9,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..curvature import Curvature, Sides, jacobian
+from ..curvature import Curvature, Sides
 from ..figure import Figure
 from ..frame import Mask
+from ..joint_wrench import any_wrench_rows
 from ..kinematics import Cotangent, Samples
-from ..quaternion import Array, Index
+from ..quaternion import Array
 from ..rows import Pushes, has_moment_rows, wrench_rows
 from ..wrench import RootWrench, height, weight
 from .penalty import Scale
@@ -82,21 +83,6 @@ def within(intervals: tuple[tuple[float, float], ...], t: Array) -> Mask:
 
 
 def rows_of_wrench(samples: Samples, root: int, pushes: Pushes | None = None) -> Array:
-    """`wrench_rows`, by adjoint sweeps for figures whose rows have no closed form: (S, 6, 3, N)."""
-    if has_moment_rows(samples.figure):
-        return wrench_rows(RootWrench(samples, root), pushes)
-    at = np.repeat(np.arange(samples.count), 6)
-
-    def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
-        bars = np.zeros((2, 3, rows.size))
-        bars[rows % 6 // 3, rows % 3, np.arange(rows.size)] = 1.0
-        wrench = RootWrench(copies, root)
-        if pushes is None:
-            wrench.pull_back(cotangent, bars[0], bars[1])
-            return
-        # every row's own copy gets the pushes of its sample
-        push, copy = np.nonzero(pushes.at[:, None] == at[rows])
-        own = Pushes(copy, pushes.link[push], pushes.arm[:, push], pushes.force[:, push])
-        own.pull_back(wrench, cotangent, bars[0], bars[1])
-
-    return jacobian(samples, at, seeded).reshape(samples.count, 6, 3, -1)
+    """`wrench_rows`, whatever the figure's joints and coordinates: (S, 6, 3, N)."""
+    rows = wrench_rows if has_moment_rows(samples.figure) else any_wrench_rows
+    return rows(RootWrench(samples, root), pushes)

@@ -10,8 +10,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..algebra import add_at
-from ..curvature import Curvature, Sides, jacobian
+from ..curvature import Curvature, Sides
 from ..figure import JointKind
+from ..joint_spin import any_relative_spin_rows
 from ..kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
 from ..rows import relative_spin_rows
@@ -48,16 +49,8 @@ class PeakAcceleration:
         large = np.flatnonzero(size > NEGLIGIBLE * size.max(initial=0.0))
         at, link, size = at[large], link[large], size[large]
 
-        def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
-            here, own = np.arange(rows.size), relative_accelerations(copies)[0]
-            seeds = np.zeros_like(own)
-            seeds[:, link[rows], here] = own[:, link[rows], here]
-            _pull_back(cotangent, seeds)
-
-        if samples.figure.is_world:
-            rows = relative_spin_rows(samples, at, link, ways[:, link, at])
-        else:
-            rows = jacobian(samples, at, seeded)
+        spin_rows = relative_spin_rows if samples.figure.is_world else any_relative_spin_rows
+        rows = spin_rows(samples, at, link, ways[:, link, at])
         into.add_rows(at, scale[at], rows * size[:, None, None])
 
     def sides(self, samples: Samples) -> Sides | None:
