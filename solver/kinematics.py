@@ -21,7 +21,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .algebra import (
-    add_at,
     applied,
     conjugated,
     cross,
@@ -36,7 +35,7 @@ from .algebra import (
     turned_back,
     vector_product,
 )
-from .figure import Figure, Tables, on_links
+from .figure import Figure, on_links
 from .quaternion import Array, Index
 
 Gradients = tuple[Array | None, Array | None, Array | None]
@@ -313,26 +312,30 @@ class LinkMotion:
         return self._summed(own, 2)
 
 
+# C = A ⊗ c and two derivatives are sums of these orders' products, A, A', A'' by c, c', c''
+_OF_BASE, _OF_OWN = np.array([0, 1, 0, 2, 1, 0]), np.array([0, 0, 1, 0, 1, 2])
+
+
 def _world_quaternions(states: States) -> Array:
     """World quaternions of all links and two derivatives from joint coordinates, (3, 4, L, S)."""
     tables = states.figure.tables
-    out = _local_quaternions(states)
+    out = _from_parents(states).swapaxes(0, 1)
     for level in tables.levels:
-        a, a_d, a_dd = _base(tables, out, level)
-        c, c_d, c_dd = out[:, :, level]
-        out[0][:, level] = hamilton(a, c)
-        out[1][:, level] = hamilton(a_d, c) + hamilton(a, c_d)
-        out[2][:, level] = hamilton(a_dd, c) + 2 * hamilton(a_d, c_d) + hamilton(a, c_dd)
+        a, c = out[:, _OF_BASE][:, :, tables.parents[level]], out[:, _OF_OWN][:, :, level]
+        parts = hamilton(a, c)
+        out[:, 0, level] = parts[:, 0]
+        out[:, 1, level] = parts[:, 1] + parts[:, 2]
+        out[:, 2, level] = parts[:, 3] + 2 * parts[:, 4] + parts[:, 5]
+    return out.swapaxes(0, 1)
+
+
+def _from_parents(states: States) -> Array:
+    """Each link's rotation c, c', c'' from its parent's axes, or the world's if that is in the state; (3, 4, L, S)."""
+    tables, out = states.figure.tables, _local_quaternions(states)
+    if tables.has_turns and tables.levels:
+        some = np.concatenate(tables.levels)
+        out[:, :, some] = hamilton(tables.turn[:, None, some, None], out[:, :, some].swapaxes(0, 1)).swapaxes(0, 1)
     return out
-
-
-def _base(tables: Tables, quaternions: Array, level: Index) -> Array:
-    """Q_parent ⊗ turn for the links of one level, and two derivatives: (3, 4, l, S)."""
-    parent = quaternions[:, :, tables.parents[level]]
-    if not tables.has_turns:
-        return parent
-    turn = tables.turn[:, level][:, :, None]
-    return np.array([hamilton(part, turn) for part in parent])
 
 
 def _hinge_quaternions(states: States) -> tuple[Array, Array, Array]:
@@ -601,29 +604,33 @@ def _products_pulled_back(cotangent: Cotangent, gradients: list[Array]) -> list[
     """World quaternions' gradients -> those of joint coordinates: C = A ⊗ c, from the leaves to the root."""
     samples, tables = cotangent.samples, cotangent.samples.figure.tables
     links = samples.links
-    local = _local_quaternions(links.states)
-    grads = [gradients[k] if k < len(gradients) else np.zeros_like(links.Q) for k in range(3)]
+    local, base = _from_parents(links.states).swapaxes(0, 1), links.quaternions.swapaxes(0, 1)
+    grads = np.zeros_like(base)
+    for order, gradient in enumerate(gradients):
+        grads[:, order] = gradient
     for level in reversed(tables.levels):
-        a, a_d, a_dd = (conjugated(q) for q in _base(tables, links.quaternions, level))
-        c, c_d, c_dd = (conjugated(q[:, level]) for q in local)
-        g, g_d, g_dd = (grad[:, level].copy() for grad in grads)
-        up = (
-            hamilton(g, c) + hamilton(g_d, c_d) + hamilton(g_dd, c_dd),
-            hamilton(g_d, c) + 2 * hamilton(g_dd, c_d),
-            hamilton(g_dd, c),
-        )
-        down = (
-            hamilton(a, g) + hamilton(a_d, g_d) + hamilton(a_dd, g_dd),
-            hamilton(a, g_d) + 2 * hamilton(a_d, g_dd),
-            hamilton(a, g_dd),
-        )
-        back = conjugated(tables.turn[:, level][:, :, None])
-        for grad, parent, own in zip(grads, up, down, strict=True):
-            parent = hamilton(parent, back) if tables.has_turns else parent
-            add_at(grad, tables.parents[level], parent)
-            grad[:, level] = own
+        parents = tables.parents[level]
+        g, a, c = grads[:, :, level], base[:, :, parents], local[:, :, level]
+        pairs = _OF_SUM, _OF_OTHER
+        up = _summed_back(hamilton(g[:, pairs[0]], conjugated(c[:, pairs[1]])))
+        grads[:, :, level] = _summed_back(hamilton(conjugated(a[:, pairs[1]]), g[:, pairs[0]]))
+        for i, parent in enumerate(parents):
+            grads[:, :, parent] += up[:, :, i]
+    if tables.has_turns and tables.levels:
+        some = np.concatenate(tables.levels)
+        grads[:, :, some] = hamilton(conjugated(tables.turn[:, None, some, None]), grads[:, :, some])
+    grads = grads.swapaxes(0, 1)
     _hinges_pulled_back(cotangent, [grad[:, tables.hinge_links] for grad in grads])
     return [grad[:, tables.quaternion_links] for grad in grads]
+
+
+# what meets the gradients of C, C', C'' in those of either factor, by the derivatives of the other
+_OF_SUM, _OF_OTHER = np.array([0, 1, 2, 1, 2, 2]), np.array([0, 1, 2, 0, 1, 0])
+
+
+def _summed_back(parts: Array) -> Array:
+    """(4, 6, l, S) -> gradients of a factor and its two derivatives, (4, 3, l, S)."""
+    return np.stack([parts[:, 0] + parts[:, 1] + parts[:, 2], parts[:, 3] + 2 * parts[:, 4], parts[:, 5]], axis=1)
 
 
 def _hinges_pulled_back(cotangent: Cotangent, grads: list[Array]) -> None:
