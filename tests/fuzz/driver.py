@@ -96,7 +96,8 @@ def _batch(kind: str, start: int, stop: int, folder: Path, tally: Tally) -> int:
                 return seed
         return seed
     finally:
-        process.kill()
+        if seed < stop:
+            process.kill()
         process.communicate()
 
 
