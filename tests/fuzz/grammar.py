@@ -132,7 +132,7 @@ bodies.pelvis = {position = [0.4, 0, 0.62]}
 """
 
 SIMPLE = tiny.changed("evaluations = 8", "evaluations = 2")
-SOURCES = (*[SIMPLE] * 9, CLIP)  # the other takes ten times as long
+SOURCES = (SIMPLE, SIMPLE, CLIP)
 ODD = (0, -1, 1e9, -1e9, float("nan"), float("inf"), 10**30, True, "", "free", [], {}, [0, 0, 0], 1e-12, "naïve", [[]])
 BODIES, JOINTS = ("pelvis", "left_shin", "nobody", "world"), ("left_knee", "root", "none")
 SITES = ("left_toe", "no_site")
