@@ -1,8 +1,7 @@
 """Runs the command many times under conditions that are against it, each in a fork of one process that has all imports.
 
-A line of JSON in, one out: `words` of the command, `before`, Python that makes the conditions, the `signal` to be sent
-to itself after a share `at` of its calls of functions, and `calls`, how many it makes. Out come exit code, both streams,
-the calls, and whether it had to be ended.
+A line of JSON in, one out: `words` of the command, `before`, Python that makes the conditions, and the `signal` that it
+sends to itself `at` a call of one of our functions, or `calls`, to count them. Out come exit code, both streams, calls.
 """
 
 from __future__ import annotations
@@ -12,6 +11,7 @@ import os
 import signal
 import sys
 import tempfile
+import threading
 import time
 import traceback
 from pathlib import Path
@@ -21,8 +21,7 @@ OWN = ("/runner/", "/solver/")  # files whose functions count
 
 
 def main() -> None:
-    import matplotlib.backends.backend_agg
-    import matplotlib.pyplot
+    import matplotlib.backends.backend_agg  # noqa: F401
 
     import runner.chart
     import runner.cli
@@ -38,21 +37,38 @@ def main() -> None:
 
 
 def tried(case: dict) -> dict:
-    """One run of the command, in a fork."""
+    """One run of the command, in a fork; its streams are pipes, which no limit on files counts."""
     with tempfile.TemporaryDirectory() as folder:
-        streams = [Path(folder) / name for name in ("out", "err", "calls")]
+        calls, pipes = Path(folder) / "calls", [os.pipe(), os.pipe()]
         child = os.fork()
         if not child:
-            for number, path in enumerate(streams[:2], 1):
-                os.dup2(os.open(path, os.O_WRONLY | os.O_CREAT), number)
-            _run(case, streams[2])
+            for number, (reading, writing) in enumerate(pipes, 1):
+                os.dup2(writing, number)
+                os.close(writing)
+                os.close(reading)
+            sys.stdout, sys.stderr = (os.fdopen(number, "w", closefd=False) for number in (1, 2))
+            _run(case, calls)
+        heard = [b"", b""]
+        listening = [threading.Thread(target=_hear, args=(heard, i, pipe)) for i, pipe in enumerate(pipes)]
+        for each in listening:
+            each.start()
         end = time.monotonic() + PATIENCE
         while not (found := os.waitpid(child, os.WNOHANG))[0]:
             if time.monotonic() > end:
                 os.kill(child, signal.SIGKILL)
             time.sleep(0.005)
-        out, said, calls = (path.read_text("utf-8", "replace") if path.exists() else "" for path in streams)
-    return {"code": os.waitstatus_to_exitcode(found[1]), "out": out, "err": said, "calls": int(calls or 0)}
+        for each in listening:
+            each.join()
+        counted = int(calls.read_text()) if calls.exists() else 0
+    out, said = (data.decode("utf-8", "replace") for data in heard)
+    return {"code": os.waitstatus_to_exitcode(found[1]), "out": out, "err": said, "calls": counted}
+
+
+def _hear(heard: list[bytes], number: int, pipe: tuple[int, int]) -> None:
+    """All that comes out of a pipe."""
+    os.close(pipe[1])
+    with os.fdopen(pipe[0], "rb") as stream:
+        heard[number] = stream.read()
 
 
 def _run(case: dict, calls: Path) -> None:
@@ -77,8 +93,9 @@ def _run(case: dict, calls: Path) -> None:
         traceback.print_exc()
     finally:
         try:
-            sys.stdout.flush()
-            sys.stderr.flush()
+            for stream in (sys.stdout, sys.stderr):
+                if stream is not None:
+                    stream.flush()
         except BaseException:
             code = code or 120  # as Python does
         os._exit(code)

@@ -164,6 +164,11 @@ def solvable_clip(rng: Rng) -> bytes:
     return _Drawn(random.Random(int(rng.integers(2**62))), 0.0).clip().encode()
 
 
+def solvable_text(seed: int) -> str:
+    """A clip of the tiny figure whose values all make sense."""
+    return _Drawn(random.Random(seed), 0.0).clip()
+
+
 def table(draw: random.Random) -> str:
     """A clip's text."""
     return _Drawn(draw, ODDLY).clip()

@@ -163,10 +163,12 @@ def _keys() -> bytes:
 
 
 def _read_clip(path: Path) -> None:
-    """Whole; of those that put points in places only some, for a pose takes a hundred times as long as the rest."""
+    """Its tables; of some all that they mean, of few that put points in places, for poses take long."""
     data = path.read_bytes()
-    if POSING.search(data) and crc32(data) % POSED_OF:
-        clips.table_of(data.decode("utf-8", "replace"), path.name)
+    if crc32(data) % (POSED_OF if POSING.search(data) else WHOLE_OF):
+        text = data.decode("utf-8", "replace")
+        clips.figure_named(text)
+        clips.table_of(text, path.name)
         return
     clips.load(str(path))
 
