@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import mujoco
 import numpy as np
 import pytest
 import tiny
+import wild
 
 from runner import clip, motion
 from runner.errors import UserError
+from runner.exchange import formats
+from runner.exchange.imported import imported
 from runner.motion import Saved
 from runner.starter import starter
 from solver.figure import Figure
@@ -55,3 +59,26 @@ def test_a_motion_of_numbers_too_large_to_reckon_with_is_refused(name: str, save
     np.savez(tmp_path / "b.npz", **arrays)
     with pytest.raises(UserError, match=f"b.npz: its arrays do not fit together: '{name}' holds an entry that is too"):
         motion.load(tmp_path / "b.npz")
+
+
+def test_a_skeleton_whose_joints_are_all_in_one_place_is_refused(tmp_path: Path):
+    formats.export(wild.motion_of("human"), "bvh", tmp_path / "a.bvh", fps=10.0)
+    text = (tmp_path / "a.bvh").read_text(encoding="utf-8")
+    (tmp_path / "a.bvh").write_text(re.sub(r"OFFSET .*", "OFFSET 0 0 0", text), encoding="utf-8")
+    with pytest.raises(UserError, match=r"a.bvh: its legs are without length"):
+        imported(tmp_path / "a.bvh", figure="human")
+
+
+@pytest.mark.parametrize("name", ["x" * 400, "x/" * 3000, "a\0b"])
+def test_names_that_no_disk_has_are_those_of_files_that_are_not_there(name: str, tmp_path: Path):
+    quoted = name.replace("\0", "\\u0000")
+    text = tiny.changed('"tiny.xml"', f'"{quoted}.xml"')
+    with pytest.raises(UserError, match="no file '"):
+        clip.load(str(tiny.written(tmp_path, text)))
+    if "\0" not in name:
+        for element in (f'<include file="{name}"/>', f'<asset><mesh name="a" file="{name}.stl"/></asset>'):
+            (tmp_path / "m.xml").write_text(
+                tiny.FIGURE.replace("<worldbody>", f"{element}<worldbody>"), encoding="utf-8"
+            )
+            with pytest.raises(UserError):
+                clip.load(str(tmp_path / "m.xml"))

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable, Sequence
-from functools import cache
 
 import mujoco
 import tiny
@@ -140,7 +139,6 @@ SURE = ("torque", "unit", "root", "range", "covariant", "peak", "self", "clearan
 ODDLY = 0.004  # of all values are of another kind
 
 
-@cache
 def spec() -> mujoco.MjSpec:
     """The tiny figure."""
     return mujoco.MjSpec.from_string(tiny.FIGURE)

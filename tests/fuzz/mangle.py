@@ -226,7 +226,7 @@ def _other_branch(value: Any, rng: Rng, depth: int) -> Any:
 
 def _instead(value: Any, rng: Rng) -> Any:
     match int(rng.integers(8)):
-        case 0 if isinstance(value, int | float):
+        case 0 if isinstance(value, int | float) and abs(value) < 1e300:
             return float(value) * 1.1 + 0.01
         case 1:
             return float(rng.choice(NASTY_VALUES))
