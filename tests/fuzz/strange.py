@@ -39,7 +39,7 @@ Make = Callable[[Rng], bytes]
 Read = Callable[[Path], object]
 
 POSING = re.compile(rb"sites|bodies|hold|contact")
-POSED_OF, WHOLE_OF = 20, 5  # one of so many is read to the end
+POSED_OF, WHOLE_OF = 300, 5  # one of so many is read to the end
 EXACT = 1e-12  # of the largest number of a keyframe
 FEW = 2  # evaluations, frames and samples of a search
 MOST_SECONDS = 30.0  # of a clip that is searched or written out
