@@ -101,6 +101,10 @@ def test_a_clip_that_is_drawn_at_random_is_never_worse_than_its_raw_spline(seed)
     assert_no_worse(drawn(seed))
 
 
+def test_a_quaternion_that_passes_nought_between_two_samples_is_no_gain():
+    assert_no_worse(drawn(83))
+
+
 def assert_no_worse(clip: Clip) -> None:
     """Searched, and held against its raw spline on a grid of its own."""
     motion = work.solve(clip, Teller(Console(file=io.StringIO()))).motion
