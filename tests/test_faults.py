@@ -127,7 +127,6 @@ WRITING = {
     "meshes": ("export", "motion.npz", "-o", "out.glb", "--overwrite"),
     "pickle": ("export", "motion.npz", "-o", "out.gmr.pkl", "--overwrite"),
     "clip": ("thin", "motion.npz", "-o", "out.toml", "--overwrite"),
-    "chart": ("plot", "motion.npz", "-o", "out.png"),
 }
 SMALL = "import resource; resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100))\n"
 
