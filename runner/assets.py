@@ -17,7 +17,7 @@ import mujoco
 
 from . import largest, mjcf_size, outside
 from .errors import UserError
-from .model_files import FOLDERS, Model, elements
+from .model_files import FOLDERS, Model, elements, is_there
 from .mujoco_versions import mesh_folder, texture_folder
 
 Assets = Mapping[str, bytes]
@@ -105,9 +105,9 @@ def check_places(spec: mujoco.MjSpec, models: Sequence[Model]) -> None:
     for reference in list(_references(spec)):
         file, folder = reference.file.replace("\\", "/"), reference.folder.replace("\\", "/")
         naming = [model for model in models[1:] if file in model.files and folder in model.folders]
-        theirs = [place for model in naming if (place := model.folder / folder / file).is_file()]
+        theirs = [place for model in naming if is_there(place := model.folder / folder / file)]
         is_own = not theirs or (file in models[0].files and folder in models[0].folders)
-        places = [place for place in _places(reference, base) if place.is_file()][:1] if is_own else []
+        places = [place for place in _places(reference, base) if is_there(place)][:1] if is_own else []
         for place in [*places, *theirs] or [base / folder / file]:
             outside.check(place, base, reference.file)
         if len({place.read_bytes() for place in [*places, *theirs]}) > 1:
@@ -154,7 +154,7 @@ def _read(reference: _Reference, base: Path, own: Assets) -> tuple[str, bytes]:
             return name, own[name]
     places = _places(reference, base)
     for place in places:
-        if place.is_file():
+        if is_there(place):
             outside.check(place, base, reference.file)
             try:
                 return str(place.resolve()), place.read_bytes()

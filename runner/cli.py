@@ -108,6 +108,8 @@ def _ending(error: BaseException) -> tuple[int, str]:
         case UsageError():
             command = error.ctx.command_path if error.ctx else "dynsplines"
             return 2, one_line(f"{error.format_message()} (see `{command} --help`)")
+        case FileNotFoundError(filename=None) if _is_nowhere():
+            return 2, "the folder that the command was started in is gone"
         case OSError():
             return 2, one_line(f"'{error.filename}': {error.strerror}" if error.filename else error.strerror or error)
         case MemoryError():
@@ -128,6 +130,14 @@ def _place(error: BaseException) -> str:
     found = traceback.extract_tb(error.__traceback__)
     where = f" ({Path(found[-1].filename).name}:{found[-1].lineno})" if found else ""
     return f"{type(error).__name__}: {error}{where}"
+
+
+def _is_nowhere() -> bool:
+    """Whether the folder that the command was started in has been removed."""
+    try:
+        return not Path.cwd()
+    except FileNotFoundError:
+        return True
 
 
 def _interrupted(error: BaseException | None) -> bool:

@@ -41,7 +41,6 @@ from solver.unknowns import raw_timeline
 
 from .assets import Scene
 from .clip_table import (
-    LARGEST,
     ROTATION,
     ClipTable,
     KeyframeTable,
@@ -50,6 +49,7 @@ from .clip_table import (
     SolveTable,
     spoken,
 )
+from .configuration import first_wrong
 from .constraints import Constraints, numbers, posing_bends
 from .contacts import rests
 from .couplings import complaints, follow
@@ -601,10 +601,8 @@ def from_qpos(name: str, scene: Scene, time: Array, qpos: Array, fps: float | No
             f"{place}: time {time.shape} and qpos {qpos.shape} do not fit the figure: "
             f"they should be (K,) and (K, {figure.width})"
         )
-    for i, row in enumerate(np.column_stack([time, qpos]), 1):
-        if not np.all(np.abs(row) <= LARGEST):
-            what = "is too large" if np.all(np.isfinite(row)) else "is not a finite number"
-            raise UserError(f"{place}: {_called(i, row[0])}: an entry {what}")
+    if wrong := first_wrong(figure.model, time, qpos):
+        raise UserError(f"{place}: {_called(wrong[0] + 1, time[wrong[0]])}: {wrong[1]}")
     check_times(time.tolist(), place)
     keys = [Frame.key(t, q) for t, q in zip(time, qpos, strict=True)]
     return _clip(name, "", scene, figure, fps or 30.0, keys, None, place)

@@ -7,6 +7,7 @@ for their meshes and images from their own folder on.
 from __future__ import annotations
 
 import html
+import os
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
@@ -29,6 +30,11 @@ class Model:
     files: set[str] = field(default_factory=set)
 
 
+def is_there(path: Path) -> bool:
+    """Whether a file is there, whatever a stranger calls it: of some names a system says nothing but an error."""
+    return os.path.isfile(path)  # noqa: PTH113
+
+
 def models_in(path: Path) -> list[Model]:
     """A model and those that it brings along; raises UserError for text that lies outside its folder."""
     found = [Model(path.parent)]
@@ -46,10 +52,10 @@ def _walk(path: Path, own: Model, found: list[Model], home: Path, seen: set[Path
             continue
         for file in named:
             places = [path.parent / file, own.folder / file, *(own.folder / each / file for each in own.folders)]
-            there = [place for place in places if place.exists()] or places[:1]
+            there = [place for place in places if is_there(place)] or places[:1]
             for place in there:
                 outside.check(place, home, file)
-            if tag == "flexcomp" or there[0] in seen or not there[0].is_file():
+            if tag == "flexcomp" or there[0] in seen or not is_there(there[0]):
                 continue
             seen.add(there[0])
             if tag == "model":

@@ -38,6 +38,8 @@ from .output import Replacement
 
 FORMAT_VERSION = 2  # 1: without assets
 MOST_SAMPLES = 1_000_000
+PLACES = ("qpos", "frame_state", "time")  # names of arrays that end so: metres, radians, quaternions, seconds
+FARTHEST = 1e9  # of any of them: squares and cubes of such numbers are still numbers
 NEEDED = (
     "format_version", "fps", "time", "qpos", "qvel", "qacc", "raw_qpos", "raw_qvel", "raw_qacc", "key_time", "key_qpos",
     "key_fixed", "frame_time", "frame_state", "frame_fixed", "end_slope", "raw_frame_time", "raw_frame_state",
@@ -260,6 +262,8 @@ def _check(saved: Saved, data: dict[str, Any]) -> None:
     for name, array in data.items():
         if array.dtype.kind == "f" and not np.all(np.isfinite(array)):
             raise ValueError(f"'{name}' holds entries that are not finite numbers")
+        if name.endswith(PLACES) and not np.all(np.abs(array) <= FARTHEST):
+            raise ValueError(f"'{name}' holds an entry that is too large")
     if not saved.fps > 0:
         raise ValueError(f"fps is {saved.fps:g}")
     for timeline in (saved.timeline, saved.raw):

@@ -10,6 +10,7 @@ kernel's lock on such a file tells whether whoever writes it is still there.
 
 from __future__ import annotations
 
+import errno
 import os
 import re
 import secrets
@@ -25,6 +26,7 @@ try:
 except ImportError:  # Windows
     fcntl = None
 
+NO_ROOM = (errno.ENOSPC, errno.EFBIG, errno.EDQUOT)  # errors that Python tells without the file's name
 ALL = 0o666  # what the umask takes away from, for a file that was not there
 OWNER = 0o600
 MODE = 0o777  # what of an older file's mode the new one has
@@ -66,6 +68,8 @@ class Replacement:
         try:
             if kind is None:
                 self._put()
+            elif isinstance(value, OSError) and value.errno in NO_ROOM:
+                raise UserError(f"cannot write '{self.target}': {value.strerror}") from None
         finally:
             for path in _parts(self.temporary):
                 path.unlink(missing_ok=True)

@@ -22,7 +22,7 @@ from .dressing import dress
 from .errors import UserError, unknown
 from .framing import STANDING, is_of_people_size, rest_box, size_of
 from .lighting import is_well_lit
-from .model_files import models_in
+from .model_files import is_there, models_in
 from .mujoco_versions import attach, geom_named, portable_text, remove, size_of_pictures
 from .obstacle import Obstacle, add_bodies
 
@@ -60,7 +60,7 @@ def figure_spec(figure: str, folder: Path | None = None) -> mujoco.MjSpec:
     if figure in models.figures():
         return mujoco.MjSpec.from_string(models.figure_text(figure))
     path = (folder or Path()) / figure
-    if not path.is_file():
+    if not is_there(path):
         if Path(figure).suffix or "/" in figure:
             raise UserError(f"no file '{figure}'; a figure is a path to MJCF or one of: {', '.join(models.figures())}")
         raise UserError(unknown("figure", figure, models.figures()))

@@ -23,6 +23,7 @@ from solver.touch import TOUCHING, counts_all, movers
 from solver.touch import solids as solids_of
 
 from .clip_text import keyframe_tables, rotation, written
+from .configuration import first_wrong
 from .couplings import follow
 from .errors import UserError
 from .feet import sole_points
@@ -112,9 +113,8 @@ def model_keys(spec: mujoco.MjSpec, place: str) -> tuple[Array, Array]:
         if said.size == model.nq:
             pose[:] = said
     times = np.array(model.key_time)[: len(own)]
-    odd = np.flatnonzero(~np.isfinite(np.column_stack([times, poses])).all(axis=1))
-    if odd.size:
-        raise UserError(f"{place}: keyframe {odd[0] + 1}: an entry is not a finite number")
+    if wrong := first_wrong(model, times, poses):
+        raise UserError(f"{place}: keyframe {wrong[0] + 1}: {wrong[1]}")
     if times.size and not np.all(np.diff(times) >= 1e-3):
         times = np.array([APART * k for k in range(times.size)])
     return times, poses

@@ -42,6 +42,16 @@ def grabs(_: object, folder: Path) -> Product:
     return Product(np.zeros(2**36).tobytes())
 
 
+PINNED = []
+
+
+def pins(_: object, folder: Path) -> Product:
+    """Takes 200 MB in small pieces and keeps the last of them, above all that is free again."""
+    taken = [np.ones(12_000) for _ in range(2000)]
+    PINNED.append(taken[-1])
+    return Product(b"")
+
+
 def dies(number: int, folder: Path) -> Product:
     os.kill(os.getpid(), number)
     return Product(b"")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import signal
+import sys
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -103,3 +104,12 @@ def test_nothing_is_left_when_it_stops(tmp_path: Path):
     bounded.stop()
     assert gone(number)
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="other systems have other allocators")
+def test_what_a_clip_took_is_given_back_before_the_next(kept: Bounded):
+    kept.run(deeds.lasts, 0.0, Bounds())
+    assert kept.process is not None
+    before = psutil.Process(kept.process).memory_info().rss
+    assert kept.run(deeds.pins, None, Bounds()).data == b""
+    assert psutil.Process(kept.process).memory_info().rss < before + 50e6

@@ -14,7 +14,7 @@ import models
 
 from .. import clip, outside
 from ..errors import UserError, unknown
-from ..model_files import FOLDERS, elements
+from ..model_files import FOLDERS, elements, is_there
 from .task import Files
 
 ENDINGS = (".toml", ".xml")
@@ -110,7 +110,7 @@ def files_of(source: Source, figures: dict[Path, dict[Path, bytes]]) -> Files:
         return _packed(path, _model_files(path, figures))
     named = clip.figure_named(data.decode("utf-8", errors="replace"))
     figure = None if named is None or named in models.figures() else Path(os.path.normpath(path.parent / named))
-    if figure is None or not figure.is_file():
+    if figure is None or not is_there(figure):
         return Files(path.name, {path.name: data})
     absolute = named is not None and Path(named).is_absolute()
     return _packed(path, {path: data, **_model_files(figure, figures)}, figure if absolute else None)
@@ -203,7 +203,7 @@ def _model_files(path: Path, figures: dict[Path, dict[Path, bytes]]) -> dict[Pat
 def _places(folders: Collection[Path], names: Collection[str]) -> set[Path]:
     """The files of these names that are in these folders."""
     places = {Path(os.path.normpath(folder / name)) for folder in folders for name in names}
-    return {place for place in places if place.is_file()}
+    return {place for place in places if is_there(place)}
 
 
 def _packed(path: Path, files: Mapping[Path, bytes], figure: Path | None = None) -> Files:

@@ -151,11 +151,15 @@ class Manifest:
         if not self._whole:
             self.rewrite()
         entries = list(entries)
-        with self.path.open("ab") as stream:
-            stream.write("".join(entry.line() for entry in entries).encode())
-            stream.flush()
-            if firmly:
-                os.fsync(stream.fileno())
+        try:
+            with self.path.open("ab") as stream:
+                stream.write("".join(entry.line() for entry in entries).encode())
+                stream.flush()
+                if firmly:
+                    os.fsync(stream.fileno())
+        except OSError as error:
+            self._whole = False
+            raise UserError(f"cannot write '{self.path}': {error.strerror}") from None
         self.entries |= {entry.clip: entry for entry in entries}
 
     def rewrite(self) -> None:

@@ -96,7 +96,10 @@ def onto(captured: Captured, model: mujoco.MjModel, place: str) -> tuple[Array, 
         for role in shared
     }
     qpos = _angles(model, turns)
-    scale = _leg(standing.place, standing.roles) / float(np.mean([_leg(p, captured.roles) for p in captured.position]))
+    leg = float(np.mean([_leg(p, captured.roles) for p in captured.position]))
+    if not leg > 0:
+        raise UserError(f"{place}: its legs are without length, which would tell how large it is")
+    scale = _leg(standing.place, standing.roles) / leg
     qpos, lift = _on_ground(model, _placed(captured, standing, qpos, scale))
     notes = [f"scaled by {scale:.3f}, the ratio of the legs"]
     notes += [f"raised by {lift:+.3f} m, so that soles meet the ground"] if lift else []

@@ -33,6 +33,7 @@ NEAR = 0.03  # [m] within which a point may touch after one step of the search
 DEEP = 0.15  # [m] below its top, a point is beside a surface or under it, not over it
 FAR = 1e3  # [m]
 DIRECTIONS = 600  # in which a link's outermost spheres are looked for
+MOST_BETWEEN = 1000  # spheres along a capsule; no limb is 750 times as long as it is thick
 MESH_DIRECTIONS = 150  # the same of the vertices of a mesh
 
 
@@ -317,7 +318,7 @@ def body_points(figure: Figure) -> tuple[Point, ...]:
 def _between(a: Point, b: Point) -> list[Point]:
     """Spheres along a capsule between its ends, three quarters of a radius apart."""
     length = float(np.linalg.norm(b.position - a.position))
-    count = int(length / (0.75 * max(a.radius, 0.01)))
+    count = int(min(MOST_BETWEEN, length / (0.75 * max(a.radius, 0.01))))
     shares = np.arange(1, count) / max(count, 1)
     return [Point(a.name, a.link, a.position + share * (b.position - a.position), a.radius) for share in shares]
 

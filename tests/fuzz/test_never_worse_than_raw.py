@@ -1,7 +1,8 @@
 """Clips changed at random, searched for long or for a moment by any optimiser: finite, through their keyframes, and
 never worse than the raw spline, E of both summed over one fine grid.
 
-A short run is part of the tests; DYNSPLINES_FUZZ=300 makes a long one.
+A short run is part of the tests; DYNSPLINES_FUZZ=300 makes a long one: as many clips of a small figure, a few seconds
+together, and of those that ship, of which some take minutes each.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from fuzz import grammar
 from rich.console import Console
 
 from runner import clip as clips
@@ -34,6 +36,7 @@ EVALUATIONS = (1, 2, 5, 20, 60)
 SHORT = 10
 FINER = 7  # parts of the spans of both splines: another grid than the search's own
 EXACT = 1e-12
+ROUNDING = 1e-15  # of E: what two keyframes alone ask for can be kept exactly, and then E is 1e-26 or so
 DEGREES, METRES = 8.0, 0.05  # by which joints and the root are moved, at most
 DROPPED, FREED = 0.2, 0.1  # of the keyframes but the first and last, and of the joints of a keyframe
 
@@ -76,9 +79,35 @@ def turn(size: float, rng: np.random.Generator) -> Array:
     return quat.from_rotation_vector(np.radians(size * rng.uniform(-DEGREES, DEGREES, 3)))
 
 
-@pytest.mark.parametrize("seed", range(int(os.environ.get("DYNSPLINES_FUZZ", SHORT))))
+def drawn(seed: int) -> Clip:
+    """A clip of a small figure whose keyframes, penalties and search are all drawn at random."""
+    rng = np.random.default_rng([7, seed])
+    clip = clips.from_text(grammar.solvable_text(seed), name=f"drawn {seed}", spec=grammar.spec())
+    evaluations, method = int(rng.choice(EVALUATIONS)), str(rng.choice([NEWTON, *METHODS]))
+    settings = replace(clip.settings, max_evaluations=evaluations, method=method, frames=int(rng.choice([0, 4, 8])))
+    return replace(clip, settings=settings)
+
+
+COUNT = int(os.environ.get("DYNSPLINES_FUZZ", SHORT))
+
+
+@pytest.mark.parametrize("seed", range(COUNT))
 def test_a_changed_clip_is_never_worse_than_its_raw_spline(seed):
-    clip = varied(seed)
+    assert_no_worse(varied(seed))
+
+
+@pytest.mark.parametrize("seed", range(COUNT))
+def test_a_clip_that_is_drawn_at_random_is_never_worse_than_its_raw_spline(seed):
+    assert_no_worse(drawn(seed))
+
+
+@pytest.mark.parametrize("seed", [83, 226])  # the other is summed over equal samples
+def test_a_quaternion_that_passes_nought_between_two_samples_is_no_gain(seed):
+    assert_no_worse(drawn(seed))
+
+
+def assert_no_worse(clip: Clip) -> None:
+    """Searched, and held against its raw spline on a grid of its own."""
     motion = work.solve(clip, Teller(Console(file=io.StringIO()))).motion
     assert np.isfinite(motion.timeline.rows).all()
     assert keyframe_error(clip, motion.timeline) <= EXACT
@@ -86,4 +115,4 @@ def test_a_changed_clip_is_never_worse_than_its_raw_spline(seed):
     share = np.arange(FINER) / FINER
     times = np.append((edges[:-1, None] + share * np.diff(edges)[:, None]).ravel(), edges[-1])
     found, raw = (motion.objective.value(path_of(line), times) for line in (motion.timeline, motion.raw))
-    assert found <= raw * (1 + 1e-6), (clip.name, clip.settings.method, clip.settings.max_evaluations)
+    assert found <= raw * (1 + 1e-6) + ROUNDING, (clip.name, clip.settings.method, clip.settings.max_evaluations)

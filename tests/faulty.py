@@ -1,0 +1,120 @@
+"""Runs the command many times under conditions that are against it, each in a fork of one process that has all imports.
+
+A line of JSON in, one out: `words` of the command, `before`, Python that makes the conditions, and the `signal` that it
+sends to itself `at` a call of one of our functions, or `calls`, to count them. Out come exit code, both streams, calls.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import sys
+import tempfile
+import threading
+import time
+import traceback
+from pathlib import Path
+
+PATIENCE = 120.0  # [s]
+OWN = ("/runner/", "/solver/")  # files whose functions count
+
+
+def main() -> None:
+    import matplotlib.backends.backend_agg  # noqa: F401
+
+    import runner.chart
+    import runner.cli
+    import runner.clip
+    import runner.exchange.imported
+    import runner.kept
+    import runner.report
+    import runner.thin_files
+    import runner.work  # noqa: F401
+
+    for line in sys.stdin:
+        print(json.dumps(tried(json.loads(line))), flush=True)
+
+
+def tried(case: dict) -> dict:
+    """One run of the command, in a fork; its streams are pipes, which no limit on files counts."""
+    with tempfile.TemporaryDirectory() as folder:
+        calls, pipes = Path(folder) / "calls", [os.pipe(), os.pipe()]
+        child = os.fork()
+        if not child:
+            for number, (reading, writing) in enumerate(pipes, 1):
+                os.dup2(writing, number)
+                os.close(writing)
+                os.close(reading)
+            sys.stdout, sys.stderr = (os.fdopen(number, "w", closefd=False) for number in (1, 2))
+            _run(case, calls)
+        heard = [b"", b""]
+        listening = [threading.Thread(target=_hear, args=(heard, i, pipe)) for i, pipe in enumerate(pipes)]
+        for each in listening:
+            each.start()
+        end = time.monotonic() + PATIENCE
+        while not (found := os.waitpid(child, os.WNOHANG))[0]:
+            if time.monotonic() > end:
+                os.kill(child, signal.SIGKILL)
+            time.sleep(0.005)
+        for each in listening:
+            each.join()
+        counted = int(calls.read_text()) if calls.exists() else 0
+    out, said = (data.decode("utf-8", "replace") for data in heard)
+    return {"code": os.waitstatus_to_exitcode(found[1]), "out": out, "err": said, "calls": counted}
+
+
+def _hear(heard: list[bytes], number: int, pipe: tuple[int, int]) -> None:
+    """All that comes out of a pipe."""
+    os.close(pipe[1])
+    with os.fdopen(pipe[0], "rb") as stream:
+        heard[number] = stream.read()
+
+
+def _run(case: dict, calls: Path) -> None:
+    """The command, to the process's end."""
+    from runner import start
+
+    code = 99
+    try:
+        sys.argv = ["dynsplines", *case["words"]]
+        counted = _count(case)
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+        exec(case.get("before", ""), {})
+        try:
+            start.main()
+        finally:
+            sys.setprofile(None)
+            if "calls" in case:
+                calls.write_text(str(counted[0]))
+    except SystemExit as ended:
+        code = ended.code if isinstance(ended.code, int) else 0 if ended.code is None else 1
+    except BaseException:
+        traceback.print_exc()
+    finally:
+        try:
+            for stream in (sys.stdout, sys.stderr):
+                if stream is not None:
+                    stream.flush()
+        except BaseException:
+            code = code or 120  # as Python does
+        os._exit(code)
+
+
+def _count(case: dict) -> list[int]:
+    """Counts calls of our own functions from now on, and sends the signal at the one that was asked for."""
+    counted, wanted = [0], case.get("at")
+
+    def profile(frame, event, _):
+        if event == "call" and any(part in frame.f_code.co_filename for part in OWN):
+            counted[0] += 1
+            if counted[0] == wanted:
+                os.kill(os.getpid(), case["signal"])
+
+    if wanted is not None or "calls" in case:
+        sys.setprofile(profile)
+    return counted
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,163 @@
+"""Files of strangers tried one after another in a process of their own: it may end in any way, and is begun again.
+
+`python -m fuzz.driver KIND SEED`, in tests/, tries one file alone and shows what goes wrong with it.
+"""
+
+from __future__ import annotations
+
+import os
+import resource
+import select
+import subprocess
+import sys
+import tempfile
+import time
+import traceback
+from collections import Counter
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import IO
+
+from fuzz import strange
+
+from runner.errors import UserError
+
+TESTS = Path(__file__).parent.parent
+MOST_MEGABYTES = 1000.0  # of a process, at its peak
+ROOM = 6 * 2**30  # [bytes] of addresses: what asks for more fails, and the machine is spared
+MOST_SECONDS = 60.0  # of one file, by the clock of a machine that others use as well
+START_SECONDS = 120.0  # of a process, until it has its first file
+EACH = 3000  # files that one process tries, so that what it leaves behind is counted to no file
+PROGRAM = ["-m", "fuzz.driver"]
+READ, REFUSED = "read", "refused"
+
+
+@dataclass
+class Tally:
+    """How many files were tried, what they ended in, and the seeds of those that ended badly, with what happened.
+
+    slowest [s] of the processor, most [MB] of a process, with the seeds
+    """
+
+    ended: Counter[str] = field(default_factory=Counter)
+    bad: dict[int, str] = field(default_factory=dict)
+    slowest: tuple[float, int] = (0.0, -1)
+    most: float = 0.0
+
+    @property
+    def tried(self) -> int:
+        return sum(self.ended.values()) + len(self.bad)
+
+    @property
+    def line(self) -> str:
+        said = f"{self.tried} tried, {self.ended[READ]} read, {self.ended[REFUSED]} refused, {len(self.bad)} bad"
+        return f"{said}; slowest {self.slowest[0]:.2f} s (seed {self.slowest[1]}), most {self.most:.0f} MB"
+
+
+def tried(kind: str, count: int, folder: Path, *, start: int = 0) -> Tally:
+    """So many files of a kind, by processes; files that end badly stay in the folder."""
+    tally, seed, stop = Tally(), start, start + count
+    while seed < stop:
+        seed = _batch(kind, seed, min(seed + EACH, stop), folder, tally)
+    return tally
+
+
+def _batch(kind: str, start: int, stop: int, folder: Path, tally: Tally) -> int:
+    """By one process; the first seed that is left."""
+    command = [sys.executable, *PROGRAM, kind, str(start), str(stop), str(folder)]
+    paths = os.pathsep.join([str(TESTS), str(TESTS.parent)])
+    environment = {**os.environ, "PYTHONPATH": paths, "OMP_NUM_THREADS": "1", "DYNSPLINES_CACHE": "off"}
+    with (folder / "errors.txt").open("ab") as errors:
+        process = subprocess.Popen(
+            command, cwd=folder, env=environment, stdout=subprocess.PIPE, stderr=errors, bufsize=0
+        )
+    assert process.stdout is not None
+    seed = start
+    try:
+        while seed < stop:
+            line = _line(process.stdout, MOST_SECONDS if seed > start else START_SECONDS + MOST_SECONDS)
+            if line is None:
+                process.kill()
+                tally.bad[seed] = f"a hang: over {MOST_SECONDS:g} s"
+                return seed + 1
+            if not line:
+                tally.bad[seed] = f"the process ended with {process.wait()}"
+                return seed + 1
+            seconds, megabytes, how = line.decode().rstrip("\n").split(" ", 2)
+            tally.slowest = max(tally.slowest, (float(seconds), seed))
+            tally.most = max(tally.most, float(megabytes))
+            if how in (READ, REFUSED):
+                tally.ended[how] += 1
+            else:
+                tally.bad[seed] = how
+            seed += 1
+            if float(megabytes) > MOST_MEGABYTES:
+                tally.bad.setdefault(seed - 1, f"{megabytes} MB")
+                return seed
+        return seed
+    finally:
+        if seed < stop:
+            process.kill()
+        process.communicate()
+
+
+def _line(stream: IO[bytes], seconds: float) -> bytes | None:
+    """What the process says of a file; nothing if it has ended, None if it is at it for too long."""
+    ready, _, _ = select.select([stream], [], [], seconds)
+    return stream.readline() if ready else None
+
+
+def attempt(kind: strange.Kind, seed: int, folder: Path) -> str:
+    """What becomes of one file: read, refused, or the mistake."""
+    path = folder / kind.name
+    path.write_bytes(kind.make(strange.seeded(kind.name, seed)))
+    try:
+        kind.read(path)
+    except UserError as error:
+        return REFUSED if str(error) and "\n" not in str(error) else f"no line: {str(error)!r:.200}"
+    return READ
+
+
+def _serve(name: str, start: int, stop: int, kept: Path) -> None:
+    """A line a file, in a folder that goes; a process that dies leaves it."""
+    talk = os.fdopen(os.dup(1), "w", buffering=1)
+    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+    resource.setrlimit(resource.RLIMIT_AS, (ROOM, ROOM))
+    kind = strange.KINDS[name]
+    folder = Path(tempfile.mkdtemp(prefix=f"{name}.", dir=kept))
+    for other, text in kind.beside:
+        (folder / other).write_text(text, encoding="utf-8")
+    os.chdir(folder)
+    for seed in range(start, stop):
+        begin = time.process_time()
+        try:
+            how = attempt(kind, seed, folder)
+        except Exception as error:
+            at = traceback.extract_tb(error.__traceback__)[-1]
+            how = f"{type(error).__name__}: {' '.join(str(error).split())[:200]} ({Path(at.filename).name}:{at.lineno})"
+            (kept / f"bad.{seed}.{name}").write_bytes((folder / name).read_bytes())
+        peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+        print(
+            f"{time.process_time() - begin:.3f} {peak:.0f} {how.encode('ascii', 'backslashreplace').decode()}",
+            file=talk,
+        )
+    for path in folder.iterdir():
+        path.unlink()
+    folder.rmdir()
+
+
+def main() -> None:
+    words = sys.argv[1:]
+    if len(words) == 4:
+        _serve(words[0], int(words[1]), int(words[2]), Path(words[3]))
+        return
+    kind = strange.KINDS[words[0]]
+    with tempfile.TemporaryDirectory() as folder:
+        for other, text in kind.beside:
+            (Path(folder) / other).write_text(text, encoding="utf-8")
+        os.chdir(folder)
+        print(attempt(kind, int(words[1]), Path(folder)))
+
+
+if __name__ == "__main__":
+    main()

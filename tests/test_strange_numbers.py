@@ -1,0 +1,84 @@
+"""Numbers that no motion has, in models, keyframes and motions: refused in a line that says where they are."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import mujoco
+import numpy as np
+import pytest
+import tiny
+import wild
+
+from runner import clip, motion
+from runner.errors import UserError
+from runner.exchange import formats
+from runner.exchange.imported import imported
+from runner.motion import Saved
+from runner.starter import starter
+from solver.figure import Figure
+from solver.penalty import body_points
+from solver.penalty.contact import MOST_BETWEEN
+
+KEYS = '<keyframe><key qpos="{}"/><key time="1" qpos="{}"/></keyframe></mujoco>'
+GOOD = "0 0 1 1 0 0 0 1 0 0 0"
+
+
+@pytest.mark.parametrize(
+    ("other", "said"),
+    [
+        ("0 0 1 0 0 0 0 1 0 0 0", "the quaternion of 'root' is zero"),
+        ("0 0 1 1 0 0 0 0 1e-320 0 0", "the quaternion of 'left_knee' is zero"),
+        ("0 0 1 1 -1e308 0 0 1 0 0 0", "an entry is too large"),
+        ("0 0 1e308 1 0 0 0 1 0 0 0", "an entry is too large"),
+    ],
+)
+def test_keyframes_of_a_model_are_told_alike_by_new_and_as_a_clip(other: str, said: str, tmp_path: Path):
+    path = tmp_path / "m.xml"
+    path.write_text(tiny.FIGURE.replace("</mujoco>", KEYS.format(GOOD, other)), encoding="utf-8")
+    with pytest.raises(UserError, match=f"m.xml: keyframe 2: {said}"):
+        starter(str(path), tmp_path / "a.toml")
+    with pytest.raises(UserError, match=rf"m.xml: keyframe 2 \(t = 1 s\): {said}"):
+        clip.load(str(path))
+
+
+@pytest.mark.parametrize("length", ["1e4", "1e9", "1e50"])
+def test_a_capsule_of_any_length_is_covered_by_so_many_spheres(length: str):
+    text = tiny.FIGURE.replace('fromto="0 0 0 0 0 -.3"', f'fromto="0 0 0 0 0 -{length}"')
+    found = body_points(Figure(mujoco.MjModel.from_xml_string(text)))
+    assert sum(point.name == "shin" for point in found) == MOST_BETWEEN + 1
+
+
+@pytest.mark.parametrize("name", ["frame_state", "raw_frame_state", "qpos", "key_qpos"])
+def test_a_motion_of_numbers_too_large_to_reckon_with_is_refused(name: str, saved: Saved, tmp_path: Path):
+    motion.save(saved, tmp_path / "a.npz")
+    with np.load(tmp_path / "a.npz") as data:
+        arrays = {each: data[each] for each in data.files}
+    arrays[name][0, -4] = 1e308
+    np.savez(tmp_path / "b.npz", **arrays)
+    with pytest.raises(UserError, match=f"b.npz: its arrays do not fit together: '{name}' holds an entry that is too"):
+        motion.load(tmp_path / "b.npz")
+
+
+def test_a_skeleton_whose_joints_are_all_in_one_place_is_refused(tmp_path: Path):
+    formats.export(wild.motion_of("human"), "bvh", tmp_path / "a.bvh", fps=10.0)
+    text = (tmp_path / "a.bvh").read_text(encoding="utf-8")
+    (tmp_path / "a.bvh").write_text(re.sub(r"OFFSET .*", "OFFSET 0 0 0", text), encoding="utf-8")
+    with pytest.raises(UserError, match=r"a.bvh: its legs are without length"):
+        imported(tmp_path / "a.bvh", figure="human")
+
+
+@pytest.mark.parametrize("name", ["x" * 400, "x/" * 3000, "a\0b"])
+def test_names_that_no_disk_has_are_those_of_files_that_are_not_there(name: str, tmp_path: Path):
+    quoted = name.replace("\0", "\\u0000")
+    text = tiny.changed('"tiny.xml"', f'"{quoted}.xml"')
+    with pytest.raises(UserError, match="no file '"):
+        clip.load(str(tiny.written(tmp_path, text)))
+    if "\0" not in name:
+        for element in (f'<include file="{name}"/>', f'<asset><mesh name="a" file="{name}.stl"/></asset>'):
+            (tmp_path / "m.xml").write_text(
+                tiny.FIGURE.replace("<worldbody>", f"{element}<worldbody>"), encoding="utf-8"
+            )
+            with pytest.raises(UserError):
+                clip.load(str(tmp_path / "m.xml"))
