@@ -86,6 +86,7 @@ def everything(figure: Figure) -> Mask:
     return np.ones(figure.width, bool)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(6))
 def test_the_places_of_a_pose_that_can_be_taken_are_met_again(seed):
     """A round trip: sites and rotations of a random pose, a pose found for them from rest, its sites by MuJoCo."""
@@ -103,6 +104,7 @@ def test_the_places_of_a_pose_that_can_be_taken_are_met_again(seed):
     assert_human(found.qpos)
 
 
+@pytest.mark.slow
 @settings(max_examples=15, deadline=None)
 @given(seed=st.integers(0, 10**6), side=st.sampled_from(["left", "right"]), limb=st.sampled_from(["heel", "hand"]))
 def test_only_what_is_free_moves_and_what_is_missed_is_told(seed, side, limb):
@@ -158,6 +160,7 @@ def test_a_straight_leg_shortens_forward_at_the_knee():
     assert_human(found.qpos)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("short", [1e-2, 1e-3, 1e-4, 1e-5])
 def test_a_leg_a_hair_shorter_than_straight_is_found(short):
     figure = HUMAN["world"]
@@ -170,6 +173,7 @@ def test_a_leg_a_hair_shorter_than_straight_is_found(short):
     assert posed(figure, figure.model.qpos0, free, [beyond, goals[1]], bends).missed[0] == pytest.approx(short, rel=0.1)
 
 
+@pytest.mark.slow
 def test_legs_that_home_has_turned_far_round_stand_all_the_same():
     """As where a path is gone on with, beyond its last keyframe: two homes of three at least, as such are hard."""
     figure = HUMAN["world"]
@@ -312,6 +316,7 @@ def asked_again(figure: Figure, points: Sequence[Point], wanted: Array, rng: np.
     return [PointGoal.of(figure, point, PointGoal.of(figure, point).place(data)) for point in some]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["human", "biped", "quadruped"])
 def test_hands_and_feet_of_poses_inside_the_ranges_are_found_from_the_rest_pose(name):
     rng = np.random.default_rng(4)
