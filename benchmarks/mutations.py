@@ -2,6 +2,7 @@
 
     python benchmarks/mutations.py --count 200 --seed 1         200 random places of solver/
     python benchmarks/mutations.py --only solver/descent.py     those of some files alone
+    python benchmarks/mutations.py --only solver/descent.py:49  every mutation of some lines
 
 A mutation is a float times 1.001, an integer one up or down, a comparison, a sign or a product turned round, `and` for
 `or`. No file is touched: a process of its own compiles the mutated source under the module's name and runs pytest in
@@ -141,11 +142,18 @@ def mutated(path: Path, number: int, way: int) -> Mutant:
 
 def chosen(count: int, seed: int, only: list[str]) -> list[Mutant]:
     """Random lines of the solver that can be changed, each once, and a random change of each."""
+    if only and all(":" in name for name in only):
+        return [each for name in only for each in _all_of(*name.split(":"))]
     files = [ROOT / name for name in only] or sorted((ROOT / "solver").rglob("*.py"))
     lines = [(path, places) for path in files for places in mutants_of(path).values()]
     rng = random.Random(seed)
     rng.shuffle(lines)
     return [mutated(path, *rng.choice(places)) for path, places in lines[:count]]
+
+
+def _all_of(path: str, line: str) -> list[Mutant]:
+    """Every change of one line."""
+    return [mutated(ROOT / path, *place) for place in mutants_of(ROOT / path).get(int(line), [])]
 
 
 def module_name(path: str) -> str:
@@ -301,7 +309,13 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--skip", type=int, default=0, help="of those chosen, the first so many")
     parser.add_argument("--seconds", type=float, default=SECONDS, help="of a core, for each file of tests")
-    parser.add_argument("--only", nargs="*", default=[], metavar="FILE", help="files of solver/")
+    parser.add_argument(
+        "--only",
+        nargs="*",
+        default=[],
+        metavar="FILE",
+        help="files of solver/, or FILE:LINE for every change of a line",
+    )
     parser.add_argument("--json", type=Path, help="a file to which a line each is added")
     asked = parser.parse_args()
     sys.path.insert(0, str(TESTS))

@@ -15,6 +15,7 @@ import models
 from runner.clip_table import PenaltyTable
 from runner.constraints import posing_bends
 from runner.feet import sole_points
+from solver import posing
 from solver import quaternion as quat
 from solver.figure import Figure, JointKind, quaternion_columns
 from solver.frame import Mask
@@ -365,3 +366,16 @@ def test_what_a_goal_apart_misses_does_not_move_the_others():
     assert alone.is_met and both.missed[0] <= MET < both.missed[1]
     assert both.starts == STARTS
     np.testing.assert_allclose(both.qpos[alone.fixed], alone.qpos[alone.fixed], atol=1e-12)
+
+
+def test_a_search_begins_with_every_joint_bent_by_its_least_flexion_and_those_that_bend_more_as_they_are():
+    figure = HUMAN["world"]
+    bends = posing._Bends.of(figure, BENDS, everything(figure))
+    assert bends is not None
+    straight = np.array(figure.model.qpos0)
+    least = bends._angles(straight[bends.columns])[0].max() + 0.2
+    begun = bends.begun(straight, least)
+    np.testing.assert_allclose(bends._angles(begun[bends.columns])[0], least, atol=1e-9)
+    others = np.setdiff1d(np.arange(straight.size), bends.columns)
+    np.testing.assert_array_equal(begun[others], straight[others])
+    np.testing.assert_array_equal(bends.begun(begun, least - 0.1), begun)
