@@ -594,7 +594,6 @@ BAD_WORDS = [
 ]
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(("words", "told"), BAD_WORDS, ids=lambda v: " ".join(v)[:60] if isinstance(v, list) else "")
 def test_a_mistake_on_the_command_line_is_one_line_and_writes_nothing(
     run, tmp_path, motion_file, monkeypatch, words, told

@@ -187,13 +187,11 @@ def assert_squares(penalty: Penalty, residuals: Callable[[Samples], Array], figu
     assert_near(assembled(curvature_of(penalty, samples, scale), phi), expected)
 
 
-@pytest.mark.slow
 def test_the_curvature_is_twice_the_square_of_the_residuals_jacobian(figure, rng, known):
     penalty, residuals = known
     assert_squares(penalty, residuals, figure, rng)
 
 
-@pytest.mark.slow
 def test_the_curvature_of_torques_knows_the_armature(figure, rng):
     assert_squares(Torque(), _efforts, with_armature(figure, rng), rng)
 

@@ -204,7 +204,6 @@ DAMAGE = {
 }
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("damage", DAMAGE)
 def test_a_damaged_file_is_as_good_as_none_and_is_replaced(tmp_path, cache, counted, damage):
     first = kept.solved(tiny(tmp_path / "a"), teller())
