@@ -127,14 +127,14 @@ def _told(tree: ast.AST) -> Iterator[ast.AST]:
 
 def mutated(path: Path, number: int, way: int) -> Mutant:
     tree = ast.parse(path.read_text(encoding="utf-8"))
-    node = list(ast.walk(tree))[number]
-    new = ast.copy_location(copy.deepcopy(changes(node)[way]), node)
-    line = node.lineno  # type: ignore[attr-defined]
-    before, after = ast.unparse(node), ast.unparse(new)
+    old = list(ast.walk(tree))[number]
+    new = ast.copy_location(copy.deepcopy(changes(old)[way]), old)
+    line = old.lineno  # type: ignore[attr-defined]
+    before, after = ast.unparse(old), ast.unparse(new)
 
     class Exchange(ast.NodeTransformer):
-        def visit(self, each: ast.AST) -> ast.AST:
-            return new if each is node else self.generic_visit(each)
+        def visit(self, node: ast.AST) -> ast.AST:
+            return new if node is old else self.generic_visit(node)
 
     whole = ast.unparse(ast.fix_missing_locations(Exchange().visit(tree)))
     return Mutant(path.relative_to(ROOT).as_posix(), line, before, after, whole)
