@@ -76,6 +76,7 @@ def turn(size: float, rng: np.random.Generator) -> Array:
     return quat.from_rotation_vector(np.radians(size * rng.uniform(-DEGREES, DEGREES, 3)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(int(os.environ.get("DYNSPLINES_FUZZ", SHORT))))
 def test_a_changed_clip_is_never_worse_than_its_raw_spline(seed):
     clip = varied(seed)
