@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+# isort: off
+import one_thread  # noqa: F401 - before NumPy
+# isort: on
+
 import io
 import os
 from pathlib import Path

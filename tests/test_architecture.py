@@ -1,6 +1,7 @@
 """The house rules, read off the source: imports run one way, third parties stay in their file, no I/O in the solver."""
 
 import ast
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -28,11 +29,13 @@ SCIPY_IN_SOLVER = {
 NO_WORLD = {"os", "sys", "io", "pathlib", "time", "datetime", "shutil", "tempfile", "subprocess", "logging", "random"}
 
 
+@cache
 def tree(path: Path) -> ast.Module:
     return ast.parse((ROOT / path).read_text(encoding="utf-8"))
 
 
-def imports(path: Path) -> set[str]:
+@cache
+def imports(path: Path) -> frozenset[str]:
     """Dotted names of all that a file imports, relative ones resolved; a name imported from a module counts too."""
     names: set[str] = set()
     package = path.parent.parts
@@ -43,9 +46,10 @@ def imports(path: Path) -> set[str]:
             above = package[: len(package) - node.level + 1] if node.level else ()
             base = ".".join([*above, *([node.module] if node.module else [])])
             names |= {base} | {f"{base}.{alias.name}" for alias in node.names}
-    return names
+    return frozenset(names)
 
 
+@cache
 def packages(path: Path) -> set[str]:
     return {name.split(".")[0] for name in imports(path)}
 

@@ -149,6 +149,7 @@ def from_raw(monkeypatch) -> None:
     monkeypatch.setattr(VERB, "farthest", lambda *_: 0.0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", SWINGS)
 def test_beginning_again_never_ends_higher(seed, monkeypatch, from_raw):
     keys = swinging(seed)
@@ -161,6 +162,7 @@ def test_beginning_again_never_ends_higher(seed, monkeypatch, from_raw):
         assert distance_from_key(LIMB, state, key) < 1e-11
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", HEAPS)
 def test_a_limb_that_began_behind_its_knee_is_out_of_there(seed, monkeypatch):
     keys = swinging(seed)
@@ -171,6 +173,7 @@ def test_a_limb_that_began_behind_its_knee_is_out_of_there(seed, monkeypatch):
     assert value(after) < 0.1 * value(before)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", HEAPS)
 def test_where_the_raw_spline_is_far_off_the_straight_way_comes_first(seed):
     keys = swinging(seed)
@@ -218,6 +221,7 @@ def test_a_stop_in_the_second_search_keeps_the_better_of_both(monkeypatch, from_
     assert value(after) < value(before)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", SWINGS)
 def test_nothing_is_worse_than_the_raw_spline_on_one_fine_grid_for_both(seed):
     motion = inbetween(LIMB, swinging(seed), TERMS)
@@ -241,6 +245,7 @@ def test_what_is_judged_on_one_grid_is_not_what_each_says_of_itself():
     assert np.isclose(objective.value(path_of(coarse), times), objective.value(path_of(fine), times), rtol=1e-9)
 
 
+@pytest.mark.slow
 def test_a_round_that_hid_what_it_costs_is_not_kept(monkeypatch):
     """The first search of this limb ends at samples between which its knee folds too far for a thousandth of a second:
     E = 0.949 by its own samples and 30 by finer ones; a round before had 0.950 and hid nothing."""
@@ -260,6 +265,7 @@ def test_a_round_that_hid_what_it_costs_is_not_kept(monkeypatch):
     assert max(values[i] / own[i] for i in range(len(own))) > 10
 
 
+@pytest.mark.slow
 def test_where_both_ways_end_in_a_heap_terms_enter_one_after_the_other(monkeypatch):
     keys, plain = swinging(3), inbetween(LIMB, swinging(3), TERMS)
     without: list[frozenset[str]] = []
@@ -276,6 +282,7 @@ def test_where_both_ways_end_in_a_heap_terms_enter_one_after_the_other(monkeypat
     assert max(distance_from_key(LIMB, state, key) for state, key in zip(ends, keys, strict=True)) < 1e-12
 
 
+@pytest.mark.slow
 def test_what_came_out_well_but_dear_is_searched_once_more_without_bends_to_begin_with(monkeypatch):
     without: list[frozenset[str]] = []
     loosened = VERB._Loop.loosened

@@ -139,6 +139,7 @@ def assert_complete(folder: Path, count: int) -> None:
     assert [path.name for path in folder.iterdir() if path.is_file()] == ["manifest.jsonl"]
 
 
+@pytest.mark.slow
 def test_each_clip_is_done_once_though_a_process_and_the_program_are_killed(tmp_path: Path, start):
     count, out = 24, tmp_path / "out"
     clips(tmp_path / "clips", count)
@@ -167,6 +168,7 @@ def test_each_clip_is_done_once_though_a_process_and_the_program_are_killed(tmp_
     assert {name: (out / f"{name}.npz").stat().st_mtime_ns for name in finished} == stamps
 
 
+@pytest.mark.slow
 def test_nobody_else_on_the_machine_can_reach_a_batch_and_it_leaves_nothing_where_it_ran(tmp_path: Path, start):
     (tmp_path / "clips").mkdir()
     (tmp_path / "clips/a.toml").write_text("hang", encoding="utf-8")
@@ -184,6 +186,7 @@ def test_nobody_else_on_the_machine_can_reach_a_batch_and_it_leaves_nothing_wher
     assert sorted(path.name for path in tmp_path.iterdir()) == ["clips", "out"]
 
 
+@pytest.mark.slow
 def test_clips_that_fail_in_every_way_stop_nothing_and_are_told(tmp_path: Path, start):
     deeds = {
         "a_good": "fine 1",
@@ -215,6 +218,7 @@ def test_clips_that_fail_in_every_way_stop_nothing_and_are_told(tmp_path: Path, 
     assert (tmp_path / "out" / "f_once.npz").read_bytes() == b"at last"
 
 
+@pytest.mark.slow
 def test_ctrl_c_stops_and_another_program_is_refused_meanwhile(tmp_path: Path, start):
     (tmp_path / "clips").mkdir()
     for name, text in {"a": "fine", "b": "hang", "c": "hang", "d": "fine"}.items():
@@ -241,6 +245,7 @@ def test_ctrl_c_stops_and_another_program_is_refused_meanwhile(tmp_path: Path, s
     assert not (out / "manifest.lock").exists()
 
 
+@pytest.mark.slow
 def test_a_scheduler_that_goes_away_is_told_and_costs_no_clip_anything(tmp_path: Path, start):
     cluster = start(program=CLUSTER)
     assert cluster.stdout is not None
@@ -269,6 +274,7 @@ def test_a_scheduler_that_goes_away_is_told_and_costs_no_clip_anything(tmp_path:
     assert {entry.state for entry in entries.values()} == {"done", "queued"}
 
 
+@pytest.mark.slow
 def test_a_cluster_elsewhere_gets_all_it_needs_and_gives_back_the_files(tmp_path: Path, start):
     cluster = start(program=CLUSTER)
     assert cluster.stdout is not None
@@ -289,6 +295,7 @@ def test_a_cluster_elsewhere_gets_all_it_needs_and_gives_back_the_files(tmp_path
     until(lambda: not solvers(cluster.pid), "the end of the batch's processes at the workers")
 
 
+@pytest.mark.slow
 def test_what_a_killed_program_had_begun_to_write_is_removed_whatever_the_ending(tmp_path: Path, start):
     (tmp_path / "tiny.toml").write_text(CLIP, encoding="utf-8")
     (tmp_path / "tiny.xml").write_text(FIGURE, encoding="utf-8")
@@ -307,6 +314,7 @@ def test_what_a_killed_program_had_begun_to_write_is_removed_whatever_the_ending
     assert said.splitlines()[-2].startswith(problem)
 
 
+@pytest.mark.slow
 def test_a_folder_that_is_removed_meanwhile_is_told(tmp_path: Path, start):
     (tmp_path / "clips").mkdir()
     for name, text in {"a": "fine", "b": "hang"}.items():

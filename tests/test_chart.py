@@ -31,6 +31,7 @@ def figure(saved: Saved, tmp_path, monkeypatch) -> Figure:
     return kept[0]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("ending", "magic"), [("png", b"\x89PNG"), ("svg", b"<?xml"), ("pdf", b"%PDF"), ("PNG", b"\x89PNG")]
 )
@@ -41,6 +42,7 @@ def test_the_ending_says_what_is_written(saved, tmp_path, ending, magic):
     assert plt.get_fignums() == []
 
 
+@pytest.mark.slow
 def test_the_first_chart_is_the_height_of_the_lowest_point(figure, saved):
     lines = {line.get_label(): line for line in figure.axes[0].get_lines()}
     for side in ("before", "after"):
@@ -51,24 +53,28 @@ def test_the_first_chart_is_the_height_of_the_lowest_point(figure, saved):
     assert lowest[0] == pytest.approx(90, abs=0.1)
 
 
+@pytest.mark.slow
 def test_keyframes_are_marked_on_the_charts_over_time(figure):
     for axes in figure.axes[:2]:
         upright = {float(line.get_xdata()[0]) for line in axes.get_lines() if len(set(line.get_xdata())) == 1}
         assert upright == {0, 0.2, 0.41}
 
 
+@pytest.mark.slow
 def test_the_third_chart_has_a_bar_a_tenth_and_side(figure, saved):
     heights = [bar.get_height() for bar in figure.axes[2].patches]
     wanted = [value for side in ("before", "after") for value in saved.report["curves"][side]["EL over tenths"]]
     np.testing.assert_allclose(heights, wanted)
 
 
+@pytest.mark.slow
 def test_the_fourth_chart_falls_with_the_objective(figure, saved):
     lines = {line.get_label(): line.get_ydata() for line in figure.axes[3].get_lines()}
     np.testing.assert_allclose(lines["objective"], [entry[2] for entry in saved.trace])
     assert set(saved.trace[-1][3]) < set(lines)
 
 
+@pytest.mark.slow
 def test_every_penalty_has_a_stroke_of_its_own(figure, saved, tmp_path, monkeypatch):
     kept: list[Figure] = []
     monkeypatch.setattr(chart.plt, "close", kept.append)
@@ -81,6 +87,7 @@ def test_every_penalty_has_a_stroke_of_its_own(figure, saved, tmp_path, monkeypa
     assert len({(line.get_color(), line.get_linestyle()) for line in lines}) == len(names)
 
 
+@pytest.mark.slow
 def test_a_clip_without_feet_or_evaluations_can_be_charted(saved, tmp_path):
     bare = copy.deepcopy(saved.report)
     for side in ("before", "after"):
@@ -90,12 +97,14 @@ def test_a_clip_without_feet_or_evaluations_can_be_charted(saved, tmp_path):
     assert (tmp_path / "bare.svg").stat().st_size > 1000
 
 
+@pytest.mark.slow
 def test_a_clip_on_which_nothing_is_to_be_gained_can_be_charted(saved, tmp_path):
     trace = [[1, 0, 0.0, {"root": 0.0}], [2, 0, 0.0, {"root": 0.0}]]
     draw("still", saved.report, trace, np.array([0.0, 1.0]), tmp_path / "still.png")
     assert (tmp_path / "still.png").stat().st_size > 1000
 
 
+@pytest.mark.slow
 def test_a_name_with_dollars_is_no_formula(saved, tmp_path):
     draw(r"a$\frac$b", saved.report, saved.trace, np.array([0.0]), tmp_path / "c.svg")
     assert (tmp_path / "c.svg").stat().st_size > 1000

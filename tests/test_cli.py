@@ -155,6 +155,7 @@ def test_report_of_a_motion_does_not_solve(run, motion_file, solving_forbidden):
     assert strict["keyframes"] == 3
 
 
+@pytest.mark.slow
 def test_plot_of_a_motion_does_not_solve(run, motion_file, solving_forbidden, tmp_path):
     done = run("plot", motion_file)
     assert (done.code, done.out, done.err) == (0, "", "wrote tiny.png\n")
@@ -178,6 +179,7 @@ def test_the_ending_says_what_is_rendered(run, motion_file, tmp_path, ending, ma
     assert (tmp_path / f"film.{ending}").read_bytes().startswith(magic)
 
 
+@pytest.mark.slow
 def test_a_contact_sheet_draws_only_the_images_that_it_shows(run, motion_file, saved, tmp_path, monkeypatch):
     look = show.Look(32, 32, 100.0)
     every = list(show.images(saved, look, Graphics("rays", "")))
@@ -213,6 +215,7 @@ def test_ghosts_make_a_still_of_the_size_asked_for(run, motion_file, tmp_path):
     assert size_of(tmp_path / "tiny.png") == (48, 40)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ending", ["mp4", "gif", "png"])
 def test_a_film_is_the_same_whatever_the_number_of_workers(run, motion_file, tmp_path, monkeypatch, ending):
     monkeypatch.setattr(show, "PIXELS_OF_A_PROCESS", 1)
@@ -224,6 +227,7 @@ def test_a_film_is_the_same_whatever_the_number_of_workers(run, motion_file, tmp
     assert films[0] == films[1]
 
 
+@pytest.mark.slow
 def test_without_a_word_rays_are_drawn_by_a_process_a_core(run, motion_file, monkeypatch):
     asked: list[int] = []
     images = show.images
@@ -238,6 +242,7 @@ def test_without_a_word_rays_are_drawn_by_a_process_a_core(run, motion_file, mon
     assert asked == [min(cores(), MOST_WORKERS), 2]
 
 
+@pytest.mark.slow
 def test_render_of_a_clip_solves_it_unless_only_the_keyframes_are_wanted(run, monkeypatch):
     solved: list[str] = []
     solve = work.solve
@@ -302,6 +307,7 @@ def in_a_fresh_process(folder: Path, script: str, **settings: str) -> str:
     return done.stdout.splitlines()[-1]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("words", "absent"),
     [
@@ -321,6 +327,7 @@ def test_what_draws_nothing_imports_nothing_that_draws_and_needs_no_graphics(tmp
     assert in_a_fresh_process(tmp_path, script, MUJOCO_GL="nonsense") == "[]"
 
 
+@pytest.mark.slow
 def test_what_is_imported_while_the_renderer_is_looked_for_is_not_mujoco(tmp_path):
     script = (
         "import importlib, sys; from runner import cli\n"
@@ -445,6 +452,7 @@ BAD_CLIPS = {
 }  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mistake", BAD_CLIPS)
 def test_a_mistake_in_a_clip_is_one_line_that_says_where(run, tmp_path, mistake):
     text, words = BAD_CLIPS[mistake]
@@ -497,6 +505,7 @@ def assert_refused_whatever_mujoco_says(done: Done, *words: str) -> None:
     assert all(word in line for word in words)
 
 
+@pytest.mark.slow
 def test_a_new_clip_of_a_model_is_solved_as_it_is_and_never_written_over_another(run, tmp_path):
     assert run("new", "hinge.xml", "-o", "mine.toml").code in (None, 0)
     assert run("solve", "mine.toml").code in (None, 0)
@@ -629,6 +638,7 @@ def test_a_motion_with_half_a_report_is_one_line(run, tmp_path, motion_file, com
         assert_refused(run(command, "m.npz"), "m.npz", "its report is not complete")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("fault", "told"), [(crew.leaves, "a worker process ended with code 3"), (crew.locked, "locked")]
 )
@@ -713,6 +723,7 @@ def long_solve(tmp_path, request: pytest.FixtureRequest) -> Iterator[subprocess.
     process.communicate()
 
 
+@pytest.mark.slow
 @POSIX
 @pytest.mark.parametrize("workers", [1, 2])
 def test_ctrl_c_while_rendering_stops_at_once_and_leaves_nothing(tmp_path, motion_file, workers):
@@ -736,6 +747,7 @@ def test_ctrl_c_while_rendering_stops_at_once_and_leaves_nothing(tmp_path, motio
     assert names(tmp_path) == []
 
 
+@pytest.mark.slow
 @POSIX
 def test_ctrl_c_while_solving_keeps_the_best_path_and_writes_it(long_solve, tmp_path):
     time.sleep(0.3)
@@ -750,6 +762,7 @@ def test_ctrl_c_while_solving_keeps_the_best_path_and_writes_it(long_solve, tmp_
     assert trace[-1][2] < trace[0][2]
 
 
+@pytest.mark.slow
 @POSIX
 @pytest.mark.parametrize("long_solve", [["report", "tiny.toml", "--json"]], indirect=True)
 def test_a_second_ctrl_c_only_cuts_the_measuring_short(long_solve, tmp_path):
@@ -774,6 +787,7 @@ LOOP = changed("frames = 2", 'frames = 2\nends = "periodic"').replace(
 )
 
 
+@pytest.mark.slow
 def test_a_travelling_loop_is_solved_repeated_and_rendered(run, tmp_path):
     (tmp_path / "loop.toml").write_text(LOOP, encoding="utf-8")
     assert run("solve", "loop.toml").code == 0
@@ -822,6 +836,7 @@ def test_travel_without_a_loop_is_refused(run, tmp_path):
     assert_refused(run("solve", "free.toml"), "travel is for ends = 'periodic', not 'free'")
 
 
+@pytest.mark.slow
 def test_edits_write_a_motion_named_after_what_is_done(run, motion_file, tmp_path):
     assert told_last(run("trim", motion_file, "--from", 0.1, "--to", 0.3)) == "wrote tiny_trimmed.npz"
     assert told_last(run("retime", motion_file, "--speed", 2)) == "wrote tiny_retimed.npz"
@@ -836,6 +851,7 @@ def test_edits_write_a_motion_named_after_what_is_done(run, motion_file, tmp_pat
     assert run("solve", "tiny_retimed.toml").code == 0
 
 
+@pytest.mark.slow
 def test_edits_that_cannot_be_are_told_in_one_line(run, motion_file, tmp_path):
     with nothing_written(tmp_path):
         assert_refused(run("mirror", motion_file), "no partner on the other side for: 'left_knee'")
@@ -908,6 +924,7 @@ def test_json_says_how_it_went_and_what_is_wrong_and_measures_nothing(sinking):
     assert worst["time"] == pytest.approx(0.2)
 
 
+@pytest.mark.slow
 def test_a_saved_motion_is_told_of_as_well(sinking, tmp_path):
     assert sinking("solve", "sinks.toml").code == 0
     with np.load(tmp_path / "sinks.npz") as data:
@@ -920,6 +937,7 @@ def test_a_saved_motion_is_told_of_as_well(sinking, tmp_path):
     assert any("keyframe 2 itself: shin is 140 mm in the floor at 0.10 s" in line for line in done.err.splitlines())
 
 
+@pytest.mark.slow
 def test_the_report_begins_with_what_is_wrong(run, tmp_path):
     (tmp_path / "sinks.toml").write_text(SINKING, encoding="utf-8")
     assert run("solve", "sinks.toml").code == 0
@@ -933,6 +951,7 @@ def test_the_report_begins_with_what_is_wrong(run, tmp_path):
     assert "seconds" not in told  # a file knows no clock
 
 
+@pytest.mark.slow
 def test_the_same_command_writes_the_same_bytes_whatever_threads_are_asked_for(tmp_path):
     tiny.written(tmp_path)
     seen = set()

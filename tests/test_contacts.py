@@ -74,6 +74,7 @@ def test_a_contact_that_a_keyframe_begins_in_the_floor_rises_with_what_is_let_pa
     np.testing.assert_allclose(before.spot[:2], before.landed[:2])
 
 
+@pytest.mark.slow
 def test_other_keyframes_are_posed_anew():
     squat = """
 figure = "human"
@@ -102,6 +103,7 @@ def test_a_contact_with_a_position_and_one_that_nobody_placed():
     assert [(r.point.name, r.first, r.last) for r in rests] == [("right_toe", 0.6, 0.9)]
 
 
+@pytest.mark.slow
 def test_a_foot_rests_where_a_contact_says_and_without_it_does_not():
     contact = 'point = "left_toe"\nfrom = 0.55\nto = 0.75'
 
@@ -118,6 +120,7 @@ def test_a_foot_rests_where_a_contact_says_and_without_it_does_not():
     assert moved(clips.from_text(held, name="rests")) < 0.005
 
 
+@pytest.mark.slow
 def test_the_report_tells_how_far_every_contact_moves():
     contact = 'point = "left_toe"\nfrom = 0.55\nto = 0.75'
     clip = clips.from_text(text(contact, x=0.2, y=0.4), name="rests")
@@ -177,6 +180,7 @@ def test_a_keyframe_that_puts_the_point_away_from_the_contacts_position_is_told(
         clips.from_text(text('point = "left_heel"\nfrom = 0\nto = 1\nposition = [5, 0, 0]'), name="far")
 
 
+@pytest.mark.slow
 def test_a_keyframe_that_puts_a_foot_into_a_step_is_told_and_the_legs_do_not_whip():
     standing = "".join(f'[[keyframe]]\ntime = {t}\nothers = "rest"\n' for t in (0.0, 0.5, 1.0))
     inside = clips.from_text(f'figure = "human"\n[scene]\nstep = {{x = 0.0, height = 0.3}}\n{standing}', name="inside")

@@ -61,6 +61,7 @@ def assert_same(saved: Saved, got: Array, wanted: Array) -> None:
     np.testing.assert_allclose(got, wanted, rtol=0, atol=1e-9)
 
 
+@pytest.mark.slow
 def test_mirrored_samples_are_the_mirror_images_of_samples(cycle, steps):
     for saved in (cycle, steps):
         mirror, mirrored = Mirror.of(saved.figure), edits.mirrored(saved)
@@ -74,6 +75,7 @@ def test_mirrored_samples_are_the_mirror_images_of_samples(cycle, steps):
             np.testing.assert_array_equal(a.fixed, b.fixed)
 
 
+@pytest.mark.slow
 def test_the_run_loop_is_its_own_mirror_image_half_a_period_on(cycle):
     t = np.linspace(0, 0.37, 30)
     later, other = cycle.timeline, edits.mirrored(cycle).timeline
@@ -84,6 +86,7 @@ def test_the_run_loop_is_its_own_mirror_image_half_a_period_on(cycle):
     assert np.abs(got - wanted).max() < 1e-3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("speed", [0.4, 1.5])
 def test_retimed_samples_are_those_at_other_times(cycle, steps, speed):
     for saved in (cycle, steps):
@@ -95,6 +98,7 @@ def test_retimed_samples_are_those_at_other_times(cycle, steps, speed):
         assert [key.time * speed for key in fast.keys] == pytest.approx([key.time for key in saved.keys])
 
 
+@pytest.mark.slow
 def test_trimmed_samples_are_those_of_the_interval(cycle, steps):
     for saved in (cycle, steps):
         part = edits.trimmed(saved, 10 / FPS, 50 / FPS)
@@ -106,6 +110,7 @@ def test_trimmed_samples_are_those_of_the_interval(cycle, steps):
         np.testing.assert_array_equal(part.keys[2].fixed, saved.keys[2].fixed)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("fps", [30.0, FPS])
 def test_a_repeated_loop_is_sampled_without_a_doubled_image(cycle, fps):
     many, seam = edits.repeated(cycle, 3), Seam.of(cycle.figure, cycle.timeline)
@@ -124,6 +129,7 @@ def test_a_repeated_loop_is_sampled_without_a_doubled_image(cycle, fps):
     assert edits.repeated(cycle, 1) is cycle
 
 
+@pytest.mark.slow
 def test_a_joined_motion_goes_on_where_the_first_ends_and_as_the_second_is(steps):
     after = edits.trimmed(steps, 0.2, 0.55)
     whole = edits.joined(steps, after, 0.25, teller())
@@ -164,6 +170,7 @@ LOOP = tiny.changed("frames = 2", 'frames = 2\nends = "periodic"\ntravel = [0.3,
 )
 
 
+@pytest.mark.slow
 def test_an_edited_loop_is_still_measured_as_one(tmp_path):
     found = clip.load(str(tiny.written(tmp_path, LOOP)))
     saved = work.solve(found, teller()).saved(teller(), with_report=False)
@@ -182,6 +189,7 @@ def test_an_edited_loop_is_still_measured_as_one(tmp_path):
 # what cannot be
 
 
+@pytest.mark.slow
 def test_edits_that_make_no_motion_are_refused(steps, cycle, saved):
     with pytest.raises(UserError, match=r"steps: from 0\.1 to 0\.7 s is not inside 0 to 0\.63 s"):
         edits.trimmed(steps, 0.1, 0.7)
@@ -206,6 +214,7 @@ def test_edits_that_make_no_motion_are_refused(steps, cycle, saved):
         edits.mirrored(saved)
 
 
+@pytest.mark.slow
 def test_motions_in_different_coordinates_are_not_joined(steps):
     text = steps.text.replace("[solve]", '[solve]\ncoordinates = "joint"')
     other = work.unsolved(clip.from_text(text, name="other")).saved(teller(), with_report=False)
@@ -229,6 +238,7 @@ def test_odd_names_and_texts_survive_being_written():
     assert tomllib.loads(written(said)) == said
 
 
+@pytest.mark.slow
 def test_keyframes_of_a_motion_become_a_clip_of_the_same_keyframes(steps):
     said = tables(clip.table_of(steps.text, "steps")) | {"keyframe": keyframe_tables(steps.figure, steps.keys)}
     again = clip.from_text(written(said), name="again")
@@ -258,6 +268,7 @@ def test_hinges_and_slides_come_back_in_degrees_and_metres(tmp_path):
     ]
 
 
+@pytest.mark.slow
 def test_a_mirrored_clip_is_the_clip_of_the_mirrored_keyframes(tmp_path):
     text = models.clip_text("run_and_step").replace("height = 0.35}", "height = 0.35, y = 0.2}")
     text = text.replace('kind = "bend"', 'kind = "bend"\njoints = ["left_knee", "right_elbow"]')
@@ -312,6 +323,7 @@ bodies.right_foot = {flat = true}
 """
 
 
+@pytest.mark.slow
 def test_places_contacts_and_obstacles_change_sides_with_a_clip(tmp_path):
     (tmp_path / "one.toml").write_text(ROUND, encoding="utf-8")
     for name, target in (("one", "two"), ("two", "three")):
@@ -332,6 +344,7 @@ def test_places_contacts_and_obstacles_change_sides_with_a_clip(tmp_path):
     assert tables(clip.table_of(three.text, "three")) == tables(clip.table_of(ROUND, "one"))
 
 
+@pytest.mark.slow
 def test_contacts_and_flights_are_retimed_with_the_keyframes(tmp_path):
     (tmp_path / "one.toml").write_text(ROUND, encoding="utf-8")
     target = tmp_path / "fast.toml"
@@ -343,6 +356,7 @@ def test_contacts_and_flights_are_retimed_with_the_keyframes(tmp_path):
     assert said.penalty[0].intervals == [(0.1, 0.2)]
 
 
+@pytest.mark.slow
 def test_a_loop_with_contacts_can_be_repeated():
     many = edits.repeated(solved(models.clip_text("walk_loop"), "walk_loop"), 2)
     assert clip.of_motion(many).keys[-1].time == pytest.approx(2 * 1.08)

@@ -158,6 +158,7 @@ others = "hold"
     assert not [note for note in found.clip.notes if "equality" in note]
 
 
+@pytest.mark.slow
 def test_a_keyframe_that_breaks_a_coupling_is_kept_and_told(tmp_path):
     keys = "".join(f"[[keyframe]]\ntime = {t}\njoints = {{left = 20, right = 0.08, swing = 0}}\n" for t in (0, 1))
     found = solved(GRIPPER, keys, tmp_path)
@@ -165,6 +166,7 @@ def test_a_keyframe_that_breaks_a_coupling_is_kept_and_told(tmp_path):
     assert "keyframe 1 (t = 0 s) has 'right' 0.0569 m off" in note
 
 
+@pytest.mark.slow
 def test_a_closed_loop_stays_closed_by_default(tmp_path):
     keys = """
 [[keyframe]]
@@ -185,6 +187,7 @@ roots.lid = {position = [0, 1, 1], rotation = {rotvec = [0, 0, 0]}}
     assert not [note for note in found.clip.notes if "tears" in note]
 
 
+@pytest.mark.slow
 def test_a_keyframe_that_tears_a_loop_is_told(tmp_path):
     text = "[[keyframe]]\ntime = {}\njoints = {{crank = {}, rod = 0, rocker = 0}}\nothers = 'rest'\n"
     found = solved(FOUR_BAR, text.format(0, 0) + text.format(1, 40), tmp_path)

@@ -77,6 +77,7 @@ def ratio(seed: int, variable: int, even: bool = True) -> float:
     return energy(motion(seed, variable, even=even).path) / exact(seed, even).energy
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("even", [True, False])
 @pytest.mark.parametrize("seed", range(3))
 def test_the_oracle_obeys_its_equation_and_meets_the_keyframes(seed: int, even: bool) -> None:
@@ -182,6 +183,7 @@ def test_the_closed_form_agrees_with_differences_of_equation_24_inside_every_spa
     np.testing.assert_allclose(2 * covariant_residual(path, t, weight), expected, atol=1e-7 * abs(expected).max())
 
 
+@pytest.mark.slow
 def test_on_the_exact_path_the_tangential_residual_vanishes_and_the_radial_one_does_not() -> None:
     path = exact(1)
     t = np.linspace(0.05, 5.95, 40)

@@ -58,6 +58,7 @@ def written(take, folder):
     return formats.export(take.saved, "bvh", folder / "a.bvh", fps=take.fps)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("which", ["cartwheel", "rail"])
 def test_pybvh_finds_every_joint_where_mujoco_has_it(which, request, tmp_path):
     pybvh = pytest.importorskip("pybvh")
@@ -109,6 +110,7 @@ def test_every_joint_and_several_figures_are_where_mujoco_has_them(tmp_path):
     assert moving == {"world", "hips", "right_thigh", "body5"}
 
 
+@pytest.mark.slow
 def test_several_figures_are_read_as_one_of_their_own(tmp_path):
     """`world` is no name for a body in MJCF."""
     take = Take.of(puppet.moved(), 48.0)
@@ -132,6 +134,7 @@ def test_names_that_clash_in_mjcf_are_told_apart(tmp_path):
     assert [model.body(i).name for i in range(1, model.nbody)] == ["Hips", "Hips_2", "a_b", "a_b_2"]
 
 
+@pytest.mark.slow
 def test_a_hinge_along_an_axis_turns_about_that_axis_alone(tmp_path):
     take = Take.of(puppet.moved(), 48.0)
     found, _ = bvh_file.read(written(take, tmp_path))
@@ -143,6 +146,7 @@ def test_a_hinge_along_an_axis_turns_about_that_axis_alone(tmp_path):
     np.testing.assert_allclose([angles["Yrotation"], angles["Zrotation"]], 0, atol=1e-5)
 
 
+@pytest.mark.slow
 def test_end_sites_are_hands_and_toes(cartwheel):
     joints = {joint.name: joint for joint in bvh.skeleton(cartwheel).joints}
     model = cartwheel.model
@@ -165,6 +169,7 @@ def test_angles_are_the_rotation_and_do_not_jump(order, rng):
     assert np.abs(np.diff(angles[:95], axis=0)).max() < np.pi
 
 
+@pytest.mark.slow
 def test_our_own_file_comes_back_on_our_own_figure(cartwheel, tmp_path):
     back = Take.of(imported(written(cartwheel, tmp_path), figure="human"))
     assert back.fps == cartwheel.fps
@@ -173,6 +178,7 @@ def test_our_own_file_comes_back_on_our_own_figure(cartwheel, tmp_path):
     assert quat.angle_between(back.bodies.rotation, cartwheel.bodies.rotation).max() < 1e-6
 
 
+@pytest.mark.slow
 def test_a_figure_of_its_own_has_every_joint_where_the_file_has_it(cartwheel, tmp_path):
     back = Take.of(imported(written(cartwheel, tmp_path)))
     names = [cartwheel.model.body(body).name for body in range(1, cartwheel.model.nbody)]
@@ -185,6 +191,7 @@ def test_a_figure_of_its_own_has_every_joint_where_the_file_has_it(cartwheel, tm
     assert {int(kind) for kind in back.model.jnt_type} == {0, 1}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "other",
     [
@@ -209,6 +216,7 @@ def test_a_t_pose_skeleton_of_any_unit_and_axes_moves_our_figure_alike(other, ra
     assert np.degrees(turned.max()) < 1
 
 
+@pytest.mark.slow
 def test_a_skeleton_whose_zero_pose_means_nothing_still_points_its_limbs_alike(rail, rng):
     """As LAFAN1's: directions of limbs come from the motion; a forearm's own twist may differ."""
     model = rail.model
@@ -223,6 +231,7 @@ def test_a_skeleton_whose_zero_pose_means_nothing_still_points_its_limbs_alike(r
     assert turned.max() < 20
 
 
+@pytest.mark.slow
 def test_hinges_turn_as_near_as_they_can(cartwheel):
     """A figure of hinges alone, three at hips and shoulders: thighs and shins point where the captured ones do."""
     text = models.figure_text("human")
@@ -241,6 +250,7 @@ def test_hinges_turn_as_near_as_they_can(cartwheel):
     assert np.mean(off < 0.001) > 0.9, off
 
 
+@pytest.mark.slow
 def test_bones_of_other_lengths_keep_their_directions_and_the_feet_the_ground(cartwheel):
     spec = mujoco.MjSpec.from_string(models.figure_text("human"))
     for name in ("left_shin", "right_shin"):
@@ -341,6 +351,7 @@ def with_toes(take: Take, bend: np.ndarray) -> Skeleton:
     return Skeleton(tuple(joints), found.frame_time, np.concatenate(columns, axis=1))
 
 
+@pytest.mark.slow
 def test_toes_turn_the_feet_of_a_figure_that_has_none(cartwheel):
     """The foot points to where the toes end: straight ones change nothing, raised ones raise the figure's."""
     count = len(cartwheel.time)
@@ -440,6 +451,7 @@ def test_a_file_cut_anywhere_is_told_and_never_a_traceback(cut, tmp_path):
         bvh_file.read(path)
 
 
+@pytest.mark.slow
 def test_a_figure_or_file_without_legs_is_told(cartwheel, tmp_path):
     path = tmp_path / "good.bvh"
     path.write_text(GOOD)
@@ -449,6 +461,7 @@ def test_a_figure_or_file_without_legs_is_told(cartwheel, tmp_path):
         imported(written(cartwheel, tmp_path), figure="spinner")
 
 
+@pytest.mark.slow
 def test_the_unit_is_guessed_told_and_may_be_said(tmp_path, cartwheel):
     path = Path(written(cartwheel, tmp_path))
     said = []

@@ -42,6 +42,7 @@ def came_back(saved, target, figure="human", tolerance=1e-9):
     wild.same_poses(saved.figure.model, before.qpos, after.qpos, tolerance)
 
 
+@pytest.mark.slow
 def test_mimickit_frames_are_root_and_joints_as_rotation_vectors(human, tmp_path):
     target, notes = exported(human, "mimickit", tmp_path)
     with target.open("rb") as stream:
@@ -102,6 +103,7 @@ def test_mimickit_angles_are_nought_at_rest_wherever_a_hinge_has_its_own_nought(
     came_back(robot, target, str(tmp_path / "robot.xml"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["mimickit", "deepmimic"])
 def test_a_loop_wraps_and_its_last_frame_is_the_first_moved_on(kind, tmp_path):
     walk = wild.loop()
@@ -128,6 +130,7 @@ def test_a_loop_wraps_and_its_last_frame_is_the_first_moved_on(kind, tmp_path):
         wild.same_poses(walk.figure.model, before.qpos, wild.samples(back).qpos, 1e-4)
 
 
+@pytest.mark.slow
 def test_a_file_that_only_says_that_it_loops_is_read_as_it_is(hinged_knees, tmp_path):
     target, _ = exported(hinged_knees, "deepmimic", tmp_path)
     target.write_text(target.read_text().replace('"none"', '"wrap"'))
@@ -155,6 +158,7 @@ def deepmimic_bodies(frame):
     return frame[1:4], {name: (Y_UP.inv() * own * Y_UP).as_matrix() for name, own in world.items()}
 
 
+@pytest.mark.slow
 def test_deepmimic_has_y_up_and_angles_about_z_at_knees_and_elbows(hinged_knees, tmp_path):
     target, notes = exported(hinged_knees, "deepmimic", tmp_path)
     held, before = json.loads(target.read_text()), wild.samples(hinged_knees)

@@ -27,6 +27,7 @@ def run(tmp_path, monkeypatch, capsys):
     return run
 
 
+@pytest.mark.slow
 def test_an_imported_motion_is_measured_when_a_report_is_asked_for(run, tmp_path):
     code, _, said = run("export", "wild.npz", "--to", "mjlab")
     assert code == 0 and said.splitlines()[-1] == "wrote wild.mjlab.npz"  # beside it, no other: it has no ball joints
@@ -53,6 +54,7 @@ def test_what_a_format_cannot_hold_leaves_no_file_behind(run, tmp_path):
     assert sorted(path.name for path in tmp_path.iterdir()) == ["robot.xml", "wild.npz"]
 
 
+@pytest.mark.slow
 def test_an_export_is_called_after_what_it_came_from(run, tmp_path):
     (tmp_path / "wild.npz").rename(tmp_path / "v1.npz")  # whose name inside is still wild
     code, _, said = run("export", "v1.npz", "--to", "csv")
@@ -71,6 +73,7 @@ def test_an_exported_file_that_is_there_stays_unless_told(run, tmp_path, output)
     assert (tmp_path / "wild.csv").read_text().startswith("time,floating.x")
 
 
+@pytest.mark.slow
 def test_what_lies_beside_an_export_stays_too_unless_it_is_the_same(run, tmp_path):
     motion.save(wild.motion_of("human"), tmp_path / "human.npz")
     beside = tmp_path / "human.mjlab.hinges.xml"
@@ -83,6 +86,7 @@ def test_what_lies_beside_an_export_stays_too_unless_it_is_the_same(run, tmp_pat
     assert run("export", "human.npz", "--to", "mjlab")[0] == 0  # what is beside it is just what it would be
 
 
+@pytest.mark.slow
 def test_more_columns_are_for_tables_and_a_scene_to_simulate_is_for_mjcf(run, tmp_path):
     assert run("export", "wild.npz", "--to", "csv", "--with", "velocities,torques")[0] == 0
     assert "arm_pitch.t [N m]" in (tmp_path / "wild.csv").read_text().splitlines()[0]
@@ -106,6 +110,7 @@ def test_a_motion_that_is_there_stays_unless_told(run, tmp_path, output):
     assert motion.load(tmp_path / "walk.npz").name == "walk"
 
 
+@pytest.mark.slow
 def test_a_motion_is_called_after_its_file_without_the_formats_whole_ending(run, tmp_path):
     assert run("export", "wild.npz", "--to", "locomujoco", "-o", "doggo7.loco.npz")[0] == 0
     code, _, said = run("import", "doggo7.loco.npz", "--figure", "robot.xml")

@@ -19,6 +19,7 @@ def saved():
     return work.unsolved(clip.load("sit_down")).saved(Teller(), with_report=False)
 
 
+@pytest.mark.slow
 def test_a_motion_comes_back_from_its_table_to_the_last_digit(saved, tmp_path):
     target = formats.export(saved, "csv", tmp_path / "sit.csv")
     back = imported(target, figure="human")
@@ -38,6 +39,7 @@ def test_a_table_without_a_heading_needs_a_rate_or_times(tmp_path):
     np.testing.assert_allclose(csv_table.read(path, model, None).time, [0.5, 0.75])
 
 
+@pytest.mark.slow
 def test_columns_may_stand_in_any_order_and_a_missing_one_is_named(saved, tmp_path):
     target = formats.export(saved, "csv", tmp_path / "sit.csv")
     with target.open(newline="") as stream:
@@ -55,6 +57,7 @@ def _first(saved):
     return motion.sampled(saved.figure, saved.timeline, saved.fps).qpos[0]
 
 
+@pytest.mark.slow
 def test_a_row_cut_short_and_an_unknown_format_are_told(saved, tmp_path):
     path = tmp_path / "cut.csv"
     path.write_text("0,1,2\n0,1\n")

@@ -84,6 +84,7 @@ def z_up(point):
     return np.array([point[2], point[0], point[1]])
 
 
+@pytest.mark.slow
 def test_bodies_are_where_mujoco_has_them_at_every_time(take, target):
     asset = pygltflib.GLTF2().load(str(target))
     names = hierarchy.names(take.model)
@@ -99,6 +100,7 @@ def test_bodies_are_where_mujoco_has_them_at_every_time(take, target):
             np.testing.assert_allclose(axes, turn.reshape(3, 3), atol=1e-5, err_msg=names[body])
 
 
+@pytest.mark.slow
 def test_times_are_shared_exact_and_begin_at_nought(take, target):
     asset = pygltflib.GLTF2().load(str(target))
     (times,) = {sampler.input for sampler in asset.animations[0].samplers}
@@ -109,6 +111,7 @@ def test_times_are_shared_exact_and_begin_at_nought(take, target):
     assert len(asset.animations[0].extras["keyframes"]) == len(take.saved.keys)
 
 
+@pytest.mark.slow
 def test_rotations_are_unit_and_stay_on_their_hemisphere(target):
     asset = pygltflib.GLTF2().load(str(target))
     for channel in asset.animations[0].channels:
@@ -118,6 +121,7 @@ def test_rotations_are_unit_and_stay_on_their_hemisphere(target):
             assert np.all(np.sum(track[1:] * track[:-1], axis=1) > 0)
 
 
+@pytest.mark.slow
 def test_another_reader_sees_the_visible_geoms_and_no_others(take, target):
     """trimesh builds the scene of the nodes' own places, which is the first sample's."""
     scene = trimesh.load_scene(io.BytesIO(target.read_bytes()), file_type="glb")
@@ -166,6 +170,7 @@ def _reach(model, data, geoms):
     return low, high
 
 
+@pytest.mark.slow
 def test_faces_look_outwards(target):
     """A mesh turned inside out has a negative volume, and normals against its faces."""
     asset = pygltflib.GLTF2().load(str(target))
@@ -178,6 +183,7 @@ def test_faces_look_outwards(target):
             assert np.all(np.sum(across * normals[faces].sum(axis=1), axis=1) > 0), mesh.name
 
 
+@pytest.mark.slow
 def test_khronos_validator_finds_neither_error_nor_warning(target):
     node = shutil.which("node")
     known = node and subprocess.run([node, "-e", "require('gltf-validator')"], capture_output=True).returncode == 0
@@ -188,6 +194,7 @@ def test_khronos_validator_finds_neither_error_nor_warning(target):
     assert (issues["numErrors"], issues["numWarnings"]) == (0, 0), issues["messages"]
 
 
+@pytest.mark.slow
 def test_colours_are_given_in_linear_light(target, take):
     asset = pygltflib.GLTF2().load(str(target))
     known = {material.name: material.pbrMetallicRoughness.baseColorFactor for material in asset.materials}

@@ -53,6 +53,7 @@ def test_joints_carry_the_names_of_the_balls_and_their_axes_in_order(take):
     np.testing.assert_array_equal(model.jnt_axis[1:4], [[1, 0, 0], [0, 0, 1], [0, 1, 0]])
 
 
+@pytest.mark.slow
 def test_velocities_are_the_differences_of_neighbouring_samples(take):
     fine = Take.of(take.saved, 5000.0).hinged
     ahead = np.zeros(fine.model.nv)

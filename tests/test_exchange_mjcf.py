@@ -29,6 +29,7 @@ def test_mujoco_reads_every_key_to_the_last_digit(human, tmp_path):
     wild.same_poses(model, before.qpos, model.key_qpos)
 
 
+@pytest.mark.slow
 def test_the_keys_come_back_as_a_motion_and_as_a_clip(human, tmp_path):
     target = formats.export(human, "mjcf", tmp_path / "out.keys.xml")
     before = wild.samples(human)

@@ -180,6 +180,7 @@ def test_every_plain_type_of_either_numpy_comes_back_as_it_was(protocol, core, t
         np.testing.assert_array_equal(found, value, strict=True)
 
 
+@pytest.mark.slow
 def test_a_short_pickle_that_asks_for_much_memory_is_refused_at_once(tmp_path, monkeypatch):
     monkeypatch.setenv("DYNSPLINES_LARGEST", "10")
     ten = [1.0] * 10

@@ -44,6 +44,7 @@ def vector(columns, name, unit):
     return np.array([columns[f"{name}{axis} [{unit}]"] for axis in "xyz"]).T
 
 
+@pytest.mark.slow
 def test_columns_have_names_and_units_and_the_table_is_read_as_before(walk, table):
     path, columns = table
     assert list(columns)[:3] == ["time", "root.x", "root.y"]
@@ -53,12 +54,14 @@ def test_columns_have_names_and_units_and_the_table_is_read_as_before(walk, tabl
     np.testing.assert_allclose(wild.samples(back).qpos, wild.samples(walk).qpos, atol=1e-12)
 
 
+@pytest.mark.slow
 def test_velocities_are_mujocos(walk, table):
     at, columns = wild.samples(walk), table[1]
     np.testing.assert_allclose(vector(columns, "root.v", "m/s"), at.qvel[:, :3], atol=1e-12)
     np.testing.assert_allclose(vector(columns, "spine.w", "rad/s"), at.qvel[:, 6:9], atol=1e-12)
 
 
+@pytest.mark.slow
 def test_feet_and_what_is_left_make_up_the_wrench_about_the_centre_of_mass(table):
     columns = table[1]
     force, moment = vector(columns, "unsupplied.f", "N"), vector(columns, "unsupplied.m", "N m")
@@ -73,6 +76,7 @@ def test_feet_and_what_is_left_make_up_the_wrench_about_the_centre_of_mass(table
     assert np.median(np.abs(columns["left_foot.cop.z [m]"][loaded])) < 0.01  # the sole, which a raw walk puts deep
 
 
+@pytest.mark.slow
 def test_torques_are_inverse_dynamics_under_the_grounds_forces(walk, table):
     columns, at, model = table[1], wild.samples(walk), walk.figure.model
     model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONTACT)
@@ -94,6 +98,7 @@ def test_torques_are_inverse_dynamics_under_the_grounds_forces(walk, table):
     assert np.abs(vector(columns, "left_ankle.t", "N m")).max() > 20  # a foot that nothing pushes needs less than 1
 
 
+@pytest.mark.slow
 def test_the_ground_carries_a_figure_that_stands():
     take = Take.of(unsolved("sit_down"))
     forces = Forces.of(take)

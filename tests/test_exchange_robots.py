@@ -71,6 +71,7 @@ def test_mjlab_holds_what_mujoco_makes_of_the_motion(human, tmp_path):
     assert notes == [f"wrote {target.with_suffix('.hinges.xml')}"]
 
 
+@pytest.mark.slow
 def test_mjlab_velocities_are_the_differences_of_positions(human, tmp_path):
     file = np.load(exported(human, "mjlab", tmp_path, fps=2000.0)[0])
     across = (file["body_pos_w"][2:] - file["body_pos_w"][:-2]) * 1000
@@ -84,6 +85,7 @@ def test_mjlab_velocities_are_the_differences_of_positions(human, tmp_path):
     np.testing.assert_allclose(spin, file["body_ang_vel_w"][1:-1], atol=5e-3)
 
 
+@pytest.mark.slow
 def test_mjlab_comes_back_and_so_do_files_without_names_or_in_another_order(human, robot, robot_file, tmp_path):
     target, _ = exported(human, "mjlab", tmp_path)
     came_back(human, target)
@@ -100,6 +102,7 @@ def test_mjlab_comes_back_and_so_do_files_without_names_or_in_another_order(huma
     came_back(robot, target, str(robot_file))
 
 
+@pytest.mark.slow
 def test_the_csv_of_mjlab_has_root_quaternion_xyzw_and_hinges(human, robot, robot_file, tmp_path):
     target, notes = exported(human, "mjlab-csv", tmp_path)
     table, model, before = np.loadtxt(target, delimiter=","), hinge_model(target), wild.samples(human)
@@ -115,6 +118,7 @@ def test_the_csv_of_mjlab_has_root_quaternion_xyzw_and_hinges(human, robot, robo
         imported(target, figure="human")
 
 
+@pytest.mark.slow
 def test_gmr_holds_root_xyzw_hinges_and_bodies_about_an_unturned_root(human, robot, robot_file, tmp_path):
     target, _ = exported(human, "gmr", tmp_path)
     with target.open("rb") as stream:
@@ -182,6 +186,7 @@ def test_locomujoco_reads_files_of_its_own_tool_and_refuses_several_motions(robo
         imported(tmp_path / "two.npz", figure=str(robot_file))
 
 
+@pytest.mark.slow
 def test_plain_arrays_bring_motion_and_figure(human, tmp_path):
     target, _ = exported(human, "npz", tmp_path)
     file, before = np.load(target), wild.samples(human)
@@ -268,6 +273,7 @@ def _written(folder, content, name):
     return folder / name
 
 
+@pytest.mark.slow
 def test_what_is_in_a_file_tells_its_format_where_the_ending_does_not(human, tmp_path):
     for kind in ("mjlab", "locomujoco", "npz", "gmr", "mimickit", "deepmimic", "mjcf"):
         target, _ = exported(human, kind, tmp_path)

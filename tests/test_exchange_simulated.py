@@ -85,6 +85,7 @@ def off(model, data):
     return np.linalg.norm(away[:3]), np.degrees(np.linalg.norm(away[3:6])), np.degrees(np.abs(away[6:]).max())
 
 
+@pytest.mark.slow
 def test_the_human_follows_its_motion_and_falls_through_nothing(person):
     name, folder = person
     model, data, deepest = played(folder / "stands.xml")
@@ -96,6 +97,7 @@ def test_the_human_follows_its_motion_and_falls_through_nothing(person):
     assert data.xpos[1, 2] == pytest.approx(at(model, model.key_qpos, data.time)[2], abs=FALLEN)
 
 
+@pytest.mark.slow
 def test_without_it_the_human_falls_through_the_floor(person):
     _, folder = person
     model = mujoco.MjModel.from_xml_path(str(folder / "falls.xml"))
@@ -106,6 +108,7 @@ def test_without_it_the_human_falls_through_the_floor(person):
     assert model.nu == 0
 
 
+@pytest.mark.slow
 def test_every_joint_has_actuators_with_gains_that_hold_it(person):
     _, folder = person
     model = mujoco.MjModel.from_xml_path(str(folder / "stands.xml"))

@@ -181,11 +181,13 @@ def move(request: pytest.FixtureRequest) -> Move:
     return solved(request.param)
 
 
+@pytest.mark.slow
 def test_nothing_goes_deeper_than_a_millimetre_and_a_half_into_what_the_raw_spline_runs_into(move):
     assert move.deepest(raw=True) >= RAW_DEPTH[move.clip.name]
     assert move.deepest() <= 0.0015
 
 
+@pytest.mark.slow
 def test_keyframes_are_met_exactly(move):
     reached = move.motion.at([key.time for key in move.clip.keys])
     for key, qpos in zip(move.clip.keys, reached, strict=True):
@@ -195,6 +197,7 @@ def test_keyframes_are_met_exactly(move):
         np.testing.assert_allclose(qpos[key.fixed], wanted[key.fixed], atol=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["hand_on_rail", "jump_over_box"])
 def test_at_another_speed_contacts_and_flights_keep_their_place_in_the_move(name):
     move = solved(name)
@@ -207,6 +210,7 @@ def test_at_another_speed_contacts_and_flights_keep_their_place_in_the_move(name
     np.testing.assert_allclose(fast.support.flights, np.array(move.clip.support.flights) / 2)
 
 
+@pytest.mark.slow
 def test_knees_and_elbows_bend_the_right_way(move):
     samples = move.motion.objective.samples(move.motion.path, move.time)
     flexion, sideways, twist = np.degrees(BendLimits(move.clip.bends).angles(samples))
@@ -215,6 +219,7 @@ def test_knees_and_elbows_bend_the_right_way(move):
     assert np.abs(twist).max() <= 9
 
 
+@pytest.mark.slow
 def test_what_stands_or_holds_stays_in_its_place(move):
     for name, first, last in RESTS[move.clip.name]:
         during = (move.time >= first) & (move.time <= last)

@@ -67,6 +67,7 @@ def by_nlopt_alone(problem: Discretised) -> Minimum:
     return minimise(fun, problem.unknowns.start, method="lbfgs", max_evaluations=5000, tolerance=1e-13)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ends", ENDS)
 @pytest.mark.parametrize("coordinates", ["world", "joint"])
 def test_it_finds_the_minimum_that_nlopt_finds_with_fewer_evaluations(rng, ends, coordinates):
@@ -96,6 +97,7 @@ def one_sided(rng: np.random.Generator, kind: str, floor: Plane = FLOOR) -> Disc
     return objective.on(evenly(raw, 2))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["floor", "bend", "both"])
 def test_so_it_does_with_residuals_on_one_side(rng, kind):
     problem = one_sided(rng, kind)
@@ -255,6 +257,7 @@ def test_a_tighter_tolerance_gets_nearer_to_the_minimum(rng):
         assert gap < 5 * tolerance * least
 
 
+@pytest.mark.slow
 def test_what_is_gross_and_cannot_be_helped_does_not_end_the_search_early(rng):
     """Keyframes that are all deep in the floor: what that costs says nothing of how exact the rest must be."""
     deep = one_sided(rng, "floor", Plane("floor", np.array([0, 0, 0.4]), np.array([0.0, 0, 1])))

@@ -42,18 +42,21 @@ def before_mujoco_is_imported(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv(graphics.OVERRIDE, raising=False)
 
 
+@pytest.mark.slow
 def test_mujoco_imports_after_a_choice_without_any_setting():
     kind, line, _ = choose_in_a_fresh_process()
     assert kind in ("egl", "osmesa", "display", "rays")
     assert line.startswith("renderer: ")
 
 
+@pytest.mark.slow
 def test_a_mujoco_gl_that_does_not_exist_is_named_and_removed():
     _, line, left = choose_in_a_fresh_process(MUJOCO_GL="nonsense")
     assert "MUJOCO_GL=nonsense does not work here" in line
     assert left != "nonsense"
 
 
+@pytest.mark.slow
 def test_a_mujoco_gl_whose_platform_clashes_is_removed_before_it_can_raise():
     kind, _, left = choose_in_a_fresh_process(MUJOCO_GL="egl", PYOPENGL_PLATFORM="glx")
     assert kind != "egl"

@@ -117,6 +117,7 @@ def test_arms_that_keyframes_leave_free_begin_where_the_hands_hold():
         assert not key.fixed[arm : arm + 4].any() and key.known[arm : arm + 4].all()
 
 
+@pytest.mark.slow
 def test_a_thing_lies_where_it_was_put_until_it_is_held_and_again_after():
     clip = clips.from_text(lift(), name="lift")
     own = slice(clip.figure.model.joint("crate").qposadr[0], None)
@@ -147,6 +148,7 @@ def solved():
     return clip, inbetween(clip.figure, list(clip.keys), clip.penalties, settings, ends=clip.ends)
 
 
+@pytest.mark.slow
 def test_the_hands_stay_within_millimetres_where_the_raw_spline_loses_the_crate(solved):
     clip, motion = solved
     time = np.linspace(0.6, 1.5, 200)
@@ -160,6 +162,7 @@ def test_the_hands_stay_within_millimetres_where_the_raw_spline_loses_the_crate(
     assert {each.name for each in problems(clip, motion.raw, motion.raw) if each.kind == "hold"}
 
 
+@pytest.mark.slow
 def test_the_report_says_how_far_hands_move_and_how_deep_the_figure_is_in_what_it_carries(solved):
     clip, motion = solved
     (left, right), (raw, _) = (hold_rows(clip, timeline, 500) for timeline in (motion.timeline, motion.raw))
@@ -171,6 +174,7 @@ def test_the_report_says_how_far_hands_move_and_how_deep_the_figure_is_in_what_i
     assert in_carried(clips.from_text(lift(hands=()), name="none"), time, motion.at(time)) == {}
 
 
+@pytest.mark.slow
 def test_limbs_stay_out_of_what_is_carried_and_not_of_what_nobody_holds():
     for hands, expected in (((), 0), (("left",), 1)):
         found = parts(clips.from_text(lift(hands=hands), name="lift"), "clearance")
@@ -221,6 +225,7 @@ def test_every_mistake_is_told_in_one_line_that_names_it(case):
         assert word in str(caught.value)
 
 
+@pytest.mark.slow
 def test_a_mirrored_clip_holds_with_the_other_hand():
     clip = clips.from_text(lift(hands=("left",)), name="lift")
     figure = clip.figure
@@ -237,6 +242,7 @@ def test_several_hold_one_thing_one_after_the_other_and_at_once():
     assert [(hold.point.name, hold.last) for hold in holds] == [("left_hand", 1.5), ("right_hand", 1.0)]
 
 
+@pytest.mark.slow
 def test_at_another_speed_and_in_a_part_of_the_clip_holds_keep_their_place(solved):
     clip, _ = solved
     fast = retimed_tables(tables(clips.table_of(clip.text, "lift")), 2.0)

@@ -52,6 +52,7 @@ def test_the_human_has_ranges():
     assert "range" in kinds(clip.load("run_and_step"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("joint", ["hinge", "ball"])
 def test_a_motion_that_overshoots_a_range_is_kept_within_and_the_report_says_so(tmp_path, joint):
     text = SWING

@@ -92,6 +92,7 @@ def test_an_unchanged_clip_is_not_solved_again_and_is_the_same(tmp_path, cache, 
     assert len(names(cache)) == 1
 
 
+@pytest.mark.slow
 def test_its_report_is_the_same(tmp_path, cache):
     one, two = (kept.solved(tiny(tmp_path / "a"), teller()) for _ in range(2))
     assert report(one.clip, one.motion, one.seconds) == report(two.clip, two.motion, two.seconds)
@@ -214,6 +215,7 @@ def test_a_damaged_file_is_as_good_as_none_and_is_replaced(tmp_path, cache, coun
     assert kept.read(only(cache), first.clip) is not None
 
 
+@pytest.mark.slow
 def test_old_ones_make_room_and_nothing_else_is_touched(tmp_path, cache, monkeypatch):
     texts = [changed("rotvec = [0, 40, 0]", f"rotvec = [0, {angle}, 0]") for angle in (40, 41, 42, 43)]
     problems = [tiny(tmp_path / f"{i}", text) for i, text in enumerate(texts)]
@@ -227,6 +229,7 @@ def test_old_ones_make_room_and_nothing_else_is_touched(tmp_path, cache, monkeyp
     assert names(cache) == sorted([f"{kept.key_of(problems[i])}.npz" for i in (0, 3)] + ["mine.npz"])
 
 
+@pytest.mark.slow
 def test_where_nothing_can_be_kept_it_is_solved(tmp_path, cache, counted):
     cache.write_text("no folder", encoding="utf-8")
     for _ in range(2):
@@ -235,6 +238,7 @@ def test_where_nothing_can_be_kept_it_is_solved(tmp_path, cache, counted):
     assert cache.read_text(encoding="utf-8") == "no folder"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("word", ["off", "0", "OFF"])
 def test_nothing_is_kept_if_nothing_is_to_be(tmp_path, cache, counted, monkeypatch, word):
     monkeypatch.setenv("DYNSPLINES_CACHE", word)
@@ -261,6 +265,7 @@ def test_a_search_that_was_stopped_is_not_kept(tmp_path, cache, monkeypatch, sol
     assert not cache.exists()
 
 
+@pytest.mark.slow
 def test_commands_say_that_they_solved_it_before(tmp_path, cache, counted, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("MUJOCO_GL", "disable")

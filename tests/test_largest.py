@@ -126,6 +126,7 @@ def npy(shape: str, data: bytes) -> bytes:
     return b"\x93NUMPY\x01\x00" + struct.pack("<H", len(head)) + head.encode() + data
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("read", [motion.read_arrays, held])
 def test_arrays_are_weighed_before_they_are_read(read, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("DYNSPLINES_LARGEST", "10")

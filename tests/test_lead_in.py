@@ -53,6 +53,7 @@ def seen(*parts):
     return lead_in.lead_in(HUMAN, np.arange(len(qpos)) / RATE, qpos)
 
 
+@pytest.mark.slow
 def test_a_single_t_pose_before_a_walk_is_found(walk):
     found = seen(raised(np.pi / 2), walk)
     assert found is not None and (found.count, found.what) == (1, "a T-pose")
@@ -60,6 +61,7 @@ def test_a_single_t_pose_before_a_walk_is_found(walk):
     assert found is not None and (found.count, found.last) == (3, pytest.approx(2 / RATE))
 
 
+@pytest.mark.slow
 def test_a_t_pose_that_is_held_and_lowered_ends_where_the_arms_leave_it(walk):
     lowered = [raised(angle) for angle in np.linspace(np.pi / 2, LOW_ARMS, 31)]  # 2.5° an image
     found = seen(*([raised(np.pi / 2)] * 30), *lowered, walk)
@@ -67,6 +69,7 @@ def test_a_t_pose_that_is_held_and_lowered_ends_where_the_arms_leave_it(walk):
     assert 30 + 6 <= found.count <= 30 + 9  # 20° of tolerance
 
 
+@pytest.mark.slow
 def test_standing_still_is_motion(walk):
     standing = HUMAN.qpos0
     assert seen(*([raised(LOW_ARMS)] * 60), walk) is None
@@ -76,6 +79,7 @@ def test_standing_still_is_motion(walk):
     assert seen(*([raised(np.pi / 2)] * 60)) is None  # nothing would be left
 
 
+@pytest.mark.slow
 def test_a_rest_pose_that_the_motion_jumps_out_of_is_found(walk):
     found = seen(HUMAN.qpos0, raised(1.4), raised(1.39), raised(1.38))
     assert found is not None and (found.count, found.what) == (1, "the figure's rest pose")
@@ -113,6 +117,7 @@ def read(path, *, skip_rest):
     return thin_files.Recording(str(path), skip_rest=skip_rest).read(ear), ear.heard
 
 
+@pytest.mark.slow
 def test_it_is_told_and_stays_unless_it_is_to_be_left_out(recording, walk):
     says = "note: the recording begins with a T-pose (1 image, 0.000 s), no motion: "
     whole, heard = read(recording, skip_rest=False)
@@ -128,6 +133,7 @@ def test_it_is_told_and_stays_unless_it_is_to_be_left_out(recording, walk):
     assert np.abs(path_of(whole.timeline).at(between + 1 / RATE) - alone.at(between)).max() > 0.01
 
 
+@pytest.mark.slow
 def test_leaving_out_what_is_not_there_is_told(recording):
     cut, _ = read(recording, skip_rest=True)
     ear = Ear()
@@ -135,6 +141,7 @@ def test_leaving_out_what_is_not_there_is_told(recording):
     assert ear.heard == ["note: --skip-rest: no T-pose or rest pose stands before the motion; nothing is left out"]
 
 
+@pytest.mark.slow
 def test_a_clip_is_no_recording():
     saved = work.unsolved(clip.load("sit_down")).saved(Teller(), with_report=False)
     ear = Ear()

@@ -120,6 +120,7 @@ def test_the_step_is_the_dense_gauss_newton_step_in_the_unknowns(rng, ends, coor
     assert_dense(problem, SMOOTH, x)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(4))
 @pytest.mark.parametrize("ends", ENDS)
 def test_so_it_is_with_anything_left_free_in_any_keyframe(figure, ends, seed):

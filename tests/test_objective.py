@@ -275,6 +275,7 @@ def test_a_long_clip_in_runs_of_samples_has_the_value_and_gradient_of_one_piece(
         np.testing.assert_allclose(problem.weights[:, None] * own, g, rtol=1e-10, atol=1e-12 * np.abs(g).max())
 
 
+@pytest.mark.slow
 def test_an_evaluation_leaves_nothing_for_the_garbage_collector(figure, rng):
     problem = Objective.of(figure, every_penalty(figure)).on(clip(figure, rng))
     x = problem.unknowns.start

@@ -86,6 +86,7 @@ def test_distances_inside_and_outside_are_mujocos(name, rng):
     np.testing.assert_allclose(inside, np.maximum(-found, 0), atol=1e-12)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SURFACES)
 def test_the_gradient_of_depth_has_taylor_slope_two_and_length_one(name, rng):
     points = about(name, rng, 24)
@@ -206,6 +207,7 @@ def test_under_a_height_field_the_nearest_triangle_or_wall_is_the_way_out(rng):
     assert not GROUND.inside(points)[~below].any()
 
 
+@pytest.mark.slow
 def test_the_depth_of_a_sphere_is_continuous_wherever_it_goes_through_a_height_field(rng):
     for _ in range(20):
         ends = about("ground", rng, 2)[:, :, 0]

@@ -174,6 +174,7 @@ OWN_WAYS = {  # what writes without being an output: to a temporary file that it
 }  # fmt: skip
 
 
+@pytest.mark.slow
 def test_whoever_opens_a_file_to_write_is_known():
     writing: set[str] = set()
     for path in RUNNER.rglob("*.py"):

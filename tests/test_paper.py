@@ -28,6 +28,7 @@ def by_text(claims: list[Claim], text: str) -> Claim:
     return found
 
 
+@pytest.mark.slow
 def test_every_claim_has_finite_numbers_for_every_set_and_a_verdict(claims: list[Claim]) -> None:
     assert len(claims) > 20
     for claim in claims:
@@ -38,21 +39,25 @@ def test_every_claim_has_finite_numbers_for_every_set_and_a_verdict(claims: list
         assert claim.place and claim.text and claim.paper and claim.here and claim.criterion
 
 
+@pytest.mark.slow
 def test_no_two_claims_say_the_same(claims: list[Claim]) -> None:
     assert len({claim.text for claim in claims}) == len(claims)
 
 
+@pytest.mark.slow
 def test_what_holds_for_every_path_is_reproduced(claims: list[Claim]) -> None:
     for text in ("Keyframes are met", "E falls", "as the objective sees it", "10 : 1, 3 variable frames"):
         assert by_text(claims, text).reproduced
 
 
+@pytest.mark.slow
 def test_the_papers_own_weights_are_not_said_to_reach_the_papers_unit_deviation(claims: list[Claim]) -> None:
     claim = by_text(claims, "α_unit : α_cov = 2 : 5")
     assert not claim.reproduced
     assert max(claim.numbers["deviation, 2:5, 1 frame"]) > 0.002
 
 
+@pytest.mark.slow
 def test_the_table_shows_every_claim_with_its_verdict(claims: list[Claim]) -> None:
     out = StringIO()
     Console(file=out, width=400).print(table(claims))
@@ -61,6 +66,7 @@ def test_the_table_shows_every_claim_with_its_verdict(claims: list[Claim]) -> No
         assert claim.text in out.getvalue()
 
 
+@pytest.mark.slow
 def test_the_table_fits_into_80_columns_verdict_first_and_nothing_cut_off(claims: list[Claim]) -> None:
     out = StringIO()
     Console(file=out, width=80).print(table(claims))
@@ -75,6 +81,7 @@ def test_the_table_fits_into_80_columns_verdict_first_and_nothing_cut_off(claims
     assert "…" not in words.replace("– ", "")
 
 
+@pytest.mark.slow
 def test_claims_become_json_with_their_verdicts(claims: list[Claim]) -> None:
     entries = json.loads(json.dumps(as_json(claims), allow_nan=False))
     assert [entry["verdict"] for entry in entries] == [claim.verdict for claim in claims]

@@ -148,6 +148,7 @@ def test_the_caption_of_figure_nine_says_what_was_measured(lengths):
 # figure 10
 
 
+@pytest.mark.slow
 def test_tenths_of_the_strong_form_are_the_mean_size_of_equation_ten(case):
     motion = case.solved(PAPER, 1)
     factors = {term.penalty.name: term.factor for term in motion.objective.terms}
@@ -171,6 +172,7 @@ def test_tenths_of_the_weak_form_add_up_to_what_all_frames_promise(case):
     assert tenths[0] == pytest.approx(first[0] + 0.2 * first[1], rel=1e-9)
 
 
+@pytest.mark.slow
 def test_figure_ten_shows_both_forms_of_four_paths_in_the_papers_strokes(deviations, kept):
     draw_deviations(deviations)
     left, right = kept[0].axes
@@ -195,6 +197,7 @@ def test_the_caption_says_whether_the_deviation_falls_in_the_papers_order(one, t
 # figures 11 and 12
 
 
+@pytest.mark.slow
 def test_the_dip_is_where_mujoco_finds_the_raw_motion_deepest_in_the_step(climber):
     dip = Dip.of(climber, climber.raw)
     assert dip.depth > 0.05
@@ -209,6 +212,7 @@ def test_the_dip_is_where_mujoco_finds_the_raw_motion_deepest_in_the_step(climbe
     assert looked_at(climber, climber.timeline).deepest < 0.1 * dip.depth
 
 
+@pytest.mark.slow
 def test_before_and_after_differ_where_the_sample_is_and_not_in_the_keyframes(climber, small):
     dip = Dip.of(climber, climber.raw)
     before, after = (keyframes_and_sample(climber, side, dip, RAYS) for side in (climber.raw, climber.timeline))
@@ -236,6 +240,7 @@ def results(climber: Saved, tumbler: Saved, monkeypatch: pytest.MonkeyPatch) -> 
     return Results(RAYS, quiet())
 
 
+@pytest.mark.slow
 def test_all_figures_are_drawn_into_a_folder_that_is_made_for_them(results, small, tmp_path):
     drawn = drawing.draw(tmp_path / "new" / "figures", RAYS, quiet())
     assert [each.number for each in drawn] == [6, 7, 9, 10, 11, 12] == list(FIGURES)
@@ -248,6 +253,7 @@ def test_all_figures_are_drawn_into_a_folder_that_is_made_for_them(results, smal
     assert f"{1000 * results.dip.depth:.0f} mm deep" in told[4]["caption"]
 
 
+@pytest.mark.slow
 def test_figures_nine_and_ten_are_of_the_keyframes_of_figure_seven(results, tumbler):
     assert [key.time for key in results.orientations] == [key.time for key in tumbler.keys]
     for ours, whole in zip(results.orientations, tumbler.keys, strict=True):

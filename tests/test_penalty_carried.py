@@ -2,6 +2,7 @@
 
 import mujoco
 import numpy as np
+import pytest
 from test_kinematics import random_samples
 from test_penalty_unit import penalty_slope
 
@@ -48,6 +49,7 @@ def test_what_another_tree_holds_is_carried_with_all_its_parts():
     assert [surface.name for surface in surfaces_on(figure, 3)] == ["crate", "knob"]
 
 
+@pytest.mark.slow
 def test_the_gradient_has_taylor_slope_two(rng):
     figure = figure_of()
     samples = tangled(figure, rng)
@@ -57,6 +59,7 @@ def test_the_gradient_has_taylor_slope_two(rng):
         assert penalty_slope(contact, samples, rng) > 1.9
 
 
+@pytest.mark.slow
 def test_only_where_they_are_beside_each_other_counts(rng):
     """The whole scene moved and turned: the same depths, and no force or moment on both together."""
     figure = figure_of()
@@ -71,6 +74,7 @@ def test_only_where_they_are_beside_each_other_counts(rng):
     np.testing.assert_allclose(contact.evaluate(Samples(figure, moved, 0 * moved, 0 * moved)), value, rtol=1e-9)
 
 
+@pytest.mark.slow
 def test_what_is_deep_is_as_deep_as_in_what_stands_still_there(rng):
     """MuJoCo puts every pose's crate into the world, as a surface of its own."""
     figure = figure_of()
@@ -87,6 +91,7 @@ def test_what_is_deep_is_as_deep_as_in_what_stands_still_there(rng):
     assert np.count_nonzero(found) > 3
 
 
+@pytest.mark.slow
 def test_the_rows_of_its_sides_are_its_gradient(rng):
     figure = figure_of()
     samples, contact = tangled(figure, rng), clearing(figure, 3)

@@ -80,6 +80,7 @@ def test_its_curvature_is_that_of_differences(cycled, rng):
     np.testing.assert_allclose(curvature.quadratic(phi, 0, 3), expected, rtol=1e-5, atol=1e-6 * expected.max())
 
 
+@pytest.mark.slow
 def test_a_walk_with_few_keyframes_is_nearer_to_the_real_one_and_goes_through_them():
     keys = [Frame.key(TIME[k], WALK[k]) for k in range(0, TIME.size, 280)]
     penalties = Constraints(FIGURE, gait(WALK, 0.7).keys, GROUND, [], "walk").all([])

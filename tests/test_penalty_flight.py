@@ -86,6 +86,7 @@ def test_no_flight_costs_nothing(figure, rng):
     assert not any(g.any() for g in cotangent.gradients())
 
 
+@pytest.mark.slow
 def test_the_curvature_is_twice_the_square_of_the_residuals_jacobian(figure, rng):
     samples = at_times(random_samples(figure, rng, 4), np.linspace(0.1, 1.3, 4))
     flight = Flight.of(figure, 1, ((0.0, 0.6), (1.2, 1.4)), 0.4)

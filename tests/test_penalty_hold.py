@@ -76,6 +76,7 @@ def test_the_gradient_has_taylor_slope_two(figure, rng, which):
     assert penalty_slope(Holding((some[which],)), samples, rng) > 1.95
 
 
+@pytest.mark.slow
 def test_its_curvature_is_that_of_its_residuals(figure, rng):
     """By differences of the residuals when the whole state moves by (φ, φ', φ'') e along every entry e."""
     samples, (first, second) = case(figure, rng)
@@ -97,6 +98,7 @@ def test_its_curvature_is_that_of_its_residuals(figure, rng):
     np.testing.assert_allclose(curvature.quadratic(phi, 0, 6), expected, rtol=1e-3, atol=1e-3 * np.abs(expected).max())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("is_known", [True, False])
 def test_a_hand_stays_on_a_box_that_turns_where_the_raw_spline_loses_it(is_known):
     figure = Figure(mujoco.MjModel.from_xml_string(TWO))

@@ -118,6 +118,7 @@ def turned_by(figure: Figure, angles: list[float], axis: Array) -> Samples:
     return Samples(figure, y, 0 * y, 0 * y)
 
 
+@pytest.mark.slow
 @settings(deadline=None, max_examples=60)
 @given(st.floats(0, np.pi), st.floats(-1, 1), st.floats(0, 2 * np.pi), st.booleans())
 def test_the_angle_is_that_of_the_rotation_whatever_the_quaternions_sign(angle, z, turn, negative):

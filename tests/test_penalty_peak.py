@@ -54,6 +54,7 @@ def test_of_a_hinge_it_is_the_eighth_power_of_its_acceleration():
     np.testing.assert_allclose(second, 56 * 1.5**6)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("text", [BALL_TREE, WOOD])
 def test_the_curvature_is_that_of_the_fourth_powers_times_seven_quarters(rng, text):
     for coordinates in ("world", "joint"):

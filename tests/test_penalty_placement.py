@@ -70,6 +70,7 @@ def test_it_does_not_feel_the_quaternions_length(figure, rng):
     np.testing.assert_allclose(placement.evaluate(scaled_like(samples, rng)), placement.evaluate(samples), rtol=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("closed", [False, True])
 def test_the_curvature_is_twice_the_square_of_the_residuals_jacobian(figure, rng, closed):
     figure = Figure(mujoco.MjModel.from_xml_string(WOOD), "world") if closed else figure

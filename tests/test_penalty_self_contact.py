@@ -96,6 +96,7 @@ numbers = st.floats(-1, 1)
 vectors = st.tuples(numbers, numbers, numbers).filter(lambda v: np.linalg.norm(v) > 0.1)
 
 
+@pytest.mark.slow
 @settings(deadline=None, max_examples=150)
 @given(vectors, vectors, st.booleans(), vectors, st.floats(0, 1), st.floats(0, 1))
 def test_no_points_of_two_segments_are_nearer_than_the_nearest(u, v, parallel, d, h, g):
@@ -156,6 +157,7 @@ joints = {shoulder = {rotvec = [-40, -40, 0]}, elbow = {rotvec = [0, 0, 0]}}
 """
 
 
+@pytest.mark.slow
 def test_an_arm_goes_through_the_trunk_without_the_penalty_and_at_most_two_millimetres_with_it(tmp_path):
     (tmp_path / "arms.xml").write_text(ARMS, encoding="utf-8")
     deepest = {}

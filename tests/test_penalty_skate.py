@@ -126,6 +126,7 @@ def speed_on_the_ground(weight: float, clock: float = 1.0) -> float:
     return float(clock * speed[np.abs(qpos[:, 2] - 0.1) < 0.005].mean())
 
 
+@pytest.mark.slow
 def test_a_point_that_comes_down_is_slow_there_and_without_the_penalty_it_is_not():
     assert speed_on_the_ground(0.0) > 0.25
     assert speed_on_the_ground(300.0) < 0.7 * speed_on_the_ground(0.0)

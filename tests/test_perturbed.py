@@ -71,6 +71,7 @@ def test_joints_turn_by_five_degrees_and_the_root_moves_by_three_centimetres(ben
         np.testing.assert_array_equal(after.state[3:7], before.state[3:7])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["walk_loop", "run_loop"])
 def test_what_a_keyframe_leaves_free_is_not_moved_and_a_loop_goes_on_closing(benchmark, name):
     clip = clips.load(name)
@@ -84,6 +85,7 @@ def test_what_a_keyframe_leaves_free_is_not_moved_and_a_loop_goes_on_closing(ben
     assert not np.array_equal(first.state, clip.keys[0].state)
 
 
+@pytest.mark.slow
 def test_contacts_that_moved_keyframes_contradict_are_left_out_and_the_others_kept(benchmark):
     clip = clips.load("cartwheel")
     kept = [len(benchmark.perturbed(clip, seed).contacts) for seed in range(6)]
@@ -121,6 +123,7 @@ def run(benchmark) -> Motion:
     return benchmark.solved(clips.load("run_loop"))
 
 
+@pytest.mark.slow
 def test_the_peak_and_the_limb_that_strays_are_those_of_mujoco(benchmark, run):
     seen, (first, last) = benchmark.Seen.of(run), run.path.span
     t = np.linspace(first, last, round(benchmark.RATE * (last - first)) + 1)
@@ -140,6 +143,7 @@ def test_the_peak_and_the_limb_that_strays_are_those_of_mujoco(benchmark, run):
     np.testing.assert_allclose(seen.farthest, np.array(apart)[:, moving].max(), rtol=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "count"), [("run_loop", 3), ("walk_loop", 2)])
 def test_quick_clips_do_not_whip_when_their_keyframes_move_a_little(benchmark, name, count):
     section = benchmark.compared([name], range(count), benchmark.Effort(quick=True, tell=lambda _: None))
@@ -157,6 +161,7 @@ def test_a_set_that_stands_out_is_named_with_what_its_motion_costs(benchmark):
     assert bad.text == "walk seed 17: 7.5 × (left_knee), left_ankle 70 cm away; E = 11 (bend 9, covariant 2)"
 
 
+@pytest.mark.slow
 def test_solving_is_what_the_command_does(benchmark, run):
     from runner.progress import Teller
 

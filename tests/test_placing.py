@@ -75,6 +75,7 @@ EVERY = {"root", "spine"} | {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("coordinates", ["world", "joint"])
 @pytest.mark.parametrize("others", ["free", "rest", "hold"])
 def test_a_site_is_where_the_keyframe_says_and_stays_so_in_the_motion(coordinates, others):
@@ -100,6 +101,7 @@ def _own(problem: Clip, qpos: np.ndarray, name: str) -> np.ndarray:
     return qpos[link.qpos : link.qpos + (7 if name == "root" else 4)]
 
 
+@pytest.mark.slow
 def test_what_is_given_stays_to_the_bit_and_the_rest_of_the_limb_gives_way():
     body = 'others = "hold"\njoints.left_knee = {rotvec = [0, 70, 0]}\nsites.left_heel = [0.15, "free", 0.3]\n'
     key = read(second(body)).keys[1]
@@ -119,6 +121,7 @@ def test_what_is_held_is_the_pose_that_was_found():
     assert not np.array_equal(first.state, posed.state)
 
 
+@pytest.mark.slow
 def test_the_first_and_the_last_keyframe_can_be_by_position():
     text = HEAD + f"[[keyframe]]\ntime = 0\n{STEP}[[keyframe]]\ntime = 1\n{STEP.replace('0.27', '0.4')}"
     problem = read(text)
@@ -126,6 +129,7 @@ def test_the_first_and_the_last_keyframe_can_be_by_position():
         np.testing.assert_allclose(seen(problem, key.state).site("left_toe").xpos, [0.4, 0.1, height], atol=MET)
 
 
+@pytest.mark.slow
 def test_a_loop_can_begin_and_end_by_position():
     text = HEAD + '[solve]\nends = "periodic"\n'
     for i in range(3):
@@ -177,6 +181,7 @@ def quiet() -> Teller:
     return Teller(Console(file=io.StringIO()))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("coordinates", ["world", "joint"])
 def test_a_search_ends_within_a_millimetre_and_is_reported(coordinates):
     problem = read(RAIL + f'[solve]\ncoordinates = "{coordinates}"\n')
@@ -201,6 +206,7 @@ def _columns(problem: Clip, name: str) -> slice:
     return slice(link.qpos, link.qpos + 4)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("which", ["first", "last"])
 @pytest.mark.parametrize("others", ["free", "rest"])
 def test_a_search_at_an_end_of_the_clip_is_met(which, others):
@@ -214,6 +220,7 @@ def test_a_search_at_an_end_of_the_clip_is_met(which, others):
     assert np.linalg.norm(seen(problem, at).site("left_hand").xpos - [0.3, 0.2, 1.1]) < 1e-3
 
 
+@pytest.mark.slow
 def test_only_given_axes_are_searched_for():
     text = second('sites.left_hand = {position = ["free", "free", 1.3], by = "search"}\n')
     problem = read(text)
@@ -221,6 +228,7 @@ def test_only_given_axes_are_searched_for():
     assert seen(problem, at).site("left_hand").xpos[2] == pytest.approx(1.3, abs=1e-3)
 
 
+@pytest.mark.slow
 def test_a_penalty_table_changes_the_weight_of_places_and_takes_it_away():
     entry = '[[penalty]]\nkind = "placement"\nweight = {}\n'
     for weight, expected in ((3, [3]), (0, [])):
@@ -229,6 +237,7 @@ def test_a_penalty_table_changes_the_weight_of_places_and_takes_it_away():
     assert not [p for p, _ in read(REST + entry.format(3) + second("", "")).penalties if isinstance(p, Placement)]
 
 
+@pytest.mark.slow
 def test_other_keyframes_keep_the_places_at_their_times():
     problem = read(RAIL)
     moved = clip.with_keys(problem, [problem.keys[0], Frame.key(1.0, problem.keys[1].state)])
@@ -236,6 +245,7 @@ def test_other_keyframes_keep_the_places_at_their_times():
     assert clip.with_keys(problem, problem.keys).placed == problem.placed
 
 
+@pytest.mark.slow
 def test_the_command_solves_and_reports_a_hand_on_a_rail(tmp_path: Path, monkeypatch, capsys):
     (tmp_path / "rail.toml").write_text(RAIL, encoding="utf-8")
     monkeypatch.chdir(tmp_path)
@@ -301,6 +311,7 @@ MISTAKES = {
 }  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mistake", MISTAKES)
 def test_a_mistake_is_one_line_that_says_where(mistake):
     body, words = MISTAKES[mistake]
@@ -312,6 +323,7 @@ def test_a_mistake_is_one_line_that_says_where(mistake):
         assert word in told
 
 
+@pytest.mark.slow
 def test_all_places_without_a_pose_are_told_at_once():
     far = 'sites.{} = [3, 0, 1]\nothers = "rest"\n'
     text = HEAD + "".join(
@@ -345,6 +357,7 @@ def test_all_places_without_a_pose_are_told_at_once():
     )
 
 
+@pytest.mark.slow
 def test_keyframes_are_drawn_as_near_as_they_come(tmp_path: Path, monkeypatch, capsys):
     far = second('others = "rest"\nsites.left_hand = [3, 0, 1]\n')
     (tmp_path / "far.toml").write_text(far, encoding="utf-8")

@@ -15,6 +15,7 @@ import models
 from runner.clip_table import PenaltyTable
 from runner.constraints import posing_bends
 from runner.feet import sole_points
+from solver import posing
 from solver import quaternion as quat
 from solver.figure import Figure, JointKind, quaternion_columns
 from solver.frame import Mask
@@ -86,6 +87,7 @@ def everything(figure: Figure) -> Mask:
     return np.ones(figure.width, bool)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(6))
 def test_the_places_of_a_pose_that_can_be_taken_are_met_again(seed):
     """A round trip: sites and rotations of a random pose, a pose found for them from rest, its sites by MuJoCo."""
@@ -103,6 +105,7 @@ def test_the_places_of_a_pose_that_can_be_taken_are_met_again(seed):
     assert_human(found.qpos)
 
 
+@pytest.mark.slow
 @settings(max_examples=15, deadline=None)
 @given(seed=st.integers(0, 10**6), side=st.sampled_from(["left", "right"]), limb=st.sampled_from(["heel", "hand"]))
 def test_only_what_is_free_moves_and_what_is_missed_is_told(seed, side, limb):
@@ -158,6 +161,7 @@ def test_a_straight_leg_shortens_forward_at_the_knee():
     assert_human(found.qpos)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("short", [1e-2, 1e-3, 1e-4, 1e-5])
 def test_a_leg_a_hair_shorter_than_straight_is_found(short):
     figure = HUMAN["world"]
@@ -170,6 +174,7 @@ def test_a_leg_a_hair_shorter_than_straight_is_found(short):
     assert posed(figure, figure.model.qpos0, free, [beyond, goals[1]], bends).missed[0] == pytest.approx(short, rel=0.1)
 
 
+@pytest.mark.slow
 def test_legs_that_home_has_turned_far_round_stand_all_the_same():
     """As where a path is gone on with, beyond its last keyframe: two homes of three at least, as such are hard."""
     figure = HUMAN["world"]
@@ -312,6 +317,7 @@ def asked_again(figure: Figure, points: Sequence[Point], wanted: Array, rng: np.
     return [PointGoal.of(figure, point, PointGoal.of(figure, point).place(data)) for point in some]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["human", "biped", "quadruped"])
 def test_hands_and_feet_of_poses_inside_the_ranges_are_found_from_the_rest_pose(name):
     rng = np.random.default_rng(4)
@@ -360,3 +366,16 @@ def test_what_a_goal_apart_misses_does_not_move_the_others():
     assert alone.is_met and both.missed[0] <= MET < both.missed[1]
     assert both.starts == STARTS
     np.testing.assert_allclose(both.qpos[alone.fixed], alone.qpos[alone.fixed], atol=1e-12)
+
+
+def test_a_search_begins_with_every_joint_bent_by_its_least_flexion_and_those_that_bend_more_as_they_are():
+    figure = HUMAN["world"]
+    bends = posing._Bends.of(figure, BENDS, everything(figure))
+    assert bends is not None
+    straight = np.array(figure.model.qpos0)
+    least = bends._angles(straight[bends.columns])[0].max() + 0.2
+    begun = bends.begun(straight, least)
+    np.testing.assert_allclose(bends._angles(begun[bends.columns])[0], least, atol=1e-9)
+    others = np.setdiff1d(np.arange(straight.size), bends.columns)
+    np.testing.assert_array_equal(begun[others], straight[others])
+    np.testing.assert_array_equal(bends.begun(begun, least - 0.1), begun)

@@ -122,6 +122,7 @@ def test_between_frames_a_path_in_the_floor_is_found_as_deep_as_it_is(tmp_path):
     assert found.text == f"ball is {1000 * seen.deepest:.0f} mm in the floor at {found.time:.2f} s"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["hand_on_rail", "jump_over_box", "sit_down"])
 def test_depths_are_mujocos(name):
     problem = clip.load(name)
@@ -373,6 +374,7 @@ def said(saved: motion.Saved) -> set[tuple[str, str]]:
     return {(each.kind, each.name) for each in problems.of_motion(saved)}
 
 
+@pytest.mark.slow
 def test_a_motion_from_a_file_has_the_problems_that_it_had(walked, tmp_path):
     assert said(walked) >= {("contact", "right_toe"), ("placement", "left_hand")}
     motion.save(walked, tmp_path / "m.npz")
@@ -383,6 +385,7 @@ def test_a_motion_from_a_file_has_the_problems_that_it_had(walked, tmp_path):
     ]
 
 
+@pytest.mark.slow
 def test_edited_motions_are_looked_at_as_what_they_are(walked):
     assert said(edits.mirrored(walked)) >= {("contact", "left_toe"), ("placement", "right_hand")}
     fast = problems.of_motion(edits.retimed(walked, 2.0))
@@ -397,6 +400,7 @@ def test_a_text_that_nobody_can_read_is_no_reason_not_to_look(walked):
     assert isinstance(problems.of_motion(replace(walked, text="figure = ")), tuple)
 
 
+@pytest.mark.slow
 def test_why_the_search_ended_is_in_the_file(tmp_path):
     keys = [Keyframe(0, others="rest"), Keyframe(0.8, root={"position": [0.7, 0, 1.2]}, others="rest")]
     found = inbetween(build("human", keys, scene={"step": {"x": 0.4, "height": 0.27}}, solve={"evaluations": 2}))

@@ -85,6 +85,7 @@ def test_every_name_is_there_and_listed():
         _ = runner.lod  # type: ignore[attr-defined]
 
 
+@pytest.mark.slow
 def test_a_script_in_an_empty_folder(tmp_path):
     (tmp_path / "arm.xml").write_text(ARM)
     script = """
@@ -108,6 +109,7 @@ def test_what_ships_is_listed_and_loads():
     assert repr(load("run_and_step")) == "<Clip run_and_step: 2.20 s, 12 keyframes (1 partial), 15 penalties, 39 DOF>"
 
 
+@pytest.mark.slow
 def test_a_clip_is_loaded_from_a_path_and_from_text(tmp_path):
     path = written(tmp_path)
     found = load(path)
@@ -122,6 +124,7 @@ def test_a_clip_is_loaded_from_a_path_and_from_text(tmp_path):
         load("x.npz")
 
 
+@pytest.mark.slow
 def test_the_verb_takes_what_load_takes(tmp_path):
     path = written(tmp_path)
     expected = inbetween(load(path)).at(0.3)
@@ -131,6 +134,7 @@ def test_the_verb_takes_what_load_takes(tmp_path):
         inbetween("run_and_stp")
 
 
+@pytest.mark.slow
 def test_a_clip_built_is_the_clip_written():
     text = """
 figure = "human"
@@ -306,6 +310,7 @@ def test_other_figures_and_shorter_motions_are_not_compared(motion):
         motion.apart(motion.trimmed(0.2, 0.8))
 
 
+@pytest.mark.slow
 def test_a_report_is_a_table_to_read_and_numbers_to_keep(motion):
     report = motion.report()
     assert {"before", "after", "left to gain"} <= set(report)
@@ -365,6 +370,7 @@ def test_thinned_keeps_its_bound(motion):
     assert thin.saved.timeline.variable_count == 0
 
 
+@pytest.mark.slow
 def test_files_go_there_and_back(motion, loop, tmp_path):
     for each in (motion, loop):
         assert each.save(tmp_path / "m.npz") == tmp_path / "m.npz"
@@ -376,6 +382,7 @@ def test_files_go_there_and_back(motion, loop, tmp_path):
     assert str(load_motion(tmp_path / "m.npz").report())
 
 
+@pytest.mark.slow
 def test_a_recording_is_saved_as_a_clip_of_its_instants(motion, tmp_path):
     (tmp_path / "arm.xml").write_text(ARM)
     motion.export(tmp_path / "m.csv", fps=20)
@@ -390,12 +397,14 @@ def test_a_recording_is_saved_as_a_clip_of_its_instants(motion, tmp_path):
     assert recorded.apart(again).distance < 1e-9
 
 
+@pytest.mark.slow
 def test_pictures_are_drawn(motion, tmp_path, graphics):
     assert motion.render(tmp_path / "m.png", at=0.5, size=(64, 48)) == tmp_path / "m.png"
     motion.trimmed(0, 0.2).render(tmp_path / "m.gif", only="after", size=(64, 48), fps=10)
     assert names(tmp_path) == ["m.gif", "m.png"]
 
 
+@pytest.mark.slow
 def test_solving_is_silent_unless_asked(capfd):
     inbetween(wave())
     assert capfd.readouterr() == ("", "")

@@ -33,6 +33,7 @@ def deepest(path: str) -> float:
     return penetration(solved.clip.figure.model, run.time, run.qpos).deepest
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("obstacle", OBSTACLES)
 def test_a_limb_goes_through_an_obstacle_without_the_penalty_and_at_most_two_millimetres_with_it(tmp_path, obstacle):
     assert deepest(written(tmp_path, obstacle, WITHOUT)) > 0.015

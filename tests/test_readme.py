@@ -18,6 +18,7 @@ def blocks(language: str) -> list[str]:
     return re.findall(rf"```{language}\n(.*?)```", README, flags=re.S)
 
 
+@pytest.mark.slow
 def test_the_python_example_runs(
     capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -41,6 +42,7 @@ def test_every_format_of_the_table_exists_and_none_is_left_out() -> None:
     assert said == {each.name: (each.writes, each.reads) for each in FORMATS}
 
 
+@pytest.mark.slow
 def test_the_example_clip_solves() -> None:
     text, more, carried = blocks("toml")
     assert len(text.splitlines()) <= 12

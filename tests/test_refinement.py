@@ -39,6 +39,7 @@ def solved(name: str, method: str) -> Motion:
     return inbetween(clip.figure, clip.keys, clip.penalties, settings, **ends)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["run_loop", "sit_down"])
 def test_a_shipped_clip_is_as_low_by_nlopt_as_by_gauss_newton_and_its_keyframes_are_met(name):
     ours, theirs = solved(name, "lbfgs"), solved(name, NEWTON)

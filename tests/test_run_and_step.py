@@ -55,6 +55,7 @@ def run_and_step() -> Solved:
     return Solved(done.clip, done.motion, report(done.clip, done.motion, 0.0))
 
 
+@pytest.mark.slow
 def test_the_clip_has_eight_to_twelve_keyframes_in_two_to_three_seconds(run_and_step):
     clip = run_and_step.clip
     assert 8 <= len(clip.keys) <= 12
@@ -62,6 +63,7 @@ def test_the_clip_has_eight_to_twelve_keyframes_in_two_to_three_seconds(run_and_
     assert clip.surfaces[1].half[2] == pytest.approx(0.35 / 2)
 
 
+@pytest.mark.slow
 def test_the_raw_spline_drives_a_foot_at_least_50_mm_into_the_step(run_and_step):
     deep = run_and_step.deep(raw=True)
     assert deep.deepest >= 0.050
@@ -69,10 +71,12 @@ def test_the_raw_spline_drives_a_foot_at_least_50_mm_into_the_step(run_and_step)
     assert any(word in deep.worst() for word in FEET)
 
 
+@pytest.mark.slow
 def test_the_optimised_motion_keeps_every_geom_out_of_floor_and_step_to_1_mm(run_and_step):
     assert run_and_step.deep(raw=False).deepest <= 0.001
 
 
+@pytest.mark.slow
 def test_no_keyframe_penetrates(run_and_step):
     clip = run_and_step.clip
     whole = [key for key in clip.keys if key.is_key]
@@ -80,6 +84,7 @@ def test_no_keyframe_penetrates(run_and_step):
     assert deep.deepest <= 1e-4
 
 
+@pytest.mark.slow
 def test_knees_and_elbows_bend_the_right_way(run_and_step):
     for angles in run_and_step.report["after"]["bends, degrees"].values():
         assert angles["backward"] <= 0.5
@@ -87,6 +92,7 @@ def test_knees_and_elbows_bend_the_right_way(run_and_step):
         assert angles["twist"] <= 10
 
 
+@pytest.mark.slow
 def test_feet_planted_in_two_neighbouring_keyframes_stay_on_the_ground_and_in_their_place(run_and_step):
     stances = run_and_step.report["after"]["stances"]
     assert len(stances) >= 6
@@ -95,6 +101,7 @@ def test_feet_planted_in_two_neighbouring_keyframes_stay_on_the_ground_and_in_th
         assert stance["slide, m"] <= 0.005
 
 
+@pytest.mark.slow
 def test_feet_cross_the_edge_of_the_step_close_above_it(run_and_step):
     heights = run_and_step.report["after"]["edge clearance, m"]
     assert len(heights) == 2
@@ -102,11 +109,13 @@ def test_feet_cross_the_edge_of_the_step_close_above_it(run_and_step):
         assert 0 < height <= 0.12
 
 
+@pytest.mark.slow
 def test_the_peak_angular_acceleration_is_at_most_half_as_much_again_as_before(run_and_step):
     before, after = (run_and_step.report[side]["angular acceleration, rad/s²"]["peak"] for side in ("before", "after"))
     assert after <= 1.5 * before
 
 
+@pytest.mark.slow
 def test_in_flight_the_centre_of_mass_falls_freely_and_before_it_does_not(run_and_step):
     before, after = (run_and_step.report[side]["support"] for side in ("before", "after"))
     assert before["off free fall, g"] >= 0.2
@@ -115,11 +124,13 @@ def test_in_flight_the_centre_of_mass_falls_freely_and_before_it_does_not(run_an
     assert after["upward force in flight, N"] <= 20
 
 
+@pytest.mark.slow
 def test_at_least_half_of_the_root_force_that_no_contact_can_supply_is_gone(run_and_step):
     before, after = (run_and_step.report[side]["support"]["root mean square"] for side in ("before", "after"))
     assert after <= 0.5 * before
 
 
+@pytest.mark.slow
 def test_without_the_flight_and_support_penalties_the_figure_is_carried_by_nothing():
     clip = clips.from_text(TEXT, name="carried")
     kept = tuple((penalty, weight) for penalty, weight in clip.penalties if penalty.name not in ("flight", "support"))
@@ -130,21 +141,25 @@ def test_without_the_flight_and_support_penalties_the_figure_is_carried_by_nothi
     assert np.mean(np.linalg.norm(clip.support.rest(samples)[:3], axis=0)) >= 0.2
 
 
+@pytest.mark.slow
 def test_the_centre_of_mass_stays_where_the_keyframes_put_it(run_and_step):
     assert run_and_step.report["after"]["centre of mass off before, m"]["largest"] <= 0.10
 
 
+@pytest.mark.slow
 def test_keyframes_are_met_exactly_before_and_after(run_and_step):
     assert run_and_step.report["before"]["keyframe error"] <= 1e-12
     assert run_and_step.report["after"]["keyframe error"] <= 1e-12
 
 
+@pytest.mark.slow
 def test_quaternions_stay_near_unit_length_before_they_are_normalised(run_and_step):
     lengths = run_and_step.report["after"]["unit deviation"]
     assert lengths["shortest"] >= 0.8
     assert lengths["longest"] <= 1.25
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("method", "fewest"), [("newton", 4), ("lbfgs", 20)])
 def test_every_improving_path_meets_the_keyframes_and_the_objective_falls(run_and_step, method, fewest):
     clip, values, errors = run_and_step.clip, [], []
@@ -171,6 +186,7 @@ def _off(clip: Clip, key: Frame, qpos: np.ndarray) -> float:
     return float(np.abs(wanted - qpos)[key.fixed].max())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("method", "evaluations"), [("newton", 1), ("newton", 2), ("newton", 4), ("lbfgs", 5), ("lbfgs", 20)]
 )
@@ -195,12 +211,14 @@ def test_stopped_early_the_path_is_valid_and_no_worse_than_raw(run_and_step, met
     assert now <= raw * (1 + 1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(20))
 def test_perturbed_clips_stay_out_of_floor_and_step_to_2_mm(seed):
     clip = perturbed(TEXT, seed)
     assert deepest(clip, solved(clip)) <= 0.002
 
 
+@pytest.mark.slow
 def test_without_the_contact_penalties_the_foot_still_goes_through_the_step():
     clip = clips.from_text(TEXT, name="no contact")
     off = {"contact", "clearance", "planted"}
@@ -210,6 +228,7 @@ def test_without_the_contact_penalties_the_foot_still_goes_through_the_step():
     assert deepest(clip, solved(clip, frames=0)) >= 0.03
 
 
+@pytest.mark.slow
 def test_a_keyframe_under_the_floor_stays_there_and_is_noticed(run_and_step):
     keys = list(run_and_step.clip.keys)
     sunk = np.array(keys[3].state)

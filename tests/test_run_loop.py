@@ -22,12 +22,14 @@ def run() -> Motion:
     return inbetween(PROBLEM.figure, PROBLEM.keys, PROBLEM.penalties, PROBLEM.settings, ends=PROBLEM.ends)
 
 
+@pytest.mark.slow
 def test_it_travels_and_goes_on_across_the_seam(run):
     seam = Seam.of(run.figure, run.timeline)
     np.testing.assert_allclose(seam.travel, STRIDE * np.eye(run.figure.width)[0], atol=1e-12)
     assert seam.apart(run.path).max() < 1e-9
 
 
+@pytest.mark.slow
 def test_what_the_first_keyframe_says_is_met_at_the_end_as_well(run):
     first, last = run.at([0.0, PERIOD])
     wanted = PROBLEM.keys[0].state
@@ -38,6 +40,7 @@ def test_what_the_first_keyframe_says_is_met_at_the_end_as_well(run):
         np.testing.assert_allclose(qpos, wanted, atol=1e-9)
 
 
+@pytest.mark.slow
 def test_it_stays_out_of_the_floor_that_the_raw_spline_runs_into(run):
     deepest = []
     for timeline in (run.raw, run.timeline):

@@ -149,6 +149,7 @@ def test_mujocos_warnings_leave_no_log_and_no_words(tmp_path, monkeypatch, capfd
     assert capfd.readouterr() == ("", "")
 
 
+@pytest.mark.slow
 def test_a_model_that_has_its_stage_already_is_composed_as_it_is():
     once = compose(figure_spec("human"), Step(1.0, 0.3))
     twice = compose(once.spec())

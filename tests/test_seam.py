@@ -102,6 +102,7 @@ def test_the_gradient_through_the_seam_is_exact(rng, coordinates, turns):
     assert_exact_gradient(loop(figure, turns, partial=True), figure, rng)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("turns", [0, 1])
 @pytest.mark.parametrize("partial", [False, True])
 def test_the_step_of_the_search_is_the_dense_gauss_newton_step(rng, partial, turns):
@@ -120,6 +121,7 @@ def test_frames_inserted_into_a_travelling_loop_leave_its_curve(rng, turns):
     np.testing.assert_allclose(Path(path_of(finer).spline, rows).at(t), path_of(timeline).at(t), atol=1e-10)
 
 
+@pytest.mark.slow
 def test_a_loop_is_the_middle_of_the_same_motion_over_many_periods():
     figure = figure_of(TINY)
     settings = Settings(variable=2, frames=0, tolerance=1e-12, renormalise=False)

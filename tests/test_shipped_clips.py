@@ -104,11 +104,13 @@ def found(request: pytest.FixtureRequest) -> Found:
     return of(request.param)
 
 
+@pytest.mark.slow
 def test_the_raw_spline_penetrates_and_the_solved_motion_does_not(found):
     assert found.deepest(raw=True, rate=200) >= found.promise.raw
     assert found.deepest(raw=False, rate=500) <= DEEPEST
 
 
+@pytest.mark.slow
 def test_keyframes_are_met(found):
     figure = found.clip.figure
     for key, qpos in zip(found.clip.keys, found.motion.at([key.time for key in found.clip.keys]), strict=True):
@@ -117,6 +119,7 @@ def test_keyframes_are_met(found):
         np.testing.assert_allclose(qpos[key.fixed], key.state[key.fixed], atol=1e-12)
 
 
+@pytest.mark.slow
 def test_knees_and_elbows_bend_the_right_way(found):
     assert len(found.clip.bends) == 4
     flexion, sideways, twist = BendLimits(found.clip.bends).angles(found.all())
@@ -124,6 +127,7 @@ def test_knees_and_elbows_bend_the_right_way(found):
     assert max(np.abs(sideways).max(), np.abs(twist).max()) <= SIDEWAYS
 
 
+@pytest.mark.slow
 def test_feet_at_rest_stay_down_and_in_their_places(found):
     stances = found.stances()
     assert len(stances) == found.promise.contacts
@@ -133,6 +137,7 @@ def test_feet_at_rest_stay_down_and_in_their_places(found):
         assert np.linalg.norm(away[:2], axis=0).max() <= SLIDE
 
 
+@pytest.mark.slow
 def test_no_limb_goes_through_the_body(found):
     figure = found.clip.figure
     run = sampled(figure, found.motion.timeline, 60.0)
@@ -140,6 +145,7 @@ def test_no_limb_goes_through_the_body(found):
     assert deepest <= SELF, where
 
 
+@pytest.mark.slow
 def test_it_gets_where_it_is_to(found):
     first, last = found.motion.at([found.clip.keys[0].time, found.clip.keys[-1].time])
     assert (last - first)[[0, 2]] == pytest.approx([found.promise.travel, found.promise.climb], abs=0.01)
@@ -196,6 +202,7 @@ def test_the_walk_turns_a_quarter_evenly_over_its_middle_steps_and_its_feet_land
     assert abs(last[0]) < 0.1
 
 
+@pytest.mark.slow
 def test_every_third_keyframe_of_the_turning_walk_tells_its_cycle():
     found = of("walk_and_turn").clip
     some = raw_timeline(found.figure, list(found.keys[::3]))
@@ -216,6 +223,7 @@ UNHINDERED = {"tumble"}  # nothing is in its way: its raw spline breaks nothing 
 KNOWN = {"walk_loop": [("left_toe", 5), ("left_toe", 6), ("right_toe", 2), ("right_toe", 9)]}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", models.clips())
 def test_nothing_is_wrong_with_a_clip_that_ships_but_what_is_known(name):
     found = of(name)
@@ -231,6 +239,7 @@ def test_nothing_is_wrong_with_a_clip_that_ships_but_what_is_known(name):
     assert raw[0].severity > 2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", models.clips())
 def test_no_clip_that_ships_ends_in_a_heap_or_begins_with_a_jerk(name):
     motion = of(name).motion

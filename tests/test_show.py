@@ -101,6 +101,7 @@ def test_ghosts_add_the_keyframes_to_every_image(saved):
     assert all(apart(a, b) > 10 for a, b in zip(plain, haunted, strict=True))
 
 
+@pytest.mark.slow
 def test_figure_six_shows_keyframes_darker_than_what_is_between(saved):
     empty = Saved(**{**saved.__dict__, "keys": ()})
     everything = figure_six(saved, look(width=96, height=64), RAYS)
@@ -115,6 +116,7 @@ def test_figure_six_shows_keyframes_darker_than_what_is_between(saved):
     assert change[own].mean() > 1.5 * change[more].mean()
 
 
+@pytest.mark.slow
 def test_figure_six_of_the_raw_spline_is_another(saved):
     before, after = figure_six(saved, look(only="before"), RAYS), figure_six(saved, look(), RAYS)
     assert apart(before, after) > 0
@@ -138,6 +140,7 @@ def test_the_camera_follows_the_root_and_knows_the_figures_height(saved):
     assert 0.1 < figure_height(saved) < 3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("more", [{"only": "keys"}, {"ghosts": True, "camera": "side"}])
 def test_more_workers_draw_the_same_images(saved, monkeypatch, more):
     monkeypatch.setattr(show, "PIXELS_OF_A_PROCESS", 1)

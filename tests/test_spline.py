@@ -137,6 +137,7 @@ def test_the_natural_end_slopes_are_those_of_the_natural_spline(rng, times):
     np.testing.assert_allclose(natural_end_slopes(times, states), expected, rtol=1e-9, atol=1e-9)
 
 
+@pytest.mark.slow
 @settings(deadline=None, max_examples=50)
 @given(st.sampled_from(ENDS), st.floats(0.002, 0.998), st.integers(0, 10**6))
 def test_a_frame_inserted_on_the_curve_leaves_the_curve_unchanged(ends, share, seed):

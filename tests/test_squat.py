@@ -67,6 +67,7 @@ def assert_squat(found: Measured) -> None:
     assert found.acceleration <= 60
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("contacts", [True, False], ids=["contacts", "keyframes"])
 @pytest.mark.parametrize("height", HEIGHTS)
 def test_a_lowered_pelvis_is_a_squat(height, contacts):
@@ -78,6 +79,7 @@ def test_a_lowered_pelvis_is_a_squat(height, contacts):
     assert quat.angle_between(qpos[3:7], problem.figure.model.qpos0[3:7]) < np.radians(15)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "height"), [("BIPED", walkers.BIPED_HEIGHT), ("QUADRUPED", walkers.QUADRUPED_HEIGHT)])
 def test_legs_of_hinges_bend_too(name, height, tmp_path: Path):
     (tmp_path / "its.xml").write_text(getattr(walkers, name), encoding="utf-8")
@@ -89,6 +91,7 @@ def test_legs_of_hinges_bend_too(name, height, tmp_path: Path):
     assert found.acceleration <= 60
 
 
+@pytest.mark.slow
 def test_what_was_posed_stays_free_and_is_where_the_search_and_the_raw_spline_begin():
     problem = squat(0.7, contacts=False)
     key = problem.keys[1]
@@ -111,6 +114,7 @@ def test_what_was_posed_stays_free_and_is_where_the_search_and_the_raw_spline_be
     }
 
 
+@pytest.mark.slow
 def test_several_depths_in_a_row_are_all_posed():
     problem = between(*(f"root.position = [0, 0, {height}]" for height in (0.75, 0.55, 0.8)))
     assert posed_feet(problem) == ["", "lr", "lr", "lr", ""]
@@ -118,12 +122,14 @@ def test_several_depths_in_a_row_are_all_posed():
         np.testing.assert_allclose(soles(problem, k), soles(problem, 0), atol=1e-6)
 
 
+@pytest.mark.slow
 def test_what_is_held_is_posed_again_where_the_pelvis_has_gone():
     problem = between("root.position = [0, 0, 0.7]", 'root.position = [0.05, 0, 0.6]\nothers = "hold"')
     assert posed_feet(problem) == ["", "lr", "lr", ""]
     np.testing.assert_allclose(soles(problem, 2), soles(problem, 0), atol=1e-6)
 
 
+@pytest.mark.slow
 def test_a_pelvis_out_of_reach_of_the_feet_leaves_them_alone():
     assert posed_feet(between("root.position = [0, 0, 0.7]", "root.position = [0, 0, 1.2]")) == ["", "lr", "", ""]
 
@@ -141,6 +147,7 @@ def test_feet_that_are_elsewhere_before_and_after_are_left_alone():
     assert posed_feet(read(text)) == ["", "", ""]
 
 
+@pytest.mark.slow
 def test_a_foot_that_goes_elsewhere_leaves_the_other_where_it_stands():
     feet = "bodies.right_foot = {flat = true}\nbodies.left_foot = {flat = true}"
     sites = "sites.right_heel = [-0.055, -0.09, 0]\nsites.left_heel = [0.25, 0.09, 0]"
@@ -148,6 +155,7 @@ def test_a_foot_that_goes_elsewhere_leaves_the_other_where_it_stands():
     assert posed_feet(between("root.position = [0.05, 0, 0.85]", step))[1] == "r"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("partial", [0, 2], ids=["first", "last"])
 def test_a_clip_may_begin_or_end_in_a_squat(partial):
     bodies = ['others = "rest"'] * 3
@@ -158,6 +166,7 @@ def test_a_clip_may_begin_or_end_in_a_squat(partial):
     np.testing.assert_allclose(soles(problem, partial), soles(problem, 1), atol=1e-6)
 
 
+@pytest.mark.slow
 def test_a_loop_may_begin_in_a_squat():
     problem = read(
         'figure = "human"\n[solve]\nends = "periodic"\n[[keyframe]]\ntime = 0\nroot.position = [0, 0, 0.65]\n'
@@ -169,6 +178,7 @@ def test_a_loop_may_begin_in_a_squat():
     assert_squat(measured(problem, solved(problem).motion.timeline))
 
 
+@pytest.mark.slow
 def test_a_contact_says_where_a_foot_is_that_no_keyframe_tells():
     places = {"left_heel": [0.1, 0.15, 0], "left_toe": [0.325, 0.15, 0]}
     text = REST + "[[keyframe]]\ntime = 1\nroot.position = [0, 0, 0.8]\n[[keyframe]]\ntime = 2\n"
@@ -191,6 +201,7 @@ def test_a_foots_turn_is_fitted_to_its_points_and_its_roll_is_kept():
     assert quat.angle_between(fitted(two, two, roll), roll) < 1e-6
 
 
+@pytest.mark.slow
 def test_a_hand_at_the_floor_is_a_crouch_with_the_feet_where_they_stand():
     problem = between("sites.left_hand = [0.35, 0.15, 0.1]")
     np.testing.assert_allclose(soles(problem, 1), soles(problem, 0), atol=1e-3)

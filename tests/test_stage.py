@@ -48,6 +48,7 @@ def redness(image: np.ndarray) -> np.ndarray:
     return image[..., 0].astype(int) - image[..., 1]
 
 
+@pytest.mark.slow
 def test_a_picture_has_the_size_and_type_that_were_asked_for(graphics: Graphics):
     with Stage(Scene(SCENE), 96, 64, graphics) as stage:
         image = stage.picture(HERE, SIDE)
@@ -55,6 +56,7 @@ def test_a_picture_has_the_size_and_type_that_were_asked_for(graphics: Graphics)
     assert image.dtype == np.uint8
 
 
+@pytest.mark.slow
 def test_a_picture_that_is_drawn_to_be_shrunk_is_the_same_when_it_is(gl: Graphics):
     shrunk = []
     for times in (1.0, 2.0):
@@ -80,6 +82,7 @@ def test_what_is_shown_small_needs_less_quality():
     assert (whole.quality.offsamples, whole.quality.numslices, whole.quality.shadowsize) == before
 
 
+@pytest.mark.slow
 def test_the_figure_stands_where_its_state_says(graphics: Graphics):
     with Stage(Scene(SCENE), 96, 64, graphics) as stage:
         left, right = (stage.picture(moved(x), SIDE) for x in (-1, 1))
@@ -87,11 +90,13 @@ def test_the_figure_stands_where_its_state_says(graphics: Graphics):
     assert np.nonzero(redness(right) > 40)[1].mean() > 56
 
 
+@pytest.mark.slow
 def test_a_picture_without_a_main_figure_shows_the_scene_alone(graphics: Graphics):
     with Stage(Scene(SCENE), 96, 64, graphics) as stage:
         assert redness(stage.picture(None, SIDE)).max() < 30
 
 
+@pytest.mark.slow
 def test_ghosts_are_drawn_beside_the_main_figure_in_their_shade(graphics: Graphics):
     ghosts = [Ghost(moved(x), 0.7) for x in (-1.2, 1.2)]
     with Stage(Scene(SCENE), 96, 64, graphics) as stage:
@@ -101,11 +106,13 @@ def test_ghosts_are_drawn_beside_the_main_figure_in_their_shade(graphics: Graphi
     assert main[0] - main[1] > 1.5 * (ghost[0] - ghost[1]) > 15
 
 
+@pytest.mark.slow
 def test_ghosts_alone_make_a_picture(graphics: Graphics):
     with Stage(Scene(SCENE), 96, 64, graphics) as stage:
         assert redness(stage.picture(None, SIDE, ghosts=[Ghost(HERE)])).max() > 40
 
 
+@pytest.mark.slow
 def test_a_translucent_ghost_lets_the_background_through(graphics: Graphics):
     with Stage(Scene(SCENE), 96, 64, graphics) as stage:
         bare = stage.picture(None, SIDE)[30, 48].astype(float)
@@ -115,6 +122,7 @@ def test_a_translucent_ghost_lets_the_background_through(graphics: Graphics):
     np.testing.assert_allclose(half, (bare + full) / 2, atol=3)
 
 
+@pytest.mark.slow
 def test_a_camera_of_the_model_can_be_looked_through(graphics: Graphics):
     with Stage(Scene(SCENE), 96, 64, graphics) as stage:
         image = stage.picture(HERE, View((0.0, 0.0, 0.0), 1.0, 0.0, 0.0, fixed="high"))
@@ -122,6 +130,7 @@ def test_a_camera_of_the_model_can_be_looked_through(graphics: Graphics):
     assert np.nonzero(redness(image) > 40)[1].mean() == pytest.approx(47.5, abs=2)
 
 
+@pytest.mark.slow
 def test_both_renderers_agree_about_where_things_are(gl: Graphics):
     pictures = []
     for graphics in (gl, RAYS):
@@ -130,11 +139,13 @@ def test_both_renderers_agree_about_where_things_are(gl: Graphics):
     assert (pictures[0] != pictures[1]).sum() < 0.12 * pictures[0].sum()
 
 
+@pytest.mark.slow
 def test_a_picture_larger_than_the_model_foresees_is_drawn(gl: Graphics):
     with Stage(Scene(SCENE), 700, 500, gl) as stage:
         assert stage.picture(HERE, SIDE).shape == (500, 700, 3)
 
 
+@pytest.mark.slow
 def test_shadows_follow_the_camera(gl: Graphics):
     far = moved(60)
     view = View((60.0, 0.0, 0.0), 6.0, 90.0, -60.0)

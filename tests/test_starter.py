@@ -52,6 +52,7 @@ def written(text: str, folder: Path) -> clip.Clip:
     return clip.load(str(target))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_model_of_any_joint_gets_a_clip_that_moves_within_its_ranges(kind, tmp_path):
     problem = written(f"<mujoco><worldbody>{KINDS[kind]}</worldbody></mujoco>", tmp_path)
@@ -73,6 +74,7 @@ def test_the_models_own_keyframes_are_the_clips_at_their_times(tmp_path):
     np.testing.assert_allclose([key.state[0] for key in problem.keys], [0.2, -1.3], atol=1e-7)
 
 
+@pytest.mark.slow
 def test_keyframes_without_times_are_half_a_second_apart_and_one_alone_gets_company(tmp_path):
     keys = "<size nkey='9'/><keyframe><key qpos='0.2'/><key qpos='-1.3'/><key qpos='0'/></keyframe>"
     (tmp_path / "a").mkdir()
@@ -92,6 +94,7 @@ def test_comments_name_joints_with_their_units_and_ranges(tmp_path):
     assert tomllib.loads(text)["figure"] == "models/it.xml"
 
 
+@pytest.mark.slow
 def test_a_second_free_body_is_placed_by_its_name_and_there_and_back_in_text(tmp_path):
     problem = written(f"<mujoco><worldbody>{KINDS['two free']}</worldbody></mujoco>", tmp_path)
     moved = problem.text.replace('roots."c d" = {position = [0, 0, ', 'roots."c d" = {position = [5, 0, ', 1)
@@ -112,6 +115,7 @@ def test_a_free_figure_with_feet_is_put_on_the_floor(tmp_path):
     assert problem.keys[0].state[2] == pytest.approx(0.32)
 
 
+@pytest.mark.slow
 def test_what_stands_is_named_and_so_is_that_nothing_does(tmp_path):
     feet = '<site name="left_heel" pos=".1 0 -.1"/><body><joint axis="0 1 0"/><geom size=".1" pos=".3 0 0"/></body>'
     for folder, inside, told in (("feet", feet, ":\n#   left_heel"), ("none", KINDS["hinge"], NO_FEET)):
@@ -148,6 +152,7 @@ REACH = '<geom type="capsule" size=".02" fromto="0 0 0 .3 0 0"/>'
 ARMS = f'{PAIR}<body name="arm" pos="0 0 .1"><joint axis="0 1 0"/>{REACH}</body>'
 
 
+@pytest.mark.slow
 def test_a_figure_stands_on_its_own_pedestal_and_its_keyframes_out_of_the_floor(tmp_path):
     (tmp_path / "a").mkdir()
     problem = written(f"<mujoco><worldbody>{STOOL}{TRUNK.format(PAIR)}</worldbody></mujoco>", tmp_path / "a")
@@ -158,6 +163,7 @@ def test_a_figure_stands_on_its_own_pedestal_and_its_keyframes_out_of_the_floor(
     assert "its 2 keyframes. Raised by up to 70.0 mm, out of what it stood in.\n" in problem.text
 
 
+@pytest.mark.slow
 def test_where_feet_and_hands_are_is_told_as_a_keyframe_would_say_it(tmp_path):
     problem = written(f"<mujoco><worldbody>{TRUNK.format(ARMS)}</worldbody></mujoco>", tmp_path)
     told = [line[4:] for line in problem.text.splitlines() if line.startswith(("#   sites.", "#   bodies."))]
@@ -174,6 +180,7 @@ def test_where_feet_and_hands_are_is_told_as_a_keyframe_would_say_it(tmp_path):
     np.testing.assert_allclose(again.keys[0].state, problem.keys[0].state, atol=1e-6)
 
 
+@pytest.mark.slow
 def test_a_model_of_which_nothing_collides_is_told_to_be_solid_all_over(tmp_path):
     for folder, seen in (("all", ' contype="0" conaffinity="0"'), ("none", "")):
         (tmp_path / folder).mkdir()

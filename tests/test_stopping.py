@@ -65,6 +65,7 @@ def start(tmp_path: Path) -> Iterator[Start]:
 FIRST_IMPORTS = ["runner.cli", "typer", "mujoco"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("number", "module"),
     [*((signal.SIGINT, each) for each in FIRST_IMPORTS), *((each, "typer") for each in CODES if CODES[each] == 143)],
@@ -75,6 +76,7 @@ def test_a_signal_in_the_first_imports_ends_in_one_line(start: Start, number: si
     assert (process.returncode, out, said) == (CODES[number], "", "dynsplines: stopped\n")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("number", "code"), [(signal.SIGTERM, 143), (signal.SIGHUP, 129)])
 def test_a_signal_while_solving_keeps_the_best_path_and_tells_in_the_exit_code(
     start: Start, tmp_path: Path, number: signal.Signals, code: int
@@ -93,6 +95,7 @@ def test_a_signal_while_solving_keeps_the_best_path_and_tells_in_the_exit_code(
     assert not [path.name for path in tmp_path.iterdir() if path.name.startswith(".")]
 
 
+@pytest.mark.slow
 def test_a_signal_that_a_command_is_started_to_ignore_stays_ignored(start: Start):
     script = COMMAND.replace(DEFAULT, DEFAULT + "signal.signal(signal.SIGHUP, signal.SIG_IGN)\n")
     process = start(script, "dynsplines", "solve", "long.toml")

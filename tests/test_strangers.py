@@ -220,6 +220,7 @@ def test_a_spec_given_from_python_is_held_to_the_same(tmp_path: Path):
         assert runner.build(figure, keys, allow_outside=True).scene.assets
 
 
+@pytest.mark.slow
 @POSIX
 def test_the_option_counts_for_its_command_alone(run: Run, tmp_path: Path):
     path = outsiders(tmp_path / "models")["absolute"]

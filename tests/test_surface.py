@@ -166,3 +166,10 @@ def test_spheres_are_near_where_they_have_a_depth(buried, rng):
         np.testing.assert_array_equal(near, surface.depth(points, radius)[0] > 0)
         assert near.any()
         assert not near[:3].any()
+
+
+def test_a_sphere_that_only_touches_a_plane_is_not_in_it():
+    plane = Plane("p", np.zeros(3), np.array([0.0, 0, 1]))
+    points, radius = np.array([[0.0, 0.0], [0.0, 0.0], [0.25, 0.125]])[:, :, None], np.array([0.25, 0.25])
+    np.testing.assert_array_equal(plane.near(points, radius[:, None]), [[False], [True]])
+    np.testing.assert_array_equal(plane.depth(points, radius)[0], [[0.0], [0.125]])

@@ -65,6 +65,7 @@ def fewest(recorded: Recorded, below: int) -> int:
     return below
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(6))
 @pytest.mark.parametrize("name", ["ball tree, world", "every joint"])
 def test_no_choice_of_keyframes_has_more_than_one_fewer(name, seed):
@@ -74,6 +75,7 @@ def test_no_choice_of_keyframes_has_more_than_one_fewer(name, seed):
     assert len(found.kept) <= fewest(recorded, len(found.kept)) + 1
 
 
+@pytest.mark.slow
 def test_longer_motions_come_as_near_to_the_fewest():
     figure = of("ball tree, joint")
     recorded = Recorded(figure, *recording(figure, 3, count=26, bends=4), Bound(0.1, np.radians(15)))
@@ -81,6 +83,7 @@ def test_longer_motions_come_as_near_to_the_fewest():
     assert 4 <= len(found.kept) <= fewest(recorded, len(found.kept)) + 1
 
 
+@pytest.mark.slow
 @settings(max_examples=25, deadline=None)
 @given(
     name=st.sampled_from(sorted(FIGURES)),
@@ -137,6 +140,7 @@ def test_a_turn_of_the_last_body_counts_though_no_origin_moves():
     assert 0.1 * np.radians(2) < angle.value <= np.radians(2) * (1 + 1e-6)
 
 
+@pytest.mark.slow
 def test_half_the_bound_takes_more_keyframes_not_fewer():
     figure = of("ball tree, world")
     times, qpos = recording(figure, 5, count=60, bends=25)
@@ -185,6 +189,7 @@ def test_many_splines_at_once_are_scipys_natural_ones():
         np.testing.assert_allclose(many, np.concatenate(one), atol=1e-12)
 
 
+@pytest.mark.slow
 def test_a_loop_stays_a_loop():
     figure = Figure(mujoco.MjModel.from_xml_string(BALL_TREE))
     times = np.linspace(0, 1, 17)
@@ -213,6 +218,7 @@ SWAY = """<mujoco><worldbody><body name="foot"><joint type="slide" axis="1 0 0"/
 <site name="sole" pos="0 0 -.02"/></body></worldbody></mujoco>"""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("hertz", "stands"), [(1.1, True), (4.0, False)])
 def test_what_stands_keeps_to_a_quarter_of_the_bound_and_what_moves_to_all_of_it(hertz, stands):
     """A foot comes, and then sways by a centimetre: below 0.1 m/s that is standing, above it is not."""

@@ -77,6 +77,7 @@ def test_what_is_no_angle_is_refused(angle):
         thin_files.bound("2cm", angle)
 
 
+@pytest.mark.slow
 def test_solving_an_exact_clip_gives_the_motion_that_was_measured(straight, tmp_path, capsys):
     source, target = tmp_path / "step.npz", tmp_path / "step.toml"
     motion.save(straight, source)
@@ -93,6 +94,7 @@ def test_solving_an_exact_clip_gives_the_motion_that_was_measured(straight, tmp_
     assert np.abs(one - other)[:, :3].max() < 0.025
 
 
+@pytest.mark.slow
 def test_a_clip_is_solved_as_ever_and_both_motions_are_told(straight, tmp_path, capsys):
     source, target = tmp_path / "step.npz", tmp_path / "step.toml"
     motion.save(straight, source)
@@ -112,6 +114,7 @@ def test_a_clip_is_solved_as_ever_and_both_motions_are_told(straight, tmp_path, 
     assert f"at most {spline:g} cm" in head and f"at most {solved:.3g} cm" in head and "--exact" in head
 
 
+@pytest.mark.slow
 def test_thinning_an_exact_clip_gives_one_that_is_searched(straight, tmp_path):
     source, target = tmp_path / "step.npz", tmp_path / "step.toml"
     motion.save(straight, source)
@@ -128,6 +131,7 @@ def test_what_a_clip_is_to_keep_to_is_asked_for_once(motion_file, tmp_path):
         run(motion_file, tmp_path / "out.toml", solve=True, exact=True)
 
 
+@pytest.mark.slow
 def test_a_loop_stays_a_loop_in_its_clip(walk, tmp_path):
     source, target = tmp_path / "walk.npz", tmp_path / "walk_thin.toml"
     motion.save(walk, source)
@@ -142,6 +146,7 @@ def test_a_loop_stays_a_loop_in_its_clip(walk, tmp_path):
     }
 
 
+@pytest.mark.slow
 def test_the_solved_motion_keeps_the_bound_where_that_is_asked(straight, tmp_path):
     source, target = tmp_path / "step.npz", tmp_path / "step.toml"
     motion.save(straight, source)
@@ -152,6 +157,7 @@ def test_the_solved_motion_keeps_the_bound_where_that_is_asked(straight, tmp_pat
     assert apart(straight, again) <= 0.02 * (1 + 1e-6)
 
 
+@pytest.mark.slow
 def test_a_recording_is_thinned_at_its_own_instants(straight, tmp_path, capsys):
     source = tmp_path / "step.csv"
     formats.export(straight, "csv", source, fps=120)
@@ -163,6 +169,7 @@ def test_a_recording_is_thinned_at_its_own_instants(straight, tmp_path, capsys):
     assert found.name == "step"
 
 
+@pytest.mark.slow
 def test_the_figure_of_a_recording_is_named_if_it_ships(straight, tmp_path):
     source = tmp_path / "step.csv"
     formats.export(straight, "csv", source, fps=60)

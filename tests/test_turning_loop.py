@@ -95,6 +95,7 @@ def test_frames_inserted_into_a_turning_loop_leave_its_curve():
     assert_splits_keep_the_curve(loop(figure_of(TINY)))
 
 
+@pytest.mark.slow
 def test_a_turning_loop_is_the_middle_of_the_same_motion_round_many_periods():
     figure = figure_of(TINY)
     settings = Settings(variable=2, frames=0, tolerance=1e-12, renormalise=False)

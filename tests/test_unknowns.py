@@ -123,6 +123,7 @@ def test_keyframes_are_met_for_every_x(figure, rng, kind, ends):
             assert distance_from_key(figure, state, key) <= 1e-12
 
 
+@pytest.mark.slow
 @settings(deadline=None, max_examples=40)
 @given(st.integers(0, 2**32 - 1), st.sampled_from(["free", "periodic"]))
 def test_partial_keyframes_of_any_mask_are_met_for_every_x(seed, ends):

@@ -30,6 +30,7 @@ def contents(wheel: Path) -> set[str]:
         return set(archive.namelist())
 
 
+@pytest.mark.slow
 def test_the_wheel_holds_exactly_the_packages_and_their_data(contents):
     wanted = {
         path.relative_to(ROOT).as_posix()
@@ -41,6 +42,7 @@ def test_the_wheel_holds_exactly_the_packages_and_their_data(contents):
     assert {"models/human.xml", "models/clips/run_and_step.toml", "solver/penalty/unit.py"} <= wanted
 
 
+@pytest.mark.slow
 def test_the_wheel_knows_its_command_its_licence_and_nothing_of_the_tests(contents, wheel):
     assert not [name for name in contents if name.split("/")[0] in ("tests", "renders", "benchmarks")]
     (entries,) = (name for name in contents if name.endswith("entry_points.txt"))
@@ -49,6 +51,7 @@ def test_the_wheel_knows_its_command_its_licence_and_nothing_of_the_tests(conten
     assert any("licenses/LICENSE" in name for name in contents)
 
 
+@pytest.mark.slow
 def test_an_installed_wheel_finds_its_clips_and_figures(wheel, tmp_path):
     target = tmp_path / "site"
     command = [*PIP, "install", "--no-deps", "--no-index", "--no-compile", "--target", str(target), str(wheel)]

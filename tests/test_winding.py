@@ -51,6 +51,7 @@ def test_a_lone_arc_is_the_shortest():
     np.testing.assert_allclose(wound([0, 179], spins=True), [179], atol=1e-4)
 
 
+@pytest.mark.slow
 @given(st.lists(st.floats(-175, 175), min_size=2, max_size=6), st.integers(0, 100))
 @example([0.0, 150.001, 11.0], 0)
 def test_the_choice_is_the_best_of_all(turns, seed):

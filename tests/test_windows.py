@@ -106,6 +106,7 @@ def test_long_clips_of_large_figures_are_long_and_loops_never(monkeypatch):
     assert not long(keys)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ends", ["free", "clamped"])
 @pytest.mark.parametrize("partial", [False, True])
 def test_a_clip_in_windows_costs_what_the_whole_costs_and_meets_its_keyframes(ends, partial, request):
@@ -133,6 +134,7 @@ def test_windows_begin_with_their_whole_budget_up_to_three_frames_a_segment_unle
     assert Settings(variable=1, frames=100).beginning(9, in_windows=True) == 1
 
 
+@pytest.mark.slow
 def test_what_is_told_while_it_goes_on_is_the_whole_clip_and_about_its_e(short):
     keys, told = long_keys(), []
     motion = inbetween(FIGURE, keys, penalties(), SETTINGS, improved=lambda each: told.append((each.value, each.path)))
@@ -142,6 +144,7 @@ def test_what_is_told_while_it_goes_on_is_the_whole_clip_and_about_its_e(short):
         np.testing.assert_allclose(motion.objective.value(path), value, rtol=0.03)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ends", ["free", "clamped"])
 def test_the_last_e_told_is_that_of_the_clip(short, ends):
     slope = np.zeros((2, FIGURE.width)) if ends == "clamped" else None
@@ -149,6 +152,7 @@ def test_the_last_e_told_is_that_of_the_clip(short, ends):
     np.testing.assert_allclose(motion.trace[-1][2], motion.objective.value(motion.path), rtol=5e-3)
 
 
+@pytest.mark.slow
 def test_what_was_told_is_the_whole_clip_still_when_it_is_asked_for_later(short):
     keys, told = long_keys(), []
     inbetween(FIGURE, keys, penalties(), SETTINGS, improved=told.append)
@@ -156,6 +160,7 @@ def test_what_was_told_is_the_whole_clip_still_when_it_is_asked_for_later(short)
         assert_whole(each.path, keys)
 
 
+@pytest.mark.slow
 def test_no_frame_that_a_window_added_is_lost(short, monkeypatch):
     close, lost = Assembly.close, []
 
@@ -171,6 +176,7 @@ def test_no_frame_that_a_window_added_is_lost(short, monkeypatch):
     assert not lost
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("frames", [2 * SEGMENTS, 3 * SEGMENTS])
 def test_the_budget_of_variable_frames_is_kept_in_windows_too(short, frames):
     settings = Settings(variable=1, frames=frames, threshold=0.0, max_evaluations=10)

@@ -91,11 +91,13 @@ def drawn(seed: int) -> Clip:
 COUNT = int(os.environ.get("DYNSPLINES_FUZZ", SHORT))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(COUNT))
 def test_a_changed_clip_is_never_worse_than_its_raw_spline(seed):
     assert_no_worse(varied(seed))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(COUNT))
 def test_a_clip_that_is_drawn_at_random_is_never_worse_than_its_raw_spline(seed):
     assert_no_worse(drawn(seed))

@@ -1,0 +1,339 @@
+"""What the tests would miss: random mutations of the solver, one at a time, each against the fast tests of its module.
+
+    python benchmarks/mutations.py --count 200 --seed 1         200 random places of solver/
+    python benchmarks/mutations.py --only solver/descent.py     those of some files alone
+    python benchmarks/mutations.py --only solver/descent.py:49  every mutation of some lines
+
+A mutation is a float times 1.001, an integer one up or down, a comparison, a sign or a product turned round, `and` for
+`or`. No file is touched: a process of its own compiles the mutated source under the module's name and runs pytest in
+itself, in a time that is bounded; first the tests that are named after the module, then those that import it or use its
+names. A line each says caught, survived or hung; the last line is their sum, and results can be kept as JSON.
+"""
+
+from __future__ import annotations
+
+import pinned  # noqa: F401  isort: skip  # before anything that imports NumPy
+
+import argparse
+import ast
+import contextlib
+import copy
+import importlib.abc
+import importlib.util
+import json
+import os
+import random
+import resource
+import signal
+import sys
+import time
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass
+from functools import cache
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+TESTS = ROOT / "tests"
+SLIGHTLY = 1.001
+SECONDS = 60.0  # of a core, for one file of tests; several times what its fast ones take
+PATIENCE = 10.0  # times as long, on a machine that others use
+IMPORTERS = 6  # files of tests that are tried after those that are named after the module
+HEAVY = (
+    "numpy",
+    "scipy.linalg",
+    "scipy.sparse",
+    "scipy.interpolate",
+    "mujoco",
+    "hypothesis",
+    "pytest",
+    "rich.console",
+    "pydantic",
+    "scipy.spatial.transform",
+    "scipy.optimize",
+)
+COMPARISONS: dict[type[ast.cmpop], type[ast.cmpop]] = {
+    ast.Lt: ast.LtE, ast.LtE: ast.Lt, ast.Gt: ast.GtE, ast.GtE: ast.Gt,
+    ast.Eq: ast.NotEq, ast.NotEq: ast.Eq, ast.In: ast.NotIn, ast.NotIn: ast.In, ast.Is: ast.IsNot, ast.IsNot: ast.Is,
+}  # fmt: skip
+OPERATIONS: dict[type[ast.operator], type[ast.operator]] = {
+    ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult,
+}  # fmt: skip
+NOTHING_TO_RUN = 5  # pytest's exit code for a file whose tests are all slow
+CAUGHT, SURVIVED, HUNG = "caught", "survived", "hung"
+
+
+@dataclass(frozen=True)
+class Mutant:
+    """One change of one file: its line, what stood there, what stands there now, and the whole source with it."""
+
+    path: str
+    line: int
+    before: str
+    after: str
+    source: str
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What came of a mutant, after how long [s], and the tests that were tried."""
+
+    path: str
+    line: int
+    before: str
+    after: str
+    verdict: str
+    seconds: float
+    tests: tuple[str, ...]
+
+
+def changes(node: ast.AST) -> list[ast.AST]:
+    """What can stand in the place of a node."""
+    if isinstance(node, ast.Constant) and type(node.value) is float and node.value and abs(node.value) < 1e300:
+        return [ast.Constant(node.value * SLIGHTLY)]
+    if isinstance(node, ast.Constant) and type(node.value) is int:
+        return [ast.Constant(node.value + step) for step in (1, -1)]
+    if isinstance(node, ast.Compare) and len(node.ops) == 1 and type(node.ops[0]) in COMPARISONS:
+        return [ast.Compare(node.left, [COMPARISONS[type(node.ops[0])]()], node.comparators)]
+    if isinstance(node, ast.BinOp) and type(node.op) in OPERATIONS:
+        return [ast.BinOp(node.left, OPERATIONS[type(node.op)](), node.right)]
+    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
+        return [node.operand]
+    if isinstance(node, ast.BoolOp):
+        return [ast.BoolOp(ast.Or() if isinstance(node.op, ast.And) else ast.And(), node.values)]
+    return []
+
+
+def mutants_of(path: Path) -> dict[int, list[tuple[int, int]]]:
+    """By line, which node of the tree (counted as it is walked) can be changed, and how often."""
+    tree, out = ast.parse(path.read_text(encoding="utf-8")), {}
+    told = {id(part) for part in _told(tree)}
+    for number, node in enumerate(ast.walk(tree)):
+        ways = [] if id(node) in told else changes(node)
+        if ways:
+            out.setdefault(node.lineno, []).extend((number, way) for way in range(len(ways)))  # type: ignore[attr-defined]
+    return out
+
+
+def _told(tree: ast.AST) -> Iterator[ast.AST]:
+    """Parts that change nothing when they change: annotations, messages of errors."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Raise):
+            yield from ast.walk(node)
+        for part in (getattr(node, "annotation", None), getattr(node, "returns", None)):
+            if part is not None:
+                yield from ast.walk(part)
+
+
+def mutated(path: Path, number: int, way: int) -> Mutant:
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    old = list(ast.walk(tree))[number]
+    new = ast.copy_location(copy.deepcopy(changes(old)[way]), old)
+    line = old.lineno  # type: ignore[attr-defined]
+    before, after = ast.unparse(old), ast.unparse(new)
+
+    class Exchange(ast.NodeTransformer):
+        def visit(self, node: ast.AST) -> ast.AST:
+            return new if node is old else self.generic_visit(node)
+
+    whole = ast.unparse(ast.fix_missing_locations(Exchange().visit(tree)))
+    return Mutant(path.relative_to(ROOT).as_posix(), line, before, after, whole)
+
+
+def chosen(count: int, seed: int, only: list[str]) -> list[Mutant]:
+    """Random lines of the solver that can be changed, each once, and a random change of each."""
+    if only and all(":" in name for name in only):
+        return [each for name in only for each in _all_of(*name.split(":"))]
+    files = [ROOT / name for name in only] or sorted((ROOT / "solver").rglob("*.py"))
+    lines = [(path, places) for path in files for places in mutants_of(path).values()]
+    rng = random.Random(seed)
+    rng.shuffle(lines)
+    return [mutated(path, *rng.choice(places)) for path, places in lines[:count]]
+
+
+def _all_of(path: str, line: str) -> list[Mutant]:
+    """Every change of one line."""
+    return [mutated(ROOT / path, *place) for place in mutants_of(ROOT / path).get(int(line), [])]
+
+
+def module_name(path: str) -> str:
+    return path.removesuffix(".py").replace("/", ".").removesuffix(".__init__")
+
+
+def tests_of(path: str) -> list[str]:
+    """Files of tests for a file of the solver: those named after it, then those that use most of its names."""
+    stem, package = Path(path).stem, Path(path).parent.name
+    tree = ast.parse((ROOT / path).read_text(encoding="utf-8"))
+    public = {n.name for n in tree.body if isinstance(n, (ast.FunctionDef, ast.ClassDef)) and n.name[0] != "_"}
+    public |= {t.id for n in tree.body if isinstance(n, ast.Assign) for t in n.targets if isinstance(t, ast.Name)}
+    named = [f"test_{package}_{stem}.py", f"test_{stem}.py"]
+    first, ranked = [name for name in named if (TESTS / name).exists()], []
+    for file in sorted(TESTS.glob("test_*.py")):
+        if file.name not in first:
+            words = Counter(n.id for n in ast.walk(_parsed(file)) if isinstance(n, ast.Name))
+            words.update(n.attr for n in ast.walk(_parsed(file)) if isinstance(n, ast.Attribute))
+            used = sum(words[name] for name in public) + 20 * (module_name(path) in _imports(file))
+            ranked.append((-used, file.name))
+    return first + [name for used, name in sorted(ranked)[:IMPORTERS] if used]
+
+
+_trees: dict[Path, ast.Module] = {}
+
+
+def _parsed(file: Path) -> ast.Module:
+    if file not in _trees:
+        _trees[file] = ast.parse(file.read_text(encoding="utf-8"))
+    return _trees[file]
+
+
+def _imports(file: Path) -> set[str]:
+    found: set[str] = set()
+    for node in ast.walk(_parsed(file)):
+        if isinstance(node, ast.ImportFrom) and node.module:
+            found |= {node.module, *(f"{node.module}.{each.name}" for each in node.names)}
+    return found
+
+
+class Instead(importlib.abc.MetaPathFinder, importlib.abc.InspectLoader):
+    """Imports a mutant in the place of its module."""
+
+    def __init__(self, mutant: Mutant) -> None:
+        self.name, self.file, self.source = module_name(mutant.path), str(ROOT / mutant.path), mutant.source
+
+    def find_spec(self, fullname: str, path: object = None, target: object = None):
+        if fullname != self.name:
+            return None
+        package = self.file.endswith("__init__.py")
+        spec = importlib.util.spec_from_loader(fullname, self, origin=self.file, is_package=package)
+        if spec is not None and package:
+            spec.submodule_search_locations = [str(Path(self.file).parent)]
+        return spec
+
+    def get_source(self, fullname: str) -> str:
+        return self.source
+
+    def is_package(self, fullname: str) -> bool:
+        return self.file.endswith("__init__.py")
+
+
+def _run(mutant: Mutant | None, tests: list[str]) -> int:
+    """Pytest's exit code, in a process of its own with the mutant in place."""
+    import pytest
+
+    os.chdir(ROOT)
+    if mutant is not None:
+        sys.meta_path.insert(0, Instead(mutant))
+    words = [
+        "-x",
+        "-q",
+        "-m",
+        "not slow",
+        "-p",
+        "no:cacheprovider",
+        "-p",
+        "no:xdist",
+        "-o",
+        "addopts=--import-mode=importlib",
+    ]
+    words += ["-W", "ignore::pytest.PytestAssertRewriteWarning", "--hypothesis-seed=0", "--no-header", "--tb=no"]
+    with open(os.devnull, "w") as sink, contextlib.redirect_stdout(sink), contextlib.redirect_stderr(sink):  # noqa: PTH123
+        return int(pytest.main([*words, *(str(TESTS / name) for name in tests)]))
+
+
+def begun(mutant: Mutant | None, tests: list[str], seconds: float) -> int:
+    """The number of a new process that runs the tests with a mutant, in so much time of a core [s]."""
+    number = os.fork()
+    if number:
+        return number
+    os.setsid()
+    resource.setrlimit(resource.RLIMIT_CPU, (int(seconds) + 1, int(seconds) + 2))
+    code = 1
+    try:
+        code = _run(mutant, tests)
+    except BaseException:  # a mutant may do anything; whatever ends the tests has caught it
+        code = 1
+    finally:
+        os._exit(code)
+
+
+def ended(number: int, seconds: float) -> int | None:
+    """The exit code of a process; None if it took so much time of a core, or waited for very much longer."""
+    end = time.monotonic() + PATIENCE * seconds
+    while time.monotonic() < end:
+        found, status = os.waitpid(number, os.WNOHANG)
+        if found:
+            code = os.waitstatus_to_exitcode(status)
+            return None if code in (-signal.SIGXCPU, -signal.SIGKILL) else code
+        time.sleep(0.05)
+    with contextlib.suppress(ProcessLookupError):
+        os.killpg(number, signal.SIGKILL)
+    os.waitpid(number, 0)
+    return None
+
+
+@cache
+def sound(name: str, seconds: float) -> bool:
+    """Whether a file of tests passes with nothing changed; one that does not can catch nothing."""
+    return ended(begun(None, [name], seconds), seconds) in (0, NOTHING_TO_RUN)
+
+
+def judged(mutant: Mutant, seconds: float) -> Outcome:
+    """A mutant against one file of tests after another, until one catches it or the time is over."""
+    start, verdict, tried = time.monotonic(), SURVIVED, []
+    for name in tests_of(mutant.path):
+        tried.append(name)
+        code = ended(begun(mutant, [name], seconds), seconds)
+        if code is None:
+            verdict = HUNG
+        elif code not in (0, NOTHING_TO_RUN):
+            if not sound(name, seconds):
+                raise SystemExit(f"{name} fails, or hangs, as it is")
+            verdict = CAUGHT
+        if verdict != SURVIVED:
+            break
+    spent = time.monotonic() - start
+    return Outcome(mutant.path, mutant.line, mutant.before, mutant.after, verdict, round(spent, 1), tuple(tried))
+
+
+def _without_shrinking() -> None:
+    """That a test fails is enough; the smallest example takes minutes."""
+    from hypothesis import Phase, settings
+
+    settings.register_profile("mutations", phases=[Phase.explicit, Phase.generate], database=None)
+    settings.load_profile("mutations")
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--count", type=int, default=200)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--skip", type=int, default=0, help="of those chosen, the first so many")
+    parser.add_argument("--seconds", type=float, default=SECONDS, help="of a core, for each file of tests")
+    parser.add_argument(
+        "--only",
+        nargs="*",
+        default=[],
+        metavar="FILE",
+        help="files of solver/, or FILE:LINE for every change of a line",
+    )
+    parser.add_argument("--json", type=Path, help="a file to which a line each is added")
+    asked = parser.parse_args()
+    sys.path.insert(0, str(TESTS))
+    for name in HEAVY:
+        importlib.import_module(name)
+    _without_shrinking()
+    found: Counter[str] = Counter()
+    for mutant in chosen(asked.count, asked.seed, asked.only)[asked.skip :]:
+        outcome = judged(mutant, asked.seconds)
+        found[outcome.verdict] += 1
+        where = f"{outcome.path}:{outcome.line}"
+        print(f"{outcome.verdict:8} {outcome.seconds:6.1f} s  {where}  {outcome.before} → {outcome.after}", flush=True)
+        if asked.json is not None:
+            with asked.json.open("a", encoding="utf-8") as stream:
+                stream.write(json.dumps(asdict(outcome)) + "\n")
+    total = sum(found.values())
+    print(f"{total} mutants: {found[CAUGHT]} caught, {found[SURVIVED]} survived, {found[HUNG]} hung")
+
+
+if __name__ == "__main__":
+    main()

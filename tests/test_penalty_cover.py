@@ -1,0 +1,256 @@
+"""The spheres that fill geoms: inside them by MuJoCo's distance and brute force, and so close that no line slips in."""
+
+from __future__ import annotations
+
+import mujoco
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from solver.figure import Figure
+from solver.penalty import cover, covering_points
+from solver.quaternion import Array
+from solver.surface import Ellipsoid, Hull, hull_of
+
+SIZES = st.floats(0.01, 0.5)
+SEEDS = st.integers(0, 10_000)
+CORNERS = "0 0 0 .3 0 0 0 .2 0 0 0 .4 .3 .2 .1 .1 .1 .5"
+ONE = """<mujoco><asset><mesh name="m" vertex="{corners}"/></asset><worldbody><body><freejoint/>
+  <geom name="g" {geom}/></body></worldbody></mujoco>"""
+
+FLAT = """<mujoco><asset><mesh name="m" inertia="shell" vertex="0 0 0 1 0 0 0 1 0 1 1 0" face="0 1 2 1 3 2"/></asset>
+  <worldbody><geom type="mesh" mesh="m" contype="0" conaffinity="0"/></worldbody></mujoco>"""
+
+
+def one(kind: str, *size: float) -> mujoco.MjModel:
+    shape = f'type="{kind}" ' + ('mesh="m"' if kind == "mesh" else f'size="{" ".join(map(str, size))}"')
+    return mujoco.MjModel.from_xml_string(ONE.format(geom=shape, corners=CORNERS))
+
+
+def spheres(kind: str, *size: float, gap: float = cover.GAP) -> tuple[Array, Array]:
+    return cover.filling_spheres(one(kind, *size), 0, gap)
+
+
+def capsule_distance(half: float, radius: float, points: Array) -> Array:
+    """Signed, of points (n, 3)."""
+    beyond = np.maximum(np.abs(points[:, 2]) - half, 0)
+    return np.sqrt(np.sum(points[:, :2] ** 2, axis=1) + beyond**2) - radius
+
+
+def box_distance(half: Array, points: Array) -> Array:
+    over = np.abs(points) - half
+    return np.linalg.norm(np.maximum(over, 0), axis=1) + np.minimum(over.max(axis=1), 0)
+
+
+def cylinder_distance(radius: float, half: float, points: Array) -> Array:
+    flat = np.column_stack([np.linalg.norm(points[:, :2], axis=1), points[:, 2]])
+    over = np.abs(flat) - [radius, half]
+    return np.linalg.norm(np.maximum(over, 0), axis=1) + np.minimum(over.max(axis=1), 0)
+
+
+def uncovered(points: Array, centres: Array, radii: Array) -> Array:
+    """How far points (n, 3) are from the nearest sphere, 0 in one, (n,) [m]."""
+    apart = np.linalg.norm(points[:, None] - centres, axis=2) - radii
+    return np.maximum(apart.min(axis=1), 0)
+
+
+def on_ball(rng: np.random.Generator, count: int) -> Array:
+    ways = rng.normal(size=(count, 3))
+    return ways / np.linalg.norm(ways, axis=1, keepdims=True)
+
+
+def past(start: Array, way: Array, centres: Array) -> Array:
+    """Distances of centres (n, 3) from the line through a place along a direction of length 1, (n,)."""
+    away = centres - start
+    return np.linalg.norm(away - (away @ way)[:, None] * way, axis=1)
+
+
+def test_a_sphere_is_itself():
+    centres, radii = spheres("sphere", 0.2)
+    np.testing.assert_array_equal(centres, [[0, 0, 0]])
+    np.testing.assert_array_equal(radii, [0.2])
+
+
+def test_what_encloses_nothing_is_filled_by_nothing():
+    plane = mujoco.MjModel.from_xml_string('<mujoco><worldbody><geom type="plane" size="1 1 1"/></worldbody></mujoco>')
+    centres, radii = cover.filling_spheres(plane, 0)
+    assert centres.shape == (0, 3)
+    assert radii.shape == (0,)
+    flat = mujoco.MjModel.from_xml_string(FLAT)
+    assert cover.filling_spheres(flat, 0)[0].shape == (0, 3)
+
+
+@settings(deadline=None, max_examples=25)
+@given(SIZES, SIZES, SEEDS)
+def test_a_capsules_spheres_are_as_thick_as_it_and_leave_no_more_than_the_gap(radius, half, seed):
+    centres, radii = spheres("capsule", radius, half)
+    np.testing.assert_array_equal(radii, radius)
+    np.testing.assert_allclose([centres[:, 2].min(), centres[:, 2].max()], [-half, half])
+    np.testing.assert_array_equal(centres[:, :2], 0)
+    rng = np.random.default_rng(seed)
+    surface = radius * on_ball(rng, 400)
+    surface[:, 2] += np.sign(surface[:, 2]) * rng.uniform(0, half, 400) * (rng.random(400) < 0.2)
+    surface[:200, :2] *= radius / np.linalg.norm(surface[:200, :2], axis=1)[:, None]
+    surface[:200, 2] = rng.uniform(-half, half, 200)
+    np.testing.assert_allclose(capsule_distance(half, radius, surface[:200]), 0, atol=1e-12)
+    assert uncovered(surface[:200], centres, radii).max() <= cover.GAP * 1.001
+
+
+@pytest.mark.parametrize("gap", [0.0002, 0.001, 0.01])
+def test_spheres_are_just_as_close_as_the_gap_asks(gap):
+    centres, _ = spheres("capsule", 0.05, 0.4, gap=gap)
+    apart = np.diff(np.sort(centres[:, 2]))
+    np.testing.assert_allclose(apart, apart[0], rtol=1e-9)
+    dip = 0.05 - np.sqrt(0.05**2 - apart[0] ** 2 / 4)  # of a line between two of them
+    assert 0.8 * gap < dip <= gap * (1 + gap / 0.05)
+    assert len(spheres("capsule", 0.05, 0.4, gap=4 * gap)[1]) < len(centres)
+
+
+@settings(deadline=None, max_examples=25)
+@given(SIZES, SIZES)
+def test_a_cylinders_spheres_are_inside_it_touch_its_nearest_walls_and_its_rims_are_dense(radius, half):
+    centres, radii = spheres("cylinder", radius, half)
+    np.testing.assert_array_less(cylinder_distance(radius, half, centres) + radii, 1e-8)
+    thick = radii > 0
+    assert thick.any()
+    np.testing.assert_allclose(radii[thick], min(radius, half))
+    rims = centres[~thick]
+    np.testing.assert_allclose(np.linalg.norm(rims[:, :2], axis=1), radius)
+    np.testing.assert_allclose(np.abs(rims[:, 2]), half)
+    for side in (-half, half):
+        rim = rims[rims[:, 2] == side]
+        assert len(rim) >= 8
+        around = np.linalg.norm(rim - np.roll(rim, 1, axis=0), axis=1)
+        assert around.max() <= max(cover.CLOSEST, 2 * radius * np.sin(np.pi / 8)) + 1e-12
+    np.testing.assert_allclose(centres[thick, 2].max(), half - min(radius, half), atol=1e-9)
+
+
+@settings(deadline=None, max_examples=25)
+@given(SIZES, SIZES, SEEDS)
+def test_no_line_across_the_middle_of_a_flat_cylinder_slips_in_deeper_than_the_gap(radius, half, seed):
+    flat = min(half, radius / 6)
+    centres, radii = spheres("cylinder", radius, flat)
+    rng = np.random.default_rng(seed)
+    for angle, aside in zip(rng.uniform(0, np.pi, 20), rng.uniform(-0.5, 0.5, 20) * radius, strict=True):
+        way, beside = np.array([np.cos(angle), np.sin(angle), 0]), np.array([-np.sin(angle), np.cos(angle), 0])
+        start = aside * beside + [0, 0, flat - 1.1 * min(cover.GAP, flat)]
+        assert np.any(past(start, way, centres) < radii)
+
+
+@settings(deadline=None, max_examples=25)
+@given(SIZES, SIZES, SIZES)
+def test_a_boxs_spheres_are_inside_it_touch_its_wide_faces_and_its_edges_are_dense(a, b, c):
+    half = np.array([a, b, c])
+    centres, radii = spheres("box", *half)
+    np.testing.assert_array_less(box_distance(half, centres) + radii, 1e-9)
+    thick = radii > 0
+    np.testing.assert_array_equal(radii[thick], half.min())
+    np.testing.assert_allclose(centres[thick].max(axis=0), half - half.min(), atol=1e-12)
+    np.testing.assert_allclose(centres[thick].min(axis=0), half.min() - half, atol=1e-12)
+    edges = centres[~thick]
+    at_side = np.isclose(np.abs(edges), half)
+    assert np.all(at_side.sum(axis=1) >= 2)
+    assert len(np.unique(np.round(edges[at_side.all(axis=1)], 9), axis=0)) == 8
+    for axis in range(3):
+        others = np.delete(np.arange(3), axis)
+        for sides in ((1, 1), (1, -1), (-1, 1), (-1, -1)):
+            own = np.all(np.isclose(edges[:, others], np.array(sides) * half[others]), axis=1)
+            along = np.unique(np.round(edges[own, axis], 12))
+            assert np.diff(along).max() <= cover.CLOSEST + 1e-9
+
+
+@settings(deadline=None, max_examples=25)
+@given(st.floats(0.01, 0.06), SEEDS)
+def test_no_line_over_a_wide_face_of_a_box_slips_in_deeper_than_the_gap(thin, seed):
+    half = np.array([0.3, 0.4, thin])
+    centres, radii = spheres("box", *half)
+    rng = np.random.default_rng(seed)
+    for angle, aside in zip(rng.uniform(0, np.pi, 20), rng.uniform(-0.1, 0.1, 20), strict=True):
+        way, beside = np.array([np.cos(angle), np.sin(angle), 0]), np.array([-np.sin(angle), np.cos(angle), 0])
+        start = aside * beside + [0, 0, thin - 1.01 * cover.GAP]
+        assert np.any(past(start, way, centres) < radii)
+
+
+EGGS = [(0.1, 0.5, 0.2), (0.3, 0.3, 0.02), (0.2, 0.2, 0.2), (0.05, 0.06, 0.4), (0.5, 0.1, 0.11)]
+
+
+@pytest.mark.parametrize("half", EGGS)
+def test_an_ellipsoids_spheres_touch_it_from_inside_and_leave_little_more_than_the_gap(half, rng):
+    centres, radii = spheres("ellipsoid", *half)
+    egg = Ellipsoid("egg", np.zeros(3), np.eye(3), np.array(half))
+    np.testing.assert_allclose(-egg.distance(centres.T)[0], radii, atol=1e-9)
+    assert np.all(np.abs(centres).min(axis=1) < 1e-12), "all of them are in the plane of its two longer axes"
+    assert min(half) - radii.max() < cover.GAP
+    a, _, c = sorted(half, reverse=True)
+    assert np.abs(centres).max() == pytest.approx((a**2 - c**2) / a, rel=0.01, abs=1e-12)
+    shell = on_ball(rng, 3000)
+    middle = np.abs(shell[:, np.argsort(half)[1:]]).max(axis=1) < 1 / 3  # its ends are thinner, and as sparse
+    assert uncovered(np.array(half) * shell[middle], centres, radii).max() <= 2.2 * cover.GAP
+
+
+def test_a_meshs_points_are_on_its_hull_with_every_corner_and_none_is_far():
+    model = one("mesh")
+    centres, radii = cover.filling_spheres(model, 0)
+    vertices = np.array(model.mesh_vert, float)
+    found = hull_of(vertices)
+    assert found is not None
+    corners, faces = found
+    np.testing.assert_array_equal(radii, 0)
+    np.testing.assert_allclose(Hull("m", corners, faces).distance(centres.T)[0], 0, atol=1e-9)
+    size = np.linalg.norm(np.ptp(corners, axis=1))
+    pace = max(cover.CLOSEST, size / cover.FINEST)
+    assert uncovered(corners.T, centres, radii).max() <= 0.5 * pace
+    rng = np.random.default_rng(3)
+    shares = rng.dirichlet(np.ones(3), 500)
+    spots = np.einsum("sk,iks->si", shares, corners[:, faces[rng.integers(len(faces), size=500)]].transpose(0, 2, 1))
+    assert uncovered(spots, centres, radii).max() <= pace
+    apart = np.linalg.norm(centres[:, None] - centres, axis=2) + np.eye(len(centres))
+    assert len(centres) < 2000 and apart.min() > 0
+
+
+def test_spheres_inside_larger_ones_are_left_out_and_no_others(rng):
+    centres, radii = rng.uniform(-1, 1, size=(120, 3)), rng.uniform(0, 0.6, 120)
+    radii[:4], centres[1:4] = 0.5, centres[0]  # four that are the same
+    kept = cover._visible(centres, radii)
+
+    def inside(i: int, j: int) -> bool:
+        return bool(np.linalg.norm(centres[i] - centres[j]) + radii[i] <= radii[j] + cover.HIDDEN)
+
+    lost = sorted(set(range(120)) - set(kept))
+    assert kept == sorted(kept)
+    assert len(set(kept) & {0, 1, 2, 3}) <= 1
+    assert len(lost) > 20 and len(kept) > 20
+    assert all(any(inside(i, j) for j in kept) for i in lost)
+    assert not any(inside(i, j) for i in kept for j in kept if i != j)
+
+
+PAIR = """<mujoco><worldbody><body name="trunk" pos="0 0 1"><freejoint/>
+  <geom name="trunk" type="capsule" size=".1" fromto="0 0 0 .05 0 .4"/>
+  <geom name="inner" type="sphere" size=".02" pos="0 0 .1"/>
+  <geom name="mark" type="sphere" size=".5" contype="0" conaffinity="0"/>
+  <body name="pack" pos="-.1 0 .2" quat=".9 .1 .2 .1"><geom name="pack" type="box" size=".05 .1 .15" euler="10 20 30"/></body>
+  <body name="arm" pos="0 .2 .4" quat=".9 .1 -.2 .3"><joint name="shoulder" type="ball"/>
+    <geom name="arm" type="ellipsoid" size=".04 .05 .2" pos=".01 .02 -.2" euler="40 5 0"/></body></body>
+  <geom name="floor" type="plane" size="1 1 1"/></worldbody></mujoco>"""  # noqa: E501
+
+
+def test_the_points_of_a_figure_are_the_spheres_of_its_geoms_where_mujoco_has_them(rng):
+    model = mujoco.MjModel.from_xml_string(PAIR)
+    figure, data = Figure(model), mujoco.MjData(model)
+    points = covering_points(figure)
+    assert {point.name for point in points} == {"trunk", "pack", "arm"}, "inner is inside, a mark and a floor no part"
+    data.qpos[:] = rng.normal(size=model.nq)
+    mujoco.mj_normalizeQuat(model, data.qpos)
+    mujoco.mj_kinematics(model, data)
+    for name, body, joint in (("trunk", "trunk", "trunk"), ("pack", "trunk", "trunk"), ("arm", "arm", "shoulder")):
+        geom = model.geom(name).id
+        centres, _ = cover.filling_spheres(model, geom)
+        expected = data.geom_xpos[geom] + centres @ data.geom_xmat[geom].reshape(3, 3).T
+        own = [point for point in points if point.name == name]
+        assert {figure.links[point.link].name for point in own} == {joint}
+        link = model.body(body).id
+        found = np.array([data.xpos[link] + data.xmat[link].reshape(3, 3) @ point.position for point in own])
+        assert len(found) > 2
+        apart = np.linalg.norm(found[:, None] - expected, axis=2)
+        assert apart.min(axis=1).max() < 1e-9

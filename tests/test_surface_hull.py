@@ -1,0 +1,217 @@
+"""A convex hull against oracles that know no faces: non-negative least squares over its corners, Qhull's half spaces,
+MuJoCo's distance, and vertical lines sampled point by point."""
+
+from __future__ import annotations
+
+import mujoco
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.optimize import nnls
+from scipy.spatial import ConvexHull
+
+from solver.quaternion import Array, Index
+from solver.surface import Hull, hull, hull_of
+
+SEEDS = st.integers(0, 10_000)
+CUBE_CORNERS = np.array([[x, y, z] for x in (0.0, 1.0) for y in (0.0, 1.0) for z in (0.0, 1.0)]).T
+
+
+def of_points(vertices: Array, buried: bool = False) -> Hull:
+    """The hull of points (n, 3)."""
+    found = hull_of(vertices)
+    assert found is not None
+    return Hull("rock", *found, buried)
+
+
+CUBE, SUNK = of_points(CUBE_CORNERS.T), of_points(CUBE_CORNERS.T, buried=True)
+
+
+def rock(seed: int) -> tuple[Hull, Array, np.random.Generator]:
+    """A hull of random points, those points (n, 3), and what else is random."""
+    rng = np.random.default_rng(seed)
+    vertices = rng.normal(size=(int(rng.integers(4, 14)), 3)) * rng.uniform(0.3, 1.5, 3)
+    return of_points(vertices), vertices, rng
+
+
+def away_from(vertices: Array, point: Array) -> float:
+    """Distance of a point (3,) to all mixtures of points (n, 3): their weights are not negative and add up to one."""
+    heavy = 1e4
+    weights, _ = nnls(np.vstack([vertices.T, np.full(len(vertices), heavy)]), np.append(point, heavy))
+    return float(np.linalg.norm(vertices.T @ weights - point))
+
+
+def one(hull: Hull, *place: float) -> tuple[float, Array]:
+    distance, outward = hull.distance(np.reshape(place, (3, 1)).astype(float))
+    return float(distance[0]), outward[:, 0]
+
+
+@settings(deadline=None, max_examples=40)
+@given(SEEDS)
+def test_outside_the_distance_is_that_to_the_nearest_mixture_of_corners(seed):
+    hull, vertices, rng = rock(seed)
+    points = rng.normal(size=(3, 25)) * 2
+    distance, _ = hull.distance(points)
+    expected = np.array([away_from(vertices, p) for p in points.T])
+    np.testing.assert_allclose(np.maximum(distance, 0), expected, atol=2e-6)
+
+
+@settings(deadline=None, max_examples=40)
+@given(SEEDS)
+def test_inside_the_distance_is_that_to_the_nearest_half_space_of_qhulls(seed):
+    hull, vertices, rng = rock(seed)
+    inner = rng.dirichlet(np.ones(len(vertices)), 25) @ vertices
+    planes = ConvexHull(vertices).equations
+    distance, outward = hull.distance(inner.T)
+    over = planes[:, :3] @ inner.T + planes[:, 3:]
+    np.testing.assert_allclose(distance, over.max(axis=0), atol=2e-6)
+    second = np.sort(np.where(over > over.max(axis=0) - 1e-6, -np.inf, over), axis=0)[-1]
+    clear = over.max(axis=0) - second > 1e-4  # else two ways out are as good as each other
+    np.testing.assert_allclose(outward[:, clear], planes[np.argmax(over, axis=0), :3].T[:, clear], atol=1e-4)
+
+
+@settings(deadline=None, max_examples=40)
+@given(SEEDS)
+def test_the_gradient_has_length_one_points_away_from_the_foot_and_the_distance_grows_along_it(seed):
+    hull, _, rng = rock(seed)
+    points = rng.normal(size=(3, 40)) * 2
+    distance, outward = hull.distance(points)
+    out = distance > 1e-6
+    np.testing.assert_allclose(np.linalg.norm(outward, axis=0), 1, atol=1e-9)
+    foot, _ = hull.distance(points - distance * outward)
+    np.testing.assert_allclose(foot, 0, atol=1e-6)
+    farther, along = hull.distance(points + 0.7 * outward)
+    np.testing.assert_allclose(farther[out], distance[out] + 0.7, atol=1e-6)
+    np.testing.assert_allclose(along[:, out], outward[:, out], atol=1e-5)
+
+
+@settings(deadline=None, max_examples=40)
+@given(SEEDS, st.booleans())
+def test_the_cheap_bound_is_never_above_the_distance_and_is_the_distance_inside(seed, buried):
+    free, _, rng = rock(seed)
+    hull = Hull("rock", free.corners, free.faces, buried)
+    points = rng.normal(size=(3, 60)) * rng.choice([0.2, 1.0, 8.0], 60)
+    distance, least = hull.distance(points)[0], hull.least(points)
+    assert np.all(least <= distance + 1e-9)
+    np.testing.assert_allclose(least[distance < 0], distance[distance < 0], atol=1e-9)
+    if not buried:
+        assert np.all(least >= (distance - hull._size) / np.sqrt(3)), "far away, a bound by its box would do"
+        np.testing.assert_array_equal(least < 0, distance < 0)
+
+
+@settings(deadline=None, max_examples=30)
+@given(SEEDS)
+def test_a_vertical_line_is_inside_between_both_ends_of_its_span_and_nowhere_else(seed):
+    hull, _, rng = rock(seed)
+    points = rng.normal(size=(3, 12))
+    bottom, top = hull.span(points)
+    heights = np.linspace(hull.corners[2].min() - 0.1, hull.corners[2].max() + 0.1, 400)
+    for place, low, high in zip(points[:2].T, bottom, top, strict=True):
+        line = np.vstack([np.repeat(place[:, None], heights.size, axis=1), heights])
+        inside = hull.distance(line)[0] < 0
+        if np.isnan(low):
+            assert np.isnan(high)
+            assert not inside.any()
+        else:
+            sure = np.minimum(abs(heights - low), abs(heights - high)) > 1e-6
+            np.testing.assert_array_equal(inside[sure], ((heights > low) & (heights < high))[sure])
+
+
+@pytest.mark.parametrize(
+    ("place", "distance", "outward"),
+    [
+        ((0.5, 0.5, 3), 2, (0, 0, 1)),
+        ((2, 0.25, 2), np.sqrt(2), (np.sqrt(0.5), 0, np.sqrt(0.5))),
+        ((2, 3, -2), 3, (1 / 3, 2 / 3, -2 / 3)),
+        ((0.5, 0.9, 0.6), -0.1, (0, 1, 0)),
+        ((0.5, 0.5, 0.05), -0.05, (0, 0, -1)),
+    ],
+)
+def test_a_cubes_distances_are_those_to_a_face_an_edge_a_corner_and_from_within(place, distance, outward):
+    found, way = one(CUBE, *place)
+    assert found == pytest.approx(distance, abs=1e-7)
+    np.testing.assert_allclose(way, outward, atol=1e-7)
+
+
+def test_a_cube_has_six_planes_of_its_twelve_triangles_and_each_edge_once():
+    normals, offsets = CUBE._planes
+    assert CUBE.faces.shape == (12, 3)
+    np.testing.assert_allclose(sorted(map(tuple, normals)), sorted(map(tuple, [*np.eye(3), *-np.eye(3)])), atol=1e-12)
+    np.testing.assert_allclose(np.sort(offsets), [0, 0, 0, 1, 1, 1], atol=1e-9)
+    assert len(CUBE._edges) == 12 + 6  # 6 diagonals of its faces
+    assert pytest.approx(np.sqrt(3)) == CUBE._size
+
+
+def test_what_is_buried_has_no_way_out_below_but_has_them_at_the_sides():
+    assert len(SUNK._planes[1]) == 5
+    for depth in (0.05, -0.5, -30.0):
+        distance, way = one(SUNK, 0.5, 0.8, depth)
+        assert distance == pytest.approx(-0.2, abs=1e-7)
+        np.testing.assert_allclose(way, [0, 1, 0], atol=1e-9)
+        assert SUNK.least(np.array([[0.5], [0.8], [depth]]))[0] == pytest.approx(-0.2, abs=1e-7)
+    assert one(SUNK, 0.5, 0.5, 0.9)[0] == pytest.approx(-0.1, abs=1e-7)
+    bottom, top = SUNK.span(np.array([[0.5], [0.5], [0.2]]))
+    assert (bottom[0], top[0]) == (-np.inf, pytest.approx(1))
+
+
+@pytest.mark.parametrize(("lift", "planes"), [(0.0, 5), (0.008, 5), (0.012, 6), (0.3, 6)])
+def test_only_a_face_that_lies_on_the_floor_is_buried_not_one_that_rises_from_it(lift, planes):
+    corners = CUBE_CORNERS.copy()
+    corners[2, 0] += lift  # the bottom is two triangles from here on, one of which leaves the floor
+    found = of_points(corners.T, buried=True)
+    assert len(found._planes[1]) == planes
+    below, _ = one(found, 0.02, 0.02, 0.0)
+    assert (below > 0) == (lift > 0.01)
+
+
+def test_what_is_flatter_than_what_counts_as_the_floor_keeps_its_sides_and_its_top():
+    thin = CUBE_CORNERS * np.array([[1.0], [1.0], [0.009]])
+    found = of_points(thin.T, buried=True)
+    assert sorted(np.round(found._planes[0], 6).tolist()) == sorted(
+        [[-1.0, 0, 0], [1, 0, 0], [0, -1, 0], [0, 1, 0], [0, 0, 1]]
+    )
+
+
+def test_triangles_without_an_area_are_no_faces():
+    flat: Index = np.vstack([CUBE.faces, [[0, 0, 1], [2, 2, 2]]])
+    found = Hull("cube", CUBE.corners, flat)
+    assert len(found._planes[1]) == 6
+    assert one(found, 0.5, 0.5, 3)[0] == pytest.approx(2)
+    assert one(found, 2, 3, -2)[0] == pytest.approx(3)
+
+
+def test_a_crowd_of_points_is_measured_in_parts_and_all_the_same(monkeypatch, rng):
+    solid, _, _ = rock(3)
+    points = rng.normal(size=(3, 50)) * 3
+    distance, outward = solid.distance(points)
+    for most in (1, 7 * len(solid._edges), 10**6):
+        monkeypatch.setattr(hull, "AT_ONCE", most)
+        again, way = solid.distance(points)
+        np.testing.assert_array_equal(again, distance)
+        np.testing.assert_array_equal(way, outward)
+
+
+def test_a_hulls_distances_are_mujocos_inside_and_out(rng):
+    vertices = rng.normal(size=(12, 3)) * 0.4
+    text = """<mujoco><asset><mesh name="m" vertex="{}"/></asset><worldbody><geom name="m" type="mesh" mesh="m"/>
+      <body name="ball"><freejoint/><geom name="ball" size=".05"/></body></worldbody></mujoco>"""
+    model = mujoco.MjModel.from_xml_string(text.format(" ".join(map(str, vertices.ravel()))))
+    solid, data = of_points(vertices), mujoco.MjData(model)
+    at = np.concatenate([rng.normal(size=(30, 3)), rng.dirichlet(np.ones(12), 10) @ vertices])
+    expected = []
+    for place in at:
+        data.qpos[:3] = place
+        mujoco.mj_kinematics(model, data)
+        expected.append(0.05 + mujoco.mj_geomDistance(model, data, model.geom("ball").id, model.geom("m").id, 9, None))
+    np.testing.assert_allclose(solid.distance(at.T)[0], expected, atol=5e-6)
+
+
+def test_points_in_a_plane_have_no_hull_and_a_hull_of_few_corners_has_no_more():
+    assert hull_of(CUBE_CORNERS.T * [1, 1, 0]) is None
+    turn = np.linspace(0, 2 * np.pi, 40, endpoint=False)
+    drum = np.array([[np.cos(a), np.sin(a), z] for a in turn for z in (0, 1)])
+    whole, few = hull_of(drum), hull_of(drum, 12)
+    assert whole is not None and few is not None
+    assert whole[0].shape == (3, 80)
+    assert few[0].shape[1] <= 12
