@@ -47,6 +47,7 @@ def deepest(heights: list[float], *, allowing: bool) -> tuple[float, float]:
     return float(-height.min()), float(np.abs(np.gradient(np.gradient(height, t), t)).max())
 
 
+@pytest.mark.slow
 def test_between_two_keyframes_in_the_floor_a_point_stays_as_deep_and_does_not_whip():
     depth, pull = deepest([-0.03, -0.03, -0.03, -0.03], allowing=True)
     assert depth == pytest.approx(0.03, abs=1e-3)

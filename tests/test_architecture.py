@@ -58,6 +58,7 @@ def test_there_is_something_to_read():
     assert {"solver/inbetween.py", "solver/penalty/unit.py", "models/__init__.py"} <= {p.as_posix() for p in FILES}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.as_posix())
 def test_imports_run_from_the_runner_to_solver_and_models_and_never_back(path):
     assert packages(path) & set(HOUSE) <= MAY_IMPORT[path.parts[0]]

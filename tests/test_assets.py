@@ -86,6 +86,7 @@ def test_all_files_come_along_once_and_files_of_one_name_stay_apart(model):
     np.testing.assert_array_equal(after.tex_data[at : at + own[1] - own[0]], before.tex_data[own[0] : own[1]])
 
 
+@pytest.mark.slow
 def test_a_motion_file_needs_no_other_files(model):
     found = work.solve(clip.load(str(model)), told()).saved(told(), with_report=False)
     target = model.parent.parent / "it.npz"

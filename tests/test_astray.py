@@ -207,6 +207,7 @@ def test_a_second_search_that_ends_no_lower_changes_nothing(figure, rng, monkeyp
     np.testing.assert_array_equal(twice.timeline.rows, once.timeline.rows)
 
 
+@pytest.mark.slow
 def test_a_stop_in_the_second_search_keeps_the_better_of_both(monkeypatch, from_raw):
     keys = swinging(HEAPS[1])
     before = first_search(keys, monkeypatch)

@@ -981,6 +981,7 @@ def flat(data: Any, place: str = "") -> dict[str, Any]:
     return {way: leaf for key, each in entries for way, leaf in flat(each, f"{place}/{key}").items()}
 
 
+@pytest.mark.slow
 def test_the_measured_report_of_a_file_is_that_of_the_clip(run):
     assert run("solve", "tiny.toml").code == 0
     one, two = (flat(json.loads(run("report", source, "--json").out)) for source in ("tiny.toml", "tiny.npz"))

@@ -342,6 +342,7 @@ def sides_of(penalty: Penalty, samples: Samples) -> Sides:
     return sides
 
 
+@pytest.mark.slow
 def test_the_sides_that_count_add_up_to_the_penalty_at_every_sample(figure, rng, one_sided):
     samples = low_samples(figure, rng)
     sides = sides_of(one_sided, samples)

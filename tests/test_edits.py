@@ -362,6 +362,7 @@ def test_a_loop_with_contacts_can_be_repeated():
     assert clip.of_motion(many).keys[-1].time == pytest.approx(2 * 1.08)
 
 
+@pytest.mark.slow
 def test_a_retimed_clip_has_other_times_and_nothing_else(tmp_path):
     path = tiny.written(tmp_path)
     (tmp_path / "sub").mkdir()

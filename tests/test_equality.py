@@ -129,6 +129,7 @@ def test_the_gradient_is_exact_and_the_curvature_fits_it(penalty, rng):
     assert values.shape == (samples.count,)
 
 
+@pytest.mark.slow
 def test_followers_follow_within_half_a_degree_by_default(tmp_path):
     keys = """
 [[keyframe]]

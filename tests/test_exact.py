@@ -107,6 +107,7 @@ def test_the_oracle_finds_a_turn_about_one_axis_to_be_the_natural_cubic_of_the_a
     assert path.energy == pytest.approx(expected, rel=1e-10)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(4))
 def test_three_variable_frames_come_within_a_two_thousandth_of_the_exact_energy(seed: int) -> None:
     assert 1 - 1e-9 <= ratio(seed, 3) <= 1.0005
@@ -117,6 +118,7 @@ def test_fifteen_variable_frames_come_within_a_millionth_of_the_exact_energy(see
     assert 1 - 1e-9 <= ratio(seed, 15) <= 1 + 1e-6
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(2))
 def test_the_exact_energy_is_reached_with_uneven_times_too(seed: int) -> None:
     assert 1 - 1e-9 <= ratio(seed, 3, even=False) <= 1.0005
@@ -240,6 +242,7 @@ def test_the_promises_of_all_midpoints_add_up_to_about_the_whole_gap(seed: int, 
     assert 0.3 <= promised / gap <= 3
 
 
+@pytest.mark.slow
 def test_the_distance_to_the_local_optimum_shrinks_as_variable_frames_are_added() -> None:
     objective = motion(0, 1).objective
     timelines = [motion(0, 1).raw, motion(0, 1).timeline, motion(0, 3).timeline]

@@ -99,6 +99,7 @@ def test_more_columns_are_for_tables_and_a_scene_to_simulate_is_for_mjcf(run, tm
     assert not list(tmp_path.glob("a.*"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("output", [[], ["-o", "walk.npz"]])
 def test_a_motion_that_is_there_stays_unless_told(run, tmp_path, output):
     assert run("export", "wild.npz", "--to", "csv", "-o", "walk.csv")[0] == 0

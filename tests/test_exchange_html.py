@@ -36,6 +36,7 @@ def numbers(text, width, kind="<f4"):
     return np.frombuffer(base64.b64decode(text), kind).reshape(-1, width).astype(float)
 
 
+@pytest.mark.slow
 def test_its_poses_are_mujocos(take, content):
     model, data = take.model, mujoco.MjData(take.model)
     assert content["count"] == len(take.time)

@@ -140,6 +140,7 @@ def test_gmr_holds_root_xyzw_hinges_and_bodies_about_an_unturned_root(human, rob
     assert b"numpy._core" not in target.read_bytes()  # numpy before 2 has no such module
 
 
+@pytest.mark.slow
 def test_locomujoco_holds_every_array_that_its_trajectory_has(human, tmp_path):
     target, _ = exported(human, "locomujoco", tmp_path)
     file, model, before = dict(np.load(target)), hinge_model(target), wild.samples(human)

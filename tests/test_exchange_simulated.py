@@ -131,6 +131,7 @@ def rig(tmp_path_factory):
     return saved, folder / "rig.simulate.xml"
 
 
+@pytest.mark.slow
 def test_what_a_model_lets_collide_stays_so_and_meets_the_floor(rig):
     _, path = rig
     model, data, _ = played(path, 0.9)

@@ -31,6 +31,7 @@ def stage(request, take, tmp_path_factory):
     return opened
 
 
+@pytest.mark.slow
 def test_bodies_are_where_mujoco_has_them_at_every_time_code(take, stage):
     found = {prim.GetDisplayName(): prim for prim in stage.Traverse() if prim.GetDisplayName()}
     for sample in (0, 1, len(take.time) // 2, len(take.time) - 1):

@@ -228,6 +228,7 @@ def test_what_stands_or_holds_stays_in_its_place(move):
         assert away <= 0.008, f"{name} moves by {1000 * away:.1f} mm from {first} to {last} s"
 
 
+@pytest.mark.slow
 def test_sitting_down_ends_on_the_bench_and_the_weight_is_over_the_feet_until_shortly_before():
     move = solved("sit_down")
     for time in (1.3, 1.6, 1.9):
@@ -241,6 +242,7 @@ def test_sitting_down_ends_on_the_bench_and_the_weight_is_over_the_feet_until_sh
     assert lean[-1] <= 5
 
 
+@pytest.mark.slow
 def test_the_jump_falls_freely_as_high_as_its_take_off_is_fast():
     move = solved("jump_over_box")
     air = (move.time >= 0.90) & (move.time <= 1.36)
@@ -255,6 +257,7 @@ def test_the_jump_falls_freely_as_high_as_its_take_off_is_fast():
     assert np.abs(along - np.polyval(np.polyfit(time, along, 1), time)).max() <= 0.003
 
 
+@pytest.mark.slow
 def test_both_feet_go_over_the_top_of_the_box_together():
     move = solved("jump_over_box")
     front, back, top = 0.535, 0.785, 0.30
@@ -267,6 +270,7 @@ def test_both_feet_go_over_the_top_of_the_box_together():
         assert np.abs(left[over, 1]).max() < 0.4
 
 
+@pytest.mark.slow
 def test_the_hand_comes_from_above_and_is_closed_about_the_rail():
     move = solved("hand_on_rail")
     hand = ("left_palm", "left_knuckles", "left_index", "left_middle", "left_ring", "left_little", "left_thumb")
@@ -278,6 +282,7 @@ def test_the_hand_comes_from_above_and_is_closed_about_the_rail():
     assert passed == pytest.approx(0.25, abs=0.01)
 
 
+@pytest.mark.slow
 def test_the_hands_keep_their_place_on_the_crate_to_a_tenth_of_what_they_may():
     move = solved("carry_box")
     for hold in move.clip.holds:
@@ -288,6 +293,7 @@ def test_the_hands_keep_their_place_on_the_crate_to_a_tenth_of_what_they_may():
             assert moved >= 0.01 if raw else moved <= 0.0003
 
 
+@pytest.mark.slow
 def test_the_crate_lies_on_the_floor_is_carried_level_and_stands_on_the_table():
     move = solved("carry_box")
     crate, bottom = move.body("crate"), move.body("crate")[:, 2] - 0.17
@@ -300,6 +306,7 @@ def test_the_crate_lies_on_the_floor_is_carried_level_and_stands_on_the_table():
     assert in_carried(move.clip, move.time[::10], move.qpos[::10])["deepest"] <= 0.005
 
 
+@pytest.mark.slow
 def test_three_steps_and_a_quarter_turn_lead_to_the_crate_and_the_legs_lift_it():
     move = solved("carry_box")
     heading = np.degrees(np.unwrap(2 * np.arctan2(move.qpos[:, 6], move.qpos[:, 3])))
@@ -315,6 +322,7 @@ def test_three_steps_and_a_quarter_turn_lead_to_the_crate_and_the_legs_lift_it()
     assert np.ptp(flexion[0][knees, squat]) <= 3
 
 
+@pytest.mark.slow
 def test_the_cartwheel_goes_over_left_hand_right_hand_right_foot():
     move = solved("cartwheel")
     upside_down = move.at(0.95)
@@ -332,6 +340,7 @@ def test_the_cartwheel_goes_over_left_hand_right_hand_right_foot():
     assert straddle >= 90
 
 
+@pytest.mark.slow
 def test_the_cartwheels_second_half_is_the_first_one_backwards_and_mirrored():
     move = solved("cartwheel")
     swapped = {"left_hand": "right_hand", "left_toe": "right_toe", "right_heel": "left_heel"}

@@ -98,6 +98,7 @@ def test_boxes_that_name_a_body_are_parts_of_one_that_moves_freely():
     assert "crate's walls" not in {surface.name for surface in clip.surfaces}
 
 
+@pytest.mark.slow
 def test_a_hold_is_where_the_keyframes_have_the_site_on_the_body():
     clip = clips.from_text(lift(), name="lift")
     assert [hold.name for hold in clip.holds] == ["left_hand on crate", "right_hand on crate"]
@@ -108,6 +109,7 @@ def test_a_hold_is_where_the_keyframes_have_the_site_on_the_body():
     assert isinstance(holding, Holding) and [w for p, w in clip.penalties if p is holding] == [750]
 
 
+@pytest.mark.slow
 def test_arms_that_keyframes_leave_free_begin_where_the_hands_hold():
     clip = clips.from_text(lift(), name="lift")
     for key in clip.keys[2:4]:
@@ -132,6 +134,7 @@ def test_a_thing_lies_where_it_was_put_until_it_is_held_and_again_after():
     assert not clips.from_text(free, name="free").keys[2].fixed[own].any()
 
 
+@pytest.mark.slow
 def test_a_crate_that_keyframes_leave_free_goes_with_the_hands():
     up = HANDS.replace("1.0]", "1.2]")
     rows = keyframe(0.6, STANDING, AT, HANDS), keyframe(1.0, STANDING, up), keyframe(1.4, STANDING, up)

@@ -257,6 +257,7 @@ def test_the_sites_exist_and_are_hidden(human: mujoco.MjModel) -> None:
     np.testing.assert_array_equal(human.site_group, 4)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("side", ["left", "right"])
 def test_however_a_foot_is_turned_its_lowest_point_is_on_one_of_four_spheres(human: mujoco.MjModel, side: str) -> None:
     data = mujoco.MjData(human)

@@ -117,6 +117,7 @@ def test_spheres_are_near_wherever_they_have_a_depth(name, rng):
         np.testing.assert_array_equal(near, deep)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SURFACES)
 def test_a_height_is_that_over_the_top_which_a_ray_finds(name, rng):
     points = about(name, rng, 200)

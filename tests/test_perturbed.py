@@ -56,6 +56,7 @@ def turned(clip: Clip, before: Frame, after: Frame) -> Array:
     return np.array(out)
 
 
+@pytest.mark.slow
 def test_joints_turn_by_five_degrees_and_the_root_moves_by_three_centimetres(benchmark):
     clip = clips.load("sit_down")
     other, again, third = (benchmark.perturbed(clip, seed) for seed in (1, 1, 2))

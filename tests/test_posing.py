@@ -356,6 +356,7 @@ def test_an_elbow_of_a_hinge_bends_the_way_its_range_lets_it():
     assert -np.radians(140) < found.qpos[figure.links[elbow].qpos] < -np.radians(30)
 
 
+@pytest.mark.slow
 def test_what_a_goal_apart_misses_does_not_move_the_others():
     figure = HUMAN["world"]
     free = everything(figure)

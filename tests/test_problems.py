@@ -347,6 +347,7 @@ def test_limbs_that_one_keyframe_sinks_are_one_line():
     assert len(found) == 4
 
 
+@pytest.mark.slow
 def test_the_look_is_quick():
     problem = clip.load("run_and_step")
     wrong(problem)

@@ -96,6 +96,7 @@ def test_a_stance_that_drifts_evenly_does_not_slide(tmp_path):
     assert stance["slide, m"] < 1e-9
 
 
+@pytest.mark.slow
 def test_skate_is_the_path_along_the_floor_while_near_it(tmp_path):
     data = side(unsolved(tmp_path, [(0, 0, 0, 0.1), (2, 3, 4, 0.1)]))
     for name in ("heel", "toe"):
@@ -124,6 +125,7 @@ def test_unit_deviation_is_that_of_the_path_itself(solved: Solved):
     assert data["after"]["unit deviation"]["largest"] < data["before"]["unit deviation"]["largest"]
 
 
+@pytest.mark.slow
 def test_keyframe_error_is_seen_where_a_keyframe_is_missed(solved: Solved):
     data = report(solved.clip, solved.motion, 0.0)
     assert data["after"]["keyframe error"] < 1e-12
@@ -161,6 +163,7 @@ def test_torques_are_those_of_mujocos_inverse_dynamics(solved: Solved):
     assert found["peak root force"] == pytest.approx(np.linalg.norm(forces[:, :3], axis=1).max(), rel=1e-6)
 
 
+@pytest.mark.slow
 def test_what_is_left_to_gain_is_about_what_four_times_the_frames_gain(solved: Solved):
     motion = solved.motion
     told = report(solved.clip, motion, 1.0)["left to gain"]
@@ -170,6 +173,7 @@ def test_what_is_left_to_gain_is_about_what_four_times_the_frames_gain(solved: S
     assert told["share"] == pytest.approx(told["objective"] / motion.objective.value(motion.path))
 
 
+@pytest.mark.slow
 def test_a_recording_is_told_once_and_nothing_is_said_of_a_search(tmp_path):
     keys = [(0.02 * i, 0.01 * i, 0.0, 0.07 + 0.001 * (i % 3)) for i in range(40)]
     solved = unsolved(tmp_path, keys)
@@ -214,6 +218,7 @@ def test_every_segment_between_keyframes_has_its_row(solved: Solved):
     assert all(row["deviation after"] < row["deviation before"] for row in rows)
 
 
+@pytest.mark.slow
 def test_times_near_a_step_that_was_hit_count_as_trouble(tmp_path):
     head = "[scene]\nstep = {x = 1, height = 0.3, length = 0.4}"
     solved = unsolved(tmp_path, [(0, 0, 0, 0.2), (3, 3, 0, 0.2)], head)
@@ -239,6 +244,7 @@ def test_the_screen_shows_both_sides(solved: Solved):
     assert "nan" not in shown
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("figure", ["hinges", "no sites"])
 def test_figures_without_feet_or_quaternions_have_a_report_too(tmp_path, figure):
     if figure == "hinges":

@@ -151,12 +151,14 @@ def test_it_gets_where_it_is_to(found):
     assert (last - first)[[0, 2]] == pytest.approx([found.promise.travel, found.promise.climb], abs=0.01)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", LOOPS)
 def test_a_loop_goes_on_across_its_seam(name):
     motion = of(name).motion
     assert Seam.of(motion.figure, motion.timeline).apart(motion.path).max() < 1e-9
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", LOOPS)
 def test_the_two_steps_of_a_loop_are_mirror_images(name):
     motion, promise = of(name).motion, PROMISES[name]
@@ -169,6 +171,7 @@ def test_the_two_steps_of_a_loop_are_mirror_images(name):
     assert np.abs(one - two).max() < promise.mirrored
 
 
+@pytest.mark.slow
 def test_in_walking_a_foot_is_always_down_and_knees_and_pelvis_move_as_in_normal_gait():
     walk = of("walk_loop")
     samples = walk.all()
@@ -183,6 +186,7 @@ def test_in_walking_a_foot_is_always_down_and_knees_and_pelvis_move_as_in_normal
     assert 0.03 < np.ptp(samples.y[:, 2]) < 0.05
 
 
+@pytest.mark.slow
 def test_the_walk_turns_a_quarter_evenly_over_its_middle_steps_and_its_feet_land_turned_as_the_way_is():
     walk = of("walk_and_turn")
     t = walk.all().t
@@ -253,6 +257,7 @@ def test_no_clip_that_ships_ends_in_a_heap_or_begins_with_a_jerk(name):
             assert term.factor == pytest.approx(term.weight / max(whole, small), rel=1e-12)
 
 
+@pytest.mark.slow
 def test_the_stairs_are_climbed_foot_over_foot():
     """The heels stand on step after step in turn, and both on the last."""
     heels = [stance for stance in of("stairs").stances() if "heel" in stance.point.name]

@@ -178,6 +178,7 @@ def test_the_figure_of_a_recording_is_named_if_it_ships(straight, tmp_path):
     assert 'figure = "human"' in (tmp_path / "again.toml").read_text()
 
 
+@pytest.mark.slow
 def test_another_scene_is_written_beside_the_clip(motion_file, tmp_path):
     target = run(motion_file, tmp_path / "small.toml")
     assert names(tmp_path) == ["small.toml", "small.xml"]

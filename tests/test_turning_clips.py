@@ -118,6 +118,7 @@ def test_headings_and_turns_that_make_no_sense_are_refused_where_they_stand(tmp_
     refused(tmp_path, tiny.changed("frames = 2\n", ENDS).replace(LAST, LAST.replace("0.3, 0, 1", "0, 0, 1")), "by 0.99")
 
 
+@pytest.mark.slow
 def test_a_loop_comes_back_turned_and_smooth_and_its_report_says_so(circle):
     seam = Seam.of(circle.figure, circle.timeline)
     assert np.degrees(seam.headings) == pytest.approx([45])
@@ -129,6 +130,7 @@ def test_a_loop_comes_back_turned_and_smooth_and_its_report_says_so(circle):
         assert max(found[name] for name in ("state", "first derivative", "second derivative")) < 1e-9
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("count", [3, 8])
 def test_a_turning_loop_played_on_goes_round_and_its_text_makes_the_same_keyframes(circle, count, tmp_path):
     many = edits.repeated(circle, count)

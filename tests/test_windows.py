@@ -207,6 +207,7 @@ class Counted(CovariantAcceleration):
         super().curvature(samples, into, scale)
 
 
+@pytest.mark.slow
 def test_ctrl_c_anywhere_in_the_middle_returns_a_whole_motion_no_worse_than_the_raw_one(short):
     keys, terms = long_keys(partial=True), [(Counted(), 1.0), *penalties()[1:]]
     settings, values = Settings(variable=1, frames=2 * SEGMENTS, tolerance=1e-3), []
@@ -224,6 +225,7 @@ def test_ctrl_c_anywhere_in_the_middle_returns_a_whole_motion_no_worse_than_the_
     assert values[-1] < 0.7 * values[0]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("error", [StopSearch, KeyboardInterrupt])
 @pytest.mark.parametrize("count", [1, 15, 35])
 def test_a_stop_in_improved_keeps_the_whole_clip_as_it_was_told(short, error, count):
@@ -241,6 +243,7 @@ def test_a_stop_in_improved_keeps_the_whole_clip_as_it_was_told(short, error, co
     np.testing.assert_array_equal(motion.timeline.rows, told[-1])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("window", [0, 1, 2])
 def test_ctrl_c_between_windows_returns_a_whole_motion(short, monkeypatch, window):
     keys, opened = long_keys(), Assembly.opened
@@ -257,6 +260,7 @@ def test_ctrl_c_between_windows_returns_a_whole_motion(short, monkeypatch, windo
     assert fine_value(motion) <= fine_value(motion, path_of(motion.raw)) * (1 + 1e-9)
 
 
+@pytest.mark.slow
 def test_other_methods_and_bounds_solve_windows_too(short):
     more: list[tuple[Penalty, float]] = [*penalties(), (limits_of(FIGURE), 0.1)]
     for method in ("newton", "lbfgs"):
