@@ -8,7 +8,7 @@ import mujoco
 import numpy as np
 import pytest
 from conftest import EVERY_JOINT
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from rich.console import Console
 from test_curvature import curvature_of, shifted, sides_of
@@ -98,6 +98,8 @@ vectors = st.tuples(numbers, numbers, numbers).filter(lambda v: np.linalg.norm(v
 
 @pytest.mark.slow
 @settings(deadline=None, max_examples=150)
+@example((0.0, 1.0, 0.0), (0.0, 1.0, 2e-5), False, (0.0, 0.0, 0.5), 1.0, 1.0)
+@example((0.0, 1.0, 0.0), (0.0, 1.0, 2e-7), False, (0.3, 0.2, 0.5), 1.0, 1.0)
 @given(vectors, vectors, st.booleans(), vectors, st.floats(0, 1), st.floats(0, 1))
 def test_no_points_of_two_segments_are_nearer_than_the_nearest(u, v, parallel, d, h, g):
     u = np.array(u) / np.linalg.norm(u)

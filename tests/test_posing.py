@@ -371,6 +371,7 @@ def test_what_a_goal_apart_misses_does_not_move_the_others():
 
 def test_a_search_begins_with_every_joint_bent_by_its_least_flexion_and_those_that_bend_more_as_they_are():
     figure = HUMAN["world"]
+    assert BENDS is not None
     bends = posing._Bends.of(figure, BENDS, everything(figure))
     assert bends is not None
     straight = np.array(figure.model.qpos0)

@@ -17,7 +17,7 @@ import mujoco
 import numpy as np
 
 from .. import quaternion as quat
-from ..algebra import dot
+from ..algebra import cross, dot
 from ..curvature import Curvature, Sides
 from ..figure import Figure
 from ..kinematics import Cotangent, Samples
@@ -30,7 +30,7 @@ from .penalty import Scale
 NEAR = 0.03  # [m] within which capsules may touch after one step of the search
 GAP = 0.008  # [m] by which spheres may leave a geom unfilled
 HAIR = 0.015  # [m] by which what is left out may stick out of a thicker shape
-PARALLEL = 1e-9
+PARALLEL = 1e-16  # squared sine of an angle below which it cannot be told where along them two segments are nearest
 
 
 @dataclass(frozen=True)
@@ -204,7 +204,8 @@ def nearest_on_segments(d: Array, u: Array, v: Array, h: Array, g: Array) -> tup
     d  (3, p) from the second's middle to the first's;  h, g  (p,) half lengths
     """
     b, c, f = dot(u, v), dot(u, d), dot(v, d)
-    steep = 1 - b * b
+    across = cross(u, v)
+    steep = dot(across, across)  # 1 − b² of nearly parallel ones would be rounding
     s = np.clip(np.where(steep > PARALLEL, (b * f - c) / np.maximum(steep, PARALLEL), 0.0), -h, h)
     t = np.clip(b * s + f, -g, g)
     return np.clip(b * t - c, -h, h), t
