@@ -13,8 +13,8 @@ from bench import Effort, Section, Target, alternated, median
 
 from runner import clip as clips
 from solver import Frame, Objective, Path, Quadrature, Settings, Timeline, inbetween
-from solver.dynamics import velocities
-from solver.spline import Spline
+from solver.curve.spline import Spline
+from solver.figure.dynamics import velocities
 
 SAMPLES = 100
 LEAST_PER_SPAN = 4

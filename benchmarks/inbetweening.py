@@ -25,7 +25,7 @@ from scipy.spatial.transform import Rotation, RotationSpline, Slerp
 from runner import clip as clips
 from runner.motion import continuous
 from solver import inbetween
-from solver.kinematics import Samples
+from solver.figure.kinematics import Samples
 from solver.penalty import Contact
 
 Array = NDArray[np.float64]

@@ -25,7 +25,7 @@ from bench import Effort, Section, Target
 import models
 from runner import clip as clips
 from solver import Frame, Motion, inbetween
-from solver.kinematics import Samples
+from solver.figure.kinematics import Samples
 from solver.penalty import Contact, site_points
 
 STRIDE, PERIOD = 6, 0.75

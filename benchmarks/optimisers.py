@@ -12,7 +12,7 @@ from bench import Effort, Section, Target, alternated, median, worst
 
 from runner import clip as clips
 from solver import Motion, inbetween
-from solver.descent import NEWTON, Descent
+from solver.search.descent import NEWTON, Descent
 
 CLIPS = (
     "cartwheel", "hand_on_rail", "jump_over_box", "run_and_step", "run_loop", "sit_down", "stairs", "walk_loop",

@@ -21,12 +21,12 @@ from runner.contacts import contacts
 from runner.errors import UserError
 from solver import Frame, Motion, inbetween
 from solver import quaternion as quat
-from solver.figure import Figure, JointKind
-from solver.kinematics import Samples
+from solver.curve.unknowns import raw_timeline
+from solver.figure.figure import Figure, JointKind
+from solver.figure.kinematics import Samples
 from solver.penalty.peak import relative_accelerations
 from solver.quaternion import Array
-from solver.subdivision import path_of
-from solver.unknowns import raw_timeline
+from solver.refine.subdivision import path_of
 
 SETS = (100, 2)  # of every clip
 TURN, SHIFT = np.radians(5.0), 0.03  # [rad] of every ball joint, [m] of the root

@@ -21,8 +21,8 @@ from runner.clip_table import PenaltyTable
 from runner.constraints import posing_bends
 from runner.feet import sole_points
 from solver import quaternion as quat
-from solver.figure import Figure, JointKind, quaternion_columns
-from solver.frame import Mask
+from solver.curve.frame import Mask
+from solver.figure.figure import Figure, JointKind, quaternion_columns
 from solver.penalty import BendLimits, Point, site_points
 from solver.posing import BodyGoal, Goal, PointGoal, entries, limb, posed
 from solver.quaternion import Array

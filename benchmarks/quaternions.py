@@ -13,7 +13,7 @@ from scipy.spatial.transform import Rotation, RotationSpline
 
 from solver import Improvement, Settings
 from solver import quaternion as quat
-from solver.subdivision import by_weak_form
+from solver.refine.subdivision import by_weak_form
 
 Array = NDArray[np.float64]
 Row = dict[str, float]

@@ -26,13 +26,13 @@ from numpy.typing import NDArray
 
 import models
 from solver import Figure, Frame, Improvement, Objective, Path, Quadrature, Settings, Timeline, inbetween
-from solver.descent import optimised
-from solver.kinematics import Samples
+from solver.curve.spline import Spline
+from solver.curve.unknowns import raw_timeline
+from solver.figure.kinematics import Samples
 from solver.penalty import Contact, CovariantAcceleration, RootAcceleration, UnitMagnitude, site_points
-from solver.spline import Spline
-from solver.subdivision import evenly
+from solver.refine.subdivision import evenly
+from solver.search.descent import optimised
 from solver.surface import Plane
-from solver.unknowns import raw_timeline
 
 Array = NDArray[np.float64]
 

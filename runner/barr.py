@@ -11,10 +11,10 @@ from scipy import optimize, sparse
 from scipy.sparse.linalg import splu
 
 from solver import quaternion as quat
-from solver.frame import Frame, Timeline
+from solver.curve.frame import Frame, Timeline
+from solver.curve.spline import Path, natural_spline
 from solver.quaternion import Array
-from solver.spline import Path, natural_spline
-from solver.subdivision import path_of
+from solver.refine.subdivision import path_of
 
 
 class Discrete:

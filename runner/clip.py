@@ -18,37 +18,21 @@ import numpy as np
 from pydantic import ValidationError
 
 import models
-from solver.descent import check_method
-from solver.figure import Figure, FigureError, JointKind, quaternion_columns
-from solver.frame import Frame, Mask, TimelineError
+from solver.curve.frame import Frame, Mask, TimelineError
+from solver.curve.quadrature import Quadrature
+from solver.curve.seam import Seam
+from solver.curve.unknowns import raw_timeline
+from solver.figure.figure import Figure, FigureError, JointKind, quaternion_columns
 from solver.inbetween import FEW, Settings
-from solver.penalty import (
-    Bend,
-    Hold,
-    Penalty,
-    Placed,
-    Point,
-    Rest,
-    Support,
-)
+from solver.penalty import Bend, Hold, Penalty, Placed, Point, Rest, Support
 from solver.posing import entries
-from solver.quadrature import Quadrature
 from solver.quaternion import Array
-from solver.seam import Seam
-from solver.subdivision import CRITERIA
+from solver.refine.subdivision import CRITERIA
+from solver.search.descent import check_method
 from solver.surface import Surface, static_surfaces
-from solver.unknowns import raw_timeline
 
 from .assets import Scene
-from .clip_table import (
-    ROTATION,
-    ClipTable,
-    KeyframeTable,
-    RootTable,
-    RotationTable,
-    SolveTable,
-    spoken,
-)
+from .clip_table import ROTATION, ClipTable, KeyframeTable, RootTable, RotationTable, SolveTable, spoken
 from .configuration import first_wrong
 from .constraints import Constraints, numbers, posing_bends
 from .contacts import rests

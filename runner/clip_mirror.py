@@ -8,8 +8,8 @@ from typing import Any
 import mujoco
 import numpy as np
 
-from solver.figure import Figure, JointKind
-from solver.mirror import AXIAL, POLAR, TURN, Mirror, other_side
+from solver.edit.mirror import AXIAL, POLAR, TURN, Mirror, other_side
+from solver.figure.figure import Figure, JointKind
 from solver.penalty import Point
 from solver.quaternion import Array
 

@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solver import quaternion as quat
-from solver.figure import Figure, JointKind, quaternion_columns
-from solver.frame import Frame
+from solver.curve.frame import Frame
+from solver.figure.figure import Figure, JointKind, quaternion_columns
 
 from .clip_table import ClipTable
 

@@ -8,10 +8,10 @@ from dataclasses import replace
 import numpy as np
 
 from solver import quaternion as quat
-from solver.figure import Figure, JointKind
-from solver.frame import Timeline
-from solver.kinematics import Samples
-from solver.naming import geom_name
+from solver.curve.frame import Timeline
+from solver.figure.figure import Figure, JointKind
+from solver.figure.kinematics import Samples
+from solver.figure.naming import geom_name
 from solver.penalty import (
     Bend,
     BendLimits,
@@ -58,10 +58,10 @@ from solver.penalty import (
     surfaces_on,
 )
 from solver.quaternion import Array
-from solver.rhythm import Rhythm
-from solver.stride import Gait
+from solver.reading.rhythm import Rhythm
+from solver.reading.stride import Gait
 from solver.surface import Box, Plane, Surface
-from solver.touch import bolted
+from solver.surface.touch import bolted
 
 from .clip_table import ContactTable, HoldTable, PenaltyTable
 from .contacts import contacts

@@ -12,14 +12,14 @@ from itertools import pairwise
 
 import numpy as np
 
-from solver.allowance import Allowance
-from solver.figure import Figure
-from solver.frame import Mask, Timeline
-from solver.kinematics import Samples
+from solver.curve.frame import Mask, Timeline
+from solver.figure.figure import Figure
+from solver.figure.kinematics import Samples
 from solver.penalty import Contact, Point, Rest, Stance
 from solver.penalty.contact import height_over, placed
 from solver.penalty.planted import SAME_SPOT
 from solver.quaternion import Array, Index
+from solver.reading.allowance import Allowance
 from solver.surface import Surface
 
 from .clip_table import ContactTable, HoldTable

@@ -7,9 +7,9 @@ from collections.abc import Callable, Sequence
 import mujoco
 import numpy as np
 
-from solver.figure import Figure
-from solver.frame import Frame, Mask, Timeline
-from solver.kinematics import Samples
+from solver.curve.frame import Frame, Mask, Timeline
+from solver.figure.figure import Figure
+from solver.figure.kinematics import Samples
 from solver.penalty import Closed, Coupled, closures, couplings
 from solver.penalty.contact import placed
 from solver.penalty.coupled import Coupling, in_order

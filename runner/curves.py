@@ -6,11 +6,11 @@ from typing import Any
 
 import numpy as np
 
-from solver.euler_lagrange import residual
-from solver.frame import Timeline
+from solver.curve.frame import Timeline
 from solver.inbetween import Motion
 from solver.penalty import Contact
-from solver.subdivision import path_of
+from solver.refine.euler_lagrange import residual
+from solver.refine.subdivision import path_of
 
 from .clip import Clip
 from .motion import samples_at

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from solver.kinematics import Samples
+from solver.figure.kinematics import Samples
 from solver.penalty import Point
 from solver.quaternion import Array, Index
 from solver.surface import Box, Surface

@@ -10,16 +10,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from solver import join, retime
-from solver.descent import optimised
-from solver.figure import Figure
-from solver.frame import Frame, Timeline, TimelineError
+from solver.curve.frame import Frame, Timeline, TimelineError
+from solver.curve.seam import Seam
+from solver.curve.unknowns import raw_timeline
+from solver.edit import join, retime
+from solver.edit.mirror import Mirror, MirrorError
+from solver.figure.figure import Figure
 from solver.inbetween import Motion, renormalised
-from solver.mirror import Mirror, MirrorError
 from solver.objective import Objective
-from solver.seam import Seam
-from solver.subdivision import path_of
-from solver.unknowns import raw_timeline
+from solver.refine.subdivision import path_of
+from solver.search.descent import optimised
 
 from . import clip as clips
 from .clip import Clip

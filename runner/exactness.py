@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from solver.frame import Timeline
-from solver.subdivision import path_of
+from solver.curve.frame import Timeline
+from solver.refine.subdivision import path_of
 
 from .clip import Clip
 

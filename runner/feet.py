@@ -16,12 +16,12 @@ import mujoco
 import numpy as np
 
 from solver import quaternion as quat
-from solver.figure import Figure, JointKind
-from solver.kinematics import Samples
+from solver.figure.figure import Figure, JointKind
+from solver.figure.kinematics import Samples
 from solver.penalty import Point, body_points, site_points
 from solver.penalty.contact import arrays_of
 from solver.quaternion import Array, Index
-from solver.touch import movers
+from solver.surface.touch import movers
 
 from .places import posable_sites
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 
-from solver.figure import Figure
+from solver.figure.figure import Figure
 from solver.quaternion import Array, Index
-from solver.touch import moves
+from solver.surface.touch import moves
 
 MOST_POSES = 60
 STANDING = 2.05  # [m] a person with a hand raised over the head

@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 
-from solver.frame import Timeline
+from solver.curve.frame import Timeline
 from solver.penalty import carried_links, slipped
 from solver.quaternion import Array
-from solver.subdivision import path_of
+from solver.refine.subdivision import path_of
 
 from .clip import Clip
 from .motion import samples_at

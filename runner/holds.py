@@ -11,9 +11,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from solver.figure import Figure
-from solver.frame import Mask, Timeline
-from solver.kinematics import Samples
+from solver.curve.frame import Mask, Timeline
+from solver.figure.figure import Figure
+from solver.figure.kinematics import Samples
 from solver.penalty import Hold, Point, Spot, slipped
 from solver.penalty.contact import placed
 from solver.penalty.planted import SAME_SPOT

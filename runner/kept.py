@@ -25,10 +25,10 @@ from typing import Any
 import numpy as np
 
 import solver
-from solver.frame import Frame, Timeline
+from solver.curve.frame import Frame, Timeline
+from solver.curve.unknowns import raw_timeline
 from solver.inbetween import Motion, objective_of
-from solver.optimiser import Stop
-from solver.unknowns import raw_timeline
+from solver.search.optimiser import Stop
 
 from . import work
 from .cache_folder import place

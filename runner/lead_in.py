@@ -11,8 +11,8 @@ from dataclasses import dataclass, replace
 import mujoco
 import numpy as np
 
+from solver.curve.unknowns import raw_timeline
 from solver.quaternion import Array
-from solver.unknowns import raw_timeline
 
 from .exchange import hierarchy
 from .exchange.roles import roles

@@ -13,9 +13,9 @@ from typing import Protocol
 
 import numpy as np
 
-from solver.figure import Figure, JointKind, quaternion_columns
-from solver.frame import Mask
-from solver.kinematics import Samples
+from solver.curve.frame import Mask
+from solver.figure.figure import Figure, JointKind, quaternion_columns
+from solver.figure.kinematics import Samples
 from solver.penalty import (
     BendLimits,
     Closed,

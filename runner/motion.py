@@ -23,13 +23,13 @@ from typing import Any
 import numpy as np
 
 from solver import quaternion as quat
-from solver.dynamics import velocities
-from solver.figure import Figure
-from solver.frame import Frame, Timeline
-from solver.kinematics import Samples
+from solver.curve.frame import Frame, Timeline
+from solver.curve.spline import Path as Curve
+from solver.figure.dynamics import velocities
+from solver.figure.figure import Figure
+from solver.figure.kinematics import Samples
 from solver.quaternion import Array
-from solver.spline import Path as Curve
-from solver.subdivision import path_of
+from solver.refine.subdivision import path_of
 
 from . import archive as archive_sizes
 from .assets import Scene

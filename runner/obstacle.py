@@ -12,7 +12,7 @@ import mujoco
 import numpy as np
 
 from solver.quaternion import Array
-from solver.touch import SCENERY
+from solver.surface.touch import SCENERY
 
 from .clip_table import BarTable, BoxTable, SceneTable, SphereTable
 from .errors import UserError

@@ -14,16 +14,16 @@ import numpy as np
 
 import models
 from solver import quaternion as quat
-from solver.euler_lagrange import WeakForm, covariant_residual, tangential
-from solver.figure import Figure
-from solver.frame import Frame
+from solver.curve.frame import Frame
+from solver.curve.quadrature import gauss_nodes
+from solver.curve.spline import Path
+from solver.figure.figure import Figure
 from solver.inbetween import Improvement, Motion, Settings, inbetween
 from solver.objective import Objective
 from solver.penalty import CovariantAcceleration, Penalty, UnitMagnitude
-from solver.quadrature import gauss_nodes
 from solver.quaternion import Array
-from solver.spline import Path
-from solver.subdivision import path_of
+from solver.refine.euler_lagrange import WeakForm, covariant_residual, tangential
+from solver.refine.subdivision import path_of
 
 KEYFRAMES = 7
 TENTHS = 10  # equal parts of a path, as in figure 10

@@ -16,11 +16,11 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from solver.displacement import displacement
 from solver.inbetween import Improvement, Settings, inbetween
 from solver.penalty import CovariantAcceleration, UnitMagnitude
 from solver.quaternion import Array
-from solver.subdivision import path_of
+from solver.refine.displacement import displacement
+from solver.refine.subdivision import path_of
 
 from .barr import Discrete
 from .claim import Claim

@@ -10,9 +10,9 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 
-from solver import touch
-from solver.naming import geom_name
+from solver.figure.naming import geom_name
 from solver.quaternion import Array, Index
+from solver.surface import touch
 
 NEAR = 0.02
 

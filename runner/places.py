@@ -11,9 +11,9 @@ import mujoco
 import numpy as np
 
 from solver import quaternion as quat
-from solver.figure import Figure
-from solver.kinematics import Samples
-from solver.naming import geom_name
+from solver.figure.figure import Figure
+from solver.figure.kinematics import Samples
+from solver.figure.naming import geom_name
 from solver.penalty import Point, body_points, site_points
 from solver.penalty.contact import arrays_of
 from solver.quaternion import Array

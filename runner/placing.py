@@ -15,12 +15,12 @@ import mujoco
 import numpy as np
 
 from solver import quaternion as quat
-from solver.figure import Figure, JointKind
-from solver.frame import Frame, TimelineError
+from solver.curve.frame import Frame, TimelineError
+from solver.curve.unknowns import raw_timeline
+from solver.figure.figure import Figure, JointKind
 from solver.penalty import Placed, Point
 from solver.posing import MET, BodyGoal, Goal, PointGoal, Posed, SiteGoal, chain, entries, limb, posed, reached
 from solver.quaternion import Array
-from solver.unknowns import raw_timeline
 
 from .clip_table import ROTATION, BodyTable, KeyframeTable, SiteTable
 from .errors import UserError, unknown

@@ -12,10 +12,9 @@ from typing import Any
 
 import numpy as np
 
-from solver.figure import Figure
-from solver.frame import Timeline
-from solver.kinematics import Samples
-from solver.optimiser import Stop
+from solver.curve.frame import Timeline
+from solver.figure.figure import Figure
+from solver.figure.kinematics import Samples
 from solver.penalty import (
     BendLimits,
     Contact,
@@ -33,7 +32,8 @@ from solver.penalty import (
     stances,
 )
 from solver.quaternion import Array, Index
-from solver.subdivision import path_of
+from solver.refine.subdivision import path_of
+from solver.search.optimiser import Stop
 
 from . import clip as clips
 from . import measures

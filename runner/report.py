@@ -15,14 +15,14 @@ from rich.console import Group
 from rich.table import Table
 from rich.text import Text
 
-from solver.algebra import turned
-from solver.displacement import displacement
-from solver.dynamics import generalised_forces
-from solver.euler_lagrange import residual
-from solver.figure import JointKind
-from solver.frame import Mask, Timeline
+from solver.curve.frame import Mask, Timeline
+from solver.curve.seam import Seam
+from solver.figure.algebra import turned
+from solver.figure.dynamics import generalised_forces
+from solver.figure.figure import JointKind
+from solver.figure.kinematics import Samples
+from solver.figure.wrench import RootWrench
 from solver.inbetween import Motion
-from solver.kinematics import Samples
 from solver.objective import Objective
 from solver.penalty import (
     BendLimits,
@@ -40,11 +40,11 @@ from solver.penalty import (
     within,
 )
 from solver.quaternion import Array
-from solver.seam import Seam
-from solver.subdivision import by_weak_form, path_of
+from solver.refine.displacement import displacement
+from solver.refine.euler_lagrange import residual
+from solver.refine.subdivision import by_weak_form, path_of
 from solver.surface import Box
-from solver.touch import counts_all
-from solver.wrench import RootWrench
+from solver.surface.touch import counts_all
 
 from .clip import Clip
 from .exactness import keyframe_error

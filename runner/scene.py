@@ -13,8 +13,8 @@ import mujoco
 import numpy as np
 
 import models
-from solver.figure import names_of_joints
-from solver.touch import SCENERY, grounds
+from solver.figure.figure import names_of_joints
+from solver.surface.touch import SCENERY, grounds
 
 from . import mjcf_size
 from .assets import Assets, Scene, check_places, taken_along

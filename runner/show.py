@@ -9,7 +9,7 @@ from typing import TypedDict
 
 import numpy as np
 
-from solver.frame import Timeline
+from solver.curve.frame import Timeline
 from solver.quaternion import Array
 
 from . import layout

@@ -13,14 +13,14 @@ import numpy as np
 
 import models
 from solver import quaternion as quat
-from solver.figure import Figure, FigureError, JointKind, Link, quaternion_columns
-from solver.frame import Frame
-from solver.kinematics import Samples
+from solver.curve.frame import Frame
+from solver.figure.figure import Figure, FigureError, JointKind, Link, quaternion_columns
+from solver.figure.kinematics import Samples
 from solver.penalty import Point, body_points, closures, couplings, joint_ranges
 from solver.penalty.contact import arrays_of
 from solver.quaternion import Array
-from solver.touch import TOUCHING, counts_all, movers
-from solver.touch import solids as solids_of
+from solver.surface.touch import TOUCHING, counts_all, movers
+from solver.surface.touch import solids as solids_of
 
 from .clip_text import keyframe_tables, rotation, written
 from .configuration import first_wrong

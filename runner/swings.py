@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from solver.kinematics import Samples
+from solver.figure.kinematics import Samples
 from solver.penalty import Contact
 from solver.penalty.contact import FAR, heights
 

@@ -14,10 +14,10 @@ from typing import Any
 
 import numpy as np
 
-from solver.frame import Frame, Timeline
+from solver.curve.frame import Frame, Timeline
+from solver.edit.thin import Bound, Recorded, Worst, refined, thin
 from solver.quaternion import Array
-from solver.subdivision import path_of
-from solver.thin import Bound, Recorded, Worst, refined, thin
+from solver.refine.subdivision import path_of
 
 from . import clip as clips
 from . import clip_file, work

@@ -11,10 +11,10 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
+from solver.curve.unknowns import raw_timeline
 from solver.inbetween import Improvement, Motion, inbetween
 from solver.objective import Objective
-from solver.optimiser import Stop, StopSearch
-from solver.unknowns import raw_timeline
+from solver.search.optimiser import Stop, StopSearch
 
 from . import largest
 from .clip import Clip

@@ -3,17 +3,17 @@
 After R. Ramamoorthi, C. Ball and A. H. Barr, "Dynamic Splines with Constraints for Animation".
 """
 
-from .figure import Figure as Figure
-from .figure import FigureError as FigureError
-from .frame import Frame as Frame
-from .frame import Timeline as Timeline
-from .frame import TimelineError as TimelineError
+from .curve.frame import Frame as Frame
+from .curve.frame import Timeline as Timeline
+from .curve.frame import TimelineError as TimelineError
+from .curve.quadrature import Quadrature as Quadrature
+from .curve.spline import Path as Path
+from .figure.figure import Figure as Figure
+from .figure.figure import FigureError as FigureError
 from .inbetween import Improvement as Improvement
 from .inbetween import Motion as Motion
 from .inbetween import Settings as Settings
 from .inbetween import inbetween as inbetween
 from .objective import Objective as Objective
-from .optimiser import Stop as Stop
-from .optimiser import StopSearch as StopSearch
-from .quadrature import Quadrature as Quadrature
-from .spline import Path as Path
+from .search.optimiser import Stop as Stop
+from .search.optimiser import StopSearch as StopSearch

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .frame import Mask
+from .curve.frame import Mask
 from .quaternion import Array
 
 MOST_STEPS = 60

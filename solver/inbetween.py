@@ -16,22 +16,22 @@ from functools import cached_property, partial
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .arcs import straightened
-from .astray import FAR, farthest, is_astray, is_dear, is_violent
-from .descent import NEWTON, Descent
-from .figure import Figure
-from .frame import Frame, Timeline
-from .gauss_newton import FIRST_DAMPING
-from .judgement import best
+from .curve.arcs import straightened
+from .curve.frame import Frame, Timeline
+from .curve.quadrature import Quadrature
+from .curve.spline import Path
+from .curve.unknowns import raw_timeline
+from .figure.figure import Figure
 from .objective import Evaluation, Objective
-from .optimiser import Stop
 from .penalty import Guide, Penalty
-from .quadrature import Quadrature
 from .quaternion import Array
-from .spline import Path
-from .subdivision import CRITERIA, midpoints, path_of, split
-from .unknowns import raw_timeline
-from .windows import Assembly, is_long, windows
+from .refine.subdivision import CRITERIA, midpoints, path_of, split
+from .refine.windows import Assembly, is_long, windows
+from .search.astray import FAR, farthest, is_astray, is_dear, is_violent
+from .search.descent import NEWTON, Descent
+from .search.judgement import best
+from .search.newton import FIRST_DAMPING
+from .search.optimiser import Stop
 
 NEGLIGIBLE = 1e-3
 ROUGH = 1e-2

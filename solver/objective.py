@@ -11,15 +11,15 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from .figure import Figure
-from .frame import Timeline
-from .kinematics import Cotangent, Samples
+from .curve.frame import Timeline
+from .curve.quadrature import Quadrature, gauss_nodes
+from .curve.spline import Path, Sampling, spline_of
+from .curve.unknowns import Unknowns
+from .figure.figure import Figure
+from .figure.kinematics import Cotangent, Samples
 from .penalty import Penalty
 from .penalty.penalty import instants_of
-from .quadrature import Quadrature, gauss_nodes
 from .quaternion import Array
-from .spline import Path, Sampling, spline_of
-from .unknowns import Unknowns
 
 SMALL_SHARE = 0.01
 MOST_OF_TIME, VIOLENT, LEAST_TYPICAL = 0.8, 4.0, 0.1

@@ -17,8 +17,8 @@ import mujoco
 import numpy as np
 
 from . import quaternion as quat
-from .figure import Figure, JointKind
-from .frame import Mask
+from .curve.frame import Mask
+from .figure.figure import Figure, JointKind
 from .penalty.bend import BendLimits, bent
 from .penalty.contact import Point
 from .quaternion import Array, Index

@@ -23,7 +23,7 @@ from runner.graphics import Graphics
 from runner.motion import Saved
 from runner.progress import Teller
 from runner.work import Solved
-from solver.figure import Figure
+from solver.figure.figure import Figure
 
 os.environ["DYNSPLINES_CACHE"] = "off"  # a test solves what it asks for, and leaves nothing in a user's folder
 shipped.open_folder()

@@ -11,7 +11,7 @@ import numpy as np
 from runner import clip as clips
 from runner.penetration import moving_geoms, solid_geoms
 from solver import quaternion as quat
-from solver.figure import JointKind
+from solver.figure.figure import JointKind
 from solver.quaternion import Array
 
 TOUCH = 0.005

@@ -12,12 +12,12 @@ from runner import clip, work
 from runner.clip import Clip
 from runner.motion import samples_at
 from runner.progress import Teller
-from solver.algebra import dot
-from solver.figure import JointKind
-from solver.frame import Timeline
-from solver.kinematics import Samples
+from solver.curve.frame import Timeline
+from solver.figure.algebra import dot
+from solver.figure.figure import JointKind
+from solver.figure.kinematics import Samples
 from solver.penalty import BendLimits, Contact, JointRange, joint_ranges
-from solver.subdivision import path_of
+from solver.refine.subdivision import path_of
 
 RATE = 1000.0  # [Hz]
 

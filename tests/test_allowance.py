@@ -9,13 +9,13 @@ from test_penalty_unit import penalty_slope
 
 import models
 from solver import quaternion as quat
-from solver.allowance import Allowance
-from solver.figure import Figure
-from solver.frame import Frame
+from solver.curve.frame import Frame
+from solver.curve.unknowns import raw_timeline
+from solver.figure.figure import Figure
 from solver.inbetween import Settings, inbetween
 from solver.penalty import Bend, BendLimits, Contact, CovariantAcceleration, Point, RootAcceleration, UnitMagnitude
+from solver.reading.allowance import Allowance
 from solver.surface import Plane
-from solver.unknowns import raw_timeline
 
 UP = np.array([0.0, 0, 1])
 

@@ -8,10 +8,10 @@ import pytest
 from runner import clip as clips
 from runner.errors import UserError
 from runner.report import report
+from solver.figure.kinematics import Samples
 from solver.inbetween import inbetween
-from solver.kinematics import Samples
 from solver.penalty import Contact, Planted, Rest, Resting, Stance, Together
-from solver.subdivision import path_of
+from solver.refine.subdivision import path_of
 
 STEP = """
 figure = "human"

@@ -17,13 +17,11 @@ from test_preconditioner import slider
 from test_rows import WOOD
 
 from solver import quaternion as quat
-from solver.curvature import Curvature, Sides
-from solver.descent import optimised
-from solver.dynamics import generalised_forces
-from solver.euler_lagrange import WeakForm
-from solver.figure import Figure
-from solver.frame import Frame, Timeline
-from solver.kinematics import Cotangent, Samples
+from solver.curve.frame import Frame, Timeline
+from solver.curve.unknowns import raw_timeline
+from solver.figure.dynamics import generalised_forces
+from solver.figure.figure import Figure
+from solver.figure.kinematics import Cotangent, Samples
 from solver.objective import Objective
 from solver.penalty import (
     Bend,
@@ -40,10 +38,12 @@ from solver.penalty import (
 )
 from solver.penalty.bend import NEAR as NEAR_ANGLE
 from solver.penalty.contact import NEAR as NEAR_DEPTH
+from solver.penalty.curvature import Curvature, Sides
 from solver.quaternion import Array
-from solver.subdivision import evenly, midpoints, path_of, split
+from solver.refine.euler_lagrange import WeakForm
+from solver.refine.subdivision import evenly, midpoints, path_of, split
+from solver.search.descent import optimised
 from solver.surface import Box, Surface
-from solver.unknowns import raw_timeline
 
 STEP_SIZE = 1e-5
 BALL = '<mujoco><worldbody><body><freejoint/><geom size=".1"/></body></worldbody></mujoco>'

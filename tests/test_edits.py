@@ -19,10 +19,10 @@ from runner.errors import UserError
 from runner.motion import Saved, sampled
 from runner.progress import Teller
 from solver import quaternion as quat
-from solver.mirror import Mirror
+from solver.curve.seam import Seam
+from solver.edit.mirror import Mirror
 from solver.quaternion import Array
-from solver.seam import Seam
-from solver.subdivision import path_of
+from solver.refine.subdivision import path_of
 from solver.surface import Box
 
 FPS = 97.0

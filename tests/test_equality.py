@@ -14,10 +14,10 @@ from test_kinematics import random_samples
 
 from runner import clip, work
 from runner.progress import Teller
-from solver.curvature import Curvature
-from solver.figure import Figure
-from solver.kinematics import Cotangent, Samples
+from solver.figure.figure import Figure
+from solver.figure.kinematics import Cotangent, Samples
 from solver.penalty import Closed, Coupled, closures, couplings
+from solver.penalty.curvature import Curvature
 
 GRIPPER = """
 <mujoco><compiler angle="degree"/><worldbody>

@@ -10,9 +10,9 @@ from runner.clip_table import ContactTable
 from runner.contacts import contacts
 from runner.errors import UserError
 from runner.feet import sole_points
-from solver.figure import Figure
-from solver.frame import Frame
-from solver.unknowns import raw_timeline
+from solver.curve.frame import Frame
+from solver.curve.unknowns import raw_timeline
+from solver.figure.figure import Figure
 
 LEG = """<body name="{name}_thigh" pos="{x} {y} 0"><joint name="{name}_hip" axis="0 1 0"/>
   <geom type="capsule" size=".03" fromto="0 0 0 0 0 -.3"/>

@@ -25,7 +25,7 @@ from runner.penetration import penetration
 from solver.inbetween import Motion
 from solver.penalty import BendLimits
 from solver.quaternion import Array
-from solver.subdivision import path_of
+from solver.refine.subdivision import path_of
 
 RATE = 500.0
 G = 9.81

@@ -11,18 +11,18 @@ from test_penalty_contact import FLOOR
 from test_preconditioner import slider
 from test_unknowns import TIMES
 
-from solver import optimiser
 from solver import quaternion as quat
-from solver.descent import METHODS, NEWTON, Descent
-from solver.frame import Frame
-from solver.gauss_newton import FIRST_DAMPING, Search, gauss_newton
+from solver.curve.frame import Frame
+from solver.curve.unknowns import raw_timeline
 from solver.objective import HEAVY, Discretised, Evaluation, Objective
-from solver.optimiser import Minimum, Stop, StopSearch, minimise
 from solver.penalty import Contact, CovariantAcceleration, Penalty, Point, RootAcceleration, Torque, UnitMagnitude
 from solver.quaternion import Array
-from solver.subdivision import evenly, path_of
+from solver.refine.subdivision import evenly, path_of
+from solver.search import optimiser
+from solver.search.descent import METHODS, NEWTON, Descent
+from solver.search.newton import FIRST_DAMPING, Search, gauss_newton
+from solver.search.optimiser import Minimum, Stop, StopSearch, minimise
 from solver.surface import Plane
-from solver.unknowns import raw_timeline
 
 ENDS = ["free", "clamped", "periodic"]
 TERMS: list[tuple[Penalty, float]] = [

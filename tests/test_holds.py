@@ -18,10 +18,10 @@ from runner.errors import UserError
 from runner.hold_report import hold_rows, in_carried
 from runner.problems import problems
 from runner.progress import Teller
+from solver.edit.mirror import Mirror
 from solver.inbetween import inbetween
-from solver.mirror import Mirror
 from solver.penalty import Contact, Hold, Holding, Planted, Together
-from solver.subdivision import path_of as path
+from solver.refine.subdivision import path_of as path
 
 SCENE = """
 figure = "human"

@@ -7,15 +7,15 @@ from conftest import ONE_BALL
 from test_unknowns import TIMES, distance_from_key, mask_without, random_keys
 
 from solver import quaternion as quat
-from solver.descent import METHODS
-from solver.figure import Figure
-from solver.frame import Frame, TimelineError
+from solver.curve.frame import Frame, TimelineError
+from solver.curve.quadrature import Quadrature
+from solver.figure.figure import Figure
 from solver.inbetween import Improvement, Motion, Settings, inbetween
 from solver.objective import Objective
-from solver.optimiser import Stop, StopSearch
 from solver.penalty import Contact, CovariantAcceleration, Penalty, Point, RootAcceleration, UnitMagnitude
-from solver.quadrature import Quadrature
-from solver.subdivision import CRITERIA, path_of
+from solver.refine.subdivision import CRITERIA, path_of
+from solver.search.descent import METHODS
+from solver.search.optimiser import Stop, StopSearch
 from solver.surface import Plane
 
 PENALTIES: list[tuple[Penalty, float]] = [

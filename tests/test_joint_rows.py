@@ -8,12 +8,12 @@ from test_any_model import figure_of
 from test_kinematics import random_samples
 from test_rows import assert_near, some_points
 
-from solver import joint_rows
-from solver.algebra import cross
-from solver.curvature import jacobian
-from solver.figure import Figure
-from solver.joint_rows import any_point_rows, any_velocity_rows
-from solver.kinematics import Cotangent, Samples, attached_pulled_back
+from solver.figure import joint_rows
+from solver.figure.algebra import cross
+from solver.figure.figure import Figure
+from solver.figure.joint_rows import any_point_rows, any_velocity_rows
+from solver.figure.kinematics import Cotangent, Samples, attached_pulled_back
+from solver.penalty.curvature import jacobian
 from solver.quaternion import Index
 
 

@@ -9,17 +9,17 @@ from test_any_model import figure_of
 from test_kinematics import random_samples
 from test_rows import WOOD, assert_near
 
-from solver import joint_spin
-from solver.algebra import add_at
-from solver.axes import turning
-from solver.curvature import jacobian
-from solver.figure import Figure
-from solver.joint_spin import any_relative_spin_rows
-from solver.joint_wrench import any_wrench_rows
-from solver.kinematics import Cotangent, Samples
+from solver.figure import joint_spin
+from solver.figure.algebra import add_at
+from solver.figure.axes import turning
+from solver.figure.figure import Figure
+from solver.figure.jacobian_rows import Pushes
+from solver.figure.joint_spin import any_relative_spin_rows
+from solver.figure.joint_wrench import any_wrench_rows
+from solver.figure.kinematics import Cotangent, Samples
+from solver.figure.wrench import RootWrench
+from solver.penalty.curvature import jacobian
 from solver.quaternion import Array, Index
-from solver.rows import Pushes
-from solver.wrench import RootWrench
 
 SEEDS = range(12)
 

@@ -18,7 +18,7 @@ from runner.clip import Clip
 from runner.progress import Teller
 from runner.report import report
 from runner.work import Solved
-from solver.optimiser import Stop
+from solver.search.optimiser import Stop
 
 TETRAHEDRON = "v 0 0 0\nv .1 0 0\nv 0 .1 0\nv 0 0 {}\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"
 MESHED = FIGURE.replace(

@@ -5,9 +5,9 @@ import numpy as np
 import pytest
 from taylor import taylor_slope
 
-from solver.dynamics import velocities
-from solver.figure import Figure
-from solver.kinematics import Cotangent, Samples
+from solver.figure.dynamics import velocities
+from solver.figure.figure import Figure
+from solver.figure.kinematics import Cotangent, Samples
 
 
 def random_samples(figure: Figure, rng: np.random.Generator, count: int = 5) -> Samples:

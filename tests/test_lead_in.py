@@ -11,7 +11,7 @@ from runner import clip, lead_in, motion, thin_files, work
 from runner.progress import Teller
 from runner.scene import compose, figure_spec
 from solver import quaternion as quat
-from solver.subdivision import path_of
+from solver.refine.subdivision import path_of
 
 RATE = 60.0
 HUMAN = mujoco.MjModel.from_xml_string(models.figure_text("human"))

@@ -8,11 +8,11 @@ import pytest
 from conftest import BALL_TREE
 
 import models
-from solver.figure import Figure
-from solver.frame import Frame
-from solver.mirror import Mirror, MirrorError, other_side
-from solver.subdivision import evenly, path_of
-from solver.unknowns import raw_timeline
+from solver.curve.frame import Frame
+from solver.curve.unknowns import raw_timeline
+from solver.edit.mirror import Mirror, MirrorError, other_side
+from solver.figure.figure import Figure
+from solver.refine.subdivision import evenly, path_of
 
 ROBOT = """
 <mujoco><compiler angle="radian"/><worldbody>

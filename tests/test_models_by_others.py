@@ -26,7 +26,7 @@ from runner.progress import Teller
 from runner.scene import compose, figure_spec
 from runner.show import Look, images
 from runner.starter import starter
-from solver.figure import Figure
+from solver.figure.figure import Figure
 
 SUITE, GYM = "dm_control/suite/", "gymnasium/envs/mujoco/assets/"
 ROBOTICS, SUITE_OF_ROBOTS = "gymnasium_robotics/envs/assets/", "robosuite/models/assets/"

@@ -10,9 +10,12 @@ from taylor import taylor_slope
 from test_unknowns import TIMES, mask_without, random_keys
 from walker import FINE, walk, walker
 
-from solver.figure import Figure
-from solver.frame import Frame, Timeline
-from solver.kinematics import Cotangent, Samples
+from solver.curve.frame import Frame, Timeline
+from solver.curve.quadrature import Quadrature, gauss_nodes
+from solver.curve.spline import Path
+from solver.curve.unknowns import raw_timeline
+from solver.figure.figure import Figure
+from solver.figure.kinematics import Cotangent, Samples
 from solver.objective import LEAST_TYPICAL, MOST_OF_TIME, RUN, SMALL_SHARE, VIOLENT, Objective
 from solver.penalty import (
     Bend,
@@ -25,11 +28,8 @@ from solver.penalty import (
     Torque,
     UnitMagnitude,
 )
-from solver.quadrature import Quadrature, gauss_nodes
-from solver.spline import Path
-from solver.subdivision import evenly, path_of
+from solver.refine.subdivision import evenly, path_of
 from solver.surface import Box, Plane
-from solver.unknowns import raw_timeline
 
 ONE_HINGE = '<mujoco><worldbody><body><joint axis="0 1 0"/><geom size=".1"/></body></worldbody></mujoco>'
 SURFACES = (

@@ -27,7 +27,7 @@ from runner.paper_figures.charts import Deviations, Lengths, draw_deviations, dr
 from runner.paper_figures.drawing import FIGURES, Results, check_folder
 from runner.paper_figures.scenes import Dip, inset, keyframes_and_sample, looked_at
 from runner.progress import Teller
-from solver.euler_lagrange import covariant_residual
+from solver.refine.euler_lagrange import covariant_residual
 
 RAYS = Graphics("rays", "renderer: rays")
 STEP_UP = """

@@ -9,8 +9,8 @@ from scipy.spatial.transform import Rotation
 from test_kinematics import random_samples
 from test_penalty_unit import penalty_slope, scaled_like
 
-from solver.figure import Figure
-from solver.kinematics import Cotangent, Samples
+from solver.figure.figure import Figure
+from solver.figure.kinematics import Cotangent, Samples
 from solver.penalty import Bend, BendLimits
 
 LIMB = """

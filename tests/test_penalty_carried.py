@@ -6,8 +6,8 @@ import pytest
 from test_kinematics import random_samples
 from test_penalty_unit import penalty_slope
 
-from solver.figure import Figure
-from solver.kinematics import Cotangent, Samples
+from solver.figure.figure import Figure
+from solver.figure.kinematics import Cotangent, Samples
 from solver.penalty import Contact, Hold, Point, carried_links, covering_points, surfaces_on
 from solver.surface import moving_surface
 

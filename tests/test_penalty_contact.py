@@ -6,8 +6,8 @@ import pytest
 from test_kinematics import random_samples
 from test_penalty_unit import penalty_slope, scaled_like
 
-from solver.figure import Figure
-from solver.kinematics import Cotangent, Samples
+from solver.figure.figure import Figure
+from solver.figure.kinematics import Cotangent, Samples
 from solver.penalty import Contact, Point, body_points, site_points
 from solver.surface import Box, Plane, static_surfaces
 

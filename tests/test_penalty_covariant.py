@@ -6,7 +6,7 @@ from test_kinematics import random_samples
 from test_penalty_unit import penalty_slope, scaled_like
 
 from solver import quaternion as quat
-from solver.kinematics import Cotangent, Samples
+from solver.figure.kinematics import Cotangent, Samples
 from solver.penalty import CovariantAcceleration
 from solver.penalty.covariant import covariant_acceleration
 

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from solver.figure import Figure
+from solver.figure.figure import Figure
 from solver.penalty import cover, covering_points
 from solver.quaternion import Array
 from solver.surface import Ellipsoid, Hull, hull_of

@@ -11,15 +11,15 @@ from test_rhythm import FIGURE, GROUND, PERIOD, SOLES, TIME, WALK, gait
 
 from runner.constraints import Constraints
 from solver import quaternion as quat
-from solver.curvature import Curvature
-from solver.figure import Figure, quaternion_columns
-from solver.frame import Frame
+from solver.curve.frame import Frame
+from solver.curve.unknowns import raw_timeline
+from solver.figure.figure import Figure, quaternion_columns
+from solver.figure.kinematics import Samples
 from solver.inbetween import Settings, inbetween
-from solver.kinematics import Samples
 from solver.penalty import Cycle
-from solver.pose_vectors import HEIGHT
-from solver.stride import Gait
-from solver.unknowns import raw_timeline
+from solver.penalty.curvature import Curvature
+from solver.reading.pose_vectors import HEIGHT
+from solver.reading.stride import Gait
 
 
 @pytest.fixture(params=FIGURES, ids=["human", "human, joints", "fixed balls", "fixed ball and hinge"])

@@ -12,16 +12,16 @@ from test_penalty_unit import penalty_slope, scaled_like
 from test_rows import WOOD
 
 from solver import quaternion as quat
-from solver.figure import Figure
-from solver.frame import Frame
+from solver.curve.frame import Frame
+from solver.figure.figure import Figure
+from solver.figure.jacobian_rows import Pushes
+from solver.figure.kinematics import Cotangent, Samples
+from solver.figure.wrench import RootWrench, height, weight
 from solver.inbetween import Settings, inbetween
-from solver.kinematics import Cotangent, Samples
 from solver.penalty import CovariantAcceleration, Flight, Penalty, RootAcceleration
 from solver.penalty.flight import rows_of_wrench
 from solver.quaternion import Array
-from solver.rows import Pushes
-from solver.subdivision import path_of
-from solver.wrench import RootWrench, height, weight
+from solver.refine.subdivision import path_of
 
 G = 9.81
 BRICK = f"""<mujoco><option gravity="0 0 -{G}"/><worldbody><body><freejoint/>

@@ -6,11 +6,11 @@ from test_kinematics import random_samples
 from test_penalty_planted import at_times
 from test_penalty_unit import penalty_slope, scaled_like
 
-from solver.curvature import Curvature
-from solver.figure import Figure
-from solver.frame import Frame
+from solver.curve.frame import Frame
+from solver.curve.unknowns import raw_timeline
+from solver.figure.figure import Figure
+from solver.figure.kinematics import Samples
 from solver.inbetween import Settings, inbetween
-from solver.kinematics import Samples
 from solver.penalty import (
     Contact,
     CovariantAcceleration,
@@ -20,8 +20,8 @@ from solver.penalty import (
     UnitMagnitude,
     grounded_intervals,
 )
+from solver.penalty.curvature import Curvature
 from solver.surface import Plane
-from solver.unknowns import raw_timeline
 
 UP = np.array([0.0, 0, 1])
 FLOOR = Plane("floor", np.zeros(3), UP)

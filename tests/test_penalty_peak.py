@@ -9,14 +9,14 @@ from test_kinematics import random_samples
 from test_penalty_unit import penalty_slope, scaled_like
 from test_rows import WOOD
 
-from solver.descent import optimised
-from solver.dynamics import velocities
-from solver.figure import Figure
-from solver.kinematics import Samples
+from solver.figure.dynamics import velocities
+from solver.figure.figure import Figure
+from solver.figure.kinematics import Samples
 from solver.objective import Objective
 from solver.penalty import CovariantAcceleration, PeakAcceleration, UnitMagnitude
 from solver.quaternion import Array
-from solver.subdivision import evenly, path_of
+from solver.refine.subdivision import evenly, path_of
+from solver.search.descent import optimised
 
 
 def sizes(samples: Samples) -> Array:

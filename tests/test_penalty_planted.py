@@ -6,12 +6,12 @@ import pytest
 from test_kinematics import random_samples
 from test_penalty_unit import penalty_slope, scaled_like
 
-from solver.figure import Figure
-from solver.frame import Frame
-from solver.kinematics import Cotangent, Samples
+from solver.curve.frame import Frame
+from solver.curve.unknowns import raw_timeline
+from solver.figure.figure import Figure
+from solver.figure.kinematics import Cotangent, Samples
 from solver.penalty import Planted, Point, Stance, stances
 from solver.surface import Plane
-from solver.unknowns import raw_timeline
 
 FLOOR = Plane("floor", np.zeros(3), np.array([0.0, 0, 1]))
 FOOT = Point("foot", 1, np.array([0.0, 0, -0.5]), 0.1)

@@ -9,12 +9,12 @@ from test_penalty_unit import penalty_slope, scaled_like
 
 import models
 from solver import quaternion as quat
-from solver.curvature import Curvature
-from solver.figure import Figure, JointKind
-from solver.frame import Frame
+from solver.curve.frame import Frame
+from solver.figure.figure import Figure, JointKind
+from solver.figure.kinematics import Samples
 from solver.inbetween import Settings, inbetween
-from solver.kinematics import Samples
 from solver.penalty import CovariantAcceleration, Posture, RootAcceleration, UnitMagnitude
+from solver.penalty.curvature import Curvature
 
 CHAIN = (
     '<mujoco><worldbody><body><joint type="ball"/><geom size=".1" pos="0 0 .2"/><body pos="0 0 .4"><joint type="{}"/>'

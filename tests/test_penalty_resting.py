@@ -6,13 +6,13 @@ from test_kinematics import random_samples
 from test_penalty_planted import at_times
 from test_penalty_unit import penalty_slope
 
-from solver.curvature import Curvature
-from solver.figure import Figure
-from solver.frame import Frame
+from solver.curve.frame import Frame
+from solver.figure.figure import Figure
+from solver.figure.kinematics import Samples
 from solver.inbetween import Settings, inbetween
-from solver.kinematics import Samples
 from solver.penalty import CovariantAcceleration, Point, Rest, Resting, RootAcceleration, UnitMagnitude
 from solver.penalty.contact import point_gradients, velocity_gradients
+from solver.penalty.curvature import Curvature
 from solver.penalty.resting import SETTLING
 from solver.surface import Plane
 

@@ -4,7 +4,7 @@ import numpy as np
 from test_kinematics import random_samples
 from test_penalty_unit import penalty_slope
 
-from solver.kinematics import Cotangent
+from solver.figure.kinematics import Cotangent
 from solver.penalty import RootAcceleration
 
 

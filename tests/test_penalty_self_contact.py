@@ -19,8 +19,8 @@ from runner import clip, work
 from runner.penetration import self_penetration
 from runner.progress import Teller
 from runner.report import report, tables
-from solver.figure import Figure
-from solver.kinematics import Cotangent, Samples
+from solver.figure.figure import Figure
+from solver.figure.kinematics import Cotangent, Samples
 from solver.penalty import SelfContact
 from solver.penalty.self_contact import NEAR, nearest_on_segments
 

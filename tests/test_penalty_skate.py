@@ -6,16 +6,16 @@ import pytest
 from test_kinematics import random_samples
 from test_penalty_unit import penalty_slope, scaled_like
 
-from solver.curvature import Curvature
-from solver.figure import Figure
-from solver.frame import Frame, Timeline
+from solver.curve.frame import Frame, Timeline
+from solver.curve.unknowns import raw_timeline
+from solver.figure.figure import Figure
+from solver.figure.kinematics import Samples
 from solver.inbetween import Settings, inbetween
-from solver.kinematics import Samples
 from solver.penalty import Contact, CovariantAcceleration, Point, RootAcceleration, Skate, UnitMagnitude
 from solver.penalty.contact import velocity_gradients
+from solver.penalty.curvature import Curvature
 from solver.penalty.skate import LONG, Bound
 from solver.surface import Box, Plane
-from solver.unknowns import raw_timeline
 
 UP = np.array([0.0, 0, 1])
 TILTED = np.array([0.0, 0.6, 0.8])

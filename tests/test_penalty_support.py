@@ -13,11 +13,11 @@ from test_penalty_unit import penalty_slope, scaled_like
 from test_rows import WOOD
 
 from solver.cone import projection
-from solver.figure import Figure
-from solver.kinematics import Cotangent, Samples
+from solver.figure.figure import Figure
+from solver.figure.kinematics import Cotangent, Samples
+from solver.figure.wrench import RootWrench
 from solver.penalty import Flight, Footing, Point, Support
 from solver.penalty.support import friction_edges
-from solver.wrench import RootWrench
 
 UP = np.array([0.0, 0, 1])
 TABLE = """<mujoco><option gravity="0 0 -10"/><worldbody><body pos="0 0 1"><freejoint/>

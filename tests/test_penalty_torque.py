@@ -7,8 +7,8 @@ from test_dynamics import mujoco_forces
 from test_kinematics import random_samples
 from test_penalty_unit import penalty_slope, scaled_like
 
-from solver.figure import Figure
-from solver.kinematics import Samples
+from solver.figure.figure import Figure
+from solver.figure.kinematics import Samples
 from solver.penalty import Torque
 
 

@@ -12,8 +12,8 @@ from runner.clip_mirror import mirrored_tables
 from runner.errors import UserError
 from runner.feet import sole_points
 from runner.places import Places, posable_sites
-from solver.figure import Figure
-from solver.mirror import Mirror
+from solver.edit.mirror import Mirror
+from solver.figure.figure import Figure
 
 LEG = """<body name="{side}_thigh" pos="0 {y} 0"><joint name="{side}_hip_x" axis="1 0 0" range="-60 60"/>
   <joint name="{side}_hip_y" axis="0 1 0" range="-120 90"/><geom type="capsule" size=".03" fromto="0 0 0 0 0 -.3"/>

@@ -19,7 +19,7 @@ from runner.errors import UserError
 from runner.progress import Teller
 from runner.report import report
 from solver import quaternion as quat
-from solver.frame import Frame
+from solver.curve.frame import Frame
 from solver.penalty import Placement
 from solver.posing import MET
 

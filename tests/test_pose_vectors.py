@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from solver import quaternion as quat
-from solver.pose_vectors import Heading
 from solver.quaternion import Array
+from solver.reading.pose_vectors import Heading
 
 
 def facing(angles: Array) -> Array:

@@ -17,9 +17,9 @@ from runner.constraints import posing_bends
 from runner.feet import sole_points
 from solver import posing
 from solver import quaternion as quat
-from solver.figure import Figure, JointKind, quaternion_columns
-from solver.frame import Mask
-from solver.kinematics import Samples
+from solver.curve.frame import Mask
+from solver.figure.figure import Figure, JointKind, quaternion_columns
+from solver.figure.kinematics import Samples
 from solver.penalty import Bend, BendLimits, Point, site_points
 from solver.penalty.bend import bent
 from solver.posing import MET, STARTS, BodyGoal, Goal, PointGoal, Posed, SiteGoal, chain, entries, posed

@@ -5,15 +5,15 @@ import numpy as np
 import pytest
 from test_objective import clip
 
-from solver.descent import Descent
-from solver.figure import Figure
-from solver.frame import Frame
-from solver.model import Layout, Model
+from solver.curve.frame import Frame
+from solver.curve.unknowns import raw_timeline
+from solver.figure.figure import Figure
 from solver.objective import Discretised, Objective
 from solver.penalty import CovariantAcceleration, RootAcceleration
-from solver.preconditioner import Preconditioner
-from solver.subdivision import evenly, path_of
-from solver.unknowns import raw_timeline
+from solver.refine.subdivision import evenly, path_of
+from solver.search.descent import Descent
+from solver.search.preconditioner import Preconditioner
+from solver.search.quadratic import Layout, Model
 
 ENDS = ["free", "clamped", "periodic"]
 

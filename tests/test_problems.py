@@ -22,9 +22,9 @@ from runner.penetration import penetration
 from runner.problems import Problem
 from runner.progress import Teller
 from solver import quaternion as quat
-from solver.frame import Frame, Timeline
-from solver.optimiser import Stop
-from solver.subdivision import path_of
+from solver.curve.frame import Frame, Timeline
+from solver.refine.subdivision import path_of
+from solver.search.optimiser import Stop
 
 REST = '\n[[keyframe]]\ntime = {}\nothers = "rest"\n'
 HIGH = REST + "root.position = [0, 0, 3]\n"  # above all floors

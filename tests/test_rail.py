@@ -18,10 +18,10 @@ from runner import clip, work
 from runner.motion import sampled
 from runner.penetration import penetration
 from runner.progress import Teller
-from solver.curvature import Curvature, Sides
-from solver.figure import Figure
-from solver.kinematics import Samples
+from solver.figure.figure import Figure
+from solver.figure.kinematics import Samples
 from solver.penalty import Contact, Together, UnitMagnitude, covering_points
+from solver.penalty.curvature import Curvature, Sides
 from solver.quaternion import Array
 from solver.surface import Capsule, Ellipsoid, Sphere
 

@@ -10,17 +10,17 @@ from test_gauss_newton import problem_of
 from test_preconditioner import discretised
 
 from runner.clip import load
-from solver.descent import NEWTON, Descent
-from solver.figure import Figure
-from solver.frame import Frame
-from solver.gauss_newton import gauss_newton
+from solver.curve.frame import Frame
+from solver.curve.unknowns import raw_timeline
+from solver.figure.figure import Figure
 from solver.inbetween import Motion, inbetween
 from solver.objective import Discretised, Objective
-from solver.optimiser import METHODS, Stop, StopSearch
 from solver.penalty import CovariantAcceleration
-from solver.refinement import refined
-from solver.subdivision import evenly, path_of
-from solver.unknowns import raw_timeline
+from solver.refine.subdivision import evenly, path_of
+from solver.search.descent import NEWTON, Descent
+from solver.search.newton import gauss_newton
+from solver.search.optimiser import METHODS, Stop, StopSearch
+from solver.search.refinement import refined
 
 TWO_BALLS = """
 <mujoco><worldbody><body><joint type="ball"/><geom size=".1" pos="0 0 -.3"/>

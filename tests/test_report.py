@@ -17,8 +17,8 @@ from runner.motion import sampled
 from runner.progress import Teller
 from runner.report import Grid, _far_from_trouble, report, tables
 from runner.work import Solved
-from solver.descent import optimised
-from solver.subdivision import evenly, path_of
+from solver.refine.subdivision import evenly, path_of
+from solver.search.descent import optimised
 
 FOOT = """
 <mujoco><worldbody>

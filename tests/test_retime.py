@@ -12,12 +12,12 @@ from test_model import TINY, figure_of
 from test_seam import PERIOD, loop
 from test_unknowns import TIMES, random_keys
 
-from solver.figure import Figure
-from solver.frame import Frame, Timeline, TimelineError
-from solver.retime import repeated, retimed, trimmed
-from solver.seam import Seam
-from solver.subdivision import evenly, path_of
-from solver.unknowns import Unknowns, raw_timeline
+from solver.curve.frame import Frame, Timeline, TimelineError
+from solver.curve.seam import Seam
+from solver.curve.unknowns import Unknowns, raw_timeline
+from solver.edit.retime import repeated, retimed, trimmed
+from solver.figure.figure import Figure
+from solver.refine.subdivision import evenly, path_of
 
 FIGURE_OF_A_HOP = figure_of(TINY)
 FIGURE = Figure(mujoco.MjModel.from_xml_string(BALL_TREE))

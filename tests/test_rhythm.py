@@ -9,15 +9,15 @@ from walker import FINE, walk, walker
 from runner.clip_table import PenaltyTable
 from runner.constraints import Constraints
 from solver import quaternion as quat
-from solver.frame import Frame
-from solver.kinematics import Samples
+from solver.curve.frame import Frame
+from solver.curve.unknowns import raw_timeline
+from solver.figure.kinematics import Samples
 from solver.penalty import Cycle
-from solver.pose_vectors import PoseVectors
-from solver.rhythm import Process
-from solver.stride import SLIP, Gait
-from solver.subdivision import path_of
+from solver.reading.pose_vectors import PoseVectors
+from solver.reading.rhythm import Process
+from solver.reading.stride import SLIP, Gait
+from solver.refine.subdivision import path_of
 from solver.surface import Plane
-from solver.unknowns import raw_timeline
 
 PERIOD = 1.1
 GROUND = (Plane("floor", np.zeros(3), np.array([0.0, 0, 1])),)

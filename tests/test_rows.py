@@ -7,13 +7,13 @@ from conftest import BALL_TREE, EVERY_JOINT
 from test_kinematics import random_samples
 from test_penalty_torque import with_armature
 
-from solver.algebra import cross
-from solver.curvature import jacobian
-from solver.dynamics import InverseDynamics
-from solver.figure import Figure
-from solver.kinematics import Cotangent, Samples
+from solver.figure.algebra import cross
+from solver.figure.dynamics import InverseDynamics
+from solver.figure.figure import Figure
+from solver.figure.jacobian_rows import has_moment_rows, has_point_rows, moment_rows, point_rows
+from solver.figure.kinematics import Cotangent, Samples
+from solver.penalty.curvature import jacobian
 from solver.quaternion import Array, Index
-from solver.rows import has_moment_rows, has_point_rows, moment_rows, point_rows
 
 PLAIN = BALL_TREE.replace(' pos=".01 .02 .03"', "")
 
@@ -146,7 +146,7 @@ def test_the_jacobian_of_many_rows_is_that_of_each(closed, rng, monkeypatch):
         cotangent.room("y_d")[:] += weight[rows]
 
     whole = jacobian(samples, at, seeded)
-    monkeypatch.setattr("solver.curvature.ROWS_AT_ONCE", 3)
+    monkeypatch.setattr("solver.penalty.curvature.ROWS_AT_ONCE", 3)
     np.testing.assert_array_equal(jacobian(samples, at, seeded), whole)
     np.testing.assert_array_equal(whole[:, 1], weight)
     assert not whole[:, [0, 2]].any()

@@ -18,11 +18,11 @@ from runner.clip import Clip
 from runner.motion import sampled
 from runner.penetration import Penetration, penetration
 from runner.report import report
-from solver.frame import Frame
+from solver.curve.frame import Frame
+from solver.curve.quadrature import gauss_nodes
 from solver.inbetween import Motion, inbetween
-from solver.optimiser import Stop, StopSearch
-from solver.quadrature import gauss_nodes
-from solver.subdivision import path_of
+from solver.refine.subdivision import path_of
+from solver.search.optimiser import Stop, StopSearch
 
 TEXT = models.clip_text("run_and_step")
 FEET = ("foot", "sole", "shoe", "toe", "heel", "vamp", "ankle", "collar")

@@ -8,10 +8,10 @@ import pytest
 from runner import clip
 from runner.motion import sampled
 from runner.penetration import penetration
+from solver.curve.seam import Seam
+from solver.edit.mirror import Mirror
 from solver.inbetween import Motion, inbetween
-from solver.mirror import Mirror
 from solver.quaternion import Array
-from solver.seam import Seam
 
 PROBLEM = clip.load("run_loop")
 STRIDE, PERIOD = 2.0, 0.74

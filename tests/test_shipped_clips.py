@@ -14,17 +14,17 @@ from runner.clip import Clip
 from runner.motion import sampled, samples_at
 from runner.penetration import penetration, self_penetration
 from runner.problems import problems
-from solver.astray import is_astray
+from solver.curve.seam import Seam, heading_between
+from solver.curve.unknowns import raw_timeline
+from solver.edit.mirror import Mirror
+from solver.figure.kinematics import Samples
 from solver.inbetween import Motion
-from solver.kinematics import Samples
-from solver.mirror import Mirror
 from solver.objective import SMALL_SHARE
 from solver.penalty import BendLimits, Contact, Planted, SelfContact, Stance, Together
 from solver.quaternion import Array
-from solver.seam import Seam, heading_between
-from solver.stride import Gait
-from solver.subdivision import path_of
-from solver.unknowns import raw_timeline
+from solver.reading.stride import Gait
+from solver.refine.subdivision import path_of
+from solver.search.astray import is_astray
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,7 @@ from runner.exchange import formats
 from runner.exchange.imported import imported
 from runner.motion import Saved
 from runner.starter import starter
-from solver.figure import Figure
+from solver.figure.figure import Figure
 from solver.penalty import body_points
 from solver.penalty.contact import MOST_BETWEEN
 

@@ -9,7 +9,7 @@ import pytest
 from runner import clip, work
 from runner.motion import samples_at
 from runner.swings import runs, swings, words
-from solver.subdivision import path_of
+from solver.refine.subdivision import path_of
 
 HOPPER = """<mujoco><worldbody>
   <geom type="plane" size="5 5 .1"/>

@@ -17,7 +17,7 @@ from runner.motion import Saved
 from runner.progress import Teller
 from runner.quantity import length
 from runner.thinning import recorded_of, thinned
-from solver.subdivision import path_of
+from solver.refine.subdivision import path_of
 
 BOUND = (0.02, np.radians(5))
 

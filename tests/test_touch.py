@@ -8,10 +8,10 @@ import numpy as np
 from runner.clip_table import SceneTable
 from runner.obstacle import obstacles
 from runner.scene import Step, compose
-from solver.figure import Figure
+from solver.figure.figure import Figure
 from solver.penalty import body_points, covering_points
 from solver.surface import static_surfaces
-from solver.touch import bolted, counts_all, movers, solids
+from solver.surface.touch import bolted, counts_all, movers, solids
 
 ARM = """
 <mujoco><asset><mesh name="rock" vertex="0 0 0 .1 0 0 0 .1 0 0 0 .1 .1 .1 .1"/></asset>

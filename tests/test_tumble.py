@@ -13,9 +13,9 @@ from runner import clip, work
 from runner.orientations import INTRINSIC, KEYFRAMES, Run, energy
 from runner.progress import Teller
 from runner.work import Solved
-from solver.frame import Frame
-from solver.spline import Path
-from solver.subdivision import path_of
+from solver.curve.frame import Frame
+from solver.curve.spline import Path
+from solver.refine.subdivision import path_of
 
 
 @pytest.fixture(scope="module")

@@ -23,11 +23,11 @@ from runner.rotation import quaternion_of
 from runner.scene import figure_spec
 from runner.thinning import recorded_of
 from solver import quaternion as quat
-from solver.figure import Figure
-from solver.mirror import Mirror
-from solver.seam import Seam
-from solver.subdivision import path_of
-from solver.thin import thin
+from solver.curve.seam import Seam
+from solver.edit.mirror import Mirror
+from solver.edit.thin import thin
+from solver.figure.figure import Figure
+from solver.refine.subdivision import path_of
 
 ENDS = 'frames = 2\nends = "periodic"\n'
 LAST = "root.position = [0.3, 0, 1]\nroot.rotation = {rotvec = [0, 10, 170]}"

@@ -13,7 +13,7 @@ import models
 from runner import clip
 from runner.errors import UserError
 from runner.scene import figure_spec, spec_joint_names
-from solver.figure import joint_names
+from solver.figure.figure import joint_names
 
 MESHED = FIGURE.replace("<worldbody>", '<asset><mesh name="hat" file="nowhere.obj"/></asset><worldbody>', 1)
 NAMELESS = """<mujoco><worldbody><frame pos="0 0 1"><body name="hip"><joint type="hinge"/><joint axis="1 0 0"/>

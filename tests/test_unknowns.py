@@ -9,14 +9,14 @@ from hypothesis import strategies as st
 from scipy.interpolate import CubicSpline
 
 from solver import quaternion as quat
-from solver.figure import Figure, JointKind, quaternion_columns
-from solver.frame import Frame, Timeline, TimelineError
-from solver.kinematics import Samples
+from solver.curve.frame import Frame, Timeline, TimelineError
+from solver.curve.spline import Path, Spline
+from solver.curve.unknowns import Unknowns, raw_timeline
+from solver.figure.figure import Figure, JointKind, quaternion_columns
+from solver.figure.kinematics import Samples
 from solver.objective import Objective
 from solver.penalty import CovariantAcceleration, RootAcceleration, Torque, UnitMagnitude
-from solver.spline import Path, Spline
-from solver.subdivision import evenly, path_of
-from solver.unknowns import Unknowns, raw_timeline
+from solver.refine.subdivision import evenly, path_of
 
 TIMES = [0.0, 0.4, 1.0, 1.3]
 

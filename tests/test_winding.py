@@ -11,10 +11,10 @@ from scipy.spatial.transform import Rotation
 
 import models
 from solver import quaternion as quat
-from solver.figure import Figure
-from solver.frame import Frame
-from solver.unknowns import raw_timeline
-from solver.winding import NEARLY_HALF, signs
+from solver.curve.frame import Frame
+from solver.curve.unknowns import raw_timeline
+from solver.curve.winding import NEARLY_HALF, signs
+from solver.figure.figure import Figure
 
 
 def turned_by(angles: list[float], axis: tuple[float, float, float] = (0, 0, 1)) -> np.ndarray:

@@ -11,19 +11,19 @@ from test_penalty_contact import FLOOR
 from test_unknowns import distance_from_key, mask_without
 
 from solver import quaternion as quat
-from solver.curvature import Curvature
-from solver.frame import Frame, Timeline
+from solver.curve.frame import Frame, Timeline
+from solver.curve.quadrature import Quadrature
+from solver.curve.spline import Path
+from solver.curve.unknowns import raw_timeline
+from solver.figure.kinematics import Cotangent, Samples
 from solver.inbetween import Improvement, Motion, Settings, inbetween
-from solver.kinematics import Cotangent, Samples
 from solver.objective import Objective, segment_integrals
-from solver.optimiser import Stop, StopSearch
 from solver.penalty import Contact, CovariantAcceleration, Penalty, Point, RootAcceleration, UnitMagnitude
-from solver.quadrature import Quadrature
+from solver.penalty.curvature import Curvature
 from solver.quaternion import Array
-from solver.spline import Path
-from solver.subdivision import evenly, path_of
-from solver.unknowns import raw_timeline
-from solver.windows import AHEAD, BEHIND, KEPT, LARGEST, Assembly, Window, is_long, windows
+from solver.refine.subdivision import evenly, path_of
+from solver.refine.windows import AHEAD, BEHIND, KEPT, LARGEST, Assembly, Window, is_long, windows
+from solver.search.optimiser import Stop, StopSearch
 
 SEGMENTS = 20
 FIGURE = figure_of(TINY)
@@ -54,8 +54,8 @@ def long_keys(*, partial: bool = False) -> list[Frame]:
 @pytest.fixture
 def short(monkeypatch: pytest.MonkeyPatch) -> None:
     """Windows of six segments, for any clip."""
-    monkeypatch.setattr("solver.windows.KEPT", 6)
-    monkeypatch.setattr("solver.windows.LARGEST", 0)
+    monkeypatch.setattr("solver.refine.windows.KEPT", 6)
+    monkeypatch.setattr("solver.refine.windows.LARGEST", 0)
 
 
 def fine_value(motion: Motion, path: Path | None = None) -> float:
@@ -94,15 +94,15 @@ def test_long_clips_of_large_figures_are_long_and_loops_never(monkeypatch):
         return is_long(raw_timeline(FIGURE, frames, ends, slope if ends == "clamped" else None))
 
     assert not long(keys)  # few entries
-    monkeypatch.setattr("solver.windows.LARGEST", 0)
+    monkeypatch.setattr("solver.refine.windows.LARGEST", 0)
     assert not long(keys)  # fewer segments than a window
-    monkeypatch.setattr("solver.windows.KEPT", 6)
+    monkeypatch.setattr("solver.refine.windows.KEPT", 6)
     assert long(keys)
     assert long(keys, "clamped")
     assert not long(loop, "periodic")
     assert not long(keys[:11])
     assert long(keys[:12])
-    monkeypatch.setattr("solver.windows.LARGEST", LARGEST)
+    monkeypatch.setattr("solver.refine.windows.LARGEST", LARGEST)
     assert not long(keys)
 
 

@@ -12,8 +12,8 @@ from tiny import CLIP, changed, written
 from runner import clip, work
 from runner.clip import Clip
 from runner.progress import Teller
-from solver.optimiser import Stop
-from solver.subdivision import path_of
+from solver.refine.subdivision import path_of
+from solver.search.optimiser import Stop
 
 
 @pytest.fixture

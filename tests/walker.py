@@ -9,8 +9,8 @@ import numpy as np
 import models
 from runner.feet import sole_points
 from solver import quaternion as quat
-from solver.figure import Figure
-from solver.kinematics import Samples
+from solver.figure.figure import Figure
+from solver.figure.kinematics import Samples
 from solver.penalty import Contact, Point
 
 SWING, BENT, ARMS = 0.4, 0.9, 0.4  # [rad] amplitudes

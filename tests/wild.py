@@ -10,7 +10,7 @@ from runner.motion import Sampled, Saved
 from runner.progress import Teller
 from runner.scene import compose, figure_spec
 from solver import quaternion as quat
-from solver.frame import Frame
+from solver.curve.frame import Frame
 
 FPS = 50.0
 ROBOT = """

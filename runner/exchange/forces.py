@@ -13,15 +13,15 @@ from functools import cached_property
 import mujoco
 import numpy as np
 
-from solver.algebra import cross
-from solver.dynamics import generalised_forces
-from solver.frame import Mask
-from solver.kinematics import Samples
+from solver.curve.frame import Mask
+from solver.figure.algebra import cross
+from solver.figure.dynamics import generalised_forces
+from solver.figure.kinematics import Samples
+from solver.figure.wrench import RootWrench
 from solver.penalty import Support
 from solver.penalty.support import Reactions
 from solver.quaternion import Array, Index
-from solver.subdivision import path_of
-from solver.wrench import RootWrench
+from solver.refine.subdivision import path_of
 
 from .. import clip
 from ..motion import samples_at

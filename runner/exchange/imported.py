@@ -8,7 +8,7 @@ from pathlib import Path
 import mujoco
 import numpy as np
 
-from solver.frame import TimelineError
+from solver.curve.frame import TimelineError
 
 from .. import clip as clips
 from ..motion import Saved

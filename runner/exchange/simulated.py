@@ -24,8 +24,8 @@ from xml.etree import ElementTree
 import mujoco
 import numpy as np
 
-from solver import wrench
-from solver.figure import Figure
+from solver.figure import wrench
+from solver.figure.figure import Figure
 from solver.quaternion import Array
 
 from .. import clip

@@ -8,9 +8,9 @@ from functools import cached_property
 import mujoco
 import numpy as np
 
-from solver.figure import Figure
+from solver.curve.seam import Seam
+from solver.figure.figure import Figure
 from solver.quaternion import Array
-from solver.seam import Seam
 
 from ..assets import Assets
 from ..motion import Saved, sampled

@@ -18,7 +18,7 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from solver.frame import Frame
+from solver.curve.frame import Frame
 from solver.inbetween import Improvement, Settings
 from solver.quaternion import Array
 

@@ -15,7 +15,7 @@ from typing import Any
 
 from PIL import Image
 
-from solver.frame import Frame
+from solver.curve.frame import Frame
 
 from .. import clip, work
 from ..errors import UserError

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 
-from solver.frame import Timeline
+from solver.curve.frame import Timeline
 from solver.quaternion import Array
-from solver.subdivision import path_of
+from solver.refine.subdivision import path_of
 
 from ..camera import ANGLES, View, still
 from ..ghost import Ghost

@@ -14,8 +14,8 @@ from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
 import models
-from solver.figure import Figure, FigureError
-from solver.frame import Frame
+from solver.curve.frame import Frame
+from solver.figure.figure import Figure, FigureError
 
 from .. import clip as clips
 from .. import outside

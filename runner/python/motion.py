@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike
 from rich.console import Console
 
 from solver.quaternion import Array
-from solver.subdivision import path_of
+from solver.refine.subdivision import path_of
 
 from .. import clip as clips
 from .. import clip_file, edits, problems, thinning, work

@@ -14,13 +14,13 @@ from functools import cached_property
 import numpy as np
 
 from .. import quaternion as quat
-from ..algebra import cross, gathered
-from ..allowance import Allowance
-from ..curvature import Curvature, Sides, jacobian
-from ..figure import Figure, on_links, quaternion_columns
-from ..frame import Timeline
-from ..kinematics import Cotangent, Samples
+from ..curve.frame import Timeline
+from ..figure.algebra import cross, gathered
+from ..figure.figure import Figure, on_links, quaternion_columns
+from ..figure.kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
+from ..reading.allowance import Allowance
+from .curvature import Curvature, Sides, jacobian
 from .penalty import Scale
 
 NEAR = np.radians(4)  # within which a bound may be passed after one step of the search

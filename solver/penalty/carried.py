@@ -10,9 +10,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from .. import quaternion as quat
-from ..figure import Figure
+from ..figure.figure import Figure
 from ..surface import Surface, moving_surface
-from ..touch import movers
+from ..surface.touch import movers
 from .hold import Hold
 
 

@@ -13,12 +13,12 @@ import mujoco
 import numpy as np
 
 from .. import quaternion as quat
-from ..algebra import applied, dot
-from ..curvature import Curvature, Sides
-from ..figure import Figure
-from ..kinematics import Cotangent, Samples
+from ..figure.algebra import applied, dot
+from ..figure.figure import Figure
+from ..figure.kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
 from .contact import Point, point_gradients
+from .curvature import Curvature, Sides
 from .penalty import Scale
 
 TORQUE_SCALE = 10  # of a weld's numbers: nought leaves rotations alone

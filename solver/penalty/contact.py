@@ -15,18 +15,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import quaternion as quat
-from ..algebra import applied, dot
-from ..allowance import Allowance
-from ..curvature import Curvature, Sides
-from ..figure import Figure, JointKind
-from ..frame import Mask, Timeline
-from ..joint_rows import any_point_rows, any_velocity_rows
-from ..kinematics import Cotangent, Samples, attached_pulled_back
-from ..naming import geom_name
+from ..curve.frame import Mask, Timeline
+from ..figure.algebra import applied, dot
+from ..figure.figure import Figure, JointKind
+from ..figure.jacobian_rows import has_point_rows, point_rows, velocity_rows
+from ..figure.joint_rows import any_point_rows, any_velocity_rows
+from ..figure.kinematics import Cotangent, Samples, attached_pulled_back
+from ..figure.naming import geom_name
 from ..quaternion import Array, Index
-from ..rows import has_point_rows, point_rows, velocity_rows
+from ..reading.allowance import Allowance
 from ..surface import Surface
-from ..touch import movers
+from ..surface.touch import movers
+from .curvature import Curvature, Sides
 from .penalty import Scale
 
 NEAR = 0.03  # [m] within which a point may touch after one step of the search

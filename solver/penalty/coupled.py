@@ -14,10 +14,10 @@ import mujoco
 import numpy as np
 from numpy.polynomial.polynomial import polyder, polyval
 
-from ..curvature import Curvature, Sides
-from ..figure import Figure
-from ..kinematics import Cotangent, Samples
+from ..figure.figure import Figure
+from ..figure.kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
+from .curvature import Curvature, Sides
 from .penalty import Scale
 
 

@@ -11,10 +11,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..algebra import dot
-from ..curvature import Curvature, Sides
-from ..kinematics import Cotangent, Samples
+from ..figure.algebra import dot
+from ..figure.kinematics import Cotangent, Samples
 from ..quaternion import Array
+from .curvature import Curvature, Sides
 from .penalty import Scale
 
 

@@ -12,11 +12,11 @@ import mujoco
 import numpy as np
 
 from .. import quaternion as quat
-from ..figure import Figure
-from ..naming import geom_name
+from ..figure.figure import Figure
+from ..figure.naming import geom_name
 from ..quaternion import Array
 from ..surface import hull_of
-from ..touch import movers
+from ..surface.touch import movers
 from .contact import Point, mesh_vertices
 
 GAP = 0.001  # [m] by which something straight may dip in between two spheres

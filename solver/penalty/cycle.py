@@ -12,15 +12,15 @@ from functools import cached_property, lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from ..algebra import add_at, applied, conjugated, cross, dot, hamilton, vector_product
-from ..curvature import Curvature, Sides, jacobian
-from ..figure import Figure
-from ..frame import Frame, Timeline
-from ..kinematics import Cotangent, Samples
-from ..pose_vectors import HEIGHT
+from ..curve.frame import Frame, Timeline
+from ..curve.spline import Path, spline_of
+from ..figure.algebra import add_at, applied, conjugated, cross, dot, hamilton, vector_product
+from ..figure.figure import Figure
+from ..figure.kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
-from ..rhythm import Rhythm
-from ..spline import Path, spline_of
+from ..reading.pose_vectors import HEIGHT
+from ..reading.rhythm import Rhythm
+from .curvature import Curvature, Sides, jacobian
 from .penalty import Guide, Scale
 from .posture import apart
 

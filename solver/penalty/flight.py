@@ -9,14 +9,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..curvature import Curvature, Sides
-from ..figure import Figure
-from ..frame import Mask
-from ..joint_wrench import any_wrench_rows
-from ..kinematics import Cotangent, Samples
+from ..curve.frame import Mask
+from ..figure.figure import Figure
+from ..figure.jacobian_rows import Pushes, has_moment_rows, wrench_rows
+from ..figure.joint_wrench import any_wrench_rows
+from ..figure.kinematics import Cotangent, Samples
+from ..figure.wrench import RootWrench, height, weight
 from ..quaternion import Array
-from ..rows import Pushes, has_moment_rows, wrench_rows
-from ..wrench import RootWrench, height, weight
+from .curvature import Curvature, Sides
 from .penalty import Scale
 
 A_TENTH = 0.01  # a tenth of the weight, squared

@@ -12,12 +12,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..figure import Figure
-from ..frame import Mask, Timeline
-from ..kinematics import Samples
+from ..curve.frame import Mask, Timeline
+from ..figure.figure import Figure
+from ..figure.kinematics import Samples
+from ..figure.wrench import RootWrench
 from ..quaternion import Array
 from ..surface import Plane, Surface
-from ..wrench import RootWrench
 from .contact import Contact, Point, placed
 from .planted import NEAR_SURFACE, Stance
 from .resting import Rest

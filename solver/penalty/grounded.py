@@ -12,13 +12,13 @@ from functools import cached_property
 
 import numpy as np
 
-from ..curvature import Curvature, Sides
-from ..figure import Figure
-from ..frame import Timeline
-from ..kinematics import Cotangent, Samples
+from ..curve.frame import Timeline
+from ..figure.figure import Figure
+from ..figure.kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
 from ..surface import Surface
 from .contact import Contact, Point, arrays_of, heights, point_gradients, ways_up
+from .curvature import Curvature, Sides
 from .penalty import Scale
 
 TOUCHING = 0.05  # [m] that the lowest point of a keyframe on the ground may be over it

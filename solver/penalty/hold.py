@@ -11,11 +11,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..algebra import applied, cross, dot
-from ..curvature import Curvature, Sides
-from ..kinematics import Cotangent, Samples
+from ..figure.algebra import applied, cross, dot
+from ..figure.kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
 from .contact import Point, add_by_velocity, point_gradients, velocity_gradients
+from .curvature import Curvature, Sides
 from .penalty import Scale
 from .resting import SETTLING
 

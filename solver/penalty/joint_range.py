@@ -12,13 +12,13 @@ from functools import cached_property
 
 import numpy as np
 
-from ..algebra import add_at, dot, hamilton, vector_product
-from ..allowance import Allowance
-from ..curvature import Curvature, Sides, jacobian
-from ..figure import Figure, JointKind, quaternion_columns
-from ..frame import Timeline
-from ..kinematics import Cotangent, Samples
+from ..curve.frame import Timeline
+from ..figure.algebra import add_at, dot, hamilton, vector_product
+from ..figure.figure import Figure, JointKind, quaternion_columns
+from ..figure.kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
+from ..reading.allowance import Allowance
+from .curvature import Curvature, Sides, jacobian
 from .penalty import Scale
 
 NEAR = {JointKind.BALL: np.radians(4), JointKind.HINGE: np.radians(4), JointKind.SLIDE: 0.03}

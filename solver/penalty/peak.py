@@ -9,13 +9,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..algebra import add_at
-from ..curvature import Curvature, Sides
-from ..figure import JointKind
-from ..joint_spin import any_relative_spin_rows
-from ..kinematics import Cotangent, Samples
+from ..figure.algebra import add_at
+from ..figure.figure import JointKind
+from ..figure.jacobian_rows import relative_spin_rows
+from ..figure.joint_spin import any_relative_spin_rows
+from ..figure.kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
-from ..rows import relative_spin_rows
+from .curvature import Curvature, Sides
 from .penalty import Scale
 
 POWER = 4

@@ -12,10 +12,10 @@ from typing import Protocol
 
 import numpy as np
 
-from ..curvature import Curvature, Sides, add_differences
-from ..frame import Timeline
-from ..kinematics import Cotangent, Samples
+from ..curve.frame import Timeline
+from ..figure.kinematics import Cotangent, Samples
 from ..quaternion import Array
+from .curvature import Curvature, Sides, add_differences
 
 
 @dataclass(frozen=True)

@@ -10,11 +10,11 @@ from functools import cached_property
 
 import numpy as np
 
-from ..algebra import applied, dot
-from ..curvature import Curvature, Sides
-from ..kinematics import Cotangent, Samples
+from ..figure.algebra import applied, dot
+from ..figure.kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
 from .contact import Point, point_gradients
+from .curvature import Curvature, Sides
 from .penalty import Momentary, Scale
 
 

@@ -11,14 +11,14 @@ from functools import cached_property
 
 import numpy as np
 
-from ..algebra import applied, dot
-from ..curvature import Curvature, Sides
-from ..figure import Figure
-from ..frame import Timeline
-from ..kinematics import Cotangent, Samples
+from ..curve.frame import Timeline
+from ..figure.algebra import applied, dot
+from ..figure.figure import Figure
+from ..figure.kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
 from ..surface import Surface
 from .contact import Contact, Point, placed, point_gradients
+from .curvature import Curvature, Sides
 from .penalty import Scale
 
 NEAR_SURFACE = 0.012

@@ -12,11 +12,11 @@ from functools import lru_cache
 
 import numpy as np
 
-from ..algebra import add_at, cross, vector_product
-from ..curvature import Curvature, Sides, jacobian
-from ..figure import Figure, JointKind
-from ..kinematics import Cotangent, Samples
+from ..figure.algebra import add_at, cross, vector_product
+from ..figure.figure import Figure, JointKind
+from ..figure.kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
+from .curvature import Curvature, Sides, jacobian
 from .penalty import Scale
 
 

@@ -9,12 +9,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..algebra import cross, dot
-from ..curvature import Curvature, Sides
-from ..kinematics import Cotangent, Samples
+from ..figure.algebra import cross, dot
+from ..figure.kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
 from ..surface import Surface
 from .contact import Point, add_by_velocity, height_over, point_gradients, velocity_gradients
+from .curvature import Curvature, Sides
 from .penalty import Scale
 
 SETTLING = 0.05  # [s]: a speed counts like the way it makes in so long

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..curvature import Curvature, Sides
-from ..kinematics import Cotangent, Samples
+from ..figure.kinematics import Cotangent, Samples
 from ..quaternion import Array
+from .curvature import Curvature, Sides
 from .penalty import Scale
 
 

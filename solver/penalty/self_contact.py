@@ -17,14 +17,14 @@ import mujoco
 import numpy as np
 
 from .. import quaternion as quat
-from ..algebra import cross, dot
-from ..curvature import Curvature, Sides
-from ..figure import Figure
-from ..kinematics import Cotangent, Samples
+from ..figure.algebra import cross, dot
+from ..figure.figure import Figure
+from ..figure.kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
-from ..touch import movers
+from ..surface.touch import movers
 from .contact import point_gradients
 from .cover import filling_spheres
+from .curvature import Curvature, Sides
 from .penalty import Scale
 
 NEAR = 0.03  # [m] within which capsules may touch after one step of the search

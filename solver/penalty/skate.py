@@ -11,14 +11,14 @@ from functools import cached_property
 
 import numpy as np
 
-from ..algebra import cross, dot
-from ..curvature import Curvature, Sides
-from ..figure import Figure
-from ..frame import Timeline
-from ..kinematics import Cotangent, Samples, attached_pulled_back
+from ..curve.frame import Timeline
+from ..figure.algebra import cross, dot
+from ..figure.figure import Figure
+from ..figure.kinematics import Cotangent, Samples, attached_pulled_back
 from ..quaternion import Array, Index
 from ..surface import Surface
 from .contact import Contact, Point, arrays_of, height_over, placed, velocity_gradients
+from .curvature import Curvature, Sides
 from .penalty import Scale
 
 NEGLIGIBLE = 1e-3  # of the weight: higher up a point is free

@@ -13,15 +13,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..algebra import applied, cross
 from ..cone import Unsupplied, projection, unsupplied
-from ..curvature import Curvature, Sides
-from ..figure import Figure
-from ..frame import Mask
-from ..kinematics import Cotangent, Samples
+from ..curve.frame import Mask
+from ..figure.algebra import applied, cross
+from ..figure.figure import Figure
+from ..figure.jacobian_rows import Pushes
+from ..figure.kinematics import Cotangent, Samples
+from ..figure.wrench import RootWrench, height, weight
 from ..quaternion import Array, Index
-from ..rows import Pushes
-from ..wrench import RootWrench, height, weight
+from .curvature import Curvature, Sides
 from .flight import A_TENTH, rows_of_wrench, within
 from .footing import Footing, Interval
 from .penalty import Scale

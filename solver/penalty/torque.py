@@ -6,12 +6,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..algebra import add_at, cross, dot
-from ..curvature import Curvature, Sides, jacobian
-from ..dynamics import InverseDynamics
-from ..kinematics import Cotangent, Samples
+from ..figure.algebra import add_at, cross, dot
+from ..figure.dynamics import InverseDynamics
+from ..figure.jacobian_rows import has_moment_rows, moment_rows
+from ..figure.kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
-from ..rows import has_moment_rows, moment_rows
+from .curvature import Curvature, Sides, jacobian
 from .penalty import Scale
 
 

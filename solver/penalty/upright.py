@@ -12,13 +12,13 @@ from functools import cached_property
 
 import numpy as np
 
-from ..algebra import applied, dot
-from ..curvature import Curvature, Sides
-from ..figure import Figure, quaternion_columns
-from ..frame import Timeline
-from ..kinematics import Cotangent, Samples
+from ..curve.frame import Timeline
+from ..figure.algebra import applied, dot
+from ..figure.figure import Figure, quaternion_columns
+from ..figure.kinematics import Cotangent, Samples
 from ..quaternion import Array, Index
 from .contact import point_gradients
+from .curvature import Curvature, Sides
 from .penalty import Momentary, Scale
 
 

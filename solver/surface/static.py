@@ -7,9 +7,9 @@ from dataclasses import replace
 import mujoco
 import numpy as np
 
-from .. import touch
-from ..naming import geom_name
+from ..figure.naming import geom_name
 from ..quaternion import Array, Index
+from . import touch
 from .box import Box
 from .capsule import Capsule, Sphere
 from .cylinder import Cylinder

@@ -14,7 +14,7 @@ from fuzz.mangle import Rng, mangled_text
 
 from runner.clip_text import written
 from runner.constraints import KINDS as PENALTIES
-from solver.optimiser import METHODS
+from solver.search.optimiser import METHODS
 
 MODEL = """
 <mujoco model="rich">

@@ -24,12 +24,12 @@ from runner.exactness import keyframe_error
 from runner.progress import Teller
 from solver import Frame
 from solver import quaternion as quat
-from solver.descent import NEWTON
-from solver.figure import Figure, JointKind
-from solver.judgement import common_grid
-from solver.optimiser import METHODS
+from solver.figure.figure import Figure, JointKind
 from solver.quaternion import Array
-from solver.subdivision import path_of
+from solver.refine.subdivision import path_of
+from solver.search.descent import NEWTON
+from solver.search.judgement import common_grid
+from solver.search.optimiser import METHODS
 
 CLIPS = ("sit_down", "walk_loop", "run_loop", "cartwheel", "tumble", "run_and_step", "stairs")
 EVALUATIONS = (1, 2, 5, 20, 60)

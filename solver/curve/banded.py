@@ -1,0 +1,60 @@
+"""Banded matrices, by LAPACK: Cholesky's factor of symmetric ones, solves with it or with one side of it; tridiagonals.
+
+The storage of symmetric ones is LAPACK's lower one, turned round to be in C's order: row i of `band` (n, width) holds
+the entries of column i from the diagonal down.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.linalg import get_blas_funcs, get_lapack_funcs
+
+from ..quaternion import Array
+
+_PBTRF, _PBTRS, _TBTRS = get_lapack_funcs(("pbtrf", "pbtrs", "tbtrs"))
+_GTTRF, _GTTRS = get_lapack_funcs(("gttrf", "gttrs"))
+(_SYRK,) = get_blas_funcs(("syrk",))
+
+
+def factored(band: Array) -> Array | None:
+    """L of L Lᵀ = A, in the memory of `band` (n, width); None if A is not positive."""
+    factor, info = _PBTRF(np.ascontiguousarray(band).T, lower=1, overwrite_ab=1)
+    return factor.T if info == 0 else None
+
+
+def solved(factor: Array, right: Array) -> Array:
+    """A⁻¹ b of right sides (n, m)."""
+    return _PBTRS(factor.T, right, lower=1)[0]
+
+
+def half_solved(factor: Array, right: Array) -> Array:
+    """L⁻¹ b of right sides (n, m)."""
+    return _TBTRS(factor.T, right, uplo=b"L")[0]
+
+
+def other_half_solved(factor: Array, right: Array) -> Array:
+    """L⁻ᵀ b of right sides (n, m)."""
+    return _TBTRS(factor.T, right, uplo=b"L", trans=b"T")[0]
+
+
+def squared(rows: Array) -> Array:
+    """RᵀR of R (k, n), its upper triangle; zeros below."""
+    return _SYRK(1.0, rows.T, lower=1).T
+
+
+class Tridiagonal:
+    """The factor of a matrix of three diagonals, lower (n − 1,), diagonal (n,), upper (n − 1,), n > 2."""
+
+    def __init__(self, lower: Array, diagonal: Array, upper: Array) -> None:
+        *self.factor, info = _GTTRF(lower, diagonal, upper)
+        if info != 0:
+            raise ArithmeticError("a tridiagonal matrix has no inverse")
+
+    @property
+    def size(self) -> int:
+        """How many numbers the factor holds."""
+        return sum(part.size for part in self.factor)
+
+    def solved(self, right: Array, *, transposed: bool = False) -> Array:
+        """A⁻¹ b or A⁻ᵀ b of right sides (n, m)."""
+        return np.ascontiguousarray(_GTTRS(*self.factor, right, trans="T" if transposed else "N")[0])

@@ -1,0 +1,172 @@
+"""Two motions made one: the second is moved to where the first goes on, and a transition between them is an in-between.
+
+The transition takes over y, y' and y'' at both its ends. So the C² spline through the frames of all three is each
+motion's own curve in its own time: a cubic spline through given states is told by the slopes at its ends.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .. import quaternion as quat
+from ..curve.frame import Frame, Mask, Timeline, TimelineError
+from ..curve.seam import sameness
+from ..curve.unknowns import raw_timeline
+from ..figure.figure import Figure, JointKind
+from ..figure.kinematics import Samples
+from ..quaternion import Array
+from ..refine.subdivision import path_of
+
+LEAST_FRAMES = 4
+UPSIDE_DOWN = 1e-9  # of a sine and a cosine, below which nothing is left but a tilt
+OF_TRUNK = 0.25  # least share of the mass that hangs from a link of the trunk: from feet with toes hangs less
+
+
+@dataclass(frozen=True, eq=False)
+class Placement:
+    """A turn about the vertical and a shift of everything that hangs from free joints.
+
+    turn   (4,) wxyz, about z
+    shift  (3,) [m], after the turn
+    """
+
+    turn: Array
+    shift: Array
+
+    def slopes(self, figure: Figure, rates: Array, coordinates: str | None = None) -> Array:
+        """Derivatives of states (..., N)."""
+        out = rates.copy()
+        for link in figure.links[1:]:
+            if link.kind is JointKind.FREE:
+                columns = slice(link.qpos, link.qpos + 3)
+                out[..., columns] = quat.rotated(self.turn, rates[..., columns])
+        for columns in figure.tables.quaternion_columns.T[_carried(figure, coordinates or figure.coordinates)]:
+            out[..., columns] = quat.product(self.turn, rates[..., columns])
+        return out
+
+    def states(self, figure: Figure, states: Array, coordinates: str | None = None) -> Array:
+        """States (..., N); with coordinates = "joint", configurations qpos."""
+        out = self.slopes(figure, states, coordinates)
+        for columns in figure.tables.position_columns.T:
+            out[..., columns] += self.shift
+        return out
+
+    def timeline(self, figure: Figure, timeline: Timeline) -> Timeline:
+        """The timeline of the moved motion."""
+        frames = Frame.many(timeline.times, self.states(figure, timeline.states), timeline.fixed)
+        return Timeline(tuple(frames), self.slopes(figure, timeline.end_slope), timeline.ends)
+
+
+def _carried(figure: Figure, coordinates: str) -> Mask:
+    """Which quaternions turn along: those of free joints, in world coordinates all that hang from one."""
+    found = []
+    for i in figure.tables.quaternion_links:
+        link = figure.links[i]
+        while coordinates == "world" and figure.tables.in_world[i] and link.parent:
+            link = figure.links[link.parent]
+        found.append(link.kind is JointKind.FREE)
+    return np.array(found, bool)
+
+
+def heading(rotation: Array) -> Array:
+    """(...) [rad] the turn about z in rotation matrices (..., 3, 3): what is left of them without the shortest tilt."""
+    sine, cosine = rotation[..., 1, 0] - rotation[..., 0, 1], rotation[..., 0, 0] + rotation[..., 1, 1]
+    return np.where(np.hypot(sine, cosine) > UPSIDE_DOWN, np.arctan2(sine, cosine), 0.0)
+
+
+def following(figure: Figure, before: Timeline, after: Timeline, duration: float) -> Placement:
+    """Where a motion goes on from another: the trunk's heading, and the way it makes at both motions' mean velocity."""
+    still = Placement(np.array([1.0, 0, 0, 0]), np.zeros(3))
+    roots = figure.tables.position_columns
+    if not roots.size:
+        return still
+    place = roots[:, 0]
+    (end, end_d), (start, start_d) = _side(before, -1), _side(after, 0)
+    turn = quat.from_rotation_vector(_heading_between(figure, start, end) * np.array([0.0, 0.0, 1.0]))
+    pace = (end_d[place] + quat.rotated(turn, start_d[place])) / 2
+    shift = end[place] + pace * duration - quat.rotated(turn, start[place])
+    return Placement(turn, shift * np.array([1.0, 1, 0]))
+
+
+def _heading_between(figure: Figure, start: Array, end: Array) -> float:
+    """[rad] the turn about z from one state (N,) to another: the mean of the trunk's links, for in walking pelvis and
+    chest turn against each other, one way or the other at either step."""
+    rest = figure.to_state(np.array(figure.model.qpos0))
+    states = np.stack([rest, start, end])
+    rotations = np.moveaxis(Samples(figure, states, 0 * states, 0 * states).links.rotation, (2, 3), (0, 1))
+    turned = rotations[:, 1:] @ rotations[:, :1].swapaxes(-1, -2)
+    headings = heading(turned)
+    between = (headings[:, 1] - headings[:, 0])[trunk(figure)]
+    off = between - between[0]  # of the root's own, which may be any number of turns
+    return float(between[0] + np.mean(np.arctan2(np.sin(off), np.cos(off))))
+
+
+def trunk(figure: Figure) -> list[int]:
+    """The first free root, and the links from which limbs branch off and a good share of the mass hangs."""
+    tables = figure.tables
+    root = int(tables.free_links[0])
+    hangs = tables.mass @ tables.path
+    branches = np.bincount(tables.parents[1:], minlength=len(figure.links))
+    forks = (branches > 1) & (tables.path[:, root] > 0) & (hangs > OF_TRUNK * hangs[root])
+    return [root, *(i for i in np.flatnonzero(forks).tolist() if i != root)]
+
+
+def _side(timeline: Timeline, end: int) -> Array:
+    """(2, N) y and y' at the first (0) or the last (-1) frame."""
+    return path_of(timeline).motion(timeline.times[[end]])[:2, 0]
+
+
+def bridge(figure: Figure, before: Timeline, after: Timeline, *, variable: int = LEAST_FRAMES) -> Timeline:
+    """The transition to begin with: y, y', y'' of both sides, variable frames on the quintic between them.
+
+    after  begins later than `before` ends, its quaternions signed as `signed_like` does
+    """
+    if variable < LEAST_FRAMES:
+        raise TimelineError(f"a transition has at least {LEAST_FRAMES} variable frames, not {variable}")
+    first, last = float(before.times[-1]), float(after.times[0])
+    if not first < last:
+        raise TimelineError(f"a transition takes time; it cannot go from {first:g} to {last:g} s")
+    begin = path_of(before).motion(before.times[-1:])[:, 0]
+    end = path_of(after).motion(after.times[:1])[:, 0]
+    times = np.linspace(first, last, variable + 2)
+    states = _quintic(begin, end, (times - first) / (last - first), last - first)
+    fixed = np.zeros(states.shape, bool)
+    fixed[[0, -1]] = True
+    rough = Timeline(tuple(Frame.many(times, states, fixed)), np.array([begin[1], end[1]]), "held")
+    # the frames beside the ends are where y'' wants them
+    spline, rows, beside = path_of(rough).spline, np.array(rough.rows), [1, variable]
+    missing = np.array([begin[2], end[2]]) - path_of(rough).at([first, last], 2)
+    unit = np.zeros((spline.size, 2))
+    unit[beside, [0, 1]] = 1
+    rows[beside] += np.linalg.solve(spline.evaluate(unit, [first, last], 2), missing)
+    return rough.with_rows(rows)
+
+
+def _quintic(begin: Array, end: Array, u: Array, length: float) -> Array:
+    """(S, N) the polynomial of degree 5 with y, y', y'' (3, N) at both ends, at shares u (S,) of its length [s]."""
+    power = u[:, None] ** np.arange(6)
+    ends = np.zeros((6, 6))
+    for order in range(3):
+        for degree in range(order, 6):
+            factor = float(np.prod(np.arange(degree - order + 1, degree + 1)))
+            ends[order, degree] = factor if degree == order else 0.0
+            ends[3 + order, degree] = factor
+    scale = length ** np.arange(3)[:, None]
+    return power @ np.linalg.solve(ends, np.concatenate([begin * scale, end * scale]))
+
+
+def signed_like(figure: Figure, before: Timeline, after: Timeline) -> Timeline:
+    """A motion with signs of its quaternions such that joints turn by the shortest arcs from where another ends."""
+    end, start = before.states[-1], after.states[0]
+    keys = [Frame.key(t, figure.to_qpos(state)) for t, state in ((0.0, end), (1.0, start))]
+    raw = raw_timeline(figure, keys).states
+    signs = sameness(figure, raw[0], end) * sameness(figure, raw[1], start)
+    return after.with_rows(after.rows * signs)
+
+
+def joined(before: Timeline, between: Timeline, after: Timeline) -> Timeline:
+    """One motion of three, each of which begins as the last one ends; the first and the last with free ends."""
+    frames = (*before.frames, *between.frames[1:-1], *after.frames)
+    return Timeline(frames, np.array([before.end_slope[0], after.end_slope[1]]))

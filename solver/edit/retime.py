@@ -1,0 +1,69 @@
+"""Edits of a timeline that keep its curve: played faster or slower, cut to an interval, a loop played several times.
+
+A cubic spline's curve is told by the states at its knots and the slopes at both ends, so each edit moves knots and
+slopes and nothing has to be fitted: what comes out is the same curve to rounding.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..curve.frame import Frame, Timeline, TimelineError
+from ..curve.seam import Seam
+from ..figure.figure import Figure
+from ..quaternion import Array
+from ..refine.subdivision import path_of
+
+SAME_TIME = 1e-9  # [s] a frame so near to a cut is the cut
+
+
+def retimed(timeline: Timeline, speed: float) -> Timeline:
+    """The same path, `speed` times as fast, from the same time on: y(t₀ + (t − t₀) · speed)."""
+    if not (np.isfinite(speed) and speed > 0):
+        raise TimelineError(f"speed must be a number above 0, not {speed:g}")
+    # below a loop's states stand the jumps of y' and y'' at its seam
+    powers = np.array([1, 2]) if timeline.ends == "periodic" else np.ones(2)
+    times = timeline.times[0] + (timeline.times - timeline.times[0]) / speed
+    frames = Frame.many(times, timeline.states, timeline.fixed)
+    return Timeline(tuple(frames), timeline.end_slope * speed ** powers[:, None], timeline.ends)
+
+
+def check_interval(span: tuple[float, float], first: float, last: float) -> None:
+    """Raises TimelineError unless `first` to `last` [s] lies in a motion's span."""
+    if not first < last:
+        raise TimelineError(f"an interval ends after it begins, not from {first:g} to {last:g} s")
+    if first < span[0] - SAME_TIME or last > span[1] + SAME_TIME:
+        raise TimelineError(f"from {first:g} to {last:g} s is not inside {span[0]:g} to {span[1]:g} s")
+
+
+def trimmed(timeline: Timeline, first: float, last: float) -> Timeline:
+    """The part of a timeline from `first` to `last` [s], with free ends; both are keyframes, on the curve."""
+    times = timeline.times
+    check_interval((float(times[0]), float(times[-1])), first, last)
+    near = times[np.abs(times[:, None] - np.array([first, last])).argmin(axis=0)]
+    edges = np.where(np.abs(near - np.array([first, last])) <= SAME_TIME, near, [first, last])
+    path = path_of(timeline)
+    kept = [frame for frame in timeline.frames if edges[0] < frame.time < edges[1]]
+    whole = np.ones(timeline.width, bool)
+    begin, end = (Frame(t, path.at(t)[0], whole) for t in edges.tolist())
+    return Timeline((begin, *kept, end), path.at(edges, 1))
+
+
+def repeated(figure: Figure, timeline: Timeline, count: int) -> Timeline:
+    """A loop played `count` times over as one loop, its travel accumulated; at the seams inside stands one frame."""
+    if timeline.ends != "periodic":
+        raise TimelineError(f"only a loop, with ends = 'periodic', can be repeated; these are '{timeline.ends}'")
+    if count < 1:
+        raise TimelineError(f"a loop is played at least once, not {count} times")
+    seam, period = Seam.of(figure, timeline), timeline.times[-1] - timeline.times[0]
+    frames = list(timeline.frames[:1])
+    for number in range(count):
+        states = seam.moved(timeline.states[1:], number)
+        frames += Frame.many(timeline.times[1:] + number * period, states, timeline.fixed[1:])
+    return Timeline(tuple(frames), _jumps(timeline, seam, count), "periodic")
+
+
+def _jumps(timeline: Timeline, seam: Seam, count: int) -> Array:
+    """(2, N): the jumps of y' and y'' from the end of `count` periods to the start; see `Spline`."""
+    start = path_of(timeline).motion(timeline.times[:1])[1:, 0]
+    return seam.linear(start, count) - start

@@ -1,0 +1,370 @@
+"""Thinning: as few keyframes of a recorded motion as keep it within a bound, in the in-between through them.
+
+Keyframes stand at instants of the recording, so every choice of them is a set of instants. Greedy insertion where the
+in-between is furthest off gives one that keeps the bound; then keyframes go that are not missed, and those whose
+neighbours can make up for them from other places, until nothing more goes. The fewest of all would take a search of
+every set: this comes within one of it on short motions. What slides is seen sooner than what passes by a little off:
+hands and feet that stand still are bound more closely while they do, and so have keyframes where they come and go.
+
+The insertion at the worst point is that of U. Ramer (1972), D. Douglas and T. Peucker (1973), for a spline instead of
+a polygon: it runs through all keyframes, so each trial looks at the whole of it near what it changes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence, Set
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..curve.frame import Frame, Mask, Timeline
+from ..curve.seam import Seam
+from ..curve.unknowns import raw_timeline
+from ..figure.figure import Figure, on_links
+from ..figure.kinematics import LinkMotion, States
+from ..penalty.contact import body_points
+from ..quaternion import Array, Index
+from ..refine.subdivision import path_of
+
+InBetween = Callable[[Sequence[Frame]], Timeline]
+
+REACH = 4  # keyframes on either side of a change that a trial looks at: beyond, a spline moves by less than a hundredth
+MARGIN = 3  # more of them that the spline of a trial runs through
+SHARE = 0.5  # of the worst miss: segments that miss by as much get a keyframe in the same round
+NEAR = 3  # keyframes on either side of one that goes, which may move to make up for it
+FIRST_STEP, LEAST_STEP = 0.5, 0.04  # of the way to the next keyframe
+GAIN = 0.98  # a move that leaves more of the breach than this is none
+FINE = 1e-9  # what rounding adds to a miss
+STILL = 0.1  # [m/s]: slower, and the end of a limb stands, as captured feet do that stand
+STANDS = 0.1  # [s] at least; shorter, and it turns round
+CLOSELY = 0.25  # of the bound is what a standing end of a limb may be off
+
+
+@dataclass(frozen=True)
+class Bound:
+    """How far the in-between may be off: distance [m] of any body's origin or site, angle [rad] of any link."""
+
+    distance: float
+    angle: float
+
+    def __post_init__(self) -> None:
+        if not (self.distance > 0 and self.angle > 0):
+            raise ValueError(f"a bound is above 0, not {self.distance:g} m and {self.angle:g} rad")
+
+
+@dataclass(frozen=True)
+class Worst:
+    """The largest miss of one kind: how much [m or rad], at which instant, of what."""
+
+    value: float
+    instant: int
+    name: str
+
+
+@dataclass(frozen=True, eq=False)
+class Recorded:
+    """What is to be kept: configurations qpos (S, nq) at rising times (S,) [s], and the bound."""
+
+    figure: Figure
+    times: Array
+    qpos: Array
+    bound: Bound
+    ends: str = "free"
+    travel: ArrayLike | None = None
+    turn: float | None = None
+
+    @cached_property
+    def points(self) -> tuple[tuple[str, ...], Index, Array]:
+        """What is looked at: names, links (n,), and places (3, n) [m] in the links.
+
+        Origins of the moving bodies, the sites on them, and the tips of limbs that end without a site.
+        """
+        figure, model = self.figure, self.figure.model
+        names = [model.body(i).name or f"body {i}" for i in range(model.nbody)]
+        found = [(names[i], figure.point_on_link(i, np.zeros(3))) for i in range(1, model.nbody)]
+        for i in range(model.nsite):
+            place = figure.point_on_link(int(model.site_bodyid[i]), model.site_pos[i])
+            found.append((model.site(i).name or f"site {i} of {names[model.site_bodyid[i]]}", place))
+        moving = [(name, link, place) for name, (link, place) in found if link]
+        moving += tips(figure, {int(model.site_bodyid[i]) for i in range(model.nsite)})
+        called, links, places = zip(*moving, strict=True)
+        return called, np.array(links, np.intp), np.array(places).T
+
+    @cached_property
+    def _weights(self) -> Array:
+        _, links, places = self.points
+        return on_links(places, links, len(self.figure.links))
+
+    def _seen(self, states: Array) -> tuple[Array, Array]:
+        """Where the points are (3, n, S) and how the links are turned (4, L, S), unit, of states (S, N)."""
+        links = LinkMotion(States(self.figure, states, states, states))
+        turned = links.Q / np.sqrt(links.length_squared)
+        return links.x.take(self.points[1], axis=1) + links.fixed(self._weights), turned
+
+    @cached_property
+    def _own(self) -> tuple[Array, Array]:
+        return self._seen(self.figure.to_state(self.qpos))
+
+    @cached_property
+    def stands(self) -> Mask:
+        """(n, S) whether a point at the end of a limb stands still for a while."""
+        links = self.points[1]
+        ends = ~np.isin(links, self.figure.tables.parents[1:])
+        slow = np.zeros((links.size, self.times.size), bool)
+        if self.times.size > 1:
+            velocity = np.gradient(self._own[0], self.times, axis=2)
+            slow[ends] = np.einsum("cns,cns->ns", velocity, velocity)[ends] < STILL**2
+        return np.array([_lasting(row, self.times, STANDS) for row in slow])
+
+    @cached_property
+    def _lengths(self) -> Array:
+        """(n, S) [m] how far the points may be off."""
+        return self.bound.distance * np.where(self.stands, CLOSELY, 1.0)
+
+    @cached_property
+    def _states(self) -> Array:
+        """(S, N) the recording in the figure's coordinates, signs continuous."""
+        return raw_timeline(self.figure, self.frames(range(len(self.times)))).states
+
+    def misses(self, timeline: Timeline) -> tuple[Array, Array]:
+        """Distances (n, S) [m] of the points and angles (L, S) [rad] of the links at the instants."""
+        return self._misses(path_of(timeline).at(self.times), np.arange(len(self.times)))
+
+    def _misses(self, states: Array, instants: Index) -> tuple[Array, Array]:
+        """The misses of states (R, N) at some instants (R,)."""
+        places, turned = self._seen(states)
+        own_places, own_turned = (each.take(instants, axis=2) for each in self._own)
+        apart = places - own_places
+        sign = np.where(np.einsum("cls,cls->ls", turned, own_turned) < 0, -1.0, 1.0)
+        chord = turned - sign * own_turned
+        half = np.sqrt(np.einsum("cls,cls->ls", chord, chord)) / 2
+        return np.sqrt(np.einsum("cns,cns->ns", apart, apart)), 4 * np.arcsin(np.minimum(half, 1.0))
+
+    def excess(self, timeline: Timeline) -> Array:
+        """(S,) the largest miss at every instant, as a multiple of the bound."""
+        return self._excess(*self.misses(timeline), np.arange(len(self.times)))
+
+    def _excess(self, distance: Array, angle: Array, instants: Index) -> Array:
+        lengths = self._lengths.take(instants, axis=1)
+        return np.maximum((distance / lengths).max(axis=0), angle.max(axis=0) / self.bound.angle)
+
+    def breaches(self, sets: Sequence[Sequence[int]], at: int) -> Array:
+        """By how much the raw splines through sets of instants break the bound near the instant with number `at`.
+
+        Σ max(0, excess − 1)² (len(sets),), of splines through REACH + MARGIN keyframes on either side, with the signs
+        that the recording has; see `excess` for all there is to say. The sets have one length.
+        """
+        if self.ends == "clamped":
+            over = [self.excess(self.spline(self.frames(kept))) - 1 - FINE for kept in sets]
+            return np.sum(np.maximum(over, 0) ** 2, axis=1)
+        chosen, last = np.array(sets), len(self.times) - 1
+        numbers, first, end = self._near(chosen.shape[1], at)
+        turns, numbers = np.divmod(numbers, chosen.shape[1] - 1) if self.ends == "periodic" else (0 * numbers, numbers)
+        some = chosen[:, numbers] + turns * last  # instants, counted on through the turns of a loop
+        seen = [np.arange(row[first], row[end] + 1) for row in some]
+        owner = np.repeat(np.arange(len(sets)), [each.size for each in seen])
+        instants = np.concatenate(seen)
+        times, values = self._unrolled(some)
+        states = natural_splines(times, values, owner, self._unrolled(instants)[0])
+        if self.ends == "periodic":
+            turns, instants = np.divmod(instants, last)
+            states = self._seam.moved(states, -turns)
+        over = np.maximum(self._excess(*self._misses(states, instants), instants) - 1 - FINE, 0)
+        return np.bincount(owner, over**2, len(sets)).astype(float)
+
+    def _near(self, count: int, at: int) -> tuple[Index, int, int]:
+        """Numbers of the keyframes, of `count`, around number `at`, and which two of these bound what is looked at."""
+        if self.ends == "periodic":
+            before = min(REACH, (count - 1) // 2)
+            after = min(REACH, count - 1 - before)
+            return np.arange(at - before - MARGIN, at + after + MARGIN + 1), MARGIN, MARGIN + before + after
+        low, high = max(0, at - REACH - MARGIN), min(count, at + REACH + MARGIN + 1)
+        return np.arange(low, high), max(0, at - REACH) - low, min(count - 1, at + REACH) - low
+
+    @cached_property
+    def _seam(self) -> Seam:
+        return Seam.between(self.figure, self._states[0], self._states[-1])
+
+    def _unrolled(self, instants: Index) -> tuple[Array, Array]:
+        """Times (...) and states (..., N) at instants (...), for a loop also before its start and beyond its end."""
+        if self.ends != "periodic":
+            return self.times[instants], self._states[instants]
+        turns, within = np.divmod(instants, len(self.times) - 1)
+        states = self._seam.moved(self._states[within], turns)
+        return self.times[within] + turns * (self.times[-1] - self.times[0]), states
+
+    def worst(self, timeline: Timeline) -> tuple[Worst, Worst]:
+        """The point furthest off and the link turned most differently."""
+        names = self.points[0], [link.name for link in self.figure.links]
+        found = []
+        for missed, called in zip(self.misses(timeline), names, strict=True):
+            row, instant = np.unravel_index(int(missed.argmax()), missed.shape)
+            found.append(Worst(float(missed[row, instant]), int(instant), called[row]))
+        return found[0], found[1]
+
+    def slipped(self, timeline: Timeline) -> float:
+        """[m] by how much what stands is off, at most."""
+        return float(self.misses(timeline)[0][self.stands].max(initial=0.0))
+
+    def frames(self, kept: Sequence[int]) -> list[Frame]:
+        """Whole keyframes at these instants."""
+        return Frame.many(self.times[list(kept)], self.qpos[list(kept)], np.ones((len(kept), self.figure.width), bool))
+
+    def spline(self, keys: Sequence[Frame]) -> Timeline:
+        """The raw spline through keyframes, with the recording's ends."""
+        slope = np.zeros((2, self.figure.width)) if self.ends == "clamped" else None
+        travel, turn = (self.travel, self.turn) if self.ends == "periodic" else (None, None)
+        return raw_timeline(self.figure, list(keys), self.ends, slope, travel, turn)
+
+
+@dataclass(frozen=True, eq=False)
+class Thinned:
+    """What is left: the instants kept, and the in-between through them."""
+
+    kept: tuple[int, ...]
+    timeline: Timeline
+
+
+def thin(recorded: Recorded, told: Callable[[str], None] = lambda note: None) -> Thinned:
+    """The fewest instants found whose raw spline keeps the bound at every instant of the recording."""
+    kept = refined(recorded, (0, len(recorded.times) - 1), recorded.spline, told).kept
+    while True:
+        fewer = _repaired(recorded, _without(recorded, list(kept), told), told)
+        if len(fewer) == len(kept):
+            return Thinned(tuple(fewer), recorded.spline(recorded.frames(fewer)))
+        kept = tuple(fewer)
+
+
+def refined(
+    recorded: Recorded, kept: Sequence[int], inbetween: InBetween, told: Callable[[str], None] = lambda note: None
+) -> Thinned:
+    """More instants, each where the in-between is furthest off, until it keeps the bound at all of them."""
+    chosen = sorted(kept)
+    while True:
+        timeline = inbetween(recorded.frames(chosen))
+        excess = recorded.excess(timeline)
+        told(f"{len(chosen)} keyframes, {excess.max():.3g} × the bound")
+        if excess.max() <= 1 + FINE or len(chosen) == len(recorded.times):
+            return Thinned(tuple(chosen), timeline)
+        excess[chosen] = 0.0
+        least = max(1.0, SHARE * excess.max())
+        peaks = [a + 1 + int(excess[a + 1 : b].argmax()) for a, b in pairwise(chosen) if b > a + 1]
+        chosen = sorted([*chosen, *(peak for peak in peaks if excess[peak] >= min(least, excess.max()))])
+
+
+def tips(figure: Figure, marked: Set[int]) -> list[tuple[str, int, Array]]:
+    """The tips of limbs, farthest from the joint that ends them: name, link and place (3,) [m] in it.
+
+    marked  bodies that have a site, which is what people look at; their limbs have no other tip
+    """
+    model, out = figure.model, []
+    ends = set(range(1, len(figure.links))) - set(figure.tables.parents[1:].tolist())
+    ends -= {figure.point_on_link(body, np.zeros(3))[0] for body in marked}
+    far: dict[int, tuple[float, Array]] = {}
+    for point in body_points(figure) if ends else ():
+        size = float(np.linalg.norm(point.position))
+        if point.link in ends and size > 0 and size + point.radius > far.get(point.link, (0.0,))[0]:
+            far[point.link] = size + point.radius, point.position * (1 + point.radius / size)
+    for link, (_, place) in sorted(far.items()):
+        name = model.body(figure.links[link].body).name or f"body {figure.links[link].body}"
+        out.append((f"tip of {name}", link, place))
+    return out
+
+
+def _lasting(wanted: Mask, times: Array, least: float) -> Mask:
+    """(S,) where something is so, in runs that last."""
+    out = np.zeros(wanted.size, bool)
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], wanted, [False]])))
+    for first, end in zip(edges[::2], edges[1::2], strict=True):
+        out[first:end] = times[end - 1] - times[first] >= least
+    return out
+
+
+def natural_splines(times: Array, values: Array, owner: Index, t: Array) -> Array:
+    """Natural cubic splines, many at once: values (C, K, N) at times (C, K), seen at t (S,) by spline owner (S,).
+
+    The second derivatives solve the usual tridiagonal system, here dense: the splines are short.
+    """
+    h = np.diff(times)
+    count = times.shape[1]
+    inner = np.arange(1, count - 1)
+    matrix = np.tile(np.eye(count), (len(times), 1, 1))
+    matrix[:, inner, inner - 1], matrix[:, inner, inner + 1] = h[:, :-1], h[:, 1:]
+    matrix[:, inner, inner] = 2 * (h[:, :-1] + h[:, 1:])
+    bends = np.zeros(values.shape)
+    bends[:, 1:-1] = 6 * np.diff(np.diff(values, axis=1) / h[:, :, None], axis=1)
+    bends = np.linalg.solve(matrix, bends)
+    left = np.clip((times[owner] <= t[:, None]).sum(axis=1) - 1, 0, count - 2)
+    step = h[owner, left, None]
+    ahead = (t - times[owner, left])[:, None] / step
+    behind = 1 - ahead
+    straight = behind * values[owner, left] + ahead * values[owner, left + 1]
+    bent = (behind**3 - behind) * bends[owner, left] + (ahead**3 - ahead) * bends[owner, left + 1]
+    return straight + bent * step**2 / 6
+
+
+def _holds(recorded: Recorded, kept: Sequence[int]) -> bool:
+    return float(recorded.excess(recorded.spline(recorded.frames(kept))).max()) <= 1 + FINE
+
+
+def _without(recorded: Recorded, kept: list[int], told: Callable[[str], None]) -> list[int]:
+    """Without the keyframes that are not missed, those with the nearest neighbours first."""
+    needed = {kept[0], kept[-1]}
+    while True:
+        loss = {i: recorded.breaches([_dropped(kept, i)], n)[0] for n, i in enumerate(kept) if i not in needed}
+        gone = 0
+        for i in sorted(
+            (i for i in loss if loss[i] == 0), key=lambda i: kept[kept.index(i) + 1] - kept[kept.index(i) - 1]
+        ):
+            fewer = _dropped(kept, i)
+            if recorded.breaches([fewer], kept.index(i))[0] == 0 and _holds(recorded, fewer):
+                kept, gone = fewer, gone + 1
+        if not gone:
+            return kept
+        told(f"{len(kept)} keyframes")
+
+
+def _repaired(recorded: Recorded, kept: list[int], told: Callable[[str], None]) -> list[int]:
+    """Without keyframes that are missed only until their neighbours stand elsewhere."""
+    needed = {kept[0], kept[-1]}
+    for i in list(kept):
+        if i in kept and i not in needed:
+            at = kept.index(i)
+            moved = _moved(recorded, _dropped(kept, i), at)
+            if moved is not None and _holds(recorded, moved):
+                kept = moved
+                told(f"{len(kept)} keyframes")
+    return kept
+
+
+def _moved(recorded: Recorded, kept: list[int], at: int) -> list[int] | None:
+    """Instants with those near number `at` moved, one at a time, until the bound holds near there; None: it does not.
+
+    Steps are half the way to the neighbour at first, and shorter where none helps, down to one instant.
+    """
+    needed = {kept[0], kept[-1]}
+    near = [n for n in range(max(0, at - NEAR), min(len(kept), at + NEAR)) if kept[n] not in needed]
+    breach, share = float(recorded.breaches([kept], at)[0]), FIRST_STEP
+    while breach > 0:
+        trials = []
+        for n in near:
+            for neighbour in (kept[n - 1], kept[n + 1]):
+                place = kept[n] + (round(share * (neighbour - kept[n])) or int(np.sign(neighbour - kept[n])))
+                if place != neighbour:
+                    trials.append([*kept[:n], place, *kept[n + 1 :]])
+        left = recorded.breaches(trials, at) if trials else np.array([np.inf])
+        best = int(left.argmin())
+        if left[best] < GAIN * breach:
+            kept, breach = trials[best], float(left[best])
+        elif share > LEAST_STEP:
+            share /= 2
+        else:
+            return None
+    return kept
+
+
+def _dropped(kept: Sequence[int], gone: int) -> list[int]:
+    return [i for i in kept if i != gone]

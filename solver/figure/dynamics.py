@@ -1,0 +1,163 @@
+"""Inverse dynamics of all samples at once, and its adjoint; eqs. 18-21 and appendix A of the paper.
+
+Per link: force f = m (a − g) at the centre of mass, moment n = ω × Iω + I ω' about it (eq. 21). Summed over the links
+beyond a joint they are what the joint must supply. Equals MuJoCo's `mj_inverse` with contacts, limits and passive
+forces off.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..quaternion import Array
+from .algebra import applied, cross, cross_sum, dot, gathered, turned_back
+from .kinematics import Cotangent, LinkMotion, Samples, attached_pulled_back
+
+
+@dataclass(frozen=True)
+class BodyForces:
+    """What keeps each link moving as it does: force [N] and torque [N m] about its centre of mass (appendix A).
+
+    force   (3, L, S) m (a − g), all that acts on the link but its weight; world axes
+    torque  (3, L, S) L' = ω × Iω + I ω'; world axes
+    centre  (3, L, S) [m] centre of mass, where both apply
+    """
+
+    force: Array
+    torque: Array
+    centre: Array
+
+
+class InverseDynamics:
+    """Joint forces and moments at every sample.
+
+    moment  (3, L, S) [N m] about the joint's anchor, world axes, of everything beyond the joint
+    force   (3, L, S) [N]
+    """
+
+    def __init__(self, links: LinkMotion) -> None:
+        self.links = links
+        tables = links.figure.tables
+        self.arm = links.fixed(tables.arms)
+        self.centre = links.x + self.arm
+        self.net_force = applied(links.swing, self.arm)
+        self.net_force += links.x_dd
+        self.net_force -= links.figure.gravity[:, None, None]
+        self.net_force *= tables.mass[:, None]
+        self.inertia = self._world_inertia()
+        # I ω and I ω', (2, 3, L, S)
+        self.momenta = np.einsum("ijls,kjls->kils", self.inertia, links.spins)
+        self.net_torque = cross(links.omega, self.momenta[0])
+        self.net_torque += self.momenta[1]
+        self.force = gathered(tables.beyond, self.net_force)
+        about_origin = cross(self.centre, self.net_force)
+        about_origin += self.net_torque
+        self.moment = gathered(tables.beyond, about_origin)
+        self.moment -= cross(links.anchor, self.force)
+
+    def _world_inertia(self) -> Array:
+        """I = R I_body Rᵀ (eq. 18), (3, 3, L, S)."""
+        rotation, inertia = self.links.rotation, self.links.figure.tables.inertia
+        # one small product a link and axis: (3, L, 3, S)
+        half = np.matmul(inertia.transpose(2, 1, 0), rotation.transpose(0, 2, 1, 3))
+        return np.einsum("ilks,jkls->ijls", half, rotation)
+
+    def pull_back(
+        self, into: Cotangent, moment_bar: Array, force_bar: Array | None = None, centre_bar: Array | None = None
+    ) -> None:
+        """Adds the gradient of a scalar with the gradients (3, L, S) with respect to `moment`, `force` and `centre`.
+
+        The sweep back is done once for all that is added, when the cotangent's gradients are asked for.
+        """
+        owed = into.owed(self, 3)
+        owed[0] += moment_bar
+        for room, part in zip(owed[1:], (force_bar, centre_bar), strict=True):
+            if part is not None:
+                room += part
+
+    def settle(self, into: Cotangent, owed: Array) -> None:
+        """The sweep back of all that is owed, (3, 3, L, S)."""
+        tables, links = self.links.figure.tables, self.links
+        moment_bar, force_bar, centre_bar = owed
+        anchor_bar = cross(moment_bar, self.force)
+        force_bar += cross(links.anchor, moment_bar)
+        m, f_bar = np.matmul(tables.path, owed[:2])
+        f_bar += cross(m, self.centre)
+        centre_bar += cross(self.net_force, m)
+        pair = np.array([cross(m, links.omega), m])  # what meets ω and ω'
+        inertia_pair = np.einsum("ijls,kjls->kils", self.inertia, pair)
+        into.hand("omega", cross(self.momenta[0], m))
+        into.hand("omega", inertia_pair[0])
+        into.hand("alpha", inertia_pair[1])
+        into.hand("turn", cross_sum(self.momenta, pair))
+        into.hand("turn", cross_sum(inertia_pair, links.spins))
+        f_bar *= tables.mass[:, None]
+        attached_pulled_back(into, self.arm, (centre_bar, None, f_bar))
+        if links.hang is not None:
+            into.hand("turn", cross(links.hang, anchor_bar))
+        anchor_bar += centre_bar
+        into.hand("x", anchor_bar)
+        into.hand("x_dd", f_bar)
+
+
+def body_forces(samples: Samples) -> BodyForces:
+    """Force and torque on each link; summed, with the arms of the forces, they are the wrench at the root."""
+    inverse = samples.once(InverseDynamics)
+    return BodyForces(inverse.net_force, inverse.net_torque, inverse.centre)
+
+
+def generalised_forces(samples: Samples) -> Array:
+    """(S, nv): MuJoCo's qfrc_inverse without contacts, limits and passive forces.
+
+    Free joints: force in the world, moment in the body's axes; ball joints: body axes; hinges and slides: along the
+    axis.
+    """
+    figure, links = samples.figure, samples.links
+    inverse = samples.once(InverseDynamics)
+    local = turned_back(links.rotation, inverse.moment)
+    qacc = None
+    if np.any(figure.tables.armature):
+        qacc = velocities(samples)[1]
+    out = np.zeros((samples.count, figure.model.nv))
+    for i, link in enumerate(figure.links[1:], start=1):
+        axis = link.axis[:, None]
+        if link.kind == link.kind.FREE:
+            out[:, link.dof : link.dof + 3] = inverse.force[:, i].T
+            out[:, link.dof + 3 : link.dof + 6] = local[:, i].T
+        elif link.kind == link.kind.BALL:
+            out[:, link.dof : link.dof + 3] = local[:, i].T
+        elif link.kind == link.kind.HINGE:
+            out[:, link.dof] = dot(axis, local[:, i])
+        else:
+            out[:, link.dof] = dot(axis, turned_back(links.rotation, inverse.force)[:, i])
+    if qacc is not None:
+        out += figure.model.dof_armature * qacc
+    return out
+
+
+def velocities(samples: Samples) -> tuple[Array, Array]:
+    """MuJoCo's (qvel, qacc), each (S, nv), of samples in any coordinates (method of §6)."""
+    figure, links = samples.figure, samples.links
+    parents = figure.tables.parents
+    omega_p = links.omega[:, parents]
+    spin = links.omega - omega_p
+    local = turned_back(links.rotation, spin)
+    local_d = turned_back(links.rotation, links.alpha - links.alpha[:, parents] - cross(links.omega, spin))
+    root, root_d = turned_back(links.rotation, links.omega), turned_back(links.rotation, links.alpha)
+    qvel, qacc = np.zeros((2, samples.count, figure.model.nv))
+    for i, link in enumerate(figure.links[1:], start=1):
+        if link.kind == link.kind.FREE:
+            columns = slice(link.qpos, link.qpos + 3)
+            qvel[:, link.dof : link.dof + 3] = samples.y_d[:, columns]
+            qacc[:, link.dof : link.dof + 3] = samples.y_dd[:, columns]
+            qvel[:, link.dof + 3 : link.dof + 6] = root[:, i].T
+            qacc[:, link.dof + 3 : link.dof + 6] = root_d[:, i].T
+        elif link.kind == link.kind.BALL:
+            qvel[:, link.dof : link.dof + 3] = local[:, i].T
+            qacc[:, link.dof : link.dof + 3] = local_d[:, i].T
+        else:
+            qvel[:, link.dof] = samples.y_d[:, link.qpos]
+            qacc[:, link.dof] = samples.y_dd[:, link.qpos]
+    return qvel, qacc

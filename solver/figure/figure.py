@@ -1,0 +1,401 @@
+"""Figure: an MjModel as a tree of links, one joint each, and the state that a spline runs through.
+
+MuJoCo's qpos and the state have the same columns. They differ in what a quaternion means:
+
+    coordinates "world"   a quaternion is its body's orientation in the world (§5 and appendix A of the paper) wherever
+                          only free and ball joints lie between the body and the world; below a hinge or a slide it is
+                          the joint's, relative to the parent
+    coordinates "joint"   qpos itself: the rotation of every ball joint is relative to the parent
+
+A body with several joints becomes as many links, the first ones without mass; bodies welded to a link add to its mass.
+Link 0 is the world.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from enum import IntEnum
+
+import mujoco
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .. import quaternion as quat
+from ..curve.frame import Mask
+from ..quaternion import Array, Index
+
+WEIGHTLESS = int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
+
+
+class FigureError(ValueError):
+    """A model that cannot be a figure in the coordinates asked for."""
+
+
+class JointKind(IntEnum):
+    """MuJoCo's joint types, by its own numbers."""
+
+    FREE = int(mujoco.mjtJoint.mjJNT_FREE)
+    BALL = int(mujoco.mjtJoint.mjJNT_BALL)
+    SLIDE = int(mujoco.mjtJoint.mjJNT_SLIDE)
+    HINGE = int(mujoco.mjtJoint.mjJNT_HINGE)
+
+
+@dataclass(frozen=True, eq=False)
+class Link:
+    """One joint and what moves rigidly with it.
+
+    parent        index of the parent link (0: the world)
+    joint         MuJoCo's joint id
+    body          MuJoCo's body id
+    turn          (4,) wxyz, orientation of the joint's frame at rest in the parent link
+    offset        (3,) [m] the joint's anchor in the parent link
+    anchor        (3,) [m] the same anchor in this link (zero unless the joint sits off the body's origin)
+    axis          (3,) of a hinge or slide, in this link
+    mass, centre, inertia    [kg], (3,) [m], (3, 3) [kg m²] about the centre, link axes; of all bodies welded to it
+    """
+
+    name: str
+    kind: JointKind
+    parent: int
+    joint: int
+    body: int
+    qpos: int
+    dof: int
+    turn: Array
+    offset: Array
+    anchor: Array
+    axis: Array
+    reference: float
+    armature: float
+    mass: float
+    centre: Array
+    inertia: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Figure:
+    """A jointed figure: links, the columns of its state, and the two ways between state and qpos.
+
+    model        the MuJoCo model, source of every number
+    coordinates  "world" or "joint"; "auto" becomes "world" where that makes a difference
+    """
+
+    model: mujoco.MjModel
+    coordinates: str = "auto"
+    links: tuple[Link, ...] = field(init=False)
+    body_link: Index = field(init=False)
+    body_offset: Array = field(init=False)
+    body_turn: Array = field(init=False)
+    tables: Tables = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        if self.coordinates not in ("auto", "world", "joint"):
+            raise FigureError(f"coordinates = {self.coordinates!r}: not one of 'auto', 'world', 'joint'")
+        if self.model.njnt == 0:
+            raise FigureError("the model has no joints: nothing can move")
+        if self.model.nflex:
+            name = mujoco.mj_id2name(self.model, mujoco.mjtObj.mjOBJ_FLEX, 0)
+            raise FigureError(f"the model has a flex, '{name}': soft bodies are not for keyframes")
+        links, body_link, body_offset, body_turn = _links(self.model)
+        if self.coordinates == "auto":
+            turning = {link.kind for link in links[1:]} <= {JointKind.FREE, JointKind.BALL}
+            balls = any(link.kind is JointKind.BALL and up for link, up in zip(links, _upright(links), strict=True))
+            object.__setattr__(self, "coordinates", "world" if turning or balls else "joint")
+        object.__setattr__(self, "links", links)
+        object.__setattr__(self, "body_link", body_link)
+        object.__setattr__(self, "body_offset", body_offset)
+        object.__setattr__(self, "body_turn", body_turn)
+        object.__setattr__(self, "tables", Tables.of(self))
+
+    @property
+    def width(self) -> int:
+        """N = nq, the number of entries of a state."""
+        return int(self.model.nq)
+
+    @property
+    def is_world(self) -> bool:
+        """Whether the state's quaternions are the orientations of all links in the world, one each."""
+        return self.tables.all_in_world
+
+    @property
+    def gravity(self) -> Array:
+        """(3,) [m/s²], zero where the model switches it off."""
+        option = self.model.opt
+        return np.zeros(3) if option.disableflags & WEIGHTLESS else np.array(option.gravity)
+
+    def to_state(self, qpos: ArrayLike) -> Array:
+        """State (..., N) of MuJoCo configurations qpos (..., nq); quaternions become unit."""
+        state = np.array(qpos, float)
+        for i, link in enumerate(self.links[1:], start=1):
+            columns = quaternion_columns(link)
+            if columns is None:
+                continue
+            relative = quat.normalised(state[..., columns])
+            if self.tables.in_world[i] and link.kind is JointKind.BALL:
+                relative = quat.product(self._joint_base(state, link), relative)
+            state[..., columns] = relative
+        return state
+
+    def to_qpos(self, state: ArrayLike) -> Array:
+        """MuJoCo configurations (..., nq), unit quaternions, of states (..., N) with quaternions of any length."""
+        state = np.asarray(state, float)
+        qpos = state.copy()
+        for i, link in enumerate(self.links[1:], start=1):
+            columns = quaternion_columns(link)
+            if columns is None:
+                continue
+            own = state[..., columns]
+            if self.tables.in_world[i] and link.kind is JointKind.BALL:
+                own = quat.product(quat.inverse(self._joint_base(state, link)), own)
+            qpos[..., columns] = quat.normalised(own)
+        return qpos
+
+    def _joint_base(self, state: Array, link: Link) -> Array:
+        """World orientation of a ball joint at rest, in world coordinates: Q_parent ⊗ turn."""
+        parent = self.links[link.parent]
+        columns = quaternion_columns(parent)
+        if columns is None:
+            return link.turn
+        return quat.product(state[..., columns], link.turn)
+
+    def link_named(self, name: str) -> int | None:
+        """Index of the link that a joint or a body of this name moves, or None."""
+        own = next((i for i, link in enumerate(self.links) if i and link.name == name), None)
+        body = mujoco.mj_name2id(self.model, mujoco.mjtObj.mjOBJ_BODY, name)
+        return int(self.body_link[body]) if own is None and body > 0 else own
+
+    def point_on_link(self, body: int, position: ArrayLike) -> tuple[int, Array]:
+        """Points given in a body's frame (..., 3) [m], as (link, positions in the link's frame)."""
+        offset = quat.rotated(self.body_turn[body], np.asarray(position, float))
+        return int(self.body_link[body]), self.body_offset[body] + offset
+
+
+def quaternion_columns(link: Link) -> slice | None:
+    """The state's columns of a link's quaternion, or None for hinges, slides and the world."""
+    if link.kind is JointKind.FREE and link.joint >= 0:
+        return slice(link.qpos + 3, link.qpos + 7)
+    if link.kind is JointKind.BALL:
+        return slice(link.qpos, link.qpos + 4)
+    return None
+
+
+WORLD_LINK = Link(
+    "world", JointKind.FREE, 0, -1, 0, -1, -1,
+    np.array([1.0, 0, 0, 0]), np.zeros(3), np.zeros(3), np.zeros(3), 0.0, 0.0, 0.0, np.zeros(3), np.zeros((3, 3)),
+)  # fmt: skip
+
+
+def _upright(links: tuple[Link, ...]) -> Mask:
+    """(L,) which links are turned by free and ball joints alone from the world on: a quaternion can be their own."""
+    out = np.ones(len(links), bool)
+    for i, link in enumerate(links[1:], start=1):
+        out[i] = link.kind is JointKind.FREE or (link.kind is JointKind.BALL and out[link.parent])
+    return out
+
+
+def joint_names(model: mujoco.MjModel) -> list[str]:
+    """What every joint is called: by its own name, else its body's; of several that have none, `body_1` and so on.
+
+    A name that is taken already gives way to the joint's number.
+    """
+    bodies = [(model.body(i).name, int(model.body_jntnum[i])) for i in range(model.nbody)]
+    return names_of_joints([model.joint(i).name for i in range(model.njnt)], bodies)
+
+
+def names_of_joints(given: Sequence[str], bodies: Sequence[tuple[str, int]]) -> list[str]:
+    """What joints are called whose own names are given, "" for none, body by body: its name, and how many it has."""
+    own, taken, first = list(given), set(given), 0
+    for called, count in bodies:
+        nameless = [j for j in range(first, first + count) if not own[j]]
+        first += count
+        for number, joint in enumerate(nameless, start=1):
+            name = called if len(nameless) == 1 else f"{called}_{number}"
+            own[joint] = name if called and name not in taken else f"joint {joint}"
+            taken.add(own[joint])
+    return own
+
+
+def _links(model: mujoco.MjModel) -> tuple[tuple[Link, ...], Index, Array, Array]:
+    """Links in MuJoCo's depth-first order, and each body's link with its place in it."""
+    rows: list[dict] = [WORLD_LINK.__dict__]
+    body_link = np.zeros(model.nbody, np.intp)
+    body_offset = np.zeros((model.nbody, 3))
+    body_turn = np.zeros((model.nbody, 4))
+    body_turn[0, 0] = 1.0
+    loads: list[list[tuple[float, Array, Array]]] = [[]]
+    names = joint_names(model)
+    for body in range(1, model.nbody):
+        parent = int(model.body_parentid[body])
+        link = int(body_link[parent])
+        offset = body_offset[parent] + quat.rotated(body_turn[parent], model.body_pos[body])
+        turn = quat.normalised(quat.product(body_turn[parent], model.body_quat[body]))
+        for joint in range(model.body_jntadr[body], model.body_jntadr[body] + model.body_jntnum[body]):
+            kind = JointKind(int(model.jnt_type[joint]))
+            place = np.zeros(3) if kind is JointKind.FREE else np.array(model.jnt_pos[joint])
+            rows.append(
+                {
+                    "name": names[joint],
+                    "kind": kind,
+                    "parent": link,
+                    "joint": joint,
+                    "body": body,
+                    "qpos": int(model.jnt_qposadr[joint]),
+                    "dof": int(model.jnt_dofadr[joint]),
+                    "turn": turn,
+                    "offset": offset + quat.rotated(turn, place),
+                    "anchor": place,
+                    "axis": np.array(model.jnt_axis[joint]),
+                    "reference": float(model.qpos0[model.jnt_qposadr[joint]]),
+                    "armature": float(model.dof_armature[model.jnt_dofadr[joint]]),
+                }
+            )
+            loads.append([])
+            link, offset, turn = len(rows) - 1, np.zeros(3), np.array([1.0, 0, 0, 0])
+        body_link[body], body_offset[body], body_turn[body] = link, offset, turn
+        centre = offset + quat.rotated(turn, model.body_ipos[body])
+        axes = quat.product(turn, model.body_iquat[body])
+        matrix = np.stack([quat.rotated(axes, e) for e in np.eye(3)], axis=1)
+        loads[link].append(
+            (float(model.body_mass[body]), centre, matrix @ np.diag(model.body_inertia[body]) @ matrix.T)
+        )
+    links = [WORLD_LINK]
+    for row, load in zip(rows[1:], loads[1:], strict=True):
+        mass, centre, inertia = _composite(load)
+        links.append(Link(**row, mass=mass, centre=centre, inertia=inertia))
+    return tuple(links), body_link, body_offset, body_turn
+
+
+def _composite(load: list[tuple[float, Array, Array]]) -> tuple[float, Array, Array]:
+    """Mass, centre of mass and inertia of bodies welded together (parallel axes)."""
+    mass = sum(part[0] for part in load)
+    if mass == 0:
+        return 0.0, np.zeros(3), np.zeros((3, 3))
+    centre = sum((m * c for m, c, _ in load), np.zeros(3)) / mass
+    inertia = np.zeros((3, 3))
+    for m, c, tensor in load:
+        d = c - centre
+        inertia += tensor + m * (d @ d * np.eye(3) - np.outer(d, d))
+    return mass, centre, inertia
+
+
+@dataclass(frozen=True, eq=False)
+class Tables:
+    """The links' constants as arrays for the batched sweeps; vectors are (3, L), L links with the world first.
+
+    in_world            (L,) whose quaternion in the state, if any, is the link's orientation in the world
+    all_in_world        whether all links have one
+    quaternion_columns  (4, n) state columns of the n quaternion blocks, in the order of `quaternion_links` (n,)
+    quaternion_slice    the same columns as one run, block after block, or None where others stand between
+    free_links, position_columns   links with a free joint (f,) and their columns of position (3, f)
+    ball_links                     (b,) links with a ball joint
+    hinge_columns, slide_columns   (h,), (s,) columns of the hinges and slides, in the order of their links
+    path                (L, L) 1 where a link lies on the way from the root to another (row: the other), itself included
+    beyond              (L, L) its transpose
+    steps, arms         (L, 3 L) each link's offset at its parent's columns, its centre of mass at its own; all x first
+    levels              links by depth from the world on, those left out whose orientation is in the state
+    """
+
+    in_world: Mask
+    all_in_world: bool
+    quaternion_columns: Index
+    quaternion_slice: slice | None
+    quaternion_links: Index
+    free_links: Index
+    ball_links: Index
+    position_columns: Index
+    hinge_columns: Index
+    hinge_links: Index
+    slide_columns: Index
+    slide_links: Index
+    parents: Index
+    path: Array
+    beyond: Array
+    steps: Array
+    arms: Array
+    offset: Array
+    anchor: Array
+    axis: Array
+    turn: Array
+    reference: Array
+    levels: tuple[Index, ...]
+    mass: Array
+    centre: Array
+    inertia: Array
+    armature: Array
+    has_anchors: bool
+    has_turns: bool
+
+    @classmethod
+    def of(cls, figure: Figure) -> Tables:
+        links = figure.links
+        count = len(links)
+        parents = np.array([link.parent for link in links], np.intp)
+        depth = np.zeros(count, int)
+        path = np.eye(count)
+        path[0] = 0
+        for i in range(1, count):
+            depth[i] = depth[parents[i]] + 1
+            path[i] += path[parents[i]]
+
+        def of_kind(*kinds: JointKind) -> Index:
+            return np.array([i for i, link in enumerate(links) if i and link.kind in kinds], np.intp)
+
+        def columns(indices: Index, start: int, size: int, free_shift: int = 0) -> Index:
+            firsts = [links[i].qpos + (free_shift if links[i].kind is JointKind.FREE else 0) + start for i in indices]
+            return (np.array(firsts, np.intp)[None, :] + np.arange(size)[:, None]).reshape(size, len(indices))
+
+        balls = of_kind(JointKind.FREE, JointKind.BALL)
+        free, hinges, slides = of_kind(JointKind.FREE), of_kind(JointKind.HINGE), of_kind(JointKind.SLIDE)
+        turns = np.array([link.turn for link in links])
+        offset = np.array([np.zeros(3) if link.kind is JointKind.FREE else link.offset for link in links]).T
+        centre = np.array([link.centre for link in links]).T
+        blocks = columns(balls, 0, 4, free_shift=3)
+        in_world = _upright(links)
+        if figure.coordinates == "joint":
+            in_world &= np.array([link.kind is JointKind.FREE for link in links])
+        return cls(
+            in_world=in_world,
+            all_in_world=bool(in_world.all()),
+            quaternion_columns=blocks,
+            quaternion_slice=_run(blocks.T.ravel()),
+            quaternion_links=balls,
+            free_links=free,
+            ball_links=of_kind(JointKind.BALL),
+            position_columns=columns(free, 0, 3),
+            hinge_columns=columns(hinges, 0, 1)[0],
+            hinge_links=hinges,
+            slide_columns=columns(slides, 0, 1)[0],
+            slide_links=slides,
+            parents=parents,
+            path=path,
+            beyond=np.ascontiguousarray(path.T),
+            steps=on_links(offset, parents, count),
+            arms=on_links(centre, np.arange(count), count),
+            offset=offset,
+            anchor=np.array([link.anchor for link in links]).T,
+            axis=np.array([link.axis for link in links]).T,
+            turn=turns.T,
+            reference=np.array([link.reference for link in links]),
+            levels=tuple(np.flatnonzero((depth == k) & ~in_world) for k in range(1, depth.max() + 1)),
+            mass=np.array([link.mass for link in links]),
+            centre=centre,
+            inertia=np.moveaxis(np.array([link.inertia for link in links]), 0, -1),
+            armature=np.array([link.armature for link in links]),
+            has_anchors=any(np.any(link.anchor) for link in links),
+            has_turns=bool(np.any(turns[:, 1:])),
+        )
+
+
+def _run(indices: Index) -> slice | None:
+    """Rising neighbours as a slice, or None."""
+    if not indices.size or np.any(np.diff(indices) != 1):
+        return None
+    return slice(int(indices[0]), int(indices[-1]) + 1)
+
+
+def on_links(vectors: Array, owners: Index, count: int) -> Array:
+    """(n, 3 L): vectors (3, n) fixed on links, as weights of the rotations of `count` links; see `LinkMotion.fixed`."""
+    out = np.zeros((owners.size, 3, count))
+    out[np.arange(owners.size), :, owners] = vectors.T
+    return out.reshape(owners.size, 3 * count)

@@ -1,0 +1,142 @@
+"""Jacobian rows of points fixed on links, in closed form, for figures of any joints in any coordinates.
+
+A point p beyond a hinge of axis e through a moves by e × (p − a), beyond a slide by its axis. A quaternion that is its
+link's orientation in the world turns what lies between its anchor and that of the next such link on the way to the
+point, and all of it if there is none; one relative to its parent turns all that is beyond, in the parent's axes. What
+`rows.point_rows` knows of figures whose orientations are all in the state this knows of the others.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import numpy as np
+
+from ..quaternion import Array, Index
+from .algebra import cross, dot, hamilton, rotation_matrix, turned, turned_back, vector_product
+from .figure import Figure
+from .kinematics import Samples
+
+AT_ONCE = 150_000  # pairs of a point and a link
+
+
+def any_point_rows(samples: Samples, at: Index, link: Index, arm: Array, way: Array) -> Array:
+    """(P, N): the gradient of way · p with respect to y. Arguments as in `rows.point_rows`."""
+    return _in_parts(samples, at, link, arm, way, rates=False)[:, 0]
+
+
+def any_velocity_rows(samples: Samples, at: Index, link: Index, arm: Array, way: Array) -> Array:
+    """(P, 2, N): the gradients of way · v with respect to y and y', as in `rows.velocity_rows`."""
+    return _in_parts(samples, at, link, arm, way, rates=True)[:, ::-1]
+
+
+def _in_parts(samples: Samples, at: Index, link: Index, arm: Array, way: Array, *, rates: bool) -> Array:
+    """(P, 1 or 2, N): rows, and with `rates` how fast they change, way held."""
+    out = np.zeros((at.size, 2 if rates else 1, samples.y.shape[1]))
+    few = max(1, AT_ONCE // len(samples.figure.links))
+    for first in range(0, at.size, few):
+        some = slice(first, first + few)
+        _Points(samples, at[some], link[some], arm[:, some], way[:, some]).add_to(out[some], rates=rates)
+    return out
+
+
+@lru_cache(maxsize=8)
+def _followers(figure: Figure) -> Index:
+    """(L, L): on the way to a link (row) the next after another (column) whose orientation is in the state, or 0."""
+    path, tables = figure.tables.path > 0, figure.tables
+    out = np.zeros(path.shape, np.intp)
+    for link in range(len(path)):
+        way = [i for i in tables.quaternion_links if path[link, i] and tables.in_world[i]]
+        out[link, way[:-1]] = way[1:]
+    return out
+
+
+class _Points:
+    """Points of links at samples, with what their rows are made of."""
+
+    def __init__(self, samples: Samples, at: Index, link: Index, arm: Array, way: Array) -> None:
+        self.samples, self.figure, self.tables = samples, samples.figure, samples.figure.tables
+        self.motion, self.at, self.link, self.arm, self.way = samples.links, at, link, arm, way
+        self.place = self.motion.x[:, link, at] + arm
+        self.on = self.tables.path[link].T > 0  # (L, P)
+
+    def add_to(self, out: Array, *, rates: bool) -> None:
+        """Adds rows (P, 1 or 2, N)."""
+        self._free(out)
+        self._axes(out, rates=rates)
+        self._quaternions(out, rates=rates)
+
+    def _free(self, out: Array) -> None:
+        for free, columns in zip(self.tables.free_links, self.tables.position_columns.T, strict=True):
+            out[:, 0, columns] = (self.way * self.on[free]).T
+
+    def _axes(self, out: Array, *, rates: bool) -> None:
+        """Hinges and slides."""
+        tables, motion, at = self.tables, self.motion, self.at
+        way = self.way[:, None]
+        for hinge, links, columns in (
+            (True, tables.hinge_links, tables.hinge_columns),
+            (False, tables.slide_links, tables.slide_columns),
+        ):
+            if not links.size:
+                continue
+            axis = turned(motion.rotation[:, :, links], tables.axis[:, links])
+            e, on = axis[:, :, at], self.on[links]
+            lever = self.place[:, None] - motion.anchor[:, links][:, :, at]
+            out[:, 0, columns] = (dot(way, cross(e, lever) if hinge else e) * on).T
+            if rates:
+                e_d = cross(motion.omega[:, links], axis)[:, :, at]
+                if hinge:
+                    e_d = cross(e_d, lever) + cross(e, self._velocity[:, None] - self._anchor_velocity(links))
+                out[:, 1, columns] = (dot(way, e_d) * on).T
+
+    def _quaternions(self, out: Array, *, rates: bool) -> None:
+        tables, motion, at = self.tables, self.motion, self.at
+        links = tables.quaternion_links
+        if not links.size:
+            return
+        after = _followers(self.figure)[self.link][:, links].T  # (n, P)
+        ends = np.where(after > 0, motion.anchor[:, after, at], self.place[:, None])
+        way, on = self.way[:, None], self.on[links]
+        torque = cross(ends - motion.anchor[:, links][:, :, at], way) * on
+        torque_d = torque
+        if rates:
+            fast = np.where(after > 0, self._anchor_velocities[:, after, at], self._velocity[:, None])
+            torque_d = cross(fast - self._anchor_velocity(links), way) * on
+        loose = np.flatnonzero(~tables.in_world[links])
+        if loose.size:
+            base, parents = self._base(links[loose]), tables.parents[links[loose]]
+            if rates:
+                spin = motion.omega[:, parents][:, :, at]
+                torque_d[:, loose] = turned_back(base, torque_d[:, loose] - cross(spin, torque[:, loose]))
+            torque[:, loose] = turned_back(base, torque[:, loose])
+        q, scale = self.samples.q, 2 / self.samples.q_dots[0]
+        product = vector_product(q * scale)[:, :, :, at]
+        columns = tables.quaternion_columns
+        out[:, 0, columns] = turned_back(product, torque).transpose(2, 0, 1)
+        if rates:
+            stretch = self.samples.q_dots[1] * scale
+            product_d = vector_product((self.samples.q_d - stretch * q) * scale)[:, :, :, at]
+            rate = turned_back(product_d, torque) + turned_back(product, torque_d)
+            out[:, 1, columns] = rate.transpose(2, 0, 1)
+
+    def _base(self, links: Index) -> Array:
+        """(3, 3, n, P) the axes that relative rotations of links are in."""
+        base = hamilton(self.motion.Q[:, self.tables.parents[links]], self.tables.turn[:, links, None])
+        return rotation_matrix(base, 2 / dot(base, base))[:, :, :, self.at]
+
+    @property
+    def _velocity(self) -> Array:
+        """(3, P) of the points."""
+        motion = self.motion
+        return motion.x_d[:, self.link, self.at] + cross(motion.omega[:, self.link, self.at], self.arm)
+
+    @property
+    def _anchor_velocities(self) -> Array:
+        """(3, L, S) of all anchors."""
+        motion = self.motion
+        return motion.x_d if motion.hang is None else motion.x_d + cross(motion.omega, motion.hang)
+
+    def _anchor_velocity(self, links: Index) -> Array:
+        """(3, n, P) of some links' anchors."""
+        return self._anchor_velocities[:, links][:, :, self.at]

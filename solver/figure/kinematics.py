@@ -1,0 +1,653 @@
+"""Samples of a path as motion of the figure's links, all at once, and the adjoint sweep that pulls gradients back.
+
+One forward sweep: state -> world quaternions Q, Q', Q'' of every link -> rotation, ω, ω', origin and its derivatives.
+One reverse sweep takes cotangents of any of these back to y, y', y''. Arrays are component first, sample last:
+(3, L, S) for L links (the world is link 0) and S samples, so that every formula is one pass over contiguous memory.
+
+Eq. 13 with MuJoCo's body origins; ω and ω' are eqs. 19 and 20, exact for quaternions of any length. A rotation of the
+link by a small world vector δφ changes δω = δφ' + δφ × ω and δω' = δφ'' + δφ' × ω + δφ × ω'; with δφ = 2 vec(δQ Q⁻¹)
+these give the quaternion gradients. A vector s that turns with its link has s'' = A s with A = [ω']× + [ω]×[ω]×, the
+link's swing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cached_property
+from itertools import pairwise
+from typing import Protocol, TypeVar
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..quaternion import Array, Index
+from .algebra import (
+    applied,
+    conjugated,
+    cross,
+    dot,
+    gathered,
+    hamilton,
+    outer,
+    rotation_matrix,
+    swing_matrix,
+    swing_pulled_back,
+    turned,
+    turned_back,
+    vector_product,
+)
+from .figure import Figure, on_links
+
+Gradients = tuple[Array | None, Array | None, Array | None]
+Derived = TypeVar("Derived")
+
+
+class States:
+    """y, y', y'' of a figure at S times, by columns.
+
+    q_all  (3, 4, 1 + n, S): q, q', q'' of the state's blocks, with the world's 1, 0, 0 before them
+    """
+
+    def __init__(self, figure: Figure, y: Array, y_d: Array, y_dd: Array) -> None:
+        self.figure = figure
+        self.y, self.y_d, self.y_dd = y, y_d, y_dd
+
+    @property
+    def count(self) -> int:
+        """S"""
+        return self.y.shape[0]
+
+    def columns(self, indices: Index, order: int = 0) -> Array:
+        """Chosen columns of y, y' or y'', component first: indices (...) -> (..., S)."""
+        return self._component_first[order][indices]
+
+    @cached_property
+    def _component_first(self) -> tuple[Array, Array, Array]:
+        """y, y', y'' as (N, S)."""
+        y, y_d, y_dd = (np.ascontiguousarray(part.T) for part in (self.y, self.y_d, self.y_dd))
+        return y, y_d, y_dd
+
+    @cached_property
+    def quaternions(self) -> Array:
+        columns, block = self.figure.tables.quaternion_columns, self.figure.tables.quaternion_slice
+        n = columns.shape[1]
+        out = np.empty((3, 4, 1 + n, self.count))
+        out[:, :, 0] = 0
+        out[0, 0, 0] = 1
+        for order, part in enumerate((self.y, self.y_d, self.y_dd)):
+            if block is None:
+                out[order, :, 1:] = self.columns(columns, order)
+            else:
+                out[order, :, 1:] = part[:, block].reshape(self.count, n, 4).T
+        return out
+
+    @cached_property
+    def dots(self) -> Array:
+        """q·q, q·q', q·q'' of `quaternions`, (3, 1 + n, S)."""
+        return np.einsum("cns,kcns->kns", self.quaternions[0], self.quaternions)
+
+
+class Samples:
+    """y, y', y'' of a figure at S times, and everything the penalties derive from them, computed once when asked for.
+
+    y, y_d, y_dd  (S, N) state and its derivatives [1/s, 1/s²]
+    t             (S,) times [s], for penalties that hold for a part of the clip; zeros where nobody says
+    q, q_d, q_dd  (4, n, S) the state's quaternion blocks
+    """
+
+    def __init__(
+        self, figure: Figure, y: ArrayLike, y_d: ArrayLike, y_dd: ArrayLike, t: ArrayLike | None = None
+    ) -> None:
+        self.figure = figure
+        self.y, self.y_d, self.y_dd = np.asarray(y, float), np.asarray(y_d, float), np.asarray(y_dd, float)
+        self.t = np.zeros(len(self.y)) if t is None else np.asarray(t, float)
+        # what `links` holds on to: never the samples themselves, whose arrays would wait for the garbage collector
+        self._states = States(figure, self.y, self.y_d, self.y_dd)
+        self._once: dict[object, object] = {}
+
+    @property
+    def count(self) -> int:
+        """S"""
+        return self.y.shape[0]
+
+    def taken(self, at: Index) -> Samples:
+        """The samples of these indices (R,), which may repeat, as samples of their own."""
+        return Samples(self.figure, self.y[at], self.y_d[at], self.y_dd[at], t=self.t[at])
+
+    def parts(self, longest: int) -> list[Samples]:
+        """The samples in runs of at most `longest`: few enough that what is derived from them stays in cache."""
+        if self.count <= longest:
+            return [self]
+        edges = np.linspace(0, self.count, -(-self.count // longest) + 1).astype(int)
+        runs = [slice(a, b) for a, b in pairwise(edges)]
+        return [Samples(self.figure, self.y[r], self.y_d[r], self.y_dd[r], self.t[r]) for r in runs]
+
+    def columns(self, indices: Index, order: int = 0) -> Array:
+        """Chosen columns of y, y' or y'', component first: indices (...) -> (..., S)."""
+        return self._states.columns(indices, order)
+
+    @property
+    def q(self) -> Array:
+        return self._states.quaternions[0, :, 1:]
+
+    @property
+    def q_d(self) -> Array:
+        return self._states.quaternions[1, :, 1:]
+
+    @property
+    def q_dd(self) -> Array:
+        return self._states.quaternions[2, :, 1:]
+
+    @property
+    def q_dots(self) -> Array:
+        """q·q, q·q', q·q'' of the blocks, (3, n, S)."""
+        return self._states.dots[:, 1:]
+
+    @cached_property
+    def links(self) -> LinkMotion:
+        return LinkMotion(self._states)
+
+    def once(self, make: Callable[[LinkMotion], Derived]) -> Derived:
+        """What is made of the links' motion, made once for all that ask; it may hold on to that, not to the samples."""
+        if make not in self._once:
+            self._once[make] = make(self.links)
+        return self._once[make]  # pyright: ignore[reportReturnType]  # what `make` gave
+
+
+class LinkMotion:
+    """The links' motion in the world; see the module's text for shapes.
+
+    Q, Q_d, Q_dd   (4, L, S) world quaternions, any length
+    rotation       (3, 3, L, S)
+    omega, alpha   (3, L, S) angular velocity and acceleration [rad/s, rad/s²], world axes
+    x, x_d, x_dd   (3, L, S) origin of the link [m, m/s, m/s²]
+    """
+
+    def __init__(self, states: States) -> None:
+        self.states = states
+        self.figure = states.figure
+        self._same = self.figure.is_world  # the state's quaternions are the links' own
+        self.quaternions = states.quaternions if self._same else _world_quaternions(states)
+        self.Q, self.Q_d, self.Q_dd = self.quaternions
+
+    @cached_property
+    def _dots(self) -> Array:
+        """Q·Q, Q·Q', Q·Q'', (3, L, S)."""
+        return self.states.dots if self._same else np.einsum("cls,kcls->kls", self.Q, self.quaternions)
+
+    @property
+    def length_squared(self) -> Array:
+        """b = Q·Q, (L, S)."""
+        return self._dots[0]
+
+    @cached_property
+    def scale(self) -> Array:
+        """2 / b, (L, S)."""
+        return 2 / self.length_squared
+
+    @cached_property
+    def rotation(self) -> Array:
+        return rotation_matrix(self.Q, self.scale)
+
+    @cached_property
+    def rates(self) -> Array:
+        """2 (Q·Q')/b and 2 (Q·Q'')/b, (2, L, S) [1/s, 1/s²]; the first is b'/b."""
+        return self._dots[1:] * self.scale
+
+    @property
+    def stretch_rate(self) -> Array:
+        """(Q·Q')/b, the rate at which the quaternion's length grows, (L, S) [1/s]."""
+        return 0.5 * self.rates[0]
+
+    @cached_property
+    def vector_product(self) -> Array:
+        """G of Q, (3, 4, L, S); see the algebra."""
+        return vector_product(self.Q)
+
+    @cached_property
+    def spins(self) -> Array:
+        """(ω, ω'), (2, 3, L, S)."""
+        out = np.einsum("jcls,kcls->kjls", self.vector_product, self.quaternions[1:])
+        out *= self.scale
+        out[1] -= self.rates[0] * out[0]
+        return out
+
+    @property
+    def omega(self) -> Array:
+        return self.spins[0]
+
+    @property
+    def alpha(self) -> Array:
+        return self.spins[1]
+
+    @cached_property
+    def swing(self) -> Array:
+        """A of s'' = A s for vectors s that turn with the link, (3, 3, L, S) [1/s²]."""
+        return swing_matrix(self.omega, self.alpha)
+
+    @cached_property
+    def parent_swing(self) -> Array:
+        """The swing of every link's parent, (3, 3, L, S)."""
+        return np.take(self.swing, self.figure.tables.parents, axis=2)
+
+    def points(self, links: Index, positions: Array) -> tuple[Array, Array]:
+        """Points fixed on links (n,) at positions (3, n): where they are and their arms from the origins, (3, n, S)."""
+        arm = self.fixed(on_links(positions, links, len(self.figure.links)))
+        return self.x.take(links, axis=1) + arm, arm
+
+    def poses(self, flat: Index) -> tuple[Array, Array]:
+        """Origins (3, p) and rotations (3, 3, p) of pairs of a link and a sample: flat = link · S + sample."""
+        rotation = self.rotation.reshape(9, -1).take(flat, axis=1).reshape(3, 3, -1)
+        return self.x.reshape(3, -1).take(flat, axis=1), rotation
+
+    def fixed(self, weights: Array) -> Array:
+        """Σ_l R_l c_l of vectors fixed on links, one sum a row: weights (m, 3 L), all c_x first, -> (3, m, S)."""
+        return np.matmul(weights, self.rotation.reshape(3, weights.shape[1], -1))
+
+    @cached_property
+    def step(self) -> Array:
+        """R_parent · offset, the vector from the parent's origin to the joint's anchor, (3, L, S)."""
+        return self.fixed(self.figure.tables.steps)
+
+    @cached_property
+    def hang(self) -> Array | None:
+        """R · anchor, from the link's origin to its joint's anchor, or None if all joints sit at bodies' origins."""
+        tables = self.figure.tables
+        return turned(self.rotation, tables.anchor) if tables.has_anchors else None
+
+    @cached_property
+    def anchor(self) -> Array:
+        """Where each link's joint turns, (3, L, S)."""
+        return self.x if self.hang is None else self.x + self.hang
+
+    @cached_property
+    def slide_axis(self) -> Array:
+        """R · axis of the slides, (3, s, S)."""
+        tables = self.figure.tables
+        return turned(self.rotation[:, :, tables.slide_links], tables.axis[:, tables.slide_links])
+
+    def slide(self, order: int) -> Array:
+        """The slides' displacements from their reference, or the derivatives of that, (s, S)."""
+        tables = self.figure.tables
+        value = self.states.columns(tables.slide_columns, order)
+        return value - tables.reference[tables.slide_links][:, None] if order == 0 else value
+
+    def _summed(self, own: Array, order: int) -> Array:
+        """Sums over the way from the root, plus the free roots' own positions."""
+        tables = self.figure.tables
+        if tables.free_links.size:
+            own[:, tables.free_links] = self.states.columns(tables.position_columns, order)
+        return gathered(tables.path, own)
+
+    @cached_property
+    def x(self) -> Array:
+        own = self.step.copy() if self.hang is None else self.step - self.hang
+        slides = self.figure.tables.slide_links
+        if slides.size:
+            own[:, slides] += self.slide(0) * self.slide_axis
+        return self._summed(own, 0)
+
+    @cached_property
+    def x_d(self) -> Array:
+        parents, slides = self.figure.tables.parents, self.figure.tables.slide_links
+        own = cross(self.omega[:, parents], self.step)
+        if self.hang is not None:
+            own -= cross(self.omega, self.hang)
+        if slides.size:
+            e = self.slide_axis
+            own[:, slides] += self.slide(1) * e + self.slide(0) * cross(self.omega[:, slides], e)
+        return self._summed(own, 1)
+
+    @cached_property
+    def x_dd(self) -> Array:
+        slides = self.figure.tables.slide_links
+        own = applied(self.parent_swing, self.step)
+        if self.hang is not None:
+            own -= applied(self.swing, self.hang)
+        if slides.size:
+            e, omega, swing = self.slide_axis, self.omega[:, slides], self.swing[:, :, slides]
+            own[:, slides] += (
+                self.slide(2) * e + 2 * self.slide(1) * cross(omega, e) + self.slide(0) * applied(swing, e)
+            )
+        return self._summed(own, 2)
+
+
+# C = A ⊗ c and two derivatives are sums of these orders' products, A, A', A'' by c, c', c''
+_OF_BASE, _OF_OWN = np.array([0, 1, 0, 2, 1, 0]), np.array([0, 0, 1, 0, 1, 2])
+
+
+def _world_quaternions(states: States) -> Array:
+    """World quaternions of all links and two derivatives from joint coordinates, (3, 4, L, S)."""
+    tables = states.figure.tables
+    out = _from_parents(states).swapaxes(0, 1)
+    for level in tables.levels:
+        a, c = out[:, _OF_BASE][:, :, tables.parents[level]], out[:, _OF_OWN][:, :, level]
+        parts = hamilton(a, c)
+        out[:, 0, level] = parts[:, 0]
+        out[:, 1, level] = parts[:, 1] + parts[:, 2]
+        out[:, 2, level] = parts[:, 3] + 2 * parts[:, 4] + parts[:, 5]
+    return out.swapaxes(0, 1)
+
+
+def _from_parents(states: States) -> Array:
+    """Each link's rotation c, c', c'' from its parent's axes, or the world's if that is in the state; (3, 4, L, S)."""
+    tables, out = states.figure.tables, _local_quaternions(states)
+    if tables.has_turns and tables.levels:
+        some = np.concatenate(tables.levels)
+        out[:, :, some] = hamilton(tables.turn[:, None, some, None], out[:, :, some].swapaxes(0, 1)).swapaxes(0, 1)
+    return out
+
+
+def _hinge_quaternions(states: States) -> tuple[Array, Array, Array]:
+    """(cos θ/2, axis sin θ/2) of the hinges and two derivatives, (4, h, S) each."""
+    tables = states.figure.tables
+    theta, theta_d, theta_dd = (states.columns(tables.hinge_columns, k) for k in range(3))
+    half = 0.5 * (theta - tables.reference[tables.hinge_links][:, None])
+    axis = tables.axis[:, tables.hinge_links][:, :, None]
+    q = np.concatenate([np.cos(half)[None], axis * np.sin(half)])
+    normal = np.concatenate([-np.sin(half)[None], axis * np.cos(half)])
+    return q, 0.5 * theta_d * normal, 0.5 * theta_dd * normal - 0.25 * theta_d**2 * q
+
+
+def _local_quaternions(states: States) -> Array:
+    """Each link's own rotation c, c', c'' relative to its parent, (3, 4, L, S); the identity for slides."""
+    tables = states.figure.tables
+    out = np.zeros((3, 4, len(states.figure.links), states.count))
+    out[0, 0] = 1.0
+    out[:, :, tables.quaternion_links] = states.quaternions[:, :, 1:]
+    if tables.hinge_links.size:
+        out[:, :, tables.hinge_links] = _hinge_quaternions(states)
+    return out
+
+
+class Adjoint(Protocol):
+    """Something derived from the links' motion that can pull gradients of it back."""
+
+    def settle(self, into: Cotangent, owed: Array) -> None:
+        """Adds the gradients with respect to the links' motion to `into`; `owed` is used up."""
+        ...
+
+
+class Cotangent:
+    """Gradients of one scalar with respect to any of a `Samples`' quantities, gathered and pulled back to y, y', y''.
+
+    `add("x", g)` adds to the gradient with respect to the links' origins, and so on for: y y_d y_dd (S, N);
+    q q_d q_dd (4, n, S); x x_d x_dd omega alpha turn (3, L, S), where `turn` is the gradient with respect to a small
+    world rotation of the link with ω and ω' held; swing (3, 3, L, S).
+    """
+
+    def __init__(self, samples: Samples) -> None:
+        self.samples = samples
+        self._parts: dict[str, Array] = {}
+        self._forces: list[tuple[Index, Array, Array]] = []
+        self._owed: list[tuple[Adjoint, Array]] = []
+
+    def owed(self, source: Adjoint, kinds: int) -> Array:
+        """Room (kinds, 3, L, S), zeros at first, for gradients with respect to what `source` derives.
+
+        All who use it add to them; they are pulled back once, at the end.
+        """
+        for known, room in self._owed:
+            if known is source:
+                return room
+        room = np.zeros((kinds, 3, len(self.samples.figure.links), self.samples.count))
+        self._owed.append((source, room))
+        return room
+
+    def add(self, name: str, gradient: Array) -> None:
+        if name in self._parts:
+            self._parts[name] += gradient
+        else:
+            self._parts[name] = np.array(gradient)
+
+    def hand(self, name: str, gradient: Array) -> None:
+        """`add` of an array that the caller has no more use for: it may be kept and added into."""
+        if name in self._parts:
+            self._parts[name] += gradient
+        else:
+            self._parts[name] = gradient
+
+    def room(self, name: str) -> Array:
+        """The array itself, zeros at first, to add into by index."""
+        if name not in self._parts:
+            samples = self.samples
+            if name[0] == "y":
+                shape: tuple[int, ...] = samples.y.shape
+            elif name[0] == "q":
+                shape = samples.q.shape
+            else:
+                shape = (3, len(samples.figure.links), samples.count)
+            self._parts[name] = np.zeros(shape)
+        return self._parts[name]
+
+    def add_forces(self, flat: Index, arm: Array, force: Array) -> None:
+        """Gradients (3, p) with respect to points at `arm` (3, p) from the origins of links.
+
+        flat  (p,) link · S + sample; the same may come up more than once
+        """
+        self._forces.append((flat, arm, force))
+
+    def _settle_forces(self) -> None:
+        """Adds all forces on points to x and turn."""
+        flat, arm, force = (np.concatenate(parts, axis=-1) for parts in zip(*self._forces, strict=True))
+        size = len(self.samples.figure.links) * self.samples.count
+        rows = np.concatenate([force, cross(arm, force)])
+        places = flat + size * np.arange(6)[:, None]
+        total = np.bincount(places.ravel(), rows.ravel(), 6 * size).reshape(2, 3, -1, self.samples.count)
+        self.hand("x", total[0])
+        self.hand("turn", total[1])
+
+    def gradients(self) -> tuple[Array, Array, Array]:
+        """The three gradients with respect to y, y', y'', each (S, N); the cotangent is used up."""
+        samples = self.samples
+        for source, owed in self._owed:
+            source.settle(self, owed)
+        if self._forces:
+            self._settle_forces()
+        if self._parts.keys() & {"x", "x_d", "x_dd", "omega", "alpha", "turn", "swing"}:
+            _origins_pulled_back(self)
+            if "swing" in self._parts:
+                by_omega, by_alpha = swing_pulled_back(self._parts["swing"], samples.links.omega)
+                self.hand("omega", by_omega)
+                self.hand("alpha", by_alpha)
+            quaternions = _quaternion_gradients(self)
+            if samples.figure.is_world:
+                blocks = [g[:, 1:] for g in quaternions]
+            else:
+                blocks = _products_pulled_back(self, quaternions)
+            for name, block in zip(("q", "q_d", "q_dd"), blocks, strict=False):
+                self.hand(name, block)
+        g, g_d, g_dd = (self._by_entries(*names) for names in (("y", "q"), ("y_d", "q_d"), ("y_dd", "q_dd")))
+        return g, g_d, g_dd
+
+    def _by_entries(self, name: str, blocks: str) -> Array:
+        """The gradient with respect to y, y' or y'', (S, N): its own entries' and the quaternion blocks'."""
+        part = self._parts.get(blocks)
+        if part is None:
+            return self.room(name)
+        samples, tables = self.samples, self.samples.figure.tables
+        rows = np.zeros((samples.y.shape[1], samples.count))
+        if tables.quaternion_slice is None:
+            rows[tables.quaternion_columns] = part
+        else:
+            rows[tables.quaternion_slice].reshape(-1, 4, samples.count)[:] = part.swapaxes(0, 1)
+        total = np.ascontiguousarray(rows.T)
+        if name in self._parts:
+            total += self._parts[name]
+        return total
+
+    def get(self, name: str) -> Array | None:
+        return self._parts.get(name)
+
+
+def attached_pulled_back(
+    into: Cotangent, s: Array, gradients: Gradients, owners: Index | None = None, swing: Array | None = None
+) -> None:
+    """Gradients of s, s' = ω × s and s'' = A s, for vectors s (3, n, S) that turn with links, to those of the links.
+
+    owners  (n,) the links, each vector's own; None: every link has one
+    swing   (3, 3, n, S) the owners' A, where it is known
+    """
+    links = into.samples.links
+    g, g_d, g_dd = gradients
+    pull = g
+    if g_d is not None:
+        omega = links.omega if owners is None else links.omega[:, owners]
+        pull = cross(g_d, omega) if pull is None else pull + cross(g_d, omega)
+        _to_owners(into, "omega", cross(s, g_d), owners)
+    if g_dd is not None:
+        if swing is None:
+            swing = links.swing if owners is None else links.swing[:, :, owners]
+        through = turned_back(swing, g_dd)
+        pull = through if pull is None else np.add(pull, through, out=through)
+        _to_owners(into, "swing", outer(g_dd, s), owners)
+    if pull is not None:
+        _to_owners(into, "turn", cross(s, pull), owners)
+
+
+def _to_owners(into: Cotangent, name: str, part: Array, owners: Index | None) -> None:
+    """Adds vectors' gradients to those of the links that own them."""
+    if owners is not None:
+        incidence = np.zeros((len(into.samples.figure.links), owners.size))
+        incidence[owners, np.arange(owners.size)] = 1
+        part = np.matmul(incidence, part)
+    into.hand(name, part)
+
+
+def _origins_pulled_back(cotangent: Cotangent) -> None:
+    """x, x', x'' -> positions of the free roots, slides, and turn, ω and swing of the links."""
+    samples, tables = cotangent.samples, cotangent.samples.figure.tables
+    own: list[Array | None] = []
+    for name, y_name in (("x", "y"), ("x_d", "y_d"), ("x_dd", "y_dd")):
+        whole = cotangent.get(name)
+        g = None if whole is None else gathered(tables.beyond, whole)
+        own.append(g)
+        if g is not None and tables.free_links.size:
+            columns = tables.position_columns.ravel()
+            cotangent.room(y_name)[:, columns] += g[:, tables.free_links].reshape(-1, samples.count).T
+    g, g_d, g_dd = own
+    if g is None and g_d is None and g_dd is None:
+        return
+    links = samples.links
+    swing = None if g_dd is None else links.parent_swing
+    attached_pulled_back(cotangent, links.step, (g, g_d, g_dd), tables.parents, swing)
+    if links.hang is not None:
+        x, x_d, x_dd = (None if part is None else -part for part in own)
+        attached_pulled_back(cotangent, links.hang, (x, x_d, x_dd))
+    if tables.slide_links.size:
+        _slides_pulled_back(cotangent, own)
+
+
+def _slides_pulled_back(cotangent: Cotangent, own: list[Array | None]) -> None:
+    """Displacement q e along a slide's axis e: gradients of q, q', q'' and of the axis."""
+    samples, tables = cotangent.samples, cotangent.samples.figure.tables
+    links, slides = samples.links, tables.slide_links
+    zero = np.zeros((3, slides.size, samples.count))
+    g, g_d, g_dd = (zero if part is None else part[:, slides] for part in own)
+    e, swing = links.slide_axis, links.swing[:, :, slides]
+    e_d, e_dd = cross(links.omega[:, slides], e), applied(swing, e)
+    q, q_d, q_dd = (links.slide(order) for order in range(3))
+    columns = tables.slide_columns
+    cotangent.room("y")[:, columns] += (dot(g, e) + dot(g_d, e_d) + dot(g_dd, e_dd)).T
+    cotangent.room("y_d")[:, columns] += (dot(g_d, e) + 2 * dot(g_dd, e_d)).T
+    cotangent.room("y_dd")[:, columns] += dot(g_dd, e).T
+    axis = (q * g + q_d * g_d + q_dd * g_dd, q * g_d + 2 * q_d * g_dd, q * g_dd)
+    attached_pulled_back(cotangent, e, axis, slides, swing)
+
+
+def _quaternion_gradients(cotangent: Cotangent) -> list[Array]:
+    """(turn, ω, ω') -> gradients with respect to Q, Q', Q'' of the links, (4, L, S); later ones left out if zero.
+
+    With G of a quaternion as in the algebra: (0, v) ⊗ Q = Gᵀ v.
+    """
+    links = cotangent.samples.links
+    turn, omega_bar, alpha_bar = (cotangent.get(name) for name in ("turn", "omega", "alpha"))
+    product = links.vector_product
+    if omega_bar is None and alpha_bar is None:
+        assert turn is not None
+        return [turned_back(product, turn * links.scale)]
+    first = np.zeros_like(links.omega) if omega_bar is None else omega_bar
+    if alpha_bar is None:
+        h0, h1 = cross(links.omega, first), first * links.scale
+    else:
+        h0 = cross(links.omega, first)
+        h0 += cross(links.alpha, alpha_bar)
+        h1 = cross(links.omega, alpha_bar)
+        h1 += first
+        h1 *= links.scale
+    if turn is not None:
+        h0 += turn
+    h0 *= links.scale
+    rate = 2 * links.rates[0]
+    if alpha_bar is None:
+        h0 -= links.rates[0] * h1
+        return [_product_sum((product, h0), (vector_product(links.Q_d), h1)), turned_back(product, h1)]
+    h2 = alpha_bar * links.scale
+    h1 -= rate * h2
+    h0 -= links.rates[0] * h1
+    h0 -= (links.rates[1] + dot(links.Q_d, links.Q_d) * links.scale) * h2
+    product_d = vector_product(links.Q_d)
+    g0 = _product_sum((product, h0), (product_d, h1), (vector_product(links.Q_dd), h2))
+    return [g0, _product_sum((product, h1), (product_d, 2 * h2)), turned_back(product, h2)]
+
+
+def _product_sum(*terms: tuple[Array, Array]) -> Array:
+    """Σ Gᵀ h, (4, L, S)."""
+    (matrix, vector), *rest = terms
+    total = turned_back(matrix, vector)
+    for matrix, vector in rest:
+        total += turned_back(matrix, vector)
+    return total
+
+
+def _products_pulled_back(cotangent: Cotangent, gradients: list[Array]) -> list[Array]:
+    """World quaternions' gradients -> those of joint coordinates: C = A ⊗ c, from the leaves to the root."""
+    samples, tables = cotangent.samples, cotangent.samples.figure.tables
+    links = samples.links
+    local, base = _from_parents(links.states).swapaxes(0, 1), links.quaternions.swapaxes(0, 1)
+    grads = np.zeros_like(base)
+    for order, gradient in enumerate(gradients):
+        grads[:, order] = gradient
+    for level in reversed(tables.levels):
+        parents = tables.parents[level]
+        g, a, c = grads[:, :, level], base[:, :, parents], local[:, :, level]
+        pairs = _OF_SUM, _OF_OTHER
+        up = _summed_back(hamilton(g[:, pairs[0]], conjugated(c[:, pairs[1]])))
+        grads[:, :, level] = _summed_back(hamilton(conjugated(a[:, pairs[1]]), g[:, pairs[0]]))
+        for i, parent in enumerate(parents):
+            grads[:, :, parent] += up[:, :, i]
+    if tables.has_turns and tables.levels:
+        some = np.concatenate(tables.levels)
+        grads[:, :, some] = hamilton(conjugated(tables.turn[:, None, some, None]), grads[:, :, some])
+    grads = grads.swapaxes(0, 1)
+    _hinges_pulled_back(cotangent, [grad[:, tables.hinge_links] for grad in grads])
+    return [grad[:, tables.quaternion_links] for grad in grads]
+
+
+# what meets the gradients of C, C', C'' in those of either factor, by the derivatives of the other
+_OF_SUM, _OF_OTHER = np.array([0, 1, 2, 1, 2, 2]), np.array([0, 1, 2, 0, 1, 0])
+
+
+def _summed_back(parts: Array) -> Array:
+    """(4, 6, l, S) -> gradients of a factor and its two derivatives, (4, 3, l, S)."""
+    return np.stack([parts[:, 0] + parts[:, 1] + parts[:, 2], parts[:, 3] + 2 * parts[:, 4], parts[:, 5]], axis=1)
+
+
+def _hinges_pulled_back(cotangent: Cotangent, grads: list[Array]) -> None:
+    """Gradients of (cos θ/2, axis sin θ/2) and its derivatives -> θ, θ', θ''."""
+    samples, tables = cotangent.samples, cotangent.samples.figure.tables
+    if not tables.hinge_links.size:
+        return
+    q, _, _ = _hinge_quaternions(samples.links.states)
+    axis = tables.axis[:, tables.hinge_links][:, :, None]
+    normal = np.concatenate([-dot(q[1:], axis + 0 * q[1:])[None], axis * q[0]])
+    theta_d, theta_dd = (samples.columns(tables.hinge_columns, k) for k in (1, 2))
+    g, g_d, g_dd = grads
+    along, along_d, along_dd = dot(g, normal), dot(g_d, normal), dot(g_dd, normal)
+    out_d, out_dd = dot(g_d, q), dot(g_dd, q)
+    columns = tables.hinge_columns
+    cotangent.room("y")[:, columns] += (
+        0.5 * along - 0.25 * theta_d * out_d - 0.25 * theta_dd * out_dd - 0.125 * theta_d**2 * along_dd
+    ).T
+    cotangent.room("y_d")[:, columns] += (0.5 * along_d - 0.5 * theta_d * out_dd).T
+    cotangent.room("y_dd")[:, columns] += (0.5 * along_dd).T

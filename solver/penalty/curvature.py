@@ -1,0 +1,195 @@
+"""The Gauss-Newton curvature of E: what the soft constraints' Jacobians J say of its second derivatives, Σ 2 JᵀJ.
+
+Every penalty is a sum of squares of residuals. Their Jacobians with respect to (y, y', y'') at a sample give one
+matrix, never negative: it leaves out the residuals' own second derivatives. It serves the search as its model and the
+weak form as its H, never E itself. Residuals that count on one side only, like depths, are kept apart: whether they
+count changes within a step.
+
+Jacobian rows that go through the figure's kinematics come from its adjoint sweep on copies of the samples, one a row.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..figure.kinematics import Cotangent, Samples
+from ..quaternion import Array, Index
+
+ROWS_AT_ONCE = 400
+DIFFERENCE = 1e-6
+
+
+class Curvature:
+    """Σ 2 JᵀJ over samples, kept as what it is made of until somebody says how the state moves at the samples.
+
+    A direction φ is a scalar function of time by which a frame or a coefficient moves every entry of the state alike:
+    y by φ, y' by φ', y'' by φ''. Samples see K such functions, values (S, 3, K).
+    """
+
+    def __init__(self, samples: Samples) -> None:
+        self.samples = samples
+        self.width = samples.y.shape[1]
+        self._rows: list[tuple[Index, Array, tuple[int, ...]]] = []
+        self._blocks: list[tuple[Index, Array]] = []
+        self._squares: list[tuple[Index, int, Array]] = []
+
+    def add_rows(self, at: Index, scale: Array, jacobian: Array, orders: tuple[int, ...] = (0, 1, 2)) -> None:
+        """Residuals at samples `at` (P,), rising, with gradients (P, k, N) in some of y, y', y''; times scale (P,)."""
+        if at.size:
+            self._rows.append((at, jacobian * np.sqrt(2 * scale)[:, None, None], orders))
+
+    def add_blocks(self, columns: Index, jacobian: Array, scale: Array) -> None:
+        """Residuals of n blocks of k columns (n, k), Jacobians (S, n, r, 3, k) at every sample, times scale (S,)."""
+        if not columns.size:
+            return
+        count, n, residuals, _, k = jacobian.shape
+        j = (jacobian * np.sqrt(2 * scale)[:, None, None, None, None]).reshape(count, n, residuals, 3 * k)
+        squared = np.matmul(j.swapaxes(2, 3), j).reshape(count, n, 3, k, 3, k)
+        for there, total in self._blocks:
+            if np.array_equal(there, columns):
+                total += squared
+                return
+        self._blocks.append((columns, squared))
+
+    def add_squares(self, columns: Index, order: int, scale: Array) -> None:
+        """Residuals that are entries of y, y' or y'' themselves, times scale (S,)."""
+        if columns.size:
+            self._squares.append((columns, order, 2 * scale))
+
+    def add_sides(self, sides: Sides, scale: Array) -> None:
+        """One-sided residuals, those of them that count."""
+        active = np.flatnonzero(sides.value > 0)
+        active = active[np.argsort(sides.at[active], kind="stable")]
+        self.add_rows(sides.at[active], scale[sides.at[active]], sides.rows[active, None], (0,))
+
+    def rows(self, phi: Array) -> list[tuple[Index, Array]]:
+        """Residuals by the coefficients of K directions phi (S, 3, K): samples (P,) and rows (P, K N)."""
+        seen = [(at, np.ascontiguousarray(phi[at][:, orders].swapaxes(1, 2)), rows) for at, rows, orders in self._rows]
+        local = [(at, np.matmul(ways, rows)) for at, ways, rows in seen]
+        return [(at, rows.reshape(at.size, -1)) for at, rows in local]
+
+    def blocks(self, phi: Array, together: int = 1) -> list[tuple[Index, Array]]:
+        """Matrices of n blocks of k columns (n, k) by the coefficients of K directions: (S, n, K, k, K, k).
+
+        Those of every so many neighbouring samples `together` are summed, S is less by as much.
+        """
+        count, directions = len(phi) // together, phi.shape[2]
+        made = []
+        pairs = phi[:, :, None, :, None] * phi[:, None, :, None, :]
+        pairs = pairs.reshape(count, together * 9, -1).swapaxes(1, 2)
+        for columns, blocks in self._blocks:
+            n, k = columns.shape
+            by_orders = blocks.transpose(0, 2, 4, 1, 3, 5).reshape(count, together * 9, -1)
+            local = np.matmul(pairs, by_orders).reshape(count, directions, directions, n, k, k)
+            made.append((columns, local.transpose(0, 3, 1, 4, 2, 5)))
+        for columns, order, scale in self._squares:
+            one = phi[:, order].reshape(count, together, -1)
+            each = np.matmul((one * scale.reshape(count, together, 1)).swapaxes(1, 2), one)
+            every = np.broadcast_to(each[:, None, :, None, :, None], (count, columns.size, *_apart(each.shape)))
+            made.append((columns[:, None], every))
+        return made
+
+    def quadratic(self, phi: Array, first: int, last: int) -> Array:
+        """(N, N): Σ over samples first ... last − 1 in the one direction phi (S, 3)."""
+        out = np.zeros((self.width, self.width))
+        for at, rows, orders in self._rows:
+            begin, end = np.searchsorted(at, [first, last])
+            moved = np.einsum("po,pon->pn", phi[at[begin:end]][:, orders], rows[begin:end])
+            out += moved.T @ moved
+        some = slice(first, last)
+        for columns, blocks in self._blocks:
+            n, k = columns.shape
+            pairs = (phi[some, :, None] * phi[some, None, :]).reshape(-1)
+            by_orders = blocks[some].transpose(0, 2, 4, 1, 3, 5).reshape(pairs.size, n * k * k)
+            out[columns[:, :, None], columns[:, None, :]] += (pairs @ by_orders).reshape(n, k, k)
+        for columns, order, scale in self._squares:
+            out[columns, columns] += np.sum(scale[some] * phi[some, order] ** 2)
+        return out
+
+    def acceleration(self) -> Array:
+        """(S, N): the diagonal in y''."""
+        out = np.zeros((self.samples.count, self.width))
+        for at, rows, orders in self._rows:
+            if 2 in orders:
+                np.add.at(out, at, rows[:, orders.index(2)] ** 2)
+        for columns, blocks in self._blocks:
+            out[:, columns] += np.einsum("snkk->snk", blocks[:, :, 2, :, 2])
+        for columns, order, scale in self._squares:
+            if order == 2:
+                out[:, columns] += scale[:, None]
+        return out
+
+
+def _apart(shape: tuple[int, ...]) -> tuple[int, int, int, int]:
+    """(S, K, K) -> (K, 1, K, 1)."""
+    return shape[1], 1, shape[2], 1
+
+
+@dataclass(frozen=True)
+class Sides:
+    """Residuals that count on one side only: each adds max(0, value + row · δy)² when the state moves by δy.
+
+    at     (P,) sample of each
+    value  (P,) how far it is over its bound, negative below
+    rows   (P, N) its gradient with respect to y
+    """
+
+    at: Index
+    value: Array
+    rows: Array
+
+    @classmethod
+    def none(cls, samples: Samples) -> Sides:
+        return cls(np.zeros(0, np.intp), np.zeros(0), np.zeros((0, samples.y.shape[1])))
+
+    @classmethod
+    def joined(cls, parts: Sequence[Sides]) -> Sides:
+        return cls(*(np.concatenate([getattr(part, name) for part in parts]) for name in ("at", "value", "rows")))
+
+
+def jacobian(samples: Samples, at: Index, seeded: Callable[[Samples, Cotangent, Index], None]) -> Array:
+    """(P, 3, N): the gradients of P residuals at samples `at` (P,) with respect to y, y', y''.
+
+    seeded(copies, cotangent, rows) adds each row's seed, rows (R,), to the cotangent of the copied samples (R).
+    """
+    out = np.empty((at.size, 3, samples.y.shape[1]))
+    for first in range(0, at.size, ROWS_AT_ONCE):
+        rows = np.arange(first, min(first + ROWS_AT_ONCE, at.size))
+        copies = samples.taken(at[rows])
+        cotangent = Cotangent(copies)
+        seeded(copies, cotangent, rows)
+        out[rows] = np.stack(cotangent.gradients(), axis=1)
+    return out
+
+
+def add_differences(
+    evaluate: Callable[[Samples, Cotangent, Array], Array], samples: Samples, into: Curvature, scale: Array
+) -> None:
+    """The second derivatives of any penalty from differences of its gradients, negative curvature made positive."""
+    count, width = samples.y.shape
+    base = np.hstack([samples.y, samples.y_d, samples.y_dd])
+
+    def gradients(moved: Array, copies: int) -> Array:
+        seen = Samples(samples.figure, *np.split(moved, 3, axis=1), t=np.tile(samples.t, copies))
+        cotangent = Cotangent(seen)
+        evaluate(seen, cotangent, np.tile(scale, copies))
+        return np.hstack(cotangent.gradients()).reshape(copies, count, -1)
+
+    here = gradients(base, 1)[0]
+    hessian = np.empty((count, 3 * width, 3 * width))
+    together = max(1, ROWS_AT_ONCE // count)
+    size = DIFFERENCE * np.maximum(np.sqrt(np.mean(base.reshape(count, 3, width) ** 2, axis=(0, 2))), 1.0)
+    for first in range(0, 3 * width, together):
+        columns = np.arange(first, min(first + together, 3 * width))
+        h = size[columns // width]
+        moved = np.tile(base, (columns.size, 1)).reshape(columns.size, count, -1)
+        moved[np.arange(columns.size), :, columns] += h[:, None]
+        there = gradients(moved.reshape(-1, 3 * width), columns.size)
+        hessian[:, columns] = ((there - here) / h[:, None, None]).transpose(1, 0, 2)
+    eigenvalues, vectors = np.linalg.eigh((hessian + hessian.transpose(0, 2, 1)) / 2)
+    rows = (vectors * np.sqrt(np.abs(eigenvalues))[:, None, :]).transpose(0, 2, 1)
+    at = np.repeat(np.arange(count), 3 * width)
+    into.add_rows(at, np.full(at.size, 0.5), rows.reshape(-1, 3, width))

@@ -1,0 +1,130 @@
+"""Rhythm: what a clip's own keyframes tell of a walking or running cycle, as a Gaussian process of its poses.
+
+The poses (see `pose_vectors`) have a periodic part, whose left-right mirror image half a period on is the same motion,
+and a smooth part for all else. Nothing is learned from other clips. The likelihood of the keyframes says how well a
+period explains them; several periods may do about equally, for keyframes tell no more than they are dense (aliasing).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from .. import quaternion as quat
+from ..quaternion import Array
+from .pose_vectors import PoseVectors
+
+LENGTH = 0.9  # of the periodic kernel: how much of a cycle is alike, [rad] of phase at half amplitude
+DECAY = 4.0  # periods over which cycles drift apart
+SMOOTH = 0.25  # [s] over which what is not periodic is alike
+PERIODIC, REST = 0.85, 0.15  # shares of the variance
+NOISE = 1e-3  # of the variance
+ALIKE = (0.15, 0.25, 0.5, 1.0)  # [s] lengths of the smooth kernels that a rhythm has to beat
+TICK = 0.02  # [s] between the times at which a rhythm's poses are kept
+QUARTER = 0.25  # of how far the spline is off the cycle, what is at least the spline's own error
+SURE = 0.03  # [rad] standard deviation that is as good as none
+
+
+@dataclass(frozen=True, eq=False)
+class Process:
+    """A Gaussian process of keyframes' poses, before a period is chosen."""
+
+    poses: PoseVectors
+
+    def gain(self, period: float) -> float:
+        """By how much the log-likelihood of a period exceeds that of the best smooth motion, per number given."""
+        return self._likelihood(self._across(period)) - self._smooth_likelihood
+
+    @cached_property
+    def _smooth_likelihood(self) -> float:
+        blocks = np.kron(np.eye(self.poses.sides), np.ones((self.poses.times.size,) * 2))
+        times = np.tile(self.poses.times, self.poses.sides)
+        return max(self._likelihood(blocks * _smooth(times, times, length)) for length in ALIKE)
+
+    def _likelihood(self, covariance: Array) -> float:
+        """Of all rows, their common variance the likeliest; per entry, but for constants."""
+        rows = self.poses.rows
+        covariance[np.diag_indices_from(covariance)] += NOISE
+        root = np.linalg.cholesky(covariance)
+        white = np.linalg.solve(root, rows)
+        return float(-0.5 * np.log(np.mean(white**2)) - np.log(np.diag(root)).mean())
+
+    def _across(self, period: float, at: Array | None = None) -> Array:
+        """Covariances of the rows (sides · n) with those, or with the poses at times `at` (T,) [s]."""
+        times, sides = self.poses.times, self.poses.sides
+        shifted = np.concatenate([times + side * period / 2 for side in range(sides)])
+        out = PERIODIC * _periodic(shifted if at is None else at, shifted, period)
+        if at is not None:
+            out[:, : times.size] += REST * _smooth(at, times, SMOOTH)
+            return out
+        alike = REST * _smooth(times, times, SMOOTH)
+        for first in range(0, out.shape[0], times.size):
+            some = slice(first, first + times.size)
+            out[some, some] += alike
+        return out
+
+    def predicted(self, period: float, at: Array) -> tuple[Array, Array]:
+        """The poses' vectors (T, D) at times (T,) [s], and the variance of each (T,) [rad²]."""
+        rows = self.poses.rows
+        covariance = self._across(period)
+        covariance[np.diag_indices_from(covariance)] += NOISE
+        across = self._across(period, at)
+        root = np.linalg.cholesky(covariance)
+        white, left = np.linalg.solve(root, rows), np.linalg.solve(root, across.T)
+        unexplained = np.maximum(PERIODIC + REST - np.sum(left**2, axis=0), 0.0)
+        return left.T @ white, unexplained * float(np.mean(white**2))
+
+
+def _smooth(a: Array, b: Array, length: float) -> Array:
+    return np.exp(-0.5 * ((a[:, None] - b) / length) ** 2)
+
+
+def _periodic(a: Array, b: Array, period: float) -> Array:
+    apart = (a[:, None] - b) / period
+    return np.exp(-2 * (np.sin(np.pi * apart) / LENGTH) ** 2 - 0.5 * (apart / DECAY) ** 2)
+
+
+@dataclass(frozen=True, eq=False)
+class Rhythm:
+    """A clip's cycle: its period, how sure it is, and the poses that it tells between keyframes.
+
+    period     [s]
+    gain       log-likelihood over the best smooth motion, per number that the keyframes give
+    slip       how fast feet that are low move, at their slowest, as a share of the travel; NaN where nobody looked
+    times      (T,) [s] evenly spaced
+    rotations  (T, q, 4) of the links with quaternions, as in qpos, no sign changes
+    angles     (T, h) [rad] of the hinges
+    heights    (T, f) [m] of the free root
+    trust      (T,) the variance of the spline through the keyframes about the cycle, over the cycle's own
+    """
+
+    poses: PoseVectors
+    period: float
+    gain: float
+    slip: float
+    times: Array
+    rotations: Array
+    angles: Array
+    heights: Array
+    trust: Array
+
+    @classmethod
+    def of(cls, process: Process, period: float, times: Array, plain: Array) -> Rhythm:
+        """With a given period [s], at times (T,) [s] at which `plain` (T, nq) is the spline through the keyframes."""
+        poses = process.poses
+        vectors, variance = process.predicted(period, times)
+        rotations = quat.aligned(poses.map.rotations(vectors, times))
+        unlike = float(np.mean((poses.map.vectors(poses.map.off_heading(plain, times)) - vectors) ** 2))
+        trust = max(unlike - float(variance.mean()), QUARTER * unlike) / (variance + SURE**2)
+        gain = process.gain(period)
+        return cls(poses, period, gain, float("nan"), times, rotations, *poses.map.numbers(vectors), trust)
+
+    def qpos(self, width: int) -> Array:
+        """(T, width) configurations, the root at the origin but for its height."""
+        out = np.zeros((self.times.size, width))
+        columns = self.poses.map
+        out[:, columns.columns.T] = self.rotations
+        out[:, columns.hinges], out[:, columns.heights] = self.angles, self.heights
+        return out

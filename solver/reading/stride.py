@@ -1,0 +1,200 @@
+"""Which cycle a figure's legs make of its keyframes: periods that a body of its size may have, feet that stand.
+
+Where several periods explain the keyframes, feet decide: in the cycle that it is, a foot that is low stands on the
+ground while the body travels; in an alias it slides as fast as that. Animals and people of one dynamic similarity have
+strides of 2.3 Fr^0.3 hip heights, with the Froude number Fr = v²/(g h) (R. McN. Alexander 1976).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from ..curve.frame import Timeline
+from ..curve.spline import natural_end_slopes
+from ..figure.figure import Figure
+from ..figure.kinematics import Samples
+from ..penalty.contact import Contact, Point
+from ..quaternion import Array
+from ..refine.subdivision import path_of
+from ..surface import Surface
+from .pose_vectors import PoseVectors
+from .rhythm import TICK, Process, Rhythm
+
+SLOWEST = 0.25  # [m/s] of a body with hips 1 m high, below which it does not travel
+STRIDE, POWER = 2.3, 0.3  # of Alexander's
+SHORTER, LONGER = 0.65, 1.6  # periods that may be, of Alexander's
+FINENESS = 0.02  # of a period, how far apart periods are tried at first
+LEFT_OUT = ((0, 0), (1, 0), (0, 1), (1, 1))  # of the first and of the last keyframes
+OUTSIDE = 0.2  # least gain in log-likelihood of leaving one out
+FEWEST, MOST = 3, 100  # whole keyframes that a cycle is looked for in
+CYCLES = 0.8  # least number of cycles in a clip
+GAIN = -0.15  # least log-likelihood over that of a smooth motion
+SLIP = 0.33  # of the travel, most that feet which are low may slide
+LEVEL = 0.05  # [m] by which the ground may rise or fall
+TRUST = 0.5  # least of a rhythm, over all of the clip
+LOW = 0.04  # [m] over where soles are lowest
+LOWEST = 0.25  # of the keyframes, those in which they are lowest
+TRIED = 4  # candidates that are looked at
+ANY_PERIOD = (0.3, 3.0)  # [s] of what does not travel
+GRAVITY = 9.81  # [m/s²] that strides are known at
+
+
+@dataclass(frozen=True, eq=False)
+class Gait:
+    """A figure that travels over surfaces: its keyframes, and what of it stands on them.
+
+    keys    in the figure's coordinates
+    points  of its soles
+    """
+
+    figure: Figure
+    keys: Timeline
+    points: tuple[Point, ...]
+    surfaces: tuple[Surface, ...]
+
+    def told(self) -> Rhythm | None:
+        """The cycle that the keyframes tell beyond doubt, if any; the first and the last may stand outside it, as a
+        pose does from which somebody sets out, where the others tell it much better without."""
+        if self.keys.ends == "periodic":
+            return None
+        best, gain = None, -np.inf
+        for left_out in LEFT_OUT:
+            outside = sum(left_out)
+            if outside and len(self.keys.frames) - outside <= FEWEST:
+                continue
+            rhythm = self._without(*left_out)._told_by_all
+            if rhythm is not None and rhythm.gain - OUTSIDE * outside > gain:
+                best, gain = rhythm, rhythm.gain - OUTSIDE * outside
+        return best
+
+    def _without(self, first: int, last: int) -> Gait:
+        """Without so many of the first and of the last keyframes."""
+        if not first + last:
+            return self
+        frames = self.keys.frames[first : len(self.keys.frames) - last]
+        ends = natural_end_slopes(np.array([f.time for f in frames]), np.array([f.state for f in frames]))
+        return replace(self, keys=Timeline(frames, ends))
+
+    @property
+    def _told_by_all(self) -> Rhythm | None:
+        if not (self._may_walk and self._is_level):
+            return None
+        poses = PoseVectors.of(self.figure, self.keys)
+        if poses is None or not FEWEST <= poses.times.size <= MOST:
+            return None
+        shortest, longest = SHORTER * self.usual_period, LONGER * self.usual_period
+        longest = min(longest, poses.sides / 2 * (poses.times[-1] - poses.times[0]) / CYCLES)
+        sure = [r for r in self.candidates(Process(poses), (shortest, longest), GAIN) if r.slip <= SLIP]
+        best = max(sure, key=lambda rhythm: rhythm.gain, default=None)
+        return None if best is None or best.trust.mean() < TRUST else best
+
+    def likeliest(self) -> Rhythm | None:
+        """The cycle that the keyframes tell best, however well; None where they are too few."""
+        poses = PoseVectors.of(self.figure, self.keys)
+        if poses is None:
+            return None
+        shortest, longest = ANY_PERIOD
+        if self._may_walk:
+            shortest, longest = SHORTER * self.usual_period, LONGER * self.usual_period
+        found = self.candidates(Process(poses), (shortest, longest), -np.inf)
+        return min(found, key=lambda rhythm: (rhythm.slip > SLIP, -rhythm.gain), default=None)
+
+    def given(self, period: float) -> Rhythm | None:
+        """The cycle of a period [s] that somebody knows; None where whole keyframes are too few."""
+        poses = PoseVectors.of(self.figure, self.keys)
+        return None if poses is None else self._rhythm(Process(poses), period)
+
+    def candidates(self, process: Process, between: tuple[float, float], least: float) -> list[Rhythm]:
+        """The periods [s] at which the likelihood peaks above the `least` gain, likeliest first."""
+        if between[0] >= between[1]:
+            return []
+        count = max(3, int(np.ceil(np.log(between[1] / between[0]) / FINENESS)) + 1)
+        tried = np.geomspace(*between, count)
+        gain = np.array([process.gain(float(period)) for period in tried])
+        padded = np.concatenate([[-np.inf], gain, [-np.inf]])
+        peaks = np.flatnonzero((gain >= padded[:-2]) & (gain > padded[2:]) & (gain > least))
+        peaks = peaks[np.argsort(-gain[peaks])][:TRIED]
+        return [self._rhythm(process, _refined(process, tried, gain, int(i))) for i in peaks]
+
+    def _rhythm(self, process: Process, period: float) -> Rhythm:
+        rhythm = Rhythm.of(process, period, *self._plain)
+        return replace(rhythm, slip=self.slip(rhythm)) if self._may_walk else rhythm
+
+    @cached_property
+    def _plain(self) -> tuple[Array, Array]:
+        """Times (T,) [s], and the configurations (T, nq) of the spline through the keyframes."""
+        first, last = float(self.keys.times[0]), float(self.keys.times[-1])
+        times = np.linspace(first, last, max(2, int(np.ceil((last - first) / TICK)) + 1))
+        return times, self.figure.to_qpos(path_of(self.keys).at(times))
+
+    @cached_property
+    def _may_walk(self) -> bool:
+        """Whether it has feet and ground, one root, and gets on."""
+        if not self.points or not self.surfaces or self.figure.tables.free_links.size != 1:
+            return False
+        return self._hips > 0 and self._travel > SLOWEST * np.sqrt(self._hips)
+
+    @property
+    def _is_level(self) -> bool:
+        """Whether the ground below the lowest sole point is as high at all keyframes: steps are no cycle of poses."""
+        places, heights = self._standing
+        lowest = heights.argmin(axis=0), np.arange(heights.shape[1])
+        return float(np.ptp((places[2] - heights)[lowest])) < LEVEL
+
+    @property
+    def _root(self) -> Array:
+        """(K, 3) [m] of the root at keyframes."""
+        return self.keys.states[:, self.figure.tables.position_columns[:, 0]]
+
+    @cached_property
+    def _travel(self) -> float:
+        """[m/s] of the root over ground."""
+        way = float(np.linalg.norm(np.diff(self._root[:, :2], axis=0), axis=1).sum())
+        return way / float(self.keys.times[-1] - self.keys.times[0])
+
+    @cached_property
+    def _standing(self) -> tuple[Array, Array]:
+        """Places (3, p, K) and heights (p, K) [m] of the sole points at keyframes."""
+        return self._soles(self.keys.states)
+
+    @cached_property
+    def _hips(self) -> float:
+        """[m] of the root over the soles."""
+        return float(np.median(self._root[:, 2] - self._standing[0][2].min(axis=0)))
+
+    @property
+    def usual_period(self) -> float:
+        """[s] of a body of this size at this speed, by dynamic similarity."""
+        froude = self._travel**2 / (GRAVITY * self._hips)
+        return STRIDE * froude**POWER * self._hips / self._travel
+
+    def slip(self, rhythm: Rhythm) -> float:
+        """The mean speed of the slowest sole point that is low, as a share of the travel; inf if none ever is."""
+        times, qpos = rhythm.times, rhythm.qpos(self.figure.width)
+        over = slice(*(self.figure.tables.position_columns[0, 0] + np.array([0, 2])))
+        qpos[:, over] = self._plain[1][:, over]
+        places, heights = self._soles(self.figure.to_state(qpos))
+        speed = np.linalg.norm(np.gradient(places[:2], times, axis=2), axis=0)
+        low = heights < LOW + np.quantile(self._standing[1].min(axis=0), LOWEST)
+        slowest = np.where(low, speed, np.inf).min(axis=0)
+        down = np.isfinite(slowest)
+        return float(slowest[down].mean() / self._travel) if down.any() else np.inf
+
+    def _soles(self, states: Array) -> tuple[Array, Array]:
+        """Places (3, p, T) and heights (p, T) [m] of the sole points."""
+        samples = Samples(self.figure, states, 0 * states, 0 * states)
+        centres, _, _ = Contact(self.points, ()).centres(samples)
+        return centres, np.min([surface.height(centres) for surface in self.surfaces], axis=0)
+
+
+def _refined(process: Process, tried: Array, gain: Array, i: int) -> float:
+    """The top of the parabola through a peak's three likelihoods, over the logarithm of the period."""
+    if i in (0, tried.size - 1):
+        return float(tried[i])
+    before, here, after = gain[i - 1 : i + 2]
+    bend = before - 2 * here + after
+    shift = 0.5 * (before - after) / bend if bend < 0 else 0.0
+    return float(tried[i] * (tried[i + 1] / tried[i]) ** shift)

@@ -1,0 +1,164 @@
+"""The Euler-Lagrange residual of a path (eqs. 8, 10, 11, 24), its deviation per segment, and the weak form.
+
+Strong form: R(t) = g₀ − dg₁/dt + d²g₂/dt² from any penalty's sample gradients; for the paper's quaternion objective
+also in closed form, which is *half* of R. Inside a cubic span q'''' = 0; at a knot q''' jumps, so nothing is ever
+differenced across one.
+
+Weak form (beyond the paper): a variable frame inserted at τ on the curve has the gradient g = ∫ (g₀φ + g₁φ' + g₂φ'') dt
+for its cardinal function φ. No strong derivative is needed, the jumps at the knots are in it, and it goes to zero.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..curve.quadrature import gauss_nodes
+from ..curve.spline import Path, Sampling, Spline
+from ..objective import Objective
+from ..penalty.curvature import Curvature
+from ..quaternion import Array, Index
+
+NODES = 8
+GRADIENT_NODES, HESSIAN_NODES = 5, 2
+WINDOW = 60
+REACH = 4
+FAINT = 1e-9
+
+
+def covariant_residual(path: Path, t: Array, unit_weight: float) -> Array:
+    """X + Y'' + Z of eq. 10 for f = f₂ + λ f₁ on one quaternion, λ = unit_weight: (S, 4). Half of eq. 24's left."""
+    q, q_d, q_dd, q_ddd = (path.at(t, order) for order in range(4))
+
+    def inner(a: Array, b: Array) -> Array:
+        return np.sum(a * b, axis=1, keepdims=True)
+
+    b = inner(q, q)
+    b_d, b_dd = 2 * inner(q, q_d), 2 * (inner(q_d, q_d) + inner(q, q_dd))
+    a = inner(q, q_dd)
+    a_d = inner(q_d, q_dd) + inner(q, q_ddd)
+    a_dd = inner(q_dd, q_dd) + 2 * inner(q_d, q_ddd)
+    big_t = a / b
+    t_d = (a_d - big_t * b_d) / b
+    t_dd = (a_dd - 2 * t_d * b_d - big_t * b_dd) / b
+    x = q * big_t**2 - q_dd * big_t
+    y_dd = -(q_dd * big_t + 2 * q_d * t_d + q * t_dd)
+    return x + y_dd + 2 * unit_weight * (b - 1) * q
+
+
+def tangential(residual: Array, q: Array) -> Array:
+    """The part of a residual (S, 4) that the rotation feels: off q (S, 4)."""
+    along = np.sum(residual * q, axis=1, keepdims=True) / np.sum(q * q, axis=1, keepdims=True)
+    return residual - along * q
+
+
+@dataclass(frozen=True)
+class Residual:
+    """R at Gauss nodes inside every knot span: t (P, n) [s], weights (P, n) [s], value (P, n, N)."""
+
+    t: Array
+    weights: Array
+    value: Array
+
+    @property
+    def size(self) -> Array:
+        """|R| (P, n)."""
+        return np.linalg.norm(self.value, axis=2)
+
+    def deviation(self) -> Array:
+        """∫ |R| dt over every span between neighbouring frames, (P,)."""
+        return np.sum(self.weights * self.size, axis=1)
+
+    def shares(self, count: int = 10) -> Array:
+        """∫ |R| dt over equal parts of the clip (figure 10), (count,)."""
+        # a node stands for a cell as wide as its weight; cells that reach over an edge of a part are divided there
+        edges = np.concatenate([[0.0], np.cumsum(self.weights)])
+        total = np.concatenate([[0.0], np.cumsum(self.weights * self.size)])
+        return np.diff(np.interp(np.linspace(0, edges[-1], count + 1), edges, total))
+
+
+def residual(objective: Objective, path: Path) -> Residual:
+    """The strong residual of any objective, by differentiating g₁ and g₂ as polynomials inside each span."""
+    edges = np.asarray(path.spline.times)
+    t, w = gauss_nodes(edges, NODES)
+    samples = objective.samples(path, t)
+    g0, g1, g2 = (g.reshape(edges.size - 1, NODES, -1) for g in objective.sample_gradients(samples))
+    derive = _differentiation_matrix(np.polynomial.legendre.leggauss(NODES)[0])
+    rate = (2 / np.diff(edges))[:, None, None]
+    value = g0 - rate * (derive @ g1) + rate**2 * (derive @ (derive @ g2))
+    return Residual(t.reshape(-1, NODES), w.reshape(-1, NODES), value)
+
+
+def _differentiation_matrix(x: Array) -> Array:
+    """D with (D f)(x_i) = f'(x_i) for polynomials through the nodes x (Berrut & Trefethen, SIAM Review 2004)."""
+    gaps = x[:, None] - x[None, :] + np.eye(x.size)
+    w = 1 / np.prod(gaps, axis=1)
+    matrix = w[None, :] / w[:, None] / gaps
+    np.fill_diagonal(matrix, 0)
+    np.fill_diagonal(matrix, -matrix.sum(axis=1))
+    return matrix
+
+
+@dataclass(frozen=True)
+class WeakForm:
+    """What variable frames inserted into a path would change, to first and second order."""
+
+    objective: Objective
+    path: Path
+
+    @classmethod
+    def of(cls, objective: Objective, path: Path) -> WeakForm:
+        return cls(objective, path)
+
+    def decrements(self, candidates: Array) -> Array:
+        """½ gᵀH⁻¹g of variable frames inserted at the times (C,), all at once: how much E would fall, each by itself.
+
+        g is the gradient of E in the new frame and H its own block of the Gauss-Newton curvature. Good for ranking, and
+        summed over the middles of all segments about the whole gap to the optimum. On a loop whose quaternions come
+        back as −q the seam's share of g is left out.
+        """
+        spline = Spline(np.sort(np.append(self.path.spline.times, candidates)), self.path.spline.ends)
+        place = np.searchsorted(spline.times, candidates)
+        gradient, hessian = self._gradients(spline)[place], self._hessians(spline, place)
+        width = gradient.shape[1]
+        size = np.maximum(np.einsum("cnn->c", hessian) / width, 1e-300)
+        hessian += FAINT * size[:, None, None] * np.eye(width)
+        return 0.5 * np.sum(gradient * np.linalg.solve(hessian, gradient[:, :, None])[:, :, 0], axis=1)
+
+    def _gradients(self, spline: Spline) -> Array:
+        """(M + 2, N): dE/dY of the refined spline's rows."""
+        t, w = gauss_nodes(np.asarray(spline.times), GRADIENT_NODES)
+        gradients = self.objective.sample_gradients(self.objective.samples(self.path, t))
+        return Sampling.of(spline, t).pulled_back([w[:, None] * g for g in gradients])
+
+    def _hessians(self, spline: Spline, place: Index) -> Array:
+        """(C, N, N): ∫ Σ φ⁽ᵃ⁾φ⁽ᵇ⁾ ∂²f/∂y⁽ᵃ⁾∂y⁽ᵇ⁾ dt of the frames' cardinal functions φ, window by window."""
+        times = np.asarray(spline.times)
+        out = np.zeros((place.size, self.path.rows.shape[1], self.path.rows.shape[1]))
+        for first in range(0, times.size - 1, WINDOW):
+            last = min(first + WINDOW, times.size - 1)
+            near = np.flatnonzero((place + REACH > first) & (place - REACH < last))
+            if not near.size:
+                continue
+            nodes, shares = gauss_nodes(times[first : last + 1], HESSIAN_NODES)
+            curvature = self._curvature(nodes, shares)
+            unit = np.zeros((spline.size, near.size))
+            unit[place[near], np.arange(near.size)] = 1
+            coefficients = spline.coefficients(unit)
+            phi = np.stack([spline.basis(nodes, order) @ coefficients for order in range(3)], axis=1)
+            for k, c in enumerate(near):
+                begin, end = (HESSIAN_NODES * (int(place[c]) + reach - first) for reach in (-REACH, REACH))
+                out[c] += curvature.quadratic(phi[:, :, k], max(begin, 0), min(end, nodes.size))
+        return out
+
+    def _curvature(self, nodes: Array, shares: Array) -> Curvature:
+        """The curvature of E at nodes with their weights."""
+        samples = self.objective.samples(self.path, nodes)
+        curvature = Curvature(samples)
+        for term in self.objective.terms:
+            term.penalty.curvature(samples, curvature, term.factor * shares)
+            sides = term.penalty.sides(samples)
+            if sides is not None:
+                curvature.add_sides(sides, term.factor * shares)
+        return curvature

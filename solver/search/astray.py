@@ -1,0 +1,77 @@
+"""Whether a search ended in a heap: constraints cost more than all motion does, or a limb is far from where its
+neighbouring keyframes have it. A limb that begins on the wrong side of a bound, behind its own knee, does not come
+back through it; it is searched again from elsewhere, see `arcs`. And whether it came out dear: perhaps the long way
+round an obstacle.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from ..curve.arcs import straight
+from ..curve.frame import Timeline
+from ..figure.figure import Figure
+from ..figure.kinematics import Samples
+from ..objective import Objective
+from ..penalty import Contact
+from ..quaternion import Array
+from ..refine.subdivision import path_of
+from ..surface import Box, Plane
+
+DEAR = 2.0  # times what motion cost on the raw spline: from here on another way round an obstacle may be less
+FAR = 0.5  # of a figure's size, its farthest joint at rest from its root
+LOOKS = 4  # a segment between frames of which something is fixed
+
+
+def is_astray(objective: Objective, timeline: Timeline, parts: Mapping[str, float]) -> bool:
+    """Whether a timeline that was searched should not be the last word; `parts` are the terms of its E by name."""
+    return is_violent(objective, parts) or farthest(objective.figure, timeline) > FAR
+
+
+def is_violent(objective: Objective, parts: Mapping[str, float]) -> bool:
+    """Whether what constraints cost exceeds what motion costs and what motion cost on the raw spline."""
+    bounds = {term.penalty.name for term in objective.terms if term.penalty.scale.is_violation}
+    violated = sum(value for name, value in parts.items() if name in bounds)
+    return violated > max(sum(parts.values()) - violated, objective.raw_cost)
+
+
+def is_dear(objective: Objective, parts: Mapping[str, float]) -> bool:
+    """Whether motion costs more than twice what it cost on the raw spline, where there is something to go round:
+    feet that must come off the floor or on a step cost as much whichever way they are searched."""
+    measured = {term.penalty.name for term in objective.measured}
+    cost = sum(value for name, value in parts.items() if name in measured)
+    return cost > DEAR * objective.raw_cost and _is_obstructed(objective)
+
+
+def _is_obstructed(objective: Objective) -> bool:
+    """Whether a soft constraint keeps the figure out of more than floors and steps."""
+    penalties = [part for term in objective.terms for part in getattr(term.penalty, "parts", (term.penalty,))]
+    surfaces = [surface for part in penalties if isinstance(part, Contact) for surface in part.surfaces]
+    return any(not isinstance(each, Plane) and not (isinstance(each, Box) and each.buried) for each in surfaces)
+
+
+def farthest(figure: Figure, timeline: Timeline) -> float:
+    """How far a joint is off the straight way between frames of which something is fixed, seen from its root, beside
+    the figure's size."""
+    given = np.flatnonzero(timeline.fixed.any(axis=1))
+    if given.size < 2:
+        return 0.0
+    times = timeline.times[given]
+    share = (np.arange(LOOKS) + 0.5) / LOOKS
+    t = (times[:-1, None] + share * np.diff(times)[:, None]).ravel()
+    there = straight(figure, times, timeline.states[given], t)
+    apart = _from_root(figure, path_of(timeline).at(t)) - _from_root(figure, there)
+    size = float(np.linalg.norm(_from_root(figure, figure.to_state(figure.model.qpos0[None])), axis=0).max())
+    return float(np.linalg.norm(apart, axis=0).max()) / size if size > 0 else 0.0
+
+
+def _from_root(figure: Figure, states: Array) -> Array:
+    """(3, L − 1, S) [m] the links' origins beside that of the first link of their tree."""
+    places = Samples(figure, states, 0 * states, 0 * states).links.x[:, 1:]
+    root = np.arange(len(figure.links))
+    for i, parent in enumerate(figure.tables.parents):
+        if i and parent:
+            root[i] = root[parent]
+    return places - places[:, root[1:] - 1]

@@ -1,0 +1,61 @@
+"""Which of several timelines of one clip is best, E of all of them summed over the same samples.
+
+A search sums E over the spans of its own frames. A path may be found that is good at those samples and bad between
+them, where a sharp term has no sample, a knee that snaps through its own lower leg; the next round's frames tell.
+Sharpest of all is a quaternion whose four numbers pass nought at a small distance: the joint turns half round in the
+moment that they take for it. So there are samples about every such moment, as close as it is short.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from ..curve.frame import Timeline
+from ..objective import Objective
+from ..quaternion import Array, Index
+from ..refine.subdivision import path_of
+
+AS_GOOD = 1e-6  # of E
+FINER = 3  # parts of the spans between the frames of all timelines
+LOOKS = 32  # at a path between two of its frames, for quaternions that are short
+SHORT = 0.1  # length of a quaternion from which on it turns its joint fast
+LEAST = 1e-4  # of the time between two looks, the shortest moment that is told
+CLOSEST = 1e-9  # [s] between edges
+ABOUT = np.array([-10, -3, -1, -0.3, 0, 0.3, 1, 3, 10])  # where samples are, in the moments that it takes
+
+
+def best(objective: Objective, timelines: Sequence[Timeline]) -> Timeline:
+    """The one of least E, the first of those that are as good."""
+    if len(timelines) == 1:
+        return timelines[0]
+    is_uneven = objective.quadrature.kind == "gauss"  # equal samples as close as those would be a million
+    times = common_grid(timelines, objective.figure.tables.quaternion_columns.T if is_uneven else ())
+    values = [objective.value(path_of(timeline), times) for timeline in timelines]
+    bound = min(values) * (1 + AS_GOOD)
+    return next(timeline for timeline, value in zip(timelines, values, strict=True) if value <= bound)
+
+
+def common_grid(timelines: Sequence[Timeline], quaternions: Sequence[Index] | Index = ()) -> Array:
+    """Edges [s] of spans that are finer than those of any of the timelines; quaternions: their columns, (4,) each."""
+    edges = np.concatenate([timeline.times for timeline in timelines])
+    flips = [flip for timeline in timelines for columns in quaternions for flip in _flips(timeline, columns)]
+    edges = np.unique(np.concatenate([edges, *flips]))
+    edges = edges[np.append(True, np.diff(edges) > CLOSEST)]
+    share = np.arange(FINER) / FINER
+    return np.append((edges[:-1, None] + share * np.diff(edges)[:, None]).ravel(), edges[-1])
+
+
+def _flips(timeline: Timeline, columns: Index) -> list[Array]:
+    """Times [s] about every moment at which a quaternion of a path is short, as it would be on straight ways."""
+    edges = timeline.times
+    times = np.append((edges[:-1, None] + np.arange(LOOKS) / LOOKS * np.diff(edges)[:, None]).ravel(), edges[-1])
+    q = path_of(timeline).at(times)[:, columns]
+    way, step = np.diff(q, axis=0), np.diff(times)
+    squared = np.maximum(np.einsum("ij,ij->i", way, way), np.finfo(float).tiny)
+    share = np.clip(-np.einsum("ij,ij->i", q[:-1], way) / squared, 0, 1)
+    length = np.linalg.norm(q[:-1] + share[:, None] * way, axis=1)
+    moment = np.clip(length / np.sqrt(squared), LEAST, 1) * step
+    found = [times[i] + share[i] * step[i] + ABOUT * moment[i] for i in np.flatnonzero(length < SHORT)]
+    return [each[(each > edges[0]) & (each < edges[-1])] for each in found]

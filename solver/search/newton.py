@@ -1,0 +1,139 @@
+"""Minimisation of E by Gauss-Newton steps with Levenberg's damping: few evaluations, each step a banded solve.
+
+The damping is lowered where the model foretold E's decrease well, raised where it did not, after D. W. Marquardt,
+"An algorithm for least-squares estimation of nonlinear parameters", J. SIAM 1963; here it weighs the flat acceleration
+energy of the step, so that a damped step is a smooth one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cached_property
+
+import numpy as np
+
+from ..objective import Discretised, Evaluation
+from ..quaternion import Array
+from .optimiser import Minimum, Stop, StopSearch
+from .quadratic import Layout, Model, Proposal
+
+FIRST_DAMPING = 1.0
+LEAST_DAMPING, MOST_DAMPING = 1e-6, 1e9
+WELL, BADLY = 0.7, 0.25
+LOWER, RAISE, REJECT = 0.2, 3.0, 8.0
+NEGLIGIBLE = 1e-3
+SUDDEN, SURE, UNSEEN = 0.1, 0.02, 2.0
+
+
+def gauss_newton(
+    problem: Discretised,
+    *,
+    max_evaluations: int = 100,
+    tolerance: float = 1e-6,
+    damping: float = FIRST_DAMPING,
+    improved: Callable[[int, Evaluation, Array], None] | None = None,
+) -> tuple[Minimum, float]:
+    """The Minimum of E over a timeline's unknowns from where it is, and the last damping, for the next round.
+
+    tolerance  stop when the next step promises less than this share of E, or of a thousandth of the first E
+    improved   called with (evaluation, Evaluation, x) whenever E falls; may raise StopSearch to end the search
+
+    KeyboardInterrupt ends the search like StopSearch.
+    """
+    search = Search(problem, max_evaluations, damping, improved)
+    try:
+        stop = search.begun() or _run(search, tolerance)
+    except (KeyboardInterrupt, StopSearch):
+        stop = Stop.ASKED
+    return search.minimum(stop), search.damping
+
+
+def _run(search: Search, tolerance: float) -> Stop:
+    last = np.inf
+    while search.count < search.budget:
+        model, before = search.model(), search.value
+        proposal, stop = search.stepped(model, tolerance)
+        if stop is not None:
+            return stop
+        kept, promised = (before - search.value) / proposal.promised, proposal.promised
+        # a step of Newton's kind leaves the square of what its model did not see; and promises go on falling
+        unseen = float(np.clip(UNSEEN * (1 - kept) ** 2, SURE, 1.0))
+        left = promised * min(unseen, float(np.clip(promised / last, SUDDEN, 1.0)))
+        if kept > WELL and search.is_negligible(left, tolerance):
+            return Stop.CONVERGED
+        last = promised
+        search.learn(kept)
+    return Stop.BUDGET
+
+
+class Search:
+    """The best point so far, and the way from there.
+
+    x, value, gradient  (n,), E and dE/dx (n,) of the best point
+    """
+
+    def __init__(self, problem: Discretised, budget: int, damping: float, improved: Callable | None) -> None:
+        self.problem, self.budget, self.damping, self.improved = problem, budget, damping, improved
+        self.x, self.value, self.count = problem.unknowns.start, np.inf, 0
+        self.gradient = np.zeros(0)
+        self.first = np.inf
+        self.unit: float | None = None
+
+    @cached_property
+    def layout(self) -> Layout:
+        return Layout(self.problem)
+
+    def minimum(self, stop: Stop) -> Minimum:
+        return Minimum(self.x, self.value, self.count, stop)
+
+    def begun(self) -> Stop | None:
+        """Evaluates E where the timeline is; a Stop if there is nothing to search."""
+        self.evaluated(self.x)
+        self.first = self.value
+        if not np.isfinite(self.value):
+            return Stop.STUCK
+        return Stop.CONVERGED if self.x.size == 0 else None
+
+    def evaluated(self, x: Array) -> Evaluation:
+        """E at x, which is the best point from now on if E is lower there."""
+        self.count += 1
+        found = self.problem(x)
+        if np.isfinite(found.value) and np.all(np.isfinite(found.gradient)) and found.value < self.value:
+            self.x, self.value, self.gradient = x, found.value, found.gradient
+            if self.improved is not None:
+                self.improved(self.count, found, x)
+        return found
+
+    def is_negligible(self, decrease: float, tolerance: float) -> bool:
+        """Whether a decrease is less than a share of E, or of a thousandth of the first E."""
+        size = min(max(self.value, NEGLIGIBLE * self.first), self.problem.objective.heavy)
+        return decrease <= tolerance * size
+
+    def model(self) -> Model:
+        """Of E at the best point."""
+        model = Model(self.layout, self.x, self.gradient, self.unit)
+        self.unit = model.scale
+        return model
+
+    def stepped(self, model: Model, tolerance: float) -> tuple[Proposal, Stop | None]:
+        """The model's step that was taken, damped until E falls; or one not worth it, and why the search ends."""
+        while True:
+            proposal = model.minimised(self.damping * model.scale)
+            if self.is_negligible(proposal.promised, tolerance):
+                return proposal, Stop.CONVERGED
+            x = self.x + proposal.step
+            self.evaluated(x)
+            if self.x is x:
+                return proposal, None
+            self.damping *= REJECT
+            if self.damping > MOST_DAMPING:
+                return proposal, Stop.STUCK
+            if self.count >= self.budget:
+                return proposal, Stop.BUDGET
+
+    def learn(self, kept: float) -> None:
+        """Adapts the damping to the share of the promised decrease that came about."""
+        if kept > WELL:
+            self.damping = max(self.damping * LOWER, LEAST_DAMPING)
+        elif kept < BADLY:
+            self.damping *= RAISE

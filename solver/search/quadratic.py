@@ -1,0 +1,453 @@
+"""The model that a step of the search minimises: E to second order, with one-sided residuals kept one-sided.
+
+    m(δ) = gᵀδ + ½ δᵀ(H + λF)δ + Σ_p c_p max(0, d_p + r_pᵀδ)²
+
+δ moves the B-splines' coefficients: a sample sees 4 of them, so all matrices are banded and cost and memory are linear
+in the length of the clip. H is the Gauss-Newton curvature, F the flat acceleration energy that damps the step, d_p how
+far a point is in the floor (below zero: over it). What is fixed, keyframes and a loop's seam, is held by springs, stiff
+beside everything else; they shape the step, the keyframes themselves are no unknowns and stay exact.
+
+H of smooth terms is summed over a few nodes a span; that of terms that begin, end or peak anywhere over E's own
+samples, or it would promise what E does not keep.
+
+m is convex and piecewise quadratic: Newton steps on the residuals that count at present, with a line search, end at
+its minimum after a few factorisations (semismooth Newton; M. Hintermüller, K. Ito & K. Kunisch, SIAM J. Optim. 2002).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise, product
+from typing import NamedTuple
+
+import numpy as np
+from scipy import sparse
+
+from ..curve import banded
+from ..curve.quadrature import gauss_nodes
+from ..curve.seam import Seam
+from ..curve.spline import DEGREE, Path, Piece, Sampling, Spline
+from ..figure.kinematics import Samples
+from ..objective import Discretised, Term
+from ..penalty.curvature import Curvature
+from ..quaternion import Array, Index
+
+POINTS = 2
+SPANS_AT_ONCE, SPAN_ENTRIES = 32, 2000
+STIFF = 1e6
+FAINT = 1e-9
+SHARE_OF_POSITION = 0.3
+MOST_CHANGES = 15
+SETTLED = 0.05
+LOCAL = DEGREE + 1
+
+Picked = Index | slice
+
+
+class Layout:
+    """Where everything stands in the banded matrices of one timeline: coefficients (M + 2) by columns (N).
+
+    A loop's coefficients are taken alternately from both ends, so that its seam is in the band too.
+
+    sided  the terms that have one-sided residuals, as far as is known
+    """
+
+    def __init__(self, problem: Discretised) -> None:
+        self.problem = problem
+        spline, unknowns = problem.spline, problem.unknowns
+        self.count, self.width = spline.size, problem.timeline.width
+        self.is_loop = spline.ends == "periodic"
+        order = np.arange(self.count)
+        if self.is_loop:
+            order = np.ravel(np.column_stack([order, order[::-1]]))[: self.count]
+        self.rank = np.empty(self.count, np.intp)
+        self.rank[order] = np.arange(self.count)
+        self.order = order
+        self.blocks = min(2 * LOCAL if self.is_loop else LOCAL, self.count)
+        self.place = unknowns.place
+        t, self.weights = gauss_nodes(np.asarray(spline.times), POINTS)
+        sampling = Sampling.of(spline, t)
+        at_once = max(SPANS_AT_ONCE, SPAN_ENTRIES // self.width)
+        edges = [*range(0, spline.times.size - 1, at_once), spline.times.size - 1]
+        own = np.searchsorted(problem.sampling.first, edges)
+        self.pieces = [
+            (sampling.piece(slice(POINTS * a, POINTS * b)), self._pairs(a, b - a), problem.sampling.piece(slice(c, d)))
+            for (a, b), (c, d) in zip(pairwise(edges), pairwise(own.tolist()), strict=True)
+        ]
+        self.sided = problem.objective.terms
+        self.springs = self._springs()
+        self.flat = self._flat(sampling.values)
+
+    def empty(self) -> Array:
+        """Room for a matrix's blocks: (M + 2, N, K + 1, N), [j, c, k, r] its entry at row (j + k, r), column (j, c)."""
+        return np.zeros((self.count, self.width, self.blocks + 1, self.width))
+
+    def diagonal(self, room: Array) -> Array:
+        """(M + 2, K + 1, N): the entries of a matrix's blocks that join a column with itself, to be added to."""
+        return np.einsum("jckc->jkc", room)
+
+    def _pairs(self, first: int, count: int) -> list[Pair]:
+        """Where the B-splines of spans first ... first + count − 1 stand by pairs in the lower half."""
+        if not self.is_loop:
+            return [
+                Pair(slice(None), b, slice(b, LOCAL), slice(first + b, first + b + count), slice(0, LOCAL - b))
+                for b in range(LOCAL)
+            ]
+        found, spans = [], np.arange(first, first + count)
+        for a, b in np.ndindex(LOCAL, LOCAL):
+            row, column = self.rank[spans + a][:, None], self.rank[spans + b][:, None]
+            some = np.flatnonzero(row >= column)
+            found.append(Pair(some, b, slice(a, a + 1), column[some], (row - column)[some]))
+        return found
+
+    def add_blocks(self, room: Array, curvature: Curvature, piece: Piece, pairs: list[Pair]) -> None:
+        """Adds what a curvature has as blocks; its samples are the nodes of neighbouring spans."""
+        for columns, blocks in curvature.blocks(piece.values, POINTS):
+            local = blocks.transpose(0, 2, 4, 1, 3, 5)
+            for part, seen in _seen_blocks(room, columns, local):
+                for spot in pairs:
+                    seen[spot.j, spot.k] += part[spot.spans, spot.b, spot.a]
+
+    def add_rows(self, room: Array, *parts: tuple[Curvature, Piece]) -> None:
+        """Adds what curvatures, each at any samples, have as rows."""
+        found = [(piece.first[at], rows) for curvature, piece in parts for at, rows in curvature.rows(piece.values)]
+        if not found:
+            return
+        spans = np.concatenate([own for own, _ in found])
+        order = np.argsort(spans, kind="stable")
+        place, rows, begin = np.empty_like(order), np.empty((order.size, LOCAL * self.width)), 0
+        place[order] = np.arange(order.size)
+        for own, part in found:
+            rows[place[begin : begin + own.size]] = part
+            begin += own.size
+        self.add_squared(room, spans[order], rows)
+
+    def add_squared(self, room: Array, spans: Index, rows: Array) -> None:
+        """Adds Σ rowᵀrow of rows (P, 4 N) over the coefficients of their spans (P,), rising."""
+        width = self.width
+        edges = np.flatnonzero(np.diff(spans)) + 1
+        for first, last in zip(np.append(0, edges), np.append(edges, spans.size), strict=True):
+            if first == last:
+                continue
+            upper = banded.squared(rows[first:last])
+            span = int(spans[first])
+            if self.is_loop:
+                self._add_folded(room, span, upper + np.triu(upper, 1).T)
+                continue
+            for b in range(LOCAL):
+                slab = upper[b * width : (b + 1) * width, b * width :]
+                room[span + b, :, : LOCAL - b] += slab.reshape(width, LOCAL - b, width)
+
+    def _add_folded(self, room: Array, span: int, local: Array) -> None:
+        """Adds a symmetric matrix (4 N, 4 N) over the coefficients of one span of a loop."""
+        blocks = local.reshape(LOCAL, self.width, LOCAL, self.width)
+        for a in range(LOCAL):
+            for b in range(LOCAL):
+                row, column = self.rank[span + a], self.rank[span + b]
+                if row >= column:
+                    room[column, :, row - column] += blocks[b, :, a]
+
+    def factor(self, room: Array) -> Array | None:
+        """The banded Cholesky factor of a matrix's blocks, or None if it is not positive."""
+        size = self.blocks * self.width
+        flat = room.reshape(self.count, self.width, -1)
+        strides = (flat.strides[0], flat.strides[1] + flat.strides[2], flat.strides[2])
+        band = np.lib.stride_tricks.as_strided(flat, (self.count, self.width, size), strides)
+        return banded.factored(np.array(band).reshape(-1, size))
+
+    def solved(self, factor: Array, right: Array) -> Array:
+        """H⁻¹ v for v (M + 2, N)."""
+        solution = banded.solved(factor, right[self.order].reshape(-1, 1))
+        return solution.reshape(self.count, self.width)[self.rank]
+
+    def coloured(self, factor: Array, z: Array) -> Array:
+        """L⁻ᵀ z (M + 2, N) for z flat, in the matrices' order."""
+        return banded.other_half_solved(factor, z.reshape(-1, 1)).reshape(self.count, self.width)[self.rank]
+
+    def whitened(self, factor: Array, gradient: Array) -> Array:
+        """L⁻¹ v, flat, in the matrices' order, for v (M + 2, N)."""
+        return banded.half_solved(factor, gradient[self.order].reshape(-1, 1)).ravel()
+
+    def to_x(self, coefficients: Array) -> Array:
+        """The step in the unknowns (n,) that a step of the coefficients (M + 2, N) means."""
+        return self.problem.spline.states_and_slopes(coefficients).reshape(-1)[self.place]
+
+    def from_x(self, gradient: Array) -> Array:
+        """A gradient with respect to the unknowns (n,) as one with respect to coefficients, (M + 2, N)."""
+        rows = np.zeros(self.count * self.width)
+        rows[self.place] = gradient
+        return self.problem.spline.states_and_slopes_transposed(rows.reshape(self.count, self.width))
+
+    def _springs(self) -> Array:
+        """The springs' matrix, of about unit size."""
+        spline, unknowns = self.problem.spline, self.problem.unknowns
+        room = self.empty()
+        free = np.zeros((self.count, self.width))
+        free.reshape(-1)[self.place] = 1.0
+        first, weights = spline.rows_by_coefficients()
+        held = np.asarray(free.min(axis=1) == 0)
+        if self.is_loop:
+            held[-3:] = False
+            for order in range(3):
+                self._tie_seam(room, spline, order)
+        if spline.ends == "held":
+            held[[1, -4]] = False
+            self._hold_curvature(room, spline)
+        if unknowns.ties is not None:
+            tied = held & np.diff(unknowns.ties.indptr).reshape(free.shape).any(axis=1)
+            for i in np.flatnonzero(tied):
+                own = unknowns.matrix[i * self.width : (i + 1) * self.width]
+                moves = own[:, np.unique(own.indices)].toarray()
+                each = np.tile(weights[i][:, None], self.width)
+                self._hold(room, first[i] + np.arange(DEGREE), each, np.eye(self.width) - moves @ np.linalg.pinv(moves))
+            held &= ~tied
+        self._hold_columns(room, first[held], weights[held], 1 - free[held])
+        return room
+
+    def _hold_columns(self, room: Array, first: Index, weights: Array, hold: Array) -> None:
+        """For each of some rows, springs on the columns of hold (R, N) of the sum of 3 coefficients, weights (R, 3)."""
+        weights = weights / np.sqrt(np.sum(weights**2, axis=1, keepdims=True))
+        rank = self.rank[first[:, None] + np.arange(DEGREE)]
+        apart = rank[:, :, None] - rank[:, None, :]
+        row, a, b = np.nonzero(apart >= 0)
+        index = np.arange(self.width)
+        place = (rank[row, b][:, None], index, apart[row, a, b][:, None], index)
+        flat = np.ravel_multi_index(np.broadcast_arrays(*place), room.shape)
+        values = (weights[row, a] * weights[row, b])[:, None] * hold[row]
+        np.add.at(room.reshape(-1), flat.ravel(), values.ravel())
+
+    def _tie_seam(self, room: Array, spline: Spline, order: int) -> None:
+        """y, y' or y'' of a step at the end equal to that at the start, as it comes back after a period.
+
+        A loop's shift is constant: no step has any.
+        """
+        start, end = (spline.basis([t], order) for t in spline.times[[0, -1]])
+        back, still = Seam.of(self.problem.objective.figure, self.problem.timeline).matrix(), np.eye(self.width)
+        parts = [(j, -w * back) for j, w in zip(start.indices.tolist(), start.data.tolist(), strict=True)]
+        parts += [(j, w * still) for j, w in zip(end.indices.tolist(), end.data.tolist(), strict=True)]
+        size = float(start.data @ start.data + end.data @ end.data)
+        for (ja, a), (jb, b) in product(parts, parts):
+            row, column = self.rank[ja], self.rank[jb]
+            if row >= column:
+                room[column, :, row - column, :] += b.T @ a / size
+
+    def _hold_curvature(self, room: Array, spline: Spline) -> None:
+        """No step of y'' at either end."""
+        for end in spline.times[[0, -1]]:
+            seen = spline.basis([end], 2)
+            weights = np.tile(np.asarray(seen.data, float)[:, None], self.width)
+            self._hold(room, np.asarray(seen.indices, np.intp), weights, np.eye(self.width))
+
+    def _hold(self, room: Array, coefficients: Index, weights: Array, hold: Array) -> None:
+        """A spring on `hold` (N, N) of Σ_j weights_j * c_j, weights (k, N)."""
+        weights = weights / np.sqrt(np.sum(weights**2) / self.width)
+        for ja, wa in zip(coefficients, weights, strict=True):
+            for jb, wb in zip(coefficients, weights, strict=True):
+                row, column = self.rank[ja], self.rank[jb]
+                if row >= column:
+                    room[column, :, row - column, :] += wb[:, None] * hold * wa
+
+    def _flat(self, bases: Array) -> Array:
+        """(M + 2, K + 1): ∫ φ''φ''ᵀ + ε φφᵀ of the coefficients, for each column the same."""
+        timeline = self.problem.timeline
+        keys = max(len(timeline.frames) - timeline.variable_count, 2)
+        spacing = (timeline.times[-1] - timeline.times[0]) / keys
+        value, acceleration = bases[:, 0], bases[:, 2]
+        density = acceleration[:, :, None] * acceleration[:, None, :]
+        density += SHARE_OF_POSITION / spacing**4 * value[:, :, None] * value[:, None, :]
+        local = (self.weights[:, None, None] * density).reshape(-1, POINTS, LOCAL, LOCAL).sum(axis=1)
+        flat = np.zeros((self.count, self.blocks + 1))
+        for spot in self._pairs(0, len(local)):
+            flat[spot.j, spot.k] += local[spot.spans, spot.b, spot.a]
+        return flat
+
+
+class Pair(NamedTuple):
+    """Where B-spline b of some spans stands with B-splines a in a matrix's blocks: at [j, k], shape (spans, a)."""
+
+    spans: Picked
+    b: int
+    a: slice
+    j: Picked
+    k: Picked
+
+
+def _seen_blocks(room: Array, columns: Index, blocks: Array) -> Iterator[tuple[Array, Array]]:
+    """Where blocks (..., n, k, k) of the columns (n, k), which rise, stand in a matrix: parts of them with the entries
+    (M + 2, K + 1, ...) to be added to. All at once if the columns are one run, else by pairs of runs."""
+    some = slice(int(columns[0, 0]), int(columns[-1, -1]) + 1)
+    if some.stop - some.start == columns.size and np.all(np.diff(columns.ravel()) == 1):
+        seen = room[:, some, :, some]
+        yield blocks, np.einsum("jnxkny->jknxy", seen.reshape(len(room), *columns.shape, room.shape[2], *columns.shape))
+        return
+    for i, own in enumerate(columns):
+        edges = [0, *(np.flatnonzero(np.diff(own) != 1) + 1).tolist(), own.size]
+        runs = [slice(a, b) for a, b in pairwise(edges)]
+        for x, y in product(runs, runs):
+            rows, cols = (slice(int(own[run.start]), int(own[run.stop - 1]) + 1) for run in (x, y))
+            yield blocks[..., i, x, y], room[:, rows, :, cols].swapaxes(1, 2)
+
+
+def middle(values: Array) -> float:
+    """The median."""
+    half = values.size // 2
+    parted = values.flatten()
+    parted.partition((half - 1, half))
+    return float(parted[half] if values.size % 2 else (parted[half - 1] + parted[half]) / 2)
+
+
+@dataclass(frozen=True, eq=False)
+class OneSided:
+    """The one-sided residuals of all terms: each adds weight max(0, value + row · δ)².
+
+    value, weight  (P,);  rows  (P, (M + 2) N) sparse;  span  (P,), rising;  local  (P, 4 N) the rows' non-zeros
+    """
+
+    value: Array
+    weight: Array
+    span: Index
+    local: Array
+    rows: sparse.csr_matrix
+    transposed: sparse.csr_matrix
+
+    @classmethod
+    def of(cls, layout: Layout, path: Path) -> OneSided | None:
+        if not layout.sided:
+            return None
+        problem = layout.problem
+        samples = problem.samples(path)
+        found = [(term, term.penalty.sides(samples)) for term in layout.sided]
+        layout.sided = tuple(term for term, sides in found if sides is not None)
+        parts = [(term.factor, sides) for term, sides in found if sides is not None and sides.at.size]
+        if not parts:
+            return None
+        at = np.concatenate([sides.at for _, sides in parts])
+        order = np.argsort(at, kind="stable")
+        weight = np.concatenate([np.full(sides.at.size, factor) for factor, sides in parts]) * problem.weights[at]
+        value = np.concatenate([sides.value for _, sides in parts])
+        rows = np.concatenate([sides.rows for _, sides in parts])
+        at, rows, value, weight = at[order], rows[order], value[order], weight[order]
+        span = problem.sampling.first[at]
+        local = (problem.sampling.values[at, 0][:, :, None] * rows[:, None, :]).reshape(at.size, -1)
+        width = rows.shape[1]
+        used = np.flatnonzero(local)
+        pair, column = np.divmod(used, local.shape[1])
+        place = (pair, span[pair] * width + column)
+        matrix = sparse.csr_matrix((local.ravel()[used], place), shape=(at.size, path.spline.size * width))
+        return cls(value, weight, span, local, matrix, matrix.T.tocsr())
+
+
+class Proposal(NamedTuple):
+    """The minimum of m: the step (n,) of the unknowns to it, how far m falls, and Cholesky's factor of its curvature.
+
+    The factor is None where the curvature has none.
+    """
+
+    step: Array
+    promised: float
+    factor: Array | None
+
+
+class Model:
+    """m(δ) at one path.
+
+    scale  the size of E's curvature in y'', a unit for the damping λ
+    """
+
+    def __init__(self, layout: Layout, x: Array, gradient: Array, scale: float | None = None) -> None:
+        """x (n,) with dE/dx (n,) there; scale where it is known."""
+        self.layout = layout
+        path = layout.problem.path(x)
+        self.held = layout.springs.copy()
+        self.scale = self._add_smooth(path, scale)
+        self.sided = OneSided.of(layout, path)
+        self.gradient = layout.from_x(gradient)
+        if self.sided is not None:
+            pull = 2 * self.sided.weight * np.maximum(self.sided.value, 0)
+            self.gradient -= (self.sided.transposed @ pull).reshape(self.gradient.shape)
+
+    def _add_smooth(self, path: Path, scale: float | None) -> float:
+        """Adds the curvature of the two-sided residuals; its median density in y'', unless it is known."""
+        layout, problem = self.layout, self.layout.problem
+        room, sizes = layout.empty(), []
+        terms = problem.objective.terms
+        smooth, sharp = ([term for term in terms if term.penalty.scale.is_sharp is kind] for kind in (False, True))
+
+        def seen(piece: Piece, some: Sequence[Term], weights: Array) -> Curvature:
+            samples = Samples(problem.objective.figure, *piece.samples(path.coefficients), t=piece.t)
+            curvature = Curvature(samples)
+            for term in some:
+                term.penalty.curvature(samples, curvature, term.factor * weights)
+            return curvature
+
+        for piece, pairs, own in layout.pieces:
+            weights = layout.weights[piece.which]
+            few, every = seen(piece, smooth, weights), seen(own, sharp, problem.weights[own.which])
+            layout.add_rows(room, (few, piece), (every, own))
+            layout.add_blocks(room, few, piece, pairs)
+            if scale is None:
+                sizes.append(few.acceleration() / weights[:, None])
+        for term, sampling in problem.instants:
+            layout.add_rows(room, (seen(sampling.whole, [term], np.ones(sampling.t.size)), sampling.whole))
+        diagonal = layout.diagonal(room)[:, 0]
+        size = max(middle(diagonal), 1e-12)
+        diagonal += FAINT * size
+        self.held *= STIFF * size
+        self.held += room
+        return max(middle(np.concatenate(sizes)), 1e-12) if scale is None else scale
+
+    def minimised(self, damping: float) -> Proposal:
+        """The minimum of m with λ = damping."""
+        layout, sided = self.layout, self.sided
+        held = self.held.copy()
+        diagonal = layout.diagonal(held)
+        diagonal += damping * layout.flat[:, :, None]
+        if sided is None:
+            factor = layout.factor(held)
+            if factor is None:
+                return Proposal(np.zeros(layout.place.size), 0.0, None)
+            step = -layout.solved(factor, self.gradient)
+            return Proposal(layout.to_x(step), -0.5 * float(np.sum(step * self.gradient)), factor)
+        return self._one_sided(held, sided)
+
+    def _one_sided(self, held: Array, sided: OneSided) -> Proposal:
+        """Newton on the residuals that count, changing them until they settle."""
+        layout, last = self.layout, None
+        step, pull = np.zeros_like(self.gradient), np.zeros_like(self.gradient)  # δ and H δ
+        over, root = sided.value, np.sqrt(2 * sided.weight)
+        worth = first = float(sided.weight @ np.maximum(over, 0) ** 2)
+        room = np.empty_like(held)
+        for _ in range(MOST_CHANGES):
+            active = over > 0
+            np.copyto(room, held)
+            layout.add_squared(room, sided.span[active], sided.local[active] * root[active, None])
+            factor = layout.factor(room)
+            if factor is None:
+                break
+            last = factor
+            push = 2 * sided.weight * active
+            target = -layout.solved(factor, self.gradient + self._back(push * sided.value))
+            over_target = sided.value + sided.rows @ target.ravel()
+            pull_target = -self.gradient - self._back(push * over_target)
+            share, previous = 1.0, worth
+            while True:
+                at = step + share * (target - step)
+                there = over + share * (over_target - over)
+                force = pull + share * (pull_target - pull)
+                worth = float(np.sum((self.gradient + 0.5 * force) * at) + sided.weight @ np.maximum(there, 0) ** 2)
+                if worth <= previous or share < 1e-3:
+                    break
+                share /= 2
+            if worth > previous:
+                worth = previous
+                break
+            step, over, pull = at, there, force
+            if previous - worth <= SETTLED * (first - worth):
+                break
+        return Proposal(layout.to_x(step), first - worth, last)
+
+    def _back(self, forces: Array) -> Array:
+        """Rᵀ f, (M + 2, N)."""
+        assert self.sided is not None
+        return (self.sided.transposed @ forces).reshape(self.gradient.shape)
