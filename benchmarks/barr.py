@@ -20,7 +20,7 @@ from rotations import Track, energy, exact_energy, solved, track
 from runner39 import noting
 from scipy import optimize, sparse
 
-from runner.barr import Discrete
+from runner.claims.barr import Discrete
 from solver import Improvement, Path, Settings
 
 Array = NDArray[np.float64]

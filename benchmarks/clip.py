@@ -15,7 +15,7 @@ from typing import Any
 
 from bench import CLIP, Effort, Section, Target, alternated, dynsplines, median
 
-from runner import clip as clips
+from runner.clip import load as clips
 from solver import Improvement, Motion, StopSearch, inbetween
 
 

@@ -17,7 +17,7 @@ from bench import Effort, Section, median
 from perturbed import solved
 
 import models
-from runner import clip as clips
+from runner.clip import load as clips
 from solver import Motion
 from solver.quaternion import Array
 

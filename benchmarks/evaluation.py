@@ -11,7 +11,7 @@ import mujoco
 import numpy as np
 from bench import Effort, Section, Target, alternated, median
 
-from runner import clip as clips
+from runner.clip import load as clips
 from solver import Frame, Objective, Path, Quadrature, Settings, Timeline, inbetween
 from solver.curve.spline import Spline
 from solver.figure.dynamics import velocities

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 from scipy.spatial.transform import Rotation, RotationSpline, Slerp
 
-from runner import clip as clips
+from runner.clip import load as clips
 from runner.motion import continuous
 from solver import inbetween
 from solver.figure.kinematics import Samples

@@ -23,7 +23,7 @@ import numpy as np
 from bench import Effort, Section, Target
 
 import models
-from runner import clip as clips
+from runner.clip import load as clips
 from solver import Frame, Motion, inbetween
 from solver.figure.kinematics import Samples
 from solver.penalty import Contact, site_points

@@ -1,8 +1,8 @@
 """What the tests would miss: random mutations of the solver, one at a time, each against the fast tests of its module.
 
     python benchmarks/mutations.py --count 200 --seed 1         200 random places of solver/
-    python benchmarks/mutations.py --only solver/descent.py     those of some files alone
-    python benchmarks/mutations.py --only solver/descent.py:49  every mutation of some lines
+    python benchmarks/mutations.py --only solver/search/descent.py     those of some files alone
+    python benchmarks/mutations.py --only solver/search/descent.py:49  every mutation of some lines
 
 A mutation is a float times 1.001, an integer one up or down, a comparison, a sign or a product turned round, `and` for
 `or`. No file is touched: a process of its own compiles the mutated source under the module's name and runs pytest in

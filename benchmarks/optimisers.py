@@ -10,7 +10,7 @@ from dataclasses import replace
 
 from bench import Effort, Section, Target, alternated, median, worst
 
-from runner import clip as clips
+from runner.clip import load as clips
 from solver import Motion, inbetween
 from solver.search.descent import NEWTON, Descent
 

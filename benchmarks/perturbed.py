@@ -15,9 +15,9 @@ import numpy as np
 import report
 from bench import Effort, Section, Target, median, people, seconds, worst
 
-from runner import clip as clips
-from runner.clip_text import tables, written
-from runner.contacts import contacts
+from runner.clip import load as clips
+from runner.clip.contacts import contacts
+from runner.clip.text import tables, written
 from runner.errors import UserError
 from solver import Frame, Motion, inbetween
 from solver import quaternion as quat

@@ -17,9 +17,9 @@ import numpy as np
 from bench import Effort, Section, Target, median, seconds
 
 import models
-from runner.clip_table import PenaltyTable
-from runner.constraints import posing_bends
-from runner.feet import sole_points
+from runner.clip.constraints import posing_bends
+from runner.clip.feet import sole_points
+from runner.clip.table import PenaltyTable
 from solver import quaternion as quat
 from solver.curve.frame import Mask
 from solver.figure.figure import Figure, JointKind, quaternion_columns

@@ -28,16 +28,17 @@ RAYS_SECONDS_OF_CLIP = 2.2
 
 def opengl(images: int, repeats: int, size: str) -> dict[str, Any]:
     """Seconds for the same images as a video, by us and by a bare loop; why not, where there is no OpenGL."""
-    from runner.graphics import choose
+    from runner.picture.graphics import choose
 
     graphics = choose()
     if graphics.kind == "rays":
         return {"renderer": graphics.line, "missing": "no OpenGL here"}
     from rich.console import Console
 
-    from runner import clip as clips
-    from runner import film, show, work
-    from runner.progress import Teller
+    from runner import work
+    from runner.clip import load as clips
+    from runner.picture import film, show
+    from runner.system.progress import Teller
 
     width, height = map(int, size.split("x"))
     teller = Teller(Console(file=io.StringIO()))

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from runner.orientations import INTRINSIC, moderate, spinner
+from runner.claims.orientations import INTRINSIC, moderate, spinner
 from solver import Frame, Motion, Objective, Path, Quadrature, Settings, inbetween
 from solver import quaternion as quat
 from solver.penalty import CovariantAcceleration, UnitMagnitude

@@ -10,7 +10,7 @@ import numpy as np
 from bench import Effort, Section, Target, median, worst
 from rotations import energy, solved, track
 
-from runner import clip as clips
+from runner.clip import load as clips
 from solver import Improvement, Motion, Objective, Path, Quadrature, Settings, inbetween
 
 FIRST_SEED = 4000

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from models import clips as clips
     from models import figures as figures
 
-    from .clip import Clip as Clip
+    from .clip.load import Clip as Clip
     from .errors import UserError as UserError
     from .python.building import Keyframe as Keyframe
     from .python.building import build as build
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from .python.motion import inbetween as inbetween
 else:
     _HOMES = {
-        "Clip": "runner.clip",
+        "Clip": "runner.clip.load",
         "Keyframe": "runner.python.building",
         "Motion": "runner.python.motion",
         "UserError": "runner.errors",

@@ -12,18 +12,18 @@ from typing import TYPE_CHECKING, Annotated, NoReturn, cast
 
 import typer
 
-from . import stopping
+from .system import stopping
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
-    from .clip import Clip
-    from .edit_files import Edit
-    from .graphics import Graphics
+    from .clip.load import Clip
+    from .edit.files import Edit
+    from .measure.problems import Problem
     from .motion import Saved
-    from .problems import Problem
-    from .progress import Teller
-    from .show import Look
+    from .picture.graphics import Graphics
+    from .picture.show import Look
+    from .system.progress import Teller
 
 UsageError = cast("type[typer.BadParameter]", typer.BadParameter.__mro__[1])  # typer's own, or click's
 
@@ -33,7 +33,7 @@ OURS = 4  # that of a mistake in the program
 DEBUG = "DYNSPLINES_DEBUG"
 HOW = "what the same command prints as `dynsplines --debug ...`"
 NO_ROOM = ("failed to map segment", "annot allocate memory", "ould not allocate memory")  # the linker's and MuJoCo's
-BEFORE_MUJOCO = ("scipy.sparse", "scipy.linalg", ".clip_table", ".progress")
+BEFORE_MUJOCO = ("scipy.sparse", "scipy.linalg", ".clip.table", ".system.progress")
 
 app = typer.Typer(
     help="Sparse keyframes of an articulated figure into smooth motion that keeps its feet out of the floor.",
@@ -59,7 +59,7 @@ SkipRest = Annotated[bool, typer.Option("--skip-rest", help="leave out the T-pos
 
 def _let_outside(context: typer.Context, yes: bool) -> bool:
     """What --allow-outside does, until the command ends."""
-    from .outside import allowed
+    from .scene.outside import allowed
 
     context.with_resource(allowed(yes))
     return yes
@@ -76,8 +76,8 @@ AsJson = Annotated[bool, typer.Option("--json", help="print JSON")]
 
 def main() -> None:
     """The command, with bad input told in one line and exit code 2; whatever else goes wrong is one line, too."""
-    from .terminal import fit
-    from .threads import keep_to_one
+    from .system.terminal import fit
+    from .system.threads import keep_to_one
 
     keep_to_one()
     fit()
@@ -193,7 +193,7 @@ def render(
         raise UserError(f"--fps {fps:g}: give a number of images a second, 0.01 to 1000")
     if not 0.01 <= slow <= 1000:
         raise UserError(f"--slow {slow:g}: give how many times slower, 0.01 to 1000, such as 4")
-    from .workers import MOST_WORKERS
+    from .system.workers import MOST_WORKERS
 
     if workers is not None and not 1 <= workers <= MOST_WORKERS:
         raise UserError(f"--workers {workers}: give a number of processes, 1 to {MOST_WORKERS}")
@@ -201,9 +201,9 @@ def render(
     target = output or Path(f"{name}.png" if ghosts or at is not None else f"{name}.mp4")
     _film_target(target, width, height, halves=not only and not (ghosts and target.suffix.lower() == ".png"))
     graphics = _graphics()
-    from .progress import Teller
-    from .rendering import draw
-    from .show import Look
+    from .picture.rendering import draw
+    from .picture.show import Look
+    from .system.progress import Teller
 
     with Teller() as teller:
         unmet: list[str] | None = [] if only == "keys" else None
@@ -239,8 +239,8 @@ def solve(
     _without_graphics()
     from . import motion
     from .errors import UserError
-    from .output import check_target
-    from .progress import Teller
+    from .system.output import check_target
+    from .system.progress import Teller
 
     target = output or Path(f"{_name(source, model, keys)}.npz")
     if target.suffix != ".npz":
@@ -258,7 +258,7 @@ def solve(
         motion.save(result.saved, target)
         _tell(teller, target, result.problems, target)
     if as_json:
-        from .summary import summary
+        from .measure.summary import summary
 
         print(json.dumps(summary(result.saved, result.problems), indent=2))
     _judge(result.problems, strict)
@@ -278,8 +278,8 @@ def report(
     _without_graphics()
     from rich.console import Console
 
-    from .progress import Teller
-    from .report import tables
+    from .measure.report import tables
+    from .system.progress import Teller
 
     _name(source, model, keys)
     with Teller() as teller:
@@ -306,9 +306,9 @@ def plot(
     _without_graphics()
     import numpy as np
 
-    from . import chart
-    from .output import check_target
-    from .progress import Teller
+    from .measure import chart
+    from .system.output import check_target
+    from .system.progress import Teller
 
     target = output or Path(f"{_name(source, model, keys)}.png")
     chart.check_target(target)
@@ -329,9 +329,9 @@ def new_clip(
 ) -> None:
     """Write a clip to begin with, for any model: its keyframes, or a pose and a move; comments name all its parts."""
     _without_graphics()
+    from .clip.starter import starter
     from .errors import UserError
-    from .output import Replacement, check_new, check_target
-    from .starter import starter
+    from .system.output import Replacement, check_new, check_target
 
     target = output or Path(f"{Path(model).stem}.toml")
     if target.suffix != ".toml":
@@ -354,7 +354,7 @@ def mirror(
 ) -> None:
     """Exchange left and right of a motion (.npz) or a clip (.toml), in the x-z plane."""
     _without_graphics()
-    from . import edit_files
+    from .edit import files as edit_files
 
     _edited([source], edit_files.mirrored(), output, overwrite=overwrite, fresh=fresh)
 
@@ -371,7 +371,7 @@ def retime(
 ) -> None:
     """Play a motion (.npz) or a clip (.toml) faster or slower."""
     _without_graphics()
-    from . import edit_files
+    from .edit import files as edit_files
 
     _edited([source], edit_files.retimed(speed, duration), output, overwrite=overwrite, fresh=fresh)
 
@@ -388,7 +388,7 @@ def trim(
 ) -> None:
     """Cut a motion to an interval; inside it stays the same."""
     _without_graphics()
-    from . import edit_files
+    from .edit import files as edit_files
 
     _edited([source], edit_files.trimmed(first, last), output, overwrite=overwrite, fresh=fresh)
 
@@ -407,7 +407,7 @@ def join(
 ) -> None:
     """Let a second motion follow a first: moved to where that one goes on, with a transition in between."""
     _without_graphics()
-    from . import edit_files
+    from .edit import files as edit_files
 
     _edited([first, second], edit_files.joined(transition), output, overwrite=overwrite, fresh=fresh)
 
@@ -438,8 +438,8 @@ def thin(
 ) -> None:
     """The fewest keyframes that keep a motion within a bound, as a clip (.toml) or a motion (.npz)."""
     _without_graphics()
-    from . import thin_files
-    from .progress import Teller
+    from .edit import thin_files
+    from .system.progress import Teller
 
     recording = thin_files.Recording(source, figure, kind, fps, fresh, skip_rest)
     bound = thin_files.bound(max_error, max_angle)
@@ -472,8 +472,8 @@ def export(
     from .errors import UserError
     from .exchange import formats, quantities
     from .exchange.take import Wishes
-    from .output import check_new, check_target
-    from .progress import Teller
+    from .system.output import check_new, check_target
+    from .system.progress import Teller
 
     form = formats.chosen(to, output)
     wishes = Wishes(simulate, quantities.named(columns))
@@ -507,12 +507,13 @@ def import_motion(
 ) -> None:
     """Read a recorded motion; every instant of it becomes a keyframe, and nothing is searched."""
     _without_graphics()
-    from . import lead_in, motion
+    from . import motion
+    from .edit import lead_in
     from .errors import UserError
     from .exchange.formats import stem
     from .exchange.imported import imported
-    from .output import check_new, check_target
-    from .progress import Teller
+    from .system.output import check_new, check_target
+    from .system.progress import Teller
 
     if fps is not None and not 0.01 <= fps <= 1000:
         raise UserError(f"--fps {fps:g}: give a number of images a second, 0.01 to 1000")
@@ -578,7 +579,7 @@ def batch(
     """Solve many clips, on every core or on a Dask cluster; the same command again goes on where it stopped."""
     _without_graphics()
     from . import batch as batches
-    from .progress import Teller
+    from .system.progress import Teller
 
     with Teller() as teller:
         tally = batches.run(
@@ -618,10 +619,12 @@ def paper(
     _without_graphics()
     from rich.console import Console
 
-    from . import claim, clip, work
-    from . import paper as study
-    from .progress import Teller
-    from .report import report as measured
+    from . import work
+    from .claims import claim
+    from .claims import paper as study
+    from .clip import load as clip
+    from .measure.report import report as measured
+    from .system.progress import Teller
 
     with Teller() as teller:
         claims = study.run(seeds or study.SETS, teller)
@@ -640,8 +643,8 @@ def _paper_figures(folder: Path, seeds: int | None, *, as_json: bool) -> None:
     if seeds is not None:
         raise UserError("--seeds: figures are of the clips run_and_step and tumble, not of sets; leave it out")
     graphics = _graphics()
-    from .paper_figures import drawing
-    from .progress import Teller
+    from .claims.figures import drawing
+    from .system.progress import Teller
 
     drawing.check_folder(folder)
     with Teller() as teller:
@@ -684,8 +687,8 @@ def list_models() -> None:
 
 def _edited(sources: list[str], edit: Edit, output: Path | None, *, overwrite: bool, fresh: bool) -> None:
     """An edit of files, told as it goes."""
-    from .edit_files import run
-    from .progress import Teller
+    from .edit.files import run
+    from .system.progress import Teller
 
     with Teller() as teller:
         target, found = run(sources, edit, output, overwrite=overwrite, fresh=fresh, teller=teller)
@@ -734,7 +737,7 @@ def _size(text: str) -> tuple[int, int]:
 
 def _film_target(target: Path, width: int, height: int, *, halves: bool) -> None:
     from .errors import UserError
-    from .film import FilmError, check_target
+    from .picture.film import FilmError, check_target
 
     try:
         check_target(target, width, height)
@@ -745,7 +748,7 @@ def _film_target(target: Path, width: int, height: int, *, halves: bool) -> None
 
 
 def _without_graphics() -> None:
-    from .graphics import do_without
+    from .picture.graphics import do_without
 
     do_without()
 
@@ -756,7 +759,7 @@ def _graphics() -> Graphics:
     from importlib import import_module
 
     from .errors import UserError
-    from .graphics import GraphicsError, choose
+    from .picture.graphics import GraphicsError, choose
 
     with ThreadPoolExecutor(1) as aside:
         found = aside.submit(choose)
@@ -772,7 +775,8 @@ def _found(
     source: str, model: str | None, keys: str | None, fps: float | None = None, unmet: list[str] | None = None
 ) -> Clip | Saved:
     """What a command is about: a saved motion, or a clip to solve; `unmet` as for `clip.load`."""
-    from . import clip, motion
+    from . import motion
+    from .clip import load as clip
 
     if motion.is_motion(source) and keys is None and model is None:
         return motion.load(Path(source))
@@ -794,7 +798,8 @@ def _result(
 
     fresh  a clip is solved now, and not as it may have been before
     """
-    from . import kept, motion, problems, work
+    from . import kept, motion, work
+    from .measure import problems
 
     if not solve:
         saved = found if isinstance(found, motion.Saved) else work.unsolved(found).saved(teller, with_report=False)
@@ -812,8 +817,9 @@ def _result(
 
 def _measured(found: Clip | Saved, teller: Teller, *, fresh: bool) -> Saved:
     """A motion with its report, made now unless its file has one; `fresh` as for `_result`."""
-    from . import kept, motion, problems
-    from .edits import measured
+    from . import kept, motion
+    from .edit.edits import measured
+    from .measure import problems
 
     if not isinstance(found, motion.Saved):
         return kept.solved(found, teller, fresh=fresh).saved(teller)
@@ -826,7 +832,7 @@ def _measured(found: Clip | Saved, teller: Teller, *, fresh: bool) -> Saved:
 
 def _tell(teller: Teller, target: Path, found: Sequence[Problem], file: object) -> None:
     """What was written, and what is wrong with it; `file` is what a report of all of it takes."""
-    from .problems import lines
+    from .measure.problems import lines
 
     teller.say(f"wrote {target}")
     for line in lines(found, file):
@@ -841,7 +847,8 @@ def _judge(found: Sequence[object], strict: bool) -> None:
 
 def _check_repeat(found: Clip | Saved, repeat: int | None) -> None:
     """Raises UserError unless what is to be repeated is a loop, and not for hours."""
-    from . import clip, motion
+    from . import motion
+    from .clip import load as clip
     from .errors import UserError
 
     ends = found.timeline.ends if isinstance(found, motion.Saved) else found.ends
@@ -855,7 +862,7 @@ def _check_repeat(found: Clip | Saved, repeat: int | None) -> None:
 
 
 def _repeated(saved: Saved, repeat: int | None) -> Saved:
-    from .edits import repeated
+    from .edit.edits import repeated
 
     if repeat is None:
         return saved
@@ -865,8 +872,8 @@ def _repeated(saved: Saved, repeat: int | None) -> Saved:
 
 def _check_camera(found: Clip | Saved, camera: str) -> None:
     """Raises UserError for a camera that is not there, before anything long begins."""
-    from .camera import ANGLES
     from .errors import UserError, unknown
+    from .picture.camera import ANGLES
 
     model = found.figure.model
     known = [*ANGLES, *(name for i in range(model.ncam) if (name := model.camera(i).name))]

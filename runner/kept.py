@@ -31,14 +31,14 @@ from solver.inbetween import Motion, objective_of
 from solver.search.optimiser import Stop
 
 from . import work
-from .cache_folder import place
-from .clip import Clip, table_of
-from .clip_text import tables
+from .clip.load import Clip, table_of
+from .clip.text import tables
 from .errors import UserError
-from .exactness import keyframe_error
+from .measure.exactness import keyframe_error
 from .motion import read_arrays
-from .output import Replacement
-from .progress import Teller
+from .system.cache_folder import place
+from .system.output import Replacement
+from .system.progress import Teller
 from .work import Solved
 
 FORMAT = 1

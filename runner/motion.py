@@ -31,10 +31,10 @@ from solver.figure.kinematics import Samples
 from solver.quaternion import Array
 from solver.refine.subdivision import path_of
 
-from . import archive as archive_sizes
-from .assets import Scene
 from .errors import UserError
-from .output import Replacement
+from .scene.assets import Scene
+from .system import archive as archive_sizes
+from .system.output import Replacement
 
 FORMAT_VERSION = 2  # 1: without assets
 MOST_SAMPLES = 1_000_000

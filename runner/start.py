@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 
-from . import stopping
+from .system import stopping
 
 STOPPED = 130  # the exit code of Ctrl-C
 

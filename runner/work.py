@@ -16,11 +16,11 @@ from solver.inbetween import Improvement, Motion, inbetween
 from solver.objective import Objective
 from solver.search.optimiser import Stop, StopSearch
 
-from . import largest
-from .clip import Clip
+from .clip.load import Clip
+from .measure.problems import Problem, problems
 from .motion import Saved
-from .problems import Problem, problems
-from .progress import Teller
+from .system import largest
+from .system.progress import Teller
 
 PAIR = (
     2000  # [bytes] of a search for every pair of a frame's numbers; short clips of chains of hinges take 1100 to 1500
@@ -82,8 +82,8 @@ class Solved:
                     if asked.is_set():
                         raise KeyboardInterrupt
 
-                from .curves import curves  # only here: most commands measure nothing
-                from .report import report
+                from .measure.curves import curves  # only here: most commands measure nothing
+                from .measure.report import report
 
                 drawn = curves(clip, motion)
                 data = report(clip, motion, self.seconds, told)

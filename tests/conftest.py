@@ -18,10 +18,11 @@ import shipped
 import tiny
 from rich.console import Console
 
-from runner import clip, motion, work
-from runner.graphics import Graphics
+from runner import motion, work
+from runner.clip import load as clip
 from runner.motion import Saved
-from runner.progress import Teller
+from runner.picture.graphics import Graphics
+from runner.system.progress import Teller
 from runner.work import Solved
 from solver.figure.figure import Figure
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from runner.exchange import euler
-from runner.exchange.bvh_file import Joint, Skeleton
+from runner.exchange.skeleton.bvh_file import Joint, Skeleton
 from runner.exchange.take import Take
 from solver import quaternion as quat
 

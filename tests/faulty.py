@@ -23,13 +23,13 @@ OWN = ("/runner/", "/solver/")  # files whose functions count
 def main() -> None:
     import matplotlib.backends.backend_agg  # noqa: F401
 
-    import runner.chart
     import runner.cli
-    import runner.clip
+    import runner.clip.load
+    import runner.edit.thin_files
     import runner.exchange.imported
     import runner.kept
-    import runner.report
-    import runner.thin_files
+    import runner.measure.chart
+    import runner.measure.report
     import runner.work  # noqa: F401
 
     for line in sys.stdin:

@@ -8,8 +8,8 @@ from dataclasses import replace
 import mujoco
 import numpy as np
 
-from runner import clip as clips
-from runner.penetration import moving_geoms, solid_geoms
+from runner.clip import load as clips
+from runner.measure.penetration import moving_geoms, solid_geoms
 from solver import quaternion as quat
 from solver.figure.figure import JointKind
 from solver.quaternion import Array

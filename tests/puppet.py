@@ -5,10 +5,11 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 
-from runner import clip, work
+from runner import work
+from runner.clip import load as clip
 from runner.motion import Saved
-from runner.progress import Teller
-from runner.scene import compose
+from runner.scene.compose import compose
+from runner.system.progress import Teller
 from solver import quaternion as quat
 
 FIGURE = """

@@ -13,8 +13,9 @@ from pathlib import Path
 
 from rich.console import Console
 
-from runner import clip, kept, work
-from runner.progress import Teller
+from runner import kept, work
+from runner.clip import load as clip
+from runner.system.progress import Teller
 from runner.work import Solved
 
 PLACE = "DYNSPLINES_TESTS_SOLVED"  # the folder of this run's solved clips; its other processes inherit it

@@ -8,10 +8,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 from rich.console import Console
 
-from runner import clip, work
-from runner.clip import Clip
+from runner import work
+from runner.clip import load as clip
+from runner.clip.load import Clip
 from runner.motion import samples_at
-from runner.progress import Teller
+from runner.system.progress import Teller
 from solver.curve.frame import Timeline
 from solver.figure.algebra import dot
 from solver.figure.figure import JointKind

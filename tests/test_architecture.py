@@ -13,18 +13,18 @@ SOLVER = [path for path in FILES if path.parts[0] == "solver"]
 
 MAY_IMPORT = {"runner": {"runner", "solver", "models"}, "solver": {"solver"}, "models": {"models"}}
 ONLY_IN = {
-    "nlopt": {"solver/optimiser.py"},
-    "imageio": {"runner/film.py"},
-    "tomllib": {"runner/clip.py"},
+    "nlopt": {"solver/search/optimiser.py"},
+    "imageio": {"runner/picture/film.py"},
+    "tomllib": {"runner/clip/load.py"},
     "typer": {"runner/cli.py"},
-    "pygltflib": {"runner/exchange/gltf.py"},
-    "pxr": {"runner/exchange/usd.py"},
+    "pygltflib": {"runner/exchange/format/gltf.py"},
+    "pxr": {"runner/exchange/format/usd.py"},
 }
 SCIPY_IN_SOLVER = {
-    "solver/banded.py",
-    "solver/spline.py",
-    "solver/unknowns.py",
-    "solver/model.py",
+    "solver/curve/banded.py",
+    "solver/curve/spline.py",
+    "solver/curve/unknowns.py",
+    "solver/search/quadratic.py",
 }
 NO_WORLD = {"os", "sys", "io", "pathlib", "time", "datetime", "shutil", "tempfile", "subprocess", "logging", "random"}
 

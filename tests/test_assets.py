@@ -14,11 +14,12 @@ import pytest
 from PIL import Image
 from rich.console import Console
 
-from runner import clip, motion, work
+from runner import motion, work
+from runner.clip import load as clip
 from runner.errors import UserError
-from runner.progress import Teller
-from runner.scene import compose, figure_spec
-from runner.show import Look, images
+from runner.picture.show import Look, images
+from runner.scene.compose import compose, figure_spec
+from runner.system.progress import Teller
 
 MODEL = """
 <mujoco><compiler meshdir="parts/mesh" texturedir="parts"/>

@@ -9,10 +9,10 @@ from pathlib import Path, PurePosixPath
 import pytest
 from tiny import CLIP, changed, written
 
-from runner import clip
 from runner.batch import solving
 from runner.batch.inputs import Source, files_of, named_apart, sources
 from runner.batch.task import Task
+from runner.clip import load as clip
 from runner.errors import UserError
 from runner.motion import load
 

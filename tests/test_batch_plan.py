@@ -17,7 +17,7 @@ from runner.batch.bounded import Bounds
 from runner.batch.inputs import sources
 from runner.batch.manifest import Entry, Manifest, digest_of
 from runner.batch.plan import Options, Plan, planned
-from runner.progress import Teller
+from runner.system.progress import Teller
 
 Planned = Callable[..., Plan]
 

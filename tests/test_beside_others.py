@@ -17,11 +17,12 @@ import pytest
 import wild
 from rich.console import Console
 
-from runner import clip, work
+from runner import work
+from runner.clip import load as clip
 from runner.exchange import formats
-from runner.exchange.hinged import Hinged
+from runner.exchange.skeleton.hinged import Hinged
 from runner.motion import Saved
-from runner.progress import Teller
+from runner.system.progress import Teller
 
 SQUAT = """
 figure = "{file}"

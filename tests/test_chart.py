@@ -10,9 +10,9 @@ import pytest
 from matplotlib.figure import Figure
 from tiny import names
 
-from runner import chart
-from runner.chart import check_target, draw
 from runner.errors import UserError
+from runner.measure import chart
+from runner.measure.chart import check_target, draw
 from runner.motion import Saved
 
 

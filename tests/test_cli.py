@@ -25,9 +25,10 @@ from PIL import Image
 from tiny import CLIP, FIGURE, HINGE, changed, names, written
 
 import models
-from runner import cli, film, show, work
-from runner.graphics import Graphics
-from runner.workers import MOST_WORKERS, cores
+from runner import cli, work
+from runner.picture import film, show
+from runner.picture.graphics import Graphics
+from runner.system.workers import MOST_WORKERS, cores
 
 POSIX = pytest.mark.skipif(os.name == "nt", reason="signals are another matter there")
 
@@ -263,7 +264,7 @@ def test_clips_and_models_are_listed_with_what_they_are(run):
 
 
 def test_figures_of_the_paper_are_told_one_by_one_and_as_json(run, monkeypatch, tmp_path):
-    from runner.paper_figures import drawing
+    from runner.claims.figures import drawing
 
     drawn = [drawing.Drawn(7, Path("figures/figure_7.png"), "seven orientations")]
     monkeypatch.setattr(drawing, "draw", lambda folder, *_: drawn if folder == Path("figures") else [])
@@ -690,7 +691,7 @@ def test_a_clip_that_ends_at_once_under_ctrl_c_ends_with_130(run, monkeypatch, t
     def stop(*_: object, **__: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(importlib.import_module("runner.report"), "report", stop)
+    monkeypatch.setattr(importlib.import_module("runner.measure.report"), "report", stop)
     with nothing_written(tmp_path):
         done = run("report", "tiny.toml")
     assert done.code == 130
@@ -883,7 +884,7 @@ SUNK = "problem: keyframe 2 itself: shin is 140 mm in the floor at 0.20 s"
 def sinking(run: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Command:
     """The command beside a clip that sinks, where measuring at length is forbidden."""
     (tmp_path / "sinks.toml").write_text(SINKING, encoding="utf-8")
-    monkeypatch.setattr(importlib.import_module("runner.report"), "report", lambda *_: pytest.fail("measured"))
+    monkeypatch.setattr(importlib.import_module("runner.measure.report"), "report", lambda *_: pytest.fail("measured"))
     return run
 
 

@@ -12,8 +12,8 @@ from scipy.spatial.transform import Rotation
 from tiny import CLIP, FIGURE, HINGE, changed, written
 
 import models
-from runner import clip
-from runner.clip import Clip
+from runner.clip import load as clip
+from runner.clip.load import Clip
 from runner.errors import UserError
 from solver.penalty import Bend, Contact, CovariantAcceleration, Flight, RootAcceleration, Support, UnitMagnitude
 

@@ -5,9 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from runner import clip as clips
+from runner.clip import load as clips
 from runner.errors import UserError
-from runner.report import report
+from runner.measure.report import report
 from solver.figure.kinematics import Samples
 from solver.inbetween import inbetween
 from solver.penalty import Contact, Planted, Rest, Resting, Stance, Together

@@ -13,11 +13,14 @@ import tiny
 from rich.console import Console
 
 import models
-from runner import clip, edit_files, edits, motion, work
-from runner.clip_text import keyframe_tables, rotation, tables, written
+from runner import motion, work
+from runner.clip import load as clip
+from runner.clip.text import keyframe_tables, rotation, tables, written
+from runner.edit import edits
+from runner.edit import files as edit_files
 from runner.errors import UserError
 from runner.motion import Saved, sampled
-from runner.progress import Teller
+from runner.system.progress import Teller
 from solver import quaternion as quat
 from solver.curve.seam import Seam
 from solver.edit.mirror import Mirror

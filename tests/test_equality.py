@@ -12,8 +12,9 @@ from rich.console import Console
 from taylor import taylor_slope
 from test_kinematics import random_samples
 
-from runner import clip, work
-from runner.progress import Teller
+from runner import work
+from runner.clip import load as clip
+from runner.system.progress import Teller
 from solver.figure.figure import Figure
 from solver.figure.kinematics import Cotangent, Samples
 from solver.penalty import Closed, Coupled, closures, couplings

@@ -14,16 +14,19 @@ import puppet
 import pytest
 
 import models
-from runner import clip, work
+from runner import work
+from runner.clip import load as clip
 from runner.errors import UserError
-from runner.exchange import bvh, bvh_file, euler, formats, hierarchy, retarget
-from runner.exchange.bvh_file import Joint, Skeleton
-from runner.exchange.captured import Captured
+from runner.exchange import euler, formats
+from runner.exchange.format import bvh
 from runner.exchange.imported import imported
-from runner.exchange.roles import roles
+from runner.exchange.skeleton import bvh_file, hierarchy, retarget
+from runner.exchange.skeleton.bvh_file import Joint, Skeleton
+from runner.exchange.skeleton.captured import Captured
+from runner.exchange.skeleton.roles import roles
 from runner.exchange.take import Bodies, Take
-from runner.mujoco_versions import remove
-from runner.progress import Teller
+from runner.scene.mujoco_versions import remove
+from runner.system.progress import Teller
 from solver import quaternion as quat
 
 TENTH = 1e-4  # [m]

@@ -11,7 +11,8 @@ from scipy.spatial.transform import Rotation
 
 import models
 from runner.errors import UserError
-from runner.exchange import formats, mimickit
+from runner.exchange import formats
+from runner.exchange.format import mimickit
 from runner.exchange.imported import imported
 
 HUMAN = mujoco.MjModel.from_xml_string(models.figure_text("human"))

@@ -7,11 +7,13 @@ import numpy as np
 import pytest
 
 import models
-from runner import clip, motion, work
+from runner import motion, work
+from runner.clip import load as clip
 from runner.errors import UserError
-from runner.exchange import csv_table, formats
+from runner.exchange import formats
+from runner.exchange.format import csv_table
 from runner.exchange.imported import imported
-from runner.progress import Teller
+from runner.system.progress import Teller
 
 
 @pytest.fixture(scope="module")

@@ -12,10 +12,12 @@ import numpy as np
 import puppet
 import pytest
 
-from runner import clip, work
-from runner.exchange import formats, hierarchy
+from runner import work
+from runner.clip import load as clip
+from runner.exchange import formats
+from runner.exchange.skeleton import hierarchy
 from runner.exchange.take import Take
-from runner.progress import Teller
+from runner.system.progress import Teller
 
 pygltflib = pytest.importorskip("pygltflib")
 trimesh = pytest.importorskip("trimesh")

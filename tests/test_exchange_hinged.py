@@ -9,10 +9,10 @@ import wild
 from conftest import BALL_TREE
 from scipy.spatial.transform import Rotation
 
-from runner.assets import Scene
 from runner.errors import UserError
-from runner.exchange.hinged import Hinged, Layout, angles, rates, rotation_of
+from runner.exchange.skeleton.hinged import Hinged, Layout, angles, rates, rotation_of
 from runner.exchange.take import Take
+from runner.scene.assets import Scene
 from solver import quaternion as quat
 
 ORDERS = ["".join(order) for order in itertools.permutations("xyz")]

@@ -12,7 +12,8 @@ import numpy as np
 import puppet
 import pytest
 
-from runner.exchange import formats, html
+from runner.exchange import formats
+from runner.exchange.format import html
 from runner.exchange.take import Take
 
 

@@ -6,7 +6,7 @@ import pytest
 import tiny
 import wild
 
-from runner import clip
+from runner.clip import load as clip
 from runner.errors import UserError
 from runner.exchange import formats
 from runner.exchange.imported import imported

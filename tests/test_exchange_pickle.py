@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from runner.errors import UserError
-from runner.exchange import plain_pickle
+from runner.exchange.pickles import plain_pickle
 
 ARRAYS = {
     "matrix": np.arange(12.0).reshape(3, 4),

@@ -7,13 +7,14 @@ import numpy as np
 import pytest
 import wild
 
-from runner import clip, work
+from runner import work
+from runner.clip import load as clip
 from runner.errors import UserError
 from runner.exchange import formats, quantities
 from runner.exchange.forces import Forces
 from runner.exchange.imported import imported
 from runner.exchange.take import Take, Wishes
-from runner.progress import Teller
+from runner.system.progress import Teller
 
 ALL = tuple(quantities.GROUPS)
 NAMES = (

@@ -7,11 +7,12 @@ import numpy as np
 import pytest
 from rich.console import Console
 
-from runner import clip, work
+from runner import work
+from runner.clip import load as clip
 from runner.errors import UserError
 from runner.exchange import formats
 from runner.exchange.take import Wishes
-from runner.progress import Teller
+from runner.system.progress import Teller
 
 LASTS = 1.0  # [s] of simulation
 FALLEN = 0.03  # [m]

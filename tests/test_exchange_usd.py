@@ -7,11 +7,13 @@ import numpy as np
 import puppet
 import pytest
 
-from runner import clip, work
+from runner import work
+from runner.clip import load as clip
 from runner.errors import UserError
-from runner.exchange import formats, hierarchy
+from runner.exchange import formats
+from runner.exchange.skeleton import hierarchy
 from runner.exchange.take import Take
-from runner.progress import Teller
+from runner.system.progress import Teller
 
 Usd, UsdGeom = (pytest.importorskip(f"pxr.{name}") for name in ("Usd", "UsdGeom"))
 

@@ -16,9 +16,9 @@ from typing import Any
 import pytest
 from tiny import changed, names, written
 
-from runner import clip as clips
 from runner import motion
-from runner.output import TEMPORARY, Replacement
+from runner.clip import load as clips
+from runner.system.output import TEMPORARY, Replacement
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="limits, forks and signals are another matter there")
 
@@ -291,7 +291,7 @@ def test_two_writers_of_one_file_leave_one_of_the_two_whole(tmp_path: Path):
 
 
 def test_a_clip_that_is_removed_or_cut_while_it_is_read_is_told(tried: Tried, tmp_path: Path):
-    gone = "import runner.clip as c; load = c.from_text\ndef f(*a, **k):\n"
+    gone = "import runner.clip.load as c; load = c.from_text\ndef f(*a, **k):\n"
     gone += "    os.unlink('tiny.xml'); return load(*a, **k)\n"
     assert_told(tried("solve", "tiny.toml", before=gone + "c.from_text = f\n"), "no file 'tiny.xml'")
     (tmp_path / "motion.npz").write_bytes((tmp_path / "motion.npz").read_bytes()[:-100])

@@ -6,10 +6,10 @@ import mujoco
 import numpy as np
 import pytest
 
-from runner.clip_table import ContactTable
-from runner.contacts import contacts
+from runner.clip.contacts import contacts
+from runner.clip.feet import sole_points
+from runner.clip.table import ContactTable
 from runner.errors import UserError
-from runner.feet import sole_points
 from solver.curve.frame import Frame
 from solver.curve.unknowns import raw_timeline
 from solver.figure.figure import Figure

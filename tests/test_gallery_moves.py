@@ -15,13 +15,13 @@ import numpy as np
 import pytest
 import shipped
 
-from runner import clip as clips
-from runner.clip import Clip
-from runner.clip_text import tables, written
-from runner.edits import retimed_tables
-from runner.hold_report import in_carried
+from runner.clip import load as clips
+from runner.clip.load import Clip
+from runner.clip.text import tables, written
+from runner.edit.edits import retimed_tables
+from runner.measure.hold_report import in_carried
+from runner.measure.penetration import penetration
 from runner.motion import continuous, sampled
-from runner.penetration import penetration
 from solver.inbetween import Motion
 from solver.penalty import BendLimits
 from solver.quaternion import Array

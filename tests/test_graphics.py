@@ -6,7 +6,7 @@ import sys
 
 import pytest
 
-from runner import graphics
+from runner.picture import graphics
 
 TELLS_ITS_START = pytest.mark.skipif(
     not graphics.BOOT.is_file(), reason="nobody says when the machine was started, so nothing is remembered"

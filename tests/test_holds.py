@@ -9,15 +9,15 @@ import numpy as np
 import pytest
 from rich.console import Console
 
-from runner import clip as clips
 from runner import work
-from runner.clip_mirror import mirrored_tables
-from runner.clip_text import tables, written
-from runner.edits import retimed_tables, trimmed
+from runner.clip import load as clips
+from runner.clip.mirror import mirrored_tables
+from runner.clip.text import tables, written
+from runner.edit.edits import retimed_tables, trimmed
 from runner.errors import UserError
-from runner.hold_report import hold_rows, in_carried
-from runner.problems import problems
-from runner.progress import Teller
+from runner.measure.hold_report import hold_rows, in_carried
+from runner.measure.problems import problems
+from runner.system.progress import Teller
 from solver.edit.mirror import Mirror
 from solver.inbetween import inbetween
 from solver.penalty import Contact, Hold, Holding, Planted, Together

@@ -16,7 +16,7 @@ from test_objective import every_penalty
 from test_seam import TERMS, hop
 from test_unknowns import random_keys
 
-from runner.scene import figure_spec
+from runner.scene.compose import figure_spec
 from solver import quaternion as quat
 from solver.curve.frame import Frame, Timeline, TimelineError
 from solver.curve.unknowns import Unknowns, raw_timeline

@@ -9,9 +9,10 @@ import pytest
 from rich.console import Console
 from tiny import CLIP, FIGURE, HINGE, changed, written
 
-from runner import clip, work
-from runner.progress import Teller
-from runner.report import report, tables
+from runner import work
+from runner.clip import load as clip
+from runner.measure.report import report, tables
+from runner.system.progress import Teller
 
 LIMITED = FIGURE.replace('name="left_knee" type="ball"', 'name="left_knee" type="ball" limited="true" range="0 42"')
 SWING = """figure = "hinge.xml"

@@ -13,10 +13,11 @@ import pytest
 from rich.console import Console
 from tiny import CLIP, FIGURE, changed, names, written
 
-from runner import cli, clip, kept, work
-from runner.clip import Clip
-from runner.progress import Teller
-from runner.report import report
+from runner import cli, kept, work
+from runner.clip import load as clip
+from runner.clip.load import Clip
+from runner.measure.report import report
+from runner.system.progress import Teller
 from runner.work import Solved
 from solver.search.optimiser import Stop
 

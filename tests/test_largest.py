@@ -12,13 +12,15 @@ import numpy as np
 import pytest
 
 import models
-from runner import largest, mjcf_size, motion
-from runner.assets import Scene, taken_along
-from runner.clip import check_times, load
+from runner import motion
+from runner.clip.load import check_times, load
 from runner.errors import UserError
 from runner.exchange.held import held
-from runner.progress import Teller
-from runner.scene import compose, figure_spec
+from runner.scene import mjcf_size
+from runner.scene.assets import Scene, taken_along
+from runner.scene.compose import compose, figure_spec
+from runner.system import largest
+from runner.system.progress import Teller
 from runner.work import solve
 
 

@@ -7,9 +7,11 @@ import numpy as np
 import pytest
 
 import models
-from runner import clip, lead_in, motion, thin_files, work
-from runner.progress import Teller
-from runner.scene import compose, figure_spec
+from runner import motion, work
+from runner.clip import load as clip
+from runner.edit import lead_in, thin_files
+from runner.scene.compose import compose, figure_spec
+from runner.system.progress import Teller
 from solver import quaternion as quat
 from solver.refine.subdivision import path_of
 

@@ -19,13 +19,16 @@ import pytest
 import squats
 from rich.console import Console
 
-from runner import clip, motion, outside, report, work
-from runner.feet import sole_points
-from runner.lighting import is_well_lit
-from runner.progress import Teller
-from runner.scene import compose, figure_spec
-from runner.show import Look, images
-from runner.starter import starter
+from runner import motion, work
+from runner.clip import load as clip
+from runner.clip.feet import sole_points
+from runner.clip.starter import starter
+from runner.measure import report
+from runner.picture.show import Look, images
+from runner.scene import outside
+from runner.scene.compose import compose, figure_spec
+from runner.scene.lighting import is_well_lit
+from runner.system.progress import Teller
 from solver.figure.figure import Figure
 
 SUITE, GYM = "dm_control/suite/", "gymnasium/envs/mujoco/assets/"

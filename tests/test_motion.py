@@ -15,7 +15,7 @@ from tiny import names
 from runner import motion
 from runner.errors import UserError
 from runner.motion import Saved, load, sampled, samples_at, save
-from runner.output import Replacement, check_target
+from runner.system.output import Replacement, check_target
 from runner.work import Solved
 from solver.figure.dynamics import generalised_forces
 from solver.refine.subdivision import path_of

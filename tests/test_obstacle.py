@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 from tiny import CLIP, FIGURE, written
 
-from runner import clip
+from runner.clip import load as clip
 from runner.errors import UserError
-from runner.scene import compose
+from runner.scene.compose import compose
 from solver.surface import Box, Capsule, Cylinder, Hull, Plane, Sphere, static_surfaces
 
 SCENE = """

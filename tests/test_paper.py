@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 from rich.console import Console
 
-from runner import paper
-from runner.barr import Discrete
-from runner.claim import Claim, as_json, table
-from runner.paper import Case, clip_claims, run
-from runner.progress import Teller
+from runner.claims import paper
+from runner.claims.barr import Discrete
+from runner.claims.claim import Claim, as_json, table
+from runner.claims.paper import Case, clip_claims, run
+from runner.system.progress import Teller
 from solver.quaternion import angle_between
 
 

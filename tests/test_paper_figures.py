@@ -16,17 +16,18 @@ from matplotlib.figure import Figure
 from rich.console import Console
 from tiny import names
 
-from runner import clip, work
+from runner import work
+from runner.claims.figures import charts, drawing, scenes
+from runner.claims.figures.captioned import captioned
+from runner.claims.figures.charts import Deviations, Lengths, draw_deviations, draw_lengths
+from runner.claims.figures.drawing import FIGURES, Results, check_folder
+from runner.claims.figures.scenes import Dip, inset, keyframes_and_sample, looked_at
+from runner.claims.orientations import PAPER, TENTHS, Case, Run, figure_ten, promised, strong_tenths, weak_tenths
+from runner.clip import load as clip
 from runner.errors import UserError
-from runner.graphics import Graphics
 from runner.motion import Saved
-from runner.orientations import PAPER, TENTHS, Case, Run, figure_ten, promised, strong_tenths, weak_tenths
-from runner.paper_figures import charts, drawing, scenes
-from runner.paper_figures.captioned import captioned
-from runner.paper_figures.charts import Deviations, Lengths, draw_deviations, draw_lengths
-from runner.paper_figures.drawing import FIGURES, Results, check_folder
-from runner.paper_figures.scenes import Dip, inset, keyframes_and_sample, looked_at
-from runner.progress import Teller
+from runner.picture.graphics import Graphics
+from runner.system.progress import Teller
 from solver.refine.euler_lagrange import covariant_residual
 
 RAYS = Graphics("rays", "renderer: rays")

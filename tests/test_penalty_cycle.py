@@ -9,7 +9,7 @@ from test_penalty_posture import FIGURES
 from test_penalty_unit import penalty_slope, scaled_like
 from test_rhythm import FIGURE, GROUND, PERIOD, SOLES, TIME, WALK, gait
 
-from runner.constraints import Constraints
+from runner.clip.constraints import Constraints
 from solver import quaternion as quat
 from solver.curve.frame import Frame
 from solver.curve.unknowns import raw_timeline

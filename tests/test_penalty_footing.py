@@ -4,7 +4,7 @@ import mujoco
 import numpy as np
 import pytest
 
-from runner import clip as clips
+from runner.clip import load as clips
 from solver.curve.frame import Frame, Timeline
 from solver.curve.unknowns import raw_timeline
 from solver.figure.figure import Figure

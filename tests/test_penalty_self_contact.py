@@ -15,10 +15,11 @@ from test_curvature import curvature_of, shifted, sides_of
 from test_kinematics import random_samples
 from test_penalty_unit import penalty_slope, scaled_like
 
-from runner import clip, work
-from runner.penetration import self_penetration
-from runner.progress import Teller
-from runner.report import report, tables
+from runner import work
+from runner.clip import load as clip
+from runner.measure.penetration import self_penetration
+from runner.measure.report import report, tables
+from runner.system.progress import Teller
 from solver.figure.figure import Figure
 from solver.figure.kinematics import Cotangent, Samples
 from solver.penalty import SelfContact

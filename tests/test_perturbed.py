@@ -11,9 +11,9 @@ import mujoco
 import numpy as np
 import pytest
 
-from runner import clip as clips
 from runner import work
-from runner.clip import Clip
+from runner.clip import load as clips
+from runner.clip.load import Clip
 from solver import Frame, Motion
 from solver import quaternion as quat
 from solver.figure.figure import JointKind
@@ -164,7 +164,7 @@ def test_a_set_that_stands_out_is_named_with_what_its_motion_costs(benchmark):
 
 @pytest.mark.slow
 def test_solving_is_what_the_command_does(benchmark, run):
-    from runner.progress import Teller
+    from runner.system.progress import Teller
 
     done = work.solve(clips.load("run_loop"), Teller())
     np.testing.assert_array_equal(done.motion.timeline.rows, run.timeline.rows)

@@ -6,12 +6,12 @@ import mujoco
 import numpy as np
 import pytest
 
-from runner import clip
-from runner.clip import Clip
-from runner.clip_mirror import mirrored_tables
+from runner.clip import load as clip
+from runner.clip.feet import sole_points
+from runner.clip.load import Clip
+from runner.clip.mirror import mirrored_tables
+from runner.clip.places import Places, posable_sites
 from runner.errors import UserError
-from runner.feet import sole_points
-from runner.places import Places, posable_sites
 from solver.edit.mirror import Mirror
 from solver.figure.figure import Figure
 

@@ -13,11 +13,12 @@ import pytest
 from rich.console import Console
 from tiny import HINGE
 
-from runner import cli, clip, work
-from runner.clip import Clip
+from runner import cli, work
+from runner.clip import load as clip
+from runner.clip.load import Clip
 from runner.errors import UserError
-from runner.progress import Teller
-from runner.report import report
+from runner.measure.report import report
+from runner.system.progress import Teller
 from solver import quaternion as quat
 from solver.curve.frame import Frame
 from solver.penalty import Placement

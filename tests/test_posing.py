@@ -12,9 +12,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import models
-from runner.clip_table import PenaltyTable
-from runner.constraints import posing_bends
-from runner.feet import sole_points
+from runner.clip.constraints import posing_bends
+from runner.clip.feet import sole_points
+from runner.clip.table import PenaltyTable
 from solver import posing
 from solver import quaternion as quat
 from solver.curve.frame import Mask

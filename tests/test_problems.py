@@ -14,13 +14,16 @@ import numpy as np
 import pytest
 from rich.console import Console
 
-from runner import Keyframe, build, clip, edits, inbetween, load_motion, motion, problems, work
-from runner.bounds import BOUNDS, WHIP_SHARE
-from runner.clip import Clip
+from runner import Keyframe, build, inbetween, load_motion, motion, work
+from runner.clip import load as clip
+from runner.clip.load import Clip
+from runner.edit import edits
+from runner.measure import problems
+from runner.measure.bounds import BOUNDS, WHIP_SHARE
+from runner.measure.penetration import penetration
+from runner.measure.problems import Problem
 from runner.motion import sampled
-from runner.penetration import penetration
-from runner.problems import Problem
-from runner.progress import Teller
+from runner.system.progress import Teller
 from solver import quaternion as quat
 from solver.curve.frame import Frame, Timeline
 from solver.refine.subdivision import path_of

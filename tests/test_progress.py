@@ -7,8 +7,8 @@ import io
 import pytest
 from rich.console import Console
 
-from runner import progress
-from runner.progress import Teller
+from runner.system import progress
+from runner.system.progress import Teller
 
 
 @pytest.fixture

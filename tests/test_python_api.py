@@ -19,7 +19,7 @@ from tiny import names, written
 
 import runner
 from runner import Clip, Keyframe, Motion, UserError, build, clips, figures, import_motion, inbetween, load, load_motion
-from runner.clip_table import ClipTable, KeyframeTable
+from runner.clip.table import ClipTable, KeyframeTable
 
 ROOT = Path(__file__).parent.parent
 ARM = """

@@ -14,10 +14,11 @@ from test_kinematics import random_samples
 from test_penalty_contact import FLOOR, LEG, some_points
 from test_penalty_unit import penalty_slope
 
-from runner import clip, work
+from runner import work
+from runner.clip import load as clip
+from runner.measure.penetration import penetration
 from runner.motion import sampled
-from runner.penetration import penetration
-from runner.progress import Teller
+from runner.system.progress import Teller
 from solver.figure.figure import Figure
 from solver.figure.kinematics import Samples
 from solver.penalty import Contact, Together, UnitMagnitude, covering_points

@@ -4,9 +4,9 @@ import mujoco
 import numpy as np
 import pytest
 
-from runner.camera import View
-from runner.ghost import Ghost
-from runner.rays import Rays
+from runner.picture.camera import View
+from runner.picture.ghost import Ghost
+from runner.picture.rays import Rays
 
 SCENE = """
 <mujoco>

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from runner import clip
+from runner.clip import load as clip
 from solver.inbetween import inbetween
 
 README = (Path(__file__).parent.parent / "README.md").read_text(encoding="utf-8")

@@ -9,7 +9,7 @@ from conftest import BALL_TREE
 from test_gauss_newton import problem_of
 from test_preconditioner import discretised
 
-from runner.clip import load
+from runner.clip.load import load
 from solver.curve.frame import Frame
 from solver.curve.unknowns import raw_timeline
 from solver.figure.figure import Figure

@@ -12,10 +12,11 @@ import pytest
 from rich.console import Console
 from tiny import FIGURE, written
 
-from runner import clip, work
+from runner import work
+from runner.clip import load as clip
+from runner.measure.report import Grid, _far_from_trouble, report, tables
 from runner.motion import sampled
-from runner.progress import Teller
-from runner.report import Grid, _far_from_trouble, report, tables
+from runner.system.progress import Teller
 from runner.work import Solved
 from solver.refine.subdivision import evenly, path_of
 from solver.search.descent import optimised

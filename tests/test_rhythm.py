@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from walker import FINE, walk, walker
 
-from runner.clip_table import PenaltyTable
-from runner.constraints import Constraints
+from runner.clip.constraints import Constraints
+from runner.clip.table import PenaltyTable
 from solver import quaternion as quat
 from solver.curve.frame import Frame
 from solver.curve.unknowns import raw_timeline

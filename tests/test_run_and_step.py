@@ -13,11 +13,11 @@ import shipped
 from perturbed import perturbed
 
 import models
-from runner import clip as clips
-from runner.clip import Clip
+from runner.clip import load as clips
+from runner.clip.load import Clip
+from runner.measure.penetration import Penetration, penetration
+from runner.measure.report import report
 from runner.motion import sampled
-from runner.penetration import Penetration, penetration
-from runner.report import report
 from solver.curve.frame import Frame
 from solver.curve.quadrature import gauss_nodes
 from solver.inbetween import Motion, inbetween

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from runner import clip
+from runner.clip import load as clip
+from runner.measure.penetration import penetration
 from runner.motion import sampled
-from runner.penetration import penetration
 from solver.curve.seam import Seam
 from solver.edit.mirror import Mirror
 from solver.inbetween import Motion, inbetween

@@ -9,8 +9,8 @@ from tiny import FIGURE, HINGE, names
 
 import models
 from runner.errors import UserError
-from runner.lighting import brightness
-from runner.scene import Step, compose, figure_spec, quietly
+from runner.scene.compose import Step, compose, figure_spec, quietly
+from runner.scene.lighting import brightness
 
 OWN_STAGE = """<worldbody>
   <light name="lamp" directional="true" dir="0 0 -1"/><geom name="ground" type="plane" size="1 1 1" contype="1"/>"""

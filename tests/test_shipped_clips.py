@@ -10,10 +10,10 @@ import pytest
 import shipped
 
 import models
-from runner.clip import Clip
+from runner.clip.load import Clip
+from runner.measure.penetration import penetration, self_penetration
+from runner.measure.problems import problems
 from runner.motion import sampled, samples_at
-from runner.penetration import penetration, self_penetration
-from runner.problems import problems
 from solver.curve.seam import Seam, heading_between
 from solver.curve.unknowns import raw_timeline
 from solver.edit.mirror import Mirror

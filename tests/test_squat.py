@@ -10,9 +10,9 @@ import pytest
 import walkers
 from squats import Measured, measured, solved, squat
 
-from runner import clip
-from runner.clip import Clip
-from runner.standing import fitted
+from runner.clip import load as clip
+from runner.clip.load import Clip
+from runner.clip.standing import fitted
 from solver import quaternion as quat
 from solver.curve.frame import Frame
 from solver.curve.unknowns import raw_timeline

@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from runner.assets import Scene
-from runner.camera import View
-from runner.ghost import Ghost
-from runner.graphics import Graphics, choose
-from runner.stage import Stage, _simplify
+from runner.picture.camera import View
+from runner.picture.ghost import Ghost
+from runner.picture.graphics import Graphics, choose
+from runner.picture.stage import Stage, _simplify
+from runner.scene.assets import Scene
 
 SCENE = """
 <mujoco>

@@ -11,12 +11,13 @@ import pytest
 import tiny
 import wild
 
-from runner import clip, motion
+from runner import motion
+from runner.clip import load as clip
+from runner.clip.starter import starter
 from runner.errors import UserError
 from runner.exchange import formats
 from runner.exchange.imported import imported
 from runner.motion import Saved
-from runner.starter import starter
 from solver.figure.figure import Figure
 from solver.penalty import body_points
 from solver.penalty.contact import MOST_BETWEEN

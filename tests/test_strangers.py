@@ -17,18 +17,20 @@ from rich.console import Console
 from test_assets import stl
 
 import runner
-from runner import cli, clip, motion, outside, work
-from runner.assets import Scene
+from runner import cli, motion, work
 from runner.batch import inputs, solving
 from runner.batch.inputs import Source
 from runner.batch.lock import Lock
 from runner.batch.manifest import Entry, Manifest, check_below, digest_of
 from runner.batch.task import Task
+from runner.clip import load as clip
 from runner.errors import UserError
 from runner.exchange import formats
 from runner.motion import Saved
-from runner.progress import Teller
-from runner.scene import compose, figure_spec
+from runner.scene import outside
+from runner.scene.assets import Scene
+from runner.scene.compose import compose, figure_spec
+from runner.system.progress import Teller
 
 POSIX = pytest.mark.skipif(os.name == "nt", reason="links are another matter there")
 MODEL = """<mujoco><compiler meshdir="{folder}"/>{more}<asset>{asset}</asset><worldbody>

@@ -6,9 +6,10 @@ import mujoco
 import numpy as np
 import pytest
 
-from runner import clip, work
+from runner import work
+from runner.clip import load as clip
+from runner.measure.swings import runs, swings, words
 from runner.motion import samples_at
-from runner.swings import runs, swings, words
 from solver.refine.subdivision import path_of
 
 HOPPER = """<mujoco><worldbody>

@@ -9,14 +9,16 @@ import numpy as np
 import pytest
 from tiny import names, written
 
-from runner import clip, edits, motion, thin_files, work
+from runner import motion, work
 from runner.cli import app
+from runner.clip import load as clip
+from runner.edit import edits, thin_files
+from runner.edit.thinning import recorded_of, thinned
 from runner.errors import UserError
 from runner.exchange import formats
 from runner.motion import Saved
-from runner.progress import Teller
-from runner.quantity import length
-from runner.thinning import recorded_of, thinned
+from runner.system.progress import Teller
+from runner.system.quantity import length
 from solver.refine.subdivision import path_of
 
 BOUND = (0.02, np.radians(5))

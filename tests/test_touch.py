@@ -5,9 +5,9 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 
-from runner.clip_table import SceneTable
-from runner.obstacle import obstacles
-from runner.scene import Step, compose
+from runner.clip.table import SceneTable
+from runner.scene.compose import Step, compose
+from runner.scene.obstacle import obstacles
 from solver.figure.figure import Figure
 from solver.penalty import body_points, covering_points
 from solver.surface import static_surfaces

@@ -9,9 +9,10 @@ import pytest
 from rich.console import Console
 from scipy.spatial.transform import Rotation
 
-from runner import clip, work
-from runner.orientations import INTRINSIC, KEYFRAMES, Run, energy
-from runner.progress import Teller
+from runner import work
+from runner.claims.orientations import INTRINSIC, KEYFRAMES, Run, energy
+from runner.clip import load as clip
+from runner.system.progress import Teller
 from runner.work import Solved
 from solver.curve.frame import Frame
 from solver.curve.spline import Path

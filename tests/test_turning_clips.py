@@ -11,17 +11,18 @@ import tiny
 from rich.console import Console
 from scipy.spatial.transform import Rotation
 
-from runner import clip as clips
-from runner import edits, motion, work
-from runner.clip_mirror import mirrored_tables
-from runner.clip_table import RotationTable
+from runner import motion, work
+from runner.clip import load as clips
+from runner.clip.mirror import mirrored_tables
+from runner.clip.rotation import quaternion_of
+from runner.clip.table import RotationTable
+from runner.edit import edits
+from runner.edit.thinning import recorded_of
 from runner.errors import UserError
 from runner.exchange.take import Take
 from runner.motion import Saved
-from runner.progress import Teller
-from runner.rotation import quaternion_of
-from runner.scene import figure_spec
-from runner.thinning import recorded_of
+from runner.scene.compose import figure_spec
+from runner.system.progress import Teller
 from solver import quaternion as quat
 from solver.curve.seam import Seam
 from solver.edit.mirror import Mirror

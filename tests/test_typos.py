@@ -10,9 +10,9 @@ from conftest import FIGURES
 from tiny import FIGURE, HINGE, changed, written
 
 import models
-from runner import clip
+from runner.clip import load as clip
 from runner.errors import UserError
-from runner.scene import figure_spec, spec_joint_names
+from runner.scene.compose import figure_spec, spec_joint_names
 from solver.figure.figure import joint_names
 
 MESHED = FIGURE.replace("<worldbody>", '<asset><mesh name="hat" file="nowhere.obj"/></asset><worldbody>', 1)

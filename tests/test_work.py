@@ -9,9 +9,10 @@ import pytest
 from rich.console import Console
 from tiny import CLIP, changed, written
 
-from runner import clip, work
-from runner.clip import Clip
-from runner.progress import Teller
+from runner import work
+from runner.clip import load as clip
+from runner.clip.load import Clip
+from runner.system.progress import Teller
 from solver.refine.subdivision import path_of
 from solver.search.optimiser import Stop
 

@@ -16,7 +16,7 @@ import pytest
 from crew import Bench
 
 from runner.errors import UserError
-from runner.workers import AHEAD, cores, in_order
+from runner.system.workers import AHEAD, cores, in_order
 
 POSIX = pytest.mark.skipif(os.name == "nt", reason="signals are another matter there")
 

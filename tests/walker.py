@@ -7,7 +7,7 @@ import mujoco
 import numpy as np
 
 import models
-from runner.feet import sole_points
+from runner.clip.feet import sole_points
 from solver import quaternion as quat
 from solver.figure.figure import Figure
 from solver.figure.kinematics import Samples

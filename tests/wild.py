@@ -5,10 +5,11 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 
-from runner import clip, motion, work
+from runner import motion, work
+from runner.clip import load as clip
 from runner.motion import Sampled, Saved
-from runner.progress import Teller
-from runner.scene import compose, figure_spec
+from runner.scene.compose import compose, figure_spec
+from runner.system.progress import Teller
 from solver import quaternion as quat
 from solver.curve.frame import Frame
 

@@ -18,10 +18,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..errors import UserError
-from ..workers import cores
+from ..system.workers import cores
 
 if TYPE_CHECKING:
-    from ..progress import Teller
+    from ..system.progress import Teller
     from .dispatch import Tally
 
 NEEDS = ("distributed", "dask", "psutil")

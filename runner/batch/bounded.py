@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 import psutil
 
-from ..threads import THREADS
+from ..system.threads import THREADS
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -19,8 +19,8 @@ from distributed.system import MEMORY_LIMIT
 from distributed.utils import silence_logging_cmgr
 
 from ..errors import UserError, one_line
-from ..progress import Teller
-from ..workers import ctrl_c_blocked
+from ..system.progress import Teller
+from ..system.workers import ctrl_c_blocked
 from .crew import Crew
 
 WITHIN = "inproc://"

@@ -17,9 +17,9 @@ from distributed.comm.core import CommClosedError
 
 from ..errors import UserError, one_line
 from ..exchange import formats
-from ..output import Replacement, clear_below
-from ..outside import is_allowed
-from ..progress import Teller
+from ..scene.outside import is_allowed
+from ..system.output import Replacement, clear_below
+from ..system.progress import Teller
 from .bounded import Bounds, Outcome
 from .cluster import opened, threads
 from .crew import work

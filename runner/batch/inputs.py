@@ -12,9 +12,10 @@ from pathlib import Path, PurePosixPath
 
 import models
 
-from .. import clip, outside
+from ..clip import load as clip
 from ..errors import UserError, unknown
-from ..model_files import FOLDERS, elements, is_there
+from ..scene import outside
+from ..scene.model_files import FOLDERS, elements, is_there
 from .task import Files
 
 ENDINGS = (".toml", ".xml")

@@ -16,8 +16,8 @@ from pathlib import Path, PurePosixPath, PureWindowsPath
 from typing import Any, Literal
 
 from ..errors import UserError
-from ..output import Replacement
-from ..outside import lies_in
+from ..scene.outside import lies_in
+from ..system.output import Replacement
 
 NAME = "manifest.jsonl"
 VERSION = 1

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from ..errors import UserError
 from ..exchange import formats
-from ..progress import Teller
+from ..system.progress import Teller
 from .bounded import Bounds
 from .inputs import Source, files_of, named_apart
 from .manifest import Entry, Manifest

@@ -11,7 +11,7 @@ from .task import NPZ, Product, Task, program
 
 def prepared() -> None:
     """Imports what the work takes, which is off the clock."""
-    from .. import clip, motion, work  # noqa: F401
+    from .. import motion, work  # noqa: F401
 
 
 def solved(task: Task, folder: Path) -> Product:
@@ -21,10 +21,12 @@ def solved(task: Task, folder: Path) -> Product:
     """
     from rich.console import Console
 
-    from .. import clip, motion, outside, work
+    from .. import motion, work
+    from ..clip import load as clip
     from ..exchange import formats
-    from ..problems import plain
-    from ..progress import Teller
+    from ..measure.problems import plain
+    from ..scene import outside
+    from ..system.progress import Teller
 
     if task.program != program():
         raise UserError(f"the worker has dynamic-splines {program()}, not {task.program}; install the same")

@@ -23,7 +23,7 @@ from solver.penalty.support import Reactions
 from solver.quaternion import Array, Index
 from solver.refine.subdivision import path_of
 
-from .. import clip
+from ..clip import load as clip
 from ..motion import samples_at
 from .take import Take
 

@@ -10,10 +10,10 @@ from typing import Any
 
 import mujoco
 
-from .. import largest
 from ..errors import UserError, unknown
 from ..motion import Saved
-from ..output import Replacement, check_new, check_target
+from ..system import largest
+from ..system.output import Replacement, check_new, check_target
 from . import unsaid
 from .take import Recording, Take, Wishes
 
@@ -254,7 +254,7 @@ def _told(source: Path) -> Format:
 def _module(form: Format) -> Any:
     """A format's module; raises UserError that says how to install what it needs."""
     try:
-        return import_module(f".{form.module}", __package__)
+        return import_module(f".format.{form.module}", __package__)
     except ModuleNotFoundError as error:
         if form.extra is None:
             raise

@@ -11,9 +11,9 @@ import numpy as np
 
 from solver.quaternion import Array
 
-from .. import archive as archive_sizes
-from .. import largest
 from ..errors import UserError
+from ..system import archive as archive_sizes
+from ..system import largest
 
 LARGEST = 1e9
 NUMBER = 8  # [bytes]

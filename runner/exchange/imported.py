@@ -10,10 +10,10 @@ import numpy as np
 
 from solver.curve.frame import TimelineError
 
-from .. import clip as clips
+from ..clip import load as clips
 from ..motion import Saved
-from ..progress import Teller
-from ..scene import compose, figure_spec
+from ..scene.compose import compose, figure_spec
+from ..system.progress import Teller
 from ..work import unsolved
 from .formats import recording, stem
 

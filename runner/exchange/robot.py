@@ -12,7 +12,7 @@ from solver.quaternion import Array
 
 from ..errors import UserError
 from . import unsaid
-from .hinged import Layout
+from .skeleton.hinged import Layout
 
 FREE, BALL = int(mujoco.mjtJoint.mjJNT_FREE), int(mujoco.mjtJoint.mjJNT_BALL)
 

@@ -12,9 +12,9 @@ from solver.curve.seam import Seam
 from solver.figure.figure import Figure
 from solver.quaternion import Array
 
-from ..assets import Assets
 from ..motion import Saved, sampled
-from .hinged import Hinged
+from ..scene.assets import Assets
+from .skeleton.hinged import Hinged
 
 
 @dataclass(frozen=True)

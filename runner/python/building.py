@@ -17,12 +17,12 @@ import models
 from solver.curve.frame import Frame
 from solver.figure.figure import Figure, FigureError
 
-from .. import clip as clips
-from .. import outside
-from ..clip import Clip
-from ..clip_text import keyframe_tables, written
+from ..clip import load as clips
+from ..clip.load import Clip
+from ..clip.text import keyframe_tables, written
 from ..errors import UserError
-from ..scene import figure_spec, first_line, quietly
+from ..scene import outside
+from ..scene.compose import figure_spec, first_line, quietly
 
 Turn = Mapping[str, Any] | Rotation
 Table = Mapping[str, Any]

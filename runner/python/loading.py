@@ -5,11 +5,11 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from .. import clip as clips
 from .. import motion as files
-from .. import outside
-from ..clip import Clip
+from ..clip import load as clips
+from ..clip.load import Clip
 from ..errors import UserError
+from ..scene import outside
 from .motion import Motion
 
 
@@ -59,7 +59,7 @@ def import_motion(
 
     Raises UserError, in one line, for a file that does not fit.
     """
-    from .. import lead_in
+    from ..edit import lead_in
     from ..exchange.imported import imported
 
     figure = None if figure is None else os.fspath(figure)

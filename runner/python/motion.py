@@ -19,17 +19,20 @@ from rich.console import Console
 from solver.quaternion import Array
 from solver.refine.subdivision import path_of
 
-from .. import clip as clips
-from .. import clip_file, edits, problems, thinning, work
 from .. import motion as files
-from ..clip import Clip
+from .. import work
+from ..clip import file as clip_file
+from ..clip import load as clips
+from ..clip.load import Clip
+from ..edit import edits, thinning
 from ..errors import UserError, unknown
+from ..measure import problems
+from ..measure.problems import Problem
+from ..measure.report import tables
 from ..motion import Sampled, Saved
-from ..output import check_target
-from ..problems import Problem
-from ..progress import Teller
-from ..quantity import length
-from ..report import tables
+from ..system.output import check_target
+from ..system.progress import Teller
+from ..system.quantity import length
 from ..work import Solved
 
 PLAYER_HEIGHT = 480  # pixels, in a notebook
@@ -240,9 +243,9 @@ class Motion:
         workers  processes that draw; more than one, or rays, need a script's main part behind
                  `if __name__ == "__main__":`
         """
-        from ..graphics import GraphicsError, choose
-        from ..rendering import draw
-        from ..show import Look
+        from ..picture.graphics import GraphicsError, choose
+        from ..picture.rendering import draw
+        from ..picture.show import Look
 
         self._check_look(only, camera, at)
         target = Path(path) if path is not None else Path(f"{self.name}.{'png' if ghosts or at is not None else 'mp4'}")
@@ -255,7 +258,7 @@ class Motion:
         return target
 
     def _check_look(self, only: str, camera: str, at: float | None) -> None:
-        from ..camera import ANGLES
+        from ..picture.camera import ANGLES
 
         cameras = [*ANGLES, *(name for i in range(self.model.ncam) if (name := self.model.camera(i).name))]
         if only not in ("", "before", "after", "keys"):
@@ -350,7 +353,7 @@ class Motion:
 
     def _repr_html_(self) -> str:
         """The motion playing, before and after, in a notebook: a page that needs nothing from elsewhere."""
-        from ..exchange.html import page
+        from ..exchange.format.html import page
         from ..exchange.take import Take
 
         inside = html.escape(page(Take.of(self.saved)))

@@ -12,8 +12,8 @@ import mujoco
 import tiny
 from fuzz.mangle import Rng, mangled_text
 
-from runner.clip_text import written
-from runner.constraints import KINDS as PENALTIES
+from runner.clip.constraints import KINDS as PENALTIES
+from runner.clip.text import written
 from solver.search.optimiser import METHODS
 
 MODEL = """

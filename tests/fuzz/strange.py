@@ -24,16 +24,17 @@ from fuzz import grammar
 from fuzz.mangle import Rng, mangled_arrays, mangled_bytes, mangled_text, mangled_tree
 from rich.console import Console
 
-from runner import clip as clips
-from runner import motion, problems, work
-from runner.clip import Clip
-from runner.exactness import keyframe_error
+from runner import motion, work
+from runner.clip import load as clips
+from runner.clip.load import Clip
+from runner.clip.starter import starter
 from runner.exchange import formats
 from runner.exchange.imported import imported
+from runner.measure import problems
+from runner.measure.exactness import keyframe_error
 from runner.motion import Saved
-from runner.progress import Teller
-from runner.scene import figure_spec
-from runner.starter import starter
+from runner.scene.compose import figure_spec
+from runner.system.progress import Teller
 
 Make = Callable[[Rng], bytes]
 Read = Callable[[Path], object]

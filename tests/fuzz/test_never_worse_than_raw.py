@@ -16,12 +16,12 @@ import pytest
 from fuzz import grammar
 from rich.console import Console
 
-from runner import clip as clips
 from runner import work
-from runner.clip import Clip
+from runner.clip import load as clips
+from runner.clip.load import Clip
 from runner.errors import UserError
-from runner.exactness import keyframe_error
-from runner.progress import Teller
+from runner.measure.exactness import keyframe_error
+from runner.system.progress import Teller
 from solver import Frame
 from solver import quaternion as quat
 from solver.figure.figure import Figure, JointKind

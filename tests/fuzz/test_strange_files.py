@@ -17,7 +17,7 @@ from fuzz import driver, grammar, strange
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from runner import clip as clips
+from runner.clip import load as clips
 from runner.errors import UserError
 
 SHARE = int(os.environ.get("DYNSPLINES_FUZZ", 0)) / 300  # of the long run

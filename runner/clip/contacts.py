@@ -1,0 +1,200 @@
+"""A clip's [[contact]] tables: which point rests from when to when, and where if anybody says so.
+
+Where: at the table's `position`, else where keyframes inside the interval put the point; without either the search
+finds the spot.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from solver.curve.frame import Mask, Timeline
+from solver.figure.figure import Figure
+from solver.figure.kinematics import Samples
+from solver.penalty import Contact, Point, Rest, Stance
+from solver.penalty.contact import height_over, placed
+from solver.penalty.planted import SAME_SPOT
+from solver.quaternion import Array, Index
+from solver.reading.allowance import Allowance
+from solver.surface import Surface
+
+from ..errors import UserError, unknown
+from .places import Places
+from .table import ContactTable, HoldTable
+
+ROUNDING = 1e-9  # [s]
+STRETCH = 0.01  # [m] that two points of one body may be told to come nearer or apart
+
+
+@dataclass(frozen=True)
+class Contacts:
+    """What the tables say: stances whose spots are known, rests whose are not, and all of them as they were given."""
+
+    stances: tuple[Stance, ...] = ()
+    rests: tuple[Rest, ...] = ()
+    given: tuple[Rest, ...] = ()
+
+    def overlaps(self, stance: Stance) -> bool:
+        """Whether a table speaks of a stance's point at some time of it."""
+        return any(
+            own.point.link == stance.point.link
+            and np.array_equal(own.point.position, stance.point.position)
+            and own.first < stance.last - ROUNDING
+            and stance.first < own.last - ROUNDING
+            for own in (*self.stances, *self.rests)
+        )
+
+
+def contacts(
+    figure: Figure,
+    keys: Timeline,
+    tables: Sequence[ContactTable],
+    place: str,
+    soles: Sequence[Point] = (),
+    surfaces: Sequence[Surface] = (),
+) -> Contacts:
+    """The contacts of a clip's tables. Raises UserError that names the table and what is wrong with it.
+
+    surfaces  where a keyframe has a point in one of these, the point rises as `clearance` and `contact` ask for it
+    """
+    places = Places(figure, soles)
+    points = {table.point: places.point(table.point) for table in tables}
+    names = [f"{place}: contact {i} ('{table.point}')" for i, table in enumerate(tables, start=1)]
+    for table, name in zip(tables, names, strict=True):
+        if points[table.point] is None:
+            raise UserError(f"{name}: {unknown('site', table.point, places.points_listed)}")
+        check_interval(table, keys, name)
+    for i, (table, name) in enumerate(zip(tables, names, strict=True)):
+        why = "a point rests in one place at a time"
+        check_overlap(table, tables[:i], name, "contact {} of the same point", why)
+    stances: list[Stance] = []
+    rests: list[Rest] = []
+    given: list[Rest] = []
+    for table, name in zip(tables, names, strict=True):
+        point = points[table.point]
+        assert point is not None
+        given.append(Rest(point, table.start, table.end))
+        spots = _spots(figure, keys, point, table, name, surfaces)
+        if spots:
+            stances += [Stance(point, *stretch) for stretch in stretches(spots, table.start, table.end)]
+        else:
+            rests.append(given[-1])
+    _check_bodies(stances, place)
+    return Contacts(tuple(stances), tuple(rests), tuple(given))
+
+
+def rests(figure: Figure, tables: Sequence[ContactTable], soles: Sequence[Point]) -> tuple[Rest, ...]:
+    """The contacts of tables whose points are there, however little a motion keeps to them."""
+    places = Places(figure, soles)
+    found = [(places.point(table.point), table) for table in tables]
+    return tuple(Rest(point, table.start, table.end) for point, table in found if point is not None)
+
+
+def check_interval(table: ContactTable | HoldTable, keys: Timeline, name: str) -> None:
+    """Raises UserError unless a table's times rise and are within the clip."""
+    first, last = float(keys.times[0]), float(keys.times[-1])
+    if not table.start < table.end:
+        raise UserError(f"{name}: from = {table.start:g} s is not before to = {table.end:g} s")
+    if table.start < first - ROUNDING or table.end > last + ROUNDING:
+        raise UserError(
+            f"{name}: {table.start:g} to {table.end:g} s is outside the clip, which runs from {first:g} to {last:g} s"
+        )
+
+
+def check_overlap(
+    table: ContactTable | HoldTable, before: Sequence[ContactTable | HoldTable], name: str, kind: str, why: str
+) -> None:
+    """Raises UserError if a table speaks of the time of one `before` it that is of the same point or site."""
+    for number, other in enumerate(before, start=1):
+        first, last = max(table.start, other.start), min(table.end, other.end)
+        if other.subject == table.subject and last - first > ROUNDING:
+            raise UserError(f"{name}: overlaps {kind.format(number)} from {first:g} to {last:g} s; {why}")
+
+
+def _spots(
+    figure: Figure, keys: Timeline, point: Point, table: ContactTable, name: str, surfaces: Sequence[Surface]
+) -> list[tuple[float, Array]]:
+    """Where the point is to be at some times of the interval, by the table and by keyframes that say where it is."""
+    samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
+    centres, _, _ = Contact((point,), ()).centres(samples)
+    inside = (keys.times >= table.start - ROUNDING) & (keys.times <= table.end + ROUNDING)
+    said = np.flatnonzero(inside & placed(figure, keys.known, [point])[0])
+    wanted = None if table.position is None else np.array(table.position, float)
+    exact = placed(figure, keys.fixed, [point])[0]
+
+    def contradicts(k: int, apart: float, first: int | None) -> str:
+        where = "the contact's position" if first is None else f"where keyframe {first + 1} does"
+        return (
+            f"{name}: keyframe {k + 1} (t = {keys.times[k]:g} s) puts the point {apart:.3f} m from {where}; "
+            f"a contact may drift by {SAME_SPOT:g} m"
+        )
+
+    kept = agreeing(centres[:, 0], said, exact, wanted, contradicts)
+    if not kept:
+        return [] if wanted is None else [(table.start, wanted)]
+    height, up = height_over(surfaces, centres, np.array([point.radius]))
+    sunk = Allowance(keys.times, np.maximum(-height[0], 0.0) * exact)
+    spots = [(float(keys.times[k]), centres[:, 0, k].copy()) for k in kept]
+    first, last = (_risen(spots[i], end, sunk, up[:, 0, kept[i]]) for i, end in ((0, table.start), (-1, table.end)))
+    return [*first, *spots, *last]
+
+
+def _risen(spot: tuple[float, Array], end: float, sunk: Allowance, up: Array) -> list[tuple[float, Array]]:
+    """Where a point rests at an end [s] of its contact if the keyframe next to it has it in a surface: higher by what
+    clearance lets pass less there.
+
+    spot  when [s] and where (3,) [m] the keyframe has it;  sunk  how deep keyframes have it;  up  (3,) the way out
+    """
+    deep = sunk.at(np.array([spot[0], end]))
+    return [(end, spot[1] + (deep[0] - deep[1]) * up)] if abs(end - spot[0]) > ROUNDING and deep[0] > deep[1] else []
+
+
+def agreeing(
+    places: Array, said: Index, exact: Mask, wanted: Array | None, contradicts: Callable[[int, float, int | None], str]
+) -> list[int]:
+    """Those keyframes of `said` whose places, of (3, K) [m], are the wanted one (3,), or without one that of the first
+    keyframe, but for what may drift.
+
+    exact        (K,) which keyframes fix the place: what was posed has less to say, and is left out where it is off
+    contradicts  what to tell of one that fixes another place: its index, how far off it is [m], and that of the first
+    """
+    kept: list[int] = []
+    said = said[np.argsort(~exact[said], kind="stable")]
+    for k in said.tolist():
+        reference = places[:, said[0]] if wanted is None else wanted
+        apart = float(np.linalg.norm(places[:, k] - reference))
+        if apart <= SAME_SPOT:
+            kept.append(k)
+        elif exact[k]:
+            raise UserError(contradicts(k, apart, int(said[0]) if wanted is None else None))
+    return sorted(kept)
+
+
+def stretches(
+    spots: Sequence[tuple[float, Array]], first: float, last: float
+) -> Iterator[tuple[float, float, Array, Array]]:
+    """(first, last, from, to) from spot to spot, held before the first and after the last."""
+    whole = [(first, spots[0][1]), *spots, (last, spots[-1][1])]
+    for (start, spot), (end, landed) in pairwise(whole):
+        if end > start + ROUNDING:
+            yield start, end, spot, landed
+
+
+def _check_bodies(stances: Sequence[Stance], place: str) -> None:
+    """Two points of one body cannot rest farther apart, or nearer, than they are on it."""
+    for i, one in enumerate(stances):
+        for other in stances[:i]:
+            start, end = max(one.first, other.first), min(one.last, other.last)
+            if one.point.link != other.point.link or end <= start + ROUNDING:
+                continue
+            apart = float(np.linalg.norm(one.spot - other.spot))
+            own = float(np.linalg.norm(one.point.position - other.point.position))
+            if abs(apart - own) > STRETCH:
+                raise UserError(
+                    f"{place}: contacts of '{other.point.name}' and '{one.point.name}' contradict each other from "
+                    f"{start:g} to {end:g} s: they are {apart:.3f} m apart there, but {own:.3f} m on their body"
+                )

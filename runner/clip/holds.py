@@ -1,0 +1,113 @@
+"""A clip's [[hold]] tables: which site stays where on which body, from when to when.
+
+Where: at the table's `position`, else where the keyframes inside the interval have the site on the body, the first of
+them first; without either the site only does not slide there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from solver.curve.frame import Mask, Timeline
+from solver.figure.figure import Figure
+from solver.figure.kinematics import Samples
+from solver.penalty import Hold, Point, Spot, slipped
+from solver.penalty.contact import placed
+from solver.penalty.planted import SAME_SPOT
+from solver.quaternion import Array, Index
+
+from ..errors import UserError, unknown
+from .contacts import ROUNDING, agreeing, check_interval, check_overlap, stretches
+from .places import Places
+from .table import HoldTable
+
+
+@dataclass(frozen=True)
+class _Row:
+    """A table with the hold that it asks for, and how errors call it."""
+
+    table: HoldTable
+    hold: Hold
+    name: str
+
+
+def holds(
+    figure: Figure, keys: Timeline, tables: Sequence[HoldTable], place: str, soles: Sequence[Point] = ()
+) -> tuple[Hold, ...]:
+    """The holds of a clip's tables. Raises UserError that names the table and what is wrong with it."""
+    places, bodies = Places(figure, soles), moving_bodies(figure)
+    rows: list[_Row] = []
+    for number, table in enumerate(tables, start=1):
+        name = f"{place}: hold {number} ('{table.hand}' on '{table.body}')"
+        point = places.point(table.hand)
+        if point is None:
+            raise UserError(f"{name}: {unknown('site', table.hand, places.points_listed)}")
+        if table.body not in bodies:
+            raise UserError(f"{name}: {_no_body(figure, table.body, bodies)}")
+        link = int(figure.body_link[bodies[table.body]])
+        if point.link == link:
+            raise UserError(f"{name}: the site is on that body itself, where it always stays")
+        check_interval(table, keys, name)
+        rows.append(_Row(table, Hold(point, link, table.body, table.start, table.end), name))
+        check_overlap(table, tables[: number - 1], name, "hold {} of the same site", "a site holds one thing at a time")
+    return tuple(replace(row.hold, spots=tuple(_spots(figure, keys, row))) for row in rows)
+
+
+def asked(figure: Figure, tables: Sequence[HoldTable], soles: Sequence[Point]) -> tuple[Hold, ...]:
+    """The holds of tables whose sites and bodies are there, however little a motion keeps to them."""
+    places, bodies = Places(figure, soles), moving_bodies(figure)
+    found = [(places.point(table.hand), table) for table in tables if table.body in bodies]
+    return tuple(
+        Hold(point, int(figure.body_link[bodies[table.body]]), table.body, table.start, table.end)
+        for point, table in found
+        if point is not None
+    )
+
+
+def moving_bodies(figure: Figure) -> dict[str, int]:
+    """The bodies that joints move, by name."""
+    model = figure.model
+    return {model.body(i).name: i for i in range(1, model.nbody) if model.body(i).name and figure.body_link[i]}
+
+
+def _no_body(figure: Figure, name: str, bodies: dict[str, int]) -> str:
+    """Why there is no such body to hold."""
+    model = figure.model
+    still = {model.body(i).name for i in range(model.nbody)} | {model.geom(i).name for i in range(model.ngeom)}
+    if name in still and name not in bodies:
+        return f"'{name}' does not move by itself; hold a body that does, or let the site rest by a [[contact]]"
+    return unknown("body", name, bodies)
+
+
+def _spots(figure: Figure, keys: Timeline, row: _Row) -> list[Spot]:
+    """Where the site is on the body over the interval, as far as the table and keyframes say."""
+    hold, table = row.hold, row.table
+    said, places, exact = _said(figure, keys, hold)
+    wanted = None
+    if table.position is not None:
+        wanted = figure.point_on_link(moving_bodies(figure)[table.body], np.array(table.position, float))[1]
+
+    def contradicts(k: int, apart: float, first: int | None) -> str:
+        where = "the hold's position" if first is None else f"where keyframe {first + 1} has it"
+        return (
+            f"{row.name}: keyframe {k + 1} (t = {keys.times[k]:g} s) has the site {apart:.3f} m from {where} on "
+            f"the body; a hold may drift by {SAME_SPOT:g} m"
+        )
+
+    found = [(float(keys.times[k]), places[:, k].copy()) for k in agreeing(places, said, exact, wanted, contradicts)]
+    if wanted is not None:
+        found = found or [(hold.first, wanted)]
+    return [Spot(*stretch) for stretch in stretches(found, hold.first, hold.last)] if found else []
+
+
+def _said(figure: Figure, keys: Timeline, hold: Hold) -> tuple[Index, Array, Mask]:
+    """The keyframes (k,) within a hold that tell both site and body, the place on the body in all (3, K), and which of
+    them fix it (K,)."""
+    samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
+    both = [hold.point, Point(hold.body, hold.link, np.zeros(3))]
+    known, exact = (np.logical_and.reduce(placed(figure, told, both)) for told in (keys.known, keys.fixed))
+    inside = (keys.times >= hold.first - ROUNDING) & (keys.times <= hold.last + ROUNDING)
+    return np.flatnonzero(inside & known), slipped(samples, hold), exact

@@ -1,0 +1,592 @@
+"""A clip file (TOML, degrees, names) becomes a problem: figure, keyframes, soft constraints, settings.
+
+Also accepted as a clip: an MJCF file with <keyframe> elements, and a figure with an .npz of times and configurations.
+What a keyframe leaves out is free. A [[penalty]] entry changes or adds to the defaults; weight = 0 takes one away.
+"""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import mujoco
+import numpy as np
+from pydantic import ValidationError
+
+import models
+from solver.curve.frame import Frame, Mask, TimelineError
+from solver.curve.quadrature import Quadrature
+from solver.curve.seam import Seam
+from solver.curve.unknowns import raw_timeline
+from solver.figure.figure import Figure, FigureError, JointKind, quaternion_columns
+from solver.inbetween import FEW, Settings
+from solver.penalty import Bend, Hold, Penalty, Placed, Point, Rest, Support
+from solver.posing import entries
+from solver.quaternion import Array
+from solver.refine.subdivision import CRITERIA
+from solver.search.descent import check_method
+from solver.surface import Surface, static_surfaces
+
+from ..errors import UserError, unknown
+from ..motion import Saved, read_arrays
+from ..scene.assets import Scene
+from ..scene.compose import Step, compose, figure_spec, first_line, quietly, spec_joint_names
+from ..scene.configuration import first_wrong
+from ..scene.obstacle import obstacles
+from .constraints import Constraints, numbers, posing_bends
+from .contacts import rests
+from .couplings import complaints, follow
+from .feet import sole_points
+from .holds import asked
+from .places import Places
+from .placing import check_search, wanted, with_pose
+from .rotation import quaternion_of
+from .standing import Stander
+from .table import ROTATION, ClipTable, KeyframeTable, RootTable, RotationTable, SolveTable, spoken
+from .things import lying
+
+LONGEST_PANEL = 0.05
+POINTS = 3
+TOLERANCE = 1e-3
+FRAME_SECONDS = 0.1
+
+AROUND = ("travel", "turn")  # what [solve] says of how a loop comes back
+SHORTEST = 0.001  # [s] between neighbouring keyframes
+UNEVEN = 10_000  # times that a distance between keyframes may be its neighbour: the spline overshoots by as much
+LONGEST = 600.0  # [s] from the first keyframe to the last
+
+
+@dataclass(frozen=True, repr=False)
+class Clip:
+    """A problem ready to solve, and what the report looks at.
+
+    text    the TOML text (empty for MJCF and NPZ clips)
+    scene   the complete MJCF of figure and scene, with the files that it refers to
+    travel  (3,) [m] how far a loop's root comes in a period; None: as the keyframes say
+    turn    [rad] by how much it is turned about the vertical by then; None: as the keyframes say
+    points  the sole points that stand on surfaces; bends: knees and elbows
+    support  what carries the figure when; None without a free joint
+    notes   one line each on what was looked for and not found
+    placed  points that keyframes leave to the search to place
+    contacts, holds  the clip's own
+    """
+
+    name: str
+    text: str
+    scene: Scene
+    figure: Figure
+    fps: float
+    keys: tuple[Frame, ...]
+    penalties: tuple[tuple[Penalty, float], ...]
+    settings: Settings
+    ends: str
+    end_slope: Array | None
+    travel: tuple[float, float, float] | None
+    turn: float | None
+    surfaces: tuple[Surface, ...]
+    points: tuple[Point, ...]
+    bends: tuple[Bend, ...]
+    support: Support | None
+    notes: tuple[str, ...]
+    placed: tuple[Placed, ...] = ()
+    contacts: tuple[Rest, ...] = ()
+    holds: tuple[Hold, ...] = ()
+
+    @property
+    def mjcf(self) -> str:
+        """The complete MJCF text."""
+        return self.scene.mjcf
+
+    def __repr__(self) -> str:
+        """ "<Clip run_and_step: 2.20 s, 12 keyframes (3 partial), 15 penalties, 39 DOF>" """
+        seconds, partial = self.keys[-1].time - self.keys[0].time, sum(not key.is_key for key in self.keys)
+        some = f" ({partial} partial)" if partial else ""
+        loop = ", loop" if self.ends == "periodic" else ""
+        return (
+            f"<Clip {self.name}: {seconds:.2f} s{loop}, {len(self.keys)} keyframes{some}, "
+            f"{len(self.penalties)} penalties, {self.figure.model.nv} DOF>"
+        )
+
+
+def load(
+    source: str,
+    *,
+    model: str | None = None,
+    keys: str | None = None,
+    figure_file: str | None = None,
+    fps: float | None = None,
+    unmet: list[str] | None = None,
+) -> Clip:
+    """A clip by the name of a shipped one, a TOML or MJCF file, or a figure and an .npz of keyframes.
+
+    figure_file  where a TOML clip's figure is now, if not where the clip says
+    unmet        gets a line for every place that no pose was found for, which is an error otherwise
+    Raises UserError, in one line that names the file, the keyframe and the key.
+    """
+    if keys is not None or model is not None:
+        if keys is None or model is None:
+            raise UserError("--model and --keys go together")
+        if source:
+            raise UserError(f"give a clip or --model with --keys, not both ('{source}' and '{model}')")
+        return _from_arrays(model, Path(keys), fps)
+    if source in models.clips():
+        return from_text(models.clip_text(source), name=source, fps=fps)
+    path = Path(source)
+    if path.is_dir():
+        raise UserError(f"'{source}' is a folder, not a clip")
+    if not path.is_file():
+        if path.suffix:
+            raise UserError(f"no file '{source}'; clips that ship: {', '.join(models.clips()) or 'none'}")
+        raise UserError(unknown("clip", source, models.clips()))
+    if path.suffix.lower() == ".xml":
+        return _from_mjcf(path, fps)
+    if path.suffix.lower() != ".toml":
+        raise UserError(f"'{source}': a clip is a .toml file, an MJCF .xml with keyframes, or a shipped name")
+    try:
+        text = path.read_text(encoding="utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise UserError(f"{source}: not UTF-8 text (byte {error.start + 1})") from None
+    except OSError as error:
+        raise UserError(f"{source}: cannot be read: {error.strerror}") from None
+    return from_text(
+        text, name=path.stem, place=path.name, folder=path.parent, figure_file=figure_file, fps=fps, unmet=unmet
+    )
+
+
+def from_text(
+    text: str,
+    *,
+    name: str,
+    place: str | None = None,
+    folder: Path | None = None,
+    figure_file: str | None = None,
+    fps: float | None = None,
+    spec: mujoco.MjSpec | None = None,
+    unmet: list[str] | None = None,
+) -> Clip:
+    """A clip from TOML text; `place` is how errors call it, `folder` where the figure's path starts.
+
+    figure_file  where the figure is now, if not where the text says
+    spec         the figure itself, whatever the text calls it
+    unmet        gets a line for every place that no pose was found for; the keyframe comes as near as it can
+    """
+    place = place or f"{name}.toml"
+    table = table_of(text, place)
+    _check_text(table, place)
+    step = table.scene.step
+    try:
+        spec = figure_spec(figure_file or table.figure, folder) if spec is None else spec
+    except UserError as error:
+        raise UserError(f"{place}: {error}") from None
+    _check_joints(table.keyframe, spec, place)
+    try:
+        scene = compose(spec, None if step is None else Step(**step.model_dump()), obstacles(table.scene))
+    except UserError as error:
+        raise UserError(f"{place}: {error}") from None
+    figure = _figure(scene, table.solve.coordinates, place)
+    missed: list[str] = []
+    keys, placed = _keys(figure, lying(table), _stander(figure, table, place), place, missed)
+    if missed and unmet is None:
+        raise UserError(f"{place}: {'; '.join(missed)}")
+    if unmet is not None:
+        unmet += missed
+    return _clip(name, text, scene, figure, fps or table.fps, keys, table, place, placed)
+
+
+def table_of(text: str, place: str) -> ClipTable:
+    """The tables of a clip's TOML text; raises UserError for what they cannot hold."""
+    try:
+        raw = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise UserError(f"{place}: not valid TOML: {error}") from None
+    except RecursionError:
+        raise UserError(f"{place}: not valid TOML: nested too deeply") from None
+    except ValueError:  # what Python calls too many digits for an integer
+        raise UserError(f"{place}: not valid TOML: a number of thousands of digits") from None
+    _check_filled(raw, place)
+    try:
+        return ClipTable.model_validate(raw)
+    except ValidationError as error:
+        raise UserError(f"{place}: {spoken(error, raw)}") from None
+
+
+def figure_named(text: str) -> str | None:
+    """What a clip's TOML text calls its figure; None if it does not say or cannot be read."""
+    try:
+        figure = tomllib.loads(text).get("figure")
+    except (ValueError, RecursionError):
+        return None
+    return figure if isinstance(figure, str) else None
+
+
+def of_motion(saved: Saved, *, contacts: bool = False) -> Clip:
+    """The problem that a saved motion answers, its keyframes and ends those of the motion itself.
+
+    contacts  whether those of its text hold for it still, and the places that it leaves to the search
+    """
+    table = table_of(saved.text, saved.name) if saved.text else None
+    solve = SolveTable() if table is None else table.solve
+    ends = saved.timeline.ends
+    solve = solve.model_copy(update={"ends": ends, **dict.fromkeys(AROUND), **around(saved)})
+    placed: tuple[Placed, ...] = ()
+    if table is not None and contacts:
+        whole = [key.state for key in saved.keys if key.is_key]
+        places = Places(saved.figure, sole_points(saved.figure, np.reshape(whole, (-1, saved.figure.width))))
+        placed = tuple(point for row in table.keyframe for point in wanted(places, row, saved.name).placed)
+    elif table is not None:  # which are those of the clip that it was
+        table = table.model_copy(update={"contact": [], "hold": []})
+    return _clip(
+        saved.name, saved.text, saved.scene, saved.figure, saved.fps, list(saved.keys), table, saved.name, placed, solve
+    )
+
+
+def around(saved: Saved) -> dict[str, Any]:
+    """What [solve] says of how a saved loop comes back: travel [m] and, if it turns, turn [degrees]."""
+    roots = saved.figure.tables.position_columns
+    if saved.timeline.ends != "periodic" or not roots.size:
+        return {}
+    seam = Seam.of(saved.figure, saved.timeline)
+    turn = {"turn": float(np.degrees(seam.headings[0]))} if seam.headings[0] else {}
+    return {"travel": seam.travel[roots[:, 0]].tolist(), **turn}
+
+
+def radians(degrees: float | None) -> float | None:
+    """An angle, if there is one."""
+    return None if degrees is None else float(np.radians(degrees))
+
+
+def answered(saved: Saved) -> Clip:
+    """The problem that a saved motion answers, with the contacts and the places that its text asks for.
+
+    A motion that breaks its contacts so much that no clip could have them is looked at for them all the same.
+    """
+    try:
+        return of_motion(saved, contacts=True)
+    except UserError:
+        clip, table = of_motion(saved), table_of(saved.text, saved.name)
+        resting, held = rests(saved.figure, table.contact, clip.points), asked(saved.figure, table.hold, clip.points)
+        return replace(clip, contacts=resting, holds=held)
+
+
+def with_keys(clip: Clip, keys: Sequence[Frame]) -> Clip:
+    """The same clip through other keyframes; what was found from the old ones is found again, poses too."""
+    table = ClipTable.model_validate(tomllib.loads(clip.text)) if clip.text else None
+    times = {key.time for key in keys}
+    placed = tuple(point for point in clip.placed if point.time in times)
+    keys = [replace(key, posed=None) for key in keys]
+    if table is not None:
+        keys = _stander(clip.figure, table, clip.name).stood(keys, placed)
+    return _clip(clip.name, clip.text, clip.scene, clip.figure, clip.fps, keys, table, clip.name, placed)
+
+
+def _stander(figure: Figure, table: ClipTable, place: str) -> Stander:
+    bends, surfaces = posing_bends(figure, table.penalty), static_surfaces(figure.model)
+    return Stander(figure, surfaces, table.contact, bends, table.solve, place, held=table.hold)
+
+
+def _clip(
+    name: str,
+    text: str,
+    scene: Scene,
+    figure: Figure,
+    fps: float,
+    keys: list[Frame],
+    table: ClipTable | None,
+    place: str,
+    placed: tuple[Placed, ...] = (),
+    solve: SolveTable | None = None,
+) -> Clip:
+    solve = solve or (SolveTable() if table is None else table.solve)
+    try:
+        slope = np.zeros((2, figure.width))
+        timeline = raw_timeline(figure, keys, solve.ends, slope, solve.travel, radians(solve.turn))
+        settings = _settings(solve, [key.time for key in keys])
+    except (TimelineError, ValueError) as error:
+        raise UserError(f"{place}: {error}") from None
+    surfaces = static_surfaces(figure.model)
+    notes = complaints(figure, timeline, keys)
+    contact, held, penalty = ([], [], []) if table is None else (table.contact, table.hold, table.penalty)
+    builder = Constraints(figure, timeline, surfaces, notes, place, placed, contact, held)
+    penalties = builder.all(penalty)
+    return Clip(
+        name, text, scene, figure, fps, tuple(keys), penalties, settings, solve.ends,
+        np.zeros((2, figure.width)) if solve.ends == "clamped" else None, solve.travel,
+        radians(solve.turn), surfaces,
+        builder.points, builder.bends, builder.support, tuple(notes), placed, builder.contacts.given,
+        builder.holds,
+    )  # fmt: skip
+
+
+def _figure(scene: Scene, coordinates: str, place: str) -> Figure:
+    try:
+        return Figure(scene.model(), coordinates)
+    except (FigureError, ValueError) as error:
+        raise UserError(f"{place}: {error}") from None
+
+
+def _check_filled(raw: dict[str, Any], place: str) -> None:
+    """An empty clip is told as one, not by the first key that it lacks."""
+    if not raw:
+        raise UserError(f"{place}: the clip is empty; it needs a figure and two [[keyframe]] tables")
+    if raw.get("keyframe", []) == []:
+        raise UserError(f"{place}: no keyframes; a clip needs at least two [[keyframe]] tables")
+
+
+def _check_text(table: ClipTable, place: str) -> None:
+    """Raises UserError for what is wrong whatever the figure is, before its meshes are read."""
+    times = [row.time for row in table.keyframe]
+    check_times(times, place)
+    try:
+        _settings(table.solve, times)
+    except ValueError as error:
+        raise UserError(f"{place}: {error}") from None
+    numbers(table.penalty, place)
+    for number, row in enumerate(table.keyframe, start=1):
+        where = f"{place}: {_called(number, row.time)}"
+        if isinstance(row.root.rotation, RotationTable):
+            quaternion_of(row.root.rotation, f"{where}: root.rotation")
+        for name, value in row.joints.items():
+            if isinstance(value, RotationTable):
+                quaternion_of(value, f"{where}: joints.{name}")
+
+
+def _check_joints(rows: Sequence[KeyframeTable], spec: mujoco.MjSpec, place: str) -> None:
+    """Raises UserError for a joint that the figure does not have, before its meshes are read, if it has any."""
+    if not (spec.meshes or spec.hfields or spec.skins):
+        return  # it is compiled in a moment
+    names = spec_joint_names(spec)
+    for number, row in enumerate(rows, start=1):
+        for name in row.joints:
+            if name not in names:
+                raise UserError(f"{place}: {_called(number, row.time)}: {unknown('joint', name, names)}")
+
+
+def _called(number: int, time: float) -> str:
+    return f"keyframe {number} (t = {time:g} s)"
+
+
+def check_times(times: Sequence[float], place: str) -> None:
+    """Two keyframes or more, in order, apart but not too unevenly, in a time that a report can look through."""
+    if len(times) < 2:
+        raise UserError(f"{place}: {len(times) or 'no'} keyframe{'s' if not times else ''}; a clip needs at least two")
+    for i, (a, b) in enumerate(pairwise(times), 1):
+        if not b > a:
+            raise UserError(f"{place}: {_called(i + 1, b)} is not after {_called(i, a)}; times must rise")
+        if b - a < SHORTEST:
+            raise UserError(f"{place}: {_called(i + 1, b)} is less than {SHORTEST:g} s after keyframe {i}")
+    for i, (a, b, c) in enumerate(zip(times, times[1:], times[2:], strict=False), 1):
+        short, long = sorted((b - a, c - b))
+        if long > UNEVEN * short * (1 + 1e-9):
+            raise UserError(
+                f"{place}: keyframes {i}, {i + 1} and {i + 2} are {b - a:g} s and {c - b:g} s apart, which is over "
+                f"{UNEVEN:,} : 1; put keyframes in between, the nearer to the short one the closer"
+            )
+    if times[-1] - times[0] > LONGEST:
+        raise UserError(
+            f"{place}: from the first to the last keyframe are {times[-1] - times[0]:g} s, over {LONGEST:g} s"
+        )
+
+
+def _settings(solve: SolveTable, times: Sequence[float]) -> Settings:
+    """The clip's settings; the budget of variable frames is three a segment, or one a tenth of a second if more."""
+    if solve.quadrature == "gauss" and (solve.samples or 0) > 64:
+        raise ValueError(f"solve: samples must be at most 64 a panel with quadrature = 'gauss', not {solve.samples}")
+    budget = max(3 * (len(times) - 1), round((times[-1] - times[0]) / FRAME_SECONDS))
+    settings = Settings(frames=budget, tolerance=TOLERANCE, quadrature=Quadrature("gauss", POINTS, LONGEST_PANEL))
+    if solve.quadrature == "uniform":
+        settings = replace(settings, quadrature=Quadrature("uniform", solve.samples or 100))
+    elif solve.samples is not None:
+        settings = replace(settings, quadrature=Quadrature("gauss", solve.samples, LONGEST_PANEL))
+    if solve.criterion is not None and solve.criterion not in CRITERIA:
+        raise ValueError(f"solve: {unknown('criterion', solve.criterion, CRITERIA)}")
+    if solve.optimiser is not None:
+        check_method(solve.optimiser)
+    begin = solve.variable
+    if begin is None and solve.frames is not None:
+        begin = min(FEW, solve.frames // (len(times) - 1))
+    chosen = {
+        "variable": begin,
+        "frames": solve.frames,
+        "criterion": solve.criterion,
+        "threshold": solve.threshold,
+        "method": solve.optimiser,
+        "max_evaluations": solve.evaluations,
+        "tolerance": solve.tolerance,
+    }
+    return replace(settings, **{key: value for key, value in chosen.items() if value is not None})
+
+
+def _keys(
+    figure: Figure, rows: list[KeyframeTable], stander: Stander, place: str, missed: list[str]
+) -> tuple[list[Frame], tuple[Placed, ...]]:
+    """The keyframes, each of which may hold what the one before it says, what they leave free posed where that is
+    beyond doubt; and the points that the search is to place.
+
+    missed  gets a line for every place that no pose was found for
+    """
+    places = [f"{place}: {_called(number, row.time)}" for number, row in enumerate(rows, start=1)]
+    known = _named(figure, rows, places)
+    wants = [wanted(known, row, where) for row, where in zip(rows, places, strict=True)]
+    loose = [want.loose(figure, row) for want, row in zip(wants, rows, strict=True)]
+    keys: list[Frame] = []
+    for row, where, free in zip(rows, places, loose, strict=True):
+        if row.others == "hold" and not keys:
+            raise UserError(f"{where}: others = 'hold' has no keyframe before it to hold")
+        keys.append(_key(figure, row, keys[-1] if keys else None, free, where))
+    if any(want.goals for want in wants):
+        for k, (row, want, where) in enumerate(zip(rows, wants, places, strict=True)):
+            keys[k] = _key(figure, row, keys[k - 1] if k else None, loose[k], where)  # holds what is solved by now
+            if want.goals:
+                keys[k], lines = with_pose(figure, keys, k, want.goals, stander, where)
+                missed += [f"{_called(k + 1, row.time)}: {line}" for line in lines]
+    for key, want, where in zip(keys, wants, places, strict=True):
+        check_search(figure, key, want.placed, where)
+    left = tuple(point for want in wants for point in want.placed)
+    return stander.stood(keys, left), left
+
+
+def _named(figure: Figure, rows: Sequence[KeyframeTable], places: Sequence[str]) -> Places:
+    """What keyframes can place: feet are found from those that say every joint, whatever else they place."""
+    if not any(row.sites or row.bodies for row in rows):
+        return Places(figure)
+    keys: list[Frame] = []
+    for row, where in zip(rows, places, strict=True):
+        keys.append(_key(figure, row, keys[-1] if keys else None, (), where))
+    whole = [key.state for key in keys if key.is_key]
+    return Places(figure, sole_points(figure, np.reshape(whole, (-1, figure.width))))
+
+
+def _key(figure: Figure, row: KeyframeTable, before: Frame | None, loose: Sequence[int], place: str) -> Frame:
+    """A keyframe's qpos and mask; what it leaves out is free, at rest, or as in the keyframe before.
+
+    loose  links whose joints are free whatever `others` says
+    """
+    qpos = np.array(figure.model.qpos0)
+    fixed = np.full(figure.width, row.others == "rest")
+    if row.others == "hold" and before is not None:
+        qpos, fixed = np.array(before.state), np.array(before.fixed)
+    for i in loose:
+        fixed[entries(figure, i)] = False
+    roots = [link for link in figure.links[1:] if link.kind is JointKind.FREE]
+    named = {link.name: link for link in figure.links[1:]}
+    if row.root.model_fields_set:
+        if not roots:
+            raise UserError(f"{place}: the figure has no free joint, so no root to place")
+        _set_root(qpos, fixed, roots[0].qpos, row.root, f"{place}: root")
+    others = {link.name: link for link in roots}
+    for name, table in row.roots.items():
+        if name not in others:
+            raise UserError(f"{place}: roots: {unknown('free joint', name, others)}")
+        _set_root(qpos, fixed, others[name].qpos, table, f"{place}: roots.{name}")
+    for name, value in row.joints.items():
+        if name not in named:
+            raise UserError(f"{place}: {unknown('joint', name, named)}")
+        if value == "free":
+            fixed[quaternion_columns(named[name]) or named[name].qpos] = False
+        else:
+            _set_joint(qpos, fixed, named[name], value, f"{place}: joints.{name}")
+    follow(figure, qpos, fixed, lambda name: name in row.joints)
+    return Frame.key(row.time, qpos, fixed)
+
+
+def _set_root(qpos: Array, fixed: Mask, start: int, root: RootTable, place: str) -> None:
+    """What the root's table says about its position, axis by axis, and its rotation."""
+    if "position" in root.model_fields_set:
+        axes = ("free",) * 3 if root.position == "free" else root.position
+        for i, value in enumerate(axes):
+            fixed[start + i] = value != "free"
+            if value != "free":
+                qpos[start + i] = float(value)
+    if "rotation" in root.model_fields_set:
+        fixed[start + 3 : start + 7] = root.rotation != "free"
+        if root.rotation != "free":
+            qpos[start + 3 : start + 7] = quaternion_of(root.rotation, f"{place}.rotation")
+
+
+def _set_joint(qpos: Array, fixed: Mask, link: Any, value: RotationTable | float, place: str) -> None:
+    columns = quaternion_columns(link)
+    if columns is None:
+        if isinstance(value, RotationTable):
+            unit = "degrees" if link.kind is JointKind.HINGE else "metres"
+            raise UserError(f"{place}: a {link.kind.name.lower()} joint takes a number ({unit}), not a rotation")
+        qpos[link.qpos] = np.radians(value) if link.kind is JointKind.HINGE else value
+        fixed[link.qpos] = True
+        return
+    if link.kind is JointKind.FREE:
+        raise UserError(f"{place}: a free joint is placed by root.position and root.rotation, or by roots.{link.name}")
+    if not isinstance(value, RotationTable):
+        raise UserError(f"{place}: a ball joint takes a rotation, {ROTATION}, not a number")
+    if value.heading is not None:
+        raise UserError(f"{place}: a heading is of the root, of bodies and of obstacles; a joint turns in its parent")
+    qpos[columns] = quaternion_of(value, place)
+    fixed[columns] = True
+
+
+def _from_mjcf(path: Path, fps: float | None) -> Clip:
+    """An MJCF file whose <keyframe> elements, with their times, are the keyframes."""
+    try:
+        spec = figure_spec(str(path))
+        written = [np.array(key.qpos) for key in spec.keys]
+        with quietly():
+            model = spec.compile()
+    except UserError as error:
+        raise UserError(_placed(error, path.name)) from None
+    except ValueError as error:
+        raise UserError(f"{path.name}: MuJoCo cannot compile it: {first_line(error)}") from None
+    if not written:
+        raise UserError(f"{path.name}: the model has no <keyframe> elements to go through")
+    time, qpos = np.array(model.key_time)[: len(written)], np.array(model.key_qpos)[: len(written)]
+    for i, own in enumerate(written):
+        if own.size not in (0, model.nq):
+            at = _called(i + 1, time[i])
+            raise UserError(f"{path.name}: {at}: qpos has {own.size} numbers, not the figure's {model.nq}")
+        if own.size:
+            qpos[i] = own  # as written: MuJoCo turns a zero quaternion into no rotation
+    return from_qpos(path.stem, _composed(str(path), path.name), time, qpos, fps, path.name)
+
+
+def _from_arrays(model: str, keys: Path, fps: float | None) -> Clip:
+    """A figure and an .npz with time (K,) and qpos (K, nq), or key_time and key_qpos, which win."""
+    arrays = read_arrays(keys)
+    names = ("key_time", "key_qpos") if {"key_time", "key_qpos"} <= arrays.keys() else ("time", "qpos")
+    for name in names:
+        if name not in arrays:
+            raise UserError(f"{keys.name}: no array '{name}'; it holds: {', '.join(arrays) or 'nothing'}")
+        if arrays[name].dtype.kind not in "fiu":
+            raise UserError(f"{keys.name}: '{name}' holds {arrays[name].dtype.name}, not numbers")
+    time, qpos = (np.asarray(arrays[name], float) for name in names)
+    return from_qpos(keys.stem, _composed(model, model), time, qpos, fps, keys.name)
+
+
+def _composed(figure: str, place: str) -> Scene:
+    try:
+        return compose(figure_spec(figure))
+    except UserError as error:
+        raise UserError(_placed(error, place)) from None
+
+
+def _placed(error: UserError, place: str) -> str:
+    """An error that names its place, once."""
+    return str(error) if place in str(error) else f"{place}: {error}"
+
+
+def from_qpos(name: str, scene: Scene, time: Array, qpos: Array, fps: float | None, place: str) -> Clip:
+    """Whole keyframes from arrays, time (K,) [s] and qpos (K, nq), everything else by default.
+
+    scene  figure and stage, complete; place is how errors call it. Raises UserError for what does not fit.
+    """
+    figure = _figure(scene, "auto", place)
+    if time.ndim != 1 or qpos.shape != (time.size, figure.width):
+        raise UserError(
+            f"{place}: time {time.shape} and qpos {qpos.shape} do not fit the figure: "
+            f"they should be (K,) and (K, {figure.width})"
+        )
+    if wrong := first_wrong(figure.model, time, qpos):
+        raise UserError(f"{place}: {_called(wrong[0] + 1, time[wrong[0]])}: {wrong[1]}")
+    check_times(time.tolist(), place)
+    keys = [Frame.key(t, q) for t, q in zip(time, qpos, strict=True)]
+    return _clip(name, "", scene, figure, fps or 30.0, keys, None, place)

@@ -1,0 +1,418 @@
+"""A clip to begin with, for any model: its keyframes, or a pose or two, and in comments all that can be named."""
+
+from __future__ import annotations
+
+import os
+import textwrap
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import Any
+
+import mujoco
+import numpy as np
+
+import models
+from solver import quaternion as quat
+from solver.curve.frame import Frame
+from solver.figure.figure import Figure, FigureError, JointKind, Link, quaternion_columns
+from solver.figure.kinematics import Samples
+from solver.penalty import Point, body_points, closures, couplings, joint_ranges
+from solver.penalty.contact import arrays_of
+from solver.quaternion import Array
+from solver.surface.touch import TOUCHING, counts_all, movers
+from solver.surface.touch import solids as solids_of
+
+from ..errors import UserError
+from ..scene.compose import compose, figure_spec, first_line, quietly
+from ..scene.configuration import first_wrong
+from .couplings import follow
+from .feet import sole_points
+from .places import Places, places_at, posable_sites
+from .text import keyframe_tables, rotation, written
+
+APART = 0.5  # [s] between keyframes whose times do not rise
+STRAIGHT = 0.99  # of a slide's way, how much of it goes along an axis that is told
+TOLD = 5e-4  # [m] from which on it is told that a pose was raised
+MOVED = np.radians(40)  # how far the one joint goes that moves
+ROOM = 0.6  # of what a joint has to its bound, it goes at most so far
+FLEXED = 0.35  # of a figure's size, how far a slide goes at most
+DIGITS = 6  # of angles in degrees and of metres
+WIDE = 110
+AT_REST = "Where these are in the first keyframe, in metres; in a keyframe such a line puts them somewhere:"
+ALL_COUNT = "Nothing of this model collides (contype, conaffinity): all of its geoms count as solid."
+NO_FEET = "nothing was found; name sites heel or toe, or give points"
+
+PENALTIES = """\
+# Soft constraints: those that fit the figure are on already. Each can be weighed, or taken away by weight = 0.
+#
+# [[penalty]]
+# kind = "contact"                  # feet out of floors and steps; the points above, or sites of your choice
+# points = ["a_site", "another"]
+#
+# [[penalty]]
+# kind = "range"                    # joints within the model's ranges
+# weight = 10
+#
+# [[penalty]]
+# kind = "clearance"                # the whole figure out of everything that does not move
+# margin = 0.01
+#
+# [[penalty]]
+# kind = "torque"                   # small joint torques
+# weight = 0.1
+#
+# [scene]
+# step = {x = 1.0, height = 0.2}    # or [[scene.box]], [[scene.sphere]], [[scene.capsule]], [[scene.cylinder]]
+"""
+
+
+def starter(source: str, target: Path) -> str:
+    """The TOML text of a clip for a shipped figure or an MJCF file, to be written to a target; raises UserError."""
+    with quietly():
+        spec = figure_spec(source)
+    times, poses = model_keys(spec, Path(source).name)
+    scene = compose(spec)
+    try:
+        figure = Figure(scene.model())
+    except (FigureError, ValueError) as error:
+        raise UserError(f"{Path(source).name}: {first_line(error)}") from None
+    soles = sole_points(figure, poses)
+    own = bool(len(poses))
+    if not own:
+        times, poses = np.zeros(1), _stood(figure, bool(soles))[None]
+    given, poses = poses, np.array([_raised(figure, qpos) for qpos in poses])
+    tables = keyframe_tables(figure, [Frame.key(t, q) for t, q in zip(times, poses, strict=True)])
+    if len(poses) == 1:
+        tables += _moved(figure, poses[0], float(times[0]))
+    head = {"figure": source if source in models.figures() else _path(source, target), "fps": 30}
+    blocks = [
+        _head(source, own, len(poses), float(np.abs(poses - given).max())),
+        written(head).rstrip("\n"),
+        _named(figure, poses[0], soles),
+        PENALTIES.rstrip("\n"),
+        "\n\n".join(written({"keyframe": [_rounded(table)]}).strip("\n") for table in tables),
+    ]
+    return "\n\n".join(blocks) + "\n"
+
+
+def model_keys(spec: mujoco.MjSpec, place: str) -> tuple[Array, Array]:
+    """Times (K,) [s] and qpos (K, nq) of a model's own <keyframe> elements, K = 0 without any.
+
+    Where the times do not rise they are half a second apart.
+    """
+    own = [np.array(key.qpos) for key in spec.keys]
+    try:
+        with quietly():
+            model = spec.compile()
+    except ValueError as error:
+        raise UserError(f"{place}: MuJoCo cannot compile it: {first_line(error)}") from None
+    if not model.njnt:
+        raise UserError(f"{place}: the model has no joints: nothing can move")
+    poses = np.array(model.key_qpos).reshape(-1, model.nq)[: len(own)]  # <size nkey> may ask for more than there are
+    for pose, said in zip(poses, own, strict=True):
+        if said.size == model.nq:
+            pose[:] = said
+    times = np.array(model.key_time)[: len(own)]
+    if wrong := first_wrong(model, times, poses):
+        raise UserError(f"{place}: keyframe {wrong[0] + 1}: {wrong[1]}")
+    if times.size and not np.all(np.diff(times) >= 1e-3):
+        times = np.array([APART * k for k in range(times.size)])
+    return times, poses
+
+
+def _path(source: str, target: Path) -> str:
+    """A model's path as the clip says it: from the clip's folder."""
+    return Path(os.path.relpath(Path(source).resolve(), target.resolve().parent)).as_posix()
+
+
+def _stood(figure: Figure, on_feet: bool) -> Array:
+    """The rest pose, (nq,), within the joints' ranges, a free figure's lowest point on the highest floor."""
+    qpos = np.array(figure.model.qpos0)
+    for joint in joint_ranges(figure):
+        if joint.kind is not JointKind.BALL:
+            column = figure.links[joint.link].qpos
+            qpos[column] = np.clip(qpos[column], joint.low, joint.high)
+    follow(figure, qpos, np.ones(figure.width, bool), lambda _: False)
+    floor = _floor(figure.model)
+    if not figure.tables.free_links.size or floor is None:
+        return qpos
+    for root in figure.tables.free_links:
+        low = _lowest(figure, qpos, int(root))
+        if low is not None and (on_feet or low < floor):
+            qpos[figure.links[root].qpos + 2] += floor - low
+    return qpos
+
+
+def _raised(figure: Figure, qpos: Array) -> Array:
+    """A pose (nq,) with what is free out of the floor and on top of its own pedestal, wherever it sank in."""
+    out, floor = np.array(qpos), _floor(figure.model)
+    for root in figure.tables.free_links.tolist():
+        low = _lowest(figure, out, root)
+        if low is None:
+            continue
+        if floor is not None:
+            out[figure.links[root].qpos + 2] += max(floor - low, 0.0)
+        _mount(figure, out, root)
+    return out
+
+
+def _mount(figure: Figure, qpos: Array, root: int) -> None:
+    """Lifts what hangs from a link on top of what it is in: its own pedestal."""
+    model, data = figure.model, mujoco.MjData(figure.model)
+    endless = (int(mujoco.mjtGeom.mjGEOM_PLANE), int(mujoco.mjtGeom.mjGEOM_HFIELD))
+    solids = [geom for geom in solids_of(model) if model.geom_type[geom] not in endless]
+    own = [geom for geom in movers(model) if figure.tables.path[figure.body_link[model.geom_bodyid[geom]], root]]
+    for _ in solids:
+        data.qpos[:] = qpos
+        mujoco.mj_kinematics(model, data)
+        under = [s for s in solids if any(_depth(model, data, geom, s) > TOUCHING for geom in own)]
+        low = _lowest(figure, qpos, root)
+        if not under or low is None:
+            return
+        qpos[figure.links[root].qpos + 2] += max(_top(model, data, geom) for geom in under) - low
+
+
+def _depth(model: mujoco.MjModel, data: mujoco.MjData, geom: int, solid: int) -> float:
+    """[m] of one geom in another."""
+    return -mujoco.mj_geomDistance(model, data, geom, solid, TOUCHING, None)
+
+
+def _top(model: mujoco.MjModel, data: mujoco.MjData, geom: int) -> float:
+    """[m] how high the box about a geom reaches."""
+    middle, half = np.split(model.geom_aabb[geom], 2)
+    turn = data.geom_xmat[geom].reshape(3, 3)
+    return float(data.geom_xpos[geom, 2] + turn[2] @ middle + np.abs(turn[2]) @ half)
+
+
+def _floor(model: mujoco.MjModel) -> float | None:
+    """[m] how high the highest level plane lies."""
+    data = mujoco.MjData(model)
+    mujoco.mj_kinematics(model, data)
+    flat = np.flatnonzero(model.geom_type == int(mujoco.mjtGeom.mjGEOM_PLANE))
+    level = [float(data.geom_xpos[g, 2]) for g in flat if data.geom_xmat[g, 8] > 0.99]
+    return max(level, default=None)
+
+
+def _lowest(figure: Figure, qpos: Array, root: int) -> float | None:
+    """[m] how high the lowest point of what hangs from a link is."""
+    own = [point for point in body_points(figure) if figure.tables.path[point.link, root]]
+    return float(_bottoms(figure, qpos[None], own).min()) if own else None
+
+
+def _bottoms(figure: Figure, qpos: Array, points: Sequence[Point]) -> Array:
+    """(n, K) [m] the lowest height of each point in poses (K, nq)."""
+    state = figure.to_state(qpos)
+    links, positions, radii = arrays_of(points)
+    places, _ = Samples(figure, state, 0 * state, 0 * state).links.points(links, positions)
+    return places[2] - radii[:, None]
+
+
+def _moved(figure: Figure, qpos: Array, start: float) -> list[dict[str, Any]]:
+    """Two more keyframes: one joint moved, and back again."""
+    link, value = _telling(figure, qpos)
+    columns = quaternion_columns(link)
+    if columns is None:
+        here, there = float(qpos[link.qpos]), value
+        if link.kind is JointKind.HINGE:
+            here, there = float(np.degrees(here)), float(np.degrees(there))
+        whole = round(there, 0 if link.kind is JointKind.HINGE else 3)  # what one would write
+        said: list[Any] = [whole if min(here, there) < whole < max(here, there) else there, here]
+    else:
+        said = [{"rotvec": [0.0, _short(float(np.degrees(value))), 0.0]}, rotation(qpos[columns])]
+    loops = _loops(figure)
+    looped = [figure.links[i].name for i in sorted(loops)] if figure.links.index(link) in loops else []
+    free: dict[str, Any] = {name: "free" for name in looped if name != link.name}  # the search closes the loops again
+    back = {"joints": {figure.links[i].name: _said(figure.links[i], qpos) for i in sorted(loops)}} if looped else {}
+    return [
+        {"time": start + APART, "joints": {link.name: said[0], **free}, "others": "hold"},
+        {"time": start + 2 * APART, "joints": {link.name: said[1]}, **back, "others": "hold"},
+    ]
+
+
+def _said(link: Link, qpos: Array) -> Any:
+    """What a keyframe says of a joint."""
+    columns = quaternion_columns(link)
+    if columns is not None:
+        return rotation(qpos[columns])
+    return float(np.degrees(qpos[link.qpos])) if link.kind is JointKind.HINGE else float(qpos[link.qpos])
+
+
+def _loops(figure: Figure) -> set[int]:
+    """The links of closed loops."""
+    path, found = figure.tables.path > 0, set()
+    for closure in closures(figure):
+        found |= set(np.flatnonzero(path[closure.one.link] != path[closure.two.link]).tolist())
+    return {i for i in found if figure.links[i].kind is not JointKind.FREE}
+
+
+def _telling(figure: Figure, qpos: Array) -> tuple[Link, float]:
+    """The joint that is seen best when it moves, but for those that carry half the figure, and where it goes to."""
+    model, data = figure.model, mujoco.MjData(figure.model)
+    after = {coupling.follower for coupling in couplings(figure)}
+    loops = _loops(figure)
+    size = _size(figure, qpos)
+    choices: list[tuple[int, float]] = []
+    poses = [qpos]
+    for i, link in enumerate(figure.links[1:], start=1):
+        if link.kind is JointKind.FREE or link.qpos in after:
+            continue
+        for value in _goals(figure, link, qpos, size):
+            moved = np.array(qpos)
+            columns = quaternion_columns(link)
+            if columns is None:
+                moved[link.qpos] = value
+            else:
+                moved[columns] = [np.cos(value / 2), 0, np.sin(value / 2), 0]
+            choices.append((i, value))
+            poses.append(moved)
+    if not choices:
+        name = figure.links[1].name
+        raise UserError(
+            f"'{name}' is all that moves: a free body needs keyframes of its own, "
+            "as in `dynsplines clips --show tumble`"
+        )
+    points = body_points(figure)
+    lowest = _bottoms(figure, np.array(poses), points).min(axis=0, initial=np.inf)
+    worth = []
+    for (i, _), pose, low in zip(choices, poses[1:], lowest[1:], strict=True):
+        heavy, sunk = figure.tables.path[:, i].mean() > 0.5, low < lowest[0] - 1e-3
+        share = (0.1 if heavy else 1.0) * (0.2 if sunk else 1.0) * (0.1 if i in loops else 1.0)
+        worth.append(share * _shift(model, data, qpos, pose))
+    i, value = choices[int(np.argmax(np.array(worth) > 0.999 * max(worth)))]
+    return figure.links[i], value
+
+
+def _goals(figure: Figure, link: Link, qpos: Array, size: float) -> list[float]:
+    """Where a joint may go to [rad or m], either way."""
+    if link.kind is JointKind.BALL:
+        high = float(figure.model.jnt_range[link.joint].max()) if figure.model.jnt_limited[link.joint] else np.pi
+        return [min(MOVED, ROOM * high), -min(MOVED, ROOM * high)]
+    here, most = float(qpos[link.qpos]), MOVED if link.kind is JointKind.HINGE else FLEXED * size
+    low, high = (here - most / ROOM, here + most / ROOM)
+    if figure.model.jnt_limited[link.joint]:
+        low, high = (float(bound) for bound in figure.model.jnt_range[link.joint])
+    room = [min(most, ROOM * max(high - here, 0.0)), -min(most, ROOM * max(here - low, 0.0))]
+    return [here + step for step in room if step != 0]
+
+
+def _shift(model: mujoco.MjModel, data: mujoco.MjData, before: Array, after: Array) -> float:
+    """[m] how far the farthest geom goes from one pose to another."""
+    places = []
+    for qpos in (before, after):
+        data.qpos[:] = qpos
+        mujoco.mj_kinematics(model, data)
+        places.append(np.concatenate([data.geom_xpos, data.xipos]))
+    return float(np.linalg.norm(places[1] - places[0], axis=1).max())
+
+
+def _size(figure: Figure, qpos: Array) -> float:
+    """[m] of a figure from end to end."""
+    data = mujoco.MjData(figure.model)
+    data.qpos[:] = qpos
+    mujoco.mj_kinematics(figure.model, data)
+    moving = figure.body_link > 0
+    return float(np.linalg.norm(np.ptp(data.xipos[moving], axis=0))) or 0.1
+
+
+def _rounded(value: Any) -> Any:
+    """Numbers of a table with as many digits as one would write."""
+    if isinstance(value, dict):
+        return {key: (entry if key == "rotvec" else _rounded(entry)) for key, entry in value.items()}
+    if isinstance(value, list | tuple):
+        return [_rounded(entry) for entry in value]
+    return _short(value) if isinstance(value, float) else value
+
+
+def _short(value: float) -> float | int:
+    number = round(value, DIGITS) + 0.0
+    return int(number) if number == int(number) else number
+
+
+def _head(source: str, own: bool, count: int, raised: float) -> str:
+    name = Path(source).name
+    said = f"its {count} keyframe{'s' * (count > 1)}" if own else "its rest pose"
+    more = "" if count > 1 else ", and one joint moved"
+    up = f" Raised by up to {1000 * raised:.1f} mm, out of what it stood in.\n" if raised >= TOLD else "\n"
+    return (
+        f"# A clip for {name}: {said}{more}.{up}"
+        "# Angles in degrees, lengths in metres, times in seconds. What a keyframe leaves out is free, unless it says\n"
+        '# others = "hold" (as in the keyframe before) or "rest". See it: dynsplines render THIS_FILE'
+    )
+
+
+def _named(figure: Figure, qpos: Array, soles: Sequence[Point]) -> str:
+    """What the figure's parts are called, in comments."""
+    model = figure.model
+    lines = ["# Joints, as keyframes name them:"]
+    roots = [link for link in figure.links[1:] if link.kind is JointKind.FREE]
+    for link in figure.links[1:]:
+        lines.append(f"#   {_joint_line(figure, link, roots)}")
+    bodies = [model.body(i).name for i in range(1, model.nbody) if model.body(i).name]
+    lines += _list("Bodies, for bodies.NAME = {flat = true}, a rotation or {position = [x, y, z]}", bodies)
+    ground = "What stands on the ground"
+    lines += _list(ground, list(dict.fromkeys(point.name for point in soles))) or [f"# {ground}: {NO_FEET}"]
+    lines += _list("Joints that follow others (equality constraints)", [c.name for c in couplings(figure)])
+    lines += [f"# {ALL_COUNT}"] if counts_all(model) else []
+    lines += _placed(figure, qpos, soles)
+    return "\n".join(lines)
+
+
+def _placed(figure: Figure, qpos: Array, soles: Sequence[Point]) -> list[str]:
+    """Where feet, sites and the ends of other limbs are in a pose (nq,), as keyframes place them, in comments."""
+    places = Places(figure, soles)
+    names = [*(point.name for point in soles), *posable_sites(figure.model)]
+    points = [point for name in dict.fromkeys(names) if (point := places.point(name)) is not None and point.link]
+    said = [(f"sites.{_key(p.name)}", "{}", p) for p in points]
+    busy = {point.link for point in points}
+    for body in _ends(figure):
+        name, link = str(figure.model.body(body).name), int(figure.body_link[body])
+        if name and link not in busy:
+            said.append(
+                (f"bodies.{_key(name)}", "{{position = {}}}", Point(name, *figure.point_on_link(body, np.zeros(3))))
+            )
+    if not said:
+        return []
+    lines = [f"# {AT_REST}"]
+    for (key, form, point), place in zip(said, places_at(figure, qpos, [p for *_, p in said]).T, strict=True):
+        thick = f"  # the middle of a ball of radius {point.radius:.3g} m" if point.radius else ""
+        where = ", ".join(f"{round(float(x), 4) + 0.0:g}" for x in place)
+        lines.append(f"#   {key} = {form.format(f'[{where}]')}{thick}")
+    return lines
+
+
+def _ends(figure: Figure) -> list[int]:
+    """The last body of every limb: hands, heads, tips of fingers."""
+    carries = set(figure.tables.parents.tolist())
+    return [link.body for i, link in enumerate(figure.links) if i and i not in carries]
+
+
+def _joint_line(figure: Figure, link: Link, roots: Sequence[Link]) -> str:
+    if link.kind is JointKind.FREE:
+        table = "root" if link is roots[0] else f"roots.{_key(link.name)}"
+        return f"{table + '.position, .rotation':40} free joint '{link.name}': metres; a rotation"
+    name, limited = f"joints.{_key(link.name)}", bool(figure.model.jnt_limited[link.joint])
+    low, high = (float(bound) for bound in figure.model.jnt_range[link.joint])
+    if link.kind is JointKind.SLIDE:
+        return f"{name:40} slide, metres{_along(link)}" + (f", {low:g} to {high:g}" if limited else "")
+    low, high = np.degrees([low, high])
+    if link.kind is JointKind.HINGE:
+        return f"{name:40} hinge, degrees" + (f", {low:.4g} to {high:.4g}" if limited else "")
+    return f"{name:40} ball, a rotation such as {{rotvec = [0, 30, 0]}}" + (f", up to {high:.4g}°" if limited else "")
+
+
+def _along(link: Link) -> str:
+    """Which of the world's axes a slide goes along at rest, in words; nothing if none."""
+    way = quat.rotated(link.turn, link.axis)
+    axis = int(np.abs(way).argmax())
+    return f" along {'-' if way[axis] < 0 else ''}{'xyz'[axis]}" if abs(way[axis]) > STRAIGHT else ""
+
+
+def _key(name: str) -> str:
+    return written({name: 0}).rsplit(" = ", 1)[0].strip()
+
+
+def _list(title: str, names: Iterable[str]) -> list[str]:
+    names = list(names)
+    if not names:
+        return []
+    return [f"# {title}:", *textwrap.wrap(", ".join(names), WIDE, initial_indent="#   ", subsequent_indent="#   ")]

@@ -1,0 +1,328 @@
+"""The clip file's tables: which keys there are and what they hold, and complaints in the file's own words."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Field, Strict, ValidationError
+
+from ..errors import unknown
+
+LARGEST = 1e6  # of any number of a configuration
+
+Real = Annotated[float, Strict(), Field(allow_inf_nan=False)]
+Number = Annotated[Real, Field(ge=-LARGEST, le=LARGEST)]
+Whole = Annotated[int, Strict()]
+Flag = Annotated[bool, Strict()]
+Length = Annotated[Real, Field(gt=0, le=1000)]
+Angle = Annotated[Real, Field(gt=0, le=360)]
+Axis = Number | Literal["free"]
+Share = Annotated[Real, Field(ge=0, le=1)]
+Place = tuple[Number, Number, Number]
+
+
+class _Table(BaseModel):
+    model_config = ConfigDict(extra="forbid", strict=False)
+
+
+class RotationTable(_Table):
+    rotvec: tuple[Number, Number, Number] | None = None
+    euler: list[Number] | None = None
+    order: str | None = None
+    quat: tuple[Number, Number, Number, Number] | None = None
+    heading: Number | None = None
+
+
+class RootTable(_Table):
+    position: tuple[Axis, Axis, Axis] | Literal["free"] = "free"
+    rotation: RotationTable | Literal["free"] = "free"
+
+
+class SiteTable(_Table):
+    position: tuple[Axis, Axis, Axis]
+    by: Literal["pose", "search"] = "pose"
+
+
+class BodyTable(RotationTable):
+    """How a body is turned, and where its origin is, or the point `at` in its axes."""
+
+    flat: Flag | None = None
+    position: tuple[Axis, Axis, Axis] | None = None
+    at: Place | None = None
+
+
+class KeyframeTable(_Table):
+    time: Number
+    root: RootTable = RootTable()
+    roots: dict[str, RootTable] = {}
+    joints: dict[str, RotationTable | Number | Literal["free"]] = {}
+    sites: dict[str, SiteTable | tuple[Axis, Axis, Axis]] = {}
+    bodies: dict[str, BodyTable] = {}
+    others: Literal["free", "rest", "hold"] = "free"
+
+
+class StepTable(_Table):
+    x: Number
+    height: Length
+    length: Length = 3.0
+    width: Length = 2.4
+    y: Number = 0.0
+
+
+class _ObstacleTable(_Table):
+    name: Annotated[str, Field(min_length=1)] | None = None
+    body: Annotated[str, Field(min_length=1)] | None = None
+    mass: Annotated[Real, Field(gt=0, le=LARGEST)] | None = None
+    color: tuple[Share, Share, Share, Share] | None = None
+    position: Place | None = None
+    rotation: RotationTable | None = None
+
+
+class BoxTable(_ObstacleTable):
+    size: tuple[Length, Length, Length]
+
+
+class SphereTable(_ObstacleTable):
+    radius: Length
+
+
+class BarTable(_ObstacleTable):
+    """A capsule or cylinder: from one point to another, or a length about a position."""
+
+    radius: Length
+    length: Length | None = None
+    start: Place | None = Field(None, alias="from")
+    end: Place | None = Field(None, alias="to")
+
+
+class SceneTable(_Table):
+    step: StepTable | None = None
+    box: list[BoxTable] = []
+    sphere: list[SphereTable] = []
+    capsule: list[BarTable] = []
+    cylinder: list[BarTable] = []
+
+
+class PenaltyTable(_Table):
+    kind: str
+    weight: Annotated[Real, Field(ge=0, le=1e9)] = 1.0
+    form: str | None = None
+    points: list[str] | None = None
+    joints: list[str] | None = None
+    margin: Annotated[Real, Field(ge=0, le=0.1)] | None = None
+    reach: Annotated[Real, Field(gt=0, le=1)] | None = None
+    least: Annotated[Real, Field(ge=-360, le=360)] | None = None
+    sideways: Angle | None = None
+    twist: Angle | None = None
+    angular: Annotated[Real, Field(ge=0, le=1e6)] | None = None
+    friction: Annotated[Real, Field(gt=0, le=10)] | None = None
+    intervals: list[tuple[Number, Number]] | None = None
+    period: Annotated[Real, Field(gt=0, le=60)] | None = None
+
+
+class ContactTable(_Table):
+    """A point that rests, from one time to another [s]."""
+
+    point: str
+    start: Number = Field(alias="from")
+    end: Number = Field(alias="to")
+    position: Place | None = None
+
+    @property
+    def subject(self) -> str:
+        """What can be in one place at a time only."""
+        return self.point
+
+
+class HoldTable(_Table):
+    """A site that stays where it is on a body, from one time to another [s]."""
+
+    hand: str
+    body: str
+    start: Number = Field(alias="from")
+    end: Number = Field(alias="to")
+    position: Place | None = None
+
+    @property
+    def subject(self) -> str:
+        """What can hold one thing at a time only."""
+        return self.hand
+
+
+class SolveTable(_Table):
+    coordinates: Literal["auto", "world", "joint"] = "auto"
+    ends: Literal["free", "clamped", "periodic"] = "free"
+    travel: tuple[Number, Number, Number] | None = None
+    turn: Annotated[Real, Field(ge=-360, le=360)] | None = None
+    variable: Annotated[Whole, Field(ge=0, le=50)] | None = None
+    frames: Annotated[Whole, Field(ge=0, le=100_000)] | None = None
+    criterion: str | None = None
+    threshold: Annotated[Real, Field(ge=0)] | None = None
+    optimiser: str | None = None
+    evaluations: Annotated[Whole, Field(ge=1, le=1_000_000)] | None = None
+    tolerance: Annotated[Real, Field(gt=0, le=1)] | None = None
+    quadrature: Literal["gauss", "uniform"] = "gauss"
+    samples: Annotated[Whole, Field(ge=1, le=10_000)] | None = None
+
+
+class ClipTable(_Table):
+    figure: str
+    fps: Annotated[Real, Field(ge=0.01, le=1000)] = 30.0
+    scene: SceneTable = SceneTable()
+    solve: SolveTable = SolveTable()
+    penalty: list[PenaltyTable] = []
+    contact: list[ContactTable] = []
+    hold: list[HoldTable] = []
+    keyframe: list[KeyframeTable]
+
+
+def spoken(error: ValidationError, raw: dict[str, Any]) -> str:
+    """The first complaint of a validation, in the clip file's own words."""
+    complaints = error.errors()
+    telling = ("finite_number", "extra_forbidden")
+    first = next((c for kind in telling for c in complaints if c["type"] == kind), complaints[0])
+    names, words, given = _walked(first["loc"], raw)
+    place = "".join(f"{word}: " for word in words)
+    key = ".".join(names)
+    kind = first["type"]
+    if kind == "extra_forbidden":
+        inside = f"{'.'.join(names[:-1])}: " if names[:-1] else ""
+        fields = _schema(words, names[:-1]).model_fields
+        return place + inside + unknown("key", names[-1], [field.alias or name for name, field in fields.items()])
+    if kind == "missing" and isinstance(first["loc"][-1], str):
+        return f"{place}'{key}' is missing"
+    if kind == "finite_number":
+        return f"{place}{key or 'number'} must be a finite number, not {given}"
+    for start, bound in (("greater_than_equal", "at least"), ("greater_than", "above"), ("less_than", "at most")):
+        if kind.startswith(start):
+            limit = next(iter(first.get("ctx", {}).values()))
+            return f"{place}{key} must be {bound} {limit:g}, not {given}"
+    return (
+        f"{place}{key + ' ' if key else ''}must be {_EXPECTED.get(_role(words, names), 'a table')}, not {_shown(given)}"
+    )
+
+
+def _walked(location: tuple[int | str, ...], raw: Any) -> tuple[list[str], list[str], Any]:
+    """The keys of a complaint's location, the numbered tables around it, and what stands there.
+
+    pydantic's locations also hold the names of alternatives, which no user knows: a key is what the file has there.
+    """
+    names: list[str] = []
+    words: list[str] = []
+    here = raw
+    for i, part in enumerate(location):
+        if isinstance(here, list) and isinstance(part, int) and part < len(here):
+            here = here[part]
+            if i == 2 and names[0] == "scene":
+                name = here.get("name") if isinstance(here, dict) else None
+                words.append(f"{'.'.join(names)} {part + 1}" + (f" ('{name}')" if isinstance(name, str) else ""))
+                names.clear()
+            if i == 1:
+                time = here.get("time") if isinstance(here, dict) else None
+                known = isinstance(time, int | float) and not isinstance(time, bool) and abs(time) <= LARGEST
+                words.append(f"{names.pop()} {part + 1}" + (f" (t = {time:g} s)" if known else ""))
+        elif isinstance(here, dict) and part in here:
+            names.append(str(part))
+            here = here[part]
+        elif isinstance(here, dict) and i == len(location) - 1:
+            names.append(str(part))
+    return names, words, here
+
+
+def _role(words: list[str], names: list[str]) -> str:
+    """What kind of entry a key is: joints have names of their own."""
+    if names[:1] == ["joints"] and words[0].startswith("penalty"):
+        return "bent joints"
+    if len(names) == 2 and names[0] in _NAMED:
+        return _NAMED[names[0]][0]
+    if words and words[0].startswith(("contact", "hold")) and names:
+        return {"from": "time", "to": "time", "position": "obstacle's position", "body": "body's name"}.get(
+            names[-1], names[-1]
+        )
+    if words and words[0].startswith("scene.") and names[-1:] in (["position"], ["rotation"]):
+        return f"obstacle's {names[-1]}"
+    if words and words[0].startswith("scene.") and names[-1:] == ["body"]:
+        return "body's name"
+    return names[-1] if names else ""
+
+
+def _schema(words: list[str], names: list[str]) -> type[_Table]:
+    """The table that an unknown key stands in."""
+    if len(names) == 2 and names[0] in _NAMED:
+        return _NAMED[names[0]][1]
+    if names:
+        return _TABLES[names[-1]]
+    return _TABLES[words[0].split()[0]] if words else ClipTable
+
+
+def _shown(value: Any) -> str:
+    """A value of the file as a message shows it: short."""
+    if isinstance(value, dict):
+        return "a table"
+    if isinstance(value, bool):
+        return str(value).lower()
+    text = repr(value) if isinstance(value, str | int | float | list) else str(value)
+    return text if len(text) <= 60 else text[:57] + "..."
+
+
+_NAMED: dict[str, tuple[str, type[_Table]]] = {
+    "joints": ("joint", RotationTable),
+    "roots": ("root", RootTable),
+    "sites": ("site", SiteTable),
+    "bodies": ("body", BodyTable),
+}
+_TABLES: dict[str, type[_Table]] = {
+    "keyframe": KeyframeTable,
+    "penalty": PenaltyTable,
+    "contact": ContactTable,
+    "hold": HoldTable,
+    "scene": SceneTable,
+    "step": StepTable,
+    "scene.box": BoxTable,
+    "scene.sphere": SphereTable,
+    "scene.capsule": BarTable,
+    "scene.cylinder": BarTable,
+    "solve": SolveTable,
+    "root": RootTable,
+    "rotation": RotationTable,
+}
+
+ROTATION = "{rotvec = [x, y, z]}, {euler = [...], order = ...} or {quat = [w, x, y, z]}"
+_NUMBERS = ("time", "fps", "x", "y", "height", "length", "width", "weight", "margin", "least", "sideways", "twist")
+_OF_OTHERS = ("angular", "friction", "heading", "mass", "period", "radius", "reach", "turn")
+_WHOLE = ("variable", "frames", "evaluations", "samples")
+_EXPECTED = {
+    **dict.fromkeys((*_NUMBERS, *_OF_OTHERS, "threshold", "tolerance"), "a number"),
+    **dict.fromkeys(_WHOLE, "a whole number"),
+    **dict.fromkeys(("kind", "form", "criterion", "optimiser", "order", "point", "hand"), "a word in quotes"),
+    **dict.fromkeys(("points", "bent joints"), "a list of names"),
+    "intervals": "a list of [from, to] in seconds",
+    "others": "'free', 'rest' or 'hold'",
+    "figure": "the name of a figure or a path in quotes",
+    "keyframe": "[[keyframe]] tables",
+    "penalty": "[[penalty]] tables",
+    "contact": "[[contact]] tables",
+    "hold": "[[hold]] tables",
+    **{kind: f"[[scene.{kind}]] tables" for kind in ("box", "sphere", "capsule", "cylinder")},
+    **dict.fromkeys(("obstacle's position", "from", "to"), "[x, y, z] in metres"),
+    "root": "a table: position and rotation of a free joint",
+    "obstacle's rotation": ROTATION,
+    "size": "[length, width, height] in metres",
+    "color": "[red, green, blue, opacity], each from 0 to 1",
+    **dict.fromkeys(("name", "body's name"), "a name in quotes"),
+    "position": '[x, y, z] in metres, each a number or "free"',
+    "rotation": f'{ROTATION} or "free"',
+    "joint": f'{ROTATION}, a number or "free"',
+    "site": '[x, y, z] in metres, each a number or "free", or {position = [x, y, z], by = "pose" or "search"}',
+    "body": f"{{flat = true}} or a rotation, {ROTATION}, or {{position = [x, y, z]}}",
+    "at": "[x, y, z] in metres, in the body's own axes",
+    "by": "'pose' or 'search'",
+    "flat": "true",
+    "rotvec": "three angles [x, y, z] in degrees",
+    "euler": "a list of angles in degrees",
+    "quat": "four numbers [w, x, y, z]",
+    "coordinates": "'auto', 'world' or 'joint'",
+    "ends": "'free', 'clamped' or 'periodic'",
+    "travel": "[x, y, z] in metres",
+    "quadrature": "'gauss' or 'uniform'",
+}

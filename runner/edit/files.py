@@ -1,0 +1,153 @@
+"""From files to an edit and back: motions or clips in, a new one out, never over what it came from unasked."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import models
+
+from .. import kept, motion
+from ..clip import load as clips
+from ..clip.load import Clip
+from ..clip.mirror import mirrored_tables
+from ..clip.text import tables, written
+from ..errors import UserError
+from ..measure import problems
+from ..measure.problems import Problem
+from ..motion import Saved
+from ..system.output import Replacement, check_target
+from ..system.progress import Teller
+from . import edits
+
+Problems = tuple[Problem, ...]
+
+
+@dataclass(frozen=True)
+class Edit:
+    """What is done: its word for file names and reports, to motions, and to a clip's tables where that can be.
+
+    check  raises UserError for what cannot be done, before anything is solved
+    """
+
+    word: str
+    motions: Callable[[Sequence[Saved], Teller], Saved]
+    clip: Callable[[dict[str, Any], Clip], dict[str, Any]] | None = None
+    check: Callable[[Sequence[Clip | Saved]], object] = lambda found: None
+
+
+def run(
+    sources: list[str], edit: Edit, target: Path | None, *, overwrite: bool, fresh: bool = False, teller: Teller
+) -> tuple[Path, Problems]:
+    """Does an edit; where its result lies, a motion or by the ending .toml a clip, and what is wrong with a motion.
+
+    fresh  clips are solved now, and not as they may have been before
+    """
+    direct = edit.clip is not None and not motion.is_motion(sources[0])
+    ending = ".toml" if direct and Path(sources[0]).suffix.lower() == ".toml" else ".npz"
+    target = target or Path(f"{Path(sources[0]).stem}_{edit.word}{ending}")
+    _check_target(target, sources, overwrite)
+    found = [motion.load(Path(s)) if motion.is_motion(s) else clips.load(s) for s in sources]
+    edit.check(found)
+    if target.suffix == ".toml":
+        one = found[0]
+        text = _clip_text(one, sources[0], edit, target) if direct and isinstance(one, Clip) else ""
+        text = text or edit.motions([_solved(each, teller, fresh) for each in found], teller).text
+        if not text:
+            raise UserError(f"{target}: '{sources[0]}' came from no clip file, so there is none to edit; write an .npz")
+        with Replacement(target) as temporary:
+            temporary.write_text(text, encoding="utf-8")
+        return target, ()
+    saved = edit.motions([_solved(each, teller, fresh) for each in found], teller)
+    search = {"stopped because": f"not searched: {edit.word}"}
+    saved = replace(saved, name=target.stem, trace=[], report={}, search=search)
+    motion.save(saved, target)
+    return target, problems.of_motion(saved)
+
+
+def _solved(found: Clip | Saved, teller: Teller, fresh: bool) -> Saved:
+    if isinstance(found, Saved):
+        return found
+    return kept.solved(found, teller, fresh=fresh).saved(teller, with_report=False)
+
+
+def _check_target(target: Path, sources: list[str], overwrite: bool) -> None:
+    if target.suffix not in (".npz", ".toml"):
+        raise UserError(f"{target}: an edit is written as a motion, .npz, or as a clip, .toml")
+    check_target(target)
+    for source in sources:
+        if target.exists() and Path(source).exists() and target.samefile(source) and not overwrite:
+            raise UserError(f"'{target}' is what is edited; give another -o, or --overwrite")
+
+
+def _clip_text(found: Clip, source: str, edit: Edit, target: Path) -> str:
+    """A clip's file, edited in its own words; the figure's path as seen from the new file."""
+    if not found.text or edit.clip is None:
+        return ""
+    said = edit.clip(tables(clips.table_of(found.text, source)), found)
+    if said["figure"] not in models.figures():
+        figure = Path(source).parent / said["figure"]
+        said["figure"] = Path(os.path.relpath(figure, target.parent)).as_posix()
+    text = written(said)
+    clips.from_text(text, name=target.stem, place=str(target), folder=target.parent)
+    return text
+
+
+def mirrored() -> Edit:
+    """Left and right exchanged."""
+    return Edit(
+        "mirrored",
+        lambda saved, _: edits.mirrored(saved[0]),
+        lambda said, found: mirrored_tables(said, found.figure, edits.mirror_of(found)),
+        lambda found: edits.mirror_of(found[0]),
+    )
+
+
+def retimed(speed: float | None, duration: float | None) -> Edit:
+    """Faster, slower, or as long as is asked."""
+    if (speed is None) == (duration is None):
+        raise UserError("give --speed, such as 1.5, or --duration, in seconds: one of them")
+    for name, value in (("speed", speed), ("duration", duration)):
+        if value is not None and not 1e-6 <= value <= 1e6:
+            raise UserError(f"--{name} {value:g}: give a number above 0")
+
+    def rate(keys: Any) -> float:
+        return speed if speed is not None else (keys[-1].time - keys[0].time) / (duration or 1.0)
+
+    return Edit(
+        "retimed",
+        lambda saved, _: edits.retimed(saved[0], rate(saved[0].keys)),
+        lambda said, found: edits.retimed_tables(said, rate(found.keys)),
+    )
+
+
+def trimmed(first: float | None, last: float | None) -> Edit:
+    """From one time to another; what is not given is where the motion begins or ends."""
+    if first is None and last is None:
+        raise UserError("give --from, --to, or both, in seconds")
+
+    def interval(found: Sequence[Clip | Saved]) -> tuple[float, float]:
+        begin, end = found[0].keys[0].time, found[0].keys[-1].time
+        return begin if first is None else first, end if last is None else last
+
+    return Edit(
+        "trimmed",
+        lambda saved, _: edits.trimmed(saved[0], *interval(saved)),
+        check=lambda found: edits.check_interval(found[0], *interval(found)),
+    )
+
+
+def joined(transition: float) -> Edit:
+    """One after the other."""
+    edits.check_transition(transition)
+
+    def both(saved: Sequence[Saved], teller: Teller) -> Saved:
+        before, after = saved
+        if before.scene != after.scene:
+            teller.say(f"note: the scene is that of '{before.name}'")
+        return edits.joined(before, after, transition, teller)
+
+    return Edit("joined", both, check=lambda found: edits.check_alike(*found))

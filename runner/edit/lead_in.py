@@ -1,0 +1,174 @@
+"""What a recording begins with before its motion: the pose to which the cameras or the skeleton were set.
+
+Two signs tell it, and standing still has neither. A T-pose: both arms straight out to the sides, legs and trunk
+upright. Or the figure's own rest, every joint at its nought, that nobody leaves as fast as the next image has it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import mujoco
+import numpy as np
+
+from solver.curve.unknowns import raw_timeline
+from solver.quaternion import Array
+
+from ..exchange.skeleton import hierarchy
+from ..exchange.skeleton.roles import roles
+from ..measure.problems import is_recording
+from ..motion import Saved
+from ..system.progress import Teller
+
+OUT = 0.94  # cosine, 20°: so near to straight out are the arms of a T-pose
+UPRIGHT = 0.8  # cosine, 37°: and so upright its trunk and legs, which stand apart in some
+AT_REST = np.radians(0.5)  # joints nearer to their nought than this are at it
+JUMP = 20.0  # [rad/s] of a joint between two images: limbs of people come near it in throws and kicks alone,
+SUDDEN = 4.0  # and then they do not stop within an image: so many times what follows
+HELD = 0.1  # [s] that a T-pose lasts if nothing jumps: arms that swing through it are none
+SLOW = 0.2  # [m/s] at most of the hips while it is held: who walks with arms spread out walks
+LEAST = 2  # images that are left
+
+
+@dataclass(frozen=True)
+class LeadIn:
+    """The images before the motion: how many, from when to when [s] they are, and in words what they show."""
+
+    count: int
+    first: float
+    last: float
+    what: str
+
+    @property
+    def line(self) -> str:
+        """ "the recording begins with a T-pose (1 image, 0.000 s), which is no motion" """
+        span = f"{self.first:.3f} s" if self.count == 1 else f"{self.first:.3f} to {self.last:.3f} s"
+        return f"the recording begins with {self.what} ({self.count} image{'s' * (self.count > 1)}, {span}), no motion"
+
+
+def lead_in(model: mujoco.MjModel, times: Array, qpos: Array) -> LeadIn | None:
+    """Of images qpos (T, nq) at times (T,) [s]; None where the motion begins at once, or nothing else would be left."""
+    for what, still in (("a T-pose", _Spread.of(model)), ("the figure's rest pose", _Rest(model))):
+        if still is None:
+            continue
+        count = next((i for i, row in enumerate(qpos) if not still.shows(row)), len(qpos))
+        if not 0 < count <= len(qpos) - LEAST:
+            continue
+        held = times[count - 1] - times[0] >= HELD and _travel(model, times[:count], qpos[:count]) <= SLOW
+        if _jumps(model, times, qpos, count) or (held and still.tells_alone):
+            return LeadIn(count, float(times[0]), float(times[count - 1]), what)
+    return None
+
+
+def of_motion(saved: Saved) -> LeadIn | None:
+    """That of a recording; any other motion has none."""
+    if not is_recording(saved) or saved.text:
+        return None
+    times = np.array([key.time for key in saved.keys])
+    return lead_in(saved.figure.model, times, np.array([key.state for key in saved.keys]))
+
+
+def without(saved: Saved) -> Saved:
+    """A recording without its lead-in, the spline through the rest of it; times stay."""
+    found = of_motion(saved)
+    if found is None:
+        return saved
+    keys = saved.keys[found.count :]
+    raw = raw_timeline(saved.figure, list(keys))
+    return replace(saved, keys=keys, timeline=raw, raw=raw, trace=[], report={})
+
+
+def told(saved: Saved, teller: Teller, *, skip: bool) -> Saved:
+    """A recording's lead-in is said, and left out if asked for; any other motion stays as it is."""
+    found = of_motion(saved)
+    if found is not None:
+        teller.say(f"note: {found.line}: {'left out' if skip else '--skip-rest leaves it out'}")
+    elif skip:
+        teller.say("note: --skip-rest: no T-pose or rest pose stands before the motion; nothing is left out")
+    return without(saved) if skip else saved
+
+
+@dataclass(frozen=True)
+class _Rest:
+    """Whether every joint is at the nought of the model; somebody may stand so, so it tells nothing alone."""
+
+    model: mujoco.MjModel
+    tells_alone: bool = False
+
+    def shows(self, qpos: Array) -> bool:
+        move = _moved(self.model, self.model.qpos0, qpos)
+        return bool(move.size) and float(np.abs(move).max()) < AT_REST
+
+
+@dataclass(frozen=True)
+class _Spread:
+    """Whether both arms are straight out to the sides, legs and trunk upright, by bodies that are known by name."""
+
+    model: mujoco.MjModel
+    data: mujoco.MjData
+    roles: dict[str, int]
+    tells_alone: bool = True
+
+    @classmethod
+    def of(cls, model: mujoco.MjModel) -> _Spread | None:
+        found = roles(hierarchy.names(model)[1:], [int(p) - 1 for p in model.body_parentid[1:]])
+        parts = ("upper_arm", "forearm", "thigh", "shin")
+        if any(f"{side}_{part}" not in found for side in ("left", "right") for part in parts):
+            return None
+        return cls(model, mujoco.MjData(model), {role: 1 + body for role, body in found.items()})
+
+    def shows(self, qpos: Array) -> bool:
+        self.data.qpos[:] = qpos
+        mujoco.mj_kinematics(self.model, self.data)
+        at = {role: self.data.xpos[body] for role, body in self.roles.items()}
+        left = at["left_thigh"] - at["right_thigh"]
+        hips, shoulders = (0.5 * (at[f"left_{part}"] + at[f"right_{part}"]) for part in ("thigh", "upper_arm"))
+        up = np.array([0.0, 0, 1])
+        pairs = [(shoulders - hips, up, UPRIGHT)]
+        for side, sign in (("left", 1.0), ("right", -1.0)):
+            pairs.append((at[f"{side}_forearm"] - at[f"{side}_upper_arm"], sign * left, OUT))
+            pairs.append((self._end(f"{side}_forearm", f"{side}_hand") - at[f"{side}_forearm"], sign * left, OUT))
+            pairs.append((at[f"{side}_shin"] - at[f"{side}_thigh"], -up, UPRIGHT))
+        return all(_cosine(limb, way) > least for limb, way, least in pairs)
+
+    def _end(self, role: str, onward: str) -> Array:
+        """(3,) where a limb goes on, or its farthest site or geom."""
+        if onward in self.roles:
+            return self.data.xpos[self.roles[onward]]
+        body, model = self.roles[role], self.model
+        points = self.data.site_xpos[model.site_bodyid == body]
+        points = points if len(points) else self.data.geom_xpos[model.geom_bodyid == body]
+        if not len(points):
+            return self.data.xpos[body]
+        return points[np.argmax(np.linalg.norm(points - self.data.xpos[body], axis=1))]
+
+
+def _cosine(one: Array, other: Array) -> float:
+    sizes = float(np.linalg.norm(one) * np.linalg.norm(other))
+    return float(one @ other) / sizes if sizes > 0 else 0.0
+
+
+def _moved(model: mujoco.MjModel, one: Array, other: Array) -> Array:
+    """Angles [rad] of all balls and hinges between two configurations."""
+    move = np.zeros(model.nv)
+    mujoco.mj_differentiatePos(model, move, 1.0, one, other)
+    sizes = {mujoco.mjtJoint.mjJNT_BALL: 3, mujoco.mjtJoint.mjJNT_HINGE: 1}
+    turning = [(int(model.jnt_dofadr[j]), sizes.get(mujoco.mjtJoint(model.jnt_type[j]), 0)) for j in range(model.njnt)]
+    return np.array([float(np.linalg.norm(move[first : first + size])) for first, size in turning if size], float)
+
+
+def _jumps(model: mujoco.MjModel, times: Array, qpos: Array, at: int) -> bool:
+    """Whether a joint is turned into image `at` as none turns, and goes on from there as if nothing had been."""
+    into, after = (
+        _moved(model, qpos[i - 1], qpos[i]).max(initial=0.0) / (times[i] - times[i - 1]) for i in (at, at + 1)
+    )
+    return bool(into > max(JUMP, SUDDEN * after))
+
+
+def _travel(model: mujoco.MjModel, times: Array, qpos: Array) -> float:
+    """Mean speed [m/s] of the first free joint from the first image to the last; nought without one."""
+    free = np.flatnonzero(model.jnt_type == mujoco.mjtJoint.mjJNT_FREE)
+    if not free.size:
+        return 0.0
+    at = int(model.jnt_qposadr[free[0]])
+    return float(np.linalg.norm(qpos[-1, at : at + 3] - qpos[0, at : at + 3]) / (times[-1] - times[0]))

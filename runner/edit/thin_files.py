@@ -1,0 +1,104 @@
+"""The command `thin`: from a motion's file to the clip of its keyframes, and what is said of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+import models
+
+from .. import kept, motion
+from ..clip import load as clips
+from ..errors import UserError
+from ..exchange.formats import stem
+from ..exchange.imported import imported
+from ..motion import Saved
+from ..system.output import check_new
+from ..system.progress import Teller
+from ..system.quantity import length
+from . import lead_in, thinning
+from .thinning import Thinned
+
+ROUNDING = 1e-6  # of the bound, what a file's digits may add
+
+
+@dataclass(frozen=True)
+class Recording:
+    """A motion's file, and what a file of another program may not tell: figure, format, images a second.
+
+    fresh      a clip is solved now, and not as it may have been before
+    skip_rest  without the T-pose or rest pose before the motion
+    """
+
+    source: str
+    figure: str | None = None
+    kind: str | None = None
+    fps: float | None = None
+    fresh: bool = False
+    skip_rest: bool = False
+
+    def read(self, teller: Teller) -> Saved:
+        """A saved motion as it is, a clip solved, any other file imported."""
+        return lead_in.told(self._read(teller), teller, skip=self.skip_rest)
+
+    def _read(self, teller: Teller) -> Saved:
+        told = self.figure is not None or self.kind is not None
+        path = Path(self.source)
+        if not told and motion.is_motion(self.source):
+            return motion.load(path)
+        if not told and (self.source in models.clips() or path.suffix.lower() == ".toml"):
+            return kept.solved(clips.load(self.source), teller, fresh=self.fresh).saved(teller, with_report=False)
+        return imported(path, self.kind, figure=self.figure, fps=self.fps, teller=teller)
+
+
+def bound(error: str, angle: float) -> tuple[float, float]:
+    """Metres and radians of the two options; raises UserError for what is no bound."""
+    if not 0 < angle <= 180:
+        raise UserError(f"--max-angle {angle:g}: give degrees, above 0 and up to 180")
+    return length(error, "--max-error"), float(np.radians(angle))
+
+
+def run(
+    recording: Recording,
+    bound: tuple[float, float],
+    target: Path | None,
+    *,
+    solve: bool = False,
+    exact: bool = False,
+    overwrite: bool,
+    teller: Teller,
+) -> Path:
+    """Thins a motion and writes what is left; a clip's file is read and solved again, and its misses are told.
+
+    solve  the solved motion keeps the bound, and not only the spline
+    exact  the clip's settings leave the spline as it is
+    """
+    if solve and exact:
+        raise UserError("--solve bounds the solved motion, --exact writes a clip that is not searched: give one")
+    source = Path(recording.source)
+    target = target or Path(f"{stem(source)}_thin.toml")
+    thinning.check(target)
+    if target.exists() and source.exists() and target.samefile(source) and not overwrite:
+        raise UserError(f"'{target}' is what is read; give another -o, or --overwrite")
+    check_new(target, overwrite=overwrite)
+    saved = recording.read(teller)
+    found = thinning.thinned(saved, *bound, solve=solve, teller=teller)
+    written = thinning.write(found, target, exact=exact, overwrite=overwrite)
+    told = [found.line]
+    if target.suffix == ".toml":
+        solved = kept.solved(clips.load(str(target)), teller, fresh=recording.fresh).motion.timeline
+        after = thinning.measured(thinning.recorded_of(saved, *bound), replace(found.motion, timeline=solved))
+        told = [after.line] if solve or exact else [f"{found.line}: the spline", _as_solved(after)]
+        thinning.write(found, target, exact=exact, note="; ".join(told), overwrite=True)
+    for line in told:
+        teller.say(line)
+    teller.say(f"wrote {' and '.join(map(str, written))}")
+    return target
+
+
+def _as_solved(found: Thinned) -> str:
+    """How far the motion is off that the clip's own settings make."""
+    beyond = "; more than was asked for: --solve keeps to it, --exact leaves the spline as it is"
+    return f"solved as the clip says: {found.misses}{beyond if found.excess > 1 + ROUNDING else ''}"

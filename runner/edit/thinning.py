@@ -1,0 +1,174 @@
+"""`thin`: a recorded motion as few keyframes, with the guarantee measured on what comes out.
+
+The in-between that has to keep the bound is the raw spline through the keyframes, or with `solve` the dynamic spline
+that the clip's own penalties make of them. The clip's settings are the ordinary ones, so that it is solved like any
+other when a keyframe is edited; how far that takes it from the recording is measured, too (`thin_files`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from solver.curve.frame import Frame, Timeline
+from solver.edit.thin import Bound, Recorded, Worst, refined, thin
+from solver.quaternion import Array
+from solver.refine.subdivision import path_of
+
+from .. import work
+from ..clip import file as clip_file
+from ..clip import load as clips
+from ..clip.text import keyframe_tables, tables, written
+from ..errors import UserError
+from ..motion import Saved, save
+from ..system.output import check_target
+from ..system.progress import Teller
+
+RATE = 100.0  # instants a second, at least, that a motion between keyframes is looked at
+LOOSE = 4.0  # times the bound: what the spline keeps through keyframes of which the search is to make the rest
+
+
+@dataclass(frozen=True)
+class Thinned:
+    """What thinning gave: the motion through the keyframes left, and how far it is off at the instants looked at.
+
+    instants         how many there were
+    distance, angle  the largest misses [m, rad], each at its time [s]: of a body's origin, a site or a tip, of a link
+    slipped          the largest [m] of ends of limbs while they stand still
+    excess           the largest as a multiple of its bound; above 1, it is broken
+    """
+
+    motion: Saved
+    instants: int
+    distance: Worst
+    angle: Worst
+    times: tuple[float, float]
+    slipped: float
+    excess: float
+
+    @property
+    def line(self) -> str:
+        """ "14 keyframes of 331; at most 1.8 cm at 0.83 s (left_hand), 3.1° at 0.40 s (neck); standing 0.4 cm" """
+        return f"{len(self.motion.keys)} keyframes of {self.instants}; {self.misses}"
+
+    @property
+    def misses(self) -> str:
+        """The line's second half: how far it is off."""
+        standing = f"; hands and feet that stand, {100 * self.slipped:.2g} cm" if self.slipped > 0 else ""
+        return (
+            f"at most {100 * self.distance.value:.3g} cm at {self.times[0]:.2f} s ({self.distance.name}), "
+            f"{np.degrees(self.angle.value):.3g}° at {self.times[1]:.2f} s ({self.angle.name}){standing}"
+        )
+
+
+def thinned(
+    saved: Saved, distance: float, angle: float, *, solve: bool = False, teller: Teller | None = None
+) -> Thinned:
+    """A motion with the fewest keyframes found that keep it within `distance` [m] and `angle` [rad] of what it was.
+
+    solve  the dynamic spline through the keyframes has to, and not only the raw one
+    """
+    teller = teller or Teller()
+    recorded = recorded_of(saved, distance, angle)
+    text = _Text(saved)
+
+    def told(note: str) -> None:
+        teller.step("thinning", None, note)
+
+    def problem(keys: Sequence[Frame]) -> clips.Clip:
+        return clips.of_motion(replace(saved, text=text.of(keys), keys=tuple(keys)), contacts=True)
+
+    def solved(keys: Sequence[Frame]) -> Timeline:
+        return work.solve(problem(keys), teller).motion.timeline
+
+    loosely = replace(recorded, bound=Bound(LOOSE * distance, LOOSE * angle))
+    found = refined(recorded, thin(loosely, told).kept, solved, told) if solve else thin(recorded, told)
+    keys = tuple(recorded.frames(found.kept))
+    raw = recorded.spline(keys)
+    left = replace(saved, text=text.of(keys), keys=keys, timeline=found.timeline, raw=raw, trace=[], report={})
+    return measured(recorded, left)
+
+
+def measured(recorded: Recorded, motion: Saved) -> Thinned:
+    """How far a motion is off what was recorded."""
+    worst = recorded.worst(motion.timeline)
+    times = float(recorded.times[worst[0].instant]), float(recorded.times[worst[1].instant])
+    slipped, excess = recorded.slipped(motion.timeline), float(recorded.excess(motion.timeline).max())
+    return Thinned(motion, recorded.times.size, *worst, times, slipped, excess)
+
+
+def recorded_of(saved: Saved, distance: float, angle: float) -> Recorded:
+    """What is to be kept of a motion: a recording's own instants, or a solved motion at RATE and at its keyframes."""
+    for value, what, example in ((distance, "metres", "0.02"), (angle, "radians", "0.1")):
+        if not (np.isfinite(value) and value > 0):
+            raise UserError(
+                f"a motion cannot be thinned to within {value:g} {what}; give more than 0, such as {example}"
+            )
+    keys = np.array([key.time for key in saved.keys])
+    times, figure = _instants(saved, keys), saved.figure
+    qpos = figure.to_qpos(path_of(saved.timeline).at(times))
+    back = clips.around(saved)
+    travel, turn = back.get("travel"), clips.radians(back.get("turn"))
+    return Recorded(figure, times, qpos, Bound(distance, angle), saved.timeline.ends, travel, turn)
+
+
+def _instants(saved: Saved, keys: Array) -> Array:
+    first, last = keys[0], keys[-1]
+    if np.diff(keys).mean() <= 1.01 / saved.fps:
+        return keys
+    rate = min(saved.fps * np.ceil(RATE / saved.fps), 1 / clips.SHORTEST)
+    grid = first + np.arange(int((last - first) * rate) + 1) / rate
+    after = keys[np.searchsorted(keys, grid).clip(1, keys.size - 1)]
+    before = keys[np.searchsorted(keys, grid, side="right").clip(1, keys.size - 1) - 1]
+    apart = np.minimum(np.abs(after - grid), np.abs(grid - before))
+    return np.sort(np.concatenate([keys, grid[apart > clips.SHORTEST]]))
+
+
+class _Text:
+    """A motion's clip text with other keyframes; none for a motion that came from no clip."""
+
+    def __init__(self, saved: Saved) -> None:
+        self.saved = saved
+        self.said = tables(clips.table_of(saved.text, saved.name)) if saved.text else None
+
+    def of(self, keys: Sequence[Frame]) -> str:
+        if self.said is None:
+            return ""
+        return written(_with_keys(self.said, self.saved, keys))
+
+
+def _with_keys(said: dict[str, Any], saved: Saved, keys: Sequence[Frame]) -> dict[str, Any]:
+    """A clip's tables through other keyframes, with the contacts that are inside them."""
+    search = clip_file.searching(said.get("solve", {})) | clips.around(saved)
+    out = said | {"solve": search, "keyframe": keyframe_tables(saved.figure, keys)}
+    if not search:
+        del out["solve"]
+    if "contact" in said:
+        first, last = keys[0].time, keys[-1].time
+        out["contact"] = [row for row in said["contact"] if first <= row["from"] and row["to"] <= last]
+    return out
+
+
+def write(found: Thinned, target: Path, *, exact: bool = False, note: str = "", overwrite: bool = False) -> list[Path]:
+    """Writes a thinned motion as a clip, .toml, or as a motion, .npz; gives the files written.
+
+    exact  the clip's [solve] leaves the spline as it is
+    note   the comment at a clip's head, if it is to be another than the motion's line
+    """
+    check(target)
+    saved = replace(found.motion, name=target.stem)
+    if target.suffix == ".toml":
+        return clip_file.write(saved, target, note=note or found.line, exact=exact, overwrite=overwrite)
+    save(saved, target)
+    return [target]
+
+
+def check(target: Path) -> None:
+    """Raises UserError unless a thinned motion can be written there."""
+    if target.suffix not in (".npz", ".toml"):
+        raise UserError(f"{target}: a thinned motion is written as a clip, .toml, or as a motion, .npz")
+    check_target(target)

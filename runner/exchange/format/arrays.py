@@ -1,0 +1,90 @@
+"""NPZ of plain arrays: what MuJoCo's users pass around, and all that they need to play it.
+
+fps (), time (T,) [s]            time[i] = time[0] + i / fps
+qpos (T, nq), qvel, qacc (T, nv) MuJoCo's order and units; quaternions wxyz, unit and sign-continuous
+joint_names (njnt,), body_names (nbody,)
+mjcf ()                          the whole scene: mujoco.MjModel.from_xml_string(str(numpy.load(FILE)["mjcf"]))
+
+Read are `qpos` and `time` or `fps`, and `mjcf` where no figure is named; `joint_names`, if there, must be the
+figure's.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import mujoco
+import numpy as np
+
+from solver.quaternion import Array
+
+from ...errors import UserError
+from ...motion import asset_arrays, assets_in, write_arrays
+from ...scene.assets import Scene
+from ...scene.compose import first_line, quietly
+from .. import unsaid
+from ..held import Held, held, names_in, times
+from ..robot import needs_figure
+from ..take import Recording, Take
+
+
+def write(take: Take, path: Path) -> None:
+    """All of it in double precision."""
+    model = take.model
+    arrays = {
+        "fps": take.fps,
+        "time": take.time,
+        "qpos": take.qpos,
+        "qvel": take.qvel,
+        "qacc": take.qacc,
+        "joint_names": np.array([model.joint(i).name for i in range(model.njnt)]),
+        "body_names": np.array([model.body(i).name for i in range(model.nbody)]),
+        "mjcf": np.array(take.saved.mjcf),
+        **asset_arrays(take.saved.scene),
+    }
+    write_arrays(path, arrays)
+
+
+def recognises(path: Path) -> bool:
+    """Whether an .npz is of this kind."""
+    return "qpos" in names_in(path) and "split_points" not in names_in(path)
+
+
+def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
+    """Raises UserError for arrays that are missing, of other shapes, or for another figure."""
+    found = held(path)
+    mjcf = None
+    if model is None:
+        if "mjcf" not in found:
+            raise UserError(f"{path}: it has no 'mjcf', the figure; {unsaid.FIGURE}")
+        mjcf = str(found.of("mjcf"))
+    try:
+        assets = assets_in(found.entries)
+        scene = None if mjcf is None else Scene.received(mjcf, assets)
+    except (ValueError, KeyError) as error:
+        raise UserError(f"{path}: the files of its figure: {error}") from None
+    figure = _compiled(scene, path) if scene is not None else needs_figure(model, path)
+    names = [figure.joint(i).name for i in range(figure.njnt)]
+    if "joint_names" in found and found.texts("joint_names") != names:
+        raise UserError(
+            f"{path}: its joints are {', '.join(found.texts('joint_names'))}; the figure's {', '.join(names)}"
+        )
+    qpos = found.numbers("qpos", "samples", figure.nq)
+    rate = found.rate("fps") if "fps" in found else fps
+    return Recording(_time(found, len(qpos), rate), qpos, mjcf, fps=rate, assets=assets)
+
+
+def _time(found: Held, count: int, fps: float | None) -> Array:
+    if "time" in found:
+        return found.numbers("time", "samples")
+    if fps is None:
+        raise UserError(f"{found.place}: it has neither 'time' nor 'fps'; {unsaid.RATE}")
+    return times(count, fps)
+
+
+def _compiled(scene: Scene, path: Path) -> mujoco.MjModel:
+    try:
+        with quietly():
+            return scene.model()
+    except ValueError as error:
+        raise UserError(f"{path}: MuJoCo cannot compile its 'mjcf': {first_line(error)}") from None

@@ -1,0 +1,102 @@
+"""BVH: centimetres, y up, the figure looks along z; a joint a body, its rotations relative to the model's own pose.
+
+A body's axes at rest may be turned against the world's; a joint's here never are: all angles are nought in the model's
+own pose, qpos0. Roots turn in the order Y X Z, joints in Z Y X, so that neither a turn nor a bent knee comes near a
+right angle in the middle. A body whose place in its parent changes (a slide, a joint off the body's origin) has
+positions, too.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import mujoco
+import numpy as np
+
+from solver import quaternion as quat
+from solver.quaternion import Array
+
+from .. import euler
+from ..skeleton import bvh_file, captured_figure, hierarchy, retarget
+from ..skeleton.bvh_file import Joint, Skeleton, written
+from ..skeleton.captured import Captured
+from ..take import Recording, Take
+
+CENTIMETRES = 100.0
+FIXED = 1e-7  # [m]: less is no movement
+LIFTED = 0.002  # [m] worth a note
+PLACES = ("Xposition", "Yposition", "Zposition")
+
+
+def write(take: Take, path: Path) -> None:
+    path.write_text(written(skeleton(take)), encoding="utf-8", newline="\n")
+
+
+def read(path: Path, model: mujoco.MjModel | None, fps: float | None, *, scale: float | None = None) -> Recording:
+    """As a figure of its own, or on a figure whose bodies have like names.
+
+    fps is for files that do not tell it; these do. scale [m]: the file's unit of length, guessed if not said
+    """
+    found, rate = bvh_file.read(path)
+    captured = Captured.of(found, scale)
+    time = np.arange(len(found.values)) / rate
+    if model is not None:
+        qpos, notes = retarget.onto(captured, model, str(path))
+        return Recording(time, qpos, fps=rate, notes=(*captured.notes, *notes))
+    lift = -captured.ground
+    note = (f"raised by {lift:+.3f} m, so that feet meet the ground",) if abs(lift) > LIFTED else ()
+    mjcf, qpos = captured_figure.figure(captured.raised(lift))
+    return Recording(time, qpos, mjcf, rate, (*captured.notes, *note))
+
+
+def skeleton(take: Take) -> Skeleton:
+    """The moving bodies as joints; under a root that stands still at the origin if they are several figures."""
+    model, names = take.model, hierarchy.names(take.model)
+    bodies = [body for body in range(1, model.nbody) if model.body_weldid[body] != 0]
+    tops = [body for body in bodies if model.body_weldid[model.body_parentid[body]] == 0]
+    at_rest = hierarchy.rest(model)
+    place = y_up(take.bodies.position)
+    turn = _turned(quat.product(take.bodies.rotation, quat.conjugate(at_rest.rotation)))
+    place_at_rest = y_up(at_rest.position[0])
+    rows = ([0] if len(tops) > 1 else []) + bodies
+    joints, columns = [], []
+    for body in rows:
+        above = int(model.body_parentid[body]) if body not in tops or len(tops) > 1 else 0
+        above = 0 if body in tops else above
+        is_root = body == rows[0]
+        relative = quat.product(quat.conjugate(turn[:, above]), turn[:, body])
+        moved = quat.rotated(quat.conjugate(turn[:, above]), place[:, body] - place[:, above])
+        moves = is_root or float(np.ptp(moved, axis=0).max()) > FIXED
+        order = "YXZ" if is_root or body in tops else "ZYX"
+        joints.append(
+            Joint(
+                "_".join(names[body].split()),
+                -1 if is_root else rows.index(above),
+                np.zeros(3) if moves else CENTIMETRES * (place_at_rest[body] - place_at_rest[above]),
+                (*(PLACES if moves else ()), *(f"{axis}rotation" for axis in order)),
+                None if body in model.body_parentid[bodies] else _end(model, body, at_rest.rotation[0, body]),
+            )
+        )
+        columns += [CENTIMETRES * moved] if moves else []
+        columns.append(np.degrees(euler.angles(quat.normalised(relative), order)))
+    return Skeleton(tuple(joints), 1 / take.fps, np.concatenate(columns, axis=1))
+
+
+def y_up(vector: Array) -> Array:
+    """(..., 3) from our axes to theirs."""
+    return np.roll(vector, -1, axis=-1)
+
+
+def _turned(q: Array) -> Array:
+    """Rotations (..., 4) from our axes to theirs."""
+    return np.concatenate([q[..., :1], y_up(q[..., 1:])], axis=-1)
+
+
+def _end(model: mujoco.MjModel, body: int, rotation: Array) -> Array:
+    """Where a body ends: at its farthest site, or the middle of its farthest geom."""
+    sites = model.site_pos[model.site_bodyid == body]
+    points = sites if len(sites) else model.geom_pos[model.geom_bodyid == body]
+    if not len(points):
+        return np.zeros(3)
+    far = points[np.argmax(np.linalg.norm(points, axis=1))]
+    return CENTIMETRES * y_up(quat.rotated(rotation, far))

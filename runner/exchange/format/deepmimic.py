@@ -1,0 +1,137 @@
+"""JSON of DeepMimic (and its data/motions/*.txt): the frames of its humanoid, y up.
+
+Loop    "none", "wrap" (the last frame is the first again, moved on) or "mirror"; of our motions, loops wrap
+Frames  [[duration to the next frame [s], root position (3) [m], root rotation wxyz (4), chest (4), neck (4),
+        right_hip (4), right_knee (1), right_ankle (4), right_shoulder (4), right_elbow (1), the left likewise], ...]:
+        rotations wxyz relative to the parent, angles [rad] about z
+
+x is forward, y up, z to the right, where MuJoCo's figures have x, z and -y: (x, y, z) of theirs is (x, -z, y) of
+ours, and so are the vector parts of quaternions. At rest it stands with hanging arms, like the human; knees bend
+about -z, elbows about z. Source: xbpeng/DeepMimic, data/characters/humanoid3d.txt, DeepMimicCore/anim/Motion.cpp
+(PostProcessFrames: a frame's time is the sum of the durations before it; the last one's is none).
+
+The humanoid is smaller: lengths are scaled by the height of the hips above the soles, so that feet stay on the
+ground. It has a neck, which our figures lack: ours write none, and theirs is not read. Ball joints at knee and elbow
+are written as their turn about the bending axis; what they twist or swing beside it does not fit in.
+"""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import mujoco
+import numpy as np
+
+from solver import quaternion as quat
+from solver.quaternion import Array
+
+from ...errors import UserError
+from ..held import Held
+from ..robot import needs_figure
+from ..skeleton.person import Person
+from ..take import Recording, Take
+
+NAME = "deepmimic"
+LIMB = (("hip", 4), ("knee", 1), ("ankle", 4), ("shoulder", 4), ("elbow", 1))
+JOINTS = (("chest", 4), ("neck", 4), *((f"{side}_{part}", n) for side in ("right", "left") for part, n in LIMB))
+OURS = {"chest": "spine"}
+WIDTH = 8 + sum(width for _, width in JOINTS)
+HIPS = 0.421546 + 0.409870 + 0.0225 + 0.0275  # above the soles: thigh, shin, and the box of the foot [m]
+LOST = np.radians(1)  # beside the axis of a knee or elbow, from which on it is told
+
+
+def ours(vector: Array) -> Array:
+    """(..., 3) in our axes, of theirs."""
+    return np.stack([vector[..., 0], -vector[..., 2], vector[..., 1]], -1)
+
+
+def theirs(vector: Array) -> Array:
+    """(..., 3) in their axes, of ours."""
+    return np.stack([vector[..., 0], vector[..., 2], -vector[..., 1]], -1)
+
+
+def write(take: Take, path: Path) -> None:
+    """A motion of a person; a loop is sampled so that its last frame is its end."""
+    person = Person.of(take.model, NAME)
+    whole = take.period
+    steps = np.append(np.full(len(whole.time) - 1, 1 / whole.fps), 0.0)
+    position = whole.qpos[:, person.root : person.root + 3] * (HIPS / person.height)
+    columns = [steps[:, None], theirs(position), _their_rotation(person.rotation(whole.qpos))]
+    lost = {}
+    for name, width in JOINTS:
+        if name == "neck":
+            columns.append(np.tile([1.0, 0, 0, 0], (len(steps), 1)))
+            continue
+        own = person.rotation(whole.qpos, OURS.get(name, name))
+        if width == 4:
+            columns.append(_their_rotation(own))
+            continue
+        angle = 2 * np.arctan2(own[:, 2], own[:, 0])
+        bent = quat.from_rotation_vector(angle[:, None] * np.array([0, 1.0, 0]))
+        lost[name] = float(quat.angle_between(bent, own).max())
+        columns.append(-np.unwrap(angle)[:, None])
+    worst = max(lost, key=lambda name: lost[name])
+    if lost[worst] > LOST:
+        take.notes.append(
+            f"'{worst}' is a hinge there: up to {np.degrees(lost[worst]):.1f}° of twist and swing are left out"
+        )
+    rows = ",\n".join(json.dumps(row) for row in np.concatenate(columns, 1).tolist())
+    loop = "wrap" if take.is_wrapped else "none"
+    path.write_text(f'{{\n"Loop": "{loop}",\n"Frames":\n[\n{rows}\n]\n}}\n', encoding="utf-8")
+
+
+def _their_rotation(rotation: Array) -> Array:
+    return np.concatenate([rotation[..., :1], theirs(rotation[..., 1:])], -1)
+
+
+def recognises(path: Path) -> bool:
+    """Whether a text is of this kind."""
+    return b'"Frames"' in path.read_bytes()
+
+
+def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
+    """Their humanoid's motion on a person; raises UserError for other skeletons, of other numbers a frame."""
+    person = Person.of(needs_figure(model, path), NAME)
+    found = Held(path, _parsed(path))
+    frames = found.numbers("Frames", "frames", "numbers")
+    if frames.shape[1] != WIDTH:
+        names = ", ".join(name for name, _ in JOINTS)
+        raise UserError(f"{path}: {frames.shape[1]} numbers a frame, not the humanoid's {WIDTH}: time, root, {names}")
+    if len(frames) > 1 and frames[:-1, 0].min() <= 0:
+        raise UserError(f"{path}: frame {int(np.argmin(frames[:-1, 0])) + 1} lasts {frames[:-1, 0].min():g} s")
+    joints, start = {}, 8
+    for name, width in JOINTS:
+        part = frames[:, start : start + width]
+        start += width
+        if name == "neck":
+            continue
+        if width == 1:
+            rotation = quat.from_rotation_vector(-part * np.array([0, 1.0, 0]))
+        else:
+            rotation = _our_rotation(part, name, path)
+        joints[OURS.get(name, name)] = rotation
+    position = ours(frames[:, 1:4]) * (person.height / HIPS)
+    qpos = person.posed(position, _our_rotation(frames[:, 4:8], "root", path), joints)
+    steps = frames[:-1, 0]
+    rate = float(1 / steps.mean()) if steps.size and np.ptp(steps) < 1e-9 else None
+    return Recording(
+        np.concatenate([[0.0], np.cumsum(steps)]), qpos, fps=rate, loops=found.entries.get("Loop") == "wrap"
+    )
+
+
+def _our_rotation(part: Array, name: str, path: Path) -> Array:
+    called = f"Frames, the rotation of {name}"
+    rotation = Held(path, {called: part}).quaternions(called, "frames", 4)
+    return np.concatenate([rotation[:, :1], ours(rotation[:, 1:])], 1)
+
+
+def _parsed(path: Path) -> dict[str, Any]:
+    try:
+        found = json.loads(path.read_text(encoding="utf-8"))
+    except (ValueError, RecursionError) as error:
+        raise UserError(f"{path}: not JSON: {' '.join(str(error).split())}") from None
+    if not isinstance(found, dict):
+        raise UserError(f"{path}: a list, not an object with 'Loop' and 'Frames'")
+    return found

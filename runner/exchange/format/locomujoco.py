@@ -1,0 +1,96 @@
+"""NPZ of LocoMuJoCo: a Trajectory as its `save` writes it and its `load` reads it, every array filled in.
+
+qpos (T, nq), qvel (T, nv)                     MuJoCo's; free joints and hinges only
+xpos, xquat, cvel, subtree_com (T, nbody, ...) of mjData at every sample, the world first
+site_xpos (T, nsite, 3), site_xmat (T, nsite, 9)
+split_points (2,)                              first sample of every motion, and the end of the last: 0, T
+joint_names, body_names, site_names, frequency [1/s]
+njnt, jnt_type, nbody, body_rootid, body_weldid, body_mocapid, body_pos, body_quat, body_ipos, body_iquat,
+nsite, site_bodyid, site_pos, site_quat        of mjModel
+
+Source: LocoMuJoCo 1.0, loco_mujoco/trajectory/dataclasses.py: `load` refuses every name that it does not know, and
+ball joints raise. So a ball joint is three hinges (`hinged`), and the model that has them is written beside the file.
+`metadata` is left out: None would be a pickle.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import mujoco
+import numpy as np
+
+from solver.quaternion import Array
+
+from ...errors import UserError
+from ...motion import write_arrays
+from ..held import Held, held, names_in, times
+from ..robot import configurations, needs_figure
+from ..take import Recording, Take
+from .mjlab import beside as beside
+
+NAME = "locomujoco"
+OF_MODEL = (
+    "jnt_type", "body_rootid", "body_weldid", "body_mocapid", "body_pos", "body_quat", "body_ipos", "body_iquat",
+    "site_bodyid", "site_pos", "site_quat",
+)  # fmt: skip
+OF_DATA = ("xpos", "xquat", "cvel", "subtree_com", "site_xpos", "site_xmat")
+WIDTHS = {0: 7, 2: 1, 3: 1}  # of a joint's type in qpos
+
+
+def write(take: Take, path: Path) -> None:
+    """In double precision."""
+    hinged = take.hinged
+    model = hinged.model
+    arrays = {
+        "qpos": hinged.qpos,
+        "qvel": hinged.qvel,
+        "split_points": np.array([0, len(hinged.qpos)]),
+        "joint_names": np.array([model.joint(i).name or f"joint{i}" for i in range(model.njnt)]),
+        "body_names": np.array([model.body(i).name or f"body{i}" for i in range(model.nbody)]),
+        "site_names": np.array([model.site(i).name or f"site{i}" for i in range(model.nsite)], dtype=np.str_),
+        "frequency": np.array(take.fps),
+        **{name: np.array(getattr(model, name)) for name in ("njnt", "nbody", "nsite", *OF_MODEL)},
+        **_of_data(model, hinged.qpos, hinged.qvel),
+    }
+    write_arrays(path, arrays)
+
+
+def _of_data(model: mujoco.MjModel, qpos: Array, qvel: Array) -> dict[str, Array]:
+    """What MuJoCo makes of every sample, by name."""
+    data = mujoco.MjData(model)
+    out = {name: np.zeros((len(qpos), *getattr(data, name).shape)) for name in OF_DATA}
+    for t in range(len(qpos)):
+        data.qpos, data.qvel = qpos[t], qvel[t]
+        mujoco.mj_fwdPosition(model, data)
+        mujoco.mj_fwdVelocity(model, data)
+        for name, array in out.items():
+            array[t] = getattr(data, name)
+    return out
+
+
+def recognises(path: Path) -> bool:
+    """Whether an .npz is of this kind."""
+    return {"qpos", "split_points"} <= names_in(path)
+
+
+def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
+    """The joints by name; raises UserError for files of several motions, and for other joints than the figure's."""
+    model = needs_figure(model, path)
+    found = held(path)
+    splits = found.numbers("split_points", "splits")
+    if len(splits) > 2:
+        raise UserError(f"{path}: it holds {len(splits) - 1} motions one after another; cut them apart first")
+    names, kinds = found.texts("joint_names"), found.numbers("jnt_type", "joints").astype(int).tolist()
+    if len(kinds) != len(names) or not set(kinds) <= WIDTHS.keys() or kinds.count(0) != 1:
+        raise UserError(f"{path}: 'jnt_type' does not tell one free joint and hinges, one for each of 'joint_names'")
+    starts = np.cumsum([0, *(WIDTHS[kind] for kind in kinds)]).tolist()
+    qpos = found.numbers("qpos", "samples", starts[-1])
+    root = starts[kinds.index(0)]
+    hinges = [i for i, kind in enumerate(kinds) if kind != 0]
+    rotation = Held(path, {"qpos (the root's quaternion)": qpos[:, root + 3 : root + 7]})
+    turned = rotation.quaternions("qpos (the root's quaternion)", "samples", 4)
+    joints, called = qpos[:, [starts[i] for i in hinges]], [names[i] for i in hinges]
+    rate = found.rate("frequency") if "frequency" in found or fps is None else fps
+    qpos = configurations(model, NAME, path, qpos[:, root : root + 3], turned, joints, called)
+    return Recording(times(len(qpos), rate), qpos, fps=rate)

@@ -1,0 +1,147 @@
+"""Pickle of MimicKit: a dict of frames, the root and every joint of a character as numbers in a row.
+
+fps        [1/s]
+loop_mode  0 for clamp, 1 for wrap, where the last frame is the first again, moved on; of our motions, loops wrap
+frames     T rows: root position (3) [m], root rotation (3) as rotation vector [rad], then body after body, depth first:
+           a ball joint as rotation vector (3) relative to the parent at rest, a hinge as its angle from rest (1); z up
+
+Source: MimicKit, mimickit/anim/motion.py, motion_lib.extract_pose_data, kin_char_model.dof_to_rot and
+mjcf_char_model._parse_sphere_joint: three hinges on one body *are* a ball joint there, in whatever order, and slides
+or two hinges are refused. A loop is sampled so that its last frame is its end: the rate is the nearest that does. For
+a figure of ball joints the character file, with three hinges x, y, z for each, is written beside the motion's.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import mujoco
+import numpy as np
+
+from solver import quaternion as quat
+from solver.quaternion import Array
+
+from ...errors import UserError
+from ..held import times
+from ..pickles import plain_pickle
+from ..robot import FREE, needs_figure
+from ..skeleton.hinged import BALL, Layout, angles, rotation_of
+from ..take import Recording, Take
+
+CLAMP, WRAP = 0, 1
+HINGE = int(mujoco.mjtJoint.mjJNT_HINGE)
+CHARACTER = "xyz"  # order of the hinges in their character files
+
+
+@dataclass(frozen=True)
+class Part:
+    """The joint of one body: columns in qpos (one angle, four of a quaternion, or three angles in an order).
+
+    rest  of angles, what they are at rest, their `ref`, where MimicKit's are nought
+    """
+
+    columns: list[int]
+    order: str | None = None
+    rest: tuple[float, ...] = ()
+
+    @property
+    def width(self) -> int:
+        return 1 if len(self.columns) == 1 else 3
+
+    def numbers(self, qpos: Array) -> Array:
+        """(T, width) of a frame, of configurations (T, nq)."""
+        own = qpos[:, self.columns] - (self.rest or 0.0)
+        if len(self.columns) == 1:
+            return own
+        return quat.rotation_vector(own if self.order is None else rotation_of(own, self.order))
+
+    def configuration(self, numbers: Array) -> Array:
+        """The columns of qpos, of (T, width) numbers."""
+        if self.width == 1:
+            return numbers + self.rest
+        rotation = quat.aligned(quat.from_rotation_vector(numbers))
+        return rotation if self.order is None else angles(rotation[:, None], self.order)[:, 0] + self.rest
+
+
+def parts(model: mujoco.MjModel) -> tuple[int, list[Part]]:
+    """The first column of the root and the joints of the bodies after it; raises UserError for what MimicKit lacks."""
+    kinds = model.jnt_type.tolist()
+    if kinds.count(FREE) != 1:
+        raise UserError("the format 'mimickit' is for a figure with one free joint, its root")
+    root = int(model.jnt_bodyid[kinds.index(FREE)])
+    out = []
+    for body in range(model.nbody):
+        joints = [j for j in range(model.njnt) if int(model.jnt_bodyid[j]) == body and kinds[j] != FREE]
+        if not joints:
+            continue
+        name = model.body(body).name or f"body{body}"
+        if int(model.body_rootid[body]) != root or body == root:
+            raise UserError(f"the format 'mimickit' has no place for the joints of the body '{name}'")
+        out.append(_part(model, joints, name))
+    return int(model.jnt_qposadr[kinds.index(FREE)]), out
+
+
+def _part(model: mujoco.MjModel, joints: list[int], name: str) -> Part:
+    own = [int(model.jnt_type[joint]) for joint in joints]
+    columns = [int(model.jnt_qposadr[joint]) for joint in joints]
+    if own == [BALL]:
+        return Part([columns[0] + n for n in range(4)])
+    rest = tuple(model.qpos0[columns].tolist())
+    if own == [HINGE]:
+        return Part(columns, rest=rest)
+    if own == [HINGE] * 3:
+        axes = [model.jnt_axis[joint] for joint in joints]
+        order = "".join("xyz"[int(np.argmax(axis))] for axis in axes)
+        if sorted(order) == list("xyz") and all(axis.max() > 1 - 1e-9 for axis in axes):
+            return Part(columns, order, rest)
+    raise UserError(
+        f"the format 'mimickit' has one ball joint, one hinge, or three about x, y and z a body; '{name}' has others"
+    )
+
+
+def write(take: Take, path: Path) -> None:
+    """Plain numbers in lists, as they write it."""
+    whole = take.period
+    root, joints = parts(take.model)
+    at, turn = whole.qpos[:, root : root + 3], quat.rotation_vector(whole.qpos[:, root + 3 : root + 7])
+    frames = np.concatenate([at, turn, *(part.numbers(whole.qpos) for part in joints)], axis=1)
+    entries = {"loop_mode": WRAP if take.is_wrapped else CLAMP, "fps": whole.fps, "frames": frames.tolist()}
+    plain_pickle.dump(entries, path)
+    if abs(whole.fps - take.fps) > 1e-9:
+        take.notes.append(f"{whole.fps:.6g} samples a second, so that the last is the end of the loop")
+
+
+def beside(take: Take) -> dict[str, str | bytes]:
+    """The character file and what it refers to, if the figure has ball joints."""
+    layout = Layout(take.model, CHARACTER)
+    return {".character.xml": layout.mjcf(take.saved.mjcf), **take.saved.scene.assets} if layout.balls else {}
+
+
+def recognises(path: Path) -> bool:
+    """Whether a pickle is of this kind."""
+    return b"loop_mode" in path.read_bytes()
+
+
+def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
+    """The figure's joints in its order: the file has no names, only as many numbers."""
+    figure = needs_figure(model, path)
+    root, joints = parts(figure)
+    found = plain_pickle.load(path)
+    rate = found.rate("fps") if "fps" in found or fps is None else fps
+    frames = found.numbers("frames", "T", "numbers")
+    width = 6 + sum(part.width for part in joints)
+    if frames.shape[1] != width:
+        raise UserError(
+            f"{path}: {frames.shape[1]} numbers a frame; the figure has {width}: root 6, "
+            f"{sum(part.width == 3 for part in joints)} ball joints 3 each, hinges 1 each"
+        )
+    qpos = np.tile(figure.qpos0, (len(frames), 1))
+    qpos[:, root : root + 3] = frames[:, :3]
+    qpos[:, root + 3 : root + 7] = quat.aligned(quat.from_rotation_vector(frames[:, 3:6]))
+    start = 6
+    for part in joints:
+        qpos[:, part.columns] = part.configuration(frames[:, start : start + part.width])
+        start += part.width
+    loops = "loop_mode" in found and found.whole("loop_mode") == WRAP
+    return Recording(times(len(frames), rate), qpos, fps=rate, loops=loops)

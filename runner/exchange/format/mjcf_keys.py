@@ -1,0 +1,93 @@
+"""MJCF with <keyframe>: the figure and its scene, and a <key> with time, qpos and qvel for every instant.
+
+`mujoco.MjModel.from_xml_path` reads it; `model.key_time`, `key_qpos` and `key_qvel` are the motion, and MuJoCo's
+viewer shows a key after the other. A key is named after the motion and its number, as keys need names of their own.
+Every number has the digits that bring it back exactly, which MuJoCo's own writer does not give. The times of a
+model's keys are its motion when it is read; keys without a time are poses, and no motion.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from xml.etree import ElementTree
+
+import mujoco
+import numpy as np
+
+from ...errors import UserError
+from ...scene.assets import taken_along
+from ...scene.compose import figure_spec, first_line, quietly
+from ...scene.mujoco_versions import portable_text, remove
+from ..held import Held
+from ..take import Recording, Take
+from . import simulated
+
+
+def write(take: Take, path: Path) -> None:
+    """Keys after the model as it is, or one that stands by itself, see `simulated`."""
+    drives = simulated.drives(take) if take.wishes.simulate else None
+    root = ElementTree.fromstring(take.saved.mjcf) if drives is None else simulated.scene(take, drives)
+    controls = None if drives is None else simulated.targets(take, drives)
+    for keyframes in root.findall("keyframe"):
+        root.remove(keyframes)
+    keyframes = ElementTree.SubElement(root, "keyframe")
+    stem = re.sub(r"\W+", "_", take.name) or "key"
+    for i, (time, qpos, qvel) in enumerate(zip(take.time.tolist(), take.qpos, take.qvel, strict=True)):
+        values = {"name": f"{stem}_{i}", "time": repr(time), "qpos": _written(qpos), "qvel": _written(qvel)}
+        if controls is not None:
+            values["ctrl"] = _written(controls[i])
+        ElementTree.SubElement(keyframes, "key", values)
+    if drives is not None:
+        take.notes.append(f"{len(drives)} position actuators; `ctrl` of the keys is what to aim them at")
+    ElementTree.indent(root)
+    ElementTree.ElementTree(root).write(path, encoding="unicode")
+
+
+def beside(take: Take) -> dict[str, str | bytes]:
+    """The files that the model refers to."""
+    return dict(take.saved.scene.assets)
+
+
+def _written(row: np.ndarray) -> str:
+    return " ".join(map(repr, row.tolist()))
+
+
+def recognises(path: Path) -> bool:
+    """Whether an .xml is MJCF."""
+    return b"<mujoco" in path.read_bytes()
+
+
+def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
+    """The model's keys in its own figure, or in the figure given, if its qpos is as long."""
+    spec = figure_spec(str(path))
+    written = [np.array(key.qpos) for key in spec.keys]
+    try:
+        with quietly():
+            own = spec.compile()
+    except ValueError as error:
+        raise UserError(f"{path}: MuJoCo cannot compile it: {first_line(error)}") from None
+    if own.nkey < 2:
+        raise UserError(f"{path}: the model has {own.nkey or 'no'} <key> elements; a motion needs two or more")
+    qpos = np.array(own.key_qpos)
+    for i, row in enumerate(written):
+        if row.size not in (0, own.nq):
+            raise UserError(f"{path}: qpos of key {i + 1} has {row.size} numbers, not the figure's {own.nq}")
+        if row.size:
+            qpos[i] = row  # as written: MuJoCo makes quaternions unit
+    found = Held(path, {"time": np.array(own.key_time), "qpos": qpos})
+    time = found.numbers("time", "keys")
+    if not np.any(time != time[0]):
+        raise UserError(f"{path}: all its keys are of the time {time[0]:g}; a motion's times rise")
+    wanted = own.nq if model is None else model.nq
+    if wanted != own.nq:
+        raise UserError(f"{path}: its qpos has {own.nq} numbers; the figure's {wanted}")
+    for key in list(spec.keys):
+        remove(spec, key)
+    values = found.numbers("qpos", "keys", wanted)
+    if model is not None:
+        return Recording(time, values)
+    assets = taken_along(spec)
+    spec.assets = dict(assets)
+    spec.compile()
+    return Recording(time, values, portable_text(spec), assets=assets)

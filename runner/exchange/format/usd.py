@@ -1,0 +1,168 @@
+"""USD (.usd, .usda, .usdc): a Xform a body, moved at every time code; z up, metres, time codes are the samples.
+
+A body's place is relative to its parent's, its geoms are Gprims in it (cubes, spheres, capsules, cylinders and meshes),
+with displayColor for viewers and UsdPreviewSurface for renderers. https://openusd.org/release/api/
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import mujoco
+import numpy as np
+from pxr import Gf, Sdf, Tf, Usd, UsdGeom, UsdShade, Vt
+
+from solver import quaternion as quat
+from solver.quaternion import Array
+
+from ...errors import UserError
+from ..skeleton import hierarchy
+from ..take import Take
+from ..triangles import Piece, linear, pieces, texels, triangles
+
+ENDINGS = (".usd", ".usda", ".usdc")
+STILL = 1e-9  # [m, or of a quaternion's entries]: less is no movement
+
+
+def write(take: Take, path: Path) -> None:
+    """Binary for .usd and .usdc, text for .usda."""
+    if path.suffix not in ENDINGS:
+        raise UserError(f"a USD file's name ends in one of: {', '.join(ENDINGS)}")
+    stage = Usd.Stage.CreateInMemory()
+    UsdGeom.SetStageUpAxis(stage, UsdGeom.Tokens.z)
+    UsdGeom.SetStageMetersPerUnit(stage, 1.0)
+    stage.SetTimeCodesPerSecond(take.fps)
+    stage.SetFramesPerSecond(take.fps)
+    stage.SetStartTimeCode(0)
+    stage.SetEndTimeCode(len(take.time) - 1)
+    paths = _bodies(stage, take)
+    looks: dict[tuple[object, ...], UsdShade.Material] = {}
+    scope = UsdGeom.Scope.Define(stage, _free(stage, paths[0], "looks")).GetPrim()
+    reach = 10.0 + float(np.abs(take.bodies.position).max())
+    for piece in pieces(take.model):
+        _bind(_prim(stage, take.model, piece, paths[piece.body], reach), take.model, piece, looks, scope)
+    try:
+        is_written = stage.GetRootLayer().Export(str(path))
+    except Tf.ErrorException:  # it lists what it was doing, over many lines
+        is_written = False
+    if not is_written:
+        raise UserError(f"cannot write '{path}': the disk is full, or a limit on the size of files is reached")
+
+
+def _free(stage: Usd.Stage, above: Sdf.Path, text: str) -> Sdf.Path:
+    """A path of this name that nothing has: letters, digits and underscores, no digit first."""
+    clean = re.sub(r"\W", "_", text, flags=re.ASCII)
+    clean = clean if clean and not clean[0].isdigit() else f"_{clean}"
+    count, path = 2, above.AppendChild(clean)
+    while stage.GetPrimAtPath(path):
+        count, path = count + 1, above.AppendChild(f"{clean}_{count}")
+    return path
+
+
+def _bodies(stage: Usd.Stage, take: Take) -> list[Sdf.Path]:
+    """Every body's Xform; the world is the default prim."""
+    model, position_rotation = take.model, hierarchy.local(take.model, take.bodies)
+    names = hierarchy.names(model)
+    paths: list[Sdf.Path] = []
+    for body in range(model.nbody):
+        above = paths[int(model.body_parentid[body])] if body else Sdf.Path.absoluteRootPath
+        path = _free(stage, above, names[body] if body else take.name)
+        paths.append(path)
+        form = UsdGeom.Xform.Define(stage, path)
+        form.GetPrim().SetDisplayName(names[body] if body else take.name)
+        if body == 0:
+            stage.SetDefaultPrim(form.GetPrim())
+            form.GetPrim().SetCustomDataByKey("keyframes", _keyframes(take))
+            continue
+        position, rotation = (track[:, body] for track in position_rotation)
+        _animate(form.AddTranslateOp(UsdGeom.XformOp.PrecisionDouble), position, lambda row: Gf.Vec3d(*row.tolist()))
+        _animate(form.AddOrientOp(UsdGeom.XformOp.PrecisionDouble), rotation, lambda row: Gf.Quatd(*row.tolist()))
+    return paths
+
+
+def _keyframes(take: Take) -> Vt.DoubleArray:
+    """Time codes of the keyframes, whole or not."""
+    return Vt.DoubleArray([round((key.time - float(take.time[0])) * take.fps, 6) for key in take.saved.keys])
+
+
+def _animate(op: UsdGeom.XformOp, track: Array, kind: Callable[[Array], Any]) -> None:
+    """A value a time code; one for all if nothing moves."""
+    if np.abs(track - track[0]).max() <= STILL:
+        op.Set(kind(track[0]))
+        return
+    for code, row in enumerate(track):
+        op.Set(kind(row), Usd.TimeCode(code))
+
+
+def _prim(stage: Usd.Stage, model: mujoco.MjModel, piece: Piece, body: Sdf.Path, reach: float) -> UsdGeom.Gprim:
+    """A geom on its body, beside bodies of the same name."""
+    path = _free(stage, body, f"{piece.name}_geom")
+    size, scale = piece.size, None
+    match piece.kind:
+        case mujoco.mjtGeom.mjGEOM_BOX:
+            prim, scale = UsdGeom.Cube.Define(stage, path), size
+            prim.CreateSizeAttr(2.0)
+        case mujoco.mjtGeom.mjGEOM_SPHERE:
+            prim = UsdGeom.Sphere.Define(stage, path)
+            prim.CreateRadiusAttr(float(size[0]))
+        case mujoco.mjtGeom.mjGEOM_ELLIPSOID:
+            prim, scale = UsdGeom.Sphere.Define(stage, path), size
+            prim.CreateRadiusAttr(1.0)
+        case mujoco.mjtGeom.mjGEOM_CAPSULE | mujoco.mjtGeom.mjGEOM_CYLINDER as kind:
+            shape = UsdGeom.Capsule if kind == mujoco.mjtGeom.mjGEOM_CAPSULE else UsdGeom.Cylinder
+            prim = shape.Define(stage, path)
+            prim.CreateAxisAttr(UsdGeom.Tokens.z)
+            prim.CreateRadiusAttr(float(size[0]))
+            prim.CreateHeightAttr(2 * float(size[1]))
+        case _:
+            prim = _mesh(stage, model, piece, path, reach)
+    prim.CreateExtentAttr(UsdGeom.Boundable.ComputeExtentFromPlugins(prim, Usd.TimeCode.Default()))
+    prim.AddTranslateOp(UsdGeom.XformOp.PrecisionDouble).Set(Gf.Vec3d(*piece.position.tolist()))
+    turn = quat.normalised(piece.rotation)
+    prim.AddOrientOp(UsdGeom.XformOp.PrecisionDouble).Set(Gf.Quatd(*turn.tolist()))
+    if scale is not None:
+        prim.AddScaleOp(UsdGeom.XformOp.PrecisionDouble).Set(Gf.Vec3d(*scale.tolist()))
+    return prim
+
+
+def _mesh(stage: Usd.Stage, model: mujoco.MjModel, piece: Piece, path: Sdf.Path, reach: float) -> UsdGeom.Mesh:
+    part = triangles(model, piece, reach)
+    mesh = UsdGeom.Mesh.Define(stage, path)
+    mesh.CreatePointsAttr(Vt.Vec3fArray.FromNumpy(np.ascontiguousarray(part.points, np.float32)))
+    mesh.CreateFaceVertexIndicesAttr(Vt.IntArray.FromNumpy(np.ascontiguousarray(part.faces.ravel(), np.int32)))
+    mesh.CreateFaceVertexCountsAttr(Vt.IntArray.FromNumpy(np.full(len(part.faces), 3, np.int32)))
+    mesh.CreateNormalsAttr(Vt.Vec3fArray.FromNumpy(np.ascontiguousarray(part.normals, np.float32)))
+    mesh.SetNormalsInterpolation(UsdGeom.Tokens.vertex)
+    mesh.CreateSubdivisionSchemeAttr(UsdGeom.Tokens.none)
+    mesh.CreateDoubleSidedAttr(bool(piece.kind == mujoco.mjtGeom.mjGEOM_HFIELD))
+    return mesh
+
+
+def _bind(
+    prim: UsdGeom.Gprim,
+    model: mujoco.MjModel,
+    piece: Piece,
+    looks: dict[tuple[object, ...], UsdShade.Material],
+    scope: Usd.Prim,
+) -> None:
+    """Its colour, in linear light, and a material that it shares with all that look alike; a picture is one colour."""
+    shown = piece.colour[:3] * (texels(model, piece.picture).mean(axis=(0, 1)) / 255 if piece.picture >= 0 else 1.0)
+    colour, opacity = Gf.Vec3f(*linear(shown).tolist()), float(piece.colour[3])
+    prim.CreateDisplayColorAttr(Vt.Vec3fArray([colour]))
+    if opacity < 1:
+        prim.CreateDisplayOpacityAttr(Vt.FloatArray([opacity]))
+    look = (*piece.colour.tolist(), piece.gloss, piece.picture)
+    if look not in looks:
+        stage = scope.GetStage()
+        material = UsdShade.Material.Define(stage, scope.GetPath().AppendChild(f"look_{len(looks) + 1}"))
+        shader = UsdShade.Shader.Define(stage, material.GetPath().AppendChild("surface"))
+        shader.CreateIdAttr("UsdPreviewSurface")
+        shader.CreateInput("diffuseColor", Sdf.ValueTypeNames.Color3f).Set(colour)
+        shader.CreateInput("roughness", Sdf.ValueTypeNames.Float).Set(max(0.05, 1 - piece.gloss))
+        shader.CreateInput("opacity", Sdf.ValueTypeNames.Float).Set(opacity)
+        material.CreateSurfaceOutput().ConnectToSource(shader.ConnectableAPI(), "surface")
+        looks[look] = material
+    UsdShade.MaterialBindingAPI.Apply(prim.GetPrim()).Bind(looks[look])

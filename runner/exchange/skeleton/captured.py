@@ -1,0 +1,160 @@
+"""A captured skeleton in our axes: metres, z up, looking along x where it stands straight; its feet and the ground."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from solver import quaternion as quat
+from solver.quaternion import Array
+
+from .. import unsaid
+from .bvh_file import Skeleton
+from .roles import roles
+
+REACH = 1.25  # [m] from an adult's hips along the bones to the fingertips or toes, about
+UNITS = {"metres": 1.0, "centimetres": 0.01, "millimetres": 0.001}
+ODD_UNITS = {"inches": 0.0254, "the CMU database's units": 0.0254 / 0.45}
+LIKELY = (0.55, 3.0)  # [m] that reach of anybody
+DRIFT = 0.01  # of the reach that a bone may change its length unmentioned
+
+
+@dataclass(frozen=True)
+class Captured:
+    """Joints, parents first (-1 for the root), at equal times.
+
+    offset (J, 3) [m] from the parent when nothing is turned, ends {joint: (3,)}, position (T, J, 3) and rotation
+    (T, J, 4) in the world, local (T, J, 4) in the parent's axes; notes on what was guessed
+    """
+
+    names: list[str]
+    parents: list[int]
+    offset: Array
+    ends: dict[int, Array]
+    position: Array
+    rotation: Array
+    local: Array
+    notes: tuple[str, ...] = ()
+
+    @classmethod
+    def of(cls, skeleton: Skeleton, scale: float | None = None) -> Captured:
+        """From a file's unit and axes; scale [m] its unit, guessed if not said."""
+        place, turn = skeleton.local
+        offset = np.where(np.ptp(place, axis=0) > 0, np.median(place, axis=0), place[0])
+        ends = {i: joint.end for i, joint in enumerate(skeleton.joints) if joint.end is not None}
+        unit, notes = _unit(skeleton.parents, offset, ends, scale)
+        drift = np.abs(place[:, 1:] - offset[1:]).max(axis=(0, 2), initial=0.0)
+        stretched = [skeleton.names[1 + i] for i in np.flatnonzero(unit * drift > DRIFT * REACH)]
+        if stretched:
+            notes += (f"bones keep their lengths; what moves in its parent is left out: {', '.join(stretched[:8])}",)
+        place = place.copy()
+        place[:, 1:] = offset[1:]
+        offset = np.concatenate([np.zeros((1, 3)), offset[1:]])
+        position, rotation = skeleton.placed(place, turn)
+        y_is_up = _y_is_up(skeleton, position)
+        if not y_is_up:
+            notes += ("z is up in the file",)
+
+        def ours(vector: Array) -> Array:
+            return np.roll(vector, 1, axis=-1) if y_is_up else vector
+
+        def turned(q: Array) -> Array:
+            return np.concatenate([q[..., :1], ours(q[..., 1:])], axis=-1)
+
+        names = _unique(skeleton.names)
+        return cls(
+            names, skeleton.parents, unit * ours(offset), {i: unit * ours(end) for i, end in ends.items()},
+            unit * ours(position), turned(rotation), turned(turn), notes,
+        )  # fmt: skip
+
+    @cached_property
+    def roles(self) -> dict[str, int]:
+        return roles(self.names, self.parents)
+
+    @cached_property
+    def at_zero(self) -> Array:
+        """(J, 3) where the joints are when nothing is turned, the root at the origin."""
+        place = np.zeros_like(self.offset)
+        for i, parent in enumerate(self.parents):
+            place[i] = self.offset[i] + (place[parent] if parent >= 0 else 0.0)
+        return place
+
+    def children(self, joint: int) -> list[int]:
+        return [i for i, parent in enumerate(self.parents) if parent == joint]
+
+    def tip(self, joint: int) -> tuple[int, Array]:
+        """The joint where a limb ends, from here on along the longest bones, and its End Site there (3,)."""
+        while below := self.children(joint):
+            joint = max(below, key=lambda i: float(np.linalg.norm(self.offset[i])))
+        return joint, self.ends.get(joint, np.zeros(3))
+
+    def at(self, joint: int, point: Array) -> Array:
+        """(T, 3) a joint's point in the world."""
+        return self.position[:, joint] + quat.rotated(self.rotation[:, joint], point)
+
+    @cached_property
+    def feet(self) -> dict[str, tuple[int, int, Array, int]]:
+        """By side: the ankle, the toe's joint, the toe's end there (3,), and the image in which the foot is lowest."""
+        out = {}
+        for side in ("left", "right"):
+            if f"{side}_foot" in self.roles:
+                ankle = self.roles[f"{side}_foot"]
+                toe, end = self.tip(ankle)
+                height = self.position[:, ankle, 2] + self.at(toe, end)[:, 2]
+                out[side] = (ankle, toe, end, int(np.argmin(height)))
+        return out
+
+    @cached_property
+    def ground(self) -> float:
+        """The height [m] of the lower foot's toe where it is lowest; nought if there are no feet."""
+        return min((float(self.at(toe, end)[low, 2]) for _, toe, end, low in self.feet.values()), default=0.0)
+
+    def raised(self, by: float) -> Captured:
+        return replace(self, position=self.position + np.array([0, 0, by]))
+
+
+def _unique(names: list[str]) -> list[str]:
+    """Names without doubles."""
+    out: list[str] = []
+    for name in names:
+        count, unique = 2, name
+        while unique in out:
+            unique, count = f"{name}_{count}", count + 1
+        out.append(unique)
+    return out
+
+
+def _unit(
+    parents: list[int], offset: Array, ends: dict[int, Array], scale: float | None
+) -> tuple[float, tuple[str, ...]]:
+    """The file's unit [m], by how far its longest limb reaches from the root."""
+    reach = np.zeros(len(parents))
+    for i, parent in enumerate(parents):
+        if parent >= 0:
+            reach[i] = reach[parent] + np.linalg.norm(offset[i])
+    longest = max([*reach, *(reach[i] + np.linalg.norm(end) for i, end in ends.items())])
+    if scale is not None:
+        return scale, ()
+    if longest <= 0:
+        return 0.01, (f"a skeleton without size: taken for centimetres; {unsaid.UNIT}",)
+    for units in (UNITS, ODD_UNITS):
+        likely = {name: unit for name, unit in units.items() if LIKELY[0] <= longest * unit <= LIKELY[1]}
+        if likely:
+            name = min(likely, key=lambda each: abs(np.log(longest * likely[each] / REACH)))
+            return likely[name], (
+                f"taken for {name}: the longest limb reaches {longest * likely[name]:.2f} m; if not, {unsaid.UNIT}",
+            )
+    unit = REACH / longest
+    return unit, (f"of no unit that fits a person: made {REACH:g} m from hips to toes; {unsaid.UNIT}",)
+
+
+def _y_is_up(skeleton: Skeleton, position: Array) -> bool:
+    """Whether hips are above feet along y rather than along z."""
+    found = roles(skeleton.names, skeleton.parents)
+    feet = [found[role] for role in ("left_foot", "right_foot", "left_shin", "right_shin") if role in found]
+    if "pelvis" not in found or not feet:
+        return True
+    up = np.median(position[:, found["pelvis"]] - position[:, feet].mean(axis=1), axis=0)
+    return bool(up[1] >= up[2])

@@ -1,0 +1,46 @@
+"""Bodies as animators have them: names without doubles, every body in its parent's axes, and y-up worlds."""
+
+from __future__ import annotations
+
+import mujoco
+import numpy as np
+
+from solver import quaternion as quat
+from solver.quaternion import Array
+
+from ..take import Bodies
+
+# A figure of ours looks along x and has y to its left and z up; one of animators looks along z, has x to its left, y up
+Y_UP = np.array([0.5, -0.5, -0.5, -0.5])  # wxyz: turns our x to z, y to x, z to y
+
+
+def names(model: mujoco.MjModel) -> list[str]:
+    """A name for every body, no two alike; the world's first."""
+    found = ["world", *(model.body(body).name or f"body{body}" for body in range(1, model.nbody))]
+    taken: set[str] = set()
+    for i, name in enumerate(found):
+        unique, count = name, 2
+        while unique in taken:
+            unique, count = f"{name}_{count}", count + 1
+        taken.add(unique)
+        found[i] = unique
+    return found
+
+
+def local(model: mujoco.MjModel, bodies: Bodies) -> tuple[Array, Array]:
+    """(T, nbody, 3) and (T, nbody, 4) of every body in its parent's axes, unit and sign-continuous; the world at 0."""
+    parent = model.body_parentid
+    turn = quat.conjugate(quat.normalised(bodies.rotation[:, parent]))
+    position = quat.rotated(turn, bodies.position - bodies.position[:, parent])
+    rotation = quat.aligned(quat.normalised(quat.product(turn, bodies.rotation)))
+    return position, rotation
+
+
+def rest(model: mujoco.MjModel) -> Bodies:
+    """Where the bodies are in the model's own pose, qpos0; one instant."""
+    return Bodies.of(model, model.qpos0[None], np.zeros((1, model.nv)))
+
+
+def xyzw(q: Array) -> Array:
+    """Quaternions (..., 4) with the scalar last."""
+    return np.roll(q, -1, axis=-1)

@@ -1,0 +1,274 @@
+"""Ball joints as three hinges each, for formats and simulators that know hinges only: the model, its motion, and back.
+
+A ball joint `left_hip` becomes the hinges `left_hip_x`, `left_hip_z`, `left_hip_y`, in this order, about the axes of
+the body at rest: R = R_x(a) R_z(b) R_y(c). Three hinges in series lock where the middle one is at ±90°. Limbs lie
+along z, so that the middle hinge is the twist about the limb, the narrowest of the three: over eighteen motions,
+cartwheels, hops and high kicks among them, it stayed within 85° and mostly below 50°, where the other orders come to
+86° to 90°. Angles are continuous in time and go beyond ±180° where the motion does; a motion through the lock goes
+through it, and does not jump.
+
+Tait-Bryan angles of any order: with i, j, k the axes of the order and e = ±1 its parity,
+R_ik = e sin b, R_jk = -e sin a cos b, R_kk = cos a cos b.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from xml.etree import ElementTree
+
+import mujoco
+import numpy as np
+
+from solver import quaternion as quat
+from solver.quaternion import Array
+
+from ...errors import UserError
+from ...scene.assets import Scene
+
+ORDER = "xzy"
+NEAR = np.radians(10)  # from the lock, where angles turn fast enough to be told
+LOCKED = 1e-6  # cos b below which a and c cannot be told apart
+WIDTHS = {0: (7, 6), 1: (4, 3), 2: (1, 1), 3: (1, 1)}  # of a joint's type in qpos and qvel
+BALL = int(mujoco.mjtJoint.mjJNT_BALL)
+REFERRING = ("actuator", "sensor", "equality", "tendon")
+ROTATION_ONLY = (
+    "range",
+    "ref",
+    "springref",
+    "axis",
+    "limited",
+    "type",
+    "name",
+    "actuatorfrcrange",
+    "actuatorfrclimited",
+)
+
+
+def angles(rotation: Array, order: str = ORDER) -> Array:
+    """Angles (T, n, 3) [rad] in the order given, continuous in time, of quaternions (T, n, 4) of any length > 0."""
+    i, j, k = ("xyz".index(letter) for letter in order)
+    sign = parity(order)
+    matrix = matrices(rotation)
+    first = np.arctan2(-sign * matrix[..., j, k], matrix[..., k, k])
+    free = np.hypot(matrix[..., j, k], matrix[..., k, k]) < LOCKED
+    out = np.zeros((*rotation.shape[:-1], 3))
+    before = np.zeros(out.shape[1:])
+    for t in range(len(out)):
+        a = np.where(free[t], before[:, 0], first[t])
+        both = [_near(_completed(matrix[t], a + turn, i, j, k, sign), before) for turn in (0.0, np.pi)]
+        far = [np.abs(each - before).sum(-1) for each in both]
+        before = out[t] = np.where((far[0] <= far[1])[:, None], *both)
+    return out
+
+
+def _completed(matrix: Array, a: Array, i: int, j: int, k: int, sign: float) -> Array:
+    """(n, 3): the angles of rotations (n, 3, 3) whose first is known, R_i(a)ᵀ R = R_j(b) R_k(c)."""
+    cos, sin = np.cos(a)[:, None], sign * np.sin(a)[:, None]
+    row_j = cos * matrix[:, j] + sin * matrix[:, k]
+    row_k = cos * matrix[:, k] - sin * matrix[:, j]
+    b = np.arctan2(sign * matrix[:, i, k], row_k[:, k])
+    c = np.arctan2(sign * row_j[:, i], row_j[:, j])
+    return np.stack([a, b, c], -1)
+
+
+def _near(angle: Array, other: Array) -> Array:
+    """The angle, by whole turns as near as can be to another."""
+    return angle - 2 * np.pi * np.round((angle - other) / (2 * np.pi))
+
+
+def parity(order: str) -> float:
+    """+1 for xyz, yzx and zxy, -1 for the others."""
+    return 1.0 if order in "xyzxy" else -1.0
+
+
+def matrices(rotation: Array) -> Array:
+    """(..., 3, 3): the rotations of quaternions (..., 4)."""
+    return np.stack([quat.rotated(rotation, axis) for axis in np.eye(3)], -1)
+
+
+def rotation_of(angle: Array, order: str = ORDER) -> Array:
+    """Quaternions (..., 4) of angles (..., 3) [rad] in the order given."""
+    turns = [quat.from_rotation_vector(angle[..., n, None] * np.eye(3)["xyz".index(x)]) for n, x in enumerate(order)]
+    return quat.product(quat.product(turns[0], turns[1]), turns[2])
+
+
+def rates(angle: Array, spin: Array, order: str = ORDER) -> Array:
+    """Rates (..., 3) [rad/s] of angles (..., 3), of the body's angular velocity (..., 3) in its own axes.
+
+    In the lock itself, where some velocities cannot be had, the nearest in the sense of least squares.
+    """
+    i, j, k = (np.eye(3)["xyz".index(letter)] for letter in order)
+    last = quat.from_rotation_vector(-angle[..., 2, None] * k)
+    middle = quat.from_rotation_vector(-angle[..., 1, None] * j)
+    second = quat.rotated(last, j)
+    first = quat.rotated(last, quat.rotated(middle, i))
+    axes = np.stack([first, second, np.broadcast_to(k, second.shape)], -1)
+    return (np.linalg.pinv(axes, rcond=LOCKED) @ spin[..., None])[..., 0]
+
+
+@dataclass(frozen=True, eq=False)
+class Layout:
+    """Where the joints of a model lie in qpos and qvel, and where in those of its variant of hinges.
+
+    joints   (joint of the model, its name or three names) in the model's order
+    """
+
+    model: mujoco.MjModel
+    order: str = ORDER
+
+    @cached_property
+    def joints(self) -> list[tuple[int, tuple[str, ...]]]:
+        model = self.model
+        out = []
+        for joint in range(model.njnt):
+            name = model.joint(joint).name or f"joint{joint}"
+            is_ball = model.jnt_type[joint] == BALL
+            out.append((joint, tuple(f"{name}_{axis}" for axis in self.order) if is_ball else (name,)))
+        names = [name for _, own in out for name in own]
+        twice = next((name for name in names if names.count(name) > 1), None)
+        if twice is not None:
+            raise UserError(f"with hinges for ball joints, the figure would have two joints '{twice}'")
+        return out
+
+    @property
+    def names(self) -> list[str]:
+        """The joints of the variant, in order."""
+        return [name for _, own in self.joints for name in own]
+
+    @cached_property
+    def balls(self) -> list[int]:
+        return [joint for joint, own in self.joints if len(own) == 3]
+
+    def qpos(self, qpos: Array) -> Array:
+        """Configurations (T, nq') of the variant, of configurations (T, nq) of the model."""
+        if not self.balls:
+            return np.array(qpos, float)
+        rotation = np.stack([qpos[:, self._columns(joint)] for joint in self.balls], 1)
+        angle = dict(zip(self.balls, np.moveaxis(angles(rotation, self.order), 1, 0), strict=True))
+        return np.concatenate([angle.get(joint, qpos[:, self._columns(joint)]) for joint, _ in self.joints], 1)
+
+    def qvel(self, hinges: Array, qvel: Array) -> Array:
+        """Velocities (T, nv') of the variant at configurations hinges (T, nq'), of velocities (T, nv) of the model."""
+        out = []
+        for (joint, own), start in zip(self.joints, self._starts, strict=True):
+            dof = self.model.jnt_dofadr[joint]
+            part = qvel[:, dof : dof + WIDTHS[int(self.model.jnt_type[joint])][1]]
+            out.append(part if len(own) == 1 else rates(hinges[:, start : start + 3], part, self.order))
+        return np.concatenate(out, 1)
+
+    def back(self, hinges: Array) -> Array:
+        """Configurations (T, nq) of the model, of those (T, nq') of the variant."""
+        out = []
+        for (joint, own), start in zip(self.joints, self._starts, strict=True):
+            width = 3 if len(own) == 3 else WIDTHS[int(self.model.jnt_type[joint])][0]
+            part = hinges[:, start : start + width]
+            out.append(part if len(own) == 1 else quat.aligned(rotation_of(part, self.order)))
+        return np.concatenate(out, 1)
+
+    def nearest_lock(self, hinges: Array) -> tuple[float, str, int] | None:
+        """The angle [rad] from the lock at its least, the ball joint, the sample; None without ball joints."""
+        found = []
+        for (_, own), start in zip(self.joints, self._starts, strict=True):
+            if len(own) == 3:
+                off = np.abs(np.arcsin(np.clip(np.cos(hinges[:, start + 1]), -1, 1)))
+                found.append((float(off.min()), own[0][:-2], int(off.argmin())))
+        return min(found, default=None)
+
+    def mjcf(self, text: str) -> str:
+        """The variant's complete MJCF text, of the model's; keyframes, and what acts on or measures ball joints, go.
+
+        The joints keep damping, stiffness and armature, each hinge the ball's, and have no ranges.
+        """
+        root = ElementTree.fromstring(text)
+        for keyframes in root.findall("keyframe"):
+            root.remove(keyframes)
+        if not self.balls:
+            return ElementTree.tostring(root, encoding="unicode")
+        world = root.find("worldbody")
+        bodies = [] if world is None else list(world.iter("body"))
+        if len(bodies) != self.model.nbody - 1:
+            raise UserError("the model's text does not name its bodies one by one; hinges cannot be written into it")
+        own = dict(self.joints)
+        for body, element in enumerate(bodies, 1):
+            first, count = self.model.body_jntadr[body], self.model.body_jntnum[body]
+            written = [child for child in element if child.tag in ("joint", "freejoint")]
+            if len(written) != count:
+                raise UserError(f"the text of body '{self.model.body(body).name}' does not name its joints one by one")
+            for joint, child in zip(range(first, first + count), written, strict=True):
+                if len(own[joint]) == 3:
+                    _replace(element, child, own[joint])
+        _drop_references(root, {self.model.joint(joint).name for joint in self.balls})
+        ElementTree.indent(root)
+        return ElementTree.tostring(root, encoding="unicode")
+
+    def _columns(self, joint: int) -> slice:
+        start = self.model.jnt_qposadr[joint]
+        return slice(start, start + WIDTHS[int(self.model.jnt_type[joint])][0])
+
+    @cached_property
+    def _starts(self) -> list[int]:
+        """The first column in the variant's qpos of every joint of the model."""
+        widths = [3 if len(own) == 3 else WIDTHS[int(self.model.jnt_type[joint])][0] for joint, own in self.joints]
+        return [0, *np.cumsum(widths[:-1]).tolist()]
+
+
+def _replace(body: ElementTree.Element, ball: ElementTree.Element, names: tuple[str, ...]) -> None:
+    """Three hinges where a ball joint stands."""
+    place = list(body).index(ball)
+    body.remove(ball)
+    kept = {key: value for key, value in ball.attrib.items() if key not in ROTATION_ONLY}
+    for n, name in enumerate(names):
+        axis = " ".join("1" if letter == name[-1] else "0" for letter in "xyz")
+        own = {"name": name, "type": "hinge", "axis": axis, "ref": "0", "limited": "false"}
+        body.insert(place + n, ElementTree.Element("joint", own | kept))
+
+
+def _drop_references(root: ElementTree.Element, balls: set[str]) -> None:
+    """Takes out actuators, sensors and constraints of joints that are no more."""
+    for section in (each for tag in REFERRING for each in root.findall(tag)):
+        for child in list(section):
+            named = {each.get(key) for each in child.iter() for key in ("joint", "joint1", "joint2", "jointinparent")}
+            if balls & named:
+                section.remove(child)
+
+
+@dataclass(frozen=True, eq=False)
+class Hinged:
+    """A motion of hinges only: qpos (T, nq), qvel (T, nv) of the model, which mjcf gives in full."""
+
+    layout: Layout
+    mjcf: str
+    model: mujoco.MjModel
+    qpos: Array
+    qvel: Array
+
+    @classmethod
+    def of(cls, model: mujoco.MjModel, scene: Scene, qpos: Array, qvel: Array) -> Hinged:
+        """The variant of a model, which the scene gives in full, and its motion; without ball joints all stays."""
+        layout, mjcf = Layout(model), scene.mjcf
+        hinges = layout.qpos(qpos)
+        if not layout.balls:
+            return cls(layout, mjcf, model, hinges, qvel)
+        text = layout.mjcf(mjcf)
+        try:
+            variant = Scene(text, scene.assets).model()
+        except ValueError as error:
+            raise UserError(f"the figure with hinges for ball joints: {' '.join(str(error).split())}") from None
+        return cls(layout, text, variant, hinges, layout.qvel(hinges, qvel))
+
+    @property
+    def is_other(self) -> bool:
+        """Whether there were ball joints."""
+        return bool(self.layout.balls)
+
+    def warning(self, time: Array) -> str | None:
+        """One line if the motion comes close to a gimbal lock."""
+        found = self.layout.nearest_lock(self.qpos)
+        if found is None or found[0] > NEAR:
+            return None
+        off, name, sample = found
+        return (
+            f"'{name}' comes within {np.degrees(off):.0f}° of gimbal lock at {time[sample]:.2f} s: "
+            "its three hinges turn fast there"
+        )

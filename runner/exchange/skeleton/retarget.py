@@ -1,0 +1,464 @@
+"""A captured skeleton's motion on another figure: directions of limbs coincide, the root is scaled by the legs' length.
+
+Every body that has a counterpart by its role turns with it: R_body(t) = R_joint(t) A, A constant; feet without toes
+turn with the line from the ankle to the end of the skeleton's. Where the captured skeleton stands upright when nothing
+is turned, as in a T-pose, A takes the figure's bones at rest to the skeleton's there by the shortest way. Where it does
+not (LAFAN1's bones all lie along x), A is made of two directions: the bone's, and the axis about which knee and elbow
+bend in the motion itself; hips and shoulders give those of pelvis and chest.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import mujoco
+import numpy as np
+
+from solver import quaternion as quat
+from solver.quaternion import Array
+
+from ...errors import UserError
+from . import hierarchy
+from .captured import Captured
+from .roles import lineage, roles
+
+NEEDED = ("left_thigh", "right_thigh", "left_shin", "right_shin")
+NEXT = {
+    "upper_arm": "forearm",
+    "forearm": "hand",
+    "thigh": "shin",
+    "shin": "foot",
+    "foot": "toe",
+    "clavicle": "upper_arm",
+}
+UPRIGHT = 0.8  # cosine to the vertical of legs and trunk in a pose that counts as standing
+BENT = 0.15  # mean sine of an elbow's or knee's bend that tells its axis
+LOWEST = 2.0  # per cent of the images whose soles may be in the ground
+LEVEL = 0.001  # [m] that soles may be off the ground and be left there
+LISTED = 12
+STEPS = 40  # of Gauss-Newton on hinges
+STUCK = 0.02  # [rad] more than this off, it is tried again
+RETRIES = 4
+
+
+@dataclass(frozen=True)
+class _Standing:
+    """The figure at rest, in the world: place (nbody, 3), turn (nbody, 4), and its bodies by role."""
+
+    model: mujoco.MjModel
+    place: Array
+    turn: Array
+    roles: dict[str, int]
+
+    @classmethod
+    def of(cls, model: mujoco.MjModel) -> _Standing:
+        rest = hierarchy.rest(model)
+        parents = [int(p) - 1 for p in model.body_parentid[1:]]
+        found = roles(hierarchy.names(model)[1:], parents)
+        return cls(model, rest.position[0], rest.rotation[0], {role: 1 + body for role, body in found.items()})
+
+    def bone(self, role: str) -> Array:
+        """(3,) from a body to where its limb goes on, or to its farthest site or geom."""
+        body, (side, _, part) = self.roles[role], role.partition("_")
+        onward = self.roles.get(f"{side}_{NEXT.get(part, '')}")
+        if onward is not None:
+            return self.place[onward] - self.place[body]
+        points = self.model.site_pos[self.model.site_bodyid == body]
+        points = points if len(points) else self.model.geom_pos[self.model.geom_bodyid == body]
+        if not len(points):
+            return np.zeros(3)
+        return quat.rotated(self.turn[body], points[np.argmax(np.linalg.norm(points, axis=1))])
+
+
+def onto(captured: Captured, model: mujoco.MjModel, place: str) -> tuple[Array, tuple[str, ...]]:
+    """qpos (T, nq) of the figure, and notes; place is how errors call the file."""
+    standing = _Standing.of(model)
+    for what, found in (("the figure's bodies", standing.roles), ("the file's joints", captured.roles)):
+        missing = [role for role in NEEDED if role not in found]
+        if missing:
+            listed = captured.names if found is captured.roles else hierarchy.names(model)[1:]
+            raise UserError(
+                f"{place}: among {what} none is a {missing[0].replace('_', ' ')} by its name: {_some(listed)}"
+            )
+    if model.jnt_type[0] != mujoco.mjtJoint.mjJNT_FREE or model.jnt_bodyid[0] != _root(standing):
+        raise UserError(f"{place}: the figure's root, '{model.body(_root(standing)).name}', needs a free joint")
+    shared = [role for role in standing.roles if role in captured.roles]
+    upright = _stands(captured)
+    alignment = _upright(captured, standing, shared) if upright else _by_bends(captured, standing, shared)
+    bent = [side for side in ("left", "right") if f"{side}_toe" not in standing.roles and _has_toes(captured, side)]
+    for side in bent:
+        captured = _toes_in_foot(captured, side, at_zero=upright)
+    turns = {
+        standing.roles[role]: quat.product(
+            quat.product(captured.rotation[:, captured.roles[role]], alignment[role]),
+            standing.turn[standing.roles[role]],
+        )
+        for role in shared
+    }
+    qpos = _angles(model, turns)
+    leg = float(np.mean([_leg(p, captured.roles) for p in captured.position]))
+    if not leg > 0:
+        raise UserError(f"{place}: its legs are without length, which would tell how large it is")
+    scale = _leg(standing.place, standing.roles) / leg
+    qpos, lift = _on_ground(model, _placed(captured, standing, qpos, scale))
+    notes = [f"scaled by {scale:.3f}, the ratio of the legs"]
+    notes += [f"raised by {lift:+.3f} m, so that soles meet the ground"] if lift else []
+    toes_of_feet = [role for role in ("left_toe", "right_toe") if role in captured.roles]
+    told = {joint for role in (*shared, *toes_of_feet) for joint in lineage(captured.roles[role], captured.parents)}
+    lost = [name for i, name in enumerate(captured.names) if i not in told]
+    still = [
+        hierarchy.names(model)[body] for body in range(1, model.nbody) if model.body_jntnum[body] and body not in turns
+    ]
+    toes = " and ".join(captured.names[captured.roles[f"{side}_toe"]] for side in bent)
+    notes += [f"the figure has no toes: what {toes} bend turns its feet"] if bent else []
+    notes += [f"without a counterpart in the figure: {_some(lost)}"] if lost else []
+    notes += [f"without a counterpart in the file, kept at rest: {_some(still)}"] if still else []
+    return qpos, tuple(notes)
+
+
+def _has_toes(captured: Captured, side: str) -> bool:
+    """Whether there is a joint of toes between ankle and tip of a foot, and anything beyond it that it turns."""
+    toes = captured.roles.get(f"{side}_toe")
+    if toes is None or side not in captured.feet:
+        return False
+    _, tip, end, _ = captured.feet[side]
+    return toes in lineage(tip, captured.parents) and (toes != tip or bool(np.any(end)))
+
+
+def _toes_in_foot(captured: Captured, side: str, *, at_zero: bool) -> Captured:
+    """Turned at an ankle so that, with stiff toes, the foot would end where it does with those that bend.
+
+    at_zero  toes are straight when nothing is turned; otherwise they are in the image in which the foot is lowest
+    """
+    ankle, toe, end, low = captured.feet[side]
+    turn, along = captured.rotation[:, ankle], captured.at(toe, end) - captured.position[:, ankle]
+    if at_zero:
+        straight = captured.at_zero[toe] + end - captured.at_zero[ankle]
+    else:
+        straight = quat.rotated(quat.conjugate(turn[low]), along[low])
+    start, stop = quat.rotated(turn, straight), along
+    sizes = np.linalg.norm(start, axis=1) * np.linalg.norm(stop, axis=1)
+    swung = np.concatenate([(sizes + np.sum(start * stop, axis=1))[:, None], np.cross(start, stop)], axis=1)
+    swung[swung[:, 0] <= 1e-6 * sizes] = [1, 0, 0, 0]  # toes turned right back, or without length: not a foot's
+    rotation = captured.rotation.copy()
+    rotation[:, ankle] = quat.product(quat.normalised(swung), turn)
+    return replace(captured, rotation=rotation)
+
+
+def _some(names: list[str]) -> str:
+    more = f", and {len(names) - LISTED} more" if len(names) > LISTED else ""
+    return ", ".join(names[:LISTED]) + more
+
+
+def _root(standing: _Standing) -> int:
+    """The body that carries the figure."""
+    body = standing.roles["pelvis"]
+    while standing.model.body_parentid[body]:
+        body = int(standing.model.body_parentid[body])
+    return body
+
+
+def _leg(place: Array, found: dict[str, int]) -> float:
+    """Mean length [m] of both legs, to the ankle where there is one."""
+    total = 0.0
+    for side in ("left", "right"):
+        chain = [found[f"{side}_{part}"] for part in ("thigh", "shin", "foot") if f"{side}_{part}" in found]
+        total += 0.5 * float(np.linalg.norm(np.diff(place[chain], axis=0), axis=1).sum())
+    return total
+
+
+def _unit(vector: Array) -> Array:
+    return vector / max(float(np.linalg.norm(vector)), 1e-12)
+
+
+def _frame(first: Array, second: Array) -> Array:
+    """(3, 3) columns: the first direction, the second made perpendicular to it, and their cross product."""
+    x = _unit(first)
+    y = _unit(second - x * (x @ second))
+    return np.stack([x, y, np.cross(x, y)], axis=-1)
+
+
+def _quaternion(matrix: Array) -> Array:
+    out = np.zeros(4)
+    mujoco.mju_mat2Quat(out, np.ascontiguousarray(matrix).ravel())
+    return out
+
+
+def swing(start: Array, end: Array, otherwise: Array) -> Array:
+    """(4,) the shortest rotation of one direction to another; about `otherwise` where they are opposite."""
+    start, end = _unit(start), _unit(end)
+    axis, cosine = np.cross(start, end), float(start @ end)
+    if cosine < -0.999999:
+        return quat.from_rotation_vector(np.pi * _unit(otherwise - start * (start @ otherwise)))
+    return quat.normalised(np.append(1 + cosine, axis))
+
+
+def _stands(captured: Captured) -> bool:
+    """Whether the skeleton stands upright when nothing is turned."""
+    place, found = captured.at_zero, captured.roles
+    hips = 0.5 * (place[found["left_thigh"]] + place[found["right_thigh"]])
+    legs = [place[found[f"{side}_shin"]] - place[found[f"{side}_thigh"]] for side in ("left", "right")]
+    checks = [-_unit(leg)[2] for leg in legs]
+    top = found.get("head", found.get("neck"))
+    arms = [found[f"{side}_upper_arm"] for side in ("left", "right") if f"{side}_upper_arm" in found]
+    if top is not None or len(arms) == 2:
+        trunk = (place[top] if top is not None else place[arms].mean(axis=0)) - hips
+        checks.append(_unit(trunk)[2])
+    return min(checks) > UPRIGHT
+
+
+def _heading(left: Array) -> Array:
+    """(4,) the turn about the vertical that takes our left, y, to a direction."""
+    return quat.from_rotation_vector(np.array([0, 0, np.arctan2(-left[0], left[1])]))
+
+
+def _upright(captured: Captured, standing: _Standing, shared: list[str]) -> dict[str, Array]:
+    """A by role, from the pose in which nothing is turned."""
+    left = captured.at_zero[captured.roles["left_thigh"]] - captured.at_zero[captured.roles["right_thigh"]]
+    own = standing.place[standing.roles["left_thigh"]] - standing.place[standing.roles["right_thigh"]]
+    facing = quat.product(_heading(left), quat.conjugate(_heading(own)))
+    out = {}
+    for role in shared:
+        part = role.partition("_")[2]
+        out[role] = facing
+        if part not in NEXT:
+            continue
+        mine, theirs = quat.rotated(facing, standing.bone(role)), _bone(captured, role)
+        if part == "foot":  # soles are level in either; only where they point may differ
+            mine, theirs = mine * [1, 1, 0], theirs * [1, 1, 0]
+        if min(np.linalg.norm(mine), np.linalg.norm(theirs)) > 1e-3:
+            out[role] = quat.product(swing(mine, theirs, quat.rotated(facing, np.array([1.0, 0, 0]))), facing)
+    return out
+
+
+def _bone(captured: Captured, role: str) -> Array:
+    """(3,) from a joint to where its limb goes on, in the joint's axes."""
+    joint, (side, _, part) = captured.roles[role], role.partition("_")
+    onward = captured.roles.get(f"{side}_{NEXT.get(part, '')}")
+    if onward is not None:
+        place = np.zeros(3)  # several bones may lie between; they are taken as straight
+        for step in lineage(onward, captured.parents):
+            if step == joint:
+                return place
+            place = place + captured.offset[step]
+    tip, end = captured.tip(joint)
+    return captured.at_zero[tip] + end - captured.at_zero[joint]
+
+
+def _seen(captured: Captured, role: str, vector: Array) -> Array:
+    """(3,) the mean of directions (T, 3) of the world, as a joint sees them."""
+    return quat.rotated(quat.conjugate(captured.rotation[:, captured.roles[role]]), vector).mean(axis=0)
+
+
+def _by_bends(captured: Captured, standing: _Standing, shared: list[str]) -> dict[str, Array]:
+    """A by role, from two directions of every bone, whatever the pose in which nothing is turned."""
+    out: dict[str, Array] = {}
+    lateral: dict[str, Array] = {}
+    for role, limb, top in (("pelvis", "thigh", "chest"), ("chest", "upper_arm", "neck")):
+        ends = [captured.roles[f"{side}_{limb}"] for side in ("left", "right") if f"{side}_{limb}" in captured.roles]
+        if role not in shared or len(ends) < 2:
+            continue
+        place = captured.position
+        across = place[:, ends[0]] - place[:, ends[1]]
+        above, middle = captured.roles.get(top, captured.roles.get("head")), place[:, ends].mean(axis=1)
+        if role == "chest":  # from there to the neck, or to between the shoulders
+            up = (place[:, above] if above is not None else middle) - place[:, captured.roles[role]]
+        else:
+            up = place[:, above] - middle if above is not None else np.tile([0.0, 0, 1], (len(place), 1))
+        theirs = _frame(_seen(captured, role, across), _seen(captured, role, up))
+        mine = _frame(np.array([0.0, 1, 0]), np.array([0.0, 0, 1]))
+        out[role], lateral[limb] = _quaternion(theirs @ mine.T), across
+    for side in ("left", "right"):
+        for upper, lower, sign in (("thigh", "shin", 1.0), ("upper_arm", "forearm", -1.0)):
+            pair = [f"{side}_{upper}", f"{side}_{lower}"]
+            if not all(role in shared for role in pair):
+                continue
+            along = [_world(captured, role) for role in pair]
+            bend = sign * np.cross(along[0], along[1])
+            told = float(np.linalg.norm(bend, axis=1).mean()) > BENT
+            for role, direction in zip(pair, along, strict=True):
+                axis = bend if told else lateral.get(upper, np.tile([0.0, 1, 0], (len(bend), 1)))
+                axis = axis - direction * np.sum(axis * direction, axis=1, keepdims=True)
+                theirs = _frame(_bone(captured, role), _seen(captured, role, axis))
+                out[role] = _quaternion(theirs @ _frame(standing.bone(role), np.array([0.0, 1, 0])).T)
+        if f"{side}_foot" in shared and side in captured.feet:
+            out[f"{side}_foot"] = _flat(captured, standing, side)
+    for role in shared:
+        if role not in out:  # as the part that it hangs on
+            out[role] = _like_parent(captured, role, out)
+    return out
+
+
+def _world(captured: Captured, role: str) -> Array:
+    """(T, 3) a bone's direction in the world."""
+    return quat.rotated(captured.rotation[:, captured.roles[role]], _unit(_bone(captured, role)))
+
+
+def _flat(captured: Captured, standing: _Standing, side: str) -> Array:
+    """A of a foot: level, and pointing where it does, in the image in which it is lowest."""
+    ankle, toe, end, low = captured.feet[side]
+    up = np.array([0.0, 0, 1])
+    ahead = (captured.at(toe, end)[low] - captured.position[low, ankle]) * [1, 1, 0]
+    mine = standing.bone(f"{side}_foot") * [1, 1, 0]
+    mine = mine if np.linalg.norm(mine) > 1e-3 else np.array([1.0, 0, 0])
+    turn = _quaternion(_frame(ahead, up) @ _frame(mine, up).T)
+    return quat.product(quat.conjugate(captured.rotation[low, ankle]), turn)
+
+
+def _like_parent(captured: Captured, role: str, out: dict[str, Array]) -> Array:
+    """A that keeps a part as it lies on the next one above with an A, in the mean."""
+    joint = captured.roles[role]
+    known = {captured.roles[other]: other for other in out}
+    above = next((i for i in lineage(joint, captured.parents)[1:] if i in known), None)
+    if above is None:
+        return np.array([1.0, 0, 0, 0])
+    relative = quat.product(quat.conjugate(captured.rotation[:, joint]), captured.rotation[:, above])
+    return quat.product(quat.normalised(quat.aligned(relative).mean(axis=0)), out[known[above]])
+
+
+def _angles(model: mujoco.MjModel, turns: dict[int, Array]) -> Array:
+    """qpos (T, nq) that turns bodies (T, 4) in the world as near as their joints let them."""
+    count = len(next(iter(turns.values())))
+    qpos = np.tile(model.qpos0, (count, 1))
+    world = np.zeros((count, model.nbody, 4))
+    world[:, 0, 0] = 1
+    parent = model.body_parentid
+    settled: set[int] = {0}
+    for body in range(1, model.nbody):
+        world[:, body] = _forward(model, qpos, [body], world[:, parent[body]])
+        if body not in turns:
+            continue
+        chain = [body]  # and those above that nothing has turned yet
+        while int(parent[chain[0]]) not in settled:
+            chain.insert(0, int(parent[chain[0]]))
+        _reach(model, qpos, chain, world[:, parent[chain[0]]], turns[body])
+        for each in chain:
+            world[:, each] = _forward(model, qpos, [each], world[:, parent[each]])
+        settled.update(chain)
+    for joint in range(model.njnt):
+        if model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_HINGE and not model.jnt_limited[joint]:
+            qpos[:, model.jnt_qposadr[joint]] = np.unwrap(qpos[:, model.jnt_qposadr[joint]])
+    return qpos
+
+
+def _joints(model: mujoco.MjModel, body: int) -> range:
+    return range(model.body_jntadr[body], model.body_jntadr[body] + model.body_jntnum[body])
+
+
+def _forward(model: mujoco.MjModel, qpos: Array, bodies: list[int], start: Array) -> Array:
+    """(T, 4) the last body's rotation in the world, from that of what carries the first."""
+    turn = start
+    for body in bodies:
+        turn = quat.product(turn, model.body_quat[body])
+        for joint in _joints(model, body):
+            at = model.jnt_qposadr[joint]
+            match model.jnt_type[joint]:
+                case mujoco.mjtJoint.mjJNT_FREE:
+                    turn = qpos[:, at + 3 : at + 7]
+                case mujoco.mjtJoint.mjJNT_BALL:
+                    turn = quat.product(turn, qpos[:, at : at + 4])
+                case mujoco.mjtJoint.mjJNT_HINGE:
+                    angle = qpos[:, at] - model.qpos0[at]
+                    turn = quat.product(turn, quat.from_rotation_vector(angle[:, None] * model.jnt_axis[joint]))
+    return turn
+
+
+def _reach(model: mujoco.MjModel, qpos: Array, chain: list[int], start: Array, wanted: Array) -> None:
+    """Sets the joints of a chain so that its last body turns as wanted: a ball exactly, hinges by least squares."""
+    joints = [joint for body in chain for joint in _joints(model, body)]
+    for joint in joints:
+        at = model.jnt_qposadr[joint]
+        if model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_FREE:
+            qpos[:, at + 3 : at + 7] = wanted
+            return
+    balls = [joint for joint in joints if model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_BALL]
+    if balls:
+        at = model.jnt_qposadr[balls[-1]]
+        qpos[:, at : at + 4] = [1, 0, 0, 0]
+        body = int(model.jnt_bodyid[balls[-1]])
+        before = _forward(model, qpos, chain[: chain.index(body) + 1], start)
+        after = quat.product(quat.conjugate(before), _forward(model, qpos, chain, start))
+        turned = quat.product(quat.product(quat.conjugate(before), wanted), quat.conjugate(after))
+        qpos[:, at : at + 4] = quat.aligned(quat.normalised(turned))
+        return
+    hinges = [joint for joint in joints if model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_HINGE]
+    columns = [int(model.jnt_qposadr[joint]) for joint in hinges]
+    low, high = np.full(len(hinges), -np.inf), np.full(len(hinges), np.inf)
+    for i, joint in enumerate(hinges):
+        if model.jnt_limited[joint]:
+            low[i], high[i] = model.jnt_range[joint]
+    if not hinges:
+        return
+    short = _descend(model, qpos, chain, start, wanted, (hinges, columns, low, high))
+    for _ in range(RETRIES):  # from where a neighbouring image came to
+        far = np.linalg.norm(short, axis=1) > STUCK
+        if not far.any() or far.all():
+            return
+        near = np.flatnonzero(~far)
+        rows = np.flatnonzero(far)
+        donor = near[np.argmin(np.abs(rows[:, None] - near), axis=1)]
+        again = qpos[rows]
+        again[:, columns] = qpos[donor][:, columns]
+        left = _descend(model, again, chain, start[rows], wanted[rows], (hinges, columns, low, high))
+        better = np.linalg.norm(left, axis=1) < np.linalg.norm(short[rows], axis=1)
+        qpos[rows[better]], short[rows[better]] = again[better], left[better]
+
+
+def _descend(
+    model: mujoco.MjModel, qpos: Array, chain: list[int], start: Array, wanted: Array,
+    what: tuple[list[int], list[int], Array, Array],
+) -> Array:  # fmt: skip
+    """Gauss-Newton on hinges, their columns of qpos, and their least and greatest; (T, 3) what is left to turn."""
+    hinges, columns, low, high = what
+    for _ in range(STEPS):
+        short = quat.rotation_vector(quat.product(wanted, quat.conjugate(_forward(model, qpos, chain, start))))
+        axes = np.stack([_axis(model, qpos, chain, start, joint) for joint in hinges], axis=-1)
+        normal = np.swapaxes(axes, 1, 2) @ axes + 1e-6 * np.eye(len(hinges))
+        step = np.linalg.solve(normal, np.swapaxes(axes, 1, 2) @ short[..., None])[..., 0]
+        qpos[:, columns] = np.clip(qpos[:, columns] + np.clip(step, -0.5, 0.5), low, high)
+    return quat.rotation_vector(quat.product(wanted, quat.conjugate(_forward(model, qpos, chain, start))))
+
+
+def _axis(model: mujoco.MjModel, qpos: Array, chain: list[int], start: Array, hinge: int) -> Array:
+    """(T, 3) a hinge's axis in the world: what stands before it in the chain turns it."""
+    body = int(model.jnt_bodyid[hinge])
+    above = chain[: chain.index(body)]
+    turn = quat.product(_forward(model, qpos, above, start) if above else start, model.body_quat[body])
+    for joint in _joints(model, body):
+        if joint == hinge:
+            break
+        angle = qpos[:, model.jnt_qposadr[joint]] - model.qpos0[model.jnt_qposadr[joint]]
+        turn = quat.product(turn, quat.from_rotation_vector(angle[:, None] * model.jnt_axis[joint]))
+    return quat.rotated(turn, model.jnt_axis[hinge])
+
+
+def _placed(captured: Captured, standing: _Standing, qpos: Array, scale: float) -> Array:
+    """The root where the middle of the hips comes to the captured one's, scaled about the world's origin."""
+    model, out = standing.model, qpos.copy()
+    hips = captured.position[:, [captured.roles["left_thigh"], captured.roles["right_thigh"]]].mean(axis=1)
+    out[:, :3] = 0
+    data = mujoco.MjData(model)
+    for i, row in enumerate(out):
+        data.qpos = row
+        mujoco.mj_kinematics(model, data)
+        own = 0.5 * (data.xpos[standing.roles["left_thigh"]] + data.xpos[standing.roles["right_thigh"]])
+        out[i, :3] = scale * hips[i] - own
+    return out
+
+
+def _on_ground(model: mujoco.MjModel, qpos: Array) -> tuple[Array, float]:
+    """Raised or lowered as a whole so that the soles are nearly never in the ground; and by how much [m]."""
+    soles = [i for i in range(model.nsite) if any(word in model.site(i).name.lower() for word in ("heel", "toe"))]
+    if not soles:
+        return qpos, 0.0
+    data, lowest = mujoco.MjData(model), np.zeros(len(qpos))
+    for i, row in enumerate(qpos):
+        data.qpos = row
+        mujoco.mj_kinematics(model, data)
+        lowest[i] = data.site_xpos[soles, 2].min()
+    lift = -float(np.percentile(lowest, LOWEST))
+    if abs(lift) < LEVEL:
+        return qpos, 0.0
+    out = qpos.copy()
+    out[:, 2] += lift
+    return out, lift

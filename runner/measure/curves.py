@@ -1,0 +1,47 @@
+"""The numbers behind the charts, kept in the motion file so that `plot` never solves again."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from solver.curve.frame import Timeline
+from solver.inbetween import Motion
+from solver.penalty import Contact
+from solver.refine.euler_lagrange import residual
+from solver.refine.subdivision import path_of
+
+from ..clip.load import Clip
+from ..motion import samples_at
+
+RATE = 250.0
+TENTHS = 10
+
+
+def curves(clip: Clip, motion: Motion) -> dict[str, Any]:
+    """Foot heights, lengths of quaternions and EL deviation over tenths, of both motions; plain lists."""
+    before = _side(clip, motion, motion.raw)
+    return {"before": before, "after": before if motion.is_raw else _side(clip, motion, motion.timeline)}
+
+
+def _side(clip: Clip, motion: Motion, timeline: Timeline) -> dict[str, Any]:
+    first, last = float(timeline.times[0]), float(timeline.times[-1])
+    time = np.linspace(first, last, max(2, round((last - first) * RATE) + 1))
+    samples = samples_at(clip.figure, path_of(timeline), time)
+    heights: dict[str, list[float]] = {}
+    if clip.points and clip.surfaces:
+        centres, _, _ = Contact(clip.points, ()).centres(samples)
+        height = np.min([surface.height(centres) for surface in clip.surfaces], axis=0)
+        rows = np.where(np.isfinite(height), height, 10.0).round(5)
+        heights = {point.name: row.tolist() for point, row in zip(clip.points, rows, strict=True)}
+    length = np.linalg.norm(samples.q, axis=0)
+    if not length.size:
+        length = np.ones((1, time.size))
+    return {
+        "time": time.round(6).tolist(),
+        "height": heights,
+        "shortest": length.min(axis=0).round(6).tolist(),
+        "longest": length.max(axis=0).round(6).tolist(),
+        "EL over tenths": residual(motion.objective, path_of(timeline)).shares(TENTHS).tolist(),
+    }

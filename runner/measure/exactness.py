@@ -1,0 +1,26 @@
+"""How exactly a motion goes through its keyframes."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from solver.curve.frame import Timeline
+from solver.refine.subdivision import path_of
+
+from ..clip.load import Clip
+
+
+def keyframe_error(clip: Clip, timeline: Timeline) -> float:
+    """Largest error of a fixed entry at its key time: the spline evaluated there and turned into qpos."""
+    figure = clip.figure
+    times = np.array([key.time for key in clip.keys])
+    reached = figure.to_qpos(path_of(timeline).at(times))
+    worst = 0.0
+    for key, qpos in zip(clip.keys, reached, strict=True):
+        wanted = key.state.copy()
+        for columns in figure.tables.quaternion_columns.T:
+            wanted[columns] /= np.linalg.norm(wanted[columns])
+            if wanted[columns] @ qpos[columns] < 0:
+                wanted[columns] *= -1
+        worst = max(worst, float(np.abs(wanted - qpos)[key.fixed].max(initial=0.0)))
+    return worst

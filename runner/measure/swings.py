@@ -1,0 +1,53 @@
+"""How high feet are taken off the ground: a swing is from where a foot's last point leaves it to where one is back."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from solver.figure.kinematics import Samples
+from solver.penalty import Contact
+from solver.penalty.contact import FAR, heights
+
+from ..clip.load import Clip
+
+DOWN = 0.01  # [m] up to which a foot is on the ground
+SHORTEST = 0.05  # [s] of a swing: what is up for less only bounces
+MOST_SHOWN = 6  # swings of a foot of which a table says every one
+
+
+def swings(clip: Clip, samples: Samples) -> dict[str, list[dict[str, float]]]:
+    """By foot, its swings: from when to when [s], and how far its lowest point gets over the surface below it [m]."""
+    if not clip.points or not clip.surfaces:
+        return {}
+    model, links = clip.figure.model, clip.figure.links
+    found: dict[str, list[dict[str, float]]] = {}
+    for link in sorted({point.link for point in clip.points}):
+        points = tuple(point for point in clip.points if point.link == link)
+        radii = np.array([point.radius for point in points])
+        over, _ = heights(clip.surfaces, Contact(points, ()).centres(samples)[0], radii)
+        lowest = over.min(axis=0)
+        name = model.body(links[link].body).name or links[link].name
+        found[name] = [
+            {"from, s": float(samples.t[a]), "to, s": float(samples.t[b - 1]), "height, m": float(lowest[a:b].max())}
+            for a, b in runs(lowest > DOWN)
+            if samples.t[b - 1] - samples.t[a] >= SHORTEST and lowest[a:b].max() < FAR
+        ]
+    return found
+
+
+def runs(mask: np.ndarray) -> list[tuple[int, int]]:
+    """The stretches (first, one past the last) in which a mask (T,) is true."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], mask, [False]]).astype(int)))
+    return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
+
+
+def words(found: list[dict[str, Any]]) -> str:
+    """A foot's swings for a table: how high each goes."""
+    high = [1000 * swing["height, m"] for swing in found]
+    if not high:
+        return "never"
+    if len(high) > MOST_SHOWN:
+        return f"{len(high)} times, {min(high):.0f} to {max(high):.0f} mm"
+    return ", ".join(f"{height:.0f}" for height in high) + " mm"

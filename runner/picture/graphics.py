@@ -1,0 +1,275 @@
+"""Which renderer works on this machine: EGL, OSMesa, a display, or MuJoCo's own rays.
+
+MuJoCo reads MUJOCO_GL once, while it is imported, and a value that does not work makes that import raise. Some drivers
+even abort the process. So every candidate is tried in a child process, and `choose` must run before the first
+`import mujoco`. This file never imports mujoco itself. What drew is remembered for a day, until the machine is started
+anew or anything that it depends on is another: a trial takes as long as all the rest of a short command.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import functools
+import hashlib
+import os
+import platform
+import subprocess
+import sys
+import time
+from contextlib import suppress
+from dataclasses import dataclass
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+from typing import Literal
+
+from ..errors import UserError
+from ..system.cache_folder import place
+from ..system.output import Replacement
+
+Kind = Literal["egl", "osmesa", "display", "rays"]
+
+OVERRIDE = "DYNSPLINES_RENDERER"
+PROBE_SECONDS = 60.0
+REMEMBERED = 24 * 3600.0  # [s] that a trial is believed: drivers are renewed while a machine runs
+BOOT = Path("/proc/sys/kernel/random/boot_id")
+
+_NAMES: dict[Kind, str] = {
+    "egl": "EGL",
+    "osmesa": "OSMesa",
+    "display": "OpenGL on the display",
+    "rays": "MuJoCo's rays on the CPU",
+}
+_SWITCHED_OFF = ("disable", "disabled", "off", "false", "0")
+_FASTER = "slow; `apt-get install libosmesa6` or `libegl1 libgl1` makes it faster"
+_IMPORTED = "mujoco was imported before a renderer was chosen, with one that does not work here"
+
+# A lit sphere in front of a black background: a context that draws nothing does not pass.
+_PROBE = """
+import mujoco
+model = mujoco.MjModel.from_xml_string(
+    "<mujoco><worldbody><light pos='0 0 3'/><geom size='.5' rgba='1 1 1 1'/></worldbody></mujoco>")
+data = mujoco.MjData(model)
+mujoco.mj_forward(model, data)
+with mujoco.Renderer(model, 32, 32) as renderer:
+    renderer.update_scene(data)
+    image = renderer.render()
+print("drawn" if image.max() > 60 and image.min() < 30 else "blank")
+"""
+
+
+class GraphicsError(RuntimeError):
+    """The renderer that was asked for by name does not work here."""
+
+
+@dataclass(frozen=True)
+class Graphics:
+    """The renderer to use.
+
+    kind  which one
+    line  one line for people, such as "renderer: EGL"
+    """
+
+    kind: Kind
+    line: str
+
+
+def choose() -> Graphics:
+    """The fastest renderer that was seen to work, and MUJOCO_GL set for it.
+
+    DYNSPLINES_RENDERER=rays|egl|osmesa|display forces one. Otherwise a MUJOCO_GL set by the user comes first; a value
+    that does not work is removed from this process's environment, since it would make `import mujoco` raise.
+    """
+    forced = os.environ.get(OVERRIDE, "").strip().lower()
+    if forced:
+        return _forced(forced)
+    if _imported():
+        return _after_import(_imported_backend())
+    wish = os.environ.get("MUJOCO_GL", "").strip().lower()
+    if wish in _SWITCHED_OFF:
+        return _settle("rays", wish, f"MUJOCO_GL={wish}")
+    if wish and _works(wish):
+        return _settle(_kind_of(wish), wish)
+    if wish:
+        os.environ.pop("MUJOCO_GL", None)
+    note = f"MUJOCO_GL={wish} does not work here" if wish else ""
+    for backend in _candidates():
+        if backend != wish and _works(backend):
+            return _settle(_kind_of(backend), backend, note)
+    hint = _FASTER if sys.platform == "linux" else "slow"
+    return _settle("rays", None, "; ".join(part for part in (note, hint) if part))
+
+
+def do_without() -> None:
+    """For a process that draws nothing: its `import mujoco` looks for no graphics, which is quicker and cannot fail."""
+    if not _imported():
+        os.environ["MUJOCO_GL"] = _SWITCHED_OFF[0]
+
+
+def _forced(name: str) -> Graphics:
+    """The renderer that DYNSPLINES_RENDERER names, or a GraphicsError."""
+    if name not in _NAMES:
+        raise GraphicsError(f"{OVERRIDE}={name}: no such renderer; renderers: {', '.join(_NAMES)}")
+    asked = f"{OVERRIDE}={name}"
+    if name == "rays":
+        if not _imported():
+            os.environ.pop("MUJOCO_GL", None)
+        return Graphics("rays", _line("rays", asked))
+    if _imported():
+        backends = [backend for backend in [_imported_backend()] if _kind_of(backend) == name]
+    else:
+        backends = [_DISPLAY if name == "display" else name]
+    for backend in backends:
+        if _works(backend):
+            return _settle(_kind_of(backend), backend, asked)
+    raise GraphicsError(
+        f"{asked}: {name} does not work here; unset it to let a working renderer be chosen, or use rays"
+    )
+
+
+def _after_import(backend: str) -> Graphics:
+    """Once mujoco is imported only the backend it took can draw."""
+    if backend not in _SWITCHED_OFF and _works(backend):
+        return Graphics(_kind_of(backend), _line(_kind_of(backend)))
+    return Graphics("rays", _line("rays", _IMPORTED))
+
+
+def _settle(kind: Kind, backend: str | None, note: str = "") -> Graphics:
+    """Tell MuJoCo, through the environment, what was found; the empty backend is MuJoCo's default and needs no word."""
+    if backend:
+        os.environ["MUJOCO_GL"] = backend
+    else:
+        os.environ.pop("MUJOCO_GL", None)
+    return Graphics(kind, _line(kind, note))
+
+
+def _line(kind: Kind, note: str = "") -> str:
+    return f"renderer: {_NAMES[kind]}" + (f" ({note})" if note else "")
+
+
+# What MUJOCO_GL must be for a window on the display: elsewhere than on Linux that is MuJoCo's default.
+_DISPLAY = "glfw" if sys.platform == "linux" else ""
+
+
+def _kind_of(backend: str) -> Kind:
+    return backend if backend == "egl" or backend == "osmesa" else "display"
+
+
+def _candidates() -> tuple[str, ...]:
+    """Values of MUJOCO_GL worth a try without the user's wish, fastest first."""
+    return ("egl", "osmesa", "glfw") if sys.platform == "linux" else ("",)
+
+
+def _imported() -> bool:
+    return "mujoco" in sys.modules
+
+
+def _imported_backend() -> str:
+    """The MUJOCO_GL that the imported mujoco runs with, told by the module it loaded, not by today's environment."""
+    for backend in ("egl", "osmesa", "glfw"):
+        if f"mujoco.{backend}" in sys.modules:
+            return backend
+    return "" if "mujoco.cgl" in sys.modules else "off"
+
+
+def _works(backend: str) -> bool:
+    """Whether MuJoCo draws a picture with this MUJOCO_GL; nothing is launched when its libraries are absent."""
+    return _has_libraries(backend) and _draws(backend)
+
+
+def _has_libraries(backend: str) -> bool:
+    """A look that takes less than a millisecond: can it work at all?"""
+    if sys.platform != "linux":
+        return True
+    if backend == "egl":
+        return _opens("libEGL.so.1") and _opens("libOpenGL.so.0", "libGL.so.1")
+    if backend == "osmesa":
+        return _opens("libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so")
+    return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+
+
+def _opens(*names: str) -> bool:
+    """Whether one of these shared libraries loads."""
+    for name in names:
+        try:
+            ctypes.CDLL(name)
+        except OSError:
+            continue
+        return True
+    return False
+
+
+@functools.cache
+def _draws(backend: str) -> bool:
+    """Whether it drew a short while ago, or else does now."""
+    memory = _Memory.of(backend)
+    if memory is not None and memory.holds():
+        return True
+    drawn = _tried(backend)
+    if drawn and memory is not None:
+        memory.keep()
+    return drawn
+
+
+@dataclass(frozen=True)
+class _Memory:
+    """That a backend drew: a file, and what is to stand in it."""
+
+    file: Path
+    said: str
+
+    @classmethod
+    def of(cls, backend: str) -> _Memory | None:
+        """None where nothing is to be kept, or nobody can say whether the machine was started since."""
+        folder = place()
+        try:
+            boot = BOOT.read_text()
+        except OSError:
+            return None
+        words = ("GL", "DISPLAY", "MESA", "GALLIUM", "NVIDIA", "CUDA", "LD_")
+        settings = sorted(item for item in os.environ.items() if any(word in item[0] for word in words))
+        packages = [_version(name) for name in ("mujoco", "PyOpenGL", "glfw")]
+        whole = repr((boot, platform.node(), sys.executable, packages, settings))
+        said = hashlib.blake2b(whole.encode("utf-8", "surrogateescape"), digest_size=20).hexdigest()
+        return None if folder is None else cls(folder / f"draws-{backend or 'default'}", said)
+
+    def holds(self) -> bool:
+        try:
+            is_young = 0 <= time.time() - self.file.stat().st_mtime < REMEMBERED
+            return is_young and self.file.read_text(encoding="ascii") == self.said
+        except (OSError, ValueError):
+            return False
+
+    def keep(self) -> None:
+        with suppress(OSError, UserError):
+            self.file.parent.mkdir(parents=True, exist_ok=True)
+            with Replacement(self.file) as temporary:
+                temporary.write_text(self.said, encoding="ascii")
+
+
+def _version(package: str) -> str:
+    try:
+        return version(package)
+    except PackageNotFoundError:
+        return "none"
+
+
+def _tried(backend: str) -> bool:
+    """Draw in a child process, where neither an exception nor an abort nor a hang can reach us."""
+    if not sys.executable:
+        return False
+    environment = {**os.environ, "MUJOCO_GL": backend}
+    if not backend:
+        del environment["MUJOCO_GL"]
+    try:
+        child = subprocess.run(
+            [sys.executable, "-P", "-c", _PROBE],
+            env=environment,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            timeout=PROBE_SECONDS,
+            check=False,
+        )
+    except (OSError, subprocess.SubprocessError):
+        return False
+    return child.returncode == 0 and "drawn" in child.stdout.split()

@@ -1,0 +1,37 @@
+"""A motion drawn into a file, with whatever goes wrong told as the user's error."""
+
+from __future__ import annotations
+
+import contextlib
+from pathlib import Path
+
+from ..errors import UserError
+from ..motion import Saved
+from ..system.progress import Teller
+from ..system.workers import MOST_WORKERS, cores
+from . import film, show
+from .graphics import Graphics
+from .show import Look
+
+
+def draw(saved: Saved, look: Look, graphics: Graphics, target: Path, asked: int | None, teller: Teller) -> None:
+    """Writes .mp4, .webm, .gif or .png; `asked` is how many processes may draw, None: one, or with rays one a core."""
+    still = target.suffix.lower() == ".png"
+    workers = asked or (min(cores(), MOST_WORKERS) if graphics.kind == "rays" else 1)
+    try:
+        if look.ghosts and still:
+            film.write(target, [show.figure_six(saved, look, graphics, workers=workers)], look.fps)
+            return
+        count, picks = show.image_count(saved, look, still_keys=still), None
+        if still:
+            picks = film.sheet_picks(count)
+            count = len(picks)
+        if still and count > 1:
+            look = show.for_tiles(look, film.SHEET_TILE, graphics)
+        drawn = show.images(saved, look, graphics, still_keys=still, workers=workers, picks=picks)
+        with contextlib.closing(drawn) as images:
+            film.write(target, teller.over(images, "rendering", count), look.fps, count=count)
+    except (film.FilmError, ValueError) as error:
+        raise UserError(str(error)) from None
+    except OSError as error:
+        raise UserError(f"cannot write '{target}': {error.strerror or error}") from None

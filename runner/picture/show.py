@@ -1,0 +1,218 @@
+"""A motion as images: before | after side by side, one of them alone, the keyframes, or the paper's figure 6."""
+
+from __future__ import annotations
+
+from collections.abc import Generator, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import TypedDict
+
+import numpy as np
+
+from solver.curve.frame import Timeline
+from solver.quaternion import Array
+
+from ..motion import Saved, sampled
+from ..scene.assets import Scene
+from ..scene.framing import height, middles
+from ..system.workers import in_order
+from . import layout
+from .camera import View, plan, still
+from .ghost import Ghost
+from .graphics import Graphics
+from .stage import Picture, Stage
+
+KEY_SECONDS = 0.5
+PIXELS_OF_A_PROCESS = 1_000_000  # rays draw so many in the time that a process takes to start, and some more
+SMOOTHING = 2  # times larger than a tile are its pictures drawn: four samples a pixel, as many as multisampling takes
+KEY_SHADE, VARIABLE_SHADE, BETWEEN_SHADE = 0.0, 0.45, 0.75
+KEY_OPACITY, VARIABLE_OPACITY, BETWEEN_OPACITY = 1.0, 0.55, 0.25
+BETWEEN_RATE = 15.0  # [1/s] in-betweens of a still
+
+
+@dataclass(frozen=True)
+class Look:
+    """How a motion is shown.
+
+    only    "" for before | after side by side, else "before", "after" or "keys"
+    ghosts  draw the keyframes, darkest, beside the moving figure; in a still, also variable frames and in-betweens
+    slow    how many times slower than life
+    at      only the image nearest to this time [s]
+    shrunk  how many times smaller it is shown than it is drawn
+    """
+
+    width: int = 1280
+    height: int = 720
+    fps: float = 30.0
+    only: str = ""
+    ghosts: bool = False
+    camera: str = "side"
+    slow: float = 1.0
+    at: float | None = None
+    shrunk: float = 1.0
+
+
+@dataclass(frozen=True)
+class Pane:
+    """One picture of an image: where the figure stands, (nq,), and the words on it, above and in the lower corner."""
+
+    qpos: Array
+    title: str
+    corner: str = ""
+
+
+@dataclass(frozen=True)
+class Shot:
+    """One image to be drawn: pictures side by side, seen from one place."""
+
+    view: View
+    panes: tuple[Pane, ...]
+    ghosts: tuple[Ghost, ...] = ()
+
+
+class Lens(TypedDict):
+    """The arguments of a camera's plan that come from the model."""
+
+    fovy: float
+    height: float
+    cameras: list[str]
+
+
+def root_path(saved: Saved, qpos: Array) -> Array:
+    """(T, 3) where the figure is: its free root, or the middle of its bodies for a fixed one."""
+    return middles(saved.figure, qpos)
+
+
+def figure_height(saved: Saved) -> float:
+    """How tall the figure is [m], for the camera's distance."""
+    return height(saved.figure, saved.figure.to_qpos(np.concatenate([saved.raw.states, saved.timeline.states])))
+
+
+def image_count(saved: Saved, look: Look, *, still_keys: bool = False) -> int:
+    """How many images `images` will give."""
+    if look.only == "keys":
+        return len(saved.keys) * (1 if still_keys else max(1, round(KEY_SECONDS * look.fps)))
+    return 1 if look.at is not None else len(sampled(saved.figure, saved.raw, look.fps * look.slow).time)
+
+
+def for_tiles(look: Look, tile: int, graphics: Graphics) -> Look:
+    """The same look drawn no larger than its images need to be as tiles of a contact sheet.
+
+    tile  the longer side of one [pixels]; rays smooth edges themselves, OpenGL's pictures are shrunk by half for that
+    """
+    longest = max(look.width, look.height)
+    times = 1 if graphics.kind == "rays" else SMOOTHING
+    if longest <= times * tile:
+        return replace(look, shrunk=max(1.0, longest / tile))
+    width, height = (times * max(1, round(side * tile / longest)) for side in (look.width, look.height))
+    return replace(look, width=width + width % 2, height=height, shrunk=float(times))
+
+
+def images(
+    saved: Saved,
+    look: Look,
+    graphics: Graphics,
+    *,
+    still_keys: bool = False,
+    workers: int = 1,
+    picks: Sequence[int] | None = None,
+) -> Generator[Picture, None, None]:
+    """The images of a video; `still_keys` gives each keyframe once. The same whatever the number of workers.
+
+    workers  processes that draw, at most: as many as there is work for; with rays, threads where one process is enough
+    picks    which of the images of a still to draw, if not all
+    """
+    keys = look.only == "keys"
+    shots = _key_shots(saved, look) if keys else _moving_shots(saved, look)
+    shots = shots if picks is None else [shots[i] for i in picks]
+    repeat = max(1, round(KEY_SECONDS * look.fps)) if keys and not still_keys else 1
+    processes = max(1, min(workers, len(shots), len(shots) * look.width * look.height // PIXELS_OF_A_PROCESS))
+    stage = partial(_stage, saved.scene, look, graphics, len(shots[0].panes), max(1, workers // processes))
+    for image in in_order(stage, _drawn, shots, processes):
+        for _ in range(repeat):
+            yield image
+
+
+def _stage(scene: Scene, look: Look, graphics: Graphics, panes: int, threads: int) -> Stage:
+    return Stage(scene, look.width // panes, look.height, graphics, threads=threads, shrunk=look.shrunk)
+
+
+def _drawn(stage: Stage, shot: Shot) -> Picture:
+    halves = []
+    for pane in shot.panes:
+        picture = layout.caption(stage.picture(pane.qpos, shot.view, ghosts=shot.ghosts), pane.title)
+        halves.append(layout.caption(picture, pane.corner, place="bottom right") if pane.corner else picture)
+    return halves[0] if len(halves) == 1 else layout.side_by_side(*halves)
+
+
+def _key_shots(saved: Saved, look: Look) -> list[Shot]:
+    qpos = saved.figure.to_qpos(_key_states(saved, saved.raw))
+    views = _plan(saved, look, root_path(saved, qpos), 1.0, 1)
+    return [
+        Shot(view, (Pane(q, f"keyframe {i} of {len(qpos)}, {key.time:.2f} s"),))
+        for i, (q, view, key) in enumerate(zip(qpos, views, saved.keys, strict=True), 1)
+    ]
+
+
+def _moving_shots(saved: Saved, look: Look) -> list[Shot]:
+    sides = {"before": saved.raw, "after": saved.timeline}
+    shown = [look.only] if look.only else ["before", "after"]
+    runs = {name: sampled(saved.figure, sides[name], look.fps * look.slow) for name in shown}
+    roots = np.stack([root_path(saved, run.qpos) for run in runs.values()])
+    views = _plan(saved, look, roots, look.fps * look.slow, len(shown))
+    ghosts = _key_ghosts(saved) if look.ghosts else ()
+    time = next(iter(runs.values())).time
+    chosen = range(len(time)) if look.at is None else [int(np.abs(time - look.at).argmin())]
+    return [
+        Shot(views[i], tuple(Pane(run.qpos[i], name, f"{time[i]:.2f} s") for name, run in runs.items()), ghosts)
+        for i in chosen
+    ]
+
+
+def _plan(saved: Saved, look: Look, roots: Array, fps: float, panes: int) -> tuple[View, ...]:
+    return plan(roots, fps, look.width // panes / look.height, look.camera, **_lens(saved))
+
+
+def _lens(saved: Saved) -> Lens:
+    """What the camera's place depends on in the model."""
+    model = saved.figure.model
+    return {
+        "fovy": float(model.vis.global_.fovy),
+        "height": figure_height(saved),
+        "cameras": [model.camera(i).name for i in range(model.ncam)],
+    }
+
+
+def _key_states(saved: Saved, timeline: Timeline) -> Array:
+    at = np.searchsorted(timeline.times, [key.time - 1e-9 for key in saved.keys])
+    return timeline.states[at]
+
+
+def _key_ghosts(saved: Saved) -> tuple[Ghost, ...]:
+    qpos = saved.figure.to_qpos(_key_states(saved, saved.timeline))
+    return tuple(Ghost(q, shade=0.6, opacity=0.3) for q in qpos)
+
+
+def figure_six(
+    saved: Saved, look: Look, graphics: Graphics, *, workers: int = 1, rate: float = BETWEEN_RATE
+) -> Picture:
+    """One still: keyframes darkest, variable frames lighter, in-betweens lightest (figure 6 of the paper).
+
+    workers  threads, with rays
+    rate     in-betweens a second
+    """
+    figure = saved.figure
+    timeline = saved.raw if look.only == "before" else saved.timeline
+    keys = {key.time for key in saved.keys}
+    qpos = figure.to_qpos(timeline.states)
+    own = np.array([any(abs(t - k) < 1e-9 for k in keys) for t in timeline.times])
+    between = sampled(figure, timeline, rate).qpos
+    ghosts = [Ghost(q, shade=BETWEEN_SHADE, opacity=BETWEEN_OPACITY) for q in between]
+    if look.only != "keys":
+        ghosts += [Ghost(q, shade=VARIABLE_SHADE, opacity=VARIABLE_OPACITY) for q in qpos[~own]]
+    else:
+        ghosts = []
+    ghosts += [Ghost(q, shade=KEY_SHADE, opacity=KEY_OPACITY) for q in qpos[own]]
+    view = still(root_path(saved, qpos), look.width / look.height, look.camera, **_lens(saved))
+    with _stage(saved.scene, look, graphics, 1, workers) as stage:
+        return stage.picture(None, view, ghosts=ghosts)

@@ -1,0 +1,192 @@
+"""Files that a model refers to, meshes, images, height fields and skins, brought along as bytes.
+
+MuJoCo finds them by name in a dictionary as well as on a disk, `MjModel.from_xml_string(text, assets)`. The names are
+made flat and unique here, so that neither the model's folder nor its compiler's settings matter any more.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import mujoco
+
+from ..errors import UserError
+from ..system import largest
+from . import mjcf_size, outside
+from .model_files import FOLDERS, Model, elements, is_there
+from .mujoco_versions import mesh_folder, texture_folder
+
+Assets = Mapping[str, bytes]
+LONGEST = 255  # [bytes] of a file's name, on every disk
+ODD = re.compile(r"[\x00-\x1f\x7f/\\:*?\"<>|]")  # what some system does not have in names, or takes for a path
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A model whole and by itself: its MJCF text, and the files that the text refers to by name."""
+
+    mjcf: str
+    assets: Assets = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        """Raises ValueError for names that are more than names: they become files beside others some day."""
+        for name in self.assets:
+            if not is_plain(name):
+                raise ValueError(f"its file '{name}' is no plain name of a file")
+
+    @classmethod
+    def received(cls, mjcf: str, assets: Assets) -> Scene:
+        """A scene from a file that anybody may have written; raises ValueError if it refers to any other files."""
+        scene = cls(mjcf, assets)
+        if outside.is_allowed():
+            return scene
+        for tag, said in elements(mjcf):
+            if tag == "include":
+                raise ValueError(f"its model includes '{said.get('file', '')}'; a file brings its whole model along")
+            folder = next((name for name in FOLDERS if tag == "compiler" and said.get(name)), None)
+            if folder is not None:
+                raise ValueError(f"its model has a {folder}, '{said[folder]}'; a file brings its model's files along")
+            for file in (value for key, value in said.items() if key.startswith("file") and value):
+                if file not in assets:
+                    raise ValueError(f"its model refers to '{file}', which it does not bring along")
+        return scene
+
+    def model(self) -> mujoco.MjModel:
+        """Compiled; raises ValueError, and UserError for one that would be too large."""
+        mjcf_size.check(self.mjcf, "model", assets=self.assets)
+        return mujoco.MjModel.from_xml_string(self.mjcf, dict(self.assets))
+
+    def spec(self) -> mujoco.MjSpec:
+        """To be changed; raises ValueError, and UserError for one that would be too large."""
+        mjcf_size.check(self.mjcf, "model", assets=self.assets)
+        spec = mujoco.MjSpec.from_string(self.mjcf, assets=dict(self.assets))
+        spec.assets = dict(self.assets)  # 3.2.7 forgets them
+        return spec
+
+
+@dataclass(frozen=True)
+class _Reference:
+    """One place in a model that names a file, the folder that the model gives for its kind, and how to rename it."""
+
+    file: str
+    folder: str
+    rename: Callable[[str], None]
+
+
+def taken_along(spec: mujoco.MjSpec) -> Assets:
+    """The files that a model refers to, by new names that the model then knows them by; raises UserError."""
+    found: dict[str, bytes] = {}
+    names: dict[str, str] = {}
+    own = dict(spec.assets)
+    base = Path(spec.modelfiledir)
+    for reference in list(_references(spec)):
+        where, data = _read(reference, base, own)
+        if where not in names:
+            names[where] = _fresh(_plain(Path(reference.file.replace("\\", "/")).name), found)
+            found[names[where]] = data
+        reference.rename(names[where])
+    largest.check("the model", sum(map(len, found.values())), "what the files it refers to hold")
+    spec.meshdir = spec.texturedir = spec.modelfiledir = ""
+    spec.strippath = False
+    spec.assets = {}
+    return found
+
+
+def check_places(spec: mujoco.MjSpec, models: Sequence[Model]) -> None:
+    """Raises UserError for files outside the model's folder; those of models in it are called by where they are.
+
+    models  the one that is read, and those that it brings along
+    """
+    base = Path(spec.modelfiledir)
+    for reference in list(_references(spec)):
+        file, folder = reference.file.replace("\\", "/"), reference.folder.replace("\\", "/")
+        naming = [model for model in models[1:] if file in model.files and folder in model.folders]
+        theirs = [place for model in naming if is_there(place := model.folder / folder / file)]
+        is_own = not theirs or (file in models[0].files and folder in models[0].folders)
+        places = [place for place in _places(reference, base) if is_there(place)][:1] if is_own else []
+        for place in [*places, *theirs] or [base / folder / file]:
+            outside.check(place, base, reference.file)
+        if len({place.read_bytes() for place in [*places, *theirs]}) > 1:
+            known = " and ".join(f"'{place}'" for place in [*places, *theirs])
+            raise UserError(f"models that are attached use different files of one name: {known}; rename one")
+        if theirs and not places:
+            reference.rename(str(theirs[0].absolute()))
+
+
+def _references(spec: mujoco.MjSpec) -> Iterator[_Reference]:
+    for element, folder in (
+        *((mesh, mesh_folder(spec, mesh)) for mesh in spec.meshes),
+        *((grid, mesh_folder(spec, grid)) for grid in spec.hfields),
+        *((skin, mesh_folder(spec, skin)) for skin in spec.skins),
+        *((texture, texture_folder(spec, texture)) for texture in spec.textures),
+    ):
+        if element.file:
+            yield _Reference(element.file, folder, _renaming(element))
+    for texture in spec.textures:
+        for side, file in enumerate(texture.cubefiles):
+            if file:
+                yield _Reference(file, texture_folder(spec, texture), _renaming_side(texture, side))
+
+
+def _renaming(element: Any) -> Callable[[str], None]:
+    def rename(name: str) -> None:
+        element.file = name
+
+    return rename
+
+
+def _renaming_side(texture: Any, side: int) -> Callable[[str], None]:
+    def rename(name: str) -> None:
+        texture.cubefiles[side] = name
+
+    return rename
+
+
+def _read(reference: _Reference, base: Path, own: Assets) -> tuple[str, bytes]:
+    """Where a file lies and what it holds: among the model's own assets, or on the disk as MuJoCo looks for it."""
+    folder, file = reference.folder.replace("\\", "/"), reference.file.replace("\\", "/")
+    for name in (reference.file, file, str(Path(folder) / file), Path(file).name):
+        if name in own:
+            return name, own[name]
+    places = _places(reference, base)
+    for place in places:
+        if is_there(place):
+            outside.check(place, base, reference.file)
+            try:
+                return str(place.resolve()), place.read_bytes()
+            except OSError as error:
+                raise UserError(f"the model refers to '{place}': it cannot be read: {error.strerror}") from None
+    raise UserError(f"the model refers to the file '{reference.file}', which is not there: no '{places[0]}'")
+
+
+def _places(reference: _Reference, base: Path) -> list[Path]:
+    """Where MuJoCo looks for a file on the disk, one after the other; at last as if there were every folder named."""
+    folder, file = reference.folder.replace("\\", "/"), reference.file.replace("\\", "/")
+    first = base / folder / file
+    return [first, base / file, base / folder / Path(file).name, Path(os.path.normpath(first))]
+
+
+def is_plain(name: str) -> bool:
+    """Whether a name is that of a file, in plain sight, in whatever folder: no path, and one on every system."""
+    return bool(name) and not name.startswith(".") and not ODD.search(name) and len(name.encode()) <= LONGEST
+
+
+def _plain(name: str) -> str:
+    """A name like the given one that is plain."""
+    name = ODD.sub("_", name).lstrip(".") or "file"
+    return name if is_plain(name) else f"file{Path(name).suffix[:16]}"
+
+
+def _fresh(name: str, taken: Assets) -> str:
+    """A file's name, or with a number where another file has it already."""
+    path, number = Path(name), 1
+    lower = {other.lower() for other in taken}
+    while name.lower() in lower:
+        number += 1
+        name = f"{path.stem}_{number}{path.suffix}"
+    return name

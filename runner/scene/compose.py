@@ -1,0 +1,176 @@
+"""Figure and stage become one model: what the model lacks of sky, light, floor and materials, and obstacles."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import warnings
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import mujoco
+import numpy as np
+
+import models
+from solver.figure.figure import names_of_joints
+from solver.surface.touch import SCENERY, grounds
+
+from ..errors import UserError, unknown
+from . import mjcf_size
+from .assets import Assets, Scene, check_places, taken_along
+from .dressing import dress
+from .framing import STANDING, is_of_people_size, rest_box, size_of
+from .lighting import is_well_lit
+from .model_files import is_there, models_in
+from .mujoco_versions import attach, geom_named, portable_text, remove, size_of_pictures
+from .obstacle import Obstacle, add_bodies
+
+PREFIX = "stage_"
+BURIED = 0.005  # [m] by which a bolted figure may go into the floor
+BELOW = 0.02  # of its size, how far below its lowest point a floor is put
+
+
+@dataclass(frozen=True)
+class Step:
+    """A box to step on: its front face at x, its top at `height`; all in metres."""
+
+    x: float
+    height: float
+    length: float = 3.0
+    width: float = 2.4
+    y: float = 0.0
+
+
+@contextlib.contextmanager
+def quietly() -> Iterator[None]:
+    """MuJoCo's warnings dropped: it would print them and leave a log in the user's folder."""
+    before = mujoco.get_mju_user_warning()
+    mujoco.set_mju_user_warning(lambda _: None)
+    try:
+        with contextlib.redirect_stdout(io.StringIO()), warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of settings that MuJoCo will drop
+            yield
+    finally:
+        mujoco.set_mju_user_warning(before)
+
+
+def figure_spec(figure: str, folder: Path | None = None) -> mujoco.MjSpec:
+    """A shipped figure by name, or the model of an MJCF file (relative to `folder`)."""
+    if figure in models.figures():
+        return mujoco.MjSpec.from_string(models.figure_text(figure))
+    path = (folder or Path()) / figure
+    if not is_there(path):
+        if Path(figure).suffix or "/" in figure:
+            raise UserError(f"no file '{figure}'; a figure is a path to MJCF or one of: {', '.join(models.figures())}")
+        raise UserError(unknown("figure", figure, models.figures()))
+    mjcf_size.check_file(path)
+    try:
+        models_read = models_in(path)
+        with quietly():
+            spec = mujoco.MjSpec.from_file(str(path))
+        check_places(spec, models_read)
+    except UserError as error:
+        raise UserError(f"{figure}: {error}") from None
+    except ValueError as error:
+        raise UserError(f"{figure}: MuJoCo cannot read it: {first_line(error)}") from None
+    return spec
+
+
+def spec_joint_names(spec: mujoco.MjSpec) -> list[str]:
+    """What the joints of a model are called, as `joint_names` calls them, before it is compiled."""
+    given: list[str] = []
+    bodies: list[tuple[str, int]] = []
+    waiting = list(spec.worldbody.bodies)[::-1]
+    while waiting:  # depth first, as MuJoCo numbers them
+        body = waiting.pop()
+        joints = list(body.joints)
+        given += [joint.name for joint in joints]
+        bodies.append((body.name, len(joints)))
+        waiting += list(body.bodies)[::-1]
+    return names_of_joints(given, bodies)
+
+
+def compose(spec: mujoco.MjSpec, step: Step | None = None, obstacles: Sequence[Obstacle] = ()) -> Scene:
+    """A figure on its stage, complete with the files it refers to; from it alone the model is compiled from now on.
+
+    Without the model's own <keyframe> elements: MuJoCo writes them with few digits and leaves out some.
+    """
+    assets = taken_along(spec)
+    for key in list(spec.keys):
+        remove(spec, key)
+    bare = _compiled(spec, assets)
+    has_floor = bool(grounds(bare))
+    is_staged = has_floor and any(material.name == PREFIX + "step" for material in spec.materials)  # by an earlier call
+    stage = _stage(spec, bare, has_floor=has_floor)
+    try:
+        with quietly():
+            if not is_staged:
+                dress(spec, bare, PREFIX)
+                attach(spec, stage, PREFIX)
+            if not has_floor and all(geom.name != "floor" for geom in spec.geoms):
+                geom_named(spec, PREFIX + "floor").name = "floor"
+            if step is not None:
+                _add_step(spec, step)
+            add_bodies(spec, obstacles)
+            for obstacle in obstacles:
+                obstacle.add_to(spec, PREFIX + "step")
+            _compiled(spec, assets)
+            return Scene(portable_text(spec), assets)
+    except ValueError as error:
+        raise UserError(f"MuJoCo cannot compile the model with its stage: {first_line(error)}") from None
+
+
+def _stage(spec: mujoco.MjSpec, bare: mujoco.MjModel, *, has_floor: bool) -> mujoco.MjSpec:
+    """What of the stage a model lacks; a model without good lamps of its own is seen in the stage's light alone."""
+    stage = mujoco.MjSpec.from_string(models.stage_text())
+    has_light = is_well_lit(bare)
+    has_sky = any(texture.type == mujoco.mjtTexture.mjTEXTURE_SKYBOX for texture in spec.textures)
+    skies = [texture for texture in stage.textures if texture.type == mujoco.mjtTexture.mjTEXTURE_SKYBOX]
+    for unwanted, present in ((list(stage.geoms), has_floor), (list(stage.lights), has_light), (skies, has_sky)):
+        for element in unwanted if present else []:
+            remove(stage, element)
+    if not has_light:
+        for lamp in spec.lights:
+            lamp.active = False
+        spec.visual, spec.stat = stage.visual, stage.stat
+        if not is_of_people_size(bare):
+            spec.stat.extent *= size_of(bare) / STANDING
+    if not has_floor and not np.any(bare.jnt_type == int(mujoco.mjtJoint.mjJNT_FREE)):
+        low = float(rest_box(bare)[0][2])
+        if low < -BURIED:  # what hangs on the world may hang lower than its origin
+            geom_named(stage, "floor").pos = [0.0, 0.0, low - BELOW * size_of(bare)]
+    size, wanted = size_of_pictures(spec), size_of_pictures(stage)
+    size.offwidth, size.offheight = wanted.offwidth, wanted.offheight
+    return stage
+
+
+def _compiled(spec: mujoco.MjSpec, assets: Assets) -> mujoco.MjModel:
+    spec.assets = dict(assets)
+    try:
+        with quietly():
+            return spec.compile()
+    except ValueError as error:
+        raise UserError(f"MuJoCo cannot compile the model: {first_line(error)}") from None
+    finally:
+        spec.assets = {}  # or MuJoCo warns of what is attached without any
+
+
+def _add_step(spec: mujoco.MjSpec, step: Step) -> None:
+    if any(geom.name == "step" for geom in spec.geoms):
+        raise UserError("the scene asks for a step, but the model already has a geom named 'step'")
+    half = [step.length / 2, step.width / 2, step.height / 2]
+    spec.worldbody.add_geom(
+        name="step",
+        type=mujoco.mjtGeom.mjGEOM_BOX,
+        size=half,
+        pos=[step.x + half[0], step.y, half[2]],
+        material=PREFIX + "step",
+        contype=0,
+        conaffinity=1 | SCENERY,
+    )
+
+
+def first_line(error: Exception) -> str:
+    """An error of several lines as one."""
+    return " ".join(str(error).split())

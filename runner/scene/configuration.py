@@ -1,0 +1,31 @@
+"""What configurations of a model, MuJoCo's qpos, must not be, whoever sent them."""
+
+from __future__ import annotations
+
+import mujoco
+import numpy as np
+
+from solver.quaternion import Array
+
+from ..clip.table import LARGEST
+
+SHORTEST = 1e-6  # of a quaternion that still tells a direction
+QUATERNION = {mujoco.mjtJoint.mjJNT_FREE: 3, mujoco.mjtJoint.mjJNT_BALL: 0}  # where it begins among a joint's entries
+
+
+def first_wrong(model: mujoco.MjModel, time: Array, qpos: Array) -> tuple[int, str] | None:
+    """The first of some keyframes, time (K,) [s] and qpos (K, nq), that is wrong, and what is; None if all are well."""
+    entries = np.column_stack([time, qpos])
+    found = [
+        (np.isfinite(entries).all(axis=1), "an entry is not a finite number"),
+        ((np.abs(entries) <= LARGEST).all(axis=1), "an entry is too large"),
+    ]
+    for joint in range(model.njnt):
+        kind = mujoco.mjtJoint(int(model.jnt_type[joint]))
+        if kind in QUATERNION:
+            start = int(model.jnt_qposadr[joint]) + QUATERNION[kind]
+            with np.errstate(over="ignore"):
+                told = np.linalg.norm(qpos[:, start : start + 4], axis=1) >= SHORTEST
+            found.append((told, f"the quaternion of '{model.joint(joint).name or f'joint {joint}'}' is zero"))
+    wrong = [(int(np.argmin(well)), said) for well, said in found if not well.all()]
+    return min(wrong, key=lambda each: each[0], default=None)

@@ -1,0 +1,171 @@
+"""What an MJCF model comes to in memory, told from its text before MuJoCo reads it.
+
+A line can ask for a million copies or a height field of gigabytes, and MuJoCo makes them without asking back. Counted
+are elements, times whatever replicates or attaches them, and the numbers that say how large a thing becomes. It is a
+bound from above of what is usual, not a promise; copies weigh more, for MuJoCo takes time with the square of them.
+"""
+
+from __future__ import annotations
+
+import html
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from ..system import largest
+
+ELEMENT = 10_000  # [bytes] of a body, geom or joint, as its text and compiled
+COPIED = 50_000  # [bytes] of one that is replicated: 20,000 of them take MuJoCo 15 s, and twice as many four times that
+HEIGHT = 16  # [bytes] of a height field's point
+PIXEL = 6  # [bytes] of a texture's
+NUMBER = 8  # [bytes]
+KEY_NUMBERS = 2  # numbers of a keyframe for every element; a person needs 1, a pile of free bodies 9
+CUBE = 6  # sides
+PNG = b"\x89PNG\r\n\x1a\n"
+
+SKIPPED = {"<!--": "-->", "<![CDATA[": "]]>", "<?": "?>", "<!": ">"}
+TAG = re.compile(r"<(/?)([^\s/<>\"'=]+)((?:\"[^\"]*\"|'[^']*'|[^<>\"'])*+)>")
+ATTRIBUTE = re.compile(r"([\w:.-]+)\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")
+LEADING = re.compile(r"\s*([-+]?[0-9]*\.?[0-9]*(?:[eE][-+]?[0-9]{1,3})?)\s*([KMGTPE]?)")
+UNITS = {"": 0, "K": 10, "M": 20, "G": 30, "T": 40, "P": 50, "E": 60}
+
+
+def check(text: str, place: object, folder: Path | None = None, assets: Mapping[str, bytes] | None = None) -> None:
+    """Raises UserError for a model that would be too large; folder and assets as MuJoCo would look for files."""
+    counted = _Count(folder, assets or {})
+    size = counted.model(text, "")
+    largest.check(place, size + counted.keys * NUMBER * KEY_NUMBERS * size / ELEMENT, "the model that it describes")
+
+
+def check_file(path: Path) -> None:
+    """As `check`, of a file; one that cannot be read is left to whoever reads it."""
+    try:
+        largest.check(path, path.stat().st_size, "it")
+        text = path.read_text(encoding="utf-8", errors="replace")
+    except OSError:
+        return
+    check(text, path, path.parent)
+
+
+@dataclass
+class _Count:
+    """The bytes of models by the files that they are in, and the number of keyframes.
+
+    open  files that are being counted, so that one that names itself ends
+    """
+
+    folder: Path | None
+    assets: Mapping[str, bytes]
+    keys: float = 0.0
+    known: dict[str, float] = field(default_factory=dict)
+    open: set[str] = field(default_factory=set)
+
+    def model(self, text: str, name: str) -> float:
+        """[bytes] of a model or an included part of one."""
+        self.open.add(name)
+        total, attached, attachable, factors = 0.0, 0.0, 0.0, [1.0]
+        for tag, attributes, closes, empty in _tags(text):
+            if closes:
+                factors = factors[:-1] or [1.0]
+                continue
+            factor, copies = factors[-1], 1.0
+            if tag == "replicate":
+                copies = max(_number(attributes.get("count", "")), 1.0)
+            total += factor * ((COPIED if factor > 1 else ELEMENT) + self._own(tag, attributes))
+            if tag == "include":
+                total += factor * self._file(attributes.get("file", ""))
+            elif tag == "model":
+                attachable += self._file(attributes.get("file", ""))
+            elif tag == "attach":
+                attached += factor
+            if not empty:
+                factors.append(factor * copies)
+        self.open.discard(name)
+        return total + attached * attachable
+
+    def _file(self, name: str) -> float:
+        """[bytes] of a model in another file."""
+        if name not in self.known and name not in self.open:
+            data = self._read(name)
+            self.known[name] = 0.0 if data is None else self.model(data.decode("utf-8", errors="replace"), name)
+        return self.known.get(name, 0.0)
+
+    def _read(self, name: str, most: int = -1) -> bytes | None:
+        if name in self.assets:
+            return self.assets[name]
+        if self.folder is None or not name:
+            return None
+        try:
+            with (self.folder / name).open("rb") as stream:
+                return stream.read(most)
+        except (OSError, ValueError):
+            return None
+
+    def _own(self, tag: str, attributes: Mapping[str, str]) -> float:
+        """[bytes] of an element beyond that it is there."""
+        number = {name: _number(value) for name, value in attributes.items()}
+        match tag:
+            case "hfield":
+                return HEIGHT * max(number.get("nrow", 0) * number.get("ncol", 0), self._pixels(attributes))
+            case "texture":
+                sides = CUBE if attributes.get("type", "cube") != "2d" else 1
+                width, height = number.get("width", 0), number.get("height", 0)
+                return PIXEL * max(sides * width * max(height, width if sides > 1 else 0), self._pixels(attributes))
+            case "composite" | "flexcomp":
+                return 4 * COPIED * _product(attributes.get("count", ""))
+            case "size":
+                self.keys += number.get("nkey", 0)
+                users = sum(value for name, value in number.items() if name.startswith("nuser_"))
+                stack = number.get("nstack", 0) + number.get("nuserdata", 0) + number.get("njmax", 0)
+                return number.get("memory", 0) + NUMBER * (stack + users * ELEMENT)
+            case "key":
+                self.keys += 1
+            case "numeric":
+                return NUMBER * number.get("size", 0)
+            case "mesh":
+                finest = max([0.0, *map(_number, attributes.get("params", "").split())])
+                return ELEMENT * finest**2 if "builtin" in attributes else 0.0
+        return NUMBER * (number.get("dim", 0) + 2 * number.get("nsample", 0))
+
+    def _pixels(self, attributes: Mapping[str, str]) -> float:
+        """Of an image in a file, by its head."""
+        head = self._read(attributes.get("file", ""), 24) or b""
+        if head[:8] != PNG:
+            return 0.0
+        return float(int.from_bytes(head[16:20]) * int.from_bytes(head[20:24]))
+
+
+def _tags(text: str) -> Iterator[tuple[str, dict[str, str], bool, bool]]:
+    """Name, attributes, whether it closes one, whether it is empty; up to where MuJoCo, too, finds no XML any more."""
+    place = text.find("<")
+    while place >= 0:
+        skipped = next((end for begin, end in SKIPPED.items() if text.startswith(begin, place)), None)
+        if skipped is not None:
+            place = text.find(skipped, place)
+        else:
+            found = TAG.match(text, place)
+            if found is None:
+                return
+            closes, tag, inside = found.groups()
+            attributes = {name: html.unescape(a or b) for name, a, b in ATTRIBUTE.findall(inside)} if inside else {}
+            yield tag, attributes, bool(closes), inside.endswith("/")
+            place = found.end()
+        if place >= 0:
+            place = text.find("<", place)
+
+
+def _number(text: str) -> float:
+    """The number that a text begins with, with its unit of bytes; nought for none."""
+    found = LEADING.match(text)
+    try:
+        return max(0.0, float(found[1])) * 2.0 ** UNITS[found[2]] if found else 0.0
+    except ValueError:
+        return 0.0
+
+
+def _product(text: str) -> float:
+    out = 1.0
+    for part in text.split():
+        out *= max(1.0, _number(part))
+    return out

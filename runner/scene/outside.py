@@ -1,0 +1,54 @@
+"""Whether a model may refer to files outside its own folder: one that strangers send could name anybody's files.
+
+It may not, unless the user says so: `with allowed():` around whatever reads models, `--allow-outside` on the command
+line, `allow_outside=True` in Python.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+from pathlib import Path
+
+from ..errors import UserError
+
+_allowed: ContextVar[bool] = ContextVar("allowed", default=False)
+
+
+@contextmanager
+def allowed(yes: bool = True) -> Iterator[None]:
+    """In here models may refer to files anywhere; with yes=False it is as it was before."""
+    before = _allowed.set(yes or _allowed.get())
+    try:
+        yield
+    finally:
+        _allowed.reset(before)
+
+
+def is_allowed() -> bool:
+    """Whether models may refer to files outside their folders now."""
+    return _allowed.get()
+
+
+def check(place: Path, folder: Path, said: str) -> None:
+    """Raises UserError for a file that does not lie in the model's folder or below, wherever links lead.
+
+    place   where the file is
+    folder  the model's
+    said    how the model calls the file
+    """
+    if not is_allowed() and not lies_in(place, folder):
+        home = os.path.realpath(folder)
+        real = os.path.realpath(place)
+        way = "" if said == real else f" ('{real}')"
+        raise UserError(
+            f"the model refers to '{said}'{way}, outside its folder '{home}'; if it may read that file, "
+            "--allow-outside lets it (allow_outside=True in Python)"
+        )
+
+
+def lies_in(place: Path, folder: Path) -> bool:
+    """Whether a file is in a folder or below it, once all links are followed."""
+    return Path(os.path.realpath(place)).is_relative_to(os.path.realpath(folder))

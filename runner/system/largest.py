@@ -1,0 +1,31 @@
+"""How much a file may come to in memory: strangers send files, and a small one can ask for all that there is."""
+
+from __future__ import annotations
+
+import os
+
+from ..errors import UserError
+
+VARIABLE = "DYNSPLINES_LARGEST"
+USUAL = 1000  # [MB]; ten minutes of a hundred joints at 120 samples a second are 60 MB an array
+MEGABYTE = 1_000_000
+
+
+def bound() -> int:
+    """[bytes], the usual or what the environment says in MB; raises UserError if that is no number."""
+    said = os.environ.get(VARIABLE, "").strip()
+    if not said:
+        return USUAL * MEGABYTE
+    if not (said.isascii() and said.isdigit() and 0 < len(said) <= 9 and int(said)):
+        raise UserError(f"{VARIABLE}={said}: give a number of MB, such as {4 * USUAL}")
+    return int(said) * MEGABYTE
+
+
+def check(place: object, size: float, what: str) -> None:
+    """Raises UserError for what would come to more bytes than the bound; `what` says what it is that is so large."""
+    most = bound()
+    if size > most:
+        raise UserError(
+            f"{place}: {what} comes to {size / MEGABYTE:,.0f} MB in memory, over {most // MEGABYTE:,} MB; "
+            f"if you trust it, set {VARIABLE} to more MB"
+        )
