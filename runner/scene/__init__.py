@@ -1,0 +1,14 @@
+"""The scene: figure and stage made one model, and what a model may read.
+
+compose          figure and stage become one model
+obstacle         obstacles of a clip's scene: boxes, spheres, capsules and cylinders in metres, as geoms of the stage
+dressing         materials for a model that has none
+lighting         whether a model's own lamps light its figure wherever it goes
+framing          how large a figure is and where
+assets           files that a model refers to, meshes, images, height fields and skins, brought along as bytes
+model_files      what an MJCF file reads besides itself, as its text tells, before MuJoCo reads any of it
+mjcf_size        what an MJCF model comes to in memory, told from its text before MuJoCo reads it
+outside          whether a model may refer to files outside its own folder
+configuration    what configurations of a model, MuJoCo's qpos, must not be, whoever sent them
+mujoco_versions  what MuJoCo calls by other names in its older versions
+"""

@@ -1,0 +1,14 @@
+"""The figure: a MuJoCo model as links, their motion with exact gradients, and the forces that it takes.
+
+figure         an MjModel as a tree of links, one joint each, and the state that a spline runs through
+algebra        vectors, rotations and quaternions of many links at many samples, component first
+kinematics     samples of a path as motion of the links, and the adjoint sweep that pulls gradients back
+dynamics       inverse dynamics of all samples at once, and its adjoint; eqs. 18-21 and appendix A of the paper
+wrench         the wrench at a free root: what must push the figure from outside for it to move as it does
+axes           what each coordinate of a figure does to its links, as a function of time
+jacobian_rows  rows of points, moments and the root's wrench, for ball joints in world coordinates
+joint_rows     rows of points, for any joints
+joint_wrench   rows of the root's wrench, for any joints
+joint_spin     rows of joints' angular accelerations, for any joints
+naming         what geoms are called, so that people know them
+"""

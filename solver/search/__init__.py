@@ -1,0 +1,11 @@
+"""The search: variable frames moved to the nearest minimum of the objective.
+
+descent         steps 3 and 4 of the paper's figure 5 on one timeline
+newton          Gauss-Newton steps with Levenberg's damping, each a banded solve
+quadratic       the model that a step minimises: E to second order, one-sided residuals kept one-sided
+refinement      NLopt's methods in variables in which that model is a sphere
+preconditioner  the change to those variables
+optimiser       minimise(fun, x0): the only file that knows NLopt
+astray          whether a search ended in a heap
+judgement       which of several timelines of one clip is best
+"""

@@ -1,0 +1,11 @@
+"""Captured people: skeletons read, understood, and put on a figure.
+
+bvh_file         the text of a BVH file, Biovision's hierarchy and motion, to numbers and back
+hierarchy        bodies as animators have them
+roles            which part of a body a joint is, by its name and its place in the tree: for skeletons of many makers
+captured         a captured skeleton in our axes: metres, z up, looking along x where it stands straight
+captured_figure  a captured skeleton as a figure of its own
+person           a figure as a person: ball joints by the names that skeletons of motion capture share
+retarget         a captured skeleton's motion on another figure
+hinged           ball joints as three hinges each, for formats and simulators that know hinges only
+"""
