@@ -17,7 +17,7 @@ import pytest
 from tiny import changed, names, written
 
 from runner import clip as clips
-from runner import motion
+from runner import motion, output
 from runner.output import TEMPORARY, Replacement
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="limits, forks and signals are another matter there")
@@ -288,6 +288,22 @@ def test_two_writers_of_one_file_leave_one_of_the_two_whole(tmp_path: Path):
             seen.add(target.read_bytes())
     assert seen <= {b"a" * sizes[0], b"b" * sizes[1]} and len(seen | {target.read_bytes()}) >= 1
     assert names(tmp_path) == ["a.bin"]
+
+
+def test_a_writer_whose_file_is_taken_for_a_leftover_before_it_is_locked_begins_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
+    target, real, taken = tmp_path / "a.bin", output._locked, []
+
+    def locked(handle: int) -> bool:
+        if not taken:
+            taken.append([path.unlink() for path in tmp_path.iterdir()])
+        return real(handle)
+
+    monkeypatch.setattr(output, "_locked", locked)
+    with Replacement(target) as temporary:
+        temporary.write_bytes(b"whole")
+    assert taken == [[None]] and target.read_bytes() == b"whole" and names(tmp_path) == ["a.bin"]
 
 
 def test_a_clip_that_is_removed_or_cut_while_it_is_read_is_told(tried: Tried, tmp_path: Path):
