@@ -32,8 +32,13 @@ COMMANDS = {
     "export": ("export", "motion.npz", "-o", "out.csv"),
     "import": ("import", "there.csv", "--figure", "tiny.xml", "-o", "out.npz"),
     "retime": ("retime", "tiny.toml", "--speed", "2", "-o", "out.toml"),
+    "trim": ("trim", "motion.npz", "--from", "0.1", "--to", "0.4", "-o", "out.npz"),
+    "join": ("join", "motion.npz", "motion.npz", "-o", "out.npz"),
+    "mirror": ("mirror", "tumble", "-o", "out.toml"),
     "thin": ("thin", "motion.npz", "-o", "out.toml"),
+    "render": ("render", "motion.npz", "--size", "64x48", "-o", "out.png"),
 }
+EDITS = ("export", "import", "new", "retime", "thin", "trim", "join", "mirror")
 SEARCHING = ("solve", "thin")  # which keep what they have found by then
 CODES = {signal.SIGINT: 130, signal.SIGTERM: 143, signal.SIGHUP: 129}
 
@@ -102,7 +107,7 @@ def left(folder: Path) -> list[str]:
 def test_a_signal_at_any_moment_leaves_the_older_file_or_the_whole_new_one(command: str, tried: Tried, tmp_path: Path):
     words = COMMANDS[command]
     target = tmp_path / words[-1] if words[-2] == "-o" else None
-    more = ("--overwrite",) if command in ("export", "import", "new", "retime", "thin") else ()
+    more = ("--overwrite",) if command in EDITS else ()
     whole = tried(*words, calls=True)
     assert whole["code"] == 0 and whole["calls"] > 50, whole
     new = target.read_bytes() if target else b""
