@@ -77,7 +77,7 @@ def killed(clips: Path, out: Path, count: int) -> dict[str, int]:
         workers: set[int] = set()
         for child in psutil.Process(program.pid).children(recursive=True):
             with suppress(psutil.Error):
-                workers |= {child.ppid()} if "runner.batch.child" in " ".join(child.cmdline()) else set()
+                workers |= {child.pid} if "runner.batch.child" in " ".join(child.cmdline()) else set()
         os.kill(min(workers), signal.SIGKILL)
         _until(lambda: len(done()) >= count // 2)
     finally:
@@ -133,7 +133,7 @@ def measure(effort: Effort) -> Section:
     section.notes = [
         "`dynsplines batch --no-report` as a command, starting and imports included; medians; three keyframes a clip, "
         f"no two alike; this machine has {os.cpu_count()} cores and the program itself needs some of one",
-        f"killed: one Dask worker by SIGKILL after a quarter of {count} clips, the program after half "
+        f"killed: one process that solves, by SIGKILL, after a quarter of {count} clips, the program after half "
         f"({kill['done before']} were done), then the same command again; every file is read",
     ]
     section.data = {"seconds": spent, "start": start, "killed": kill}

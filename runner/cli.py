@@ -135,9 +135,10 @@ def _place(error: BaseException) -> str:
 def _is_nowhere() -> bool:
     """Whether the folder that the command was started in has been removed."""
     try:
-        return not Path.cwd()
+        Path.cwd()
     except FileNotFoundError:
         return True
+    return False
 
 
 def _interrupted(error: BaseException | None) -> bool:

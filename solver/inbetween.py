@@ -41,6 +41,7 @@ MOST_FRAMES = 12
 OF_CONTACTS = frozenset({"skate", "grounded", "planted", "resting", "hold", "flight", "support", "peak"})
 OF_LIMBS = frozenset({"bend", "range"})
 ALIKE = 1.1  # times the lower E of two searches: what is no higher lies in the same valley
+TINY = 0.05  # of the spacing of frames beside it: a segment so short needs none, and with some E is hard to lower
 SPACING = 0.3  # [s] between the frames to begin with in a long segment, so that it can follow what is beside it
 
 
@@ -186,14 +187,16 @@ def objective_of(
 
 
 def beginning(raw: Timeline, settings: Settings, *, in_windows: bool) -> Array:
-    """(V,) [s] of the variable frames to begin with: so many in every segment, more in one that is long unless the
-    settings say how many."""
+    """(V,) [s] of the variable frames to begin with: so many in every segment, more in one that is long and none in
+    one that is tiny beside its neighbours, unless the settings say how many."""
     spans = np.diff(raw.times)
     count = np.full(spans.size, settings.beginning(spans.size, in_windows=in_windows))
     if settings.variable is None:
         longer = np.maximum(count, np.ceil(spans / SPACING).astype(int) - 1)
         if settings.frames is None or longer.sum() <= settings.frames:
             count = longer
+        spacing = np.pad(spans / (count + 1), 1)
+        count[spans < TINY * np.maximum(spacing[:-2], spacing[2:])] = 0
     return np.concatenate(
         [a + h * np.arange(1, n + 1) / (n + 1) for a, h, n in zip(raw.times[:-1], spans, count, strict=True)]
     )

@@ -20,7 +20,7 @@ from solver.objective import Objective
 from solver.penalty import Contact, CovariantAcceleration, Penalty, Point, RootAcceleration, UnitMagnitude
 from solver.quaternion import Array
 from solver.refine.subdivision import evenly, path_of
-from solver.search.astray import DEAR, FAR, LOOKS, farthest, is_astray, is_dear, is_violent
+from solver.search.astray import DEAR, FAR, LONG, LOOKS, farthest, is_astray, is_dear, is_violent, longest
 from solver.search.judgement import best, common_grid
 from solver.search.optimiser import Stop, StopSearch
 from solver.surface import Plane, Sphere
@@ -314,3 +314,22 @@ def test_a_single_evaluation_leaves_the_raw_spline_as_it_is(monkeypatch):
     found = inbetween(figure, keys, [(CovariantAcceleration(), 1.0)], settings)
     np.testing.assert_array_equal(found.timeline.states, found.raw.states)
     np.testing.assert_array_equal(found.timeline.end_slope, found.raw.end_slope)
+
+
+@pytest.mark.parametrize("apart", [1e-3, 1e-2, 0.1])
+def test_keyframes_up_to_10_000_times_as_far_apart_as_their_neighbours_end_with_quaternions_near_unit_length(apart):
+    root = [0, 0, 1.0, 1, 0, 0, 0]
+    knees = [quat.from_rotation_vector([0, np.radians(angle), 0]) for angle in (20, 21, 80)]
+    keys = [Frame.key(t, np.concatenate([root, q])) for t, q in zip((0, apart, 10 - apart), knees, strict=True)]
+    motion = inbetween(LIMB, keys, TERMS)
+    assert longest(LIMB, motion.raw) > LONG or apart > 1e-3
+    assert longest(LIMB, motion.timeline) < 1.25
+    assert motion.trace[-1][2] < 1e3
+
+
+def test_the_longest_quaternion_is_that_of_a_fine_grid_or_a_little_less():
+    keys = swinging(6)
+    raw = raw_timeline(LIMB, keys)
+    states = path_of(raw).at(np.linspace(*path_of(raw).span, 4001))
+    fine = max(np.linalg.norm(states[:, some], axis=1).max() for some in (slice(3, 7), slice(7, 11)))
+    assert 0.95 * fine <= longest(LIMB, raw) <= fine * (1 + 1e-9)

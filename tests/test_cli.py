@@ -11,8 +11,7 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +20,7 @@ import nlopt
 import numpy as np
 import pytest
 import tiny
+from command import Command, Done, commanded
 from PIL import Image
 from tiny import CLIP, FIGURE, HINGE, changed, names, written
 
@@ -36,18 +36,6 @@ KNEE = "joints.left_knee = {rotvec = [0, 0, 0]}"
 SMALL = ("--size", "32x32")
 
 
-@dataclass(frozen=True)
-class Done:
-    """How a command ended."""
-
-    code: int
-    out: str
-    err: str
-
-
-Command = Callable[..., Done]
-
-
 @pytest.fixture
 def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Command:
     """Runs the command in an empty folder with the tiny clip in it."""
@@ -55,17 +43,7 @@ def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureF
     monkeypatch.setenv("MUJOCO_GL", "disable")  # so that it is put back
     monkeypatch.chdir(tmp_path)
     written(tmp_path)
-
-    def run(*words: object) -> Done:
-        monkeypatch.setattr(sys, "argv", ["dynsplines", *map(str, words)])
-        with pytest.raises(SystemExit) as ended:
-            cli.main()
-        code = ended.value.code
-        assert code is None or isinstance(code, int)
-        said = capsys.readouterr()
-        return Done(code or 0, str(said.out), str(said.err))
-
-    return run
+    return commanded(monkeypatch, capsys)
 
 
 @pytest.fixture

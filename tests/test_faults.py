@@ -18,6 +18,7 @@ from tiny import changed, names, written
 
 from runner import motion
 from runner.clip import load as clips
+from runner.system import output
 from runner.system.output import TEMPORARY, Replacement
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="limits, forks and signals are another matter there")
@@ -32,8 +33,13 @@ COMMANDS = {
     "export": ("export", "motion.npz", "-o", "out.csv"),
     "import": ("import", "there.csv", "--figure", "tiny.xml", "-o", "out.npz"),
     "retime": ("retime", "tiny.toml", "--speed", "2", "-o", "out.toml"),
+    "trim": ("trim", "motion.npz", "--from", "0.1", "--to", "0.4", "-o", "out.npz"),
+    "join": ("join", "motion.npz", "motion.npz", "-o", "out.npz"),
+    "mirror": ("mirror", "tumble", "-o", "out.toml"),
     "thin": ("thin", "motion.npz", "-o", "out.toml"),
+    "render": ("render", "motion.npz", "--size", "64x48", "-o", "out.png"),
 }
+EDITS = ("export", "import", "new", "retime", "thin", "trim", "join", "mirror")
 SEARCHING = ("solve", "thin")  # which keep what they have found by then
 CODES = {signal.SIGINT: 130, signal.SIGTERM: 143, signal.SIGHUP: 129}
 
@@ -102,7 +108,7 @@ def left(folder: Path) -> list[str]:
 def test_a_signal_at_any_moment_leaves_the_older_file_or_the_whole_new_one(command: str, tried: Tried, tmp_path: Path):
     words = COMMANDS[command]
     target = tmp_path / words[-1] if words[-2] == "-o" else None
-    more = ("--overwrite",) if command in ("export", "import", "new", "retime", "thin") else ()
+    more = ("--overwrite",) if command in EDITS else ()
     whole = tried(*words, calls=True)
     assert whole["code"] == 0 and whole["calls"] > 50, whole
     new = target.read_bytes() if target else b""
@@ -288,6 +294,22 @@ def test_two_writers_of_one_file_leave_one_of_the_two_whole(tmp_path: Path):
             seen.add(target.read_bytes())
     assert seen <= {b"a" * sizes[0], b"b" * sizes[1]} and len(seen | {target.read_bytes()}) >= 1
     assert names(tmp_path) == ["a.bin"]
+
+
+def test_a_writer_whose_file_is_taken_for_a_leftover_before_it_is_locked_begins_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
+    target, real, taken = tmp_path / "a.bin", output._locked, []
+
+    def locked(handle: int) -> bool:
+        if not taken:
+            taken.append([path.unlink() for path in tmp_path.iterdir()])
+        return real(handle)
+
+    monkeypatch.setattr(output, "_locked", locked)
+    with Replacement(target) as temporary:
+        temporary.write_bytes(b"whole")
+    assert taken == [[None]] and target.read_bytes() == b"whole" and names(tmp_path) == ["a.bin"]
 
 
 def test_a_clip_that_is_removed_or_cut_while_it_is_read_is_told(tried: Tried, tmp_path: Path):

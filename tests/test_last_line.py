@@ -13,9 +13,9 @@ from pathlib import Path
 import mujoco
 import numpy as np
 import pytest
+from command import commanded
 from tiny import CLIP, changed, written
 
-from runner import cli
 from runner.batch.inputs import sources
 from runner.clip.starter import starter
 from runner.errors import UserError, one_line, unknown
@@ -32,14 +32,13 @@ def ended(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.Captur
     monkeypatch.chdir(tmp_path)
     written(tmp_path)
 
+    run = commanded(monkeypatch, capsys)
+
     def ended(*words: str) -> tuple[int, str]:
-        monkeypatch.setattr(sys, "argv", ["dynsplines", *words])
-        with pytest.raises(SystemExit) as end:
-            cli.main()
-        assert isinstance(end.value.code, int)
-        said = capsys.readouterr().err
-        assert "Traceback" not in said
-        return end.value.code, said.splitlines()[-1]
+        done = run(*words)
+        assert done.code > 0
+        assert "Traceback" not in done.err
+        return done.code, done.last
 
     return ended
 

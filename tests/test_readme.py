@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import re
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
+from runner import inbetween
 from runner.clip import load as clip
-from solver.inbetween import inbetween
 
 README = (Path(__file__).parent.parent / "README.md").read_text(encoding="utf-8")
 
@@ -43,14 +42,12 @@ def test_every_format_of_the_table_exists_and_none_is_left_out() -> None:
 
 
 @pytest.mark.slow
-def test_the_example_clip_solves() -> None:
-    text, more, carried = blocks("toml")
-    assert len(text.splitlines()) <= 12
-    for name, whole in (("readme", text), ("with places", text + more), ("carrying", text + carried)):
-        problem = clip.from_text(whole, name=name)
-        settings = problem.settings if name == "readme" else replace(problem.settings, max_evaluations=5)
-        motion = inbetween(problem.figure, problem.keys, problem.penalties, settings)
-        assert motion.trace[-1][2] < motion.trace[0][2]
+@pytest.mark.parametrize("pasted", [1, 2, 3])
+def test_the_example_clips_pasted_one_below_the_other_solve_and_nothing_is_wrong_with_them(pasted: int) -> None:
+    parts = blocks("toml")
+    assert len(parts) == 3 and len(parts[0].splitlines()) <= 12
+    motion = inbetween(clip.from_text("".join(parts[:pasted]), name="readme"))
+    assert not motion.problems
 
 
 def test_every_picture_and_linked_file_is_there() -> None:

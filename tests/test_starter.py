@@ -200,3 +200,15 @@ def test_followers_begin_where_they_belong(tmp_path):
     assert problem.keys[0].state[1] == pytest.approx(0.05)
     assert "joints.cap                               slide, metres along z" in problem.text
     assert not problem.notes[1:]
+
+
+def test_followers_of_the_models_own_keyframes_go_where_they_belong_and_are_not_named(tmp_path):
+    joints = '<joint name="knee" axis="0 1 0"/>', '<joint name="cap" type="slide" axis="0 0 1"/>'
+    tie = '<equality><joint joint1="cap" joint2="knee" polycoef=".05 .1 0 0 0"/></equality>'
+    legs = BODY.format(joints[0], f'<body>{joints[1]}<geom size=".1"/></body>')
+    keys = '<keyframe><key time="0" qpos=".2 0"/><key time="1" qpos=".4 .09"/></keyframe>'
+    problem = written(f"<mujoco><worldbody>{legs}</worldbody>{tie}{keys}</mujoco>", tmp_path)
+    np.testing.assert_allclose([frame.state for frame in problem.keys], [[0.2, 0.07], [0.4, 0.09]], atol=1e-8)
+    assert "\njoints.cap" not in problem.text
+    assert "# Joints that follow others are where these take them, not where the model's keyframes have" in problem.text
+    assert not [note for note in problem.notes if "off" in note]

@@ -5,7 +5,6 @@ from __future__ import annotations
 import io
 import json
 import os
-import sys
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path, PurePosixPath
@@ -13,6 +12,7 @@ from pathlib import Path, PurePosixPath
 import mujoco
 import numpy as np
 import pytest
+from command import commanded
 from rich.console import Console
 from test_assets import stl
 
@@ -47,13 +47,11 @@ def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureF
     monkeypatch.chdir(tmp_path / "here")
     monkeypatch.setenv("MUJOCO_GL", "disable")  # so that it is put back
 
+    here = commanded(monkeypatch, capsys)
+
     def run(*words: object) -> tuple[int, str]:
-        monkeypatch.setattr(sys, "argv", ["dynsplines", *map(str, words)])
-        with pytest.raises(SystemExit) as ended:
-            cli.main()
-        code = ended.value.code
-        assert code is None or isinstance(code, int)
-        return code or 0, (capsys.readouterr().err.splitlines() or [""])[-1]
+        done = here(*words)
+        return done.code, done.last
 
     return run
 

@@ -80,13 +80,15 @@ def starter(source: str, target: Path) -> str:
     own = bool(len(poses))
     if not own:
         times, poses = np.zeros(1), _stood(figure, bool(soles))[None]
-    given, poses = poses, np.array([_raised(figure, qpos) for qpos in poses])
+    given, poses = poses, np.array([_settled(figure, qpos) for qpos in poses])
+    settled, poses = poses, np.array([_raised(figure, qpos) for qpos in poses])
     tables = keyframe_tables(figure, [Frame.key(t, q) for t, q in zip(times, poses, strict=True)])
+    _leave_out_followers(figure, tables)
     if len(poses) == 1:
         tables += _moved(figure, poses[0], float(times[0]))
     head = {"figure": source if source in models.figures() else _path(source, target), "fps": 30}
     blocks = [
-        _head(source, own, len(poses), float(np.abs(poses - given).max())),
+        _head(source, own, len(poses), float(np.abs(poses - settled).max()), float(np.abs(settled - given).max())),
         written(head).rstrip("\n"),
         _named(figure, poses[0], soles),
         PENALTIES.rstrip("\n"),
@@ -132,7 +134,7 @@ def _stood(figure: Figure, on_feet: bool) -> Array:
         if joint.kind is not JointKind.BALL:
             column = figure.links[joint.link].qpos
             qpos[column] = np.clip(qpos[column], joint.low, joint.high)
-    follow(figure, qpos, np.ones(figure.width, bool), lambda _: False)
+    qpos = _settled(figure, qpos)
     floor = _floor(figure.model)
     if not figure.tables.free_links.size or floor is None:
         return qpos
@@ -141,6 +143,21 @@ def _stood(figure: Figure, on_feet: bool) -> Array:
         if low is not None and (on_feet or low < floor):
             qpos[figure.links[root].qpos + 2] += floor - low
     return qpos
+
+
+def _settled(figure: Figure, qpos: Array) -> Array:
+    """A pose (nq,) with the joints that follow others where these take them."""
+    out = np.array(qpos)
+    follow(figure, out, np.ones(figure.width, bool), lambda _: False)
+    return out
+
+
+def _leave_out_followers(figure: Figure, tables: list[dict[str, Any]]) -> None:
+    """What follows needs no word in a keyframe, and stays right when what it follows is edited."""
+    after = {coupling.name for coupling in couplings(figure)}
+    for table in tables:
+        for name in after & set(table.get("joints", {})):
+            del table["joints"][name]
 
 
 def _raised(figure: Figure, qpos: Array) -> Array:
@@ -328,13 +345,14 @@ def _short(value: float) -> float | int:
     return int(number) if number == int(number) else number
 
 
-def _head(source: str, own: bool, count: int, raised: float) -> str:
+def _head(source: str, own: bool, count: int, raised: float, settled: float) -> str:
     name = Path(source).name
     said = f"its {count} keyframe{'s' * (count > 1)}" if own else "its rest pose"
     more = "" if count > 1 else ", and one joint moved"
     up = f" Raised by up to {1000 * raised:.1f} mm, out of what it stood in.\n" if raised >= TOLD else "\n"
+    off = "# Joints that follow others are where these take them, not where the model's keyframes have them.\n"
     return (
-        f"# A clip for {name}: {said}{more}.{up}"
+        f"# A clip for {name}: {said}{more}.{up}{off if own and settled >= TOLD else ''}"
         "# Angles in degrees, lengths in metres, times in seconds. What a keyframe leaves out is free, unless it says\n"
         '# others = "hold" (as in the keyframe before) or "rest". See it: dynsplines render THIS_FILE'
     )
@@ -351,7 +369,10 @@ def _named(figure: Figure, qpos: Array, soles: Sequence[Point]) -> str:
     lines += _list("Bodies, for bodies.NAME = {flat = true}, a rotation or {position = [x, y, z]}", bodies)
     ground = "What stands on the ground"
     lines += _list(ground, list(dict.fromkeys(point.name for point in soles))) or [f"# {ground}: {NO_FEET}"]
-    lines += _list("Joints that follow others (equality constraints)", [c.name for c in couplings(figure)])
+    lines += _list(
+        "Joints that follow others (equality constraints), so that keyframes need not name them",
+        [c.name for c in couplings(figure)],
+    )
     lines += [f"# {ALL_COUNT}"] if counts_all(model) else []
     lines += _placed(figure, qpos, soles)
     return "\n".join(lines)

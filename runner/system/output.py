@@ -51,14 +51,8 @@ class Replacement:
         self._real = real_target(self.target)
         clear(self._real)
         older = _older(self._real)
-        name = f".{self._real.name[:MOST_OF_A_NAME]}.{secrets.token_hex(8)}.partial{self.target.suffix}"
-        self.temporary = self._real.with_name(name)
-        flags = os.O_RDWR | os.O_CREAT | os.O_EXCL | getattr(os, "O_CLOEXEC", 0)
-        try:
-            self._handle = os.open(self.temporary, flags, ALL if older is None else OWNER)
-        except OSError as error:
-            raise UserError(f"cannot write '{self.target}': {error.strerror}") from None
-        _locked(self._handle)
+        while not self._begun(ALL if older is None else OWNER):
+            pass
         self._mode = stat.S_IMODE((older or os.fstat(self._handle)).st_mode) & MODE
         if os.name == "nt":  # what is open cannot be renamed there
             os.close(self._handle)
@@ -75,6 +69,20 @@ class Replacement:
                 path.unlink(missing_ok=True)
             if os.name != "nt":
                 os.close(self._handle)
+
+    def _begun(self, mode: int) -> bool:
+        """A new temporary file, locked; False where another writer took it, not yet locked, for a leftover."""
+        name = f".{self._real.name[:MOST_OF_A_NAME]}.{secrets.token_hex(8)}.partial{self.target.suffix}"
+        self.temporary = self._real.with_name(name)
+        flags = os.O_RDWR | os.O_CREAT | os.O_EXCL | getattr(os, "O_CLOEXEC", 0)
+        try:
+            self._handle = os.open(self.temporary, flags, mode)
+        except OSError as error:
+            raise UserError(f"cannot write '{self.target}': {error.strerror}") from None
+        if not _locked(self._handle) or self.temporary.exists():
+            return True
+        os.close(self._handle)
+        return False
 
     def _put(self) -> None:
         """In the target's place, once its bytes are on the disk; then the folder's new entry."""
@@ -143,9 +151,11 @@ def _parts(temporary: Path) -> Iterator[Path]:
 
 def _remove_if_left(path: Path) -> None:
     """Unless somebody is still writing it; files beside a temporary one are looked at when it is."""
-    if fcntl is None or not stat.S_ISREG(path.lstat().st_mode):
+    if fcntl is None:
         return
     with suppress(OSError):
+        if not stat.S_ISREG(path.lstat().st_mode):
+            return
         handle = os.open(path, os.O_RDWR | os.O_NOFOLLOW)
         try:
             fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -155,10 +165,15 @@ def _remove_if_left(path: Path) -> None:
             os.close(handle)
 
 
-def _locked(handle: int) -> None:
-    if fcntl is not None:
-        with suppress(OSError):  # not every network disk can
-            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+def _locked(handle: int) -> bool:
+    """Waits for whoever looks whether the file is a leftover; False where there are no locks, and none is removed."""
+    if fcntl is None:
+        return False
+    try:
+        fcntl.flock(handle, fcntl.LOCK_EX)
+    except OSError:  # not every network disk can
+        return False
+    return True
 
 
 def _older(target: Path) -> os.stat_result | None:

@@ -120,7 +120,7 @@ def _quaternions(links: LinkMotion) -> Iterator[Axes]:
             yield Axes(turn, place, moved, np.repeat(columns[some], 3), ways[:, :, :, some])
     block = np.zeros(len(links.figure.links), np.intp)
     block[chosen] = np.arange(chosen.size)
-    for link, next_links in _followers(links.figure):
+    for link, next_links in _next_links(links.figure):
         apart = anchors(links, next_links) - anchors(links, np.array([link]))
         shift = np.stack([cross(e[:, None, None, None], apart.swapaxes(0, 1)) for e in np.eye(3)], axis=3)
         shift = shift.swapaxes(0, 1).reshape(3, 3, -1, links.x.shape[2])
@@ -159,19 +159,24 @@ def _ways(links: LinkMotion) -> Array:
 def turning(figure: Figure) -> Array:
     """(L, L) 1 for the links (columns) that the joint of a link (row) turns."""
     out = figure.tables.beyond.copy()
-    for link, next_links in _followers(figure):
+    for link, next_links in _next_links(figure):
         out[link] -= figure.tables.beyond[next_links].sum(axis=0)
     return out
 
 
 @lru_cache(maxsize=8)
-def _followers(figure: Figure) -> tuple[tuple[int, Index], ...]:
-    """Links whose orientation is in the state and the next such links on the ways out, if there are any."""
-    tables = figure.tables
-    world = [i for i in tables.quaternion_links if tables.in_world[i]]
-    found: dict[int, list[int]] = {}
-    for link in world:
-        before = [i for i in world if i != link and tables.path[link, i]]
-        if before:
-            found.setdefault(max(before, key=lambda i: tables.path[i].sum()), []).append(link)
-    return tuple((link, np.array(after, np.intp)) for link, after in found.items())
+def followers(figure: Figure) -> Index:
+    """(L, L): on the way to a link (row) the next after another (column) whose orientation is in the state, or 0."""
+    path, tables = figure.tables.path > 0, figure.tables
+    out = np.zeros(path.shape, np.intp)
+    for link in range(len(path)):
+        way = [i for i in tables.quaternion_links if path[link, i] and tables.in_world[i]]
+        out[link, way[:-1]] = way[1:]
+    return out
+
+
+def _next_links(figure: Figure) -> Iterator[tuple[int, Index]]:
+    """Links whose orientation is in the state and the next such links on the ways out, where there are any."""
+    after = followers(figure)
+    for link in np.flatnonzero(after.any(axis=0)):
+        yield int(link), np.unique(after[after[:, link] > 0, link])

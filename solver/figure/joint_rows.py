@@ -8,13 +8,11 @@ point, and all of it if there is none; one relative to its parent turns all that
 
 from __future__ import annotations
 
-from functools import lru_cache
-
 import numpy as np
 
 from ..quaternion import Array, Index
 from .algebra import cross, dot, hamilton, rotation_matrix, turned, turned_back, vector_product
-from .figure import Figure
+from .axes import followers
 from .kinematics import Samples
 
 AT_ONCE = 150_000  # pairs of a point and a link
@@ -37,17 +35,6 @@ def _in_parts(samples: Samples, at: Index, link: Index, arm: Array, way: Array, 
     for first in range(0, at.size, few):
         some = slice(first, first + few)
         _Points(samples, at[some], link[some], arm[:, some], way[:, some]).add_to(out[some], rates=rates)
-    return out
-
-
-@lru_cache(maxsize=8)
-def _followers(figure: Figure) -> Index:
-    """(L, L): on the way to a link (row) the next after another (column) whose orientation is in the state, or 0."""
-    path, tables = figure.tables.path > 0, figure.tables
-    out = np.zeros(path.shape, np.intp)
-    for link in range(len(path)):
-        way = [i for i in tables.quaternion_links if path[link, i] and tables.in_world[i]]
-        out[link, way[:-1]] = way[1:]
     return out
 
 
@@ -95,7 +82,7 @@ class _Points:
         links = tables.quaternion_links
         if not links.size:
             return
-        after = _followers(self.figure)[self.link][:, links].T  # (n, P)
+        after = followers(self.figure)[self.link][:, links].T  # (n, P)
         ends = np.where(after > 0, motion.anchor[:, after, at], self.place[:, None])
         way, on = self.way[:, None], self.on[links]
         torque = cross(ends - motion.anchor[:, links][:, :, at], way) * on

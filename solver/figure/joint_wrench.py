@@ -28,20 +28,16 @@ def any_wrench_rows(wrench: RootWrench, pushes: Pushes | None = None) -> Array:
     """(S, 6, 3, N), as `rows.wrench_rows`."""
     samples = wrench.samples
     out = np.zeros((samples.count, 6, 3, samples.y.shape[1]))
-    parts = _Parts.of_links(wrench, pushes)
+    links = samples.links
+    velocity = np.einsum("l,ils->is", wrench.share, links.x_d + cross(links.omega, wrench.inverse.arm))
+    parts = _Parts.of_links(wrench, velocity, pushes)
     whole = parts.of(np.ones((1, len(samples.figure.links))))
     origin = np.zeros((3, 3, 1, samples.count))
-    origin[0, :, 0], origin[1, :, 0] = wrench.centre, _velocity(wrench)
-    for axes in axes_of(samples.links):
+    origin[0, :, 0], origin[1, :, 0] = wrench.centre, velocity
+    for axes in axes_of(links):
         turn, shift = _twists(axes, origin)
         axes.add(_changes(parts.of(axes.moved), turn, shift, whole), out)
     return out
-
-
-def _velocity(wrench: RootWrench) -> Array:
-    """(3, S) of the centre of mass."""
-    links = wrench.samples.links
-    return np.einsum("l,ils->is", wrench.share, links.x_d + cross(links.omega, wrench.inverse.arm))
 
 
 def _twists(axes: Axes, origin: Array) -> tuple[Array | None, Array]:
@@ -76,13 +72,13 @@ class _Parts:
     lever: Array
 
     @classmethod
-    def of_links(cls, wrench: RootWrench, pushes: Pushes | None) -> _Parts:
-        """Each link of the root's tree by itself; all zero for the others."""
+    def of_links(cls, wrench: RootWrench, velocity: Array, pushes: Pushes | None) -> _Parts:
+        """Each link of the root's tree by itself; all zero for the others. velocity (3, S): of the whole's centre."""
         inverse, links, figure = wrench.inverse, wrench.samples.links, wrench.samples.figure
         tree = figure.tables.path[:, wrench.root, None]
         mass = (wrench.mass * wrench.share)[:, None]
         r = inverse.centre - wrench.centre[:, None]
-        v = links.x_d + cross(links.omega, inverse.arm) - _velocity(wrench)[:, None]
+        v = links.x_d + cross(links.omega, inverse.arm) - velocity[:, None]
         force = (inverse.net_force + figure.gravity[:, None, None] * mass) * tree
         spun = cross(links.omega[:, None], inverse.inertia)
         pushed, lever = np.zeros((3, *r.shape[1:])), np.zeros((3, 3, *r.shape[1:]))

@@ -32,6 +32,7 @@ from .penalty import Scale
 NEAR = 0.03  # [m] within which a point may touch after one step of the search
 DEEP = 0.15  # [m] below its top, a point is beside a surface or under it, not over it
 FAR = 1e3  # [m]
+MOST_TOGETHER = 64  # points that one sphere stands for; a limb of capsules has 10-30
 DIRECTIONS = 600  # in which a link's outermost spheres are looked for
 MOST_BETWEEN = 1000  # spheres along a capsule; no limb is 750 times as long as it is thick
 MESH_DIRECTIONS = 150  # the same of the vertices of a mesh
@@ -89,37 +90,52 @@ class Contact:
         return links, positions, radius + self.margin
 
     @cached_property
+    def _groups(self) -> tuple[Index, Index]:
+        """Points are looked at in groups, those of a link or, where it has many, of a part of it: links of the groups
+        (m,), and every point's group (n,)."""
+        links, positions, _ = self._arrays
+        found = [part for link in np.unique(links) for part in neighbours(positions, np.flatnonzero(links == link))]
+        owner = np.empty(links.size, np.intp)
+        for k, part in enumerate(found):
+            owner[part] = k
+        return np.array([links[part[0]] for part in found]), owner
+
+    @cached_property
     def _bounds(self) -> tuple[Index, Array, Array]:
-        """Spheres round each link's points: links (m,), centres (3, m), radii (m,)."""
-        links, positions, radius = self._arrays
-        carriers, owner = np.unique(links, return_inverse=True)
+        """Spheres round each group's points: links (m,), centres (3, m), radii (m,)."""
+        _, positions, radius = self._arrays
+        carriers, owner = self._groups
         middles = np.array([positions[:, owner == k].mean(axis=1) for k in range(carriers.size)]).T
         far = np.linalg.norm(positions - middles[:, owner], axis=0) + radius
         return carriers, middles, np.array([far[owner == k].max() for k in range(carriers.size)])
 
     @cached_property
-    def _by_link(self) -> tuple[Array, Array]:
-        """Every link's points: positions (3, p, m), radii (p, m); a link with fewer than p has some of radius −∞."""
-        links, positions, radius = self._arrays
-        _, owner, counts = np.unique(links, return_inverse=True, return_counts=True)
-        order = np.argsort(owner, kind="stable")
-        rank = np.arange(owner.size) - np.repeat(np.cumsum(counts) - counts, counts)
-        padded = np.zeros((3, counts.max(), counts.size))
+    def _places(self) -> tuple[Index, Index]:
+        """Where every point stands in `_by_group`: rank (n,) in its group and group (n,)."""
+        _, owner = self._groups
+        order, counts = np.argsort(owner, kind="stable"), np.bincount(owner)
+        rank = np.empty_like(order)
+        rank[order] = np.arange(owner.size) - np.repeat(np.cumsum(counts) - counts, counts)
+        return rank, owner
+
+    @cached_property
+    def _by_group(self) -> tuple[Array, Array]:
+        """Every group's points: positions (3, p, m), radii (p, m); a group with fewer than p has some of radius −∞."""
+        _, positions, radius = self._arrays
+        rank, owner = self._places
+        padded = np.zeros((3, rank.max() + 1, owner.max() + 1))
         radii = np.full(padded.shape[1:], -np.inf)
-        padded[:, rank, owner[order]], radii[rank, owner[order]] = positions[:, order], radius[order]
+        padded[:, rank, owner], radii[rank, owner] = positions, radius
         return padded, radii
 
     @cached_property
-    def _allowed_by_link(self) -> Allowance | None:
-        """The allowances as `_by_link` lays the points out, (p, m, K), or None where there are none."""
+    def _allowed_by_group(self) -> Allowance | None:
+        """The allowances as `_by_group` lays the points out, (p, m, K), or None where there are none."""
         if self.allowed is None or not self.allowed.excess.any():
             return None
-        links, _, _ = self._arrays
-        _, owner, counts = np.unique(links, return_inverse=True, return_counts=True)
-        order = np.argsort(owner, kind="stable")
-        rank = np.arange(owner.size) - np.repeat(np.cumsum(counts) - counts, counts)
-        padded = np.zeros((counts.max(), counts.size, self.allowed.times.size))
-        padded[rank, owner[order]] = self.allowed.excess[order]
+        rank, owner = self._places
+        padded = np.zeros((rank.max() + 1, owner.max() + 1, self.allowed.times.size))
+        padded[rank, owner] = self.allowed.excess
         return Allowance(self.allowed.times, padded)
 
     def centres(self, samples: Samples) -> tuple[Array, Array, Index]:
@@ -173,12 +189,12 @@ class Contact:
         return applied(rotation, force), applied(rotation, place)
 
     def _near(self, samples: Samples, near: Index) -> tuple[Index, Array, Array, Array]:
-        """All points of k pairs of a link and a sample: link · S + sample (k,), arms (3, p k), centres (3, p k, 1) in
+        """All points of k pairs of a group and a sample: link · S + sample (k,), arms (3, p k), centres (3, p k, 1) in
         the axes of the surfaces and radii (p k,).
 
-        near  (k,) which: carrier · S + sample
+        near  (k,) which: group · S + sample
         """
-        positions, radii = self._by_link
+        positions, radii = self._by_group
         carrier, at = np.divmod(near, samples.count)
         flat = self._bounds[0].take(carrier) * samples.count + at
         x, rotation = samples.links.poses(flat)
@@ -189,8 +205,8 @@ class Contact:
             centres = np.einsum("ijk,ipk->jpk", turn, centres - origin[:, None])
         centres = centres.reshape(3, -1, 1)
         radii = radii.take(carrier, axis=1)
-        if self._allowed_by_link is not None:
-            radii = radii - self._allowed_by_link.of(carrier, samples.t.take(at))
+        if self._allowed_by_group is not None:
+            radii = radii - self._allowed_by_group.of(carrier, samples.t.take(at))
         return flat, arms.reshape(3, -1), centres, radii.ravel()
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
@@ -223,6 +239,16 @@ class Contact:
                 rows -= point_gradients(samples, at, np.full(at.size, self.carrier), leg, way)
             parts.append(Sides(at, depth, rows))
         return Sides.joined(parts) if parts else Sides.none(samples)
+
+
+def neighbours(positions: Array, some: Index) -> list[Index]:
+    """Some of points (3, n) by groups of at most MOST_TOGETHER, halved across where they spread farthest."""
+    if some.size <= MOST_TOGETHER:
+        return [some]
+    axis = int(np.argmax(np.ptp(positions[:, some], axis=1)))
+    order = some[np.argsort(positions[axis, some], kind="stable")]
+    half = order.size // 2
+    return [*neighbours(positions, order[:half]), *neighbours(positions, order[half:])]
 
 
 def point_gradients(samples: Samples, at: Index, link: Index, arm: Array, way: Array) -> Array:

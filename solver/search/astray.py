@@ -22,12 +22,14 @@ from ..surface import Box, Plane
 
 DEAR = 2.0  # times what motion cost on the raw spline: from here on another way round an obstacle may be less
 FAR = 0.5  # of a figure's size, its farthest joint at rest from its root
+LONG = 2.0  # length of a quaternion that no search leaves: from here on a path begins too far out
 LOOKS = 4  # a segment between frames of which something is fixed
 
 
 def is_astray(objective: Objective, timeline: Timeline, parts: Mapping[str, float]) -> bool:
     """Whether a timeline that was searched should not be the last word; `parts` are the terms of its E by name."""
-    return is_violent(objective, parts) or farthest(objective.figure, timeline) > FAR
+    figure = objective.figure
+    return is_violent(objective, parts) or farthest(figure, timeline) > FAR or longest(figure, timeline) > LONG
 
 
 def is_violent(objective: Objective, parts: Mapping[str, float]) -> bool:
@@ -65,6 +67,14 @@ def farthest(figure: Figure, timeline: Timeline) -> float:
     apart = _from_root(figure, path_of(timeline).at(t)) - _from_root(figure, there)
     size = float(np.linalg.norm(_from_root(figure, figure.to_state(figure.model.qpos0[None])), axis=0).max())
     return float(np.linalg.norm(apart, axis=0).max()) / size if size > 0 else 0.0
+
+
+def longest(figure: Figure, timeline: Timeline) -> float:
+    """The longest quaternion between frames, seen LOOKS times in every segment."""
+    share = (np.arange(LOOKS) + 0.5) / LOOKS
+    t = (timeline.times[:-1, None] + share * np.diff(timeline.times)[:, None]).ravel()
+    quaternions = path_of(timeline).at(t)[:, figure.tables.quaternion_columns]
+    return float(np.linalg.norm(quaternions, axis=1).max(initial=0.0))
 
 
 def _from_root(figure: Figure, states: Array) -> Array:

@@ -8,7 +8,7 @@ moment that they take for it. So there are samples about every such moment, as c
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -40,22 +40,27 @@ def best(objective: Objective, timelines: Sequence[Timeline]) -> Timeline:
 def common_grid(timelines: Sequence[Timeline], quaternions: Sequence[Index] | Index = ()) -> Array:
     """Edges [s] of spans that are finer than those of any of the timelines; quaternions: their columns, (4,) each."""
     edges = np.concatenate([timeline.times for timeline in timelines])
-    flips = [flip for timeline in timelines for columns in quaternions for flip in _flips(timeline, columns)]
+    flips = [flip for timeline in timelines for flip in _flips(timeline, quaternions)]
     edges = np.unique(np.concatenate([edges, *flips]))
     edges = edges[np.append(True, np.diff(edges) > CLOSEST)]
     share = np.arange(FINER) / FINER
     return np.append((edges[:-1, None] + share * np.diff(edges)[:, None]).ravel(), edges[-1])
 
 
-def _flips(timeline: Timeline, columns: Index) -> list[Array]:
+def _flips(timeline: Timeline, quaternions: Sequence[Index] | Index) -> Iterator[Array]:
     """Times [s] about every moment at which a quaternion of a path is short, as it would be on straight ways."""
+    if not len(quaternions):
+        return
     edges = timeline.times
     times = np.append((edges[:-1, None] + np.arange(LOOKS) / LOOKS * np.diff(edges)[:, None]).ravel(), edges[-1])
-    q = path_of(timeline).at(times)[:, columns]
-    way, step = np.diff(q, axis=0), np.diff(times)
-    squared = np.maximum(np.einsum("ij,ij->i", way, way), np.finfo(float).tiny)
-    share = np.clip(-np.einsum("ij,ij->i", q[:-1], way) / squared, 0, 1)
-    length = np.linalg.norm(q[:-1] + share[:, None] * way, axis=1)
-    moment = np.clip(length / np.sqrt(squared), LEAST, 1) * step
-    found = [times[i] + share[i] * step[i] + ABOUT * moment[i] for i in np.flatnonzero(length < SHORT)]
-    return [each[(each > edges[0]) & (each < edges[-1])] for each in found]
+    states, step = path_of(timeline).at(times), np.diff(times)
+    for columns in quaternions:
+        q = states[:, columns]
+        way = np.diff(q, axis=0)
+        squared = np.maximum(np.einsum("ij,ij->i", way, way), np.finfo(float).tiny)
+        share = np.clip(-np.einsum("ij,ij->i", q[:-1], way) / squared, 0, 1)
+        length = np.linalg.norm(q[:-1] + share[:, None] * way, axis=1)
+        moment = np.clip(length / np.sqrt(squared), LEAST, 1) * step
+        for i in np.flatnonzero(length < SHORT):
+            found = times[i] + share[i] * step[i] + ABOUT * moment[i]
+            yield found[(found > edges[0]) & (found < edges[-1])]

@@ -18,13 +18,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import pairwise, product
 from typing import NamedTuple
 
 import numpy as np
-from scipy import sparse
 
 from ..curve import banded
+from ..curve.frame import Mask
 from ..curve.quadrature import gauss_nodes
 from ..curve.seam import Seam
 from ..curve.spline import DEGREE, Path, Piece, Sampling, Spline
@@ -299,17 +300,16 @@ def middle(values: Array) -> float:
 
 @dataclass(frozen=True, eq=False)
 class OneSided:
-    """The one-sided residuals of all terms: each adds weight max(0, value + row · δ)².
+    """The one-sided residuals of all terms: each adds weight max(0, value + row · δy)², δy the step at its sample.
 
-    value, weight  (P,);  rows  (P, (M + 2) N) sparse;  span  (P,), rising;  local  (P, 4 N) the rows' non-zeros
+    value, weight  (P,);  rows  (P, N);  at  (P,) the sample of each, rising
     """
 
     value: Array
     weight: Array
-    span: Index
-    local: Array
-    rows: sparse.csr_matrix
-    transposed: sparse.csr_matrix
+    rows: Array
+    at: Index
+    sampling: Sampling
 
     @classmethod
     def of(cls, layout: Layout, path: Path) -> OneSided | None:
@@ -327,15 +327,38 @@ class OneSided:
         weight = np.concatenate([np.full(sides.at.size, factor) for factor, sides in parts]) * problem.weights[at]
         value = np.concatenate([sides.value for _, sides in parts])
         rows = np.concatenate([sides.rows for _, sides in parts])
-        at, rows, value, weight = at[order], rows[order], value[order], weight[order]
-        span = problem.sampling.first[at]
-        local = (problem.sampling.values[at, 0][:, :, None] * rows[:, None, :]).reshape(at.size, -1)
-        width = rows.shape[1]
-        used = np.flatnonzero(local)
-        pair, column = np.divmod(used, local.shape[1])
-        place = (pair, span[pair] * width + column)
-        matrix = sparse.csr_matrix((local.ravel()[used], place), shape=(at.size, path.spline.size * width))
-        return cls(value, weight, span, local, matrix, matrix.T.tocsr())
+        return cls(value[order], weight[order], rows[order], at[order], problem.sampling)
+
+    @cached_property
+    def _runs(self) -> list[tuple[int, slice]]:
+        """The samples that have any residual, and which these are."""
+        edges = [0, *(np.flatnonzero(np.diff(self.at)) + 1).tolist(), self.at.size]
+        return [(int(self.at[a]), slice(a, b)) for a, b in pairwise(edges)]
+
+    def changed(self, step: Array) -> Array:
+        """(P,): how the residuals change with a step (M + 2, N) of the coefficients."""
+        moved, change = self.sampling.bases[0] @ step, np.empty(self.at.size)
+        for sample, run in self._runs:
+            np.dot(self.rows[run], moved[sample], out=change[run])
+        return change
+
+    def pulled_back(self, forces: Array) -> Array:
+        """(M + 2, N): the gradient of forces · residuals, forces (P,)."""
+        gathered = np.zeros((self.sampling.t.size, self.rows.shape[1]))
+        some = np.flatnonzero(forces)
+        if some.size:
+            at = self.at[some]
+            first = np.flatnonzero(np.diff(at, prepend=-1))
+            gathered[at[first]] = np.add.reduceat(forces[some, None] * self.rows[some], first)
+        return self.sampling.bases[0].T @ gathered
+
+    def local(self, some: Mask, factor: Array) -> tuple[Index, Array]:
+        """Of some (P,) residuals, each times its factor: their spans (A,), and their rows over these' coefficients
+        (A, 4 N)."""
+        at = self.at[some]
+        bases = self.sampling.values[at, 0] * factor[some, None]
+        rows = bases[:, :, None] * self.rows[some, None, :]
+        return self.sampling.first[at], rows.reshape(at.size, LOCAL * self.rows.shape[1])
 
 
 class Proposal(NamedTuple):
@@ -365,7 +388,7 @@ class Model:
         self.gradient = layout.from_x(gradient)
         if self.sided is not None:
             pull = 2 * self.sided.weight * np.maximum(self.sided.value, 0)
-            self.gradient -= (self.sided.transposed @ pull).reshape(self.gradient.shape)
+            self.gradient -= self.sided.pulled_back(pull)
 
     def _add_smooth(self, path: Path, scale: float | None) -> float:
         """Adds the curvature of the two-sided residuals; its median density in y'', unless it is known."""
@@ -421,15 +444,15 @@ class Model:
         for _ in range(MOST_CHANGES):
             active = over > 0
             np.copyto(room, held)
-            layout.add_squared(room, sided.span[active], sided.local[active] * root[active, None])
+            layout.add_squared(room, *sided.local(active, root))
             factor = layout.factor(room)
             if factor is None:
                 break
             last = factor
             push = 2 * sided.weight * active
-            target = -layout.solved(factor, self.gradient + self._back(push * sided.value))
-            over_target = sided.value + sided.rows @ target.ravel()
-            pull_target = -self.gradient - self._back(push * over_target)
+            target = -layout.solved(factor, self.gradient + sided.pulled_back(push * sided.value))
+            over_target = sided.value + sided.changed(target)
+            pull_target = -self.gradient - sided.pulled_back(push * over_target)
             share, previous = 1.0, worth
             while True:
                 at = step + share * (target - step)
@@ -446,8 +469,3 @@ class Model:
             if previous - worth <= SETTLED * (first - worth):
                 break
         return Proposal(layout.to_x(step), first - worth, last)
-
-    def _back(self, forces: Array) -> Array:
-        """Rᵀ f, (M + 2, N)."""
-        assert self.sided is not None
-        return (self.sided.transposed @ forces).reshape(self.gradient.shape)

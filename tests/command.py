@@ -1,0 +1,43 @@
+"""The command `dynsplines`, run in the process of the tests."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import pytest
+
+from runner import cli
+
+
+@dataclass(frozen=True)
+class Done:
+    """How a command ended."""
+
+    code: int
+    out: str
+    err: str
+
+    @property
+    def last(self) -> str:
+        """The last line of what it says beside its output."""
+        return (self.err.splitlines() or [""])[-1]
+
+
+Command = Callable[..., Done]
+
+
+def commanded(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Command:
+    """What runs it, in the present folder."""
+
+    def run(*words: object) -> Done:
+        monkeypatch.setattr(sys, "argv", ["dynsplines", *map(str, words)])
+        with pytest.raises(SystemExit) as ended:
+            cli.main()
+        code = ended.value.code
+        assert code is None or isinstance(code, int)
+        said = capsys.readouterr()
+        return Done(code or 0, str(said.out), str(said.err))
+
+    return run
