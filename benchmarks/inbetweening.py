@@ -26,7 +26,7 @@ from runner.clip import load as clips
 from runner.motion import continuous
 from solver import inbetween
 from solver.figure.kinematics import Samples
-from solver.penalty import Contact
+from solver.surface.points import places_of
 
 Array = NDArray[np.float64]
 FPS = 30.0
@@ -119,7 +119,7 @@ class Seen:
             ends.append([*(data.site(name).xpos.copy() for name in ENDS), *(data.body(n).xpos.copy() for n in FEET)])
         y = np.array([figure.to_state(row) for row in qpos])
         samples = Samples(figure, y, 0 * y, 0 * y)
-        centres, _, _ = Contact(clip.points, ()).centres(samples)
+        centres, _, _ = places_of(clip.points, samples)
         heights = np.min([surface.height(centres) for surface in clip.surfaces], axis=0)
         turns = qpos[:, figure.tables.quaternion_columns.T]
         return cls(turns, np.array(ends), centres.transpose(2, 1, 0), heights.T)

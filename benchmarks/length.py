@@ -26,7 +26,7 @@ import models
 from runner.clip import load as clips
 from solver import Frame, Motion, inbetween
 from solver.figure.kinematics import Samples
-from solver.penalty import Contact, site_points
+from solver.surface.points import places_of, site_points
 
 STRIDE, PERIOD = 6, 0.75
 LENGTHS = (10, 100, 1000)
@@ -57,7 +57,7 @@ def _shift(problem: clips.Clip, stride: tuple[Frame, ...]) -> float:
     """How far a stride goes [m]: from the left heel of its first stance to where the last keyframe puts it down."""
     figure = problem.figure
     states = np.array([figure.to_state(stride[i].state) for i in (0, -1)])
-    heel = Contact(site_points(figure, ["left_heel"]), ()).centres(Samples(figure, states, 0 * states, 0 * states))[0]
+    heel = places_of(site_points(figure, ["left_heel"]), Samples(figure, states, 0 * states, 0 * states))[0]
     return float(heel[0, 0, 1] - heel[0, 0, 0])
 
 

@@ -21,12 +21,12 @@ from runner.clip.text import tables, written
 from runner.errors import UserError
 from solver import Frame, Motion, inbetween
 from solver import quaternion as quat
+from solver.array import Array
+from solver.curve.spline import path_of
 from solver.curve.unknowns import raw_timeline
 from solver.figure.figure import Figure, JointKind
 from solver.figure.kinematics import Samples
 from solver.penalty.peak import relative_accelerations
-from solver.quaternion import Array
-from solver.refine.subdivision import path_of
 
 SETS = (100, 2)  # of every clip
 TURN, SHIFT = np.radians(5.0), 0.03  # [rad] of every ball joint, [m] of the root

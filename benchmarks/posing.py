@@ -21,11 +21,11 @@ from runner.clip.constraints import posing_bends
 from runner.clip.feet import sole_points
 from runner.clip.table import PenaltyTable
 from solver import quaternion as quat
-from solver.curve.frame import Mask
+from solver.array import Array, Mask
 from solver.figure.figure import Figure, JointKind, quaternion_columns
-from solver.penalty import BendLimits, Point, site_points
+from solver.penalty import BendLimits
 from solver.posing import BodyGoal, Goal, PointGoal, entries, limb, posed
-from solver.quaternion import Array
+from solver.surface.points import Point, site_points
 
 POSES = 200
 MOST_SECONDS, FOUND = 0.1, 0.99

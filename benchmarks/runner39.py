@@ -29,10 +29,11 @@ from solver import Figure, Frame, Improvement, Objective, Path, Quadrature, Sett
 from solver.curve.spline import Spline
 from solver.curve.unknowns import raw_timeline
 from solver.figure.kinematics import Samples
-from solver.penalty import Contact, CovariantAcceleration, RootAcceleration, UnitMagnitude, site_points
+from solver.penalty import Contact, CovariantAcceleration, RootAcceleration, UnitMagnitude
 from solver.refine.subdivision import evenly
 from solver.search.descent import optimised
 from solver.surface import Plane
+from solver.surface.points import site_points
 
 Array = NDArray[np.float64]
 

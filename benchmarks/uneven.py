@@ -12,7 +12,8 @@ from rotations import KINDS, Track, energy, exact_energy, exact_energy_from, sol
 from shooting import energy_of, has_closed, quaternions_of, shot
 
 from solver import Motion, Settings
-from solver.refine.subdivision import by_weak_form, evenly, path_of
+from solver.curve.spline import path_of
+from solver.refine.subdivision import by_weak_form, evenly
 from solver.search.descent import optimised
 
 FIRST_SEED = 3000

@@ -23,13 +23,13 @@ from typing import Any
 import numpy as np
 
 from solver import quaternion as quat
+from solver.array import Array
 from solver.curve.frame import Frame, Timeline
 from solver.curve.spline import Path as Curve
+from solver.curve.spline import path_of
 from solver.figure.dynamics import velocities
 from solver.figure.figure import Figure
 from solver.figure.kinematics import Samples
-from solver.quaternion import Array
-from solver.refine.subdivision import path_of
 
 from .errors import UserError
 from .scene.assets import Scene

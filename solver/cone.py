@@ -14,8 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .curve.frame import Mask
-from .quaternion import Array
+from .array import Array, Mask
 
 MOST_STEPS = 60
 SETTLED = 1e-14  # promised decrease beside |w|² at which a step is the last one

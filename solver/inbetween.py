@@ -16,16 +16,16 @@ from functools import cached_property, partial
 import numpy as np
 from numpy.typing import ArrayLike
 
+from .array import Array
 from .curve.arcs import straightened
 from .curve.frame import Frame, Timeline
 from .curve.quadrature import Quadrature
-from .curve.spline import Path
+from .curve.spline import Path, path_of
 from .curve.unknowns import raw_timeline
 from .figure.figure import Figure
 from .objective import Evaluation, Objective
 from .penalty import Guide, Penalty
-from .quaternion import Array
-from .refine.subdivision import CRITERIA, midpoints, path_of, split
+from .refine.subdivision import CRITERIA, midpoints, split
 from .refine.windows import Assembly, is_long, windows
 from .search.astray import FAR, farthest, is_astray, is_dear, is_violent
 from .search.descent import NEWTON, Descent

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from .array import Array
 from .curve.frame import Timeline
 from .curve.quadrature import Quadrature, gauss_nodes
 from .curve.spline import Path, Sampling, spline_of
@@ -19,7 +20,6 @@ from .figure.figure import Figure
 from .figure.kinematics import Cotangent, Samples
 from .penalty import Penalty
 from .penalty.penalty import instants_of
-from .quaternion import Array
 
 SMALL_SHARE = 0.01
 MOST_OF_TIME, VIOLENT, LEAST_TYPICAL = 0.8, 4.0, 0.1

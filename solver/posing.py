@@ -17,11 +17,10 @@ import mujoco
 import numpy as np
 
 from . import quaternion as quat
-from .curve.frame import Mask
+from .array import Array, Index, Mask
 from .figure.figure import Figure, JointKind
 from .penalty.bend import BendLimits, bent
-from .penalty.contact import Point
-from .quaternion import Array, Index
+from .surface.points import Point
 
 MET, EXACT = 1e-6, 1e-9  # [m, rad] a goal that is missed by no more is met; what is aimed at
 COARSE, FIRM, FIRMEST = 30.0, 1e2, 1e5  # weight of the goals beside one radian of a joint, at first, then, at most

@@ -7,10 +7,9 @@ Kalman filter" (2017), §2; derivatives of the inverse are eqs. 14-17 of the pap
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-Array = NDArray[np.float64]
-Index = NDArray[np.intp]
+from .array import Array
 
 # Hamilton's table: the pairs p_i q_j, row 4 i + j, that make up each component of p ⊗ q
 _PRODUCT = np.zeros((16, 4))

@@ -11,8 +11,8 @@ import numpy as np
 from runner.clip import load as clips
 from runner.measure.penetration import moving_geoms, solid_geoms
 from solver import quaternion as quat
+from solver.array import Array
 from solver.figure.figure import JointKind
-from solver.quaternion import Array
 
 TOUCH = 0.005
 REACH = 0.05

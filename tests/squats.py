@@ -14,11 +14,12 @@ from runner.clip.load import Clip
 from runner.motion import samples_at
 from runner.system.progress import Teller
 from solver.curve.frame import Timeline
+from solver.curve.spline import path_of
 from solver.figure.algebra import dot
 from solver.figure.figure import JointKind
 from solver.figure.kinematics import Samples
-from solver.penalty import BendLimits, Contact, JointRange, joint_ranges
-from solver.refine.subdivision import path_of
+from solver.penalty import BendLimits, JointRange, joint_ranges
+from solver.surface.points import places_of
 
 RATE = 1000.0  # [Hz]
 
@@ -68,7 +69,7 @@ def measured(problem: Clip, timeline: Timeline) -> Measured:
     path, figure = path_of(timeline), problem.figure
     first, last = path.span
     samples = samples_at(figure, path, np.linspace(first, last, round((last - first) * RATE) + 1))
-    centres, _, _ = Contact(problem.points, ()).centres(samples)
+    centres, _, _ = places_of(problem.points, samples)
     inside = np.max([surface.inside(centres) for surface in problem.surfaces], axis=0)
     away = np.sqrt(dot(centres - centres[:, :, :1], centres - centres[:, :, :1]))
     ranges = JointRange(joint_ranges(figure))

@@ -13,9 +13,10 @@ from solver.curve.frame import Frame
 from solver.curve.unknowns import raw_timeline
 from solver.figure.figure import Figure
 from solver.inbetween import Settings, inbetween
-from solver.penalty import Bend, BendLimits, Contact, CovariantAcceleration, Point, RootAcceleration, UnitMagnitude
-from solver.reading.allowance import Allowance
+from solver.penalty import Bend, BendLimits, Contact, CovariantAcceleration, RootAcceleration, UnitMagnitude
+from solver.penalty.allowance import Allowance
 from solver.surface import Plane
+from solver.surface.points import Point, places_of
 
 UP = np.array([0.0, 0, 1])
 
@@ -89,7 +90,7 @@ def test_a_knee_that_a_keyframe_bends_backward_may_do_so_near_it_and_nowhere_els
 def test_gradients_with_allowances_have_taylor_slope_two(figure, rng):
     samples = at_times(random_samples(figure, rng, 6), np.linspace(0, 1, 6))
     points = Point("a", 1, np.array([0.1, 0.2, -0.3]), 0.05), Point("b", len(figure.links) - 1, np.zeros(3), 0.1)
-    centres, _, _ = Contact(points, ()).centres(samples)
+    centres, _, _ = places_of(points, samples)
     floor = Plane("floor", (centres[2].max() + 0.3) * UP, UP)
     allowed = Allowance(np.array([0.0, 0.4, 1]), rng.uniform(0, 0.3, (2, 3)))
     contact = Contact(points, (floor,), allowed=allowed)

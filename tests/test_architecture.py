@@ -84,6 +84,53 @@ def test_every_file_says_what_it_is(path):
     assert len(ast.get_docstring(tree(path)) or "") > 20
 
 
+# every folder, or module beside the folders, rests only on those in lines before its own
+STRATA = {
+    "solver": """
+        array
+        quaternion cone
+        figure
+        curve surface
+        reading
+        penalty
+        objective posing
+        search
+        refine
+        inbetween edit
+    """,
+    "runner": """
+        errors
+        system
+        scene
+        motion
+        clip
+        measure picture
+        work
+        exchange kept
+        edit claims batch
+        python cli
+        start
+    """,
+}
+
+
+def stratum(name: str) -> str:
+    """The folder or module of a top that a dotted name belongs to; "" for the top itself."""
+    return name.split(".")[1] if "." in name else ""
+
+
+@pytest.mark.parametrize("top", STRATA)
+def test_folders_rest_only_on_those_below_them(top):
+    lines = [line.split() for line in STRATA[top].split("\n") if line.strip()]
+    rank = {name: k for k, line in enumerate(lines) for name in line}
+    mine = [path for path in FILES if path.parts[0] == top and len(path.parts) + (path.stem != "__init__") > 2]
+    assert {Path(path.parts[1]).stem for path in mine} == set(rank)
+    for path in mine:
+        own = Path(path.parts[1]).stem
+        named = {stratum(name) for name in imports(path) if name.split(".")[0] == top} & rank.keys() - {own}
+        assert all(rank[other] < rank[own] for other in named), (path, named)
+
+
 def test_imports_inside_the_solver_make_no_circle():
     below = {p.with_suffix("").as_posix().replace("/", ".").removesuffix(".__init__"): imports(p) for p in SOLVER}
     package = {"solver"}  # named by every `from . import frame`, which needs the module and not the package
@@ -97,10 +144,11 @@ def test_imports_inside_the_solver_make_no_circle():
 
 def test_the_foundations_of_the_solver_rest_on_nothing_above_them():
     def within(name: str) -> set[str]:
-        return {other for other in imports(Path(f"solver/{name}.py")) if other.startswith("solver.")}
+        return {stratum(other) for other in imports(Path(f"solver/{name}.py")) if other.startswith("solver.")}
 
-    assert not within("quaternion")
-    assert {name.split(".")[1] for name in within("frame")} == {"quaternion"}
+    assert not within("array")
+    assert within("quaternion") == {"array"}
+    assert within("curve/frame") == {"array"}
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.as_posix())

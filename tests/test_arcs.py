@@ -8,12 +8,13 @@ from test_inbetween import closed, hinge_keys, hinged, partial_keys
 from test_unknowns import TIMES, distance_from_key, random_keys
 
 from solver import quaternion as quat
+from solver.array import Array, Index
 from solver.curve.arcs import straight, straightened
 from solver.curve.frame import Frame, Timeline
+from solver.curve.spline import path_of
 from solver.curve.unknowns import Unknowns, raw_timeline
 from solver.figure.figure import Figure, quaternion_columns
-from solver.quaternion import Array, Index
-from solver.refine.subdivision import evenly, path_of, split
+from solver.refine.subdivision import evenly, split
 
 GRID = np.linspace(TIMES[0], TIMES[-1], 53)
 BODY = '<mujoco><worldbody><body><freejoint/><geom size=".1"/></body></worldbody></mujoco>'

@@ -13,17 +13,19 @@ from test_unknowns import distance_from_key, random_keys
 
 from solver import Motion, inbetween
 from solver import quaternion as quat
+from solver.array import Array
 from solver.curve.frame import Frame
+from solver.curve.spline import path_of
 from solver.curve.unknowns import raw_timeline
 from solver.figure.figure import Figure
 from solver.objective import Objective
-from solver.penalty import Contact, CovariantAcceleration, Penalty, Point, RootAcceleration, UnitMagnitude
-from solver.quaternion import Array
-from solver.refine.subdivision import evenly, path_of
+from solver.penalty import Contact, CovariantAcceleration, Penalty, RootAcceleration, UnitMagnitude
+from solver.refine.subdivision import evenly
 from solver.search.astray import DEAR, FAR, LONG, LOOKS, farthest, is_astray, is_dear, is_violent, longest
 from solver.search.judgement import best, common_grid
 from solver.search.optimiser import Stop, StopSearch
 from solver.surface import Plane, Sphere
+from solver.surface.points import Point
 
 VERB = sys.modules["solver.inbetween"]  # the package has the verb under the module's name
 LIMB = limb()

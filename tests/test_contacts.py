@@ -8,10 +8,11 @@ import pytest
 from runner.clip import load as clips
 from runner.errors import UserError
 from runner.measure.report import report
+from solver.curve.spline import path_of
 from solver.figure.kinematics import Samples
 from solver.inbetween import inbetween
 from solver.penalty import Contact, Planted, Rest, Resting, Stance, Together
-from solver.refine.subdivision import path_of
+from solver.surface.points import places_of
 
 STEP = """
 figure = "human"
@@ -111,7 +112,7 @@ def test_a_foot_rests_where_a_contact_says_and_without_it_does_not():
         motion = inbetween(clip.figure, clip.keys, clip.penalties, clip.settings)
         y, y_d, y_dd = path_of(motion.timeline).motion(t := np.linspace(0.55, 0.75, 101))
         toe = tuple(point for point in clip.points if point.name == "left_toe")
-        centres, _, _ = Contact(toe, ()).centres(Samples(clip.figure, y, y_d, y_dd, t))
+        centres, _, _ = places_of(toe, Samples(clip.figure, y, y_d, y_dd, t))
         return float(np.ptp(centres[0, 0]))
 
     free = text(x=0.2, y=0.4) + '[[penalty]]\nkind = "skate"\nweight = 0'

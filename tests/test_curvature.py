@@ -17,7 +17,9 @@ from test_preconditioner import slider
 from test_rows import WOOD
 
 from solver import quaternion as quat
+from solver.array import Array
 from solver.curve.frame import Frame, Timeline
+from solver.curve.spline import path_of
 from solver.curve.unknowns import raw_timeline
 from solver.figure.dynamics import generalised_forces
 from solver.figure.figure import Figure
@@ -30,7 +32,6 @@ from solver.penalty import (
     CovariantAcceleration,
     Penalty,
     Planted,
-    Point,
     RootAcceleration,
     Scale,
     Torque,
@@ -39,11 +40,11 @@ from solver.penalty import (
 from solver.penalty.bend import NEAR as NEAR_ANGLE
 from solver.penalty.contact import NEAR as NEAR_DEPTH
 from solver.penalty.curvature import Curvature, Sides
-from solver.quaternion import Array
 from solver.refine.euler_lagrange import WeakForm
-from solver.refine.subdivision import evenly, midpoints, path_of, split
+from solver.refine.subdivision import evenly, midpoints, split
 from solver.search.descent import optimised
 from solver.surface import Box, Surface
+from solver.surface.points import Point, places_of
 
 STEP_SIZE = 1e-5
 BALL = '<mujoco><worldbody><body><freejoint/><geom size=".1"/></body></worldbody></mujoco>'
@@ -101,7 +102,7 @@ def _efforts(samples: Samples) -> Array:
 
 def _away(samples: Samples) -> Array:
     """Every planted point's way from its place, zeros when its stance is over."""
-    centres, _, _ = Contact(tuple(s.point for s in PLANTED.stances), ()).centres(samples)
+    centres, _, _ = places_of(tuple(s.point for s in PLANTED.stances), samples)
     away = []
     for stance, centre in zip(PLANTED.stances, centres.swapaxes(0, 1), strict=True):
         lasts = (samples.t >= stance.first) & (samples.t <= stance.last)

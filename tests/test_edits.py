@@ -22,10 +22,10 @@ from runner.errors import UserError
 from runner.motion import Saved, sampled
 from runner.system.progress import Teller
 from solver import quaternion as quat
+from solver.array import Array
+from solver.curve.mirror import Mirror
 from solver.curve.seam import Seam
-from solver.edit.mirror import Mirror
-from solver.quaternion import Array
-from solver.refine.subdivision import path_of
+from solver.curve.spline import path_of
 from solver.surface import Box
 
 FPS = 97.0

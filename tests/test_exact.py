@@ -12,18 +12,18 @@ import pytest
 from exact_path import ExactPath, _advanced, exact_path
 from scipy.spatial.transform import Rotation
 
+from solver.array import Array
 from solver.curve.frame import Frame, Timeline
 from solver.curve.quadrature import gauss_nodes
-from solver.curve.spline import Path
+from solver.curve.spline import Path, path_of
 from solver.figure.figure import Figure
 from solver.inbetween import Motion, Settings, inbetween
 from solver.objective import Objective
 from solver.penalty import CovariantAcceleration, UnitMagnitude
-from solver.quaternion import Array
 from solver.refine import euler_lagrange
 from solver.refine.displacement import displacement
 from solver.refine.euler_lagrange import WeakForm, covariant_residual, residual, tangential
-from solver.refine.subdivision import evenly, midpoints, path_of, split
+from solver.refine.subdivision import evenly, midpoints, split
 from solver.search.descent import optimised
 
 ONE_BALL = '<mujoco><worldbody><body><joint type="ball"/><geom size=".1"/></body></worldbody></mujoco>'

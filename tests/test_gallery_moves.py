@@ -22,10 +22,10 @@ from runner.edit.edits import retimed_tables
 from runner.measure.hold_report import in_carried
 from runner.measure.penetration import penetration
 from runner.motion import continuous, sampled
+from solver.array import Array
+from solver.curve.spline import path_of
 from solver.inbetween import Motion
 from solver.penalty import BendLimits
-from solver.quaternion import Array
-from solver.refine.subdivision import path_of
 
 RATE = 500.0
 G = 9.81

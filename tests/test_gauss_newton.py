@@ -12,17 +12,19 @@ from test_preconditioner import slider
 from test_unknowns import TIMES
 
 from solver import quaternion as quat
+from solver.array import Array
 from solver.curve.frame import Frame
+from solver.curve.spline import path_of
 from solver.curve.unknowns import raw_timeline
 from solver.objective import HEAVY, Discretised, Evaluation, Objective
-from solver.penalty import Contact, CovariantAcceleration, Penalty, Point, RootAcceleration, Torque, UnitMagnitude
-from solver.quaternion import Array
-from solver.refine.subdivision import evenly, path_of
+from solver.penalty import Contact, CovariantAcceleration, Penalty, RootAcceleration, Torque, UnitMagnitude
+from solver.refine.subdivision import evenly
 from solver.search import optimiser
 from solver.search.descent import METHODS, NEWTON, Descent
 from solver.search.newton import FIRST_DAMPING, Search, gauss_newton
 from solver.search.optimiser import Minimum, Stop, StopSearch, minimise
 from solver.surface import Plane
+from solver.surface.points import Point
 
 ENDS = ["free", "clamped", "periodic"]
 TERMS: list[tuple[Penalty, float]] = [

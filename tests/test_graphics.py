@@ -13,7 +13,7 @@ TELLS_ITS_START = pytest.mark.skipif(
 )
 SHOW = """
 import os
-from runner.graphics import choose
+from runner.picture.graphics import choose
 found = choose()
 print(found.kind)
 print(found.line)

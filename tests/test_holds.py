@@ -18,10 +18,10 @@ from runner.errors import UserError
 from runner.measure.hold_report import hold_rows, in_carried
 from runner.measure.problems import problems
 from runner.system.progress import Teller
-from solver.edit.mirror import Mirror
+from solver.curve.mirror import Mirror
+from solver.curve.spline import path_of as path
 from solver.inbetween import inbetween
 from solver.penalty import Contact, Hold, Holding, Planted, Together
-from solver.refine.subdivision import path_of as path
 
 SCENE = """
 figure = "human"

@@ -9,14 +9,16 @@ from test_unknowns import TIMES, distance_from_key, mask_without, random_keys
 from solver import quaternion as quat
 from solver.curve.frame import Frame, TimelineError
 from solver.curve.quadrature import Quadrature
+from solver.curve.spline import path_of
 from solver.figure.figure import Figure
 from solver.inbetween import Improvement, Motion, Settings, inbetween
 from solver.objective import Objective
-from solver.penalty import Contact, CovariantAcceleration, Penalty, Point, RootAcceleration, UnitMagnitude
-from solver.refine.subdivision import CRITERIA, path_of
+from solver.penalty import Contact, CovariantAcceleration, Penalty, RootAcceleration, UnitMagnitude
+from solver.refine.subdivision import CRITERIA
 from solver.search.descent import METHODS
 from solver.search.optimiser import Stop, StopSearch
 from solver.surface import Plane
+from solver.surface.points import Point
 
 PENALTIES: list[tuple[Penalty, float]] = [
     (CovariantAcceleration(), 1.0),

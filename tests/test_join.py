@@ -18,14 +18,15 @@ from test_unknowns import random_keys
 
 from runner.scene.compose import figure_spec
 from solver import quaternion as quat
+from solver.array import Array
 from solver.curve.frame import Frame, Timeline, TimelineError
+from solver.curve.spline import path_of
 from solver.curve.unknowns import Unknowns, raw_timeline
 from solver.edit.join import Placement, bridge, following, heading, joined, signed_like, trunk
 from solver.figure.figure import Figure
 from solver.inbetween import Settings, inbetween
 from solver.objective import Objective
-from solver.quaternion import Array
-from solver.refine.subdivision import evenly, path_of, split
+from solver.refine.subdivision import evenly, split
 from solver.search.descent import Descent, optimised
 
 LENGTH = 0.4

@@ -9,6 +9,7 @@ from test_any_model import figure_of
 from test_kinematics import random_samples
 from test_rows import WOOD, assert_near
 
+from solver.array import Array, Index
 from solver.figure import joint_spin
 from solver.figure.algebra import add_at
 from solver.figure.axes import turning
@@ -19,7 +20,6 @@ from solver.figure.joint_wrench import any_wrench_rows
 from solver.figure.kinematics import Cotangent, Samples
 from solver.figure.wrench import RootWrench
 from solver.penalty.curvature import jacobian
-from solver.quaternion import Array, Index
 
 SEEDS = range(12)
 

@@ -13,7 +13,7 @@ from runner.edit import lead_in, thin_files
 from runner.scene.compose import compose, figure_spec
 from runner.system.progress import Teller
 from solver import quaternion as quat
-from solver.refine.subdivision import path_of
+from solver.curve.spline import path_of
 
 RATE = 60.0
 HUMAN = mujoco.MjModel.from_xml_string(models.figure_text("human"))

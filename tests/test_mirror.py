@@ -9,10 +9,11 @@ from conftest import BALL_TREE
 
 import models
 from solver.curve.frame import Frame
+from solver.curve.mirror import Mirror, MirrorError, other_side
+from solver.curve.spline import path_of
 from solver.curve.unknowns import raw_timeline
-from solver.edit.mirror import Mirror, MirrorError, other_side
 from solver.figure.figure import Figure
-from solver.refine.subdivision import evenly, path_of
+from solver.refine.subdivision import evenly
 
 ROBOT = """
 <mujoco><compiler angle="radian"/><worldbody>

@@ -11,15 +11,17 @@ from test_penalty_planted import stance_of
 from test_unknowns import TIMES, mask_without, masks_by_name, random_keys
 
 from solver import quaternion as quat
+from solver.array import Array
 from solver.curve.frame import Frame, Timeline
 from solver.curve.quadrature import gauss_nodes
+from solver.curve.spline import path_of
 from solver.curve.unknowns import raw_timeline
 from solver.figure.figure import Figure
 from solver.objective import Discretised, Objective
-from solver.penalty import Contact, CovariantAcceleration, Penalty, Planted, Point, RootAcceleration, UnitMagnitude
-from solver.quaternion import Array
-from solver.refine.subdivision import evenly, path_of
+from solver.penalty import Contact, CovariantAcceleration, Penalty, Planted, RootAcceleration, UnitMagnitude
+from solver.refine.subdivision import evenly
 from solver.search.quadratic import POINTS, Layout, Model
+from solver.surface.points import Point
 
 ENDS = ["free", "clamped", "periodic"]
 TINY = """

@@ -17,8 +17,8 @@ from runner.errors import UserError
 from runner.motion import Saved, load, sampled, samples_at, save
 from runner.system.output import Replacement, check_target
 from runner.work import Solved
+from solver.curve.spline import path_of
 from solver.figure.dynamics import generalised_forces
-from solver.refine.subdivision import path_of
 
 
 @pytest.fixture(scope="module")

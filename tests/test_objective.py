@@ -12,7 +12,7 @@ from walker import FINE, walk, walker
 
 from solver.curve.frame import Frame, Timeline
 from solver.curve.quadrature import Quadrature, gauss_nodes
-from solver.curve.spline import Path
+from solver.curve.spline import Path, path_of
 from solver.curve.unknowns import raw_timeline
 from solver.figure.figure import Figure
 from solver.figure.kinematics import Cotangent, Samples
@@ -23,13 +23,13 @@ from solver.penalty import (
     Contact,
     CovariantAcceleration,
     Penalty,
-    Point,
     RootAcceleration,
     Torque,
     UnitMagnitude,
 )
-from solver.refine.subdivision import evenly, path_of
+from solver.refine.subdivision import evenly
 from solver.surface import Box, Plane
+from solver.surface.points import Point
 
 ONE_HINGE = '<mujoco><worldbody><body><joint axis="0 1 0"/><geom size=".1"/></body></worldbody></mujoco>'
 SURFACES = (

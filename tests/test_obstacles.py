@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from oracles import tells_height_fields
 from taylor import taylor_slope
 
-from solver.quaternion import Array
+from solver.array import Array
 from solver.surface import Capsule, Cylinder, Ellipsoid, HeightField, Hull, Sphere, Surface, static_surfaces
 from solver.surface.height_field import from_triangle
 

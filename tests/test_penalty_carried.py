@@ -8,8 +8,10 @@ from test_penalty_unit import penalty_slope
 
 from solver.figure.figure import Figure
 from solver.figure.kinematics import Cotangent, Samples
-from solver.penalty import Contact, Hold, Point, carried_links, covering_points, surfaces_on
+from solver.penalty import Contact, Hold, carried_links, surfaces_on
 from solver.surface import moving_surface
+from solver.surface.cover import covering_points
+from solver.surface.points import Point
 
 CARRIER = """<mujoco><compiler angle="degree"/><worldbody>
 <body name="trunk"><freejoint/><geom name="trunk" size=".3"/>

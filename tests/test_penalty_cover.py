@@ -8,10 +8,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from solver.array import Array
 from solver.figure.figure import Figure
-from solver.penalty import cover, covering_points
-from solver.quaternion import Array
-from solver.surface import Ellipsoid, Hull, hull_of
+from solver.surface import Ellipsoid, Hull, cover, hull_of
+from solver.surface.cover import covering_points
 
 SIZES = st.floats(0.01, 0.5)
 SEEDS = st.integers(0, 10_000)

@@ -12,7 +12,9 @@ from test_penalty_unit import penalty_slope, scaled_like
 from test_rows import WOOD
 
 from solver import quaternion as quat
+from solver.array import Array
 from solver.curve.frame import Frame
+from solver.curve.spline import path_of
 from solver.figure.figure import Figure
 from solver.figure.jacobian_rows import Pushes
 from solver.figure.kinematics import Cotangent, Samples
@@ -20,8 +22,6 @@ from solver.figure.wrench import RootWrench, height, weight
 from solver.inbetween import Settings, inbetween
 from solver.penalty import CovariantAcceleration, Flight, Penalty, RootAcceleration
 from solver.penalty.flight import rows_of_wrench
-from solver.quaternion import Array
-from solver.refine.subdivision import path_of
 
 G = 9.81
 BRICK = f"""<mujoco><option gravity="0 0 -{G}"/><worldbody><body><freejoint/>

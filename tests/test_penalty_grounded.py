@@ -11,17 +11,10 @@ from solver.curve.unknowns import raw_timeline
 from solver.figure.figure import Figure
 from solver.figure.kinematics import Samples
 from solver.inbetween import Settings, inbetween
-from solver.penalty import (
-    Contact,
-    CovariantAcceleration,
-    Grounded,
-    Point,
-    RootAcceleration,
-    UnitMagnitude,
-    grounded_intervals,
-)
+from solver.penalty import CovariantAcceleration, Grounded, RootAcceleration, UnitMagnitude, grounded_intervals
 from solver.penalty.curvature import Curvature
 from solver.surface import Plane
+from solver.surface.points import Point, places_of
 
 UP = np.array([0.0, 0, 1])
 FLOOR = Plane("floor", np.zeros(3), UP)
@@ -35,7 +28,7 @@ def some_points(samples: Samples) -> tuple[Point, ...]:
 def case(figure: Figure, rng: np.random.Generator, count: int = 6) -> tuple[Samples, Grounded]:
     samples = at_times(random_samples(figure, rng, count), np.linspace(0, 1, count))
     points = some_points(samples)
-    centres, _, _ = Contact(points, ()).centres(samples)
+    centres, _, _ = places_of(points, samples)
     floor = Plane("floor", (centres[2].min() - 0.3) * UP, UP)
     return samples, Grounded(points, (floor,), ((0.1, 0.5), (0.7, 1.0)), reach=0.8, blend=0.2)
 
@@ -44,7 +37,7 @@ def test_the_value_by_hand(figure, rng):
     samples, grounded = case(figure, rng)
     (floor,) = grounded.surfaces
     assert isinstance(floor, Plane)
-    centres, _, _ = Contact(grounded.points, ()).centres(samples)
+    centres, _, _ = places_of(grounded.points, samples)
     height = centres[2] - floor.point[2] - np.array([0.05, 0])[:, None]
     lowest = np.maximum(-0.2 * np.log(np.sum(np.exp(-height / 0.2), axis=0)), 0)
     expected = np.where([False, True, True, False, True, True], 0.64 * (1 - np.exp(-((lowest / 0.8) ** 2))), 0)

@@ -8,14 +8,15 @@ from test_penalty_planted import at_times
 from test_penalty_unit import penalty_slope
 
 from solver import quaternion as quat
+from solver.array import Array
 from solver.curve.frame import Frame
 from solver.figure.figure import Figure
 from solver.figure.kinematics import Samples
 from solver.inbetween import Settings, inbetween
-from solver.penalty import CovariantAcceleration, Hold, Holding, Point, RootAcceleration, Spot, UnitMagnitude, slipped
+from solver.penalty import CovariantAcceleration, Hold, Holding, RootAcceleration, Spot, UnitMagnitude, slipped
 from solver.penalty.curvature import Curvature
 from solver.penalty.resting import SETTLING
-from solver.quaternion import Array
+from solver.surface.points import Point
 
 TWO = """<mujoco><worldbody>
 <body name="hand"><freejoint/><geom size=".1"/></body>

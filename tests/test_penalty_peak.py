@@ -9,13 +9,14 @@ from test_kinematics import random_samples
 from test_penalty_unit import penalty_slope, scaled_like
 from test_rows import WOOD
 
+from solver.array import Array
+from solver.curve.spline import path_of
 from solver.figure.dynamics import velocities
 from solver.figure.figure import Figure
 from solver.figure.kinematics import Samples
 from solver.objective import Objective
 from solver.penalty import CovariantAcceleration, PeakAcceleration, UnitMagnitude
-from solver.quaternion import Array
-from solver.refine.subdivision import evenly, path_of
+from solver.refine.subdivision import evenly
 from solver.search.descent import optimised
 
 

@@ -15,16 +15,18 @@ from test_penalty_unit import penalty_slope, scaled_like
 from test_rows import WOOD
 from test_unknowns import TIMES
 
+from solver.array import Array
 from solver.curve.frame import Frame
 from solver.curve.quadrature import Quadrature
+from solver.curve.spline import path_of
 from solver.figure.figure import Figure
 from solver.figure.kinematics import Cotangent, Samples
 from solver.inbetween import inbetween
 from solver.objective import Objective, segment_integrals
-from solver.penalty import CovariantAcceleration, Placed, Placement, Point, UnitMagnitude
-from solver.quaternion import Array
-from solver.refine.subdivision import by_weak_form, evenly, path_of
+from solver.penalty import CovariantAcceleration, Placed, Placement, UnitMagnitude
+from solver.refine.subdivision import by_weak_form, evenly
 from solver.search.quadratic import Layout, Model
+from solver.surface.points import Point
 
 TARGET = np.array([0.3, -0.2, 0.8])
 

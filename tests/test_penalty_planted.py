@@ -10,8 +10,9 @@ from solver.curve.frame import Frame
 from solver.curve.unknowns import raw_timeline
 from solver.figure.figure import Figure
 from solver.figure.kinematics import Cotangent, Samples
-from solver.penalty import Planted, Point, Stance, stances
+from solver.penalty import Planted, Stance, stances
 from solver.surface import Plane
+from solver.surface.points import Point
 
 FLOOR = Plane("floor", np.zeros(3), np.array([0.0, 0, 1]))
 FOOT = Point("foot", 1, np.array([0.0, 0, -0.5]), 0.1)

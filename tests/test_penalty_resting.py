@@ -10,11 +10,12 @@ from solver.curve.frame import Frame
 from solver.figure.figure import Figure
 from solver.figure.kinematics import Samples
 from solver.inbetween import Settings, inbetween
-from solver.penalty import CovariantAcceleration, Point, Rest, Resting, RootAcceleration, UnitMagnitude
+from solver.penalty import CovariantAcceleration, Rest, Resting, RootAcceleration, UnitMagnitude
 from solver.penalty.contact import point_gradients, velocity_gradients
 from solver.penalty.curvature import Curvature
 from solver.penalty.resting import SETTLING
 from solver.surface import Plane
+from solver.surface.points import Point
 
 UP = np.array([0.0, 0, 1])
 FLOOR = Plane("floor", -50 * UP, UP)

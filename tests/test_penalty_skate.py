@@ -11,11 +11,12 @@ from solver.curve.unknowns import raw_timeline
 from solver.figure.figure import Figure
 from solver.figure.kinematics import Samples
 from solver.inbetween import Settings, inbetween
-from solver.penalty import Contact, CovariantAcceleration, Point, RootAcceleration, Skate, UnitMagnitude
+from solver.penalty import Contact, CovariantAcceleration, RootAcceleration, Skate, UnitMagnitude
 from solver.penalty.contact import velocity_gradients
 from solver.penalty.curvature import Curvature
 from solver.penalty.skate import LONG, Bound
 from solver.surface import Box, Plane
+from solver.surface.points import Point, places_of
 
 UP = np.array([0.0, 0, 1])
 TILTED = np.array([0.0, 0.6, 0.8])
@@ -28,7 +29,7 @@ def some_points(samples: Samples) -> tuple[Point, ...]:
 
 def below(samples: Samples, normal: np.ndarray = UP) -> Plane:
     """A plane under all of the points."""
-    centres, _, _ = Contact(some_points(samples), ()).centres(samples)
+    centres, _, _ = places_of(some_points(samples), samples)
     return Plane("floor", (np.einsum("i,ins->ns", normal, centres).min() - 0.3) * normal, normal)
 
 
@@ -86,7 +87,7 @@ def test_its_curvature_is_that_of_the_weighted_velocities(figure, rng):
     curvature = Curvature(samples)
     skate.curvature(samples, curvature, scale)
     phi = rng.normal(size=(3, 3))
-    centres, arms, links = Contact(skate.points, ()).centres(samples)
+    centres, arms, links = places_of(skate.points, samples)
     height = centres[2] - floor.point[2] - np.array([0.05, 0])[:, None]
     weight = np.exp(-(height**2))
     expected = 0

@@ -16,8 +16,9 @@ from solver.cone import projection
 from solver.figure.figure import Figure
 from solver.figure.kinematics import Cotangent, Samples
 from solver.figure.wrench import RootWrench
-from solver.penalty import Flight, Footing, Point, Support
+from solver.penalty import Flight, Footing, Support
 from solver.penalty.support import friction_edges
+from solver.surface.points import Point
 
 UP = np.array([0.0, 0, 1])
 TABLE = """<mujoco><option gravity="0 0 -10"/><worldbody><body pos="0 0 1"><freejoint/>

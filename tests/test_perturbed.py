@@ -16,9 +16,9 @@ from runner.clip import load as clips
 from runner.clip.load import Clip
 from solver import Frame, Motion
 from solver import quaternion as quat
+from solver.array import Array
+from solver.curve.spline import path_of
 from solver.figure.figure import JointKind
-from solver.quaternion import Array
-from solver.refine.subdivision import path_of
 
 FOLDER = Path(__file__).parent.parent / "benchmarks"
 THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "BLIS_NUM_THREADS", "NUMEXPR_NUM_THREADS",

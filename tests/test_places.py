@@ -12,7 +12,7 @@ from runner.clip.load import Clip
 from runner.clip.mirror import mirrored_tables
 from runner.clip.places import Places, posable_sites
 from runner.errors import UserError
-from solver.edit.mirror import Mirror
+from solver.curve.mirror import Mirror
 from solver.figure.figure import Figure
 
 LEG = """<body name="{side}_thigh" pos="0 {y} 0"><joint name="{side}_hip_x" axis="1 0 0" range="-60 60"/>

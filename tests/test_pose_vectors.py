@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from solver import quaternion as quat
-from solver.quaternion import Array
+from solver.array import Array
 from solver.reading.pose_vectors import Heading
 
 

@@ -17,13 +17,13 @@ from runner.clip.feet import sole_points
 from runner.clip.table import PenaltyTable
 from solver import posing
 from solver import quaternion as quat
-from solver.curve.frame import Mask
+from solver.array import Array, Mask
 from solver.figure.figure import Figure, JointKind, quaternion_columns
 from solver.figure.kinematics import Samples
-from solver.penalty import Bend, BendLimits, Point, site_points
+from solver.penalty import Bend, BendLimits
 from solver.penalty.bend import bent
 from solver.posing import MET, STARTS, BodyGoal, Goal, PointGoal, Posed, SiteGoal, chain, entries, posed
-from solver.quaternion import Array
+from solver.surface.points import Point, site_points
 
 HUMAN = {c: Figure(mujoco.MjModel.from_xml_string(models.figure_text("human")), c) for c in ("world", "joint")}
 BENDS = posing_bends(HUMAN["world"], [PenaltyTable(kind="bend", least=2.0)])

@@ -6,11 +6,12 @@ import pytest
 from test_objective import clip
 
 from solver.curve.frame import Frame
+from solver.curve.spline import path_of
 from solver.curve.unknowns import raw_timeline
 from solver.figure.figure import Figure
 from solver.objective import Discretised, Objective
 from solver.penalty import CovariantAcceleration, RootAcceleration
-from solver.refine.subdivision import evenly, path_of
+from solver.refine.subdivision import evenly
 from solver.search.descent import Descent
 from solver.search.preconditioner import Preconditioner
 from solver.search.quadratic import Layout, Model

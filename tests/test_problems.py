@@ -26,7 +26,7 @@ from runner.motion import sampled
 from runner.system.progress import Teller
 from solver import quaternion as quat
 from solver.curve.frame import Frame, Timeline
-from solver.refine.subdivision import path_of
+from solver.curve.spline import path_of
 from solver.search.optimiser import Stop
 
 REST = '\n[[keyframe]]\ntime = {}\nothers = "rest"\n'

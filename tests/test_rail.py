@@ -19,12 +19,13 @@ from runner.clip import load as clip
 from runner.measure.penetration import penetration
 from runner.motion import sampled
 from runner.system.progress import Teller
+from solver.array import Array
 from solver.figure.figure import Figure
 from solver.figure.kinematics import Samples
-from solver.penalty import Contact, Together, UnitMagnitude, covering_points
+from solver.penalty import Contact, Together, UnitMagnitude
 from solver.penalty.curvature import Curvature, Sides
-from solver.quaternion import Array
 from solver.surface import Capsule, Ellipsoid, Sphere
+from solver.surface.cover import covering_points
 
 
 def deepest(path: str) -> float:

@@ -11,12 +11,13 @@ from test_preconditioner import discretised
 
 from runner.clip.load import load
 from solver.curve.frame import Frame
+from solver.curve.spline import path_of
 from solver.curve.unknowns import raw_timeline
 from solver.figure.figure import Figure
 from solver.inbetween import Motion, inbetween
 from solver.objective import Discretised, Objective
 from solver.penalty import CovariantAcceleration
-from solver.refine.subdivision import evenly, path_of
+from solver.refine.subdivision import evenly
 from solver.search.descent import NEWTON, Descent
 from solver.search.newton import gauss_newton
 from solver.search.optimiser import METHODS, Stop, StopSearch

@@ -18,7 +18,8 @@ from runner.measure.report import Grid, _far_from_trouble, report, tables
 from runner.motion import sampled
 from runner.system.progress import Teller
 from runner.work import Solved
-from solver.refine.subdivision import evenly, path_of
+from solver.curve.spline import path_of
+from solver.refine.subdivision import evenly
 from solver.search.descent import optimised
 
 FOOT = """

@@ -14,10 +14,11 @@ from test_unknowns import TIMES, random_keys
 
 from solver.curve.frame import Frame, Timeline, TimelineError
 from solver.curve.seam import Seam
+from solver.curve.spline import path_of
 from solver.curve.unknowns import Unknowns, raw_timeline
 from solver.edit.retime import repeated, retimed, trimmed
 from solver.figure.figure import Figure
-from solver.refine.subdivision import evenly, path_of
+from solver.refine.subdivision import evenly
 
 FIGURE_OF_A_HOP = figure_of(TINY)
 FIGURE = Figure(mujoco.MjModel.from_xml_string(BALL_TREE))

@@ -10,13 +10,13 @@ from runner.clip.constraints import Constraints
 from runner.clip.table import PenaltyTable
 from solver import quaternion as quat
 from solver.curve.frame import Frame
+from solver.curve.spline import path_of
 from solver.curve.unknowns import raw_timeline
 from solver.figure.kinematics import Samples
 from solver.penalty import Cycle
 from solver.reading.pose_vectors import PoseVectors
 from solver.reading.rhythm import Process
 from solver.reading.stride import SLIP, Gait
-from solver.refine.subdivision import path_of
 from solver.surface import Plane
 
 PERIOD = 1.1

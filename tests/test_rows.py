@@ -7,13 +7,13 @@ from conftest import BALL_TREE, EVERY_JOINT
 from test_kinematics import random_samples
 from test_penalty_torque import with_armature
 
+from solver.array import Array, Index
 from solver.figure.algebra import cross
 from solver.figure.dynamics import InverseDynamics
 from solver.figure.figure import Figure
 from solver.figure.jacobian_rows import has_moment_rows, has_point_rows, moment_rows, point_rows
 from solver.figure.kinematics import Cotangent, Samples
 from solver.penalty.curvature import jacobian
-from solver.quaternion import Array, Index
 
 PLAIN = BALL_TREE.replace(' pos=".01 .02 .03"', "")
 

@@ -20,8 +20,8 @@ from runner.measure.report import report
 from runner.motion import sampled
 from solver.curve.frame import Frame
 from solver.curve.quadrature import gauss_nodes
+from solver.curve.spline import path_of
 from solver.inbetween import Motion, inbetween
-from solver.refine.subdivision import path_of
 from solver.search.optimiser import Stop, StopSearch
 
 TEXT = models.clip_text("run_and_step")

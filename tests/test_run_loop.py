@@ -8,10 +8,10 @@ import pytest
 from runner.clip import load as clip
 from runner.measure.penetration import penetration
 from runner.motion import sampled
+from solver.array import Array
+from solver.curve.mirror import Mirror
 from solver.curve.seam import Seam
-from solver.edit.mirror import Mirror
 from solver.inbetween import Motion, inbetween
-from solver.quaternion import Array
 
 PROBLEM = clip.load("run_loop")
 STRIDE, PERIOD = 2.0, 0.74

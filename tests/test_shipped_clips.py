@@ -14,17 +14,18 @@ from runner.clip.load import Clip
 from runner.measure.penetration import penetration, self_penetration
 from runner.measure.problems import problems
 from runner.motion import sampled, samples_at
+from solver.array import Array
+from solver.curve.mirror import Mirror
 from solver.curve.seam import Seam, heading_between
+from solver.curve.spline import path_of
 from solver.curve.unknowns import raw_timeline
-from solver.edit.mirror import Mirror
 from solver.figure.kinematics import Samples
 from solver.inbetween import Motion
 from solver.objective import SMALL_SHARE
-from solver.penalty import BendLimits, Contact, Planted, SelfContact, Stance, Together
-from solver.quaternion import Array
+from solver.penalty import BendLimits, Planted, SelfContact, Stance, Together
 from solver.reading.stride import Gait
-from solver.refine.subdivision import path_of
 from solver.search.astray import is_astray
+from solver.surface.points import places_of
 
 
 @dataclass(frozen=True)
@@ -88,7 +89,7 @@ class Found:
     def away(self, stance: Stance) -> Array:
         """(3, S) how far a point at rest is from its spot."""
         samples = self.samples(stance.first, stance.last, 100)
-        places, _, _ = Contact((stance.point,), ()).centres(samples)
+        places, _, _ = places_of((stance.point,), samples)
         return places[:, 0] - stance.place(samples.t)
 
 
@@ -175,7 +176,7 @@ def test_the_two_steps_of_a_loop_are_mirror_images(name):
 def test_in_walking_a_foot_is_always_down_and_knees_and_pelvis_move_as_in_normal_gait():
     walk = of("walk_loop")
     samples = walk.all()
-    places, _, _ = Contact(walk.clip.points, ()).centres(samples)
+    places, _, _ = places_of(walk.clip.points, samples)
     assert places[2].min(axis=0).max() < 0.005
     flexion, _, _ = np.degrees(BendLimits(walk.clip.bends).angles(samples))
     knees = [i for i, bend in enumerate(walk.clip.bends) if "knee" in bend.name]

@@ -14,11 +14,11 @@ from runner.clip import load as clip
 from runner.clip.load import Clip
 from runner.clip.standing import fitted
 from solver import quaternion as quat
+from solver.array import Array
 from solver.curve.frame import Frame
 from solver.curve.unknowns import raw_timeline
 from solver.penalty import Planted
 from solver.posing import entries
-from solver.quaternion import Array
 
 HEIGHTS = [0.9, 0.85, 0.8, 0.75, 0.7, 0.65, 0.6, 0.55, 0.5, 0.45]
 KNEES = ("left_knee", "right_knee")

@@ -19,8 +19,7 @@ from runner.exchange import formats
 from runner.exchange.imported import imported
 from runner.motion import Saved
 from solver.figure.figure import Figure
-from solver.penalty import body_points
-from solver.penalty.contact import MOST_BETWEEN
+from solver.surface.points import MOST_BETWEEN, body_points
 
 KEYS = '<keyframe><key qpos="{}"/><key time="1" qpos="{}"/></keyframe></mujoco>'
 GOOD = "0 0 1 1 0 0 0 1 0 0 0"

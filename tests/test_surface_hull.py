@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from scipy.optimize import nnls
 from scipy.spatial import ConvexHull
 
-from solver.quaternion import Array, Index
+from solver.array import Array, Index
 from solver.surface import Hull, hull, hull_of
 
 SEEDS = st.integers(0, 10_000)

@@ -10,7 +10,7 @@ from runner import work
 from runner.clip import load as clip
 from runner.measure.swings import runs, swings, words
 from runner.motion import samples_at
-from solver.refine.subdivision import path_of
+from solver.curve.spline import path_of
 
 HOPPER = """<mujoco><worldbody>
   <geom type="plane" size="5 5 .1"/>

@@ -12,9 +12,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.interpolate import CubicSpline
 
+from solver.curve.spline import path_of
 from solver.edit.thin import Bound, Recorded, natural_splines, refined, thin
 from solver.figure.figure import Figure
-from solver.refine.subdivision import path_of
 
 WIDE = Bound(0.08, np.radians(10))
 

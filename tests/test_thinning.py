@@ -19,7 +19,7 @@ from runner.exchange import formats
 from runner.motion import Saved
 from runner.system.progress import Teller
 from runner.system.quantity import length
-from solver.refine.subdivision import path_of
+from solver.curve.spline import path_of
 
 BOUND = (0.02, np.radians(5))
 

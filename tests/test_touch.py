@@ -5,12 +5,13 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 
+from runner.clip.obstacles import obstacles
 from runner.clip.table import SceneTable
 from runner.scene.compose import Step, compose
-from runner.scene.obstacle import obstacles
 from solver.figure.figure import Figure
-from solver.penalty import body_points, covering_points
 from solver.surface import static_surfaces
+from solver.surface.cover import covering_points
+from solver.surface.points import body_points
 from solver.surface.touch import bolted, counts_all, movers, solids
 
 ARM = """

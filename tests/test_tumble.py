@@ -15,8 +15,7 @@ from runner.clip import load as clip
 from runner.system.progress import Teller
 from runner.work import Solved
 from solver.curve.frame import Frame
-from solver.curve.spline import Path
-from solver.refine.subdivision import path_of
+from solver.curve.spline import Path, path_of
 
 
 @pytest.fixture(scope="module")

@@ -24,11 +24,11 @@ from runner.motion import Saved
 from runner.scene.compose import figure_spec
 from runner.system.progress import Teller
 from solver import quaternion as quat
+from solver.curve.mirror import Mirror
 from solver.curve.seam import Seam
-from solver.edit.mirror import Mirror
+from solver.curve.spline import path_of
 from solver.edit.thin import thin
 from solver.figure.figure import Figure
-from solver.refine.subdivision import path_of
 
 ENDS = 'frames = 2\nends = "periodic"\n'
 LAST = "root.position = [0.3, 0, 1]\nroot.rotation = {rotvec = [0, 10, 170]}"

@@ -11,16 +11,16 @@ from test_seam import pose as straight
 from test_unknowns import mask_without
 
 from solver import quaternion as quat
+from solver.array import Array
 from solver.curve.frame import Frame, Timeline, TimelineError
+from solver.curve.mirror import Mirror
 from solver.curve.seam import Seam
-from solver.curve.spline import Spline
+from solver.curve.spline import Spline, path_of
 from solver.curve.unknowns import Unknowns, raw_timeline
-from solver.edit.mirror import Mirror
 from solver.edit.retime import repeated, retimed
 from solver.figure.figure import Figure
 from solver.inbetween import Settings, inbetween
-from solver.quaternion import Array
-from solver.refine.subdivision import evenly, path_of
+from solver.refine.subdivision import evenly
 
 TURN = np.radians(50)  # a period, about a centre 0.7 m to the left
 CENTRE = np.array([0.1, 0.7, 0.0])

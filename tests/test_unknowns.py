@@ -10,13 +10,13 @@ from scipy.interpolate import CubicSpline
 
 from solver import quaternion as quat
 from solver.curve.frame import Frame, Timeline, TimelineError
-from solver.curve.spline import Path, Spline
+from solver.curve.spline import Path, Spline, path_of
 from solver.curve.unknowns import Unknowns, raw_timeline
 from solver.figure.figure import Figure, JointKind, quaternion_columns
 from solver.figure.kinematics import Samples
 from solver.objective import Objective
 from solver.penalty import CovariantAcceleration, RootAcceleration, Torque, UnitMagnitude
-from solver.refine.subdivision import evenly, path_of
+from solver.refine.subdivision import evenly
 
 TIMES = [0.0, 0.4, 1.0, 1.3]
 

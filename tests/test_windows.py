@@ -11,19 +11,20 @@ from test_penalty_contact import FLOOR
 from test_unknowns import distance_from_key, mask_without
 
 from solver import quaternion as quat
+from solver.array import Array
 from solver.curve.frame import Frame, Timeline
 from solver.curve.quadrature import Quadrature
-from solver.curve.spline import Path
+from solver.curve.spline import Path, path_of
 from solver.curve.unknowns import raw_timeline
 from solver.figure.kinematics import Cotangent, Samples
 from solver.inbetween import Improvement, Motion, Settings, inbetween
 from solver.objective import Objective, segment_integrals
-from solver.penalty import Contact, CovariantAcceleration, Penalty, Point, RootAcceleration, UnitMagnitude
+from solver.penalty import Contact, CovariantAcceleration, Penalty, RootAcceleration, UnitMagnitude
 from solver.penalty.curvature import Curvature
-from solver.quaternion import Array
-from solver.refine.subdivision import evenly, path_of
+from solver.refine.subdivision import evenly
 from solver.refine.windows import AHEAD, BEHIND, KEPT, LARGEST, Assembly, Window, is_long, windows
 from solver.search.optimiser import Stop, StopSearch
+from solver.surface.points import Point
 
 SEGMENTS = 20
 FIGURE = figure_of(TINY)

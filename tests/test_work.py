@@ -13,7 +13,7 @@ from runner import work
 from runner.clip import load as clip
 from runner.clip.load import Clip
 from runner.system.progress import Teller
-from solver.refine.subdivision import path_of
+from solver.curve.spline import path_of
 from solver.search.optimiser import Stop
 
 

@@ -133,7 +133,7 @@ def test_there_is_a_core():
 
 SCRIPT = """
 import crew, multiprocessing, threading
-from runner.workers import in_order
+from runner.system.workers import in_order
 def tell():
     while len(found := multiprocessing.active_children()) < 2: pass
     print(*[child.pid for child in found], flush=True)

@@ -11,7 +11,7 @@ from runner.clip.feet import sole_points
 from solver import quaternion as quat
 from solver.figure.figure import Figure
 from solver.figure.kinematics import Samples
-from solver.penalty import Contact, Point
+from solver.surface.points import Point, places_of
 
 SWING, BENT, ARMS = 0.4, 0.9, 0.4  # [rad] amplitudes
 STANCE = 0.62  # of a period
@@ -45,7 +45,7 @@ def walk(figure: Figure, points: tuple[Point, ...], period: float, seconds: floa
             turn(f"{side}_{name}", angle)
         turn(f"{side}_shoulder", -ARMS * np.sin(2 * np.pi * (part + 0.2)))
     state = figure.to_state(qpos)
-    places = Contact(points, ()).centres(Samples(figure, state, 0 * state, 0 * state))[0]
+    places = places_of(points, Samples(figure, state, 0 * state, 0 * state))[0]
     left = np.array(["left" in point.name for point in points])
     back = np.diff(places[0, left].mean(axis=0))[stands[0][1:] & stands[0][:-1]]
     qpos[:, 0] = -np.median(back) * FINE * time

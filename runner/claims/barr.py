@@ -11,10 +11,9 @@ from scipy import optimize, sparse
 from scipy.sparse.linalg import splu
 
 from solver import quaternion as quat
+from solver.array import Array
 from solver.curve.frame import Frame, Timeline
-from solver.curve.spline import Path, natural_spline
-from solver.quaternion import Array
-from solver.refine.subdivision import path_of
+from solver.curve.spline import Path, natural_spline, path_of
 
 
 class Discrete:

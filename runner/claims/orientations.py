@@ -14,16 +14,15 @@ import numpy as np
 
 import models
 from solver import quaternion as quat
+from solver.array import Array
 from solver.curve.frame import Frame
 from solver.curve.quadrature import gauss_nodes
-from solver.curve.spline import Path
+from solver.curve.spline import Path, path_of
 from solver.figure.figure import Figure
 from solver.inbetween import Improvement, Motion, Settings, inbetween
 from solver.objective import Objective
 from solver.penalty import CovariantAcceleration, Penalty, UnitMagnitude
-from solver.quaternion import Array
 from solver.refine.euler_lagrange import WeakForm, covariant_residual, tangential
-from solver.refine.subdivision import path_of
 
 KEYFRAMES = 7
 TENTHS = 10  # equal parts of a path, as in figure 10

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from solver import quaternion as quat
+from solver.array import Array
 from solver.curve.frame import Timeline
 from solver.figure.figure import Figure, JointKind
 from solver.figure.kinematics import Samples
@@ -31,7 +32,6 @@ from solver.penalty import (
     Placed,
     Placement,
     Planted,
-    Point,
     Posture,
     Resting,
     RootAcceleration,
@@ -43,11 +43,9 @@ from solver.penalty import (
     Torque,
     UnitMagnitude,
     Upright,
-    body_points,
     carried_links,
     closures,
     couplings,
-    covering_points,
     flights,
     footings,
     grounded_intervals,
@@ -57,10 +55,11 @@ from solver.penalty import (
     stances,
     surfaces_on,
 )
-from solver.quaternion import Array
 from solver.reading.rhythm import Rhythm
 from solver.reading.stride import Gait
 from solver.surface import Box, Plane, Surface
+from solver.surface.cover import covering_points
+from solver.surface.points import Point, body_points
 from solver.surface.touch import bolted
 
 from ..errors import UserError, unknown

@@ -12,15 +12,16 @@ from itertools import pairwise
 
 import numpy as np
 
-from solver.curve.frame import Mask, Timeline
+from solver.array import Array, Index, Mask
+from solver.curve.frame import Timeline
 from solver.figure.figure import Figure
 from solver.figure.kinematics import Samples
-from solver.penalty import Contact, Point, Rest, Stance
-from solver.penalty.contact import height_over, placed
+from solver.penalty import Rest, Stance
+from solver.penalty.allowance import Allowance
 from solver.penalty.planted import SAME_SPOT
-from solver.quaternion import Array, Index
-from solver.reading.allowance import Allowance
 from solver.surface import Surface
+from solver.surface.heights import height_over
+from solver.surface.points import Point, placed, places_of
 
 from ..errors import UserError, unknown
 from .places import Places
@@ -120,7 +121,7 @@ def _spots(
 ) -> list[tuple[float, Array]]:
     """Where the point is to be at some times of the interval, by the table and by keyframes that say where it is."""
     samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
-    centres, _, _ = Contact((point,), ()).centres(samples)
+    centres, _, _ = places_of((point,), samples)
     inside = (keys.times >= table.start - ROUNDING) & (keys.times <= table.end + ROUNDING)
     said = np.flatnonzero(inside & placed(figure, keys.known, [point])[0])
     wanted = None if table.position is None else np.array(table.position, float)

@@ -16,11 +16,10 @@ import mujoco
 import numpy as np
 
 from solver import quaternion as quat
+from solver.array import Array, Index
 from solver.figure.figure import Figure, JointKind
 from solver.figure.kinematics import Samples
-from solver.penalty import Point, body_points, site_points
-from solver.penalty.contact import arrays_of
-from solver.quaternion import Array, Index
+from solver.surface.points import Point, arrays_of, body_points, site_points
 from solver.surface.touch import movers
 
 from .places import posable_sites

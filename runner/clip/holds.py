@@ -11,13 +11,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from solver.curve.frame import Mask, Timeline
+from solver.array import Array, Index, Mask
+from solver.curve.frame import Timeline
 from solver.figure.figure import Figure
 from solver.figure.kinematics import Samples
-from solver.penalty import Hold, Point, Spot, slipped
-from solver.penalty.contact import placed
+from solver.penalty import Hold, Spot, slipped
 from solver.penalty.planted import SAME_SPOT
-from solver.quaternion import Array, Index
+from solver.surface.points import Point, placed
 
 from ..errors import UserError, unknown
 from .contacts import ROUNDING, agreeing, check_interval, check_overlap, stretches

@@ -18,30 +18,31 @@ import numpy as np
 from pydantic import ValidationError
 
 import models
-from solver.curve.frame import Frame, Mask, TimelineError
+from solver.array import Array, Mask
+from solver.curve.frame import Frame, TimelineError
 from solver.curve.quadrature import Quadrature
 from solver.curve.seam import Seam
 from solver.curve.unknowns import raw_timeline
 from solver.figure.figure import Figure, FigureError, JointKind, quaternion_columns
 from solver.inbetween import FEW, Settings
-from solver.penalty import Bend, Hold, Penalty, Placed, Point, Rest, Support
+from solver.penalty import Bend, Hold, Penalty, Placed, Rest, Support
 from solver.posing import entries
-from solver.quaternion import Array
 from solver.refine.subdivision import CRITERIA
 from solver.search.descent import check_method
 from solver.surface import Surface, static_surfaces
+from solver.surface.points import Point
 
 from ..errors import UserError, unknown
 from ..motion import Saved, read_arrays
 from ..scene.assets import Scene
 from ..scene.compose import Step, compose, figure_spec, first_line, quietly, spec_joint_names
 from ..scene.configuration import first_wrong
-from ..scene.obstacle import obstacles
 from .constraints import Constraints, numbers, posing_bends
 from .contacts import rests
 from .couplings import complaints, follow
 from .feet import sole_points
 from .holds import asked
+from .obstacles import obstacles
 from .places import Places
 from .placing import check_search, wanted, with_pose
 from .rotation import quaternion_of

@@ -11,12 +11,11 @@ import mujoco
 import numpy as np
 
 from solver import quaternion as quat
+from solver.array import Array
 from solver.figure.figure import Figure
 from solver.figure.kinematics import Samples
 from solver.figure.naming import geom_name
-from solver.penalty import Point, body_points, site_points
-from solver.penalty.contact import arrays_of
-from solver.quaternion import Array
+from solver.surface.points import Point, arrays_of, body_points, site_points
 
 # Names that converters from OpenSim give to the points of a muscle's path, and to the sides on which it wraps.
 MUSCLE = re.compile(r"-P\d+[a-z]?(_|$)|path_?point|side_?site|_site_", re.IGNORECASE)

@@ -15,12 +15,13 @@ import mujoco
 import numpy as np
 
 from solver import quaternion as quat
+from solver.array import Array
 from solver.curve.frame import Frame, TimelineError
 from solver.curve.unknowns import raw_timeline
 from solver.figure.figure import Figure, JointKind
-from solver.penalty import Placed, Point
+from solver.penalty import Placed
 from solver.posing import MET, BodyGoal, Goal, PointGoal, Posed, SiteGoal, chain, entries, limb, posed, reached
-from solver.quaternion import Array
+from solver.surface.points import Point
 
 from ..errors import UserError, unknown
 from .places import Places

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from solver import quaternion as quat
-from solver.quaternion import Array
+from solver.array import Array
 
 from ..errors import UserError
 from .table import RotationTable

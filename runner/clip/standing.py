@@ -15,17 +15,17 @@ import mujoco
 import numpy as np
 
 from solver import quaternion as quat
-from solver.curve.frame import Frame, Mask, Timeline, TimelineError
+from solver.array import Array, Mask
+from solver.curve.frame import Frame, Timeline, TimelineError
 from solver.curve.seam import Seam
 from solver.curve.unknowns import raw_timeline
 from solver.figure.figure import Figure
 from solver.figure.kinematics import Samples
-from solver.penalty import BendLimits, Hold, Placed, Point
-from solver.penalty.contact import arrays_of, placed
+from solver.penalty import BendLimits, Hold, Placed
 from solver.penalty.planted import NEAR_SURFACE, SAME_SPOT
 from solver.posing import Goal, HoldGoal, PointGoal, Posed, TurnGoal, entries, limb, posed, reached
-from solver.quaternion import Array
 from solver.surface import Surface
+from solver.surface.points import Point, arrays_of, placed
 
 from .contacts import ROUNDING, Contacts, contacts
 from .feet import sole_points

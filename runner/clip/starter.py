@@ -13,12 +13,12 @@ import numpy as np
 
 import models
 from solver import quaternion as quat
+from solver.array import Array
 from solver.curve.frame import Frame
 from solver.figure.figure import Figure, FigureError, JointKind, Link, quaternion_columns
 from solver.figure.kinematics import Samples
-from solver.penalty import Point, body_points, closures, couplings, joint_ranges
-from solver.penalty.contact import arrays_of
-from solver.quaternion import Array
+from solver.penalty import closures, couplings, joint_ranges
+from solver.surface.points import Point, arrays_of, body_points
 from solver.surface.touch import TOUCHING, counts_all, movers
 from solver.surface.touch import solids as solids_of
 

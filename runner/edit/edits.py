@@ -11,14 +11,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from solver.curve.frame import Frame, Timeline, TimelineError
+from solver.curve.mirror import Mirror, MirrorError
 from solver.curve.seam import Seam
+from solver.curve.spline import path_of
 from solver.curve.unknowns import raw_timeline
 from solver.edit import join, retime
-from solver.edit.mirror import Mirror, MirrorError
 from solver.figure.figure import Figure
 from solver.inbetween import Motion, renormalised
 from solver.objective import Objective
-from solver.refine.subdivision import path_of
 from solver.search.descent import optimised
 
 from ..clip import load as clips

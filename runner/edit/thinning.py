@@ -14,10 +14,10 @@ from typing import Any
 
 import numpy as np
 
+from solver.array import Array
 from solver.curve.frame import Frame, Timeline
+from solver.curve.spline import path_of
 from solver.edit.thin import Bound, Recorded, Worst, refined, thin
-from solver.quaternion import Array
-from solver.refine.subdivision import path_of
 
 from .. import work
 from ..clip import file as clip_file

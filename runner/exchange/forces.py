@@ -13,15 +13,14 @@ from functools import cached_property
 import mujoco
 import numpy as np
 
-from solver.curve.frame import Mask
+from solver.array import Array, Index, Mask
+from solver.curve.spline import path_of
 from solver.figure.algebra import cross
 from solver.figure.dynamics import generalised_forces
 from solver.figure.kinematics import Samples
 from solver.figure.wrench import RootWrench
 from solver.penalty import Support
 from solver.penalty.support import Reactions
-from solver.quaternion import Array, Index
-from solver.refine.subdivision import path_of
 
 from ..clip import load as clip
 from ..motion import samples_at

@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 
 from solver.curve.frame import Timeline
+from solver.curve.spline import path_of
 from solver.inbetween import Motion
-from solver.penalty import Contact
 from solver.refine.euler_lagrange import residual
-from solver.refine.subdivision import path_of
+from solver.surface.points import places_of
 
 from ..clip.load import Clip
 from ..motion import samples_at
@@ -31,7 +31,7 @@ def _side(clip: Clip, motion: Motion, timeline: Timeline) -> dict[str, Any]:
     samples = samples_at(clip.figure, path_of(timeline), time)
     heights: dict[str, list[float]] = {}
     if clip.points and clip.surfaces:
-        centres, _, _ = Contact(clip.points, ()).centres(samples)
+        centres, _, _ = places_of(clip.points, samples)
         height = np.min([surface.height(centres) for surface in clip.surfaces], axis=0)
         rows = np.where(np.isfinite(height), height, 10.0).round(5)
         heights = {point.name: row.tolist() for point, row in zip(clip.points, rows, strict=True)}

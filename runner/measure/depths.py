@@ -11,10 +11,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from solver.array import Array, Index
 from solver.figure.kinematics import Samples
-from solver.penalty import Point
-from solver.quaternion import Array, Index
 from solver.surface import Box, Surface
+from solver.surface.points import Point
 from solver.surface.surface import UPRIGHT
 
 TINY = 1e-12

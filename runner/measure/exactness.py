@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from solver.curve.frame import Timeline
-from solver.refine.subdivision import path_of
+from solver.curve.spline import path_of
 
 from ..clip.load import Clip
 

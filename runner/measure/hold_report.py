@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 
+from solver.array import Array
 from solver.curve.frame import Timeline
+from solver.curve.spline import path_of
 from solver.penalty import carried_links, slipped
-from solver.quaternion import Array
-from solver.refine.subdivision import path_of
 
 from ..clip.load import Clip
 from ..motion import samples_at

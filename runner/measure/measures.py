@@ -13,7 +13,7 @@ from typing import Protocol
 
 import numpy as np
 
-from solver.curve.frame import Mask
+from solver.array import Array, Index, Mask
 from solver.figure.figure import Figure, JointKind, quaternion_columns
 from solver.figure.kinematics import Samples
 from solver.penalty import (
@@ -23,7 +23,6 @@ from solver.penalty import (
     Coupled,
     Hold,
     JointRange,
-    Point,
     Rest,
     SelfContact,
     Stance,
@@ -32,10 +31,10 @@ from solver.penalty import (
     joint_ranges,
     slipped,
 )
-from solver.penalty.contact import FAR, heights
-from solver.penalty.contact import placed as points_placed
-from solver.quaternion import Array, Index
 from solver.surface import Surface
+from solver.surface.heights import FAR, heights
+from solver.surface.points import Point, places_of
+from solver.surface.points import placed as points_placed
 
 from .bounds import BOUNDS, WHIP_SHARE
 from .depths import bunches, depths
@@ -270,7 +269,7 @@ def hovering(rests: Sequence[Rest], surfaces: Sequence[Surface], placed: Mask) -
     radii = np.array([point.radius for point in points])
 
     def amounts(samples: Samples) -> Array:
-        height, _ = heights(surfaces, Contact(points, ()).centres(samples)[0], radii)
+        height, _ = heights(surfaces, places_of(points, samples)[0], radii)
         during = np.array([(samples.t >= rest.first) & (samples.t <= rest.last) for rest in rests])
         return np.where(during & (height < FAR), height, 0.0)
 

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 
+from solver.array import Array, Index
 from solver.figure.naming import geom_name
-from solver.quaternion import Array, Index
 from solver.surface import touch
 
 NEAR = 0.02

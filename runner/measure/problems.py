@@ -12,7 +12,9 @@ from typing import Any
 
 import numpy as np
 
+from solver.array import Array, Index
 from solver.curve.frame import Timeline
+from solver.curve.spline import path_of
 from solver.figure.figure import Figure
 from solver.figure.kinematics import Samples
 from solver.penalty import (
@@ -27,13 +29,11 @@ from solver.penalty import (
     SelfContact,
     Stance,
     Together,
-    body_points,
     slipped,
     stances,
 )
-from solver.quaternion import Array, Index
-from solver.refine.subdivision import path_of
 from solver.search.optimiser import Stop
+from solver.surface.points import body_points, places_of
 
 from ..clip import load as clips
 from ..clip.constraints import bolted_links
@@ -260,7 +260,7 @@ def _pieces(clip: Clip, rest: Rest, known: Sequence[Sequence[Stance]], timeline:
         yield from said
         return
     middle = samples_at(clip.figure, path_of(timeline), np.array([0.5 * (rest.first + rest.last)]))
-    spot = Contact((rest.point,), ()).centres(middle)[0][:, 0, 0]
+    spot = places_of((rest.point,), middle)[0][:, 0, 0]
     yield Stance(rest.point, rest.first, rest.last, spot, spot)
 
 

@@ -15,8 +15,10 @@ from rich.console import Group
 from rich.table import Table
 from rich.text import Text
 
-from solver.curve.frame import Mask, Timeline
+from solver.array import Array, Mask
+from solver.curve.frame import Timeline
 from solver.curve.seam import Seam
+from solver.curve.spline import path_of
 from solver.figure.algebra import turned
 from solver.figure.dynamics import generalised_forces
 from solver.figure.figure import JointKind
@@ -27,7 +29,6 @@ from solver.objective import Objective
 from solver.penalty import (
     BendLimits,
     Closed,
-    Contact,
     Coupled,
     Cycle,
     JointRange,
@@ -39,11 +40,11 @@ from solver.penalty import (
     stances,
     within,
 )
-from solver.quaternion import Array
 from solver.refine.displacement import displacement
 from solver.refine.euler_lagrange import residual
-from solver.refine.subdivision import by_weak_form, path_of
+from solver.refine.subdivision import by_weak_form
 from solver.surface import Box
+from solver.surface.points import places_of
 from solver.surface.touch import counts_all
 
 from ..clip.load import Clip
@@ -170,14 +171,14 @@ def _side(clip: Clip, objective: Objective, timeline: Timeline, grid: Grid) -> d
 
 def _heights(clip: Clip, grid: Grid) -> Array:
     """(n, T) height of the contact points over the surface below them [m]."""
-    centres, _, _ = Contact(clip.points, ()).centres(grid.samples)
+    centres, _, _ = places_of(clip.points, grid.samples)
     return np.min([surface.height(centres) for surface in clip.surfaces], axis=0)
 
 
 def _point_depths(clip: Clip, grid: Grid) -> dict[str, float]:
     if not clip.points or not clip.surfaces:
         return {}
-    centres, _, _ = Contact(clip.points, ()).centres(grid.samples)
+    centres, _, _ = places_of(clip.points, grid.samples)
     depth = np.max([surface.inside(centres) for surface in clip.surfaces], axis=0)
     return {point.name: float(d) for point, d in zip(clip.points, depth.max(axis=1), strict=True)}
 
@@ -241,7 +242,7 @@ def _skate(clip: Clip, grid: Grid) -> dict[str, dict[str, float]]:
     """Horizontal path of each contact point while within 1 cm of its surface, and its mean speed there."""
     if not clip.points or not clip.surfaces:
         return {}
-    centres, _, _ = Contact(clip.points, ()).centres(grid.samples)
+    centres, _, _ = places_of(clip.points, grid.samples)
     low = np.abs(_heights(clip, grid)) < RESTING
     steps = np.linalg.norm(np.diff(centres[:2], axis=2), axis=0)
     together = low[:, 1:] & low[:, :-1]
@@ -265,7 +266,7 @@ def _stance_report(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
         time = np.linspace(first, last, max(2, round((last - first) * RATE)))
         samples = samples_at(clip.figure, path_of(timeline), time)
         height = lowest(clip.figure.model, clip.figure.to_qpos(samples.y), clip.figure.links[link].body)
-        centres, _, _ = Contact(tuple(stance.point for stance in group), ()).centres(samples)
+        centres, _, _ = places_of(tuple(stance.point for stance in group), samples)
         slide = max(
             float(np.linalg.norm((centres[:, i] - stance.place(time))[:2], axis=0).max())
             for i, stance in enumerate(group)
@@ -281,7 +282,7 @@ def _contact_report(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
     out = []
     for rest in clip.contacts:
         time = np.linspace(rest.first, rest.last, max(3, round((rest.last - rest.first) * RATE)))
-        centres, _, _ = Contact((rest.point,), ()).centres(samples_at(clip.figure, path_of(timeline), time))
+        centres, _, _ = places_of((rest.point,), samples_at(clip.figure, path_of(timeline), time))
         track = centres[:, 0]
         moved = float(np.linalg.norm(track - track[:, [time.size // 2]], axis=0).max())
         path = float(np.linalg.norm(np.diff(track, axis=1), axis=0).sum())
@@ -316,7 +317,7 @@ def _edge_clearance(clip: Clip, grid: Grid) -> dict[str, float]:
         top = box.centre[2] + np.abs(box.axes[2]) @ box.half
         for link in sorted({point.link for point in clip.points}):
             points = tuple(point for point in clip.points if point.link == link)
-            centres, _, _ = Contact(points, ()).centres(grid.samples)
+            centres, _, _ = places_of(points, grid.samples)
             middle = centres[0].mean(axis=0)
             for i in np.flatnonzero((middle[:-1] < edge) & (middle[1:] >= edge)):
                 name = f"{clip.figure.links[link].name} over {box.name} at {grid.time[i]:.2f} s"
@@ -419,7 +420,7 @@ def _far_from_trouble(clip: Clip, before: Grid, margin: float = 0.25) -> Mask:
     boxes = [surface for surface in clip.surfaces if isinstance(surface, Box)]
     inside = np.zeros(before.time.size, bool)
     if boxes and clip.points:
-        centres, _, _ = Contact(clip.points, ()).centres(before.samples)
+        centres, _, _ = places_of(clip.points, before.samples)
         for box in boxes:
             inside |= (box.inside(centres) > 0).any(axis=0)
     bad = before.time[inside]

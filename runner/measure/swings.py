@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 
 from solver.figure.kinematics import Samples
-from solver.penalty import Contact
-from solver.penalty.contact import FAR, heights
+from solver.surface.heights import FAR, heights
+from solver.surface.points import places_of
 
 from ..clip.load import Clip
 
@@ -26,7 +26,7 @@ def swings(clip: Clip, samples: Samples) -> dict[str, list[dict[str, float]]]:
     for link in sorted({point.link for point in clip.points}):
         points = tuple(point for point in clip.points if point.link == link)
         radii = np.array([point.radius for point in points])
-        over, _ = heights(clip.surfaces, Contact(points, ()).centres(samples)[0], radii)
+        over, _ = heights(clip.surfaces, places_of(points, samples)[0], radii)
         lowest = over.min(axis=0)
         name = model.body(links[link].body).name or links[link].name
         found[name] = [

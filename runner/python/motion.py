@@ -16,8 +16,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 from rich.console import Console
 
-from solver.quaternion import Array
-from solver.refine.subdivision import path_of
+from solver.array import Array
+from solver.curve.spline import path_of
 
 from .. import motion as files
 from .. import work

@@ -5,10 +5,9 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 
-from solver.quaternion import Array
+from solver.array import Array
 
-from ..clip.table import LARGEST
-
+LARGEST = 1e6  # of any number of a configuration
 SHORTEST = 1e-6  # of a quaternion that still tells a direction
 QUATERNION = {mujoco.mjtJoint.mjJNT_FREE: 3, mujoco.mjtJoint.mjJNT_BALL: 0}  # where it begins among a joint's entries
 

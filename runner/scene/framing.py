@@ -5,8 +5,8 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 
+from solver.array import Array, Index
 from solver.figure.figure import Figure
-from solver.quaternion import Array, Index
 from solver.surface.touch import moves
 
 MOST_POSES = 60

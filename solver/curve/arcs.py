@@ -8,8 +8,8 @@ from __future__ import annotations
 import numpy as np
 
 from .. import quaternion as quat
+from ..array import Array
 from ..figure.figure import Figure, quaternion_columns
-from ..quaternion import Array
 from .frame import Timeline
 from .unknowns import bases
 

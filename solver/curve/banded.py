@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from scipy.linalg import get_blas_funcs, get_lapack_funcs
 
-from ..quaternion import Array
+from ..array import Array
 
 _PBTRF, _PBTRS, _TBTRS = get_lapack_funcs(("pbtrf", "pbtrs", "tbtrs"))
 _GTTRF, _GTTRS = get_lapack_funcs(("gttrf", "gttrs"))

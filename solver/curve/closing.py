@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import quaternion as quat
+from ..array import Array
 from ..figure.figure import Figure, JointKind, quaternion_columns
-from ..quaternion import Array
 from .frame import Frame, TimelineError
 from .seam import Seam, heading_between
 

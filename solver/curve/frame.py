@@ -11,29 +11,13 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from ..quaternion import Array
-
-Mask = NDArray[np.bool_]
+from ..array import Array, Mask, frozen, frozen_mask
 
 
 class TimelineError(ValueError):
     """Frames that make no timeline: too few, out of order, or with entries that are no numbers."""
-
-
-def frozen(values: ArrayLike) -> Array:
-    """A read-only float copy."""
-    array = np.array(values, float)
-    array.setflags(write=False)
-    return array
-
-
-def frozen_mask(values: ArrayLike) -> Mask:
-    """A read-only boolean copy."""
-    array = np.array(values, bool)
-    array.setflags(write=False)
-    return array
 
 
 @dataclass(frozen=True, eq=False)

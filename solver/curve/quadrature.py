@@ -12,7 +12,7 @@ from functools import cache
 
 import numpy as np
 
-from ..quaternion import Array
+from ..array import Array
 
 LEAST_PER_SPAN = 4
 MOST_SAMPLES = 100_000

@@ -17,8 +17,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import quaternion as quat
+from ..array import Array, Index
 from ..figure.figure import Figure, JointKind, quaternion_columns
-from ..quaternion import Array, Index
 from .frame import Timeline
 from .spline import Complex, Path, Spline
 

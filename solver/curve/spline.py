@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy import sparse
 
-from ..quaternion import Array, Index
+from ..array import Array, Index
 from .banded import Tridiagonal
 from .frame import Timeline
 
@@ -370,3 +370,8 @@ def natural_spline(times: ArrayLike, values: ArrayLike) -> Path:
     """The interpolating C² cubic with y'' = 0 at both ends: the paper's raw spline, componentwise."""
     times, values = np.asarray(times, float), np.asarray(values, float)
     return Path(Spline(times), np.concatenate([values, natural_end_slopes(times, values)]))
+
+
+def path_of(timeline: Timeline) -> Path:
+    """The spline through a timeline's frames."""
+    return Path(spline_of(timeline), timeline.rows)

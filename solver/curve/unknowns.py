@@ -16,10 +16,10 @@ from numpy.typing import ArrayLike
 from scipy import sparse
 
 from .. import quaternion as quat
+from ..array import Array, Index, Mask
 from ..figure.figure import Figure, JointKind, Link, quaternion_columns
-from ..quaternion import Array, Index
 from .closing import closed
-from .frame import Frame, Mask, Timeline, TimelineError
+from .frame import Frame, Timeline, TimelineError
 from .seam import Seam, sameness
 from .spline import Spline, natural_end_slopes, natural_spline, spline_of
 from .winding import signs

@@ -11,8 +11,7 @@ from __future__ import annotations
 import numpy as np
 
 from .. import quaternion as quat
-from ..quaternion import Array
-from .frame import Mask
+from ..array import Array, Mask
 
 NEARLY_HALF = np.radians(150.0)
 

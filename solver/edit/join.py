@@ -11,13 +11,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from .. import quaternion as quat
-from ..curve.frame import Frame, Mask, Timeline, TimelineError
+from ..array import Array, Mask
+from ..curve.frame import Frame, Timeline, TimelineError
 from ..curve.seam import sameness
+from ..curve.spline import path_of
 from ..curve.unknowns import raw_timeline
 from ..figure.figure import Figure, JointKind
 from ..figure.kinematics import Samples
-from ..quaternion import Array
-from ..refine.subdivision import path_of
 
 LEAST_FRAMES = 4
 UPSIDE_DOWN = 1e-9  # of a sine and a cosine, below which nothing is left but a tilt

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..array import Array
 from ..curve.frame import Frame, Timeline, TimelineError
 from ..curve.seam import Seam
+from ..curve.spline import path_of
 from ..figure.figure import Figure
-from ..quaternion import Array
-from ..refine.subdivision import path_of
 
 SAME_TIME = 1e-9  # [s] a frame so near to a cut is the cut
 

@@ -20,14 +20,14 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..curve.frame import Frame, Mask, Timeline
+from ..array import Array, Index, Mask
+from ..curve.frame import Frame, Timeline
 from ..curve.seam import Seam
+from ..curve.spline import path_of
 from ..curve.unknowns import raw_timeline
 from ..figure.figure import Figure, on_links
 from ..figure.kinematics import LinkMotion, States
-from ..penalty.contact import body_points
-from ..quaternion import Array, Index
-from ..refine.subdivision import path_of
+from ..surface.points import body_points
 
 InBetween = Callable[[Sequence[Frame]], Timeline]
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..quaternion import Array, Index
+from ..array import Array, Index
 
 
 def axial(matrix: Array) -> Array:

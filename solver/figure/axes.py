@@ -14,7 +14,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from ..quaternion import Array, Index
+from ..array import Array, Index
 from .algebra import applied, cross, dot, hamilton, rotation_matrix, turned, vector_product
 from .figure import Figure
 from .kinematics import LinkMotion

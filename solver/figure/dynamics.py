@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..quaternion import Array
+from ..array import Array
 from .algebra import applied, cross, cross_sum, dot, gathered, turned_back
 from .kinematics import Cotangent, LinkMotion, Samples, attached_pulled_back
 

@@ -22,8 +22,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import quaternion as quat
-from ..curve.frame import Mask
-from ..quaternion import Array, Index
+from ..array import Array, Index, Mask
 
 WEIGHTLESS = int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..quaternion import Array, Index
+from ..array import Array, Index
 from .algebra import applied, cross, dot, gathered, pure_product
 from .dynamics import InverseDynamics
 from .figure import Figure, JointKind

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..quaternion import Array, Index
+from ..array import Array, Index
 from .algebra import cross, dot, hamilton, rotation_matrix, turned, turned_back, vector_product
 from .axes import followers
 from .kinematics import Samples

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..quaternion import Array, Index
+from ..array import Array, Index
 from .algebra import cross, dot
 from .axes import Axes, axes_of
 from .kinematics import Samples

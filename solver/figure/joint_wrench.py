@@ -17,7 +17,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..quaternion import Array
+from ..array import Array
 from .algebra import applied, cross, dot, gathered
 from .axes import Axes, axes_of
 from .jacobian_rows import Pushes

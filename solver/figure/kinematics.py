@@ -20,7 +20,7 @@ from typing import Protocol, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..quaternion import Array, Index
+from ..array import Array, Index
 from .algebra import (
     applied,
     conjugated,

@@ -10,7 +10,7 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 
-from ..quaternion import Array
+from ..array import Array
 from .algebra import cross
 from .dynamics import InverseDynamics
 from .figure import Figure

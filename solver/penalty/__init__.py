@@ -9,14 +9,10 @@ from .closed import Closed as Closed
 from .closed import Closure as Closure
 from .closed import closures as closures
 from .contact import Contact as Contact
-from .contact import Point as Point
-from .contact import body_points as body_points
-from .contact import site_points as site_points
 from .coupled import Coupled as Coupled
 from .coupled import Coupling as Coupling
 from .coupled import couplings as couplings
 from .covariant import CovariantAcceleration as CovariantAcceleration
-from .cover import covering_points as covering_points
 from .cycle import Cycle as Cycle
 from .flight import Flight as Flight
 from .flight import within as within

@@ -14,12 +14,12 @@ from functools import cached_property
 import numpy as np
 
 from .. import quaternion as quat
+from ..array import Array, Index
 from ..curve.frame import Timeline
 from ..figure.algebra import cross, gathered
 from ..figure.figure import Figure, on_links, quaternion_columns
 from ..figure.kinematics import Cotangent, Samples
-from ..quaternion import Array, Index
-from ..reading.allowance import Allowance
+from .allowance import Allowance
 from .curvature import Curvature, Sides, jacobian
 from .penalty import Scale
 

@@ -13,11 +13,12 @@ import mujoco
 import numpy as np
 
 from .. import quaternion as quat
+from ..array import Array, Index
 from ..figure.algebra import applied, dot
 from ..figure.figure import Figure
 from ..figure.kinematics import Cotangent, Samples
-from ..quaternion import Array, Index
-from .contact import Point, point_gradients
+from ..surface.points import Point
+from .contact import point_gradients
 from .curvature import Curvature, Sides
 from .penalty import Scale
 

@@ -14,9 +14,9 @@ import mujoco
 import numpy as np
 from numpy.polynomial.polynomial import polyder, polyval
 
+from ..array import Array, Index
 from ..figure.figure import Figure
 from ..figure.kinematics import Cotangent, Samples
-from ..quaternion import Array, Index
 from .curvature import Curvature, Sides
 from .penalty import Scale
 

@@ -11,9 +11,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..array import Array
 from ..figure.algebra import dot
 from ..figure.kinematics import Cotangent, Samples
-from ..quaternion import Array
 from .curvature import Curvature, Sides
 from .penalty import Scale
 

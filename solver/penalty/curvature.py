@@ -15,8 +15,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..array import Array, Index
 from ..figure.kinematics import Cotangent, Samples
-from ..quaternion import Array, Index
 
 ROWS_AT_ONCE = 400
 DIFFERENCE = 1e-6

@@ -12,12 +12,12 @@ from functools import cached_property, lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from ..array import Array, Index
 from ..curve.frame import Frame, Timeline
 from ..curve.spline import Path, spline_of
 from ..figure.algebra import add_at, applied, conjugated, cross, dot, hamilton, vector_product
 from ..figure.figure import Figure
 from ..figure.kinematics import Cotangent, Samples
-from ..quaternion import Array, Index
 from ..reading.pose_vectors import HEIGHT
 from ..reading.rhythm import Rhythm
 from .curvature import Curvature, Sides, jacobian

@@ -9,13 +9,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..curve.frame import Mask
+from ..array import Array, Mask
 from ..figure.figure import Figure
 from ..figure.jacobian_rows import Pushes, has_moment_rows, wrench_rows
 from ..figure.joint_wrench import any_wrench_rows
 from ..figure.kinematics import Cotangent, Samples
 from ..figure.wrench import RootWrench, height, weight
-from ..quaternion import Array
 from .curvature import Curvature, Sides
 from .penalty import Scale
 

@@ -12,13 +12,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..curve.frame import Mask, Timeline
+from ..array import Array, Mask
+from ..curve.frame import Timeline
 from ..figure.figure import Figure
 from ..figure.kinematics import Samples
 from ..figure.wrench import RootWrench
-from ..quaternion import Array
 from ..surface import Plane, Surface
-from .contact import Contact, Point, placed
+from ..surface.points import Point, placed, places_of
 from .planted import NEAR_SURFACE, Stance
 from .resting import Rest
 
@@ -87,7 +87,7 @@ class _Spots:
     @classmethod
     def of(cls, figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]) -> _Spots:
         samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
-        centres, _, _ = Contact(tuple(points), ()).centres(samples)
+        centres, _, _ = places_of(points, samples)
         height, over = _heights(figure, keys, points, surfaces)
         touches = (np.abs(height) < NEAR_SURFACE) & placed(figure, keys.known, points)
         return cls(samples, points, surfaces, touches, centres, over)
@@ -209,7 +209,7 @@ def _heights(
 ) -> tuple[Array, NDArray[np.intp]]:
     """Points' heights over the nearest surface below them at keyframes, and which that is, (n, K) each."""
     samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
-    centres, _, _ = Contact(tuple(points), ()).centres(samples)
+    centres, _, _ = places_of(points, samples)
     heights = np.array([surface.height(centres) for surface in surfaces])
     heights -= np.array([point.radius for point in points])[:, None]
     over = np.argmin(heights, axis=0)

@@ -12,12 +12,14 @@ from functools import cached_property
 
 import numpy as np
 
+from ..array import Array, Index
 from ..curve.frame import Timeline
 from ..figure.figure import Figure
 from ..figure.kinematics import Cotangent, Samples
-from ..quaternion import Array, Index
 from ..surface import Surface
-from .contact import Contact, Point, arrays_of, heights, point_gradients, ways_up
+from ..surface.heights import heights, ways_up
+from ..surface.points import Point, arrays_of, places_of
+from .contact import point_gradients
 from .curvature import Curvature, Sides
 from .penalty import Scale
 
@@ -129,7 +131,7 @@ def grounded_intervals(
     if not points or not surfaces:
         return ()
     samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
-    centres, _, _ = Contact(tuple(points), ()).centres(samples)
+    centres, _, _ = places_of(points, samples)
     height, _ = heights(surfaces, centres, np.array([point.radius for point in points]))
     down = height.min(axis=0) < TOUCHING
     segments = zip(keys.times[:-1].tolist(), keys.times[1:].tolist(), down[:-1] & down[1:], strict=True)

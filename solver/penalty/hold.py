@@ -11,10 +11,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..array import Array, Index
 from ..figure.algebra import applied, cross, dot
 from ..figure.kinematics import Cotangent, Samples
-from ..quaternion import Array, Index
-from .contact import Point, add_by_velocity, point_gradients, velocity_gradients
+from ..surface.points import Point
+from .contact import add_by_velocity, point_gradients, velocity_gradients
 from .curvature import Curvature, Sides
 from .penalty import Scale
 from .resting import SETTLING

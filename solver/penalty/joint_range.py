@@ -12,12 +12,12 @@ from functools import cached_property
 
 import numpy as np
 
+from ..array import Array, Index
 from ..curve.frame import Timeline
 from ..figure.algebra import add_at, dot, hamilton, vector_product
 from ..figure.figure import Figure, JointKind, quaternion_columns
 from ..figure.kinematics import Cotangent, Samples
-from ..quaternion import Array, Index
-from ..reading.allowance import Allowance
+from .allowance import Allowance
 from .curvature import Curvature, Sides, jacobian
 from .penalty import Scale
 

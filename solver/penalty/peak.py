@@ -9,12 +9,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..array import Array, Index
 from ..figure.algebra import add_at
 from ..figure.figure import JointKind
 from ..figure.jacobian_rows import relative_spin_rows
 from ..figure.joint_spin import any_relative_spin_rows
 from ..figure.kinematics import Cotangent, Samples
-from ..quaternion import Array, Index
 from .curvature import Curvature, Sides
 from .penalty import Scale
 

@@ -12,9 +12,9 @@ from typing import Protocol
 
 import numpy as np
 
+from ..array import Array
 from ..curve.frame import Timeline
 from ..figure.kinematics import Cotangent, Samples
-from ..quaternion import Array
 from .curvature import Curvature, Sides, add_differences
 
 

@@ -10,10 +10,11 @@ from functools import cached_property
 
 import numpy as np
 
+from ..array import Array, Index
 from ..figure.algebra import applied, dot
 from ..figure.kinematics import Cotangent, Samples
-from ..quaternion import Array, Index
-from .contact import Point, point_gradients
+from ..surface.points import Point
+from .contact import point_gradients
 from .curvature import Curvature, Sides
 from .penalty import Momentary, Scale
 

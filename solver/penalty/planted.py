@@ -11,13 +11,14 @@ from functools import cached_property
 
 import numpy as np
 
+from ..array import Array, Index
 from ..curve.frame import Timeline
 from ..figure.algebra import applied, dot
 from ..figure.figure import Figure
 from ..figure.kinematics import Cotangent, Samples
-from ..quaternion import Array, Index
 from ..surface import Surface
-from .contact import Contact, Point, placed, point_gradients
+from ..surface.points import Point, placed, places_of
+from .contact import point_gradients
 from .curvature import Curvature, Sides
 from .penalty import Scale
 
@@ -133,7 +134,7 @@ def stances(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: S
         return ()
     states = keys.states
     samples = Samples(figure, states, 0 * states, 0 * states)
-    centres, _, _ = Contact(tuple(points), ()).centres(samples)
+    centres, _, _ = places_of(points, samples)
     radius = np.array([point.radius for point in points])[:, None]
     height = np.min([surface.height(centres) for surface in surfaces], axis=0) - radius
     low, exact = (
@@ -157,7 +158,7 @@ def lying(figure: Figure, keys: Timeline, links: Sequence[int]) -> tuple[Stance,
     if not points:
         return ()
     states = keys.states
-    centres, _, _ = Contact(tuple(points), ()).centres(Samples(figure, states, 0 * states, 0 * states))
+    centres, _, _ = places_of(points, Samples(figure, states, 0 * states, 0 * states))
     told = placed(figure, keys.known, points)
     found: list[Stance] = []
     for k, (first, last) in enumerate(zip(keys.times[:-1], keys.times[1:], strict=True)):

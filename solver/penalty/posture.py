@@ -12,10 +12,10 @@ from functools import lru_cache
 
 import numpy as np
 
+from ..array import Array, Index
 from ..figure.algebra import add_at, cross, vector_product
 from ..figure.figure import Figure, JointKind
 from ..figure.kinematics import Cotangent, Samples
-from ..quaternion import Array, Index
 from .curvature import Curvature, Sides, jacobian
 from .penalty import Scale
 

@@ -9,11 +9,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..array import Array, Index
 from ..figure.algebra import cross, dot
 from ..figure.kinematics import Cotangent, Samples
-from ..quaternion import Array, Index
 from ..surface import Surface
-from .contact import Point, add_by_velocity, height_over, point_gradients, velocity_gradients
+from ..surface.heights import height_over
+from ..surface.points import Point
+from .contact import add_by_velocity, point_gradients, velocity_gradients
 from .curvature import Curvature, Sides
 from .penalty import Scale
 

@@ -17,13 +17,13 @@ import mujoco
 import numpy as np
 
 from .. import quaternion as quat
+from ..array import Array, Index
 from ..figure.algebra import cross, dot
 from ..figure.figure import Figure
 from ..figure.kinematics import Cotangent, Samples
-from ..quaternion import Array, Index
+from ..surface.cover import filling_spheres
 from ..surface.touch import movers
 from .contact import point_gradients
-from .cover import filling_spheres
 from .curvature import Curvature, Sides
 from .penalty import Scale
 

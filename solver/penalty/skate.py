@@ -11,13 +11,15 @@ from functools import cached_property
 
 import numpy as np
 
+from ..array import Array, Index
 from ..curve.frame import Timeline
 from ..figure.algebra import cross, dot
 from ..figure.figure import Figure
 from ..figure.kinematics import Cotangent, Samples, attached_pulled_back
-from ..quaternion import Array, Index
 from ..surface import Surface
-from .contact import Contact, Point, arrays_of, height_over, placed, velocity_gradients
+from ..surface.heights import height_over
+from ..surface.points import Point, arrays_of, placed, places_of
+from .contact import velocity_gradients
 from .curvature import Curvature, Sides
 from .penalty import Scale
 
@@ -44,7 +46,7 @@ class Bound:
         shares = np.tile(np.minimum(1.0, (LONG / spans) ** 2), (len(points), 1))
         if swings:
             samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
-            centres, _, _ = Contact(tuple(points), ()).centres(samples)
+            centres, _, _ = places_of(points, samples)
             steps = np.linalg.norm(np.diff(centres, axis=2), axis=0)
             told = placed(figure, keys.known, points)
             shares[(steps > STRIDDEN) & (spans <= SHORTLY) & told[:, 1:] & told[:, :-1]] = 0.0

@@ -13,14 +13,13 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..array import Array, Index, Mask
 from ..cone import Unsupplied, projection, unsupplied
-from ..curve.frame import Mask
 from ..figure.algebra import applied, cross
 from ..figure.figure import Figure
 from ..figure.jacobian_rows import Pushes
 from ..figure.kinematics import Cotangent, Samples
 from ..figure.wrench import RootWrench, height, weight
-from ..quaternion import Array, Index
 from .curvature import Curvature, Sides
 from .flight import A_TENTH, rows_of_wrench, within
 from .footing import Footing, Interval

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..array import Array, Index
 from ..figure.algebra import add_at, cross, dot
 from ..figure.dynamics import InverseDynamics
 from ..figure.jacobian_rows import has_moment_rows, moment_rows
 from ..figure.kinematics import Cotangent, Samples
-from ..quaternion import Array, Index
 from .curvature import Curvature, Sides, jacobian
 from .penalty import Scale
 

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..array import Array
 from ..figure.kinematics import Cotangent, Samples
-from ..quaternion import Array
 from .curvature import Curvature, Sides
 from .penalty import Scale
 

@@ -12,11 +12,11 @@ from functools import cached_property
 
 import numpy as np
 
+from ..array import Array, Index
 from ..curve.frame import Timeline
 from ..figure.algebra import applied, dot
 from ..figure.figure import Figure, quaternion_columns
 from ..figure.kinematics import Cotangent, Samples
-from ..quaternion import Array, Index
 from .contact import point_gradients
 from .curvature import Curvature, Sides
 from .penalty import Momentary, Scale

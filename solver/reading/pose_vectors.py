@@ -12,10 +12,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from .. import quaternion as quat
+from ..array import Array, Index
 from ..curve.frame import Timeline
-from ..edit.mirror import Mirror, MirrorError
+from ..curve.mirror import Mirror, MirrorError
 from ..figure.figure import Figure, quaternion_columns
-from ..quaternion import Array, Index
 
 HEIGHT = 5.0  # [rad/m] how much of a joint's turn the root's height counts like
 LOPSIDED = 0.03  # [m] how far off the x-z plane a measured body's middle may be

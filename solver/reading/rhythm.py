@@ -13,7 +13,7 @@ from functools import cached_property
 import numpy as np
 
 from .. import quaternion as quat
-from ..quaternion import Array
+from ..array import Array
 from .pose_vectors import PoseVectors
 
 LENGTH = 0.9  # of the periodic kernel: how much of a cycle is alike, [rad] of phase at half amplitude

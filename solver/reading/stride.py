@@ -12,14 +12,13 @@ from functools import cached_property
 
 import numpy as np
 
+from ..array import Array
 from ..curve.frame import Timeline
-from ..curve.spline import natural_end_slopes
+from ..curve.spline import natural_end_slopes, path_of
 from ..figure.figure import Figure
 from ..figure.kinematics import Samples
-from ..penalty.contact import Contact, Point
-from ..quaternion import Array
-from ..refine.subdivision import path_of
 from ..surface import Surface
+from ..surface.points import Point, places_of
 from .pose_vectors import PoseVectors
 from .rhythm import TICK, Process, Rhythm
 
@@ -186,7 +185,7 @@ class Gait:
     def _soles(self, states: Array) -> tuple[Array, Array]:
         """Places (3, p, T) and heights (p, T) [m] of the sole points."""
         samples = Samples(self.figure, states, 0 * states, 0 * states)
-        centres, _, _ = Contact(self.points, ()).centres(samples)
+        centres, _, _ = places_of(self.points, samples)
         return centres, np.min([surface.height(centres) for surface in self.surfaces], axis=0)
 
 

@@ -11,14 +11,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ..array import Array
 from ..curve.frame import Frame, Timeline
 from ..curve.quadrature import gauss_nodes
-from ..curve.spline import Path
+from ..curve.spline import Path, path_of
 from ..objective import Objective
-from ..quaternion import Array
 from ..search.descent import optimised
 from .euler_lagrange import residual
-from .subdivision import path_of
 
 NODES = 6
 

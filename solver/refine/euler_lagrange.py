@@ -14,11 +14,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..array import Array, Index
 from ..curve.quadrature import gauss_nodes
 from ..curve.spline import Path, Sampling, Spline
 from ..objective import Objective
 from ..penalty.curvature import Curvature
-from ..quaternion import Array, Index
 
 NODES = 8
 GRADIENT_NODES, HESSIAN_NODES = 5, 2

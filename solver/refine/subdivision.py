@@ -10,11 +10,11 @@ from collections.abc import Callable
 
 import numpy as np
 
+from ..array import Array
 from ..curve.frame import Frame, Timeline
 from ..curve.quadrature import gauss_nodes
-from ..curve.spline import Path, spline_of
+from ..curve.spline import path_of
 from ..objective import Objective
-from ..quaternion import Array
 from ..search.descent import optimised
 from .euler_lagrange import WeakForm, residual
 
@@ -56,11 +56,6 @@ CRITERIA: dict[str, Callable[[Objective, Timeline], Array]] = {
     "objective": by_objective,
     "resolution": by_resolution,
 }
-
-
-def path_of(timeline: Timeline) -> Path:
-    """The spline through a timeline's frames."""
-    return Path(spline_of(timeline), timeline.rows)
 
 
 def split(timeline: Timeline, times: Array) -> Timeline:

@@ -15,10 +15,10 @@ from itertools import pairwise
 
 import numpy as np
 
+from ..array import Array
 from ..curve.frame import Frame, Timeline
+from ..curve.spline import path_of
 from ..objective import Objective, segment_integrals
-from ..quaternion import Array
-from .subdivision import path_of
 
 KEPT, AHEAD, BEHIND = 40, 4, 3
 FRAMES_A_SEGMENT = 4

@@ -10,14 +10,14 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from ..array import Array
 from ..curve.arcs import straight
 from ..curve.frame import Timeline
+from ..curve.spline import path_of
 from ..figure.figure import Figure
 from ..figure.kinematics import Samples
 from ..objective import Objective
 from ..penalty import Contact
-from ..quaternion import Array
-from ..refine.subdivision import path_of
 from ..surface import Box, Plane
 
 DEAR = 2.0  # times what motion cost on the raw spline: from here on another way round an obstacle may be less

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
+from ..array import Array
 from ..curve.frame import Timeline
 from ..objective import Discretised, Evaluation, Objective
-from ..quaternion import Array
 from . import optimiser
 from .newton import FIRST_DAMPING, gauss_newton
 from .optimiser import Minimum, Stop

@@ -12,10 +12,10 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from ..array import Array, Index
 from ..curve.frame import Timeline
+from ..curve.spline import path_of
 from ..objective import Objective
-from ..quaternion import Array, Index
-from ..refine.subdivision import path_of
 
 AS_GOOD = 1e-6  # of E
 FINER = 3  # parts of the spans between the frames of all timelines

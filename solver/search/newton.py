@@ -12,8 +12,8 @@ from functools import cached_property
 
 import numpy as np
 
+from ..array import Array
 from ..objective import Discretised, Evaluation
-from ..quaternion import Array
 from .optimiser import Minimum, Stop, StopSearch
 from .quadratic import Layout, Model, Proposal
 

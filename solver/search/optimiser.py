@@ -12,7 +12,7 @@ from enum import Enum
 import nlopt
 import numpy as np
 
-from ..quaternion import Array
+from ..array import Array
 
 METHODS = {
     "lbfgs": ("LD_LBFGS", "limited-memory BFGS"),

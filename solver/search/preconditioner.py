@@ -12,7 +12,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import sqrt
 
-from ..quaternion import Array
+from ..array import Array
 from .quadratic import Layout
 
 

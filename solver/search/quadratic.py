@@ -24,15 +24,14 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..array import Array, Index, Mask
 from ..curve import banded
-from ..curve.frame import Mask
 from ..curve.quadrature import gauss_nodes
 from ..curve.seam import Seam
 from ..curve.spline import DEGREE, Path, Piece, Sampling, Spline
 from ..figure.kinematics import Samples
 from ..objective import Discretised, Term
 from ..penalty.curvature import Curvature
-from ..quaternion import Array, Index
 
 POINTS = 2
 SPANS_AT_ONCE, SPAN_ENTRIES = 32, 2000

@@ -11,8 +11,8 @@ from collections.abc import Callable
 
 import numpy as np
 
+from ..array import Array
 from ..objective import Discretised, Evaluation
-from ..quaternion import Array
 from .newton import FIRST_DAMPING, Search
 from .optimiser import Minimum, Stop, StopSearch, minimise
 from .preconditioner import Preconditioner

@@ -1,4 +1,13 @@
-"""What contact points stay out of: the scene's static geoms, one shape a file."""
+"""What touches: points of a figure, and surfaces that they stay out of, one shape a file.
+
+surface  what every shape can tell: depth, nearness, height
+plane, box, capsule, cylinder, ellipsoid, height_field, hull  the shapes
+static   the scene's geoms that stand still as surfaces, and those of a thing that moves
+touch    which of a model's geoms are in the way, and which are to be kept clear
+points   what of a figure touches: spheres on its links
+cover    a body's inside filled with spheres, so that nothing small can be in it
+heights  how high spheres are over what one can stand on
+"""
 
 from .box import Box as Box
 from .capsule import Capsule as Capsule

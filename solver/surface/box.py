@@ -13,7 +13,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from ..quaternion import Array
+from ..array import Array
 from .surface import UPRIGHT
 
 SIDEWAYS = 4.0

@@ -7,7 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
-from ..quaternion import Array
+from ..array import Array
 from .solid import TINY, Solid, directions, lengths, roots
 
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..quaternion import Array
+from ..array import Array
 from .solid import Solid, lengths, roots
 
 STEPS = 60

@@ -12,7 +12,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from ..quaternion import Array, Index
+from ..array import Array, Index
 from .solid import TINY, lengths
 from .surface import UPRIGHT
 

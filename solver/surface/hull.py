@@ -7,7 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
-from ..quaternion import Array, Index
+from ..array import Array, Index
 from .solid import TINY, Solid, lengths
 from .surface import GROUNDED, UPRIGHT
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..quaternion import Array
+from ..array import Array
 from .surface import UPRIGHT
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..quaternion import Array, Index
+from ..array import Array, Index
 
 TINY = 1e-12
 LEAST_RISE = 0.05  # of a normal that one can still speak of standing on

@@ -7,9 +7,8 @@ from dataclasses import replace
 import mujoco
 import numpy as np
 
+from ..array import Array, Index
 from ..figure.naming import geom_name
-from ..quaternion import Array, Index
-from . import touch
 from .box import Box
 from .capsule import Capsule, Sphere
 from .cylinder import Cylinder
@@ -18,6 +17,7 @@ from .height_field import HeightField
 from .hull import Hull
 from .plane import Plane
 from .surface import GROUNDED, UPRIGHT, Surface
+from .touch import solids
 
 DOWN = 10.0  # [m] by which what stands on the floor goes on below it: no way out downwards
 
@@ -26,11 +26,11 @@ def static_surfaces(model: mujoco.MjModel) -> tuple[Surface, ...]:
     """The geoms welded to the world that count as solid, planes first; meshes by their convex hulls."""
     data = mujoco.MjData(model)
     mujoco.mj_kinematics(model, data)
-    ids = touch.solids(model)
+    ids = solids(model)
     planes = [_plane(model, data, g) for g in ids if model.geom_type[g] == mujoco.mjtGeom.mjGEOM_PLANE]
     floor = max((p.point[2] for p in planes if p.normal[2] > 0.99), default=-np.inf)
-    solids = [_solid(model, g, data.geom_xpos[g].copy(), data.geom_xmat[g].reshape(3, 3).copy(), floor) for g in ids]
-    return (*planes, *(solid for solid in solids if solid is not None))
+    found = [_solid(model, g, data.geom_xpos[g].copy(), data.geom_xmat[g].reshape(3, 3).copy(), floor) for g in ids]
+    return (*planes, *(solid for solid in found if solid is not None))
 
 
 def moving_surface(model: mujoco.MjModel, geom: int, centre: Array, axes: Array) -> Surface | None:

@@ -7,7 +7,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from ..quaternion import Array
+from ..array import Array
 
 UPRIGHT = 0.7  # a face whose normal rises by more looks up: one can stand on it
 GROUNDED = 0.01  # [m] what reaches down to so much over the floor stands on it

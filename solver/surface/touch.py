@@ -15,7 +15,7 @@ from functools import lru_cache
 import mujoco
 import numpy as np
 
-from ..curve.frame import Mask
+from ..array import Mask
 
 SCENERY = 1 << 30  # the bit of conaffinity that marks what a clip adds to a model
 LEVEL = 0.99  # of a plane's normal, how much of it goes up where one stands on it

@@ -24,9 +24,9 @@ from runner.measure.exactness import keyframe_error
 from runner.system.progress import Teller
 from solver import Frame
 from solver import quaternion as quat
+from solver.array import Array
+from solver.curve.spline import path_of
 from solver.figure.figure import Figure, JointKind
-from solver.quaternion import Array
-from solver.refine.subdivision import path_of
 from solver.search.descent import NEWTON
 from solver.search.judgement import common_grid
 from solver.search.optimiser import METHODS

@@ -23,7 +23,7 @@ import mujoco
 import numpy as np
 
 from solver import quaternion as quat
-from solver.quaternion import Array
+from solver.array import Array
 
 from ..held import held, names_in, times
 from ..robot import needs_figure

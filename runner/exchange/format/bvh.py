@@ -14,7 +14,7 @@ import mujoco
 import numpy as np
 
 from solver import quaternion as quat
-from solver.quaternion import Array
+from solver.array import Array
 
 from .. import euler
 from ..skeleton import bvh_file, captured_figure, hierarchy, retarget

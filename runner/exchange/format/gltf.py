@@ -16,7 +16,7 @@ import pygltflib as gl
 from numpy.typing import NDArray
 
 from solver import quaternion as quat
-from solver.quaternion import Array
+from solver.array import Array
 
 from ..skeleton import hierarchy
 from ..take import Take

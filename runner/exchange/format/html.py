@@ -18,7 +18,7 @@ import mujoco
 import numpy as np
 from numpy.typing import ArrayLike
 
-from solver.quaternion import Array
+from solver.array import Array
 
 from ...motion import sampled
 from ..skeleton import hierarchy

@@ -16,7 +16,7 @@ import numpy as np
 from pxr import Gf, Sdf, Tf, Usd, UsdGeom, UsdShade, Vt
 
 from solver import quaternion as quat
-from solver.quaternion import Array
+from solver.array import Array
 
 from ...errors import UserError
 from ..skeleton import hierarchy

@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 
 from solver import quaternion as quat
-from solver.quaternion import Array
+from solver.array import Array
 
 from ...errors import UserError
 

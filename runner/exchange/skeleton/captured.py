@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from solver import quaternion as quat
-from solver.quaternion import Array
+from solver.array import Array
 
 from .. import unsaid
 from .bvh_file import Skeleton

@@ -8,7 +8,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from solver import quaternion as quat
-from solver.quaternion import Array
+from solver.array import Array
 
 from .captured import Captured
 from .roles import lineage

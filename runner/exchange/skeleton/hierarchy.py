@@ -6,7 +6,7 @@ import mujoco
 import numpy as np
 
 from solver import quaternion as quat
-from solver.quaternion import Array
+from solver.array import Array
 
 from ..take import Bodies
 

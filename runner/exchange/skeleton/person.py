@@ -8,7 +8,7 @@ import mujoco
 import numpy as np
 
 from solver import quaternion as quat
-from solver.quaternion import Array
+from solver.array import Array
 
 from ...errors import UserError
 from ..robot import FREE

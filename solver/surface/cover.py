@@ -12,12 +12,12 @@ import mujoco
 import numpy as np
 
 from .. import quaternion as quat
+from ..array import Array
 from ..figure.figure import Figure
 from ..figure.naming import geom_name
-from ..quaternion import Array
-from ..surface import hull_of
-from ..surface.touch import movers
-from .contact import Point, mesh_vertices
+from . import hull_of
+from .points import Point, mesh_vertices
+from .touch import movers
 
 GAP = 0.001  # [m] by which something straight may dip in between two spheres
 CLOSEST = 0.02  # [m] between the points of sharp edges

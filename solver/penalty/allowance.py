@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..quaternion import Array, Index
+from ..array import Array, Index
 
 
 @dataclass(frozen=True)

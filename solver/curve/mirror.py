@@ -13,9 +13,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from .. import quaternion as quat
-from ..curve.frame import Frame, Timeline
+from ..array import Array, Index
 from ..figure.figure import Figure, JointKind, Link
-from ..quaternion import Array, Index
+from .frame import Frame, Timeline
 
 POLAR, AXIAL = np.array([1.0, -1, 1]), np.array([-1.0, 1, -1])
 TURN = np.array([1.0, -1, 1, -1])

@@ -1,0 +1,24 @@
+"""The arrays of the solver: their types, and copies that nobody can write to."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Array = NDArray[np.float64]
+Index = NDArray[np.intp]
+Mask = NDArray[np.bool_]
+
+
+def frozen(values: ArrayLike) -> Array:
+    """A read-only float copy."""
+    array = np.array(values, float)
+    array.setflags(write=False)
+    return array
+
+
+def frozen_mask(values: ArrayLike) -> Mask:
+    """A read-only boolean copy."""
+    array = np.array(values, bool)
+    array.setflags(write=False)
+    return array

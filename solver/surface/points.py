@@ -1,0 +1,151 @@
+"""What of a figure touches: points, spheres of a radius (0 for a site) on a link.
+
+`body_points` covers a figure's own spheres, capsules and boxes by such points, so that the whole body can be kept out
+of something; for spheres and capsules against a plane the cover is exact.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+
+import mujoco
+import numpy as np
+
+from .. import quaternion as quat
+from ..array import Array, Index, Mask
+from ..figure.figure import Figure, JointKind
+from ..figure.kinematics import Samples
+from ..figure.naming import geom_name
+from .touch import movers
+
+DIRECTIONS = 600  # in which a link's outermost spheres are looked for
+MOST_BETWEEN = 1000  # spheres along a capsule; no limb is 750 times as long as it is thick
+MESH_DIRECTIONS = 150  # the same of the vertices of a mesh
+
+
+@dataclass(frozen=True)
+class Point:
+    """A sphere fixed on a link: link index, centre (3,) in the link [m], radius [m]."""
+
+    name: str
+    link: int
+    position: Array
+    radius: float = 0.0
+
+
+def arrays_of(points: Sequence[Point]) -> tuple[Index, Array, Array]:
+    """Links (n,), positions (3, n) and radii (n,) of points."""
+    links = np.array([point.link for point in points], np.intp)
+    positions = np.array([point.position for point in points]).reshape(-1, 3).T
+    return links, positions, np.array([point.radius for point in points])
+
+
+def places_of(points: Sequence[Point], samples: Samples) -> tuple[Array, Array, Index]:
+    """Centres (3, n, S) [m] of points, the vectors to them from their links' origins, and the links' indices (n,)."""
+    links, positions, _ = arrays_of(points)
+    return *samples.links.points(links, positions), links
+
+
+def site_points(figure: Figure, names: Sequence[str]) -> tuple[Point, ...]:
+    """Points at sites of the model, by name."""
+    points = []
+    for name in names:
+        site = figure.model.site(name)
+        link, position = figure.point_on_link(int(figure.model.site_bodyid[site.id]), site.pos)
+        points.append(Point(name, link, position))
+    return tuple(points)
+
+
+@lru_cache(maxsize=2)  # a clip asks for them several times
+def body_points(figure: Figure) -> tuple[Point, ...]:
+    """Spheres that cover the outside of the figure's moving geoms.
+
+    Spheres, the ends of capsules, corners of boxes, rims of cylinders, ellipsoids by small spheres at their tips, and
+    meshes by their vertices that reach farthest in some hundred directions:
+    those of them that lie on the convex hull of their link, so that planes are met exactly (ellipsoids: nearly). Along
+    the capsules whose ends both do lie more spheres, close enough that the edge of a box cuts at most 2 mm between.
+    """
+    model = figure.model
+    ends: list[Point] = []
+    pairs: list[tuple[int, int]] = []
+    for geom in movers(model):
+        body = int(model.geom_bodyid[geom])
+        axes = np.stack([quat.rotated(model.geom_quat[geom], e) for e in np.eye(3)], axis=1)
+        kind = int(model.geom_type[geom])
+        if kind == mujoco.mjtGeom.mjGEOM_CAPSULE:
+            pairs.append((len(ends), len(ends) + 1))
+        found = _cover(model, geom)
+        offsets = np.reshape([offset for offset, _ in found], (-1, 3))
+        link, positions = figure.point_on_link(body, model.geom_pos[geom] + offsets @ axes.T)
+        name = geom_name(model, geom)
+        ends += [Point(name, link, place, radius) for place, (_, radius) in zip(positions, found, strict=True)]
+    kept = _outermost(ends)
+    between = [point for a, b in pairs if a in kept and b in kept for point in _between(ends[a], ends[b])]
+    return (*(ends[i] for i in sorted(kept)), *between)
+
+
+def _between(a: Point, b: Point) -> list[Point]:
+    """Spheres along a capsule between its ends, three quarters of a radius apart."""
+    length = float(np.linalg.norm(b.position - a.position))
+    count = int(min(MOST_BETWEEN, length / (0.75 * max(a.radius, 0.01))))
+    shares = np.arange(1, count) / max(count, 1)
+    return [Point(a.name, a.link, a.position + share * (b.position - a.position), a.radius) for share in shares]
+
+
+def all_round(count: int) -> Array:
+    """(3, count): unit vectors spread evenly over all directions."""
+    turn = np.pi * (1 + np.sqrt(5)) * np.arange(count)
+    z = 1 - (2 * np.arange(count) + 1) / count
+    return np.stack([np.sqrt(1 - z**2) * np.cos(turn), np.sqrt(1 - z**2) * np.sin(turn), z])
+
+
+def _outermost(points: list[Point]) -> set[int]:
+    """Which spheres lie on the convex hull of their link's spheres: those that reach farthest some way."""
+    ways = all_round(DIRECTIONS)
+    kept: set[int] = set()
+    for link in {point.link for point in points}:
+        own = [i for i, point in enumerate(points) if point.link == link]
+        support = np.array([points[i].position @ ways + points[i].radius for i in own])
+        kept |= {own[k] for k in np.unique(support.argmax(axis=0))}
+    return kept
+
+
+def mesh_vertices(model: mujoco.MjModel, geom: int) -> Array:
+    """(n, 3) [m] the vertices of a geom's mesh, in the geom's axes."""
+    mesh = int(model.geom_dataid[geom])
+    first, count = int(model.mesh_vertadr[mesh]), int(model.mesh_vertnum[mesh])
+    return np.array(model.mesh_vert[first : first + count], float)
+
+
+def _cover(model: mujoco.MjModel, index: int) -> list[tuple[Array, float]]:
+    """(offset in the geom's axes, radius) of the spheres that cover one geom."""
+    geom, kind, size = mujoco.mjtGeom, int(model.geom_type[index]), np.array(model.geom_size[index])
+    if kind == geom.mjGEOM_MESH:
+        vertices = mesh_vertices(model, index)
+        return [(vertices[i], 0.0) for i in np.unique(np.argmax(vertices @ all_round(MESH_DIRECTIONS), axis=0))]
+    if kind == geom.mjGEOM_SPHERE:
+        return [(np.zeros(3), float(size[0]))]
+    if kind == geom.mjGEOM_CAPSULE:
+        return [(np.array([0, 0, z]), float(size[0])) for z in (-size[1], size[1])]
+    if kind == geom.mjGEOM_CYLINDER:
+        ring = [np.array([np.cos(a), np.sin(a), 0]) * size[0] for a in np.arange(8) * np.pi / 4]
+        return [(p + np.array([0, 0, z]), 0.0) for p in ring for z in (-size[1], size[1])]
+    if kind == geom.mjGEOM_BOX:
+        signs = np.array(np.meshgrid([-1, 1], [-1, 1], [-1, 1])).reshape(3, -1).T
+        return [(s * size, 0.0) for s in signs]
+    if kind == geom.mjGEOM_ELLIPSOID:
+        return [(sign * e * (size - size.min()), float(size.min())) for e in np.eye(3) for sign in (-1, 1)]
+    return []
+
+
+def placed(figure: Figure, told: Mask, points: Sequence[Point]) -> Mask:
+    """(n, K): whether a keyframe tells every joint from the root to a point, so that it says where the point is.
+
+    told  (K, nq) what keyframes fix, or all that they tell
+    """
+    entries = {JointKind.FREE: 7, JointKind.BALL: 4, JointKind.HINGE: 1, JointKind.SLIDE: 1}
+    whole = [told[:, link.qpos : link.qpos + entries[link.kind]].all(axis=1) for link in figure.links[1:]]
+    path = figure.tables.path[:, 1:] > 0
+    return np.array([np.all(np.array(whole)[path[point.link]], axis=0) for point in points])
