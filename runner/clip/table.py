@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, ConfigDict, Field, Strict, ValidationError
 
 from ..errors import unknown
-from ..scene.configuration import LARGEST
+from ..system.quantity import LARGEST
 
 Real = Annotated[float, Strict(), Field(allow_inf_nan=False)]
 Number = Annotated[Real, Field(ge=-LARGEST, le=LARGEST)]

@@ -7,7 +7,8 @@ import numpy as np
 
 from solver.array import Array
 
-LARGEST = 1e6  # of any number of a configuration
+from ..system.quantity import LARGEST
+
 SHORTEST = 1e-6  # of a quaternion that still tells a direction
 QUATERNION = {mujoco.mjtJoint.mjJNT_FREE: 3, mujoco.mjtJoint.mjJNT_BALL: 0}  # where it begins among a joint's entries
 

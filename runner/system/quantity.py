@@ -7,6 +7,8 @@ import re
 
 from ..errors import UserError
 
+LARGEST = 1e6  # of any number of a configuration
+
 METRES = {"m": 1.0, "cm": 0.01, "mm": 0.001}
 
 
