@@ -182,7 +182,9 @@ def test_nobody_else_on_the_machine_can_reach_a_batch_and_it_leaves_nothing_wher
     with pytest.raises(ValueError, match="inproc address"):
         asyncio.run(connect(worker, timeout=1))
     os.killpg(process.pid, signal.SIGINT)
+    asked = time.monotonic()
     process.communicate(timeout=PATIENCE)
+    assert (process.returncode, time.monotonic() - asked < 20) == (130, True)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["clips", "out"]
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import signal
 import sys
+import threading
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -113,3 +114,18 @@ def test_what_a_clip_took_is_given_back_before_the_next(kept: Bounded):
     before = psutil.Process(kept.process).memory_info().rss
     assert kept.run(deeds.pins, None, Bounds()).data == b""
     assert psutil.Process(kept.process).memory_info().rss < before + 50e6
+
+
+@pytest.mark.parametrize("after", [0.0, 0.02, 0.1, 0.3, 1.0])
+def test_what_is_interrupted_at_any_moment_ends_soon_and_starts_no_other(after: float, tmp_path: Path):
+    bounded, own = Bounded(tmp_path, deeds.ready), psutil.Process()
+    before, found = set(own.children()), []
+    thread = threading.Thread(target=lambda: found.append(bounded.run(deeds.hangs, None, AMPLE)))
+    thread.start()
+    time.sleep(after)
+    bounded.interrupt()
+    thread.join(20)
+    assert [(outcome.data, outcome.cause) for outcome in found] == [(None, "lost")]
+    bounded.stop()
+    assert set(own.children()) <= before
+    assert list(tmp_path.iterdir()) == []

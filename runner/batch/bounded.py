@@ -76,6 +76,7 @@ class Bounded:
         self._process: subprocess.Popen[bytes] | None = None
         self._place: tempfile.TemporaryDirectory[str] | None = None
         self._line: Line | None = None
+        self._interrupted = False
 
     @property
     def process(self) -> int | None:
@@ -94,8 +95,13 @@ class Bounded:
             except (_Gone, EOFError, OSError):
                 line = None
             words = self._end()
+            if self._interrupted:
+                break
         else:
             return Outcome(0.0, cause="lost", error=words)
+        if line is None or self._interrupted:  # perhaps before there was a process to end
+            self.interrupt()
+            return Outcome(0.0, cause="lost", error=self._end())
         outcome = self._watched(line, bounds, time.monotonic())
         if outcome.cause not in ("", "error"):
             self._end()
@@ -106,7 +112,8 @@ class Bounded:
         self._end()
 
     def interrupt(self) -> None:
-        """Ends the process from another thread: `run` then finds that it has gone."""
+        """Ends the process from another thread, for good: `run` then finds that it has gone, and starts no other."""
+        self._interrupted = True
         if self._process is not None:
             self._process.kill()
 

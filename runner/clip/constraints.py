@@ -299,7 +299,11 @@ class Constraints:
         own = self._own(body_points(self.figure))
         found = [(link, surfaces_on(self.figure, link)) for link in self.carried]
         return tuple(
-            Contact(own, surfaces, margin, name="clearance", carrier=link).allowing(self.figure, self.keys)
+            Contact(own, surfaces, margin, name="clearance", carrier=link).allowing(
+                self.figure,
+                self.keys,
+                [(hold.point.link, hold.first, hold.last) for hold in self.holds if hold.link == link],
+            )
             for link, surfaces in found
             if surfaces
         )

@@ -6,8 +6,10 @@ boxes by such points, so that the whole body stays out; for spheres and capsules
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 
@@ -25,6 +27,7 @@ from .curvature import Curvature, Sides
 from .penalty import Scale
 
 NEAR = 0.03  # [m] within which a point may touch after one step of the search
+ROUNDING = 1e-9  # [s] a keyframe may be outside an interval that it is meant to begin or end
 MOST_TOGETHER = 64  # points that one sphere stands for; a limb of capsules has 10-30
 
 
@@ -43,14 +46,26 @@ class Contact:
     name: str = "contact"
     carrier: int = 0
 
-    def allowing(self, figure: Figure, keys: Timeline) -> Contact:
-        """The same that lets pass how deep points whose places keyframes fix are in them, margin and all."""
+    def allowing(self, figure: Figure, keys: Timeline, holding: Sequence[tuple[int, float, float]] = ()) -> Contact:
+        """The same that lets pass how deep points whose places keyframes fix are in them, margin and all.
+
+        holding  links that hold on to the surfaces, with their limbs, each from when to when [s]: what a keyframe fixes
+                 of these is as deep at those that leave it free
+        """
         if not self.points or not self.surfaces:
             return self
         samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
         centres = self.seen(samples, self.centres(samples)[0])
         deep = np.max([surface.depth(centres, self._arrays[2])[0] for surface in self.surfaces], axis=0)
-        return replace(self, allowed=Allowance(keys.times, deep * placed(figure, keys.fixed, self.points)))
+        known = placed(figure, keys.fixed, self.points)
+        excess, path = deep * known, figure.tables.path > 0
+        for link, first, last in holding:
+            limb = np.flatnonzero((path[:, link] | path[link])[self._arrays[0]])
+            during = np.flatnonzero((keys.times >= first - ROUNDING) & (keys.times <= last + ROUNDING))
+            for before, k in [*pairwise(during), *pairwise(during[::-1])]:
+                free = limb[~known[limb, k] & known[limb, before]]
+                excess[free, k], known[free, k] = excess[free, before], True
+        return replace(self, allowed=Allowance(keys.times, excess))
 
     @property
     def scale(self) -> Scale:
