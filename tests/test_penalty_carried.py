@@ -6,6 +6,8 @@ import pytest
 from test_kinematics import random_samples
 from test_penalty_unit import penalty_slope
 
+from solver.curve.frame import Frame
+from solver.curve.unknowns import raw_timeline
 from solver.figure.figure import Figure
 from solver.figure.kinematics import Cotangent, Samples
 from solver.penalty import Contact, Hold, carried_links, surfaces_on
@@ -109,3 +111,26 @@ def test_the_rows_of_its_sides_are_its_gradient(rng):
     expected = np.zeros(samples.y.shape)
     np.add.at(expected, sides.at[deep], 2 * sides.value[deep, None] * sides.rows[deep])
     np.testing.assert_allclose(expected, cotangent.gradients()[0], rtol=1e-8, atol=1e-9)
+
+
+def test_a_limb_that_holds_on_may_stay_as_deep_as_it_took_hold_while_the_hold_lasts_and_no_longer():
+    figure = figure_of()
+    arm = np.zeros(figure.width, bool)
+    arm[figure.links[2].qpos : figure.links[2].qpos + 4] = True
+    keys = []
+    for time, is_free in ((0.0, True), (1.0, False), (2.0, True), (3.0, True), (4.0, True)):
+        qpos = np.array(figure.model.qpos0)
+        crate = figure.links[3].qpos
+        qpos[crate : crate + 3] = [0, 0, 1.2]  # the arm's tip is in it
+        keys.append(Frame(time, qpos, ~arm if is_free else np.ones(figure.width, bool)))
+    timeline, contact = raw_timeline(figure, keys), clearing(figure, 3)
+    plain = contact.allowing(figure, timeline).allowed
+    holding = contact.allowing(figure, timeline, [(2, 1.0, 3.0)]).allowed
+    assert plain is not None
+    assert holding is not None
+    limb = np.array([point.link == 2 for point in contact.points])
+    deep = plain.excess[limb, 1].max()
+    assert deep > 0.05
+    np.testing.assert_array_equal(plain.excess[limb].max(axis=0), [0, deep, 0, 0, 0])
+    np.testing.assert_array_equal(holding.excess[limb].max(axis=0), [0, deep, deep, deep, 0])
+    np.testing.assert_array_equal(plain.excess[~limb], holding.excess[~limb])
