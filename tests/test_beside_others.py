@@ -46,6 +46,7 @@ def motion_of(text: str) -> Saved:
     return work.solve(clip.from_text(text, name="squat"), quiet).saved(quiet, with_report=False)
 
 
+@pytest.mark.filterwarnings("ignore:.*torch.jit:DeprecationWarning")
 def test_mjlab_loads_a_motion_and_its_g1_replays_it(tmp_path):
     torch = pytest.importorskip("torch")
     if importlib.util.find_spec("mjlab") is None:
