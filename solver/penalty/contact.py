@@ -1,8 +1,4 @@
-"""Floor and step: contact points stay above the surfaces (eq. 12), squared so that the gradient is smooth.
-
-A point is a sphere of a radius (0 for a site) on a link. `body_points` covers a figure's own spheres, capsules and
-boxes by such points, so that the whole body stays out; for spheres and capsules against a plane the cover is exact.
-"""
+"""Floor and step: contact points stay above the surfaces (eq. 12), squared so that the gradient is smooth."""
 
 from __future__ import annotations
 
@@ -21,7 +17,7 @@ from ..figure.jacobian_rows import has_point_rows, point_rows, velocity_rows
 from ..figure.joint_rows import any_point_rows, any_velocity_rows
 from ..figure.kinematics import Cotangent, Samples, attached_pulled_back
 from ..surface import Surface
-from ..surface.points import Point, arrays_of, placed
+from ..surface.points import Point, arrays_of, placed, places_of
 from .allowance import Allowance
 from .curvature import Curvature, Sides
 from .penalty import Scale
@@ -127,9 +123,8 @@ class Contact:
         return Allowance(self.allowed.times, padded)
 
     def centres(self, samples: Samples) -> tuple[Array, Array, Index]:
-        """Centres (3, n, S) [m], the vectors to them from their links' origins, and the links' indices (n,)."""
-        links, positions, _ = self._arrays
-        return *samples.links.points(links, positions), links
+        """The points as `places_of` tells."""
+        return places_of(self.points, samples)
 
     def seen(self, samples: Samples, points: Array) -> Array:
         """Points (3, n, S) of the world in the axes of the surfaces' carrier."""

@@ -61,8 +61,7 @@ def farthest(figure: Figure, timeline: Timeline) -> float:
     if given.size < 2:
         return 0.0
     times = timeline.times[given]
-    share = (np.arange(LOOKS) + 0.5) / LOOKS
-    t = (times[:-1, None] + share * np.diff(times)[:, None]).ravel()
+    t = _looks(times)
     there = straight(figure, times, timeline.states[given], t)
     apart = _from_root(figure, path_of(timeline).at(t)) - _from_root(figure, there)
     size = float(np.linalg.norm(_from_root(figure, figure.to_state(figure.model.qpos0[None])), axis=0).max())
@@ -71,10 +70,14 @@ def farthest(figure: Figure, timeline: Timeline) -> float:
 
 def longest(figure: Figure, timeline: Timeline) -> float:
     """The longest quaternion between frames, seen LOOKS times in every segment."""
-    share = (np.arange(LOOKS) + 0.5) / LOOKS
-    t = (timeline.times[:-1, None] + share * np.diff(timeline.times)[:, None]).ravel()
-    quaternions = path_of(timeline).at(t)[:, figure.tables.quaternion_columns]
+    quaternions = path_of(timeline).at(_looks(timeline.times))[:, figure.tables.quaternion_columns]
     return float(np.linalg.norm(quaternions, axis=1).max(initial=0.0))
+
+
+def _looks(times: Array) -> Array:
+    """Where one looks between times (K,) that rise, LOOKS times in every segment."""
+    share = (np.arange(LOOKS) + 0.5) / LOOKS
+    return (times[:-1, None] + share * np.diff(times)[:, None]).ravel()
 
 
 def _from_root(figure: Figure, states: Array) -> Array:
