@@ -119,6 +119,23 @@ def test_arms_that_keyframes_leave_free_begin_where_the_hands_hold():
         assert not key.fixed[arm : arm + 4].any() and key.known[arm : arm + 4].all()
 
 
+def test_a_hold_gives_way_where_a_keyframe_puts_the_body_out_of_reach():
+    near, far = (lift().replace("[0.36, 0, 1.2]", f"[{x}, 0, 1.2]") for x in (0.36, 0.98))
+    told = {}
+    for name, text in {"near": near, "far": far}.items():
+        clip = clips.from_text(text, name=name)
+        key, hold = clip.keys[2], next(each for each in clip.holds if each.point.name == "left_hand")
+        arm = clip.figure.model.joint("left_shoulder").qposadr[0]
+        assert key.known[arm : arm + 4].all() and not key.fixed[arm : arm + 4].any()
+        short = np.linalg.norm(place(clip, key.state, "left_hand") - [0, 0.17, 0])
+        np.testing.assert_allclose(spot_of(hold, 1.0)[0], place(clip, key.state, "left_hand"), atol=1e-6)
+        np.testing.assert_allclose(spot_of(hold, 0.6)[0], [0, 0.17, 0], atol=1e-6)
+        told[name] = short, hold.slack(np.array([0.6, 0.8, 1.0]))
+    assert told["near"][0] < 1e-5 and not told["near"][1].any()
+    assert 0.02 < told["far"][0] < 0.15
+    np.testing.assert_allclose(told["far"][1], np.array([0, 0.25, 0.5]) * told["far"][0], atol=1e-6)
+
+
 @pytest.mark.slow
 def test_a_thing_lies_where_it_was_put_until_it_is_held_and_again_after():
     clip = clips.from_text(lift(), name="lift")

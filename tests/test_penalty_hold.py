@@ -26,11 +26,11 @@ HAND = Point("hand", 1, np.array([0.1, 0.2, -0.3]))
 
 
 def holds(figure: Figure) -> tuple[Hold, Hold]:
-    """One whose spot drifts and then stays, and one whose spot nobody knows."""
+    """One whose spot drifts and then stays, with more and more slack, and one whose spot nobody knows."""
     last = len(figure.links) - 1
     spots = (
-        Spot(0.1, 0.4, np.array([0.1, 0, 0.2]), np.array([0.1, 0.3, 0])),
-        Spot(0.4, 0.8, np.array([0.1, 0.3, 0]), np.array([0.1, 0.3, 0])),
+        Spot(0.1, 0.4, np.array([0.1, 0, 0.2]), np.array([0.1, 0.3, 0]), (0.0, 0.3)),
+        Spot(0.4, 0.8, np.array([0.1, 0.3, 0]), np.array([0.1, 0.3, 0]), (0.3, 0.7)),
     )
     return Hold(HAND, last, "it", 0.1, 0.8, spots), Hold(Point("b", last, np.ones(3)), 1, "it", 0.3, 1.0)
 
@@ -40,14 +40,16 @@ def case(figure: Figure, rng: np.random.Generator) -> tuple[Samples, tuple[Hold,
 
 
 def known(samples: Samples, hold: Hold) -> Array:
-    """(S, 3) the way from the spot to the hand."""
+    """(S, 3) the way from the spot to the hand, as far as it is beyond the slack."""
     links = samples.links
     away = np.empty((samples.count, 3))
     for s, t in enumerate(samples.t):
         share = np.clip((t - 0.1) / 0.3, 0, 1)
         spot = np.array([0.1, 0.3 * share, 0.2 * (1 - share)])
         hand = links.x[:, hold.point.link, s] + links.rotation[:, :, hold.point.link, s] @ hold.point.position
-        away[s] = hand - links.x[:, hold.link, s] - links.rotation[:, :, hold.link, s] @ spot
+        whole = hand - links.x[:, hold.link, s] - links.rotation[:, :, hold.link, s] @ spot
+        far = float(np.linalg.norm(whole))
+        away[s] = max(far - np.interp(t, [0.1, 0.8], [0, 0.7]), 0) / far * whole
     return away
 
 
@@ -75,6 +77,16 @@ def test_the_value_is_the_distance_from_the_spot_or_what_the_hand_slides_on_the_
 def test_the_gradient_has_taylor_slope_two(figure, rng, which):
     samples, some = case(figure, rng)
     assert penalty_slope(Holding((some[which],)), samples, rng) > 1.95
+
+
+def test_nothing_counts_within_the_slack(figure, rng):
+    samples = at_times(random_samples(figure, rng, 6), np.linspace(0, 1, 6))
+    there = slipped(samples, holds(figure)[0])[:, 2]
+    hold = Hold(HAND, len(figure.links) - 1, "it", 0.1, 0.8, (Spot(0.1, 0.8, there, there, (1e3, 1e3)),))
+    curvature = Curvature(samples)
+    Holding((hold,)).curvature(samples, curvature, np.ones(6))
+    assert not Holding((hold,)).evaluate(samples).any()
+    assert not curvature.quadratic(rng.normal(size=(6, 3)), 0, 6).any()
 
 
 @pytest.mark.slow

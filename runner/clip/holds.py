@@ -1,12 +1,13 @@
 """A clip's [[hold]] tables: which site stays where on which body, from when to when.
 
 Where: at the table's `position`, else where the keyframes inside the interval have the site on the body, the first of
-them first; without either the site only does not slide there.
+them first; without either the site only does not slide there. Where a keyframe puts the body out of the limb's reach,
+the hold gives way.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -23,6 +24,10 @@ from ..errors import UserError, unknown
 from .contacts import ROUNDING, agreeing, check_interval, check_overlap, stretches
 from .places import Places
 from .table import HoldTable
+
+NEARLY = 1e-3  # [m, rad] by which a pose may miss a place and still tell what is there
+REACH = 0.15  # [m] by which a keyframe may put a hold out of reach and still tell where the limb is, stretched for it
+SLACK = 0.5  # of that, what the site may be away from there: without any, carried crates' elbows whip
 
 
 @dataclass(frozen=True)
@@ -97,10 +102,29 @@ def _spots(figure: Figure, keys: Timeline, row: _Row) -> list[Spot]:
             f"the body; a hold may drift by {SAME_SPOT:g} m"
         )
 
-    found = [(float(keys.times[k]), places[:, k].copy()) for k in agreeing(places, said, exact, wanted, contradicts)]
-    if wanted is not None:
-        found = found or [(hold.first, wanted)]
-    return [Spot(*stretch) for stretch in stretches(found, hold.first, hold.last)] if found else []
+    firm = said[exact[said]] if exact[said].any() else said
+    found = {float(keys.times[k]): places[:, k].copy() for k in agreeing(places, firm, exact, wanted, contradicts)}
+    if wanted is not None and not found:
+        found = {hold.first: wanted}
+    if not found:
+        return []
+    there = replace(hold, spots=tuple(Spot(*stretch) for stretch in _stretches(found, hold)))
+    slack: dict[float, float] = {}
+    for k in np.setdiff1d(said, firm):
+        t = float(keys.times[k])
+        spot = there.spot(np.array([t]))
+        assert spot is not None
+        short = float(np.linalg.norm(places[:, k] - spot[:, 0]))
+        if short <= REACH:
+            found[t], slack[t] = places[:, k].copy(), SLACK * short * (short > NEARLY)
+    return [
+        Spot(*stretch, (slack.get(stretch[0], 0.0), slack.get(stretch[1], 0.0))) for stretch in _stretches(found, hold)
+    ]
+
+
+def _stretches(found: dict[float, Array], hold: Hold) -> Iterator[tuple[float, float, Array, Array]]:
+    """(first, last, from, to) from place to place of a hold, by time."""
+    return stretches(sorted(found.items(), key=lambda pair: pair[0]), hold.first, hold.last)
 
 
 def _said(figure: Figure, keys: Timeline, hold: Hold) -> tuple[Index, Array, Mask]:

@@ -29,10 +29,9 @@ from solver.surface.points import Point, arrays_of, placed
 
 from .contacts import ROUNDING, Contacts, contacts
 from .feet import sole_points
-from .holds import holds
+from .holds import NEARLY, REACH, holds
 from .table import ContactTable, HoldTable, SolveTable
 
-NEARLY = 1e-3  # [m, rad] by which a pose may miss a foot's place and still tell that it stands there
 BEYOND = float(np.radians(10))  # [rad] beyond their ranges that joints go rather than that a foot leaves its place
 STARTS = 4  # poses to begin with, at most
 OWN_TURN = 1e-3  # of a foot's own turn in what its points tell, which do not see a roll about the line through two
@@ -173,17 +172,31 @@ class Stander:
             if abs(point.time - key.time) < ROUNDING:
                 groups.append([PointGoal.of(self.figure, point.point, point.target)])
         home, count = figure.to_qpos(frame.state), len(groups)
+        told, missed = np.zeros(figure.width, bool), list[Goal]()
         while groups:
             goals = [goal for group in groups for goal in group]
             found = self._upright(home, ~frame.fixed, goals)
             if found.worst > NEARLY and len(groups) == count:
                 found = posed(figure, home, ~frame.fixed, goals, self.bends, STARTS, BEYOND)
             if found.worst <= NEARLY:
-                told = found.fixed & ~frame.fixed
-                return Frame(key.time, np.where(told, found.qpos, key.state), key.fixed, told)
+                home, told = found.qpos, found.fixed & ~frame.fixed
+                break
             of_group = np.repeat(np.arange(len(groups)), [len(group) for group in groups])
-            del groups[int(of_group[np.argmax(found.missed)])]
-        return key
+            missed += groups.pop(int(of_group[np.argmax(found.missed)]))
+        home, more = self._reaching(home, ~frame.fixed & ~told, missed)
+        told |= more
+        return Frame(key.time, np.where(told, home, key.state), key.fixed, told) if told.any() else key
+
+    def _reaching(self, home: Array, free: Mask, missed: Sequence[Goal]) -> tuple[Array, Mask]:
+        """A pose with the sites that cannot be where they hold as near to there as they reach, those of which that is
+        near enough; and which entries (N,) that tells."""
+        goals = [goal for goal in missed if isinstance(goal, HoldGoal)]
+        while goals:
+            found = posed(self.figure, home, free, goals, self.bends, STARTS)
+            if found.worst <= REACH:
+                return found.qpos, found.fixed & free
+            del goals[int(np.argmax(found.missed))]
+        return home, np.zeros(self.figure.width, bool)
 
 
 class _Seen:

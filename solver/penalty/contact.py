@@ -45,8 +45,8 @@ class Contact:
     def allowing(self, figure: Figure, keys: Timeline, holding: Sequence[tuple[int, float, float]] = ()) -> Contact:
         """The same that lets pass how deep points whose places keyframes fix are in them, margin and all.
 
-        holding  links that hold on to the surfaces, with their limbs, each from when to when [s]: what a keyframe fixes
-                 of these is as deep at those that leave it free
+        holding  links that hold on to the surfaces, with their limbs, each from when to when [s]: where a keyframe
+                 leaves these free, all of a link may be as deep as any point of it at the next one that fixes it
         """
         if not self.points or not self.surfaces:
             return self
@@ -60,7 +60,10 @@ class Contact:
             during = np.flatnonzero((keys.times >= first - ROUNDING) & (keys.times <= last + ROUNDING))
             for before, k in [*pairwise(during), *pairwise(during[::-1])]:
                 free = limb[~known[limb, k] & known[limb, before]]
-                excess[free, k], known[free, k] = excess[free, before], True
+                for own in np.unique(self._arrays[0][free]):
+                    some = free[self._arrays[0][free] == own]
+                    excess[some, k] = excess[some, before].max()
+                known[free, k] = True
         return replace(self, allowed=Allowance(keys.times, excess))
 
     @property

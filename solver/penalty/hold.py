@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..array import Array, Index
+from ..array import Array, Index, Mask
 from ..figure.algebra import applied, cross, dot
 from ..figure.kinematics import Cotangent, Samples
 from ..surface.points import Point
@@ -20,21 +20,35 @@ from .curvature import Curvature, Sides
 from .penalty import Scale
 from .resting import SETTLING
 
+TINY = 1e-12  # [m] a distance without a direction
+
 
 @dataclass(frozen=True, eq=False)
 class Spot:
     """A place on a body where it is held: from `start` (3,) in the link's axes [m] at time `first` [s] to `end` at
-    `last`, the same but for what keyframes drift."""
+    `last`, the same but for what keyframes drift.
+
+    slack  [m] how far from it the point may be for nothing, at either end: where a keyframe puts the body out of the
+           limb's reach, the nearest place is one for a stretched limb alone, which whips there and back
+    """
 
     first: float
     last: float
     start: Array
     end: Array
+    slack: tuple[float, float] = (0.0, 0.0)
 
     def at(self, t: Array) -> Array:
         """(3, S) at times t (S,)."""
-        share = (t - self.first) / (self.last - self.first)
-        return self.start[:, None] + (self.end - self.start)[:, None] * share
+        return self.start[:, None] + (self.end - self.start)[:, None] * self._share(t)
+
+    def slack_at(self, t: Array) -> Array:
+        """(S,) [m] at times t (S,)."""
+        start, end = self.slack
+        return start + (end - start) * self._share(t)
+
+    def _share(self, t: Array) -> Array:
+        return (t - self.first) / (self.last - self.first)
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,17 +75,29 @@ class Hold:
         """(3, S) where on the link it is held at times t (S,) of the hold [m], or None if nobody says."""
         if not self.spots:
             return None
-        which = np.clip(np.searchsorted([spot.last for spot in self.spots], t), 0, len(self.spots) - 1)
         out = np.empty((3, t.size))
-        for i, spot in enumerate(self.spots):
-            out[:, which == i] = spot.at(t[which == i])
+        for spot, during in self._during(t):
+            out[:, during] = spot.at(t[during])
         return out
+
+    def slack(self, t: Array) -> Array:
+        """(S,) how far [m] from its spot the point may be for nothing at times t (S,) of the hold."""
+        out = np.zeros(t.size)
+        for spot, during in self._during(t):
+            out[during] = spot.slack_at(t[during])
+        return out
+
+    def _during(self, t: Array) -> Iterator[tuple[Spot, Mask]]:
+        """The spots, and which of the times t (S,) are theirs."""
+        which = np.clip(np.searchsorted([spot.last for spot in self.spots], t), 0, len(self.spots) - 1)
+        for i, spot in enumerate(self.spots):
+            yield spot, which == i
 
 
 @dataclass(frozen=True)
 class Holding:
-    """Σ over holds of the squared distance [m²] of the point from its spot on the body, or of (0.05 s)² |u|², u its
-    velocity beside that of the body where it is, if the spot is unknown; while they last."""
+    """Σ over holds of the squared distance [m²] of the point from its spot on the body, less the spot's slack, or of
+    (0.05 s)² |u|², u its velocity beside that of the body where it is, if the spot is unknown; while they last."""
 
     holds: tuple[Hold, ...]
     name: str = "hold"
@@ -89,6 +115,7 @@ class Holding:
                 values[at] += self._slide(samples, hold, at, into, scale)
                 continue
             arm, own, away = _apart(samples, hold, at, spot)
+            away = away * _counted(hold, samples.t[at], away)
             values[at] += dot(away, away)
             if into is not None:
                 into.add_forces(hold.point.link * samples.count + at, arm, scale[at] * away)
@@ -98,9 +125,8 @@ class Holding:
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
         for hold, at in self._during(samples.t):
             spot = hold.spot(samples.t[at])
-            arm, own, _ = _apart(samples, hold, at, spot)
-            for way in np.eye(3):
-                ways = np.repeat(way[:, None], at.size, axis=1)
+            arm, own, away = _apart(samples, hold, at, spot)
+            for ways in _residual_ways(away, 1.0 if spot is None else _counted(hold, samples.t[at], away)):
                 rows = _apart_rows(samples, hold, at, arm, own, ways)
                 if spot is not None:
                     into.add_rows(at, scale[at], rows[:, None], (0,))
@@ -152,6 +178,19 @@ def _apart(samples: Samples, hold: Hold, at: Index, spot: Array | None) -> tuple
     between = links.x[:, hold.point.link, at] + arm - links.x[:, hold.link, at]
     own = between if spot is None else applied(links.rotation[:, :, hold.link, at], spot)
     return arm, own, between - own
+
+
+def _counted(hold: Hold, t: Array, away: Array) -> Array:
+    """(P,) the share beyond the slack of the way (3, P) from the spot."""
+    return np.maximum(1 - hold.slack(t) / np.maximum(np.linalg.norm(away, axis=0), TINY), 0)
+
+
+def _residual_ways(away: Array, counted: Array | float) -> Iterator[Array]:
+    """Row by row, (3, P), the derivative of `counted` × `away` (3, P) by `away`."""
+    along = away / np.maximum(np.linalg.norm(away, axis=0), TINY)
+    within = np.where(np.greater(counted, 0), 1 - counted, 0.0)
+    for axis, unit in enumerate(np.eye(3)):
+        yield counted * unit[:, None] + within * along[axis] * along
 
 
 def _apart_rows(samples: Samples, hold: Hold, at: Index, arm: Array, own: Array, way: Array) -> Array:
