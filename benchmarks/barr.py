@@ -20,8 +20,8 @@ from rotations import Track, energy, exact_energy, solved, track
 from runner39 import noting
 from scipy import optimize, sparse
 
-from runner.claims.barr import Discrete
-from solver import Improvement, Path, Settings
+from dynsplines.claims.barr import Discrete
+from dynsplines.solver import Improvement, Path, Settings
 
 Array = NDArray[np.float64]
 Iterate = tuple[float, Array]

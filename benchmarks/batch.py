@@ -77,7 +77,7 @@ def killed(clips: Path, out: Path, count: int) -> dict[str, int]:
         workers: set[int] = set()
         for child in psutil.Process(program.pid).children(recursive=True):
             with suppress(psutil.Error):
-                workers |= {child.pid} if "runner.batch.child" in " ".join(child.cmdline()) else set()
+                workers |= {child.pid} if "dynsplines.batch.child" in " ".join(child.cmdline()) else set()
         os.kill(min(workers), signal.SIGKILL)
         _until(lambda: len(done()) >= count // 2)
     finally:
@@ -85,7 +85,7 @@ def killed(clips: Path, out: Path, count: int) -> dict[str, int]:
         program.wait()
     before = done()
     whole(clips, out, 2)
-    from runner import motion
+    from dynsplines import motion
 
     entries = journal(out)
     names = {entry["clip"] for entry in entries if entry["state"] == "done"}

@@ -16,11 +16,11 @@ from typing import Any
 
 import pinned as pinned
 
-import models
+from dynsplines import models
 
 NOT_INSTALLED = "not installed (pip install '.[bench]')"
 CLIP = "run_and_step"
-COMMAND = "import sys; from runner.cli import main; sys.argv = ['dynsplines', *sys.argv[1:]]; main()"
+COMMAND = "import sys; from dynsplines.cli import main; sys.argv = ['dynsplines', *sys.argv[1:]]; main()"
 REPEATS = 5
 QUICK_REPEATS = 2
 

@@ -15,8 +15,8 @@ from typing import Any
 
 from bench import CLIP, Effort, Section, Target, alternated, dynsplines, median
 
-from runner.clip import load as clips
-from solver import Improvement, Motion, StopSearch, inbetween
+from dynsplines.clip import load as clips
+from dynsplines.solver import Improvement, Motion, StopSearch, inbetween
 
 
 def solve(problem: clips.Clip) -> Motion:

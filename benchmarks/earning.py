@@ -16,10 +16,10 @@ import report
 from bench import Effort, Section, median
 from perturbed import solved
 
-import models
-from runner.clip import load as clips
-from solver import Motion
-from solver.array import Array
+from dynsplines import models
+from dynsplines.clip import load as clips
+from dynsplines.solver import Motion
+from dynsplines.solver.array import Array
 
 RATE = 200.0  # [1/s] of the samples over which integrals are summed
 LITTLE = 1e-3  # of E: a term that comes to no more, with it and without it, has nothing to do in a clip

@@ -11,10 +11,10 @@ import mujoco
 import numpy as np
 from bench import Effort, Section, Target, alternated, median
 
-from runner.clip import load as clips
-from solver import Frame, Objective, Path, Quadrature, Settings, Timeline, inbetween
-from solver.curve.spline import Spline
-from solver.figure.dynamics import velocities
+from dynsplines.clip import load as clips
+from dynsplines.solver import Frame, Objective, Path, Quadrature, Settings, Timeline, inbetween
+from dynsplines.solver.curve.spline import Spline
+from dynsplines.solver.figure.dynamics import velocities
 
 SAMPLES = 100
 LEAST_PER_SPAN = 4

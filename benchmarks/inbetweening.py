@@ -22,11 +22,11 @@ from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 from scipy.spatial.transform import Rotation, RotationSpline, Slerp
 
-from runner.clip import load as clips
-from runner.motion import continuous
-from solver import inbetween
-from solver.figure.kinematics import Samples
-from solver.surface.points import places_of
+from dynsplines.clip import load as clips
+from dynsplines.motion import continuous
+from dynsplines.solver import inbetween
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.surface.points import places_of
 
 Array = NDArray[np.float64]
 FPS = 30.0

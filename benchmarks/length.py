@@ -22,11 +22,11 @@ from typing import Any
 import numpy as np
 from bench import Effort, Section, Target
 
-import models
-from runner.clip import load as clips
-from solver import Frame, Motion, inbetween
-from solver.figure.kinematics import Samples
-from solver.surface.points import places_of, site_points
+from dynsplines import models
+from dynsplines.clip import load as clips
+from dynsplines.solver import Frame, Motion, inbetween
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.surface.points import places_of, site_points
 
 STRIDE, PERIOD = 6, 0.75
 LENGTHS = (10, 100, 1000)

@@ -10,9 +10,9 @@ from dataclasses import replace
 
 from bench import Effort, Section, Target, alternated, median, worst
 
-from runner.clip import load as clips
-from solver import Motion, inbetween
-from solver.search.descent import NEWTON, Descent
+from dynsplines.clip import load as clips
+from dynsplines.solver import Motion, inbetween
+from dynsplines.solver.search.descent import NEWTON, Descent
 
 CLIPS = (
     "cartwheel", "hand_on_rail", "jump_over_box", "run_and_step", "run_loop", "sit_down", "stairs", "walk_loop",

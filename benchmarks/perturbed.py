@@ -15,18 +15,18 @@ import numpy as np
 import report
 from bench import Effort, Section, Target, median, people, seconds, worst
 
-from runner.clip import load as clips
-from runner.clip.contacts import contacts
-from runner.clip.text import tables, written
-from runner.errors import UserError
-from solver import Frame, Motion, inbetween
-from solver import quaternion as quat
-from solver.array import Array
-from solver.curve.spline import path_of
-from solver.curve.unknowns import raw_timeline
-from solver.figure.figure import Figure, JointKind
-from solver.figure.kinematics import Samples
-from solver.penalty.peak import relative_accelerations
+from dynsplines.clip import load as clips
+from dynsplines.clip.contacts import contacts
+from dynsplines.clip.text import tables, written
+from dynsplines.errors import UserError
+from dynsplines.solver import Frame, Motion, inbetween
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.penalty.peak import relative_accelerations
 
 SETS = (100, 2)  # of every clip
 TURN, SHIFT = np.radians(5.0), 0.03  # [rad] of every ball joint, [m] of the root

@@ -16,16 +16,16 @@ import mujoco
 import numpy as np
 from bench import Effort, Section, Target, median, seconds
 
-import models
-from runner.clip.constraints import posing_bends
-from runner.clip.feet import sole_points
-from runner.clip.table import PenaltyTable
-from solver import quaternion as quat
-from solver.array import Array, Mask
-from solver.figure.figure import Figure, JointKind, quaternion_columns
-from solver.penalty import BendLimits
-from solver.posing import BodyGoal, Goal, PointGoal, entries, limb, posed
-from solver.surface.points import Point, site_points
+from dynsplines import models
+from dynsplines.clip.constraints import posing_bends
+from dynsplines.clip.feet import sole_points
+from dynsplines.clip.table import PenaltyTable
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array, Mask
+from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
+from dynsplines.solver.penalty import BendLimits
+from dynsplines.solver.posing import BodyGoal, Goal, PointGoal, entries, limb, posed
+from dynsplines.solver.surface.points import Point, site_points
 
 POSES = 200
 MOST_SECONDS, FOUND = 0.1, 0.99

@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from rotations import Track, acceleration_energy, energy, exact_energy, in_other_class, sampled_energy, solved, track
 from scipy.spatial.transform import Rotation, RotationSpline
 
-from solver import Improvement, Settings
-from solver import quaternion as quat
-from solver.refine.subdivision import by_weak_form
+from dynsplines.solver import Improvement, Settings
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.refine.subdivision import by_weak_form
 
 Array = NDArray[np.float64]
 Row = dict[str, float]

@@ -28,17 +28,17 @@ RAYS_SECONDS_OF_CLIP = 2.2
 
 def opengl(images: int, repeats: int, size: str) -> dict[str, Any]:
     """Seconds for the same images as a video, by us and by a bare loop; why not, where there is no OpenGL."""
-    from runner.picture.graphics import choose
+    from dynsplines.picture.graphics import choose
 
     graphics = choose()
     if graphics.kind == "rays":
         return {"renderer": graphics.line, "missing": "no OpenGL here"}
     from rich.console import Console
 
-    from runner import work
-    from runner.clip import load as clips
-    from runner.picture import film, show
-    from runner.system.progress import Teller
+    from dynsplines import work
+    from dynsplines.clip import load as clips
+    from dynsplines.picture import film, show
+    from dynsplines.system.progress import Teller
 
     width, height = map(int, size.split("x"))
     teller = Teller(Console(file=io.StringIO()))
@@ -63,7 +63,7 @@ def _bare(saved: Any, look: Any, images: int, target: Path) -> None:
     import mujoco
     import numpy as np
 
-    from runner.motion import sampled
+    from dynsplines.motion import sampled
 
     model = mujoco.MjModel.from_xml_string(saved.mjcf)
     data = mujoco.MjData(model)

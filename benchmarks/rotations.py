@@ -14,10 +14,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from runner.claims.orientations import INTRINSIC, moderate, spinner
-from solver import Frame, Motion, Objective, Path, Quadrature, Settings, inbetween
-from solver import quaternion as quat
-from solver.penalty import CovariantAcceleration, UnitMagnitude
+from dynsplines.claims.orientations import INTRINSIC, moderate, spinner
+from dynsplines.solver import Frame, Motion, Objective, Path, Quadrature, Settings, inbetween
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.penalty import CovariantAcceleration, UnitMagnitude
 
 Array = NDArray[np.float64]
 

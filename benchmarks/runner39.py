@@ -24,16 +24,16 @@ import numpy as np
 from bench import NOT_INSTALLED, Effort, Section, Target, alternated, median, peer
 from numpy.typing import NDArray
 
-import models
-from solver import Figure, Frame, Improvement, Objective, Path, Quadrature, Settings, Timeline, inbetween
-from solver.curve.spline import Spline
-from solver.curve.unknowns import raw_timeline
-from solver.figure.kinematics import Samples
-from solver.penalty import Contact, CovariantAcceleration, RootAcceleration, UnitMagnitude
-from solver.refine.subdivision import evenly
-from solver.search.descent import optimised
-from solver.surface import Plane
-from solver.surface.points import site_points
+from dynsplines import models
+from dynsplines.solver import Figure, Frame, Improvement, Objective, Path, Quadrature, Settings, Timeline, inbetween
+from dynsplines.solver.curve.spline import Spline
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.penalty import Contact, CovariantAcceleration, RootAcceleration, UnitMagnitude
+from dynsplines.solver.refine.subdivision import evenly
+from dynsplines.solver.search.descent import optimised
+from dynsplines.solver.surface import Plane
+from dynsplines.solver.surface.points import site_points
 
 Array = NDArray[np.float64]
 

@@ -10,7 +10,7 @@ import numpy as np
 from bench import NOT_INSTALLED, Effort, Section, Target, alternated, median, peer, worst
 from rotations import Track, energy, exact_energy, in_other_class, solved, track
 
-from solver import Motion, Settings
+from dynsplines.solver import Motion, Settings
 
 FIRST_SEED = 2000
 SIZES = {7: (20, 3), 1000: (2, 1)}

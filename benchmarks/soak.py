@@ -162,7 +162,7 @@ class Soak:
 
     def verdict(self) -> dict[str, int]:
         """What is missing, twice, damaged, or should not be there."""
-        from runner import motion
+        from dynsplines import motion
 
         lines = (self.out / "manifest.jsonl").read_bytes().splitlines()[1:]
         entries = [json.loads(line) for line in lines]
@@ -202,7 +202,7 @@ def solvers(driver: int) -> list[int]:
     with suppress(psutil.Error):
         for child in psutil.Process(driver).children(recursive=True):
             with suppress(psutil.Error):
-                found += [child.pid] if "runner.batch.child" in " ".join(child.cmdline()) else []
+                found += [child.pid] if "dynsplines.batch.child" in " ".join(child.cmdline()) else []
     return found
 
 

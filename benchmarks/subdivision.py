@@ -10,8 +10,8 @@ import numpy as np
 from bench import Effort, Section, Target, median, worst
 from rotations import energy, solved, track
 
-from runner.clip import load as clips
-from solver import Improvement, Motion, Objective, Path, Quadrature, Settings, inbetween
+from dynsplines.clip import load as clips
+from dynsplines.solver import Improvement, Motion, Objective, Path, Quadrature, Settings, inbetween
 
 FIRST_SEED = 4000
 RATIO = 20.0

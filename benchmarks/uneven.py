@@ -11,10 +11,10 @@ from bench import NOT_INSTALLED, Effort, Section, Target, median, peer, seconds,
 from rotations import KINDS, Track, energy, exact_energy, exact_energy_from, solved, track
 from shooting import energy_of, has_closed, quaternions_of, shot
 
-from solver import Motion, Settings
-from solver.curve.spline import path_of
-from solver.refine.subdivision import by_weak_form, evenly
-from solver.search.descent import optimised
+from dynsplines.solver import Motion, Settings
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.refine.subdivision import by_weak_form, evenly
+from dynsplines.solver.search.descent import optimised
 
 FIRST_SEED = 3000
 RATIO = 50.0

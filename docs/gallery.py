@@ -17,12 +17,12 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-import models
+from dynsplines import models
 
 Picture = NDArray[np.uint8]
 
 ROOT = Path(__file__).parent.parent
-COMMAND = "import sys; from runner.cli import main; main()"
+COMMAND = "import sys; from dynsplines.cli import main; main()"
 WIDTH, HEIGHT, GAP = 400, 300, 6  # [pixels]
 COLUMNS = 4
 WHITE = 255

@@ -1,6 +1,6 @@
 """dynamic-splines: a few keyframes of a MuJoCo figure into smooth motion. Everything that users of Python need is here.
 
-    from runner import load, inbetween
+    from dynsplines import load, inbetween
 
     motion = inbetween(load("run_and_step"))
     qpos = motion.at(1.5)
@@ -11,14 +11,14 @@ inbetween                        -> Motion the verb
 load_motion, import_motion       -> Motion from files
 UserError                                  what is raised for all that the caller can mend
 
-Nothing is imported before it is asked for: `import runner` takes a moment, the first name some tenths of a second.
+Nothing is imported before it is asked for: `import dynsplines` takes a moment, the first name some tenths of a second.
 """
 
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from models import clips as clips
-    from models import figures as figures
+    from dynsplines.models import clips as clips
+    from dynsplines.models import figures as figures
 
     from .clip.load import Clip as Clip
     from .errors import UserError as UserError
@@ -31,17 +31,17 @@ if TYPE_CHECKING:
     from .python.motion import inbetween as inbetween
 else:
     _HOMES = {
-        "Clip": "runner.clip.load",
-        "Keyframe": "runner.python.building",
-        "Motion": "runner.python.motion",
-        "UserError": "runner.errors",
-        "build": "runner.python.building",
-        "clips": "models",
-        "figures": "models",
-        "import_motion": "runner.python.loading",
-        "inbetween": "runner.python.motion",
-        "load": "runner.python.loading",
-        "load_motion": "runner.python.loading",
+        "Clip": "dynsplines.clip.load",
+        "Keyframe": "dynsplines.python.building",
+        "Motion": "dynsplines.python.motion",
+        "UserError": "dynsplines.errors",
+        "build": "dynsplines.python.building",
+        "clips": "dynsplines.models",
+        "figures": "dynsplines.models",
+        "import_motion": "dynsplines.python.loading",
+        "inbetween": "dynsplines.python.motion",
+        "load": "dynsplines.python.loading",
+        "load_motion": "dynsplines.python.loading",
     }
 
     def __getattr__(name):
@@ -49,7 +49,7 @@ else:
         from importlib import import_module
 
         if name not in _HOMES:
-            raise AttributeError(f"module 'runner' has no attribute '{name}'; it has: {', '.join(sorted(_HOMES))}")
+            raise AttributeError(f"module 'dynsplines' has no attribute '{name}'; it has: {', '.join(sorted(_HOMES))}")
         found = getattr(import_module(_HOMES[name]), name)
         globals()[name] = found
         return found

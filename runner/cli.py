@@ -664,7 +664,7 @@ def clips(
     ] = None,
 ) -> None:
     """The clips that ship."""
-    import models
+    from dynsplines import models
 
     if shown is not None:
         from .errors import UserError, unknown
@@ -680,7 +680,7 @@ def clips(
 @app.command(name="models")
 def list_models() -> None:
     """The figures that ship."""
-    import models
+    from dynsplines import models
 
     for name, line in models.figures().items():
         print(f"{name:16} {line}")

@@ -24,11 +24,11 @@ from typing import Any
 
 import numpy as np
 
-import solver
-from solver.curve.frame import Frame, Timeline
-from solver.curve.unknowns import raw_timeline
-from solver.inbetween import Motion, objective_of
-from solver.search.optimiser import Stop
+from dynsplines import solver
+from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.inbetween import Motion, objective_of
+from dynsplines.solver.search.optimiser import Stop
 
 from . import work
 from .clip.load import Clip, table_of

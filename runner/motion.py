@@ -22,14 +22,14 @@ from typing import Any
 
 import numpy as np
 
-from solver import quaternion as quat
-from solver.array import Array
-from solver.curve.frame import Frame, Timeline
-from solver.curve.spline import Path as Curve
-from solver.curve.spline import path_of
-from solver.figure.dynamics import velocities
-from solver.figure.figure import Figure
-from solver.figure.kinematics import Samples
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.curve.spline import Path as Curve
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.figure.dynamics import velocities
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Samples
 
 from .errors import UserError
 from .scene.assets import Scene

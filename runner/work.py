@@ -11,10 +11,10 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from solver.curve.unknowns import raw_timeline
-from solver.inbetween import Improvement, Motion, inbetween
-from solver.objective import Objective
-from solver.search.optimiser import Stop, StopSearch
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.inbetween import Improvement, Motion, inbetween
+from dynsplines.solver.objective import Objective
+from dynsplines.solver.search.optimiser import Stop, StopSearch
 
 from .clip.load import Clip
 from .measure.problems import Problem, problems

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import pytest
 
-from runner import cli
+from dynsplines import cli
 
 
 @dataclass(frozen=True)

@@ -18,13 +18,13 @@ import shipped
 import tiny
 from rich.console import Console
 
-from runner import motion, work
-from runner.clip import load as clip
-from runner.motion import Saved
-from runner.picture.graphics import Graphics
-from runner.system.progress import Teller
-from runner.work import Solved
-from solver.figure.figure import Figure
+from dynsplines import motion, work
+from dynsplines.clip import load as clip
+from dynsplines.motion import Saved
+from dynsplines.picture.graphics import Graphics
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.system.progress import Teller
+from dynsplines.work import Solved
 
 os.environ["DYNSPLINES_CACHE"] = "off"  # a test solves what it asks for, and leaves nothing in a user's folder
 shipped.open_folder()

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import numpy as np
 
-from runner.batch.task import Product, Task
-from runner.errors import UserError
+from dynsplines.batch.task import Product, Task
+from dynsplines.errors import UserError
 
 
 def ready() -> None:

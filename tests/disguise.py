@@ -6,10 +6,10 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from runner.exchange import euler
-from runner.exchange.skeleton.bvh_file import Joint, Skeleton
-from runner.exchange.take import Take
-from solver import quaternion as quat
+from dynsplines.exchange import euler
+from dynsplines.exchange.skeleton.bvh_file import Joint, Skeleton
+from dynsplines.exchange.take import Take
+from dynsplines.solver import quaternion as quat
 
 MIXAMO = {
     "pelvis": "mixamorig:Hips", "chest": "mixamorig:Spine2", "left_upper_arm": "mixamorig:LeftArm",

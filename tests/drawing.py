@@ -2,6 +2,6 @@
 
 from __future__ import annotations
 
-from runner.picture.graphics import choose
+from dynsplines.picture.graphics import choose
 
 GRAPHICS = choose()

@@ -23,14 +23,14 @@ OWN = ("/runner/", "/solver/")  # files whose functions count
 def main() -> None:
     import matplotlib.backends.backend_agg  # noqa: F401
 
-    import runner.cli
-    import runner.clip.load
-    import runner.edit.thin_files
-    import runner.exchange.imported
-    import runner.kept
-    import runner.measure.chart
-    import runner.measure.report
-    import runner.work  # noqa: F401
+    import dynsplines.cli
+    import dynsplines.clip.load
+    import dynsplines.edit.thin_files
+    import dynsplines.exchange.imported
+    import dynsplines.kept
+    import dynsplines.measure.chart
+    import dynsplines.measure.report
+    import dynsplines.work  # noqa: F401
 
     for line in sys.stdin:
         print(json.dumps(tried(json.loads(line))), flush=True)
@@ -73,7 +73,7 @@ def _hear(heard: list[bytes], number: int, pipe: tuple[int, int]) -> None:
 
 def _run(case: dict, calls: Path) -> None:
     """The command, to the process's end."""
-    from runner import start
+    from dynsplines import start
 
     code = 99
     try:

@@ -1,5 +1,5 @@
 """Tests solve as the command does: on one thread. Imported before anything that imports NumPy; processes inherit it."""
 
-from runner.system import threads
+from dynsplines.system import threads
 
 threads.keep_to_one()

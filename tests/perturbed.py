@@ -8,11 +8,11 @@ from dataclasses import replace
 import mujoco
 import numpy as np
 
-from runner.clip import load as clips
-from runner.measure.penetration import moving_geoms, solid_geoms
-from solver import quaternion as quat
-from solver.array import Array
-from solver.figure.figure import JointKind
+from dynsplines.clip import load as clips
+from dynsplines.measure.penetration import moving_geoms, solid_geoms
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.figure.figure import JointKind
 
 TOUCH = 0.005
 REACH = 0.05

@@ -5,12 +5,12 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 
-from runner import work
-from runner.clip import load as clip
-from runner.motion import Saved
-from runner.scene.compose import compose
-from runner.system.progress import Teller
-from solver import quaternion as quat
+from dynsplines import work
+from dynsplines.clip import load as clip
+from dynsplines.motion import Saved
+from dynsplines.scene.compose import compose
+from dynsplines.solver import quaternion as quat
+from dynsplines.system.progress import Teller
 
 FIGURE = """
 <mujoco model="puppet">

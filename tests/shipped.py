@@ -13,10 +13,10 @@ from pathlib import Path
 
 from rich.console import Console
 
-from runner import kept, work
-from runner.clip import load as clip
-from runner.system.progress import Teller
-from runner.work import Solved
+from dynsplines import kept, work
+from dynsplines.clip import load as clip
+from dynsplines.system.progress import Teller
+from dynsplines.work import Solved
 
 PLACE = "DYNSPLINES_TESTS_SOLVED"  # the folder of this run's solved clips; its other processes inherit it
 

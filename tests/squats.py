@@ -8,18 +8,18 @@ from dataclasses import dataclass, replace
 import numpy as np
 from rich.console import Console
 
-from runner import work
-from runner.clip import load as clip
-from runner.clip.load import Clip
-from runner.motion import samples_at
-from runner.system.progress import Teller
-from solver.curve.frame import Timeline
-from solver.curve.spline import path_of
-from solver.figure.algebra import dot
-from solver.figure.figure import JointKind
-from solver.figure.kinematics import Samples
-from solver.penalty import BendLimits, JointRange, joint_ranges
-from solver.surface.points import places_of
+from dynsplines import work
+from dynsplines.clip import load as clip
+from dynsplines.clip.load import Clip
+from dynsplines.motion import samples_at
+from dynsplines.solver.curve.frame import Timeline
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.figure.algebra import dot
+from dynsplines.solver.figure.figure import JointKind
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.penalty import BendLimits, JointRange, joint_ranges
+from dynsplines.solver.surface.points import places_of
+from dynsplines.system.progress import Teller
 
 RATE = 1000.0  # [Hz]
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from solver import quaternion as quat
-from solver.figure.algebra import pure_product
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.figure.algebra import pure_product
 
 
 @pytest.mark.parametrize(("v", "q"), [((5, 7), (5, 7)), ((4, 3, 6), (4, 1, 6)), ((1, 6), (4, 6))])

@@ -7,16 +7,16 @@ from test_kinematics import random_samples
 from test_penalty_planted import at_times
 from test_penalty_unit import penalty_slope
 
-import models
-from solver import quaternion as quat
-from solver.curve.frame import Frame
-from solver.curve.unknowns import raw_timeline
-from solver.figure.figure import Figure
-from solver.inbetween import Settings, inbetween
-from solver.penalty import Bend, BendLimits, Contact, CovariantAcceleration, RootAcceleration, UnitMagnitude
-from solver.penalty.allowance import Allowance
-from solver.surface import Plane
-from solver.surface.points import Point, places_of
+from dynsplines import models
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.inbetween import Settings, inbetween
+from dynsplines.solver.penalty import Bend, BendLimits, Contact, CovariantAcceleration, RootAcceleration, UnitMagnitude
+from dynsplines.solver.penalty.allowance import Allowance
+from dynsplines.solver.surface import Plane
+from dynsplines.solver.surface.points import Point, places_of
 
 UP = np.array([0.0, 0, 1])
 

@@ -10,9 +10,9 @@ from taylor import taylor_slope
 from test_dynamics import mujoco_forces
 from test_kinematics import random_samples
 
-from solver.figure.dynamics import InverseDynamics, generalised_forces, velocities
-from solver.figure.figure import Figure, JointKind
-from solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.figure.dynamics import InverseDynamics, generalised_forces, velocities
+from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.figure.kinematics import Cotangent, Samples
 
 SEEDS = range(24)
 COORDINATES = ("auto", "world", "joint")

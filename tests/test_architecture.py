@@ -1,6 +1,7 @@
 """The house rules, read off the source: imports run one way, third parties stay in their file, no I/O in the solver."""
 
 import ast
+import tomllib
 from functools import cache
 from pathlib import Path
 
@@ -11,7 +12,8 @@ HOUSE = ("runner", "models", "solver")
 FILES = sorted(path.relative_to(ROOT) for folder in HOUSE for path in (ROOT / folder).rglob("*.py"))
 SOLVER = [path for path in FILES if path.parts[0] == "solver"]
 
-MAY_IMPORT = {"runner": {"runner", "solver", "models"}, "solver": {"solver"}, "models": {"models"}}
+PACKAGES = {"runner": "dynsplines", "solver": "dynsplines.solver", "models": "dynsplines.models"}  # that they are
+MAY_IMPORT = {"runner": set(HOUSE), "solver": {"solver"}, "models": {"models"}}
 ONLY_IN = {
     "nlopt": {"solver/search/optimiser.py"},
     "imageio": {"runner/picture/film.py"},
@@ -26,6 +28,8 @@ SCIPY_IN_SOLVER = {
     "solver/curve/unknowns.py",
     "solver/search/quadratic.py",
 }
+SETUPTOOLS = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["tool"]["setuptools"]
+TESTS = sorted(path.relative_to(ROOT) for path in (ROOT / "tests").rglob("*.py"))
 NO_WORLD = {"os", "sys", "io", "pathlib", "time", "datetime", "shutil", "tempfile", "subprocess", "logging", "random"}
 
 
@@ -36,7 +40,24 @@ def tree(path: Path) -> ast.Module:
 
 @cache
 def imports(path: Path) -> frozenset[str]:
-    """Dotted names of all that a file imports, relative ones resolved; a name imported from a module counts too."""
+    """Dotted names of all that a file imports, relative ones resolved; a name imported from a module counts too.
+
+    Of the house by folder: `dynsplines.solver.array` is solver.array, and `dynsplines.clip` is runner.clip.
+    """
+    return frozenset(map(by_folder, written_imports(path)))
+
+
+def by_folder(name: str) -> str:
+    """A dotted name with the folder at the top of the repository instead of the package that it is."""
+    for folder, package in sorted(PACKAGES.items(), key=lambda pair: -len(pair[1])):
+        if name == package or name.startswith(f"{package}."):
+            return folder + name.removeprefix(package)
+    return name
+
+
+@cache
+def written_imports(path: Path) -> frozenset[str]:
+    """The same as it is written."""
     names: set[str] = set()
     package = path.parent.parts
     for node in ast.walk(tree(path)):
@@ -52,6 +73,19 @@ def imports(path: Path) -> frozenset[str]:
 @cache
 def packages(path: Path) -> set[str]:
     return {name.split(".")[0] for name in imports(path)}
+
+
+def test_the_folders_are_one_package():
+    assert SETUPTOOLS["package-dir"] == {name: folder for folder, name in PACKAGES.items()}
+    own = [path.parent for path in FILES if path.name == "__init__.py"]
+    named = [".".join([PACKAGES[folder.parts[0]], *folder.parts[1:]]) for folder in own]
+    assert sorted(SETUPTOOLS["packages"]) == sorted(named)
+
+
+@pytest.mark.parametrize("path", FILES + TESTS, ids=lambda path: path.as_posix())
+def test_everything_is_imported_by_its_name_in_the_package(path):
+    written = {name.split(".")[0] for name in written_imports(path)}
+    assert not written & set(HOUSE) - {path.parts[0]}  # relative imports are resolved by folder
 
 
 def test_there_is_something_to_read():

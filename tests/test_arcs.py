@@ -7,14 +7,14 @@ from scipy.spatial.transform import Rotation, Slerp
 from test_inbetween import closed, hinge_keys, hinged, partial_keys
 from test_unknowns import TIMES, distance_from_key, random_keys
 
-from solver import quaternion as quat
-from solver.array import Array, Index
-from solver.curve.arcs import straight, straightened
-from solver.curve.frame import Frame, Timeline
-from solver.curve.spline import path_of
-from solver.curve.unknowns import Unknowns, raw_timeline
-from solver.figure.figure import Figure, quaternion_columns
-from solver.refine.subdivision import evenly, split
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array, Index
+from dynsplines.solver.curve.arcs import straight, straightened
+from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.curve.unknowns import Unknowns, raw_timeline
+from dynsplines.solver.figure.figure import Figure, quaternion_columns
+from dynsplines.solver.refine.subdivision import evenly, split
 
 GRID = np.linspace(TIMES[0], TIMES[-1], 53)
 BODY = '<mujoco><worldbody><body><freejoint/><geom size=".1"/></body></worldbody></mujoco>'

@@ -14,12 +14,12 @@ import pytest
 from PIL import Image
 from rich.console import Console
 
-from runner import motion, work
-from runner.clip import load as clip
-from runner.errors import UserError
-from runner.picture.show import Look, images
-from runner.scene.compose import compose, figure_spec
-from runner.system.progress import Teller
+from dynsplines import motion, work
+from dynsplines.clip import load as clip
+from dynsplines.errors import UserError
+from dynsplines.picture.show import Look, images
+from dynsplines.scene.compose import compose, figure_spec
+from dynsplines.system.progress import Teller
 
 MODEL = """
 <mujoco><compiler meshdir="parts/mesh" texturedir="parts"/>

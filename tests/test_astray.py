@@ -11,23 +11,23 @@ from test_inbetween import PENALTIES, hinge_keys, hinged
 from test_penalty_bend import KNEE, limb, limits
 from test_unknowns import distance_from_key, random_keys
 
-from solver import Motion, inbetween
-from solver import quaternion as quat
-from solver.array import Array
-from solver.curve.frame import Frame
-from solver.curve.spline import path_of
-from solver.curve.unknowns import raw_timeline
-from solver.figure.figure import Figure
-from solver.objective import Objective
-from solver.penalty import Contact, CovariantAcceleration, Penalty, RootAcceleration, UnitMagnitude
-from solver.refine.subdivision import evenly
-from solver.search.astray import DEAR, FAR, LONG, LOOKS, farthest, is_astray, is_dear, is_violent, longest
-from solver.search.judgement import best, common_grid
-from solver.search.optimiser import Stop, StopSearch
-from solver.surface import Plane, Sphere
-from solver.surface.points import Point
+from dynsplines.solver import Motion, inbetween
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.objective import Objective
+from dynsplines.solver.penalty import Contact, CovariantAcceleration, Penalty, RootAcceleration, UnitMagnitude
+from dynsplines.solver.refine.subdivision import evenly
+from dynsplines.solver.search.astray import DEAR, FAR, LONG, LOOKS, farthest, is_astray, is_dear, is_violent, longest
+from dynsplines.solver.search.judgement import best, common_grid
+from dynsplines.solver.search.optimiser import Stop, StopSearch
+from dynsplines.solver.surface import Plane, Sphere
+from dynsplines.solver.surface.points import Point
 
-VERB = sys.modules["solver.inbetween"]  # the package has the verb under the module's name
+VERB = sys.modules["dynsplines.solver.inbetween"]  # the package has the verb under the module's name
 LIMB = limb()
 TERMS: list[tuple[Penalty, float]] = [
     (CovariantAcceleration(), 1.0),

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from solver.curve import banded
+from dynsplines.solver.curve import banded
 
 SHAPES = [(1, 1), (6, 1), (9, 3), (20, 7), (5, 5), (4, 6)]  # the last: wider than the matrix is high
 

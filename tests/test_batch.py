@@ -24,13 +24,15 @@ import psutil
 import pytest
 from distributed.comm.core import connect
 
-from runner import motion
-from runner.batch.manifest import Entry, Manifest
+from dynsplines import motion
+from dynsplines.batch.manifest import Entry, Manifest
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="needs POSIX limits and signals")
 
-COMMAND = "from runner.cli import main; main()"
-INJECTED = "import deeds; from runner.batch import dispatch; dispatch.run.__kwdefaults__['do'] = deeds.told; " + COMMAND
+COMMAND = "from dynsplines.cli import main; main()"
+INJECTED = (
+    "import deeds; from dynsplines.batch import dispatch; dispatch.run.__kwdefaults__['do'] = deeds.told; " + COMMAND
+)
 CLUSTER = """
 from distributed import LocalCluster
 if __name__ == "__main__":
@@ -112,7 +114,7 @@ def solvers(driver: int) -> list[int]:
     for number in descendants(driver):
         with suppress(psutil.Error):
             process = psutil.Process(number)
-            found |= {number} if "runner.batch.child" in " ".join(process.cmdline()) else set()
+            found |= {number} if "dynsplines.batch.child" in " ".join(process.cmdline()) else set()
     return sorted(found)
 
 
@@ -255,7 +257,7 @@ def test_a_scheduler_that_goes_away_is_told_and_costs_no_clip_anything(tmp_path:
     (tmp_path / "clips").mkdir()
     for i in range(6):
         (tmp_path / "clips" / f"{i}.toml").write_text("hang" if i % 2 else "fine", encoding="utf-8")
-    hasty = "from runner.batch import cluster; cluster.CONNECT_SECONDS = 3; "
+    hasty = "from dynsplines.batch import cluster; cluster.CONNECT_SECONDS = 3; "
     process = start("batch", "clips", "-o", "out", "--scheduler", address, program=hasty + INJECTED)
     out = tmp_path / "out"
     begun = {"running": 3, "done": 1}

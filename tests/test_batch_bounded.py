@@ -17,7 +17,7 @@ pytest.importorskip("psutil")
 
 import psutil
 
-from runner.batch.bounded import Bounded, Bounds
+from dynsplines.batch.bounded import Bounded, Bounds
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="needs POSIX limits")
 

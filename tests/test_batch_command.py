@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 from tiny import written
 
-import runner.batch
-from runner import cli
+import dynsplines.batch
+from dynsplines import cli
 
 Refused = Callable[..., str]
 
@@ -73,15 +73,15 @@ def test_no_clips_are_refused(refused: Refused):
 def test_where_dask_is_missing_it_says_how_to_install_it(refused: Refused, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setitem(sys.modules, "distributed", None)
     for name in ("dispatch", "cluster", "crew"):
-        monkeypatch.delitem(sys.modules, f"runner.batch.{name}", raising=False)
-        monkeypatch.delattr(runner.batch, name, raising=False)
+        monkeypatch.delitem(sys.modules, f"dynsplines.batch.{name}", raising=False)
+        monkeypatch.delattr(dynsplines.batch, name, raising=False)
     line = "dynsplines batch needs 'distributed'; install it: pip install 'dynamic-splines[batch]'"
     assert refused("tiny.toml") == line
 
 
 def test_a_scheduler_that_is_not_there_is_told(refused: Refused, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     pytest.importorskip("distributed")
-    from runner.batch import cluster
+    from dynsplines.batch import cluster
 
     monkeypatch.setattr(cluster, "CONNECT_SECONDS", 0.5)
     line = refused("tiny.toml", "--scheduler", "tcp://127.0.0.1:9")

@@ -9,12 +9,12 @@ from pathlib import Path, PurePosixPath
 import pytest
 from tiny import CLIP, changed, written
 
-from runner.batch import solving
-from runner.batch.inputs import Source, files_of, named_apart, sources
-from runner.batch.task import Task
-from runner.clip import load as clip
-from runner.errors import UserError
-from runner.motion import load
+from dynsplines.batch import solving
+from dynsplines.batch.inputs import Source, files_of, named_apart, sources
+from dynsplines.batch.task import Task
+from dynsplines.clip import load as clip
+from dynsplines.errors import UserError
+from dynsplines.motion import load
 
 MESHED = """<mujoco><include file="parts/more.xml"/><compiler meshdir="meshes"/>
   <!-- <mesh file="not_this.stl"/> --><asset><mesh name="a" file="a.stl"/></asset></mujoco>"""

@@ -14,9 +14,9 @@ from pathlib import Path
 
 import pytest
 
-from runner.batch.lock import Lock
-from runner.batch.manifest import Entry, Manifest, digest_of
-from runner.errors import UserError
+from dynsplines.batch.lock import Lock
+from dynsplines.batch.manifest import Entry, Manifest, digest_of
+from dynsplines.errors import UserError
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="needs POSIX locks")
 
@@ -96,7 +96,7 @@ def test_a_second_program_is_refused_and_told_who_is_at_work(tmp_path: Path):
 
 def test_the_lock_of_a_killed_program_is_taken_over(tmp_path: Path):
     code = (
-        "import os, signal, sys; from pathlib import Path; from runner.batch.lock import Lock\n"
+        "import os, signal, sys; from pathlib import Path; from dynsplines.batch.lock import Lock\n"
         "with Lock(Path(sys.argv[1])): os.kill(os.getpid(), signal.SIGKILL)"
     )
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}

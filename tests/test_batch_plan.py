@@ -13,11 +13,11 @@ from tiny import CLIP, FIGURE, changed, written
 
 pytest.importorskip("psutil")
 
-from runner.batch.bounded import Bounds
-from runner.batch.inputs import sources
-from runner.batch.manifest import Entry, Manifest, digest_of
-from runner.batch.plan import Options, Plan, planned
-from runner.system.progress import Teller
+from dynsplines.batch.bounded import Bounds
+from dynsplines.batch.inputs import sources
+from dynsplines.batch.manifest import Entry, Manifest, digest_of
+from dynsplines.batch.plan import Options, Plan, planned
+from dynsplines.system.progress import Teller
 
 Planned = Callable[..., Plan]
 

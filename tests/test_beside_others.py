@@ -17,12 +17,12 @@ import pytest
 import wild
 from rich.console import Console
 
-from runner import work
-from runner.clip import load as clip
-from runner.exchange import formats
-from runner.exchange.skeleton.hinged import Hinged
-from runner.motion import Saved
-from runner.system.progress import Teller
+from dynsplines import work
+from dynsplines.clip import load as clip
+from dynsplines.exchange import formats
+from dynsplines.exchange.skeleton.hinged import Hinged
+from dynsplines.motion import Saved
+from dynsplines.system.progress import Teller
 
 SQUAT = """
 figure = "{file}"

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from runner.picture.camera import ANGLES, View, axes, plan, smoothed, still
+from dynsplines.picture.camera import ANGLES, View, axes, plan, smoothed, still
 
 
 def run_forward(seconds: float = 2.0, fps: float = 30.0, speed: float = 3.0) -> np.ndarray:

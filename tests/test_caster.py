@@ -4,7 +4,7 @@ import mujoco
 import numpy as np
 import pytest
 
-from runner.picture.caster import VISIBLE_GROUPS, Batched, Caster, Single, caster, has_batch
+from dynsplines.picture.caster import VISIBLE_GROUPS, Batched, Caster, Single, caster, has_batch
 
 SCENE = """
 <mujoco>

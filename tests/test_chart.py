@@ -10,10 +10,10 @@ import pytest
 from matplotlib.figure import Figure
 from tiny import names
 
-from runner.errors import UserError
-from runner.measure import chart
-from runner.measure.chart import check_target, draw
-from runner.motion import Saved
+from dynsplines.errors import UserError
+from dynsplines.measure import chart
+from dynsplines.measure.chart import check_target, draw
+from dynsplines.motion import Saved
 
 
 def drawn(saved: Saved, target, report=None) -> None:

@@ -24,11 +24,10 @@ from command import Command, Done, commanded
 from PIL import Image
 from tiny import CLIP, FIGURE, HINGE, changed, names, written
 
-import models
-from runner import cli, work
-from runner.picture import film, show
-from runner.picture.graphics import Graphics
-from runner.system.workers import MOST_WORKERS, cores
+from dynsplines import cli, models, work
+from dynsplines.picture import film, show
+from dynsplines.picture.graphics import Graphics
+from dynsplines.system.workers import MOST_WORKERS, cores
 
 POSIX = pytest.mark.skipif(os.name == "nt", reason="signals are another matter there")
 
@@ -242,7 +241,7 @@ def test_clips_and_models_are_listed_with_what_they_are(run):
 
 
 def test_figures_of_the_paper_are_told_one_by_one_and_as_json(run, monkeypatch, tmp_path):
-    from runner.claims.figures import drawing
+    from dynsplines.claims.figures import drawing
 
     drawn = [drawing.Drawn(7, Path("figures/figure_7.png"), "seven orientations")]
     monkeypatch.setattr(drawing, "draw", lambda folder, *_: drawn if folder == Path("figures") else [])
@@ -269,7 +268,7 @@ def test_help_is_help(run, words):
 
 def test_help_is_quick_because_it_imports_nothing_heavy():
     script = (
-        "import sys; from runner import cli; sys.argv = ['dynsplines', '--help']\n"
+        "import sys; from dynsplines import cli; sys.argv = ['dynsplines', '--help']\n"
         "try: cli.main()\nexcept SystemExit: pass\n"
         "print(sorted({'mujoco', 'numpy', 'scipy', 'nlopt', 'matplotlib', 'pydantic', 'av', 'PIL'} & set(sys.modules)))"
     )
@@ -299,7 +298,7 @@ def test_what_draws_nothing_imports_nothing_that_draws_and_needs_no_graphics(tmp
     (tmp_path / "tiny.npz").write_bytes(motion_file.read_bytes())
     written(tmp_path)
     script = (
-        f"import sys; from runner import cli; sys.argv = ['dynsplines', *{words}]\n"
+        f"import sys; from dynsplines import cli; sys.argv = ['dynsplines', *{words}]\n"
         f"try: cli.main()\nexcept SystemExit as end: assert not end.code\n"
         f"print(sorted({set(absent)} & set(sys.modules)))"
     )
@@ -309,8 +308,8 @@ def test_what_draws_nothing_imports_nothing_that_draws_and_needs_no_graphics(tmp
 @pytest.mark.slow
 def test_what_is_imported_while_the_renderer_is_looked_for_is_not_mujoco(tmp_path):
     script = (
-        "import importlib, sys; from runner import cli\n"
-        "for name in cli.BEFORE_MUJOCO: importlib.import_module(name, 'runner')\n"
+        "import importlib, sys; from dynsplines import cli\n"
+        "for name in cli.BEFORE_MUJOCO: importlib.import_module(name, 'dynsplines')\n"
         "print('mujoco' in sys.modules)"
     )
     assert in_a_fresh_process(tmp_path, script) == "False"
@@ -669,7 +668,7 @@ def test_a_clip_that_ends_at_once_under_ctrl_c_ends_with_130(run, monkeypatch, t
     def stop(*_: object, **__: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(importlib.import_module("runner.measure.report"), "report", stop)
+    monkeypatch.setattr(importlib.import_module("dynsplines.measure.report"), "report", stop)
     with nothing_written(tmp_path):
         done = run("report", "tiny.toml")
     assert done.code == 130
@@ -686,7 +685,7 @@ def long_solve(tmp_path, request: pytest.FixtureRequest) -> Iterator[subprocess.
     written(tmp_path, LONG)
     script = (
         "import signal, sys; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
-        "from runner.cli import main; sys.argv = sys.argv[1:]; main()"
+        "from dynsplines.cli import main; sys.argv = sys.argv[1:]; main()"
     )
     process = subprocess.Popen(
         [sys.executable, "-c", script, "dynsplines", *words],
@@ -708,7 +707,7 @@ def long_solve(tmp_path, request: pytest.FixtureRequest) -> Iterator[subprocess.
 def test_ctrl_c_while_rendering_stops_at_once_and_leaves_nothing(tmp_path, motion_file, workers):
     script = (
         "import signal, sys; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
-        f"from runner.cli import main; sys.argv = ['dynsplines', 'render', {str(motion_file)!r},"
+        f"from dynsplines.cli import main; sys.argv = ['dynsplines', 'render', {str(motion_file)!r},"
         f" '--workers', '{workers}', '--slow', '50', '-o', 'film.mp4']; main()"
     )
     process = subprocess.Popen(
@@ -862,7 +861,9 @@ SUNK = "problem: keyframe 2 itself: shin is 140 mm in the floor at 0.20 s"
 def sinking(run: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Command:
     """The command beside a clip that sinks, where measuring at length is forbidden."""
     (tmp_path / "sinks.toml").write_text(SINKING, encoding="utf-8")
-    monkeypatch.setattr(importlib.import_module("runner.measure.report"), "report", lambda *_: pytest.fail("measured"))
+    monkeypatch.setattr(
+        importlib.import_module("dynsplines.measure.report"), "report", lambda *_: pytest.fail("measured")
+    )
     return run
 
 
@@ -935,7 +936,7 @@ def test_the_same_command_writes_the_same_bytes_whatever_threads_are_asked_for(t
     tiny.written(tmp_path)
     seen = set()
     for threads in ("1", "2", "4"):
-        script = "from runner.cli import main; main()"
+        script = "from dynsplines.cli import main; main()"
         command = [sys.executable, "-c", script, "solve", "tiny.toml", "-o", f"{threads}.npz", "--fresh"]
         asked = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"), threads)
         subprocess.run(command, cwd=tmp_path, env=os.environ | asked, check=True, capture_output=True)

@@ -11,11 +11,19 @@ import pytest
 from scipy.spatial.transform import Rotation
 from tiny import CLIP, FIGURE, HINGE, changed, written
 
-import models
-from runner.clip import load as clip
-from runner.clip.load import Clip
-from runner.errors import UserError
-from solver.penalty import Bend, Contact, CovariantAcceleration, Flight, RootAcceleration, Support, UnitMagnitude
+from dynsplines import models
+from dynsplines.clip import load as clip
+from dynsplines.clip.load import Clip
+from dynsplines.errors import UserError
+from dynsplines.solver.penalty import (
+    Bend,
+    Contact,
+    CovariantAcceleration,
+    Flight,
+    RootAcceleration,
+    Support,
+    UnitMagnitude,
+)
 
 KNEE = "joints.left_knee = {rotvec = [0, 0, 0]}"
 TWO_KEYS = '<keyframe><key time="0" qpos="0 0"/><key time="0.5" qpos="0.1 0.2"/></keyframe>'

@@ -5,8 +5,8 @@ import pytest
 from scipy.optimize import nnls
 from taylor import taylor_slope
 
-from solver.array import Array
-from solver.cone import projection, unsupplied
+from dynsplines.solver.array import Array
+from dynsplines.solver.cone import projection, unsupplied
 
 
 def pyramids(rng: np.random.Generator, points: int, count: int) -> Array:

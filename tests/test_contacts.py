@@ -5,14 +5,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from runner.clip import load as clips
-from runner.errors import UserError
-from runner.measure.report import report
-from solver.curve.spline import path_of
-from solver.figure.kinematics import Samples
-from solver.inbetween import inbetween
-from solver.penalty import Contact, Planted, Rest, Resting, Stance, Together
-from solver.surface.points import places_of
+from dynsplines.clip import load as clips
+from dynsplines.errors import UserError
+from dynsplines.measure.report import report
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.inbetween import inbetween
+from dynsplines.solver.penalty import Contact, Planted, Rest, Resting, Stance, Together
+from dynsplines.solver.surface.points import places_of
 
 STEP = """
 figure = "human"

@@ -16,16 +16,16 @@ from test_penalty_torque import with_armature
 from test_preconditioner import slider
 from test_rows import WOOD
 
-from solver import quaternion as quat
-from solver.array import Array
-from solver.curve.frame import Frame, Timeline
-from solver.curve.spline import path_of
-from solver.curve.unknowns import raw_timeline
-from solver.figure.dynamics import generalised_forces
-from solver.figure.figure import Figure
-from solver.figure.kinematics import Cotangent, Samples
-from solver.objective import Objective
-from solver.penalty import (
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.dynamics import generalised_forces
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.objective import Objective
+from dynsplines.solver.penalty import (
     Bend,
     BendLimits,
     Contact,
@@ -37,14 +37,14 @@ from solver.penalty import (
     Torque,
     UnitMagnitude,
 )
-from solver.penalty.bend import NEAR as NEAR_ANGLE
-from solver.penalty.contact import NEAR as NEAR_DEPTH
-from solver.penalty.curvature import Curvature, Sides
-from solver.refine.euler_lagrange import WeakForm
-from solver.refine.subdivision import evenly, midpoints, split
-from solver.search.descent import optimised
-from solver.surface import Box, Surface
-from solver.surface.points import Point, places_of
+from dynsplines.solver.penalty.bend import NEAR as NEAR_ANGLE
+from dynsplines.solver.penalty.contact import NEAR as NEAR_DEPTH
+from dynsplines.solver.penalty.curvature import Curvature, Sides
+from dynsplines.solver.refine.euler_lagrange import WeakForm
+from dynsplines.solver.refine.subdivision import evenly, midpoints, split
+from dynsplines.solver.search.descent import optimised
+from dynsplines.solver.surface import Box, Surface
+from dynsplines.solver.surface.points import Point, places_of
 
 STEP_SIZE = 1e-5
 BALL = '<mujoco><worldbody><body><freejoint/><geom size=".1"/></body></worldbody></mujoco>'

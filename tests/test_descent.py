@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 from conftest import ONE_BALL
 
-from solver.curve.frame import Frame
-from solver.curve.unknowns import raw_timeline
-from solver.figure.figure import Figure
-from solver.objective import Objective
-from solver.penalty import UnitMagnitude
-from solver.search import descent
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.objective import Objective
+from dynsplines.solver.penalty import UnitMagnitude
+from dynsplines.solver.search import descent
 
 
 @pytest.mark.parametrize(("whole", "tolerance"), [(False, 1e-6), (True, 1e-7)])

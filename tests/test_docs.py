@@ -18,7 +18,7 @@ from sybil.parsers.markdown import CodeBlockParser, PythonCodeBlockParser
 
 ROOT = Path(__file__).parent.parent
 PAGES = sorted((ROOT / "docs").glob("*.md"))
-COMMAND = "import sys; from runner.cli import main; main()"
+COMMAND = "import sys; from dynsplines.cli import main; main()"
 
 
 def printed(example: Example) -> str | None:
@@ -73,10 +73,10 @@ def test_what_a_page_links_to_is_there(page: Path) -> None:
 
 
 def test_every_name_of_the_package_is_on_the_first_page() -> None:
-    import runner
+    import dynsplines
 
     told = (ROOT / "docs" / "index.md").read_text(encoding="utf-8")
-    for name in runner.__all__:
+    for name in dynsplines.__all__:
         assert re.search(rf"`[^`]*\b{name}\b", told), name
 
 

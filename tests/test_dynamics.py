@@ -6,9 +6,9 @@ from conftest import BALL_TREE
 from taylor import taylor_slope
 from test_kinematics import random_samples
 
-from solver.figure.dynamics import InverseDynamics, body_forces, generalised_forces, velocities
-from solver.figure.figure import Figure
-from solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.figure.dynamics import InverseDynamics, body_forces, generalised_forces, velocities
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Cotangent, Samples
 
 
 def mujoco_forces(samples: Samples) -> np.ndarray:

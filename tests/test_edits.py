@@ -12,21 +12,20 @@ import pytest
 import tiny
 from rich.console import Console
 
-import models
-from runner import motion, work
-from runner.clip import load as clip
-from runner.clip.text import keyframe_tables, rotation, tables, written
-from runner.edit import edits
-from runner.edit import files as edit_files
-from runner.errors import UserError
-from runner.motion import Saved, sampled
-from runner.system.progress import Teller
-from solver import quaternion as quat
-from solver.array import Array
-from solver.curve.mirror import Mirror
-from solver.curve.seam import Seam
-from solver.curve.spline import path_of
-from solver.surface import Box
+from dynsplines import models, motion, work
+from dynsplines.clip import load as clip
+from dynsplines.clip.text import keyframe_tables, rotation, tables, written
+from dynsplines.edit import edits
+from dynsplines.edit import files as edit_files
+from dynsplines.errors import UserError
+from dynsplines.motion import Saved, sampled
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.mirror import Mirror
+from dynsplines.solver.curve.seam import Seam
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.surface import Box
+from dynsplines.system.progress import Teller
 
 FPS = 97.0
 

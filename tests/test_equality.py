@@ -12,13 +12,13 @@ from rich.console import Console
 from taylor import taylor_slope
 from test_kinematics import random_samples
 
-from runner import work
-from runner.clip import load as clip
-from runner.system.progress import Teller
-from solver.figure.figure import Figure
-from solver.figure.kinematics import Cotangent, Samples
-from solver.penalty import Closed, Coupled, closures, couplings
-from solver.penalty.curvature import Curvature
+from dynsplines import work
+from dynsplines.clip import load as clip
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.penalty import Closed, Coupled, closures, couplings
+from dynsplines.solver.penalty.curvature import Curvature
+from dynsplines.system.progress import Teller
 
 GRIPPER = """
 <mujoco><compiler angle="degree"/><worldbody>

@@ -12,19 +12,19 @@ import pytest
 from exact_path import ExactPath, _advanced, exact_path
 from scipy.spatial.transform import Rotation
 
-from solver.array import Array
-from solver.curve.frame import Frame, Timeline
-from solver.curve.quadrature import gauss_nodes
-from solver.curve.spline import Path, path_of
-from solver.figure.figure import Figure
-from solver.inbetween import Motion, Settings, inbetween
-from solver.objective import Objective
-from solver.penalty import CovariantAcceleration, UnitMagnitude
-from solver.refine import euler_lagrange
-from solver.refine.displacement import displacement
-from solver.refine.euler_lagrange import WeakForm, covariant_residual, residual, tangential
-from solver.refine.subdivision import evenly, midpoints, split
-from solver.search.descent import optimised
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.curve.quadrature import gauss_nodes
+from dynsplines.solver.curve.spline import Path, path_of
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.inbetween import Motion, Settings, inbetween
+from dynsplines.solver.objective import Objective
+from dynsplines.solver.penalty import CovariantAcceleration, UnitMagnitude
+from dynsplines.solver.refine import euler_lagrange
+from dynsplines.solver.refine.displacement import displacement
+from dynsplines.solver.refine.euler_lagrange import WeakForm, covariant_residual, residual, tangential
+from dynsplines.solver.refine.subdivision import evenly, midpoints, split
+from dynsplines.solver.search.descent import optimised
 
 ONE_BALL = '<mujoco><worldbody><body><joint type="ball"/><geom size=".1"/></body></worldbody></mujoco>'
 EVEN = np.arange(7.0)

@@ -13,21 +13,20 @@ import numpy as np
 import puppet
 import pytest
 
-import models
-from runner import work
-from runner.clip import load as clip
-from runner.errors import UserError
-from runner.exchange import euler, formats
-from runner.exchange.format import bvh
-from runner.exchange.imported import imported
-from runner.exchange.skeleton import bvh_file, hierarchy, retarget
-from runner.exchange.skeleton.bvh_file import Joint, Skeleton
-from runner.exchange.skeleton.captured import Captured
-from runner.exchange.skeleton.roles import roles
-from runner.exchange.take import Bodies, Take
-from runner.scene.mujoco_versions import remove
-from runner.system.progress import Teller
-from solver import quaternion as quat
+from dynsplines import models, work
+from dynsplines.clip import load as clip
+from dynsplines.errors import UserError
+from dynsplines.exchange import euler, formats
+from dynsplines.exchange.format import bvh
+from dynsplines.exchange.imported import imported
+from dynsplines.exchange.skeleton import bvh_file, hierarchy, retarget
+from dynsplines.exchange.skeleton.bvh_file import Joint, Skeleton
+from dynsplines.exchange.skeleton.captured import Captured
+from dynsplines.exchange.skeleton.roles import roles
+from dynsplines.exchange.take import Bodies, Take
+from dynsplines.scene.mujoco_versions import remove
+from dynsplines.solver import quaternion as quat
+from dynsplines.system.progress import Teller
 
 TENTH = 1e-4  # [m]
 

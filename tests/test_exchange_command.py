@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 import wild
 
-from runner import cli, motion
-from runner.exchange import formats
+from dynsplines import cli, motion
+from dynsplines.exchange import formats
 
 
 @pytest.fixture

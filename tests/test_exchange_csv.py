@@ -6,14 +6,13 @@ import mujoco
 import numpy as np
 import pytest
 
-import models
-from runner import motion, work
-from runner.clip import load as clip
-from runner.errors import UserError
-from runner.exchange import formats
-from runner.exchange.format import csv_table
-from runner.exchange.imported import imported
-from runner.system.progress import Teller
+from dynsplines import models, motion, work
+from dynsplines.clip import load as clip
+from dynsplines.errors import UserError
+from dynsplines.exchange import formats
+from dynsplines.exchange.format import csv_table
+from dynsplines.exchange.imported import imported
+from dynsplines.system.progress import Teller
 
 
 @pytest.fixture(scope="module")

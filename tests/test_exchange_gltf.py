@@ -12,12 +12,12 @@ import numpy as np
 import puppet
 import pytest
 
-from runner import work
-from runner.clip import load as clip
-from runner.exchange import formats
-from runner.exchange.skeleton import hierarchy
-from runner.exchange.take import Take
-from runner.system.progress import Teller
+from dynsplines import work
+from dynsplines.clip import load as clip
+from dynsplines.exchange import formats
+from dynsplines.exchange.skeleton import hierarchy
+from dynsplines.exchange.take import Take
+from dynsplines.system.progress import Teller
 
 pygltflib = pytest.importorskip("pygltflib")
 trimesh = pytest.importorskip("trimesh")

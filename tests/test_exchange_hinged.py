@@ -9,11 +9,11 @@ import wild
 from conftest import BALL_TREE
 from scipy.spatial.transform import Rotation
 
-from runner.errors import UserError
-from runner.exchange.skeleton.hinged import Hinged, Layout, angles, rates, rotation_of
-from runner.exchange.take import Take
-from runner.scene.assets import Scene
-from solver import quaternion as quat
+from dynsplines.errors import UserError
+from dynsplines.exchange.skeleton.hinged import Hinged, Layout, angles, rates, rotation_of
+from dynsplines.exchange.take import Take
+from dynsplines.scene.assets import Scene
+from dynsplines.solver import quaternion as quat
 
 ORDERS = ["".join(order) for order in itertools.permutations("xyz")]
 

@@ -12,9 +12,9 @@ import numpy as np
 import puppet
 import pytest
 
-from runner.exchange import formats
-from runner.exchange.format import html
-from runner.exchange.take import Take
+from dynsplines.exchange import formats
+from dynsplines.exchange.format import html
+from dynsplines.exchange.take import Take
 
 
 @pytest.fixture(scope="module")

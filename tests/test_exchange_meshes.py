@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 import wild
 
-from runner.exchange import formats
-from runner.exchange.imported import imported
+from dynsplines.exchange import formats
+from dynsplines.exchange.imported import imported
 
 TETRAHEDRON = "v 0 0 0\nv .1 0 0\nv 0 .12 0\nv 0 0 .3\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"
 FIGURE = """

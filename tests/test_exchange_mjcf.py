@@ -6,10 +6,10 @@ import pytest
 import tiny
 import wild
 
-from runner.clip import load as clip
-from runner.errors import UserError
-from runner.exchange import formats
-from runner.exchange.imported import imported
+from dynsplines.clip import load as clip
+from dynsplines.errors import UserError
+from dynsplines.exchange import formats
+from dynsplines.exchange.imported import imported
 
 
 @pytest.fixture(scope="module")

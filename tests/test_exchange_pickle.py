@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from runner.errors import UserError
-from runner.exchange.pickles import plain_pickle
+from dynsplines.errors import UserError
+from dynsplines.exchange.pickles import plain_pickle
 
 ARRAYS = {
     "matrix": np.arange(12.0).reshape(3, 4),

@@ -7,14 +7,14 @@ import numpy as np
 import pytest
 import wild
 
-from runner import work
-from runner.clip import load as clip
-from runner.errors import UserError
-from runner.exchange import formats, quantities
-from runner.exchange.forces import Forces
-from runner.exchange.imported import imported
-from runner.exchange.take import Take, Wishes
-from runner.system.progress import Teller
+from dynsplines import work
+from dynsplines.clip import load as clip
+from dynsplines.errors import UserError
+from dynsplines.exchange import formats, quantities
+from dynsplines.exchange.forces import Forces
+from dynsplines.exchange.imported import imported
+from dynsplines.exchange.take import Take, Wishes
+from dynsplines.system.progress import Teller
 
 ALL = tuple(quantities.GROUPS)
 NAMES = (

@@ -8,10 +8,10 @@ import pytest
 import wild
 from scipy.spatial.transform import Rotation
 
-from runner import motion
-from runner.errors import UserError
-from runner.exchange import formats
-from runner.exchange.imported import imported
+from dynsplines import motion
+from dynsplines.errors import UserError
+from dynsplines.exchange import formats
+from dynsplines.exchange.imported import imported
 
 JOINTS = ["left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "arm_pitch"]
 

@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 from rich.console import Console
 
-from runner import work
-from runner.clip import load as clip
-from runner.errors import UserError
-from runner.exchange import formats
-from runner.exchange.take import Wishes
-from runner.system.progress import Teller
+from dynsplines import work
+from dynsplines.clip import load as clip
+from dynsplines.errors import UserError
+from dynsplines.exchange import formats
+from dynsplines.exchange.take import Wishes
+from dynsplines.system.progress import Teller
 
 LASTS = 1.0  # [s] of simulation
 FALLEN = 0.03  # [m]

@@ -7,13 +7,13 @@ import numpy as np
 import puppet
 import pytest
 
-from runner import work
-from runner.clip import load as clip
-from runner.errors import UserError
-from runner.exchange import formats
-from runner.exchange.skeleton import hierarchy
-from runner.exchange.take import Take
-from runner.system.progress import Teller
+from dynsplines import work
+from dynsplines.clip import load as clip
+from dynsplines.errors import UserError
+from dynsplines.exchange import formats
+from dynsplines.exchange.skeleton import hierarchy
+from dynsplines.exchange.take import Take
+from dynsplines.system.progress import Teller
 
 Usd, UsdGeom = (pytest.importorskip(f"pxr.{name}") for name in ("Usd", "UsdGeom"))
 

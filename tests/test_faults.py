@@ -16,10 +16,10 @@ from typing import Any
 import pytest
 from tiny import changed, names, written
 
-from runner import motion
-from runner.clip import load as clips
-from runner.system import output
-from runner.system.output import TEMPORARY, Replacement
+from dynsplines import motion
+from dynsplines.clip import load as clips
+from dynsplines.system import output
+from dynsplines.system.output import TEMPORARY, Replacement
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="limits, forks and signals are another matter there")
 
@@ -73,7 +73,7 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Tried]:
 @pytest.fixture
 def tried(server: Tried, tmp_path: Path, motion_file: Path) -> Tried:
     """In the test's folder, which has the tiny clip in it, its motion, and a table of that."""
-    from runner.exchange import formats
+    from dynsplines.exchange import formats
 
     written(tmp_path, changed("evaluations = 8\nframes = 2", "evaluations = 1\nframes = 0"))
     (tmp_path / "motion.npz").write_bytes(motion_file.read_bytes())
@@ -149,8 +149,8 @@ def test_a_full_disk_is_told_with_the_files_name_and_the_older_file_stays(kind: 
 
 
 def test_a_manifest_on_a_full_disk_is_told_and_goes_on_later(tmp_path: Path):
-    from runner.batch.manifest import Entry, Manifest
-    from runner.errors import UserError
+    from dynsplines.batch.manifest import Entry, Manifest
+    from dynsplines.errors import UserError
 
     resource = pytest.importorskip("resource")
     manifest = Manifest.of(tmp_path)
@@ -313,7 +313,7 @@ def test_a_writer_whose_file_is_taken_for_a_leftover_before_it_is_locked_begins_
 
 
 def test_a_clip_that_is_removed_or_cut_while_it_is_read_is_told(tried: Tried, tmp_path: Path):
-    gone = "import runner.clip.load as c; load = c.from_text\ndef f(*a, **k):\n"
+    gone = "import dynsplines.clip.load as c; load = c.from_text\ndef f(*a, **k):\n"
     gone += "    os.unlink('tiny.xml'); return load(*a, **k)\n"
     assert_told(tried("solve", "tiny.toml", before=gone + "c.from_text = f\n"), "no file 'tiny.xml'")
     (tmp_path / "motion.npz").write_bytes((tmp_path / "motion.npz").read_bytes()[:-100])

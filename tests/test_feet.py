@@ -6,13 +6,13 @@ import mujoco
 import numpy as np
 import pytest
 
-from runner.clip.contacts import contacts
-from runner.clip.feet import sole_points
-from runner.clip.table import ContactTable
-from runner.errors import UserError
-from solver.curve.frame import Frame
-from solver.curve.unknowns import raw_timeline
-from solver.figure.figure import Figure
+from dynsplines.clip.contacts import contacts
+from dynsplines.clip.feet import sole_points
+from dynsplines.clip.table import ContactTable
+from dynsplines.errors import UserError
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.figure import Figure
 
 LEG = """<body name="{name}_thigh" pos="{x} {y} 0"><joint name="{name}_hip" axis="0 1 0"/>
   <geom type="capsule" size=".03" fromto="0 0 0 0 0 -.3"/>

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from runner.picture.film import MOST_WAITING, FilmError, _in_a_thread, check_target, write
+from dynsplines.picture.film import MOST_WAITING, FilmError, _in_a_thread, check_target, write
 
 RED = (200, 60, 40)
 M_PERTURB = -6  # as glibc's malloc.h has it

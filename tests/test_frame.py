@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from solver.curve.frame import Frame, Timeline, TimelineError
+from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 
 SLOPE = np.arange(6.0).reshape(2, 3)
 

@@ -15,17 +15,17 @@ import numpy as np
 import pytest
 import shipped
 
-from runner.clip import load as clips
-from runner.clip.load import Clip
-from runner.clip.text import tables, written
-from runner.edit.edits import retimed_tables
-from runner.measure.hold_report import in_carried
-from runner.measure.penetration import penetration
-from runner.motion import continuous, sampled
-from solver.array import Array
-from solver.curve.spline import path_of
-from solver.inbetween import Motion
-from solver.penalty import BendLimits
+from dynsplines.clip import load as clips
+from dynsplines.clip.load import Clip
+from dynsplines.clip.text import tables, written
+from dynsplines.edit.edits import retimed_tables
+from dynsplines.measure.hold_report import in_carried
+from dynsplines.measure.penetration import penetration
+from dynsplines.motion import continuous, sampled
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.inbetween import Motion
+from dynsplines.solver.penalty import BendLimits
 
 RATE = 500.0
 G = 9.81

@@ -11,20 +11,20 @@ from test_penalty_contact import FLOOR
 from test_preconditioner import slider
 from test_unknowns import TIMES
 
-from solver import quaternion as quat
-from solver.array import Array
-from solver.curve.frame import Frame
-from solver.curve.spline import path_of
-from solver.curve.unknowns import raw_timeline
-from solver.objective import HEAVY, Discretised, Evaluation, Objective
-from solver.penalty import Contact, CovariantAcceleration, Penalty, RootAcceleration, Torque, UnitMagnitude
-from solver.refine.subdivision import evenly
-from solver.search import optimiser
-from solver.search.descent import METHODS, NEWTON, Descent
-from solver.search.newton import FIRST_DAMPING, Search, gauss_newton
-from solver.search.optimiser import Minimum, Stop, StopSearch, minimise
-from solver.surface import Plane
-from solver.surface.points import Point
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.objective import HEAVY, Discretised, Evaluation, Objective
+from dynsplines.solver.penalty import Contact, CovariantAcceleration, Penalty, RootAcceleration, Torque, UnitMagnitude
+from dynsplines.solver.refine.subdivision import evenly
+from dynsplines.solver.search import optimiser
+from dynsplines.solver.search.descent import METHODS, NEWTON, Descent
+from dynsplines.solver.search.newton import FIRST_DAMPING, Search, gauss_newton
+from dynsplines.solver.search.optimiser import Minimum, Stop, StopSearch, minimise
+from dynsplines.solver.surface import Plane
+from dynsplines.solver.surface.points import Point
 
 ENDS = ["free", "clamped", "periodic"]
 TERMS: list[tuple[Penalty, float]] = [

@@ -6,14 +6,14 @@ import sys
 
 import pytest
 
-from runner.picture import graphics
+from dynsplines.picture import graphics
 
 TELLS_ITS_START = pytest.mark.skipif(
     not graphics.BOOT.is_file(), reason="nobody says when the machine was started, so nothing is remembered"
 )
 SHOW = """
 import os
-from runner.picture.graphics import choose
+from dynsplines.picture.graphics import choose
 found = choose()
 print(found.kind)
 print(found.line)

@@ -9,19 +9,19 @@ import numpy as np
 import pytest
 from rich.console import Console
 
-from runner import work
-from runner.clip import load as clips
-from runner.clip.mirror import mirrored_tables
-from runner.clip.text import tables, written
-from runner.edit.edits import retimed_tables, trimmed
-from runner.errors import UserError
-from runner.measure.hold_report import hold_rows, in_carried
-from runner.measure.problems import problems
-from runner.system.progress import Teller
-from solver.curve.mirror import Mirror
-from solver.curve.spline import path_of as path
-from solver.inbetween import inbetween
-from solver.penalty import Contact, Hold, Holding, Planted, Together
+from dynsplines import work
+from dynsplines.clip import load as clips
+from dynsplines.clip.mirror import mirrored_tables
+from dynsplines.clip.text import tables, written
+from dynsplines.edit.edits import retimed_tables, trimmed
+from dynsplines.errors import UserError
+from dynsplines.measure.hold_report import hold_rows, in_carried
+from dynsplines.measure.problems import problems
+from dynsplines.solver.curve.mirror import Mirror
+from dynsplines.solver.curve.spline import path_of as path
+from dynsplines.solver.inbetween import inbetween
+from dynsplines.solver.penalty import Contact, Hold, Holding, Planted, Together
+from dynsplines.system.progress import Teller
 
 SCENE = """
 figure = "human"

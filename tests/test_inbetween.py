@@ -6,19 +6,19 @@ import pytest
 from conftest import ONE_BALL
 from test_unknowns import TIMES, distance_from_key, mask_without, random_keys
 
-from solver import quaternion as quat
-from solver.curve.frame import Frame, TimelineError
-from solver.curve.quadrature import Quadrature
-from solver.curve.spline import path_of
-from solver.figure.figure import Figure
-from solver.inbetween import Improvement, Motion, Settings, inbetween
-from solver.objective import Objective
-from solver.penalty import Contact, CovariantAcceleration, Penalty, RootAcceleration, UnitMagnitude
-from solver.refine.subdivision import CRITERIA
-from solver.search.descent import METHODS
-from solver.search.optimiser import Stop, StopSearch
-from solver.surface import Plane
-from solver.surface.points import Point
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.curve.frame import Frame, TimelineError
+from dynsplines.solver.curve.quadrature import Quadrature
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.inbetween import Improvement, Motion, Settings, inbetween
+from dynsplines.solver.objective import Objective
+from dynsplines.solver.penalty import Contact, CovariantAcceleration, Penalty, RootAcceleration, UnitMagnitude
+from dynsplines.solver.refine.subdivision import CRITERIA
+from dynsplines.solver.search.descent import METHODS
+from dynsplines.solver.search.optimiser import Stop, StopSearch
+from dynsplines.solver.surface import Plane
+from dynsplines.solver.surface.points import Point
 
 PENALTIES: list[tuple[Penalty, float]] = [
     (CovariantAcceleration(), 1.0),

@@ -16,18 +16,18 @@ from test_objective import every_penalty
 from test_seam import TERMS, hop
 from test_unknowns import random_keys
 
-from runner.scene.compose import figure_spec
-from solver import quaternion as quat
-from solver.array import Array
-from solver.curve.frame import Frame, Timeline, TimelineError
-from solver.curve.spline import path_of
-from solver.curve.unknowns import Unknowns, raw_timeline
-from solver.edit.join import Placement, bridge, following, heading, joined, signed_like, trunk
-from solver.figure.figure import Figure
-from solver.inbetween import Settings, inbetween
-from solver.objective import Objective
-from solver.refine.subdivision import evenly, split
-from solver.search.descent import Descent, optimised
+from dynsplines.scene.compose import figure_spec
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.curve.unknowns import Unknowns, raw_timeline
+from dynsplines.solver.edit.join import Placement, bridge, following, heading, joined, signed_like, trunk
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.inbetween import Settings, inbetween
+from dynsplines.solver.objective import Objective
+from dynsplines.solver.refine.subdivision import evenly, split
+from dynsplines.solver.search.descent import Descent, optimised
 
 LENGTH = 0.4
 

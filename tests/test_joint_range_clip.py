@@ -9,10 +9,10 @@ import pytest
 from rich.console import Console
 from tiny import CLIP, FIGURE, HINGE, changed, written
 
-from runner import work
-from runner.clip import load as clip
-from runner.measure.report import report, tables
-from runner.system.progress import Teller
+from dynsplines import work
+from dynsplines.clip import load as clip
+from dynsplines.measure.report import report, tables
+from dynsplines.system.progress import Teller
 
 LIMITED = FIGURE.replace('name="left_knee" type="ball"', 'name="left_knee" type="ball" limited="true" range="0 42"')
 SWING = """figure = "hinge.xml"

@@ -8,13 +8,13 @@ from test_any_model import figure_of
 from test_kinematics import random_samples
 from test_rows import assert_near, some_points
 
-from solver.array import Index
-from solver.figure import joint_rows
-from solver.figure.algebra import cross
-from solver.figure.figure import Figure
-from solver.figure.joint_rows import any_point_rows, any_velocity_rows
-from solver.figure.kinematics import Cotangent, Samples, attached_pulled_back
-from solver.penalty.curvature import jacobian
+from dynsplines.solver.array import Index
+from dynsplines.solver.figure import joint_rows
+from dynsplines.solver.figure.algebra import cross
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.joint_rows import any_point_rows, any_velocity_rows
+from dynsplines.solver.figure.kinematics import Cotangent, Samples, attached_pulled_back
+from dynsplines.solver.penalty.curvature import jacobian
 
 
 def check(figure: Figure, rng: np.random.Generator) -> None:

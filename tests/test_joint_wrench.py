@@ -9,17 +9,17 @@ from test_any_model import figure_of
 from test_kinematics import random_samples
 from test_rows import WOOD, assert_near
 
-from solver.array import Array, Index
-from solver.figure import joint_spin
-from solver.figure.algebra import add_at
-from solver.figure.axes import turning
-from solver.figure.figure import Figure
-from solver.figure.jacobian_rows import Pushes
-from solver.figure.joint_spin import any_relative_spin_rows
-from solver.figure.joint_wrench import any_wrench_rows
-from solver.figure.kinematics import Cotangent, Samples
-from solver.figure.wrench import RootWrench
-from solver.penalty.curvature import jacobian
+from dynsplines.solver.array import Array, Index
+from dynsplines.solver.figure import joint_spin
+from dynsplines.solver.figure.algebra import add_at
+from dynsplines.solver.figure.axes import turning
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.jacobian_rows import Pushes
+from dynsplines.solver.figure.joint_spin import any_relative_spin_rows
+from dynsplines.solver.figure.joint_wrench import any_wrench_rows
+from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.figure.wrench import RootWrench
+from dynsplines.solver.penalty.curvature import jacobian
 
 SEEDS = range(12)
 

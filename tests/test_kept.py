@@ -13,13 +13,13 @@ import pytest
 from rich.console import Console
 from tiny import CLIP, FIGURE, changed, names, written
 
-from runner import cli, kept, work
-from runner.clip import load as clip
-from runner.clip.load import Clip
-from runner.measure.report import report
-from runner.system.progress import Teller
-from runner.work import Solved
-from solver.search.optimiser import Stop
+from dynsplines import cli, kept, work
+from dynsplines.clip import load as clip
+from dynsplines.clip.load import Clip
+from dynsplines.measure.report import report
+from dynsplines.solver.search.optimiser import Stop
+from dynsplines.system.progress import Teller
+from dynsplines.work import Solved
 
 TETRAHEDRON = "v 0 0 0\nv .1 0 0\nv 0 .1 0\nv 0 0 {}\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"
 MESHED = FIGURE.replace(

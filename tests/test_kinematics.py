@@ -5,9 +5,9 @@ import numpy as np
 import pytest
 from taylor import taylor_slope
 
-from solver.figure.dynamics import velocities
-from solver.figure.figure import Figure
-from solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.figure.dynamics import velocities
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Cotangent, Samples
 
 
 def random_samples(figure: Figure, rng: np.random.Generator, count: int = 5) -> Samples:

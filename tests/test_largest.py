@@ -11,17 +11,16 @@ import mujoco
 import numpy as np
 import pytest
 
-import models
-from runner import motion
-from runner.clip.load import check_times, load
-from runner.errors import UserError
-from runner.exchange.held import held
-from runner.scene import mjcf_size
-from runner.scene.assets import Scene, taken_along
-from runner.scene.compose import compose, figure_spec
-from runner.system import largest
-from runner.system.progress import Teller
-from runner.work import solve
+from dynsplines import models, motion
+from dynsplines.clip.load import check_times, load
+from dynsplines.errors import UserError
+from dynsplines.exchange.held import held
+from dynsplines.scene import mjcf_size
+from dynsplines.scene.assets import Scene, taken_along
+from dynsplines.scene.compose import compose, figure_spec
+from dynsplines.system import largest
+from dynsplines.system.progress import Teller
+from dynsplines.work import solve
 
 
 def model(inside: str) -> str:

@@ -16,10 +16,10 @@ import pytest
 from command import commanded
 from tiny import CLIP, changed, written
 
-from runner.batch.inputs import sources
-from runner.clip.starter import starter
-from runner.errors import UserError, one_line, unknown
-from runner.exchange.format import csv_table
+from dynsplines.batch.inputs import sources
+from dynsplines.clip.starter import starter
+from dynsplines.errors import UserError, one_line, unknown
+from dynsplines.exchange.format import csv_table
 
 Ended = Callable[..., tuple[int, str]]
 
@@ -47,7 +47,7 @@ def broken(monkeypatch: pytest.MonkeyPatch, error: Exception) -> None:
     def starter(*_: object) -> str:
         raise error
 
-    monkeypatch.setattr("runner.clip.starter.starter", starter)
+    monkeypatch.setattr("dynsplines.clip.starter.starter", starter)
 
 
 def test_a_mistake_of_the_program_is_one_line_that_asks_for_a_report(ended: Ended, monkeypatch: pytest.MonkeyPatch):
@@ -117,7 +117,7 @@ def test_an_error_keeps_the_begin_and_the_end_of_a_name_of_any_length():
 
 @pytest.mark.parametrize("encoding", ["ascii", "latin-1"])
 def test_a_report_is_printed_in_terminals_of_few_letters(encoding: str, tmp_path: Path):
-    said = "from runner.system.terminal import fit; fit(); import sys; print('5° → 2 × 3 m², naïve ┃ 人', end='')"
+    said = "from dynsplines.system.terminal import fit; fit(); import sys; print('5° → 2 × 3 m², naïve ┃ 人', end='')"
     environment = os.environ | {"PYTHONIOENCODING": encoding}
     done = subprocess.run([sys.executable, "-c", said], env=environment, capture_output=True, check=True)
     accents = {"ascii": "5 deg -> 2 x 3 m2, naive | \\u4eba", "latin-1": "5° -> 2 × 3 m², naïve | \\u4eba"}
@@ -142,11 +142,11 @@ def test_a_clip_whose_name_is_no_text_is_told_before_a_batch_begins(tmp_path: Pa
 
 
 def test_names_in_a_table_are_no_formulas_and_come_back(tmp_path: Path):
-    from runner.clip.load import from_qpos
-    from runner.exchange import formats
-    from runner.scene.compose import compose, figure_spec
-    from runner.system.progress import Teller
-    from runner.work import unsolved
+    from dynsplines.clip.load import from_qpos
+    from dynsplines.exchange import formats
+    from dynsplines.scene.compose import compose, figure_spec
+    from dynsplines.system.progress import Teller
+    from dynsplines.work import unsolved
 
     names = ["=cmd|' /C calc'!A0", "+1", "-1", "@SUM(1)", "'=quoted", "'plain", "plain"]
     hinges = "".join(
@@ -168,7 +168,7 @@ def test_a_full_disk_is_told_of_usd_too(tmp_path: Path, monkeypatch: pytest.Monk
     resource = pytest.importorskip("resource")
     import puppet
 
-    from runner.exchange import formats
+    from dynsplines.exchange import formats
 
     before = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (1000, before[1]))

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from runner.picture.layout import caption, side_by_side
+from dynsplines.picture.layout import caption, side_by_side
 
 
 def plain(height: int, width: int, value: int = 120) -> np.ndarray:

@@ -6,14 +6,13 @@ import mujoco
 import numpy as np
 import pytest
 
-import models
-from runner import motion, work
-from runner.clip import load as clip
-from runner.edit import lead_in, thin_files
-from runner.scene.compose import compose, figure_spec
-from runner.system.progress import Teller
-from solver import quaternion as quat
-from solver.curve.spline import path_of
+from dynsplines import models, motion, work
+from dynsplines.clip import load as clip
+from dynsplines.edit import lead_in, thin_files
+from dynsplines.scene.compose import compose, figure_spec
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.system.progress import Teller
 
 RATE = 60.0
 HUMAN = mujoco.MjModel.from_xml_string(models.figure_text("human"))

@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 from conftest import BALL_TREE
 
-import models
-from solver.curve.frame import Frame
-from solver.curve.mirror import Mirror, MirrorError, other_side
-from solver.curve.spline import path_of
-from solver.curve.unknowns import raw_timeline
-from solver.figure.figure import Figure
-from solver.refine.subdivision import evenly
+from dynsplines import models
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.mirror import Mirror, MirrorError, other_side
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.refine.subdivision import evenly
 
 ROBOT = """
 <mujoco><compiler angle="radian"/><worldbody>

@@ -10,18 +10,18 @@ from test_penalty_contact import FLOOR
 from test_penalty_planted import stance_of
 from test_unknowns import TIMES, mask_without, masks_by_name, random_keys
 
-from solver import quaternion as quat
-from solver.array import Array
-from solver.curve.frame import Frame, Timeline
-from solver.curve.quadrature import gauss_nodes
-from solver.curve.spline import path_of
-from solver.curve.unknowns import raw_timeline
-from solver.figure.figure import Figure
-from solver.objective import Discretised, Objective
-from solver.penalty import Contact, CovariantAcceleration, Penalty, Planted, RootAcceleration, UnitMagnitude
-from solver.refine.subdivision import evenly
-from solver.search.quadratic import POINTS, Layout, Model
-from solver.surface.points import Point
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.curve.quadrature import gauss_nodes
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.objective import Discretised, Objective
+from dynsplines.solver.penalty import Contact, CovariantAcceleration, Penalty, Planted, RootAcceleration, UnitMagnitude
+from dynsplines.solver.refine.subdivision import evenly
+from dynsplines.solver.search.quadratic import POINTS, Layout, Model
+from dynsplines.solver.surface.points import Point
 
 ENDS = ["free", "clamped", "periodic"]
 TINY = """
@@ -185,7 +185,7 @@ def test_a_model_made_of_few_spans_at_once_is_the_same(rng, ends, monkeypatch):
     problem, x = smooth_problem(tiny_clip(rng, ends, "world"), figure, rng)
     gradient = problem(x).gradient
     step, promised, _ = Model(Layout(problem), x, gradient).minimised(0.1)
-    monkeypatch.setattr("solver.search.quadratic.SPANS_AT_ONCE", 4)
+    monkeypatch.setattr("dynsplines.solver.search.quadratic.SPANS_AT_ONCE", 4)
     again, promised_again, _ = Model(Layout(problem), x, gradient).minimised(0.1)
     np.testing.assert_allclose(again, step, rtol=1e-7, atol=1e-9)
     np.testing.assert_allclose(promised_again, promised, rtol=1e-9)
@@ -318,7 +318,7 @@ def test_with_one_sided_residuals_the_step_minimises_the_convex_model(rng, ends,
     best, least = dense.minimum()
     after = dense.value + dense.rows @ best
     assert np.count_nonzero((after > 0) != (dense.value > 0)) > 0  # what counts changes within the step
-    monkeypatch.setattr("solver.search.quadratic.SETTLED", 1e-14)
+    monkeypatch.setattr("dynsplines.solver.search.quadratic.SETTLED", 1e-14)
     model = Model(Layout(problem), x, problem(x).gradient)
     step, promised, _ = model.minimised(0.0)
     np.testing.assert_allclose(dense(step)[0], least, rtol=0, atol=1e-4 * (before - least))
@@ -333,7 +333,7 @@ def test_so_it_does_where_whole_newton_steps_would_raise_the_model(seed, monkeyp
     x = problem.unknowns.start + 0.3 * rng.normal(size=problem.unknowns.size)
     dense = Dense(problem, x)
     before, (_, least) = dense(np.zeros(x.size))[0], dense.minimum()
-    monkeypatch.setattr("solver.search.quadratic.SETTLED", 1e-14)
+    monkeypatch.setattr("dynsplines.solver.search.quadratic.SETTLED", 1e-14)
     step, promised, _ = Model(Layout(problem), x, problem(x).gradient).minimised(0.0)
     np.testing.assert_allclose(dense(step)[0], least, rtol=0, atol=1e-4 * (before - least))
     np.testing.assert_allclose(promised, before - least, rtol=1e-3)

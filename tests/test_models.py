@@ -4,7 +4,7 @@ import mujoco
 import numpy as np
 import pytest
 
-import models
+from dynsplines import models
 
 BODIES = [
     "pelvis",

@@ -19,17 +19,17 @@ import pytest
 import squats
 from rich.console import Console
 
-from runner import motion, work
-from runner.clip import load as clip
-from runner.clip.feet import sole_points
-from runner.clip.starter import starter
-from runner.measure import report
-from runner.picture.show import Look, images
-from runner.scene import outside
-from runner.scene.compose import compose, figure_spec
-from runner.scene.lighting import is_well_lit
-from runner.system.progress import Teller
-from solver.figure.figure import Figure
+from dynsplines import motion, work
+from dynsplines.clip import load as clip
+from dynsplines.clip.feet import sole_points
+from dynsplines.clip.starter import starter
+from dynsplines.measure import report
+from dynsplines.picture.show import Look, images
+from dynsplines.scene import outside
+from dynsplines.scene.compose import compose, figure_spec
+from dynsplines.scene.lighting import is_well_lit
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.system.progress import Teller
 
 SUITE, GYM = "dm_control/suite/", "gymnasium/envs/mujoco/assets/"
 ROBOTICS, SUITE_OF_ROBOTS = "gymnasium_robotics/envs/assets/", "robosuite/models/assets/"

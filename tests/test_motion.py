@@ -12,13 +12,13 @@ import numpy as np
 import pytest
 from tiny import names
 
-from runner import motion
-from runner.errors import UserError
-from runner.motion import Saved, load, sampled, samples_at, save
-from runner.system.output import Replacement, check_target
-from runner.work import Solved
-from solver.curve.spline import path_of
-from solver.figure.dynamics import generalised_forces
+from dynsplines import motion
+from dynsplines.errors import UserError
+from dynsplines.motion import Saved, load, sampled, samples_at, save
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.figure.dynamics import generalised_forces
+from dynsplines.system.output import Replacement, check_target
+from dynsplines.work import Solved
 
 
 @pytest.fixture(scope="module")

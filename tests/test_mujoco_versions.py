@@ -8,8 +8,8 @@ import mujoco
 import numpy as np
 import pytest
 
-from runner.scene import mujoco_versions as versions
-from runner.scene.compose import compose, figure_spec
+from dynsplines.scene import mujoco_versions as versions
+from dynsplines.scene.compose import compose, figure_spec
 
 ROOT = Path(__file__).parent.parent
 LIGHTS = """<mujoco><worldbody><light directional="true"/><light/>

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import mujoco
 
-from solver.figure.naming import geom_name
+from dynsplines.solver.figure.naming import geom_name
 
 TEXT = """
 <mujoco><worldbody><geom size="1"/>

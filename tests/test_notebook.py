@@ -20,7 +20,7 @@ def test_a_motion_plays_in_a_notebook(tmp_path: Path, monkeypatch: pytest.Monkey
     book = nbformat.v4.new_notebook()
     book.cells = [
         nbformat.v4.new_code_cell(
-            "from runner import Keyframe, build, inbetween\n"
+            "from dynsplines import Keyframe, build, inbetween\n"
             "clip = build('spinner', [Keyframe(0, others='rest'), Keyframe(1, others='hold')])\n"
             "clip"
         ),

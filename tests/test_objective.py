@@ -10,14 +10,14 @@ from taylor import taylor_slope
 from test_unknowns import TIMES, mask_without, random_keys
 from walker import FINE, walk, walker
 
-from solver.curve.frame import Frame, Timeline
-from solver.curve.quadrature import Quadrature, gauss_nodes
-from solver.curve.spline import Path, path_of
-from solver.curve.unknowns import raw_timeline
-from solver.figure.figure import Figure
-from solver.figure.kinematics import Cotangent, Samples
-from solver.objective import LEAST_TYPICAL, MOST_OF_TIME, RUN, SMALL_SHARE, VIOLENT, Objective
-from solver.penalty import (
+from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.curve.quadrature import Quadrature, gauss_nodes
+from dynsplines.solver.curve.spline import Path, path_of
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.objective import LEAST_TYPICAL, MOST_OF_TIME, RUN, SMALL_SHARE, VIOLENT, Objective
+from dynsplines.solver.penalty import (
     Bend,
     BendLimits,
     Contact,
@@ -27,9 +27,9 @@ from solver.penalty import (
     Torque,
     UnitMagnitude,
 )
-from solver.refine.subdivision import evenly
-from solver.surface import Box, Plane
-from solver.surface.points import Point
+from dynsplines.solver.refine.subdivision import evenly
+from dynsplines.solver.surface import Box, Plane
+from dynsplines.solver.surface.points import Point
 
 ONE_HINGE = '<mujoco><worldbody><body><joint axis="0 1 0"/><geom size=".1"/></body></worldbody></mujoco>'
 SURFACES = (
@@ -287,7 +287,7 @@ def test_an_evaluation_leaves_nothing_for_the_garbage_collector(figure, rng):
         problem(x)
         gc.collect()
         # other threads, as those of a parallel run of the tests, leave things of their own
-        left = [type(thing) for thing in gc.garbage if type(thing).__module__.startswith("solver")]
+        left = [type(thing) for thing in gc.garbage if type(thing).__module__.startswith("dynsplines.solver")]
     finally:
         gc.set_debug(0)
         gc.garbage.clear()

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 from tiny import CLIP, FIGURE, written
 
-from runner.clip import load as clip
-from runner.errors import UserError
-from runner.scene.compose import compose
-from solver.surface import Box, Capsule, Cylinder, Hull, Plane, Sphere, static_surfaces
+from dynsplines.clip import load as clip
+from dynsplines.errors import UserError
+from dynsplines.scene.compose import compose
+from dynsplines.solver.surface import Box, Capsule, Cylinder, Hull, Plane, Sphere, static_surfaces
 
 SCENE = """
 [[scene.box]]

@@ -10,9 +10,9 @@ from hypothesis import strategies as st
 from oracles import tells_height_fields
 from taylor import taylor_slope
 
-from solver.array import Array
-from solver.surface import Capsule, Cylinder, Ellipsoid, HeightField, Hull, Sphere, Surface, static_surfaces
-from solver.surface.height_field import from_triangle
+from dynsplines.solver.array import Array
+from dynsplines.solver.surface import Capsule, Cylinder, Ellipsoid, HeightField, Hull, Sphere, Surface, static_surfaces
+from dynsplines.solver.surface.height_field import from_triangle
 
 rough = np.random.default_rng(3)
 ELEVATION = " ".join(f"{z:.3f}" for z in rough.uniform(0, 1, 42))

@@ -5,7 +5,7 @@ from typing import NoReturn
 import numpy as np
 import pytest
 
-from solver.search.optimiser import METHODS, Minimum, Stop, StopSearch, algorithm, minimise
+from dynsplines.solver.search.optimiser import METHODS, Minimum, Stop, StopSearch, algorithm, minimise
 
 
 def rosenbrock(x: np.ndarray) -> tuple[float, np.ndarray]:

@@ -14,12 +14,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from runner import motion
-from runner.errors import UserError
-from runner.exchange import formats
-from runner.motion import Saved
-from runner.picture import film
-from runner.system.output import Replacement, check_target
+from dynsplines import motion
+from dynsplines.errors import UserError
+from dynsplines.exchange import formats
+from dynsplines.motion import Saved
+from dynsplines.picture import film
+from dynsplines.system.output import Replacement, check_target
 
 POSIX = pytest.mark.skipif(os.name == "nt", reason="modes, links and pipes are another matter there")
 RUNNER = Path(motion.__file__).parent
@@ -148,7 +148,7 @@ def test_the_disk_has_file_and_folder_before_the_writer_goes_on(tmp_path, monkey
 @POSIX
 def test_what_a_killed_program_left_goes_with_the_next_writer_of_that_file_and_nothing_else(tmp_path):
     script = (
-        "import os, signal, sys; from pathlib import Path; from runner.system.output import Replacement, beside\n"
+        "import os, signal, sys; from pathlib import Path; from dynsplines.system.output import Replacement, beside\n"
         "with Replacement(Path(sys.argv[1])) as path:\n"
         "    path.write_bytes(b'half'); beside(path, '.mkv').write_bytes(b'images')\n"
         "    os.kill(os.getpid(), signal.SIGKILL)"

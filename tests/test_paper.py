@@ -10,12 +10,12 @@ import numpy as np
 import pytest
 from rich.console import Console
 
-from runner.claims import paper
-from runner.claims.barr import Discrete
-from runner.claims.claim import Claim, as_json, table
-from runner.claims.paper import Case, clip_claims, run
-from runner.system.progress import Teller
-from solver.quaternion import angle_between
+from dynsplines.claims import paper
+from dynsplines.claims.barr import Discrete
+from dynsplines.claims.claim import Claim, as_json, table
+from dynsplines.claims.paper import Case, clip_claims, run
+from dynsplines.solver.quaternion import angle_between
+from dynsplines.system.progress import Teller
 
 
 @pytest.fixture(scope="module")

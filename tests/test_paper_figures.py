@@ -16,19 +16,19 @@ from matplotlib.figure import Figure
 from rich.console import Console
 from tiny import names
 
-from runner import work
-from runner.claims.figures import charts, drawing, scenes
-from runner.claims.figures.captioned import captioned
-from runner.claims.figures.charts import Deviations, Lengths, draw_deviations, draw_lengths
-from runner.claims.figures.drawing import FIGURES, Results, check_folder
-from runner.claims.figures.scenes import Dip, inset, keyframes_and_sample, looked_at
-from runner.claims.orientations import PAPER, TENTHS, Case, Run, figure_ten, promised, strong_tenths, weak_tenths
-from runner.clip import load as clip
-from runner.errors import UserError
-from runner.motion import Saved
-from runner.picture.graphics import Graphics
-from runner.system.progress import Teller
-from solver.refine.euler_lagrange import covariant_residual
+from dynsplines import work
+from dynsplines.claims.figures import charts, drawing, scenes
+from dynsplines.claims.figures.captioned import captioned
+from dynsplines.claims.figures.charts import Deviations, Lengths, draw_deviations, draw_lengths
+from dynsplines.claims.figures.drawing import FIGURES, Results, check_folder
+from dynsplines.claims.figures.scenes import Dip, inset, keyframes_and_sample, looked_at
+from dynsplines.claims.orientations import PAPER, TENTHS, Case, Run, figure_ten, promised, strong_tenths, weak_tenths
+from dynsplines.clip import load as clip
+from dynsplines.errors import UserError
+from dynsplines.motion import Saved
+from dynsplines.picture.graphics import Graphics
+from dynsplines.solver.refine.euler_lagrange import covariant_residual
+from dynsplines.system.progress import Teller
 
 RAYS = Graphics("rays", "renderer: rays")
 STEP_UP = """

@@ -9,9 +9,9 @@ from scipy.spatial.transform import Rotation
 from test_kinematics import random_samples
 from test_penalty_unit import penalty_slope, scaled_like
 
-from solver.figure.figure import Figure
-from solver.figure.kinematics import Cotangent, Samples
-from solver.penalty import Bend, BendLimits
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.penalty import Bend, BendLimits
 
 LIMB = """
 <mujoco><worldbody><body name="upper" pos="0 0 1"><freejoint/><geom size=".1"/>

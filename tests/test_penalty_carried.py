@@ -6,14 +6,14 @@ import pytest
 from test_kinematics import random_samples
 from test_penalty_unit import penalty_slope
 
-from solver.curve.frame import Frame
-from solver.curve.unknowns import raw_timeline
-from solver.figure.figure import Figure
-from solver.figure.kinematics import Cotangent, Samples
-from solver.penalty import Contact, Hold, carried_links, surfaces_on
-from solver.surface import moving_surface
-from solver.surface.cover import covering_points
-from solver.surface.points import Point
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.penalty import Contact, Hold, carried_links, surfaces_on
+from dynsplines.solver.surface import moving_surface
+from dynsplines.solver.surface.cover import covering_points
+from dynsplines.solver.surface.points import Point
 
 CARRIER = """<mujoco><compiler angle="degree"/><worldbody>
 <body name="trunk"><freejoint/><geom name="trunk" size=".3"/>

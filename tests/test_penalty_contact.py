@@ -6,11 +6,11 @@ import pytest
 from test_kinematics import random_samples
 from test_penalty_unit import penalty_slope, scaled_like
 
-from solver.figure.figure import Figure
-from solver.figure.kinematics import Cotangent, Samples
-from solver.penalty import Contact
-from solver.surface import Box, Plane, static_surfaces
-from solver.surface.points import Point, body_points, site_points
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.penalty import Contact
+from dynsplines.solver.surface import Box, Plane, static_surfaces
+from dynsplines.solver.surface.points import Point, body_points, site_points
 
 FLOOR = Plane("floor", np.zeros(3), np.array([0.0, 0, 1]))
 SLOPE = Plane("slope", np.array([0.1, 0, 0.2]), np.array([0.6, 0, 0.8]))

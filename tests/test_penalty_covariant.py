@@ -5,10 +5,10 @@ import pytest
 from test_kinematics import random_samples
 from test_penalty_unit import penalty_slope, scaled_like
 
-from solver import quaternion as quat
-from solver.figure.kinematics import Cotangent, Samples
-from solver.penalty import CovariantAcceleration
-from solver.penalty.covariant import covariant_acceleration
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.penalty import CovariantAcceleration
+from dynsplines.solver.penalty.covariant import covariant_acceleration
 
 
 def angular_accelerations(samples: Samples) -> np.ndarray:

@@ -8,10 +8,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from solver.array import Array
-from solver.figure.figure import Figure
-from solver.surface import Ellipsoid, Hull, cover, hull_of
-from solver.surface.cover import covering_points
+from dynsplines.solver.array import Array
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.surface import Ellipsoid, Hull, cover, hull_of
+from dynsplines.solver.surface.cover import covering_points
 
 SIZES = st.floats(0.01, 0.5)
 SEEDS = st.integers(0, 10_000)

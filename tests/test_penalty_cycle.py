@@ -9,17 +9,17 @@ from test_penalty_posture import FIGURES
 from test_penalty_unit import penalty_slope, scaled_like
 from test_rhythm import FIGURE, GROUND, PERIOD, SOLES, TIME, WALK, gait
 
-from runner.clip.constraints import Constraints
-from solver import quaternion as quat
-from solver.curve.frame import Frame
-from solver.curve.unknowns import raw_timeline
-from solver.figure.figure import Figure, quaternion_columns
-from solver.figure.kinematics import Samples
-from solver.inbetween import Settings, inbetween
-from solver.penalty import Cycle
-from solver.penalty.curvature import Curvature
-from solver.reading.pose_vectors import HEIGHT
-from solver.reading.stride import Gait
+from dynsplines.clip.constraints import Constraints
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.figure import Figure, quaternion_columns
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.inbetween import Settings, inbetween
+from dynsplines.solver.penalty import Cycle
+from dynsplines.solver.penalty.curvature import Curvature
+from dynsplines.solver.reading.pose_vectors import HEIGHT
+from dynsplines.solver.reading.stride import Gait
 
 
 @pytest.fixture(params=FIGURES, ids=["human", "human, joints", "fixed balls", "fixed ball and hinge"])

@@ -11,17 +11,17 @@ from test_penalty_planted import at_times
 from test_penalty_unit import penalty_slope, scaled_like
 from test_rows import WOOD
 
-from solver import quaternion as quat
-from solver.array import Array
-from solver.curve.frame import Frame
-from solver.curve.spline import path_of
-from solver.figure.figure import Figure
-from solver.figure.jacobian_rows import Pushes
-from solver.figure.kinematics import Cotangent, Samples
-from solver.figure.wrench import RootWrench, height, weight
-from solver.inbetween import Settings, inbetween
-from solver.penalty import CovariantAcceleration, Flight, Penalty, RootAcceleration
-from solver.penalty.flight import rows_of_wrench
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.jacobian_rows import Pushes
+from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.figure.wrench import RootWrench, height, weight
+from dynsplines.solver.inbetween import Settings, inbetween
+from dynsplines.solver.penalty import CovariantAcceleration, Flight, Penalty, RootAcceleration
+from dynsplines.solver.penalty.flight import rows_of_wrench
 
 G = 9.81
 BRICK = f"""<mujoco><option gravity="0 0 -{G}"/><worldbody><body><freejoint/>
@@ -112,7 +112,7 @@ def test_rows_for_any_joints_are_those_for_ball_joints_in_the_world(rng, monkeyp
     link, at = rng.choice(np.flatnonzero(figure.tables.path[:, root]), 6), np.sort(rng.integers(0, 4, 6))
     pushes = Pushes(at, link, *rng.normal(size=(2, 3, 6))) if pushed else None
     closed = rows_of_wrench(samples, root, pushes)
-    monkeypatch.setattr("solver.penalty.flight.has_moment_rows", lambda _: False)
+    monkeypatch.setattr("dynsplines.solver.penalty.flight.has_moment_rows", lambda _: False)
     assert_near(rows_of_wrench(samples, root, pushes), closed, 1e-12)
 
 

@@ -4,13 +4,13 @@ import mujoco
 import numpy as np
 import pytest
 
-from runner.clip import load as clips
-from solver.curve.frame import Frame, Timeline
-from solver.curve.unknowns import raw_timeline
-from solver.figure.figure import Figure
-from solver.penalty import Footing, flights, footings, stances
-from solver.surface import Plane
-from solver.surface.points import Point
+from dynsplines.clip import load as clips
+from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.penalty import Footing, flights, footings, stances
+from dynsplines.solver.surface import Plane
+from dynsplines.solver.surface.points import Point
 
 FLOOR = Plane("floor", np.zeros(3), np.array([0.0, 0, 1]))
 WALKER = """<mujoco><worldbody><body pos="0 0 1"><freejoint name="root"/><geom size=".1" mass="50"/>

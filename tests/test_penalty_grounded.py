@@ -6,15 +6,21 @@ from test_kinematics import random_samples
 from test_penalty_planted import at_times
 from test_penalty_unit import penalty_slope, scaled_like
 
-from solver.curve.frame import Frame
-from solver.curve.unknowns import raw_timeline
-from solver.figure.figure import Figure
-from solver.figure.kinematics import Samples
-from solver.inbetween import Settings, inbetween
-from solver.penalty import CovariantAcceleration, Grounded, RootAcceleration, UnitMagnitude, grounded_intervals
-from solver.penalty.curvature import Curvature
-from solver.surface import Plane
-from solver.surface.points import Point, places_of
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.inbetween import Settings, inbetween
+from dynsplines.solver.penalty import (
+    CovariantAcceleration,
+    Grounded,
+    RootAcceleration,
+    UnitMagnitude,
+    grounded_intervals,
+)
+from dynsplines.solver.penalty.curvature import Curvature
+from dynsplines.solver.surface import Plane
+from dynsplines.solver.surface.points import Point, places_of
 
 UP = np.array([0.0, 0, 1])
 FLOOR = Plane("floor", np.zeros(3), UP)

@@ -7,16 +7,24 @@ from test_kinematics import random_samples
 from test_penalty_planted import at_times
 from test_penalty_unit import penalty_slope
 
-from solver import quaternion as quat
-from solver.array import Array
-from solver.curve.frame import Frame
-from solver.figure.figure import Figure
-from solver.figure.kinematics import Samples
-from solver.inbetween import Settings, inbetween
-from solver.penalty import CovariantAcceleration, Hold, Holding, RootAcceleration, Spot, UnitMagnitude, slipped
-from solver.penalty.curvature import Curvature
-from solver.penalty.resting import SETTLING
-from solver.surface.points import Point
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.inbetween import Settings, inbetween
+from dynsplines.solver.penalty import (
+    CovariantAcceleration,
+    Hold,
+    Holding,
+    RootAcceleration,
+    Spot,
+    UnitMagnitude,
+    slipped,
+)
+from dynsplines.solver.penalty.curvature import Curvature
+from dynsplines.solver.penalty.resting import SETTLING
+from dynsplines.solver.surface.points import Point
 
 TWO = """<mujoco><worldbody>
 <body name="hand"><freejoint/><geom size=".1"/></body>

@@ -12,15 +12,15 @@ from test_curvature import curvature_of, shifted, sides_of
 from test_kinematics import random_samples
 from test_penalty_unit import penalty_slope, scaled_like
 
-from solver import quaternion as quat
-from solver.array import Array
-from solver.curve.frame import Frame, Timeline
-from solver.curve.spline import path_of
-from solver.curve.unknowns import raw_timeline
-from solver.figure.figure import Figure, JointKind
-from solver.figure.kinematics import Cotangent, Samples
-from solver.inbetween import Settings, inbetween
-from solver.penalty import CovariantAcceleration, JointRange, UnitMagnitude, joint_ranges
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.inbetween import Settings, inbetween
+from dynsplines.solver.penalty import CovariantAcceleration, JointRange, UnitMagnitude, joint_ranges
 
 LIMITS = {"shoulder": 60, "elbow": 100, "hip": 20, "wrist": 50, "swing": 30}
 PLAIN = {"yaw": (-40, 10), "pitch": (30, 90), "turn": (-1, 1)}

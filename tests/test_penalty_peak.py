@@ -9,15 +9,15 @@ from test_kinematics import random_samples
 from test_penalty_unit import penalty_slope, scaled_like
 from test_rows import WOOD
 
-from solver.array import Array
-from solver.curve.spline import path_of
-from solver.figure.dynamics import velocities
-from solver.figure.figure import Figure
-from solver.figure.kinematics import Samples
-from solver.objective import Objective
-from solver.penalty import CovariantAcceleration, PeakAcceleration, UnitMagnitude
-from solver.refine.subdivision import evenly
-from solver.search.descent import optimised
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.figure.dynamics import velocities
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.objective import Objective
+from dynsplines.solver.penalty import CovariantAcceleration, PeakAcceleration, UnitMagnitude
+from dynsplines.solver.refine.subdivision import evenly
+from dynsplines.solver.search.descent import optimised
 
 
 def sizes(samples: Samples) -> Array:

@@ -15,18 +15,18 @@ from test_penalty_unit import penalty_slope, scaled_like
 from test_rows import WOOD
 from test_unknowns import TIMES
 
-from solver.array import Array
-from solver.curve.frame import Frame
-from solver.curve.quadrature import Quadrature
-from solver.curve.spline import path_of
-from solver.figure.figure import Figure
-from solver.figure.kinematics import Cotangent, Samples
-from solver.inbetween import inbetween
-from solver.objective import Objective, segment_integrals
-from solver.penalty import CovariantAcceleration, Placed, Placement, UnitMagnitude
-from solver.refine.subdivision import by_weak_form, evenly
-from solver.search.quadratic import Layout, Model
-from solver.surface.points import Point
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.quadrature import Quadrature
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.inbetween import inbetween
+from dynsplines.solver.objective import Objective, segment_integrals
+from dynsplines.solver.penalty import CovariantAcceleration, Placed, Placement, UnitMagnitude
+from dynsplines.solver.refine.subdivision import by_weak_form, evenly
+from dynsplines.solver.search.quadratic import Layout, Model
+from dynsplines.solver.surface.points import Point
 
 TARGET = np.array([0.3, -0.2, 0.8])
 

@@ -6,13 +6,13 @@ import pytest
 from test_kinematics import random_samples
 from test_penalty_unit import penalty_slope, scaled_like
 
-from solver.curve.frame import Frame
-from solver.curve.unknowns import raw_timeline
-from solver.figure.figure import Figure
-from solver.figure.kinematics import Cotangent, Samples
-from solver.penalty import Planted, Stance, stances
-from solver.surface import Plane
-from solver.surface.points import Point
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.penalty import Planted, Stance, stances
+from dynsplines.solver.surface import Plane
+from dynsplines.solver.surface.points import Point
 
 FLOOR = Plane("floor", np.zeros(3), np.array([0.0, 0, 1]))
 FOOT = Point("foot", 1, np.array([0.0, 0, -0.5]), 0.1)

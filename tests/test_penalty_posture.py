@@ -7,14 +7,14 @@ from scipy.spatial.transform import Rotation
 from test_kinematics import random_samples
 from test_penalty_unit import penalty_slope, scaled_like
 
-import models
-from solver import quaternion as quat
-from solver.curve.frame import Frame
-from solver.figure.figure import Figure, JointKind
-from solver.figure.kinematics import Samples
-from solver.inbetween import Settings, inbetween
-from solver.penalty import CovariantAcceleration, Posture, RootAcceleration, UnitMagnitude
-from solver.penalty.curvature import Curvature
+from dynsplines import models
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.inbetween import Settings, inbetween
+from dynsplines.solver.penalty import CovariantAcceleration, Posture, RootAcceleration, UnitMagnitude
+from dynsplines.solver.penalty.curvature import Curvature
 
 CHAIN = (
     '<mujoco><worldbody><body><joint type="ball"/><geom size=".1" pos="0 0 .2"/><body pos="0 0 .4"><joint type="{}"/>'

@@ -6,16 +6,16 @@ from test_kinematics import random_samples
 from test_penalty_planted import at_times
 from test_penalty_unit import penalty_slope
 
-from solver.curve.frame import Frame
-from solver.figure.figure import Figure
-from solver.figure.kinematics import Samples
-from solver.inbetween import Settings, inbetween
-from solver.penalty import CovariantAcceleration, Rest, Resting, RootAcceleration, UnitMagnitude
-from solver.penalty.contact import point_gradients, velocity_gradients
-from solver.penalty.curvature import Curvature
-from solver.penalty.resting import SETTLING
-from solver.surface import Plane
-from solver.surface.points import Point
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.inbetween import Settings, inbetween
+from dynsplines.solver.penalty import CovariantAcceleration, Rest, Resting, RootAcceleration, UnitMagnitude
+from dynsplines.solver.penalty.contact import point_gradients, velocity_gradients
+from dynsplines.solver.penalty.curvature import Curvature
+from dynsplines.solver.penalty.resting import SETTLING
+from dynsplines.solver.surface import Plane
+from dynsplines.solver.surface.points import Point
 
 UP = np.array([0.0, 0, 1])
 FLOOR = Plane("floor", -50 * UP, UP)

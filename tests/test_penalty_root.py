@@ -4,8 +4,8 @@ import numpy as np
 from test_kinematics import random_samples
 from test_penalty_unit import penalty_slope
 
-from solver.figure.kinematics import Cotangent
-from solver.penalty import RootAcceleration
+from dynsplines.solver.figure.kinematics import Cotangent
+from dynsplines.solver.penalty import RootAcceleration
 
 
 def test_the_gradient_has_taylor_slope_two(figure, rng):

@@ -15,15 +15,15 @@ from test_curvature import curvature_of, shifted, sides_of
 from test_kinematics import random_samples
 from test_penalty_unit import penalty_slope, scaled_like
 
-from runner import work
-from runner.clip import load as clip
-from runner.measure.penetration import self_penetration
-from runner.measure.report import report, tables
-from runner.system.progress import Teller
-from solver.figure.figure import Figure
-from solver.figure.kinematics import Cotangent, Samples
-from solver.penalty import SelfContact
-from solver.penalty.self_contact import NEAR, nearest_on_segments
+from dynsplines import work
+from dynsplines.clip import load as clip
+from dynsplines.measure.penetration import self_penetration
+from dynsplines.measure.report import report, tables
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.penalty import SelfContact
+from dynsplines.solver.penalty.self_contact import NEAR, nearest_on_segments
+from dynsplines.system.progress import Teller
 
 SPIDER = """
 <mujoco><worldbody><body name="trunk" pos="0 0 1"><freejoint name="root"/>

@@ -6,17 +6,17 @@ import pytest
 from test_kinematics import random_samples
 from test_penalty_unit import penalty_slope, scaled_like
 
-from solver.curve.frame import Frame, Timeline
-from solver.curve.unknowns import raw_timeline
-from solver.figure.figure import Figure
-from solver.figure.kinematics import Samples
-from solver.inbetween import Settings, inbetween
-from solver.penalty import Contact, CovariantAcceleration, RootAcceleration, Skate, UnitMagnitude
-from solver.penalty.contact import velocity_gradients
-from solver.penalty.curvature import Curvature
-from solver.penalty.skate import LONG, Bound
-from solver.surface import Box, Plane
-from solver.surface.points import Point, places_of
+from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.inbetween import Settings, inbetween
+from dynsplines.solver.penalty import Contact, CovariantAcceleration, RootAcceleration, Skate, UnitMagnitude
+from dynsplines.solver.penalty.contact import velocity_gradients
+from dynsplines.solver.penalty.curvature import Curvature
+from dynsplines.solver.penalty.skate import LONG, Bound
+from dynsplines.solver.surface import Box, Plane
+from dynsplines.solver.surface.points import Point, places_of
 
 UP = np.array([0.0, 0, 1])
 TILTED = np.array([0.0, 0.6, 0.8])

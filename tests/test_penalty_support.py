@@ -12,13 +12,13 @@ from test_penalty_planted import at_times
 from test_penalty_unit import penalty_slope, scaled_like
 from test_rows import WOOD
 
-from solver.cone import projection
-from solver.figure.figure import Figure
-from solver.figure.kinematics import Cotangent, Samples
-from solver.figure.wrench import RootWrench
-from solver.penalty import Flight, Footing, Support
-from solver.penalty.support import friction_edges
-from solver.surface.points import Point
+from dynsplines.solver.cone import projection
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.figure.wrench import RootWrench
+from dynsplines.solver.penalty import Flight, Footing, Support
+from dynsplines.solver.penalty.support import friction_edges
+from dynsplines.solver.surface.points import Point
 
 UP = np.array([0.0, 0, 1])
 TABLE = """<mujoco><option gravity="0 0 -10"/><worldbody><body pos="0 0 1"><freejoint/>

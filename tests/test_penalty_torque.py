@@ -7,9 +7,9 @@ from test_dynamics import mujoco_forces
 from test_kinematics import random_samples
 from test_penalty_unit import penalty_slope, scaled_like
 
-from solver.figure.figure import Figure
-from solver.figure.kinematics import Samples
-from solver.penalty import Torque
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.penalty import Torque
 
 
 def with_armature(figure: Figure, rng: np.random.Generator) -> Figure:

@@ -6,13 +6,13 @@ import pytest
 from taylor import taylor_slope
 from test_kinematics import random_samples
 
-from solver.curve.frame import Frame
-from solver.curve.spline import path_of
-from solver.curve.unknowns import raw_timeline
-from solver.figure.figure import Figure
-from solver.figure.kinematics import Cotangent, Samples
-from solver.objective import Objective
-from solver.penalty import Penalty, UnitMagnitude
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.objective import Objective
+from dynsplines.solver.penalty import Penalty, UnitMagnitude
 
 BALL = '<mujoco><worldbody><body><joint type="ball"/><geom size="0.1"/></body></worldbody></mujoco>'
 

@@ -9,12 +9,12 @@ from test_kinematics import random_samples
 from test_penalty_planted import at_times
 from test_penalty_unit import penalty_slope, scaled_like
 
-from solver.array import Array
-from solver.curve.frame import Frame
-from solver.curve.unknowns import raw_timeline
-from solver.figure.figure import Figure
-from solver.figure.kinematics import Cotangent, Samples
-from solver.penalty import Lean, Upright, leans
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.penalty import Lean, Upright, leans
 
 AXES = np.array([[0.6, 0.0, 0.8], [0.0, -1.0, 0.0]])
 UP = np.array([0.0, 0, 1])

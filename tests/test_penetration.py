@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from oracles import tells_height_fields
 
-from runner.measure.penetration import lowest, moving_geoms, penetration, solid_geoms
+from dynsplines.measure.penetration import lowest, moving_geoms, penetration, solid_geoms
 
 SCENE = """
 <mujoco><worldbody>

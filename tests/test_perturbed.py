@@ -11,14 +11,14 @@ import mujoco
 import numpy as np
 import pytest
 
-from runner import work
-from runner.clip import load as clips
-from runner.clip.load import Clip
-from solver import Frame, Motion
-from solver import quaternion as quat
-from solver.array import Array
-from solver.curve.spline import path_of
-from solver.figure.figure import JointKind
+from dynsplines import work
+from dynsplines.clip import load as clips
+from dynsplines.clip.load import Clip
+from dynsplines.solver import Frame, Motion
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.figure.figure import JointKind
 
 FOLDER = Path(__file__).parent.parent / "benchmarks"
 THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "BLIS_NUM_THREADS", "NUMEXPR_NUM_THREADS",
@@ -164,7 +164,7 @@ def test_a_set_that_stands_out_is_named_with_what_its_motion_costs(benchmark):
 
 @pytest.mark.slow
 def test_solving_is_what_the_command_does(benchmark, run):
-    from runner.system.progress import Teller
+    from dynsplines.system.progress import Teller
 
     done = work.solve(clips.load("run_loop"), Teller())
     np.testing.assert_array_equal(done.motion.timeline.rows, run.timeline.rows)

@@ -6,14 +6,14 @@ import mujoco
 import numpy as np
 import pytest
 
-from runner.clip import load as clip
-from runner.clip.feet import sole_points
-from runner.clip.load import Clip
-from runner.clip.mirror import mirrored_tables
-from runner.clip.places import Places, posable_sites
-from runner.errors import UserError
-from solver.curve.mirror import Mirror
-from solver.figure.figure import Figure
+from dynsplines.clip import load as clip
+from dynsplines.clip.feet import sole_points
+from dynsplines.clip.load import Clip
+from dynsplines.clip.mirror import mirrored_tables
+from dynsplines.clip.places import Places, posable_sites
+from dynsplines.errors import UserError
+from dynsplines.solver.curve.mirror import Mirror
+from dynsplines.solver.figure.figure import Figure
 
 LEG = """<body name="{side}_thigh" pos="0 {y} 0"><joint name="{side}_hip_x" axis="1 0 0" range="-60 60"/>
   <joint name="{side}_hip_y" axis="0 1 0" range="-120 90"/><geom type="capsule" size=".03" fromto="0 0 0 0 0 -.3"/>

@@ -13,16 +13,16 @@ import pytest
 from rich.console import Console
 from tiny import HINGE
 
-from runner import cli, work
-from runner.clip import load as clip
-from runner.clip.load import Clip
-from runner.errors import UserError
-from runner.measure.report import report
-from runner.system.progress import Teller
-from solver import quaternion as quat
-from solver.curve.frame import Frame
-from solver.penalty import Placement
-from solver.posing import MET
+from dynsplines import cli, work
+from dynsplines.clip import load as clip
+from dynsplines.clip.load import Clip
+from dynsplines.errors import UserError
+from dynsplines.measure.report import report
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.penalty import Placement
+from dynsplines.solver.posing import MET
+from dynsplines.system.progress import Teller
 
 HEAD = 'figure = "human"\n'
 REST = HEAD + '[[keyframe]]\ntime = 0.0\nothers = "rest"\n'

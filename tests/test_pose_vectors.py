@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from solver import quaternion as quat
-from solver.array import Array
-from solver.reading.pose_vectors import Heading
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.reading.pose_vectors import Heading
 
 
 def facing(angles: Array) -> Array:

@@ -11,19 +11,19 @@ import walkers
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-import models
-from runner.clip.constraints import posing_bends
-from runner.clip.feet import sole_points
-from runner.clip.table import PenaltyTable
-from solver import posing
-from solver import quaternion as quat
-from solver.array import Array, Mask
-from solver.figure.figure import Figure, JointKind, quaternion_columns
-from solver.figure.kinematics import Samples
-from solver.penalty import Bend, BendLimits
-from solver.penalty.bend import bent
-from solver.posing import MET, STARTS, BodyGoal, Goal, PointGoal, Posed, SiteGoal, chain, entries, posed
-from solver.surface.points import Point, site_points
+from dynsplines import models
+from dynsplines.clip.constraints import posing_bends
+from dynsplines.clip.feet import sole_points
+from dynsplines.clip.table import PenaltyTable
+from dynsplines.solver import posing
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array, Mask
+from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.penalty import Bend, BendLimits
+from dynsplines.solver.penalty.bend import bent
+from dynsplines.solver.posing import MET, STARTS, BodyGoal, Goal, PointGoal, Posed, SiteGoal, chain, entries, posed
+from dynsplines.solver.surface.points import Point, site_points
 
 HUMAN = {c: Figure(mujoco.MjModel.from_xml_string(models.figure_text("human")), c) for c in ("world", "joint")}
 BENDS = posing_bends(HUMAN["world"], [PenaltyTable(kind="bend", least=2.0)])

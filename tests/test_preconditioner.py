@@ -5,16 +5,16 @@ import numpy as np
 import pytest
 from test_objective import clip
 
-from solver.curve.frame import Frame
-from solver.curve.spline import path_of
-from solver.curve.unknowns import raw_timeline
-from solver.figure.figure import Figure
-from solver.objective import Discretised, Objective
-from solver.penalty import CovariantAcceleration, RootAcceleration
-from solver.refine.subdivision import evenly
-from solver.search.descent import Descent
-from solver.search.preconditioner import Preconditioner
-from solver.search.quadratic import Layout, Model
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.objective import Discretised, Objective
+from dynsplines.solver.penalty import CovariantAcceleration, RootAcceleration
+from dynsplines.solver.refine.subdivision import evenly
+from dynsplines.solver.search.descent import Descent
+from dynsplines.solver.search.preconditioner import Preconditioner
+from dynsplines.solver.search.quadratic import Layout, Model
 
 ENDS = ["free", "clamped", "periodic"]
 

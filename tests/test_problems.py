@@ -14,20 +14,20 @@ import numpy as np
 import pytest
 from rich.console import Console
 
-from runner import Keyframe, build, inbetween, load_motion, motion, work
-from runner.clip import load as clip
-from runner.clip.load import Clip
-from runner.edit import edits
-from runner.measure import problems
-from runner.measure.bounds import BOUNDS, WHIP_SHARE
-from runner.measure.penetration import penetration
-from runner.measure.problems import Problem
-from runner.motion import sampled
-from runner.system.progress import Teller
-from solver import quaternion as quat
-from solver.curve.frame import Frame, Timeline
-from solver.curve.spline import path_of
-from solver.search.optimiser import Stop
+from dynsplines import Keyframe, build, inbetween, load_motion, motion, work
+from dynsplines.clip import load as clip
+from dynsplines.clip.load import Clip
+from dynsplines.edit import edits
+from dynsplines.measure import problems
+from dynsplines.measure.bounds import BOUNDS, WHIP_SHARE
+from dynsplines.measure.penetration import penetration
+from dynsplines.measure.problems import Problem
+from dynsplines.motion import sampled
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.search.optimiser import Stop
+from dynsplines.system.progress import Teller
 
 REST = '\n[[keyframe]]\ntime = {}\nothers = "rest"\n'
 HIGH = REST + "root.position = [0, 0, 3]\n"  # above all floors

@@ -7,8 +7,8 @@ import io
 import pytest
 from rich.console import Console
 
-from runner.system import progress
-from runner.system.progress import Teller
+from dynsplines.system import progress
+from dynsplines.system.progress import Teller
 
 
 @pytest.fixture

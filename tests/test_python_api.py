@@ -1,4 +1,4 @@
-"""`from runner import ...`: what users of Python get, as they would use it."""
+"""`from dynsplines import ...`: what users of Python get, as they would use it."""
 
 from __future__ import annotations
 
@@ -17,9 +17,21 @@ from conftest import EVERY_JOINT
 from scipy.spatial.transform import Rotation
 from tiny import names, written
 
-import runner
-from runner import Clip, Keyframe, Motion, UserError, build, clips, figures, import_motion, inbetween, load, load_motion
-from runner.clip.table import ClipTable, KeyframeTable
+import dynsplines
+from dynsplines import (
+    Clip,
+    Keyframe,
+    Motion,
+    UserError,
+    build,
+    clips,
+    figures,
+    import_motion,
+    inbetween,
+    load,
+    load_motion,
+)
+from dynsplines.clip.table import ClipTable, KeyframeTable
 
 ROOT = Path(__file__).parent.parent
 ARM = """
@@ -61,23 +73,23 @@ def run(code: str, folder: Path) -> str:
 
 
 def test_importing_the_package_loads_nothing_heavy(tmp_path):
-    heavy = run("import sys, runner; print(*sys.modules)", tmp_path).split()
+    heavy = run("import sys, dynsplines; print(*sys.modules)", tmp_path).split()
     assert not {"numpy", "scipy", "mujoco", "rich", "pydantic", "matplotlib", "typer"} & set(heavy)
 
 
 def test_every_name_is_there_and_listed():
-    assert set(runner.__all__) <= set(dir(runner))
-    for name in runner.__all__:
-        assert getattr(runner, name).__doc__
+    assert set(dynsplines.__all__) <= set(dir(dynsplines))
+    for name in dynsplines.__all__:
+        assert getattr(dynsplines, name).__doc__
     with pytest.raises(AttributeError, match=r"no attribute 'lod'; it has: Clip, Keyframe"):
-        _ = runner.lod  # type: ignore[attr-defined]
+        _ = dynsplines.lod  # type: ignore[attr-defined]
 
 
 @pytest.mark.slow
 def test_a_script_in_an_empty_folder(tmp_path):
     (tmp_path / "arm.xml").write_text(ARM)
     script = """
-from runner import *
+from dynsplines import *
 clip = build("arm.xml", [Keyframe(0, others="rest"), Keyframe(1, joints={"elbow": 60.0})])
 motion = inbetween(clip)
 motion.save("up.npz"), motion.save("up.toml"), motion.export("up.csv")

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-from solver import quaternion as quat
+from dynsplines.solver import quaternion as quat
 
 component = st.floats(-2, 2, allow_nan=False).map(lambda x: round(x, 6))
 quaternions = st.tuples(*[component] * 4).map(np.array).filter(lambda q: np.linalg.norm(q) > 0.1)

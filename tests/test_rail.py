@@ -14,18 +14,18 @@ from test_kinematics import random_samples
 from test_penalty_contact import FLOOR, LEG, some_points
 from test_penalty_unit import penalty_slope
 
-from runner import work
-from runner.clip import load as clip
-from runner.measure.penetration import penetration
-from runner.motion import sampled
-from runner.system.progress import Teller
-from solver.array import Array
-from solver.figure.figure import Figure
-from solver.figure.kinematics import Samples
-from solver.penalty import Contact, Together, UnitMagnitude
-from solver.penalty.curvature import Curvature, Sides
-from solver.surface import Capsule, Ellipsoid, Sphere
-from solver.surface.cover import covering_points
+from dynsplines import work
+from dynsplines.clip import load as clip
+from dynsplines.measure.penetration import penetration
+from dynsplines.motion import sampled
+from dynsplines.solver.array import Array
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.penalty import Contact, Together, UnitMagnitude
+from dynsplines.solver.penalty.curvature import Curvature, Sides
+from dynsplines.solver.surface import Capsule, Ellipsoid, Sphere
+from dynsplines.solver.surface.cover import covering_points
+from dynsplines.system.progress import Teller
 
 
 def deepest(path: str) -> float:

@@ -4,9 +4,9 @@ import mujoco
 import numpy as np
 import pytest
 
-from runner.picture.camera import View
-from runner.picture.ghost import Ghost
-from runner.picture.rays import Rays
+from dynsplines.picture.camera import View
+from dynsplines.picture.ghost import Ghost
+from dynsplines.picture.rays import Rays
 
 SCENE = """
 <mujoco>

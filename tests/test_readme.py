@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from runner import inbetween
-from runner.clip import load as clip
+from dynsplines import inbetween
+from dynsplines.clip import load as clip
 
 README = (Path(__file__).parent.parent / "README.md").read_text(encoding="utf-8")
 
@@ -29,7 +29,7 @@ def test_the_python_example_runs(
 
 
 def test_every_format_of_the_table_exists_and_none_is_left_out() -> None:
-    from runner.exchange.formats import FORMATS
+    from dynsplines.exchange.formats import FORMATS
 
     table = README.split("## To and from other programs")[1].split("##")[0]
     ways = {"both": (True, True), "writes": (True, False), "reads": (False, True)}
@@ -60,7 +60,7 @@ def test_every_picture_and_linked_file_is_there() -> None:
 def test_every_command_of_the_table_exists() -> None:
     from typer.main import get_command
 
-    from runner.cli import app
+    from dynsplines.cli import app
 
     names = set(get_command(app).commands)  # type: ignore[attr-defined]
     for command in re.findall(r"`dynsplines (\w+)", README):

@@ -9,19 +9,19 @@ from conftest import BALL_TREE
 from test_gauss_newton import problem_of
 from test_preconditioner import discretised
 
-from runner.clip.load import load
-from solver.curve.frame import Frame
-from solver.curve.spline import path_of
-from solver.curve.unknowns import raw_timeline
-from solver.figure.figure import Figure
-from solver.inbetween import Motion, inbetween
-from solver.objective import Discretised, Objective
-from solver.penalty import CovariantAcceleration
-from solver.refine.subdivision import evenly
-from solver.search.descent import NEWTON, Descent
-from solver.search.newton import gauss_newton
-from solver.search.optimiser import METHODS, Stop, StopSearch
-from solver.search.refinement import refined
+from dynsplines.clip.load import load
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.inbetween import Motion, inbetween
+from dynsplines.solver.objective import Discretised, Objective
+from dynsplines.solver.penalty import CovariantAcceleration
+from dynsplines.solver.refine.subdivision import evenly
+from dynsplines.solver.search.descent import NEWTON, Descent
+from dynsplines.solver.search.newton import gauss_newton
+from dynsplines.solver.search.optimiser import METHODS, Stop, StopSearch
+from dynsplines.solver.search.refinement import refined
 
 TWO_BALLS = """
 <mujoco><worldbody><body><joint type="ball"/><geom size=".1" pos="0 0 -.3"/>

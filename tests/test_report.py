@@ -12,15 +12,15 @@ import pytest
 from rich.console import Console
 from tiny import FIGURE, written
 
-from runner import work
-from runner.clip import load as clip
-from runner.measure.report import Grid, _far_from_trouble, report, tables
-from runner.motion import sampled
-from runner.system.progress import Teller
-from runner.work import Solved
-from solver.curve.spline import path_of
-from solver.refine.subdivision import evenly
-from solver.search.descent import optimised
+from dynsplines import work
+from dynsplines.clip import load as clip
+from dynsplines.measure.report import Grid, _far_from_trouble, report, tables
+from dynsplines.motion import sampled
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.refine.subdivision import evenly
+from dynsplines.solver.search.descent import optimised
+from dynsplines.system.progress import Teller
+from dynsplines.work import Solved
 
 FOOT = """
 <mujoco><worldbody>

@@ -12,13 +12,13 @@ from test_model import TINY, figure_of
 from test_seam import PERIOD, loop
 from test_unknowns import TIMES, random_keys
 
-from solver.curve.frame import Frame, Timeline, TimelineError
-from solver.curve.seam import Seam
-from solver.curve.spline import path_of
-from solver.curve.unknowns import Unknowns, raw_timeline
-from solver.edit.retime import repeated, retimed, trimmed
-from solver.figure.figure import Figure
-from solver.refine.subdivision import evenly
+from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
+from dynsplines.solver.curve.seam import Seam
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.curve.unknowns import Unknowns, raw_timeline
+from dynsplines.solver.edit.retime import repeated, retimed, trimmed
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.refine.subdivision import evenly
 
 FIGURE_OF_A_HOP = figure_of(TINY)
 FIGURE = Figure(mujoco.MjModel.from_xml_string(BALL_TREE))

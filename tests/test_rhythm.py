@@ -6,18 +6,18 @@ import numpy as np
 import pytest
 from walker import FINE, walk, walker
 
-from runner.clip.constraints import Constraints
-from runner.clip.table import PenaltyTable
-from solver import quaternion as quat
-from solver.curve.frame import Frame
-from solver.curve.spline import path_of
-from solver.curve.unknowns import raw_timeline
-from solver.figure.kinematics import Samples
-from solver.penalty import Cycle
-from solver.reading.pose_vectors import PoseVectors
-from solver.reading.rhythm import Process
-from solver.reading.stride import SLIP, Gait
-from solver.surface import Plane
+from dynsplines.clip.constraints import Constraints
+from dynsplines.clip.table import PenaltyTable
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.penalty import Cycle
+from dynsplines.solver.reading.pose_vectors import PoseVectors
+from dynsplines.solver.reading.rhythm import Process
+from dynsplines.solver.reading.stride import SLIP, Gait
+from dynsplines.solver.surface import Plane
 
 PERIOD = 1.1
 GROUND = (Plane("floor", np.zeros(3), np.array([0.0, 0, 1])),)

@@ -7,13 +7,13 @@ from conftest import BALL_TREE, EVERY_JOINT
 from test_kinematics import random_samples
 from test_penalty_torque import with_armature
 
-from solver.array import Array, Index
-from solver.figure.algebra import cross
-from solver.figure.dynamics import InverseDynamics
-from solver.figure.figure import Figure
-from solver.figure.jacobian_rows import has_moment_rows, has_point_rows, moment_rows, point_rows
-from solver.figure.kinematics import Cotangent, Samples
-from solver.penalty.curvature import jacobian
+from dynsplines.solver.array import Array, Index
+from dynsplines.solver.figure.algebra import cross
+from dynsplines.solver.figure.dynamics import InverseDynamics
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.jacobian_rows import has_moment_rows, has_point_rows, moment_rows, point_rows
+from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.penalty.curvature import jacobian
 
 PLAIN = BALL_TREE.replace(' pos=".01 .02 .03"', "")
 
@@ -146,7 +146,7 @@ def test_the_jacobian_of_many_rows_is_that_of_each(closed, rng, monkeypatch):
         cotangent.room("y_d")[:] += weight[rows]
 
     whole = jacobian(samples, at, seeded)
-    monkeypatch.setattr("solver.penalty.curvature.ROWS_AT_ONCE", 3)
+    monkeypatch.setattr("dynsplines.solver.penalty.curvature.ROWS_AT_ONCE", 3)
     np.testing.assert_array_equal(jacobian(samples, at, seeded), whole)
     np.testing.assert_array_equal(whole[:, 1], weight)
     assert not whole[:, [0, 2]].any()

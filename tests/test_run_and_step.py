@@ -12,17 +12,17 @@ import pytest
 import shipped
 from perturbed import perturbed
 
-import models
-from runner.clip import load as clips
-from runner.clip.load import Clip
-from runner.measure.penetration import Penetration, penetration
-from runner.measure.report import report
-from runner.motion import sampled
-from solver.curve.frame import Frame
-from solver.curve.quadrature import gauss_nodes
-from solver.curve.spline import path_of
-from solver.inbetween import Motion, inbetween
-from solver.search.optimiser import Stop, StopSearch
+from dynsplines import models
+from dynsplines.clip import load as clips
+from dynsplines.clip.load import Clip
+from dynsplines.measure.penetration import Penetration, penetration
+from dynsplines.measure.report import report
+from dynsplines.motion import sampled
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.quadrature import gauss_nodes
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.inbetween import Motion, inbetween
+from dynsplines.solver.search.optimiser import Stop, StopSearch
 
 TEXT = models.clip_text("run_and_step")
 FEET = ("foot", "sole", "shoe", "toe", "heel", "vamp", "ankle", "collar")

@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from runner.clip import load as clip
-from runner.measure.penetration import penetration
-from runner.motion import sampled
-from solver.array import Array
-from solver.curve.mirror import Mirror
-from solver.curve.seam import Seam
-from solver.inbetween import Motion, inbetween
+from dynsplines.clip import load as clip
+from dynsplines.measure.penetration import penetration
+from dynsplines.motion import sampled
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.mirror import Mirror
+from dynsplines.solver.curve.seam import Seam
+from dynsplines.solver.inbetween import Motion, inbetween
 
 PROBLEM = clip.load("run_loop")
 STRIDE, PERIOD = 2.0, 0.74

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 from tiny import FIGURE, HINGE, names
 
-import models
-from runner.errors import UserError
-from runner.scene.compose import Step, compose, figure_spec, quietly
-from runner.scene.lighting import brightness
+from dynsplines import models
+from dynsplines.errors import UserError
+from dynsplines.scene.compose import Step, compose, figure_spec, quietly
+from dynsplines.scene.lighting import brightness
 
 OWN_STAGE = """<worldbody>
   <light name="lamp" directional="true" dir="0 0 -1"/><geom name="ground" type="plane" size="1 1 1" contype="1"/>"""

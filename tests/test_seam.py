@@ -9,17 +9,17 @@ from test_model import SMOOTH, TINY, assert_dense, figure_of, smooth_problem
 from test_objective import every_penalty
 from test_unknowns import mask_without
 
-from solver import quaternion as quat
-from solver.array import Array
-from solver.curve.frame import Frame, Timeline, TimelineError
-from solver.curve.seam import Seam
-from solver.curve.spline import Path, path_of
-from solver.curve.unknowns import Unknowns, raw_timeline
-from solver.figure.figure import Figure
-from solver.inbetween import Settings, inbetween
-from solver.objective import Objective
-from solver.penalty import CovariantAcceleration, Penalty, RootAcceleration, Torque, UnitMagnitude
-from solver.refine.subdivision import evenly, split
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
+from dynsplines.solver.curve.seam import Seam
+from dynsplines.solver.curve.spline import Path, path_of
+from dynsplines.solver.curve.unknowns import Unknowns, raw_timeline
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.inbetween import Settings, inbetween
+from dynsplines.solver.objective import Objective
+from dynsplines.solver.penalty import CovariantAcceleration, Penalty, RootAcceleration, Torque, UnitMagnitude
+from dynsplines.solver.refine.subdivision import evenly, split
 
 PERIOD, STRIDE = 0.8, 0.6
 TIMES = [0.0, 0.3, 0.5, PERIOD]

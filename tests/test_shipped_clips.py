@@ -9,23 +9,23 @@ import numpy as np
 import pytest
 import shipped
 
-import models
-from runner.clip.load import Clip
-from runner.measure.penetration import penetration, self_penetration
-from runner.measure.problems import problems
-from runner.motion import sampled, samples_at
-from solver.array import Array
-from solver.curve.mirror import Mirror
-from solver.curve.seam import Seam, heading_between
-from solver.curve.spline import path_of
-from solver.curve.unknowns import raw_timeline
-from solver.figure.kinematics import Samples
-from solver.inbetween import Motion
-from solver.objective import SMALL_SHARE
-from solver.penalty import BendLimits, Planted, SelfContact, Stance, Together
-from solver.reading.stride import Gait
-from solver.search.astray import is_astray
-from solver.surface.points import places_of
+from dynsplines import models
+from dynsplines.clip.load import Clip
+from dynsplines.measure.penetration import penetration, self_penetration
+from dynsplines.measure.problems import problems
+from dynsplines.motion import sampled, samples_at
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.mirror import Mirror
+from dynsplines.solver.curve.seam import Seam, heading_between
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.inbetween import Motion
+from dynsplines.solver.objective import SMALL_SHARE
+from dynsplines.solver.penalty import BendLimits, Planted, SelfContact, Stance, Together
+from dynsplines.solver.reading.stride import Gait
+from dynsplines.solver.search.astray import is_astray
+from dynsplines.solver.surface.points import places_of
 
 
 @dataclass(frozen=True)

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from runner.motion import Saved, sampled
-from runner.picture import show
-from runner.picture.graphics import Graphics
-from runner.picture.show import Look, figure_height, figure_six, for_tiles, image_count, images, root_path
+from dynsplines.motion import Saved, sampled
+from dynsplines.picture import show
+from dynsplines.picture.graphics import Graphics
+from dynsplines.picture.show import Look, figure_height, figure_six, for_tiles, image_count, images, root_path
 
 RAYS = Graphics("rays", "renderer: rays")
 W, H = 48, 32

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.interpolate import BSpline, CubicSpline
 
-from solver.curve.spline import Path, Sampling, Spline, natural_end_slopes, natural_spline
+from dynsplines.solver.curve.spline import Path, Sampling, Spline, natural_end_slopes, natural_spline
 
 TIMES = np.array([-0.3, 0.2, 0.25, 1.4, 2.0, 3.7])
 ENDS = ["free", "clamped", "periodic"]

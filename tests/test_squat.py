@@ -10,15 +10,15 @@ import pytest
 import walkers
 from squats import Measured, measured, solved, squat
 
-from runner.clip import load as clip
-from runner.clip.load import Clip
-from runner.clip.standing import fitted
-from solver import quaternion as quat
-from solver.array import Array
-from solver.curve.frame import Frame
-from solver.curve.unknowns import raw_timeline
-from solver.penalty import Planted
-from solver.posing import entries
+from dynsplines.clip import load as clip
+from dynsplines.clip.load import Clip
+from dynsplines.clip.standing import fitted
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.penalty import Planted
+from dynsplines.solver.posing import entries
 
 HEIGHTS = [0.9, 0.85, 0.8, 0.75, 0.7, 0.65, 0.6, 0.55, 0.5, 0.45]
 KNEES = ("left_knee", "right_knee")

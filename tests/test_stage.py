@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from runner.picture.camera import View
-from runner.picture.ghost import Ghost
-from runner.picture.graphics import Graphics, choose
-from runner.picture.stage import Stage, _simplify
-from runner.scene.assets import Scene
+from dynsplines.picture.camera import View
+from dynsplines.picture.ghost import Ghost
+from dynsplines.picture.graphics import Graphics, choose
+from dynsplines.picture.stage import Stage, _simplify
+from dynsplines.scene.assets import Scene
 
 SCENE = """
 <mujoco>

@@ -10,12 +10,12 @@ import numpy as np
 import pytest
 from rich.console import Console
 
-from runner import work
-from runner.clip import load as clip
-from runner.clip.starter import starter
-from runner.clip.text import keyframe_tables
-from runner.errors import UserError
-from runner.system.progress import Teller
+from dynsplines import work
+from dynsplines.clip import load as clip
+from dynsplines.clip.starter import starter
+from dynsplines.clip.text import keyframe_tables
+from dynsplines.errors import UserError
+from dynsplines.system.progress import Teller
 
 BODY = '<body name="b" pos="0 0 1">{}<geom type="capsule" size=".05" fromto="0 0 0 .3 0 0"/>{}</body>'
 ARM = BODY.format('<joint name="swing" axis="0 1 0" {}/>', "")

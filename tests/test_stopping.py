@@ -20,7 +20,7 @@ pytestmark = pytest.mark.skipif(os.name == "nt", reason="signals are another mat
 ROOT = Path(__file__).parent.parent
 LONG = changed("evaluations = 8\nframes = 2", "evaluations = 100000\nframes = 400\ntolerance = 1e-15\nthreshold = 0")
 DEFAULT = "import signal, sys; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
-COMMAND = DEFAULT + "sys.argv = sys.argv[1:]; from runner.start import main; main()"
+COMMAND = DEFAULT + "sys.argv = sys.argv[1:]; from dynsplines.start import main; main()"
 INTERRUPTED = (
     DEFAULT
     + """
@@ -33,7 +33,7 @@ class Interrupting(importlib.abc.MetaPathFinder):
             os.kill(os.getpid(), number)
 sys.meta_path.insert(0, Interrupting())
 sys.argv = sys.argv[3:]
-from runner.start import main; main()"""
+from dynsplines.start import main; main()"""
 )
 CODES = {signal.SIGINT: 130, signal.SIGTERM: 143, signal.SIGHUP: 129} if os.name != "nt" else {}
 Start = Callable[..., "subprocess.Popen[str]"]
@@ -62,7 +62,7 @@ def start(tmp_path: Path) -> Iterator[Start]:
         process.communicate()
 
 
-FIRST_IMPORTS = ["runner.cli", "typer", "mujoco"]
+FIRST_IMPORTS = ["dynsplines.cli", "typer", "mujoco"]
 
 
 @pytest.mark.slow

@@ -11,15 +11,15 @@ import pytest
 import tiny
 import wild
 
-from runner import motion
-from runner.clip import load as clip
-from runner.clip.starter import starter
-from runner.errors import UserError
-from runner.exchange import formats
-from runner.exchange.imported import imported
-from runner.motion import Saved
-from solver.figure.figure import Figure
-from solver.surface.points import MOST_BETWEEN, body_points
+from dynsplines import motion
+from dynsplines.clip import load as clip
+from dynsplines.clip.starter import starter
+from dynsplines.errors import UserError
+from dynsplines.exchange import formats
+from dynsplines.exchange.imported import imported
+from dynsplines.motion import Saved
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.surface.points import MOST_BETWEEN, body_points
 
 KEYS = '<keyframe><key qpos="{}"/><key time="1" qpos="{}"/></keyframe></mujoco>'
 GOOD = "0 0 1 1 0 0 0 1 0 0 0"

@@ -16,21 +16,21 @@ from command import commanded
 from rich.console import Console
 from test_assets import stl
 
-import runner
-from runner import cli, motion, work
-from runner.batch import inputs, solving
-from runner.batch.inputs import Source
-from runner.batch.lock import Lock
-from runner.batch.manifest import Entry, Manifest, check_below, digest_of
-from runner.batch.task import Task
-from runner.clip import load as clip
-from runner.errors import UserError
-from runner.exchange import formats
-from runner.motion import Saved
-from runner.scene import outside
-from runner.scene.assets import Scene
-from runner.scene.compose import compose, figure_spec
-from runner.system.progress import Teller
+import dynsplines
+from dynsplines import cli, motion, work
+from dynsplines.batch import inputs, solving
+from dynsplines.batch.inputs import Source
+from dynsplines.batch.lock import Lock
+from dynsplines.batch.manifest import Entry, Manifest, check_below, digest_of
+from dynsplines.batch.task import Task
+from dynsplines.clip import load as clip
+from dynsplines.errors import UserError
+from dynsplines.exchange import formats
+from dynsplines.motion import Saved
+from dynsplines.scene import outside
+from dynsplines.scene.assets import Scene
+from dynsplines.scene.compose import compose, figure_spec
+from dynsplines.system.progress import Teller
 
 POSIX = pytest.mark.skipif(os.name == "nt", reason="links are another matter there")
 MODEL = """<mujoco><compiler meshdir="{folder}"/>{more}<asset>{asset}</asset><worldbody>
@@ -149,7 +149,7 @@ def test_a_recording_that_brings_its_figure_reads_no_file_beside_its_own(meshed:
     other = str(arrays["mjcf"]).replace('"bone.stl"', f'"{secret.as_posix()}"')
     np.savez(target, **{**arrays, "mjcf": np.array(other)})
     with pytest.raises(UserError, match=r"refers to '.*secret\.stl', which it does not bring along"):
-        runner.import_motion(target)
+        dynsplines.import_motion(target)
 
 
 def test_a_motions_own_name_leads_to_no_other_folder(meshed: Saved, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
@@ -164,7 +164,7 @@ def test_a_motions_own_name_leads_to_no_other_folder(meshed: Saved, tmp_path: Pa
 def test_a_figures_file_does_not_take_the_clips_place(meshed: Saved, tmp_path: Path, name: str):
     scene = Scene(meshed.mjcf.replace('"bone.stl"', f'"{name}"'), {name: stl(0.1)})
     with pytest.raises(UserError, match="choose another name"):
-        runner.Motion(replace(meshed, scene=scene)).save(tmp_path / "x.toml", overwrite=True)
+        dynsplines.Motion(replace(meshed, scene=scene)).save(tmp_path / "x.toml", overwrite=True)
 
 
 # files that models name
@@ -203,21 +203,21 @@ def test_a_model_reads_nothing_outside_its_folder_unless_it_may(tmp_path: Path, 
         clip.load(str(path))
     assert str(path.parent) in str(caught.value)
     with pytest.raises(UserError, match="outside its folder"):
-        runner.load(path)
+        dynsplines.load(path)
     if way not in ("odd", "submodel"):  # which are no models that MuJoCo reads
-        assert runner.load(path, allow_outside=True).figure.model.nmesh == 1
+        assert dynsplines.load(path, allow_outside=True).figure.model.nmesh == 1
         with pytest.raises(UserError, match="outside its folder"):
-            runner.load(path)
+            dynsplines.load(path)
 
 
 @POSIX
 def test_a_spec_given_from_python_is_held_to_the_same(tmp_path: Path):
     path = outsiders(tmp_path)["up"]
-    keys = [runner.Keyframe(0.0, others="rest"), runner.Keyframe(0.5, others="rest")]
+    keys = [dynsplines.Keyframe(0.0, others="rest"), dynsplines.Keyframe(0.5, others="rest")]
     for figure in (path, mujoco.MjSpec.from_file(str(path))):
         with pytest.raises(UserError, match="outside its folder"):
-            runner.build(figure, keys)
-        assert runner.build(figure, keys, allow_outside=True).scene.assets
+            dynsplines.build(figure, keys)
+        assert dynsplines.build(figure, keys, allow_outside=True).scene.assets
 
 
 @pytest.mark.slow

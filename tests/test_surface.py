@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 from taylor import taylor_slope
 
-from solver.surface import Box, Plane, static_surfaces
+from dynsplines.solver.surface import Box, Plane, static_surfaces
 
 SCENE = """
 <mujoco><worldbody>

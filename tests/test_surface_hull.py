@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 from scipy.optimize import nnls
 from scipy.spatial import ConvexHull
 
-from solver.array import Array, Index
-from solver.surface import Hull, hull, hull_of
+from dynsplines.solver.array import Array, Index
+from dynsplines.solver.surface import Hull, hull, hull_of
 
 SEEDS = st.integers(0, 10_000)
 CUBE_CORNERS = np.array([[x, y, z] for x in (0.0, 1.0) for y in (0.0, 1.0) for z in (0.0, 1.0)]).T

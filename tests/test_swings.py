@@ -6,11 +6,11 @@ import mujoco
 import numpy as np
 import pytest
 
-from runner import work
-from runner.clip import load as clip
-from runner.measure.swings import runs, swings, words
-from runner.motion import samples_at
-from solver.curve.spline import path_of
+from dynsplines import work
+from dynsplines.clip import load as clip
+from dynsplines.measure.swings import runs, swings, words
+from dynsplines.motion import samples_at
+from dynsplines.solver.curve.spline import path_of
 
 HOPPER = """<mujoco><worldbody>
   <geom type="plane" size="5 5 .1"/>

@@ -12,9 +12,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.interpolate import CubicSpline
 
-from solver.curve.spline import path_of
-from solver.edit.thin import Bound, Recorded, natural_splines, refined, thin
-from solver.figure.figure import Figure
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.edit.thin import Bound, Recorded, natural_splines, refined, thin
+from dynsplines.solver.figure.figure import Figure
 
 WIDE = Bound(0.08, np.radians(10))
 

@@ -9,17 +9,17 @@ import numpy as np
 import pytest
 from tiny import names, written
 
-from runner import motion, work
-from runner.cli import app
-from runner.clip import load as clip
-from runner.edit import edits, thin_files
-from runner.edit.thinning import recorded_of, thinned
-from runner.errors import UserError
-from runner.exchange import formats
-from runner.motion import Saved
-from runner.system.progress import Teller
-from runner.system.quantity import length
-from solver.curve.spline import path_of
+from dynsplines import motion, work
+from dynsplines.cli import app
+from dynsplines.clip import load as clip
+from dynsplines.edit import edits, thin_files
+from dynsplines.edit.thinning import recorded_of, thinned
+from dynsplines.errors import UserError
+from dynsplines.exchange import formats
+from dynsplines.motion import Saved
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.system.progress import Teller
+from dynsplines.system.quantity import length
 
 BOUND = (0.02, np.radians(5))
 

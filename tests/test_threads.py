@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from runner.system import threads
+from dynsplines.system import threads
 
 
 def linear_algebra() -> ctypes.CDLL:

@@ -5,14 +5,14 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 
-from runner.clip.obstacles import obstacles
-from runner.clip.table import SceneTable
-from runner.scene.compose import Step, compose
-from solver.figure.figure import Figure
-from solver.surface import static_surfaces
-from solver.surface.cover import covering_points
-from solver.surface.points import body_points
-from solver.surface.touch import bolted, counts_all, movers, solids
+from dynsplines.clip.obstacles import obstacles
+from dynsplines.clip.table import SceneTable
+from dynsplines.scene.compose import Step, compose
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.surface import static_surfaces
+from dynsplines.solver.surface.cover import covering_points
+from dynsplines.solver.surface.points import body_points
+from dynsplines.solver.surface.touch import bolted, counts_all, movers, solids
 
 ARM = """
 <mujoco><asset><mesh name="rock" vertex="0 0 0 .1 0 0 0 .1 0 0 0 .1 .1 .1 .1"/></asset>

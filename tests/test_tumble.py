@@ -9,13 +9,13 @@ import pytest
 from rich.console import Console
 from scipy.spatial.transform import Rotation
 
-from runner import work
-from runner.claims.orientations import INTRINSIC, KEYFRAMES, Run, energy
-from runner.clip import load as clip
-from runner.system.progress import Teller
-from runner.work import Solved
-from solver.curve.frame import Frame
-from solver.curve.spline import Path, path_of
+from dynsplines import work
+from dynsplines.claims.orientations import INTRINSIC, KEYFRAMES, Run, energy
+from dynsplines.clip import load as clip
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.spline import Path, path_of
+from dynsplines.system.progress import Teller
+from dynsplines.work import Solved
 
 
 @pytest.fixture(scope="module")

@@ -11,24 +11,24 @@ import tiny
 from rich.console import Console
 from scipy.spatial.transform import Rotation
 
-from runner import motion, work
-from runner.clip import load as clips
-from runner.clip.mirror import mirrored_tables
-from runner.clip.rotation import quaternion_of
-from runner.clip.table import RotationTable
-from runner.edit import edits
-from runner.edit.thinning import recorded_of
-from runner.errors import UserError
-from runner.exchange.take import Take
-from runner.motion import Saved
-from runner.scene.compose import figure_spec
-from runner.system.progress import Teller
-from solver import quaternion as quat
-from solver.curve.mirror import Mirror
-from solver.curve.seam import Seam
-from solver.curve.spline import path_of
-from solver.edit.thin import thin
-from solver.figure.figure import Figure
+from dynsplines import motion, work
+from dynsplines.clip import load as clips
+from dynsplines.clip.mirror import mirrored_tables
+from dynsplines.clip.rotation import quaternion_of
+from dynsplines.clip.table import RotationTable
+from dynsplines.edit import edits
+from dynsplines.edit.thinning import recorded_of
+from dynsplines.errors import UserError
+from dynsplines.exchange.take import Take
+from dynsplines.motion import Saved
+from dynsplines.scene.compose import figure_spec
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.curve.mirror import Mirror
+from dynsplines.solver.curve.seam import Seam
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.edit.thin import thin
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.system.progress import Teller
 
 ENDS = 'frames = 2\nends = "periodic"\n'
 LAST = "root.position = [0.3, 0, 1]\nroot.rotation = {rotvec = [0, 10, 170]}"

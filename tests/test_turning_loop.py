@@ -10,17 +10,17 @@ from test_seam import PERIOD, TERMS, TIMES, assert_exact_gradient, assert_splits
 from test_seam import pose as straight
 from test_unknowns import mask_without
 
-from solver import quaternion as quat
-from solver.array import Array
-from solver.curve.frame import Frame, Timeline, TimelineError
-from solver.curve.mirror import Mirror
-from solver.curve.seam import Seam
-from solver.curve.spline import Spline, path_of
-from solver.curve.unknowns import Unknowns, raw_timeline
-from solver.edit.retime import repeated, retimed
-from solver.figure.figure import Figure
-from solver.inbetween import Settings, inbetween
-from solver.refine.subdivision import evenly
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
+from dynsplines.solver.curve.mirror import Mirror
+from dynsplines.solver.curve.seam import Seam
+from dynsplines.solver.curve.spline import Spline, path_of
+from dynsplines.solver.curve.unknowns import Unknowns, raw_timeline
+from dynsplines.solver.edit.retime import repeated, retimed
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.inbetween import Settings, inbetween
+from dynsplines.solver.refine.subdivision import evenly
 
 TURN = np.radians(50)  # a period, about a centre 0.7 m to the left
 CENTRE = np.array([0.1, 0.7, 0.0])

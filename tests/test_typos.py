@@ -9,11 +9,11 @@ import pytest
 from conftest import FIGURES
 from tiny import FIGURE, HINGE, changed, written
 
-import models
-from runner.clip import load as clip
-from runner.errors import UserError
-from runner.scene.compose import figure_spec, spec_joint_names
-from solver.figure.figure import joint_names
+from dynsplines import models
+from dynsplines.clip import load as clip
+from dynsplines.errors import UserError
+from dynsplines.scene.compose import figure_spec, spec_joint_names
+from dynsplines.solver.figure.figure import joint_names
 
 MESHED = FIGURE.replace("<worldbody>", '<asset><mesh name="hat" file="nowhere.obj"/></asset><worldbody>', 1)
 NAMELESS = """<mujoco><worldbody><frame pos="0 0 1"><body name="hip"><joint type="hinge"/><joint axis="1 0 0"/>

@@ -8,15 +8,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.interpolate import CubicSpline
 
-from solver import quaternion as quat
-from solver.curve.frame import Frame, Timeline, TimelineError
-from solver.curve.spline import Path, Spline, path_of
-from solver.curve.unknowns import Unknowns, raw_timeline
-from solver.figure.figure import Figure, JointKind, quaternion_columns
-from solver.figure.kinematics import Samples
-from solver.objective import Objective
-from solver.penalty import CovariantAcceleration, RootAcceleration, Torque, UnitMagnitude
-from solver.refine.subdivision import evenly
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
+from dynsplines.solver.curve.spline import Path, Spline, path_of
+from dynsplines.solver.curve.unknowns import Unknowns, raw_timeline
+from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.objective import Objective
+from dynsplines.solver.penalty import CovariantAcceleration, RootAcceleration, Torque, UnitMagnitude
+from dynsplines.solver.refine.subdivision import evenly
 
 TIMES = [0.0, 0.4, 1.0, 1.3]
 

@@ -9,12 +9,12 @@ from hypothesis import assume, example, given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
-import models
-from solver import quaternion as quat
-from solver.curve.frame import Frame
-from solver.curve.unknowns import raw_timeline
-from solver.curve.winding import NEARLY_HALF, signs
-from solver.figure.figure import Figure
+from dynsplines import models
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.curve.winding import NEARLY_HALF, signs
+from dynsplines.solver.figure.figure import Figure
 
 
 def turned_by(angles: list[float], axis: tuple[float, float, float] = (0, 0, 1)) -> np.ndarray:

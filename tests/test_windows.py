@@ -10,21 +10,21 @@ from test_model import TINY, figure_of
 from test_penalty_contact import FLOOR
 from test_unknowns import distance_from_key, mask_without
 
-from solver import quaternion as quat
-from solver.array import Array
-from solver.curve.frame import Frame, Timeline
-from solver.curve.quadrature import Quadrature
-from solver.curve.spline import Path, path_of
-from solver.curve.unknowns import raw_timeline
-from solver.figure.kinematics import Cotangent, Samples
-from solver.inbetween import Improvement, Motion, Settings, inbetween
-from solver.objective import Objective, segment_integrals
-from solver.penalty import Contact, CovariantAcceleration, Penalty, RootAcceleration, UnitMagnitude
-from solver.penalty.curvature import Curvature
-from solver.refine.subdivision import evenly
-from solver.refine.windows import AHEAD, BEHIND, KEPT, LARGEST, Assembly, Window, is_long, windows
-from solver.search.optimiser import Stop, StopSearch
-from solver.surface.points import Point
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.curve.quadrature import Quadrature
+from dynsplines.solver.curve.spline import Path, path_of
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.inbetween import Improvement, Motion, Settings, inbetween
+from dynsplines.solver.objective import Objective, segment_integrals
+from dynsplines.solver.penalty import Contact, CovariantAcceleration, Penalty, RootAcceleration, UnitMagnitude
+from dynsplines.solver.penalty.curvature import Curvature
+from dynsplines.solver.refine.subdivision import evenly
+from dynsplines.solver.refine.windows import AHEAD, BEHIND, KEPT, LARGEST, Assembly, Window, is_long, windows
+from dynsplines.solver.search.optimiser import Stop, StopSearch
+from dynsplines.solver.surface.points import Point
 
 SEGMENTS = 20
 FIGURE = figure_of(TINY)
@@ -55,8 +55,8 @@ def long_keys(*, partial: bool = False) -> list[Frame]:
 @pytest.fixture
 def short(monkeypatch: pytest.MonkeyPatch) -> None:
     """Windows of six segments, for any clip."""
-    monkeypatch.setattr("solver.refine.windows.KEPT", 6)
-    monkeypatch.setattr("solver.refine.windows.LARGEST", 0)
+    monkeypatch.setattr("dynsplines.solver.refine.windows.KEPT", 6)
+    monkeypatch.setattr("dynsplines.solver.refine.windows.LARGEST", 0)
 
 
 def fine_value(motion: Motion, path: Path | None = None) -> float:
@@ -95,15 +95,15 @@ def test_long_clips_of_large_figures_are_long_and_loops_never(monkeypatch):
         return is_long(raw_timeline(FIGURE, frames, ends, slope if ends == "clamped" else None))
 
     assert not long(keys)  # few entries
-    monkeypatch.setattr("solver.refine.windows.LARGEST", 0)
+    monkeypatch.setattr("dynsplines.solver.refine.windows.LARGEST", 0)
     assert not long(keys)  # fewer segments than a window
-    monkeypatch.setattr("solver.refine.windows.KEPT", 6)
+    monkeypatch.setattr("dynsplines.solver.refine.windows.KEPT", 6)
     assert long(keys)
     assert long(keys, "clamped")
     assert not long(loop, "periodic")
     assert not long(keys[:11])
     assert long(keys[:12])
-    monkeypatch.setattr("solver.refine.windows.LARGEST", LARGEST)
+    monkeypatch.setattr("dynsplines.solver.refine.windows.LARGEST", LARGEST)
     assert not long(keys)
 
 

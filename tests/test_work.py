@@ -9,12 +9,12 @@ import pytest
 from rich.console import Console
 from tiny import CLIP, changed, written
 
-from runner import work
-from runner.clip import load as clip
-from runner.clip.load import Clip
-from runner.system.progress import Teller
-from solver.curve.spline import path_of
-from solver.search.optimiser import Stop
+from dynsplines import work
+from dynsplines.clip import load as clip
+from dynsplines.clip.load import Clip
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.search.optimiser import Stop
+from dynsplines.system.progress import Teller
 
 
 @pytest.fixture

@@ -15,8 +15,8 @@ import crew
 import pytest
 from crew import Bench
 
-from runner.errors import UserError
-from runner.system.workers import AHEAD, cores, in_order
+from dynsplines.errors import UserError
+from dynsplines.system.workers import AHEAD, cores, in_order
 
 POSIX = pytest.mark.skipif(os.name == "nt", reason="signals are another matter there")
 
@@ -133,7 +133,7 @@ def test_there_is_a_core():
 
 SCRIPT = """
 import crew, multiprocessing, threading
-from runner.system.workers import in_order
+from dynsplines.system.workers import in_order
 def tell():
     while len(found := multiprocessing.active_children()) < 2: pass
     print(*[child.pid for child in found], flush=True)

@@ -9,10 +9,10 @@ from test_dynamics import mujoco_forces
 from test_kinematics import random_samples
 from test_rows import CLOSED
 
-from solver.figure.figure import Figure
-from solver.figure.jacobian_rows import Pushes, wrench_rows
-from solver.figure.kinematics import Cotangent, Samples
-from solver.figure.wrench import RootWrench, height, weight
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.jacobian_rows import Pushes, wrench_rows
+from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.figure.wrench import RootWrench, height, weight
 
 
 def test_force_and_moment_are_those_of_mj_inverse_at_the_root(figure, rng):

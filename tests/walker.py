@@ -6,12 +6,12 @@ Hips go back evenly and forward faster, knees bent meanwhile.
 import mujoco
 import numpy as np
 
-import models
-from runner.clip.feet import sole_points
-from solver import quaternion as quat
-from solver.figure.figure import Figure
-from solver.figure.kinematics import Samples
-from solver.surface.points import Point, places_of
+from dynsplines import models
+from dynsplines.clip.feet import sole_points
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.surface.points import Point, places_of
 
 SWING, BENT, ARMS = 0.4, 0.9, 0.4  # [rad] amplitudes
 STANCE = 0.62  # of a period

@@ -5,13 +5,13 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 
-from runner import motion, work
-from runner.clip import load as clip
-from runner.motion import Sampled, Saved
-from runner.scene.compose import compose, figure_spec
-from runner.system.progress import Teller
-from solver import quaternion as quat
-from solver.curve.frame import Frame
+from dynsplines import motion, work
+from dynsplines.clip import load as clip
+from dynsplines.motion import Sampled, Saved
+from dynsplines.scene.compose import compose, figure_spec
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.system.progress import Teller
 
 FPS = 50.0
 ROBOT = """

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     Line = Connection[Any, Any]
     Do = Callable[[Any, Path], Product]
 
-PROGRAM = "import sys; sys.path[:] = {path!r}; from runner.batch.child import serve; serve({handle}, {parent})"
+PROGRAM = "import sys; sys.path[:] = {path!r}; from dynsplines.batch.child import serve; serve({handle}, {parent})"
 READY, BEGUN = "ready", "begun"
 START_SECONDS = 120.0
 WATCH_SECONDS = 0.1

@@ -10,7 +10,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path, PurePosixPath
 
-import models
+from dynsplines import models
 
 from ..clip import load as clip
 from ..errors import UserError, unknown

@@ -10,10 +10,10 @@ import numpy as np
 from scipy import optimize, sparse
 from scipy.sparse.linalg import splu
 
-from solver import quaternion as quat
-from solver.array import Array
-from solver.curve.frame import Frame, Timeline
-from solver.curve.spline import Path, natural_spline, path_of
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.curve.spline import Path, natural_spline, path_of
 
 
 class Discrete:

@@ -12,17 +12,17 @@ from functools import cache, cached_property
 import mujoco
 import numpy as np
 
-import models
-from solver import quaternion as quat
-from solver.array import Array
-from solver.curve.frame import Frame
-from solver.curve.quadrature import gauss_nodes
-from solver.curve.spline import Path, path_of
-from solver.figure.figure import Figure
-from solver.inbetween import Improvement, Motion, Settings, inbetween
-from solver.objective import Objective
-from solver.penalty import CovariantAcceleration, Penalty, UnitMagnitude
-from solver.refine.euler_lagrange import WeakForm, covariant_residual, tangential
+from dynsplines import models
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.quadrature import gauss_nodes
+from dynsplines.solver.curve.spline import Path, path_of
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.inbetween import Improvement, Motion, Settings, inbetween
+from dynsplines.solver.objective import Objective
+from dynsplines.solver.penalty import CovariantAcceleration, Penalty, UnitMagnitude
+from dynsplines.solver.refine.euler_lagrange import WeakForm, covariant_residual, tangential
 
 KEYFRAMES = 7
 TENTHS = 10  # equal parts of a path, as in figure 10

@@ -16,11 +16,11 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from solver.array import Array
-from solver.curve.spline import path_of
-from solver.inbetween import Improvement, Settings, inbetween
-from solver.penalty import CovariantAcceleration, UnitMagnitude
-from solver.refine.displacement import displacement
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.inbetween import Improvement, Settings, inbetween
+from dynsplines.solver.penalty import CovariantAcceleration, UnitMagnitude
+from dynsplines.solver.refine.displacement import displacement
 
 from ..system.progress import Teller
 from .barr import Discrete

@@ -7,13 +7,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from solver import quaternion as quat
-from solver.array import Array
-from solver.curve.frame import Timeline
-from solver.figure.figure import Figure, JointKind
-from solver.figure.kinematics import Samples
-from solver.figure.naming import geom_name
-from solver.penalty import (
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Timeline
+from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.figure.naming import geom_name
+from dynsplines.solver.penalty import (
     Bend,
     BendLimits,
     Bound,
@@ -55,12 +55,12 @@ from solver.penalty import (
     stances,
     surfaces_on,
 )
-from solver.reading.rhythm import Rhythm
-from solver.reading.stride import Gait
-from solver.surface import Box, Plane, Surface
-from solver.surface.cover import covering_points
-from solver.surface.points import Point, body_points
-from solver.surface.touch import bolted
+from dynsplines.solver.reading.rhythm import Rhythm
+from dynsplines.solver.reading.stride import Gait
+from dynsplines.solver.surface import Box, Plane, Surface
+from dynsplines.solver.surface.cover import covering_points
+from dynsplines.solver.surface.points import Point, body_points
+from dynsplines.solver.surface.touch import bolted
 
 from ..errors import UserError, unknown
 from .contacts import contacts

@@ -12,16 +12,16 @@ from itertools import pairwise
 
 import numpy as np
 
-from solver.array import Array, Index, Mask
-from solver.curve.frame import Timeline
-from solver.figure.figure import Figure
-from solver.figure.kinematics import Samples
-from solver.penalty import Rest, Stance
-from solver.penalty.allowance import Allowance
-from solver.penalty.planted import SAME_SPOT
-from solver.surface import Surface
-from solver.surface.heights import height_over
-from solver.surface.points import Point, placed, places_of
+from dynsplines.solver.array import Array, Index, Mask
+from dynsplines.solver.curve.frame import Timeline
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.penalty import Rest, Stance
+from dynsplines.solver.penalty.allowance import Allowance
+from dynsplines.solver.penalty.planted import SAME_SPOT
+from dynsplines.solver.surface import Surface
+from dynsplines.solver.surface.heights import height_over
+from dynsplines.solver.surface.points import Point, placed, places_of
 
 from ..errors import UserError, unknown
 from .places import Places

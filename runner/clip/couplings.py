@@ -7,13 +7,13 @@ from collections.abc import Callable, Sequence
 import mujoco
 import numpy as np
 
-from solver.array import Array, Mask
-from solver.curve.frame import Frame, Timeline
-from solver.figure.figure import Figure
-from solver.figure.kinematics import Samples
-from solver.penalty import Closed, Coupled, closures, couplings
-from solver.penalty.coupled import Coupling, in_order
-from solver.surface.points import placed
+from dynsplines.solver.array import Array, Mask
+from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.penalty import Closed, Coupled, closures, couplings
+from dynsplines.solver.penalty.coupled import Coupling, in_order
+from dynsplines.solver.surface.points import placed
 
 BROKEN = {"degrees": np.radians(0.1), "m": 1e-4}  # [rad, m] that a keyframe may be off a coupling untold
 TORN = 1e-3  # [m] that points of a closed loop may be apart untold

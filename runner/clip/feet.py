@@ -15,12 +15,12 @@ from dataclasses import replace
 import mujoco
 import numpy as np
 
-from solver import quaternion as quat
-from solver.array import Array, Index
-from solver.figure.figure import Figure, JointKind
-from solver.figure.kinematics import Samples
-from solver.surface.points import Point, arrays_of, body_points, site_points
-from solver.surface.touch import movers
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array, Index
+from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.surface.points import Point, arrays_of, body_points, site_points
+from dynsplines.solver.surface.touch import movers
 
 from .places import posable_sites
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-import models
+from dynsplines import models
 
 from ..errors import UserError
 from ..motion import Saved

@@ -12,13 +12,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from solver.array import Array, Index, Mask
-from solver.curve.frame import Timeline
-from solver.figure.figure import Figure
-from solver.figure.kinematics import Samples
-from solver.penalty import Hold, Spot, slipped
-from solver.penalty.planted import SAME_SPOT
-from solver.surface.points import Point, placed
+from dynsplines.solver.array import Array, Index, Mask
+from dynsplines.solver.curve.frame import Timeline
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.penalty import Hold, Spot, slipped
+from dynsplines.solver.penalty.planted import SAME_SPOT
+from dynsplines.solver.surface.points import Point, placed
 
 from ..errors import UserError, unknown
 from .contacts import ROUNDING, agreeing, check_interval, check_overlap, stretches

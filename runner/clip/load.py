@@ -17,20 +17,20 @@ import mujoco
 import numpy as np
 from pydantic import ValidationError
 
-import models
-from solver.array import Array, Mask
-from solver.curve.frame import Frame, TimelineError
-from solver.curve.quadrature import Quadrature
-from solver.curve.seam import Seam
-from solver.curve.unknowns import raw_timeline
-from solver.figure.figure import Figure, FigureError, JointKind, quaternion_columns
-from solver.inbetween import FEW, Settings
-from solver.penalty import Bend, Hold, Penalty, Placed, Rest, Support
-from solver.posing import entries
-from solver.refine.subdivision import CRITERIA
-from solver.search.descent import check_method
-from solver.surface import Surface, static_surfaces
-from solver.surface.points import Point
+from dynsplines import models
+from dynsplines.solver.array import Array, Mask
+from dynsplines.solver.curve.frame import Frame, TimelineError
+from dynsplines.solver.curve.quadrature import Quadrature
+from dynsplines.solver.curve.seam import Seam
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.figure import Figure, FigureError, JointKind, quaternion_columns
+from dynsplines.solver.inbetween import FEW, Settings
+from dynsplines.solver.penalty import Bend, Hold, Penalty, Placed, Rest, Support
+from dynsplines.solver.posing import entries
+from dynsplines.solver.refine.subdivision import CRITERIA
+from dynsplines.solver.search.descent import check_method
+from dynsplines.solver.surface import Surface, static_surfaces
+from dynsplines.solver.surface.points import Point
 
 from ..errors import UserError, unknown
 from ..motion import Saved, read_arrays

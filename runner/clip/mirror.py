@@ -8,10 +8,10 @@ from typing import Any
 import mujoco
 import numpy as np
 
-from solver.array import Array
-from solver.curve.mirror import AXIAL, POLAR, TURN, Mirror, other_side
-from solver.figure.figure import Figure, JointKind
-from solver.surface.points import Point
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.mirror import AXIAL, POLAR, TURN, Mirror, other_side
+from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.surface.points import Point
 
 from ..errors import UserError
 from .feet import sole_points

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from solver.array import Array
+from dynsplines.solver.array import Array
 
 from ..errors import UserError
 from ..scene.obstacle import KINDS, Obstacle

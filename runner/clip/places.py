@@ -10,12 +10,12 @@ from functools import cached_property
 import mujoco
 import numpy as np
 
-from solver import quaternion as quat
-from solver.array import Array
-from solver.figure.figure import Figure
-from solver.figure.kinematics import Samples
-from solver.figure.naming import geom_name
-from solver.surface.points import Point, arrays_of, body_points, site_points
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.figure.naming import geom_name
+from dynsplines.solver.surface.points import Point, arrays_of, body_points, site_points
 
 # Names that converters from OpenSim give to the points of a muscle's path, and to the sides on which it wraps.
 MUSCLE = re.compile(r"-P\d+[a-z]?(_|$)|path_?point|side_?site|_site_", re.IGNORECASE)

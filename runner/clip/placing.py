@@ -14,14 +14,26 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 
-from solver import quaternion as quat
-from solver.array import Array
-from solver.curve.frame import Frame, TimelineError
-from solver.curve.unknowns import raw_timeline
-from solver.figure.figure import Figure, JointKind
-from solver.penalty import Placed
-from solver.posing import MET, BodyGoal, Goal, PointGoal, Posed, SiteGoal, chain, entries, limb, posed, reached
-from solver.surface.points import Point
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame, TimelineError
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.penalty import Placed
+from dynsplines.solver.posing import (
+    MET,
+    BodyGoal,
+    Goal,
+    PointGoal,
+    Posed,
+    SiteGoal,
+    chain,
+    entries,
+    limb,
+    posed,
+    reached,
+)
+from dynsplines.solver.surface.points import Point
 
 from ..errors import UserError, unknown
 from .places import Places

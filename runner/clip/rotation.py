@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from solver import quaternion as quat
-from solver.array import Array
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
 
 from ..errors import UserError
 from .table import RotationTable

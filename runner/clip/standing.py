@@ -14,18 +14,18 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 
-from solver import quaternion as quat
-from solver.array import Array, Mask
-from solver.curve.frame import Frame, Timeline, TimelineError
-from solver.curve.seam import Seam
-from solver.curve.unknowns import raw_timeline
-from solver.figure.figure import Figure
-from solver.figure.kinematics import Samples
-from solver.penalty import BendLimits, Hold, Placed
-from solver.penalty.planted import NEAR_SURFACE, SAME_SPOT
-from solver.posing import Goal, HoldGoal, PointGoal, Posed, TurnGoal, entries, limb, posed, reached
-from solver.surface import Surface
-from solver.surface.points import Point, arrays_of, placed
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array, Mask
+from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
+from dynsplines.solver.curve.seam import Seam
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.penalty import BendLimits, Hold, Placed
+from dynsplines.solver.penalty.planted import NEAR_SURFACE, SAME_SPOT
+from dynsplines.solver.posing import Goal, HoldGoal, PointGoal, Posed, TurnGoal, entries, limb, posed, reached
+from dynsplines.solver.surface import Surface
+from dynsplines.solver.surface.points import Point, arrays_of, placed
 
 from .contacts import ROUNDING, Contacts, contacts
 from .feet import sole_points

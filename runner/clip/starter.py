@@ -11,16 +11,16 @@ from typing import Any
 import mujoco
 import numpy as np
 
-import models
-from solver import quaternion as quat
-from solver.array import Array
-from solver.curve.frame import Frame
-from solver.figure.figure import Figure, FigureError, JointKind, Link, quaternion_columns
-from solver.figure.kinematics import Samples
-from solver.penalty import closures, couplings, joint_ranges
-from solver.surface.points import Point, arrays_of, body_points
-from solver.surface.touch import TOUCHING, counts_all, movers
-from solver.surface.touch import solids as solids_of
+from dynsplines import models
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.figure.figure import Figure, FigureError, JointKind, Link, quaternion_columns
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.penalty import closures, couplings, joint_ranges
+from dynsplines.solver.surface.points import Point, arrays_of, body_points
+from dynsplines.solver.surface.touch import TOUCHING, counts_all, movers
+from dynsplines.solver.surface.touch import solids as solids_of
 
 from ..errors import UserError
 from ..scene.compose import compose, figure_spec, first_line, quietly

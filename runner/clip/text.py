@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from solver import quaternion as quat
-from solver.curve.frame import Frame
-from solver.figure.figure import Figure, JointKind, quaternion_columns
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
 
 from .table import ClipTable
 

@@ -10,16 +10,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from solver.curve.frame import Frame, Timeline, TimelineError
-from solver.curve.mirror import Mirror, MirrorError
-from solver.curve.seam import Seam
-from solver.curve.spline import path_of
-from solver.curve.unknowns import raw_timeline
-from solver.edit import join, retime
-from solver.figure.figure import Figure
-from solver.inbetween import Motion, renormalised
-from solver.objective import Objective
-from solver.search.descent import optimised
+from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
+from dynsplines.solver.curve.mirror import Mirror, MirrorError
+from dynsplines.solver.curve.seam import Seam
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.edit import join, retime
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.inbetween import Motion, renormalised
+from dynsplines.solver.objective import Objective
+from dynsplines.solver.search.descent import optimised
 
 from ..clip import load as clips
 from ..clip.load import Clip

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-import models
+from dynsplines import models
 
 from .. import kept, motion
 from ..clip import load as clips

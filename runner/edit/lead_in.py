@@ -11,8 +11,8 @@ from dataclasses import dataclass, replace
 import mujoco
 import numpy as np
 
-from solver.array import Array
-from solver.curve.unknowns import raw_timeline
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.unknowns import raw_timeline
 
 from ..exchange.skeleton import hierarchy
 from ..exchange.skeleton.roles import roles

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-import models
+from dynsplines import models
 
 from .. import kept, motion
 from ..clip import load as clips

@@ -14,10 +14,10 @@ from typing import Any
 
 import numpy as np
 
-from solver.array import Array
-from solver.curve.frame import Frame, Timeline
-from solver.curve.spline import path_of
-from solver.edit.thin import Bound, Recorded, Worst, refined, thin
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.edit.thin import Bound, Recorded, Worst, refined, thin
 
 from .. import work
 from ..clip import file as clip_file

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from solver.array import Array
+from dynsplines.solver.array import Array
 
 LOCKED = 1e-7
 

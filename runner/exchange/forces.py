@@ -13,14 +13,14 @@ from functools import cached_property
 import mujoco
 import numpy as np
 
-from solver.array import Array, Index, Mask
-from solver.curve.spline import path_of
-from solver.figure.algebra import cross
-from solver.figure.dynamics import generalised_forces
-from solver.figure.kinematics import Samples
-from solver.figure.wrench import RootWrench
-from solver.penalty import Support
-from solver.penalty.support import Reactions
+from dynsplines.solver.array import Array, Index, Mask
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.figure.algebra import cross
+from dynsplines.solver.figure.dynamics import generalised_forces
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.figure.wrench import RootWrench
+from dynsplines.solver.penalty import Support
+from dynsplines.solver.penalty.support import Reactions
 
 from ..clip import load as clip
 from ..motion import samples_at

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from solver.array import Array
+from dynsplines.solver.array import Array
 
 from ..errors import UserError
 from ..system import archive as archive_sizes

@@ -8,7 +8,7 @@ from pathlib import Path
 import mujoco
 import numpy as np
 
-from solver.curve.frame import TimelineError
+from dynsplines.solver.curve.frame import TimelineError
 
 from ..clip import load as clips
 from ..motion import Saved

@@ -16,7 +16,7 @@ from collections.abc import Callable, Sequence
 import mujoco
 import numpy as np
 
-from solver.array import Array
+from dynsplines.solver.array import Array
 
 from ..errors import UserError, unknown
 from .forces import Forces

@@ -8,9 +8,9 @@ from functools import cached_property
 import mujoco
 import numpy as np
 
-from solver.array import Array
-from solver.curve.seam import Seam
-from solver.figure.figure import Figure
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.seam import Seam
+from dynsplines.solver.figure.figure import Figure
 
 from ..motion import Saved, sampled
 from ..scene.assets import Assets

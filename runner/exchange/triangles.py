@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from solver.array import Array
+from dynsplines.solver.array import Array
 
 from ..errors import UserError
 

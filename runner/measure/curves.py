@@ -6,11 +6,11 @@ from typing import Any
 
 import numpy as np
 
-from solver.curve.frame import Timeline
-from solver.curve.spline import path_of
-from solver.inbetween import Motion
-from solver.refine.euler_lagrange import residual
-from solver.surface.points import places_of
+from dynsplines.solver.curve.frame import Timeline
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.inbetween import Motion
+from dynsplines.solver.refine.euler_lagrange import residual
+from dynsplines.solver.surface.points import places_of
 
 from ..clip.load import Clip
 from ..motion import samples_at

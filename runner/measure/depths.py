@@ -11,11 +11,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from solver.array import Array, Index
-from solver.figure.kinematics import Samples
-from solver.surface import Box, Surface
-from solver.surface.points import Point
-from solver.surface.surface import UPRIGHT
+from dynsplines.solver.array import Array, Index
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.surface import Box, Surface
+from dynsplines.solver.surface.points import Point
+from dynsplines.solver.surface.surface import UPRIGHT
 
 TINY = 1e-12
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from solver.curve.frame import Timeline
-from solver.curve.spline import path_of
+from dynsplines.solver.curve.frame import Timeline
+from dynsplines.solver.curve.spline import path_of
 
 from ..clip.load import Clip
 

@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 
-from solver.array import Array
-from solver.curve.frame import Timeline
-from solver.curve.spline import path_of
-from solver.penalty import carried_links, slipped
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Timeline
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.penalty import carried_links, slipped
 
 from ..clip.load import Clip
 from ..motion import samples_at

@@ -13,10 +13,10 @@ from typing import Protocol
 
 import numpy as np
 
-from solver.array import Array, Index, Mask
-from solver.figure.figure import Figure, JointKind, quaternion_columns
-from solver.figure.kinematics import Samples
-from solver.penalty import (
+from dynsplines.solver.array import Array, Index, Mask
+from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.penalty import (
     BendLimits,
     Closed,
     Contact,
@@ -31,10 +31,10 @@ from solver.penalty import (
     joint_ranges,
     slipped,
 )
-from solver.surface import Surface
-from solver.surface.heights import FAR, heights
-from solver.surface.points import Point, places_of
-from solver.surface.points import placed as points_placed
+from dynsplines.solver.surface import Surface
+from dynsplines.solver.surface.heights import FAR, heights
+from dynsplines.solver.surface.points import Point, places_of
+from dynsplines.solver.surface.points import placed as points_placed
 
 from .bounds import BOUNDS, WHIP_SHARE
 from .depths import bunches, depths

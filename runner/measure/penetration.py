@@ -10,9 +10,9 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 
-from solver.array import Array, Index
-from solver.figure.naming import geom_name
-from solver.surface import touch
+from dynsplines.solver.array import Array, Index
+from dynsplines.solver.figure.naming import geom_name
+from dynsplines.solver.surface import touch
 
 NEAR = 0.02
 

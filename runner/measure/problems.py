@@ -12,12 +12,12 @@ from typing import Any
 
 import numpy as np
 
-from solver.array import Array, Index
-from solver.curve.frame import Timeline
-from solver.curve.spline import path_of
-from solver.figure.figure import Figure
-from solver.figure.kinematics import Samples
-from solver.penalty import (
+from dynsplines.solver.array import Array, Index
+from dynsplines.solver.curve.frame import Timeline
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.penalty import (
     BendLimits,
     Contact,
     Hold,
@@ -32,8 +32,8 @@ from solver.penalty import (
     slipped,
     stances,
 )
-from solver.search.optimiser import Stop
-from solver.surface.points import body_points, places_of
+from dynsplines.solver.search.optimiser import Stop
+from dynsplines.solver.surface.points import body_points, places_of
 
 from ..clip import load as clips
 from ..clip.constraints import bolted_links
@@ -54,7 +54,7 @@ ROUNDING = 1e-9  # [s]
 class Problem:
     """One thing that is wrong.
 
-    kind      of `runner.measure.bounds.BOUNDS`
+    kind      of `dynsplines.measure.bounds.BOUNDS`
     name      of the point, joint or contact
     time      [s] when it is worst; None for what is of no one time
     amount    how much, in `unit` ("m", "degrees", "rad/s²" or ""); bound: how much would be let pass

@@ -15,18 +15,18 @@ from rich.console import Group
 from rich.table import Table
 from rich.text import Text
 
-from solver.array import Array, Mask
-from solver.curve.frame import Timeline
-from solver.curve.seam import Seam
-from solver.curve.spline import path_of
-from solver.figure.algebra import turned
-from solver.figure.dynamics import generalised_forces
-from solver.figure.figure import JointKind
-from solver.figure.kinematics import Samples
-from solver.figure.wrench import RootWrench
-from solver.inbetween import Motion
-from solver.objective import Objective
-from solver.penalty import (
+from dynsplines.solver.array import Array, Mask
+from dynsplines.solver.curve.frame import Timeline
+from dynsplines.solver.curve.seam import Seam
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.figure.algebra import turned
+from dynsplines.solver.figure.dynamics import generalised_forces
+from dynsplines.solver.figure.figure import JointKind
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.figure.wrench import RootWrench
+from dynsplines.solver.inbetween import Motion
+from dynsplines.solver.objective import Objective
+from dynsplines.solver.penalty import (
     BendLimits,
     Closed,
     Coupled,
@@ -40,12 +40,12 @@ from solver.penalty import (
     stances,
     within,
 )
-from solver.refine.displacement import displacement
-from solver.refine.euler_lagrange import residual
-from solver.refine.subdivision import by_weak_form
-from solver.surface import Box
-from solver.surface.points import places_of
-from solver.surface.touch import counts_all
+from dynsplines.solver.refine.displacement import displacement
+from dynsplines.solver.refine.euler_lagrange import residual
+from dynsplines.solver.refine.subdivision import by_weak_form
+from dynsplines.solver.surface import Box
+from dynsplines.solver.surface.points import places_of
+from dynsplines.solver.surface.touch import counts_all
 
 from ..clip.load import Clip
 from ..motion import continuous, samples_at

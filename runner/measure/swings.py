@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 
-from solver.figure.kinematics import Samples
-from solver.surface.heights import FAR, heights
-from solver.surface.points import places_of
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.surface.heights import FAR, heights
+from dynsplines.solver.surface.points import places_of
 
 from ..clip.load import Clip
 

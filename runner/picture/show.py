@@ -9,8 +9,8 @@ from typing import TypedDict
 
 import numpy as np
 
-from solver.array import Array
-from solver.curve.frame import Timeline
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Timeline
 
 from ..motion import Saved, sampled
 from ..scene.assets import Scene

@@ -1,1 +1,1 @@
-"""What `from runner import ...` gives to users of Python, on top of the modules that the command line uses."""
+"""What `from dynsplines import ...` gives to users of Python, on top of the modules that the command line uses."""

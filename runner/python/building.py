@@ -13,9 +13,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
-import models
-from solver.curve.frame import Frame
-from solver.figure.figure import Figure, FigureError
+from dynsplines import models
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.figure.figure import Figure, FigureError
 
 from ..clip import load as clips
 from ..clip.load import Clip

@@ -16,8 +16,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 from rich.console import Console
 
-from solver.array import Array
-from solver.curve.spline import path_of
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.spline import path_of
 
 from .. import motion as files
 from .. import work

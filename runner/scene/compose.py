@@ -12,9 +12,9 @@ from pathlib import Path
 import mujoco
 import numpy as np
 
-import models
-from solver.figure.figure import names_of_joints
-from solver.surface.touch import SCENERY, grounds
+from dynsplines import models
+from dynsplines.solver.figure.figure import names_of_joints
+from dynsplines.solver.surface.touch import SCENERY, grounds
 
 from ..errors import UserError, unknown
 from . import mjcf_size

@@ -5,7 +5,7 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 
-from solver.array import Array
+from dynsplines.solver.array import Array
 
 from ..system.quantity import LARGEST
 

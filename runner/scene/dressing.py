@@ -5,7 +5,7 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 
-from solver.surface.touch import grounds, moves
+from dynsplines.solver.surface.touch import grounds, moves
 
 from .mujoco_versions import geoms_by_number
 

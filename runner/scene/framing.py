@@ -5,9 +5,9 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 
-from solver.array import Array, Index
-from solver.figure.figure import Figure
-from solver.surface.touch import moves
+from dynsplines.solver.array import Array, Index
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.surface.touch import moves
 
 MOST_POSES = 60
 STANDING = 2.05  # [m] a person with a hand raised over the head

@@ -8,7 +8,7 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 
-from solver.array import Array
+from dynsplines.solver.array import Array
 
 from .framing import rest_box
 from .mujoco_versions import Lamp

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 
 import mujoco
 
-from solver.array import Array
-from solver.surface.touch import SCENERY
+from dynsplines.solver.array import Array
+from dynsplines.solver.surface.touch import SCENERY
 
 from ..errors import UserError
 

@@ -20,7 +20,7 @@ from typing import IO
 
 from fuzz import strange
 
-from runner.errors import UserError
+from dynsplines.errors import UserError
 
 TESTS = Path(__file__).parent.parent
 MOST_MEGABYTES = 1000.0  # of a process, at its peak

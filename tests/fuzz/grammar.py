@@ -12,9 +12,9 @@ import mujoco
 import tiny
 from fuzz.mangle import Rng, mangled_text
 
-from runner.clip.constraints import KINDS as PENALTIES
-from runner.clip.text import written
-from solver.search.optimiser import METHODS
+from dynsplines.clip.constraints import KINDS as PENALTIES
+from dynsplines.clip.text import written
+from dynsplines.solver.search.optimiser import METHODS
 
 MODEL = """
 <mujoco model="rich">

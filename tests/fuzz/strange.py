@@ -24,17 +24,17 @@ from fuzz import grammar
 from fuzz.mangle import Rng, mangled_arrays, mangled_bytes, mangled_text, mangled_tree
 from rich.console import Console
 
-from runner import motion, work
-from runner.clip import load as clips
-from runner.clip.load import Clip
-from runner.clip.starter import starter
-from runner.exchange import formats
-from runner.exchange.imported import imported
-from runner.measure import problems
-from runner.measure.exactness import keyframe_error
-from runner.motion import Saved
-from runner.scene.compose import figure_spec
-from runner.system.progress import Teller
+from dynsplines import motion, work
+from dynsplines.clip import load as clips
+from dynsplines.clip.load import Clip
+from dynsplines.clip.starter import starter
+from dynsplines.exchange import formats
+from dynsplines.exchange.imported import imported
+from dynsplines.measure import problems
+from dynsplines.measure.exactness import keyframe_error
+from dynsplines.motion import Saved
+from dynsplines.scene.compose import figure_spec
+from dynsplines.system.progress import Teller
 
 Make = Callable[[Rng], bytes]
 Read = Callable[[Path], object]

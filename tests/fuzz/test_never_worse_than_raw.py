@@ -16,20 +16,20 @@ import pytest
 from fuzz import grammar
 from rich.console import Console
 
-from runner import work
-from runner.clip import load as clips
-from runner.clip.load import Clip
-from runner.errors import UserError
-from runner.measure.exactness import keyframe_error
-from runner.system.progress import Teller
-from solver import Frame
-from solver import quaternion as quat
-from solver.array import Array
-from solver.curve.spline import path_of
-from solver.figure.figure import Figure, JointKind
-from solver.search.descent import NEWTON
-from solver.search.judgement import common_grid
-from solver.search.optimiser import METHODS
+from dynsplines import work
+from dynsplines.clip import load as clips
+from dynsplines.clip.load import Clip
+from dynsplines.errors import UserError
+from dynsplines.measure.exactness import keyframe_error
+from dynsplines.solver import Frame
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.search.descent import NEWTON
+from dynsplines.solver.search.judgement import common_grid
+from dynsplines.solver.search.optimiser import METHODS
+from dynsplines.system.progress import Teller
 
 CLIPS = ("sit_down", "walk_loop", "run_loop", "cartwheel", "tumble", "run_and_step", "stairs")
 EVALUATIONS = (1, 2, 5, 20, 60)

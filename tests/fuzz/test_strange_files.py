@@ -17,8 +17,8 @@ from fuzz import driver, grammar, strange
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from runner.clip import load as clips
-from runner.errors import UserError
+from dynsplines.clip import load as clips
+from dynsplines.errors import UserError
 
 SHARE = int(os.environ.get("DYNSPLINES_FUZZ", 0)) / 300  # of the long run
 EXAMPLES = max(30, round(3000 * SHARE))

@@ -15,7 +15,7 @@ from typing import Any
 
 from PIL import Image
 
-from solver.curve.frame import Frame
+from dynsplines.solver.curve.frame import Frame
 
 from ... import work
 from ...clip import load as clip

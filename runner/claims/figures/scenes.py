@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 
-from solver.array import Array
-from solver.curve.frame import Timeline
-from solver.curve.spline import path_of
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Timeline
+from dynsplines.solver.curve.spline import path_of
 
 from ...measure.penetration import Penetration, penetration
 from ...motion import Saved, continuous, key_configurations

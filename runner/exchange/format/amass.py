@@ -22,8 +22,8 @@ from pathlib import Path
 import mujoco
 import numpy as np
 
-from solver import quaternion as quat
-from solver.array import Array
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
 
 from ..held import held, names_in, times
 from ..robot import needs_figure

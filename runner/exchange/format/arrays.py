@@ -16,7 +16,7 @@ from pathlib import Path
 import mujoco
 import numpy as np
 
-from solver.array import Array
+from dynsplines.solver.array import Array
 
 from ...errors import UserError
 from ...motion import asset_arrays, assets_in, write_arrays

@@ -13,8 +13,8 @@ from pathlib import Path
 import mujoco
 import numpy as np
 
-from solver import quaternion as quat
-from solver.array import Array
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
 
 from .. import euler
 from ..skeleton import bvh_file, captured_figure, hierarchy, retarget

@@ -24,8 +24,8 @@ from typing import Any
 import mujoco
 import numpy as np
 
-from solver import quaternion as quat
-from solver.array import Array
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
 
 from ...errors import UserError
 from ..held import Held

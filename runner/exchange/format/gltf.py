@@ -15,8 +15,8 @@ import numpy as np
 import pygltflib as gl
 from numpy.typing import NDArray
 
-from solver import quaternion as quat
-from solver.array import Array
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
 
 from ..skeleton import hierarchy
 from ..take import Take

@@ -19,7 +19,7 @@ from pathlib import Path
 import mujoco
 import numpy as np
 
-from solver import quaternion as quat
+from dynsplines.solver import quaternion as quat
 
 from ..held import times
 from ..pickles import plain_pickle

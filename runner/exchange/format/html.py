@@ -18,7 +18,7 @@ import mujoco
 import numpy as np
 from numpy.typing import ArrayLike
 
-from solver.array import Array
+from dynsplines.solver.array import Array
 
 from ...motion import sampled
 from ..skeleton import hierarchy
@@ -43,7 +43,7 @@ def write(take: Take, path: Path) -> None:
 
 def page(take: Take) -> str:
     """The complete HTML text."""
-    folder = files("runner.exchange") / "player"
+    folder = files("dynsplines.exchange") / "player"
     parts = {
         "title": html.escape(take.name),
         "data": json.dumps(content(take), separators=(",", ":")).replace("<", "\\u003c"),

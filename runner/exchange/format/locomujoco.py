@@ -20,7 +20,7 @@ from pathlib import Path
 import mujoco
 import numpy as np
 
-from solver.array import Array
+from dynsplines.solver.array import Array
 
 from ...errors import UserError
 from ...motion import write_arrays

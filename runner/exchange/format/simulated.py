@@ -24,9 +24,9 @@ from xml.etree import ElementTree
 import mujoco
 import numpy as np
 
-from solver.array import Array
-from solver.figure import wrench
-from solver.figure.figure import Figure
+from dynsplines.solver.array import Array
+from dynsplines.solver.figure import wrench
+from dynsplines.solver.figure.figure import Figure
 
 from ...clip import load as clip
 from ...measure.penetration import moving_geoms, solid_geoms

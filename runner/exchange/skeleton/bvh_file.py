@@ -15,8 +15,8 @@ from pathlib import Path
 
 import numpy as np
 
-from solver import quaternion as quat
-from solver.array import Array
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
 
 from ...errors import UserError
 

@@ -7,8 +7,8 @@ from functools import cached_property
 
 import numpy as np
 
-from solver import quaternion as quat
-from solver.array import Array
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
 
 from .. import unsaid
 from .bvh_file import Skeleton

@@ -7,8 +7,8 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from solver import quaternion as quat
-from solver.array import Array
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
 
 from .captured import Captured
 from .roles import lineage

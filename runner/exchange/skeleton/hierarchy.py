@@ -5,8 +5,8 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 
-from solver import quaternion as quat
-from solver.array import Array
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
 
 from ..take import Bodies
 

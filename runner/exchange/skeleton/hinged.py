@@ -20,8 +20,8 @@ from xml.etree import ElementTree
 import mujoco
 import numpy as np
 
-from solver import quaternion as quat
-from solver.array import Array
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
 
 from ...errors import UserError
 from ...scene.assets import Scene

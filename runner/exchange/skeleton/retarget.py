@@ -14,8 +14,8 @@ from dataclasses import dataclass, replace
 import mujoco
 import numpy as np
 
-from solver import quaternion as quat
-from solver.array import Array
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
 
 from ...errors import UserError
 from . import hierarchy
