@@ -27,7 +27,7 @@ from .table import HoldTable
 
 NEARLY = 1e-3  # [m, rad] by which a pose may miss a place and still tell what is there
 REACH = 0.15  # [m] by which a keyframe may put a hold out of reach and still tell where the limb is, stretched for it
-SLACK = 0.5  # of that, what the site may be away from there: without any, carried crates' elbows whip
+SLACK = 1.0  # of that, what the site may be away from there: a limb stretched to its end whips there and back
 
 
 @dataclass(frozen=True)
