@@ -677,6 +677,21 @@ def clips(
         print(f"{name:16} {line}")
 
 
+@app.command(name="penalties")
+def list_penalties(as_json: AsJson = False) -> None:
+    """The soft constraints of a clip's [[penalty]] tables: default weights, what they keep small, options."""
+    from .clip.kinds import KINDS
+
+    if as_json:
+        rows = [{"kind": k.name, "weight": k.weight, "says": k.says, "options": k.choices()} for k in KINDS.values()]
+        print(json.dumps(rows, indent=2))
+        return
+    for kind in KINDS.values():
+        print(f"{kind.name:10} {'-' if kind.weight is None else f'{kind.weight:g}':>5}  {kind.says}")
+        for name, given in kind.choices().items():
+            print(f"{'':18}{name} ({given})")
+
+
 @app.command(name="models")
 def list_models() -> None:
     """The figures that ship."""

@@ -25,6 +25,7 @@ from PIL import Image
 from tiny import CLIP, FIGURE, HINGE, changed, names, written
 
 from dynsplines import cli, models, work
+from dynsplines.clip.kinds import KINDS
 from dynsplines.picture import film, show
 from dynsplines.picture.graphics import Graphics
 from dynsplines.system.workers import MOST_WORKERS, cores
@@ -238,6 +239,17 @@ def test_clips_and_models_are_listed_with_what_they_are(run):
         assert (done.code, done.err) == (0, "")
         assert [line.split()[0] for line in done.out.splitlines()] == list(found)
         assert all(line in done.out for line in found.values())
+
+
+def test_soft_constraints_are_listed_with_weights_options_and_units(run):
+    done = run("penalties")
+    assert (done.code, done.err) == (0, "")
+    assert [line.split()[0] for line in done.out.splitlines() if not line.startswith(" ")] == list(KINDS)
+    assert "contact       30  depth of heels and toes" in done.out
+    assert f"{'':18}margin (m)\n" in done.out
+    told = {row["kind"]: row for row in json.loads(run("penalties", "--json").out)}
+    assert told["bend"]["options"] == {"joints": "joints", **dict.fromkeys(("least", "sideways", "twist"), "degrees")}
+    assert (told["hold"]["weight"], told["torque"]["weight"], told["hold"]["options"]) == (750, None, {})
 
 
 def test_figures_of_the_paper_are_told_one_by_one_and_as_json(run, monkeypatch, tmp_path):

@@ -355,7 +355,7 @@ def test_contacts_and_flights_are_retimed_with_the_keyframes(tmp_path):
     )
     said = clip.table_of(target.read_text(encoding="utf-8"), "fast")
     assert (said.contact[0].start, said.contact[0].end) == (0.3, 0.5)
-    assert said.penalty[0].intervals == [(0.1, 0.2)]
+    assert said.penalty[0].said["intervals"] == [[0.1, 0.2]]
 
 
 @pytest.mark.slow

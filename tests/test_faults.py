@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from small_disk import SMALL, largest_file
 from tiny import changed, names, written
 
 from dynsplines import motion
@@ -134,7 +135,6 @@ WRITING = {
     "pickle": ("export", "motion.npz", "-o", "out.gmr.pkl", "--overwrite"),
     "clip": ("thin", "motion.npz", "-o", "out.toml", "--overwrite"),
 }
-SMALL = "import resource; resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100))\n"
 
 
 @pytest.mark.parametrize("kind", WRITING)
@@ -152,16 +152,11 @@ def test_a_manifest_on_a_full_disk_is_told_and_goes_on_later(tmp_path: Path):
     from dynsplines.batch.manifest import Entry, Manifest
     from dynsplines.errors import UserError
 
-    resource = pytest.importorskip("resource")
     manifest = Manifest.of(tmp_path)
     manifest.record([Entry("a", "a.toml")])
-    before = resource.getrlimit(resource.RLIMIT_FSIZE)
-    resource.setrlimit(resource.RLIMIT_FSIZE, (manifest.path.stat().st_size + 20, before[1]))
-    try:
-        with pytest.raises(UserError, match=r"cannot write '.*manifest.jsonl': "):
-            manifest.record([Entry("b", "b.toml")])
-    finally:
-        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+    full = pytest.raises(UserError, match=r"cannot write '.*manifest.jsonl': ")
+    with largest_file(manifest.path.stat().st_size + 20), full:
+        manifest.record([Entry("b", "b.toml")])
     assert set(Manifest.of(tmp_path).entries) == {"a"}
     manifest.record([Entry("c", "c.toml")])
     assert set(Manifest.of(tmp_path).entries) == {"a", "c"}

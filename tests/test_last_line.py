@@ -14,6 +14,7 @@ import mujoco
 import numpy as np
 import pytest
 from command import commanded
+from small_disk import largest_file
 from tiny import CLIP, changed, written
 
 from dynsplines.batch.inputs import sources
@@ -165,15 +166,10 @@ def test_names_in_a_table_are_no_formulas_and_come_back(tmp_path: Path):
 
 def test_a_full_disk_is_told_of_usd_too(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     pytest.importorskip("pxr.Usd")
-    resource = pytest.importorskip("resource")
     import puppet
 
     from dynsplines.exchange import formats
 
-    before = resource.getrlimit(resource.RLIMIT_FSIZE)
-    resource.setrlimit(resource.RLIMIT_FSIZE, (1000, before[1]))
-    try:
-        with pytest.raises(UserError, match=r"cannot write '.*': the disk is full, or a limit on the size of files"):
-            formats.export(puppet.moved(name="puppet"), "usd", tmp_path / "a.usdc")
-    finally:
-        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+    full = pytest.raises(UserError, match=r"cannot write '.*': the disk is full, or a limit on the size of files")
+    with largest_file(1000), full:
+        formats.export(puppet.moved(name="puppet"), "usd", tmp_path / "a.usdc")

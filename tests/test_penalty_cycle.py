@@ -9,7 +9,8 @@ from test_penalty_posture import FIGURES
 from test_penalty_unit import penalty_slope, scaled_like
 from test_rhythm import FIGURE, GROUND, PERIOD, SOLES, TIME, WALK, gait
 
-from dynsplines.clip.constraints import Constraints
+from dynsplines.clip.constraints import constraints
+from dynsplines.clip.context import Context
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
@@ -83,7 +84,7 @@ def test_its_curvature_is_that_of_differences(cycled, rng):
 @pytest.mark.slow
 def test_a_walk_with_few_keyframes_is_nearer_to_the_real_one_and_goes_through_them():
     keys = [Frame.key(TIME[k], WALK[k]) for k in range(0, TIME.size, 280)]
-    penalties = Constraints(FIGURE, gait(WALK, 0.7).keys, GROUND, [], "walk").all([])
+    penalties = constraints(Context(FIGURE, gait(WALK, 0.7).keys, GROUND, [], "walk"), [])
     off = {}
     for some in (penalties, [(p, w) for p, w in penalties if p.name != "cycle"]):
         motion = inbetween(FIGURE, keys, some, Settings(frames=30, tolerance=1e-2))

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from walker import FINE, walk, walker
 
-from dynsplines.clip.constraints import Constraints
+from dynsplines.clip.constraints import constraints
+from dynsplines.clip.context import Context
 from dynsplines.clip.table import PenaltyTable
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.frame import Frame
@@ -97,7 +98,7 @@ def test_two_keyframes_tell_none_even_if_asked():
     two = Gait(FIGURE, keys, SOLES, GROUND)
     assert two.told() is two.likeliest() is two.given(1.0) is None
     notes: list[str] = []
-    found = Constraints(FIGURE, keys, GROUND, notes, "two").all([PenaltyTable(kind="cycle", period=1.0)])
+    found = constraints(Context(FIGURE, keys, GROUND, notes, "two"), [PenaltyTable.of("cycle", period=1.0)])
     assert "cycle" not in {penalty.name for penalty, _ in found}
     assert (
         "no cycle: that takes three keyframes that fix every joint, not all alike, and one free joint or none" in notes
@@ -116,13 +117,13 @@ def test_a_clip_has_the_cycle_by_itself_or_as_asked_and_not_with_weight_0():
     keys = gait(WALK, 0.42).keys
 
     def periods(*entries: PenaltyTable) -> list[float]:
-        found = Constraints(FIGURE, keys, GROUND, [], "walk").all(list(entries))
+        found = constraints(Context(FIGURE, keys, GROUND, [], "walk"), list(entries))
         return [penalty.rhythm.period for penalty, _ in found if isinstance(penalty, Cycle)]
 
     assert periods() == pytest.approx([PERIOD], rel=0.05)
-    assert periods(PenaltyTable(kind="cycle", period=0.9)) == [0.9]
-    assert periods(PenaltyTable(kind="cycle")) == pytest.approx([PERIOD], rel=0.05)
-    assert periods(PenaltyTable(kind="cycle", weight=0)) == []
+    assert periods(PenaltyTable.of("cycle", period=0.9)) == [0.9]
+    assert periods(PenaltyTable.of("cycle")) == pytest.approx([PERIOD], rel=0.05)
+    assert periods(PenaltyTable.of("cycle", weight=0)) == []
 
 
 def test_a_pose_to_set_out_from_stands_outside_the_cycle():

@@ -37,8 +37,9 @@ from ..motion import Saved, read_arrays
 from ..scene.assets import Scene
 from ..scene.compose import Step, compose, figure_spec, first_line, quietly, spec_joint_names
 from ..scene.configuration import first_wrong
-from .constraints import Constraints, numbers, posing_bends
+from .constraints import chosen, constraints, posing_bends
 from .contacts import rests
+from .context import Context
 from .couplings import complaints, follow
 from .feet import sole_points
 from .holds import asked
@@ -311,14 +312,14 @@ def _clip(
     surfaces = static_surfaces(figure.model)
     notes = complaints(figure, timeline, keys)
     contact, held, penalty = ([], [], []) if table is None else (table.contact, table.hold, table.penalty)
-    builder = Constraints(figure, timeline, surfaces, notes, place, placed, contact, held)
-    penalties = builder.all(penalty)
+    context = Context(figure, timeline, surfaces, notes, place, placed, contact, held)
+    penalties = constraints(context, penalty)
     return Clip(
         name, text, scene, figure, fps, tuple(keys), penalties, settings, solve.ends,
         np.zeros((2, figure.width)) if solve.ends == "clamped" else None, solve.travel,
         radians(solve.turn), surfaces,
-        builder.points, builder.bends, builder.support, tuple(notes), placed, builder.contacts.given,
-        builder.holds,
+        context.points, context.bends, context.support, tuple(notes), placed, context.contacts.given,
+        context.holds,
     )  # fmt: skip
 
 
@@ -345,7 +346,7 @@ def _check_text(table: ClipTable, place: str) -> None:
         _settings(table.solve, times)
     except ValueError as error:
         raise UserError(f"{place}: {error}") from None
-    numbers(table.penalty, place)
+    chosen(table.penalty, place)
     for number, row in enumerate(table.keyframe, start=1):
         where = f"{place}: {_called(number, row.time)}"
         if isinstance(row.root.rotation, RotationTable):

@@ -20,11 +20,11 @@ Share = Annotated[Real, Field(ge=0, le=1)]
 Place = tuple[Number, Number, Number]
 
 
-class _Table(BaseModel):
+class Table(BaseModel):
     model_config = ConfigDict(extra="forbid", strict=False)
 
 
-class RotationTable(_Table):
+class RotationTable(Table):
     rotvec: tuple[Number, Number, Number] | None = None
     euler: list[Number] | None = None
     order: str | None = None
@@ -32,12 +32,12 @@ class RotationTable(_Table):
     heading: Number | None = None
 
 
-class RootTable(_Table):
+class RootTable(Table):
     position: tuple[Axis, Axis, Axis] | Literal["free"] = "free"
     rotation: RotationTable | Literal["free"] = "free"
 
 
-class SiteTable(_Table):
+class SiteTable(Table):
     position: tuple[Axis, Axis, Axis]
     by: Literal["pose", "search"] = "pose"
 
@@ -50,7 +50,7 @@ class BodyTable(RotationTable):
     at: Place | None = None
 
 
-class KeyframeTable(_Table):
+class KeyframeTable(Table):
     time: Number
     root: RootTable = RootTable()
     roots: dict[str, RootTable] = {}
@@ -60,7 +60,7 @@ class KeyframeTable(_Table):
     others: Literal["free", "rest", "hold"] = "free"
 
 
-class StepTable(_Table):
+class StepTable(Table):
     x: Number
     height: Length
     length: Length = 3.0
@@ -68,7 +68,7 @@ class StepTable(_Table):
     y: Number = 0.0
 
 
-class _ObstacleTable(_Table):
+class _ObstacleTable(Table):
     name: Annotated[str, Field(min_length=1)] | None = None
     body: Annotated[str, Field(min_length=1)] | None = None
     mass: Annotated[Real, Field(gt=0, le=LARGEST)] | None = None
@@ -94,7 +94,7 @@ class BarTable(_ObstacleTable):
     end: Place | None = Field(None, alias="to")
 
 
-class SceneTable(_Table):
+class SceneTable(Table):
     step: StepTable | None = None
     box: list[BoxTable] = []
     sphere: list[SphereTable] = []
@@ -102,24 +102,24 @@ class SceneTable(_Table):
     cylinder: list[BarTable] = []
 
 
-class PenaltyTable(_Table):
+class PenaltyTable(Table):
+    """A soft constraint: its kind, and what is said of it, which its record in `kinds` knows."""
+
+    model_config = ConfigDict(extra="allow", strict=False)
     kind: str
-    weight: Annotated[Real, Field(ge=0, le=1e9)] = 1.0
-    form: str | None = None
-    points: list[str] | None = None
-    joints: list[str] | None = None
-    margin: Annotated[Real, Field(ge=0, le=0.1)] | None = None
-    reach: Annotated[Real, Field(gt=0, le=1)] | None = None
-    least: Annotated[Real, Field(ge=-360, le=360)] | None = None
-    sideways: Angle | None = None
-    twist: Angle | None = None
-    angular: Annotated[Real, Field(ge=0, le=1e6)] | None = None
-    friction: Annotated[Real, Field(gt=0, le=10)] | None = None
-    intervals: list[tuple[Number, Number]] | None = None
-    period: Annotated[Real, Field(gt=0, le=60)] | None = None
+
+    @classmethod
+    def of(cls, kind: str, **said: Any) -> PenaltyTable:
+        """As a file would have it."""
+        return cls.model_validate({"kind": kind, **said})
+
+    @property
+    def said(self) -> dict[str, Any]:
+        """The options by name, as they were given."""
+        return dict(self.model_extra or {})
 
 
-class ContactTable(_Table):
+class ContactTable(Table):
     """A point that rests, from one time to another [s]."""
 
     point: str
@@ -133,7 +133,7 @@ class ContactTable(_Table):
         return self.point
 
 
-class HoldTable(_Table):
+class HoldTable(Table):
     """A site that stays where it is on a body, from one time to another [s]."""
 
     hand: str
@@ -148,7 +148,7 @@ class HoldTable(_Table):
         return self.hand
 
 
-class SolveTable(_Table):
+class SolveTable(Table):
     coordinates: Literal["auto", "world", "joint"] = "auto"
     ends: Literal["free", "clamped", "periodic"] = "free"
     travel: tuple[Number, Number, Number] | None = None
@@ -164,7 +164,7 @@ class SolveTable(_Table):
     samples: Annotated[Whole, Field(ge=1, le=10_000)] | None = None
 
 
-class ClipTable(_Table):
+class ClipTable(Table):
     figure: str
     fps: Annotated[Real, Field(ge=0.01, le=1000)] = 30.0
     scene: SceneTable = SceneTable()
@@ -175,19 +175,22 @@ class ClipTable(_Table):
     keyframe: list[KeyframeTable]
 
 
-def spoken(error: ValidationError, raw: dict[str, Any]) -> str:
-    """The first complaint of a validation, in the clip file's own words."""
+def spoken(error: ValidationError, raw: dict[str, Any], inside: tuple[int | str, ...] = ()) -> str:
+    """The first complaint of a validation, in the clip file's own words.
+
+    inside  where in `raw` that stands which was validated
+    """
     complaints = error.errors()
     telling = ("finite_number", "extra_forbidden")
     first = next((c for kind in telling for c in complaints if c["type"] == kind), complaints[0])
-    names, words, given = _walked(first["loc"], raw)
+    names, words, given = _walked((*inside, *first["loc"]), raw)
     place = "".join(f"{word}: " for word in words)
     key = ".".join(names)
     kind = first["type"]
     if kind == "extra_forbidden":
-        inside = f"{'.'.join(names[:-1])}: " if names[:-1] else ""
+        above = f"{'.'.join(names[:-1])}: " if names[:-1] else ""
         fields = _schema(words, names[:-1]).model_fields
-        return place + inside + unknown("key", names[-1], [field.alias or name for name, field in fields.items()])
+        return place + above + unknown("key", names[-1], [field.alias or name for name, field in fields.items()])
     if kind == "missing" and isinstance(first["loc"][-1], str):
         return f"{place}'{key}' is missing"
     if kind == "finite_number":
@@ -196,9 +199,9 @@ def spoken(error: ValidationError, raw: dict[str, Any]) -> str:
         if kind.startswith(start):
             limit = next(iter(first.get("ctx", {}).values()))
             return f"{place}{key} must be {bound} {limit:g}, not {given}"
-    return (
-        f"{place}{key + ' ' if key else ''}must be {_EXPECTED.get(_role(words, names), 'a table')}, not {_shown(given)}"
-    )
+    plain = "a table" if kind.endswith(("model_type", "dict_type")) else first["msg"].removeprefix("Input should be ")
+    expected = _EXPECTED.get(_role(words, names), plain)
+    return f"{place}{key + ' ' if key else ''}must be {expected}, not {_shown(given)}"
 
 
 def _walked(location: tuple[int | str, ...], raw: Any) -> tuple[list[str], list[str], Any]:
@@ -230,8 +233,8 @@ def _walked(location: tuple[int | str, ...], raw: Any) -> tuple[list[str], list[
 
 def _role(words: list[str], names: list[str]) -> str:
     """What kind of entry a key is: joints have names of their own."""
-    if names[:1] == ["joints"] and words[0].startswith("penalty"):
-        return "bent joints"
+    if words and words[0].startswith("penalty") and names[:1] in (["joints"], ["bodies"]):
+        return "bent joints" if names[0] == "joints" else "bodies of a penalty"
     if len(names) == 2 and names[0] in _NAMED:
         return _NAMED[names[0]][0]
     if words and words[0].startswith(("contact", "hold")) and names:
@@ -245,7 +248,7 @@ def _role(words: list[str], names: list[str]) -> str:
     return names[-1] if names else ""
 
 
-def _schema(words: list[str], names: list[str]) -> type[_Table]:
+def _schema(words: list[str], names: list[str]) -> type[Table]:
     """The table that an unknown key stands in."""
     if len(names) == 2 and names[0] in _NAMED:
         return _NAMED[names[0]][1]
@@ -264,13 +267,13 @@ def _shown(value: Any) -> str:
     return text if len(text) <= 60 else text[:57] + "..."
 
 
-_NAMED: dict[str, tuple[str, type[_Table]]] = {
+_NAMED: dict[str, tuple[str, type[Table]]] = {
     "joints": ("joint", RotationTable),
     "roots": ("root", RootTable),
     "sites": ("site", SiteTable),
     "bodies": ("body", BodyTable),
 }
-_TABLES: dict[str, type[_Table]] = {
+_TABLES: dict[str, type[Table]] = {
     "keyframe": KeyframeTable,
     "penalty": PenaltyTable,
     "contact": ContactTable,
@@ -294,7 +297,7 @@ _EXPECTED = {
     **dict.fromkeys((*_NUMBERS, *_OF_OTHERS, "threshold", "tolerance"), "a number"),
     **dict.fromkeys(_WHOLE, "a whole number"),
     **dict.fromkeys(("kind", "form", "criterion", "optimiser", "order", "point", "hand"), "a word in quotes"),
-    **dict.fromkeys(("points", "bent joints"), "a list of names"),
+    **dict.fromkeys(("points", "bent joints", "bodies of a penalty"), "a list of names"),
     "intervals": "a list of [from, to] in seconds",
     "others": "'free', 'rest' or 'hold'",
     "figure": "the name of a figure or a path in quotes",

@@ -36,7 +36,7 @@ from dynsplines.solver.search.optimiser import Stop
 from dynsplines.solver.surface.points import body_points, places_of
 
 from ..clip import load as clips
-from ..clip.constraints import bolted_links
+from ..clip.kinds import bolted_links
 from ..clip.load import Clip
 from ..errors import UserError
 from ..motion import Saved, samples_at

@@ -28,6 +28,7 @@ from .hold import slipped as slipped
 from .joint_range import JointRange as JointRange
 from .joint_range import Range as Range
 from .joint_range import joint_ranges as joint_ranges
+from .level import Level as Level
 from .peak import PeakAcceleration as PeakAcceleration
 from .penalty import Guide as Guide
 from .penalty import Momentary as Momentary
@@ -46,6 +47,7 @@ from .root import RootAcceleration as RootAcceleration
 from .self_contact import SelfContact as SelfContact
 from .skate import Bound as Bound
 from .skate import Skate as Skate
+from .squares import SumOfSquares as SumOfSquares
 from .support import Support as Support
 from .together import Together as Together
 from .torque import Torque as Torque

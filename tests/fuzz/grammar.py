@@ -12,7 +12,7 @@ import mujoco
 import tiny
 from fuzz.mangle import Rng, mangled_text
 
-from dynsplines.clip.constraints import KINDS as PENALTIES
+from dynsplines.clip.kinds import KINDS as PENALTIES
 from dynsplines.clip.text import written
 from dynsplines.solver.search.optimiser import METHODS
 
@@ -267,7 +267,7 @@ class _Drawn:
         }
 
     def _penalties(self) -> list[object]:
-        known = PENALTIES if self.draw.random() < 50 * self.oddly else SURE
+        known = list(PENALTIES) if self.draw.random() < 50 * self.oddly else SURE
         return [
             self._penalty(self._odd(lambda kind=kind: kind))
             for kind in self.draw.sample(known, self.draw.randint(0, 3))
