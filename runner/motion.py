@@ -256,14 +256,7 @@ def _check(saved: Saved, data: dict[str, Any]) -> None:
     shapes |= {f"{prefix}{part}": (times, model.nv) for prefix in ("", "raw_") for part in ("qvel", "qacc")}
     own = {"key_qpos", "key_fixed", "key_posed"} & data.keys()  # older files have nothing posed
     shapes |= dict.fromkeys(sorted(own), (keys, model.nq))
-    for name, shape in shapes.items():
-        if data[name].shape != shape:
-            raise ValueError(f"'{name}' is {data[name].shape}, not {shape}")
-    for name, array in data.items():
-        if array.dtype.kind == "f" and not np.all(np.isfinite(array)):
-            raise ValueError(f"'{name}' holds entries that are not finite numbers")
-        if name.endswith(PLACES) and not np.all(np.abs(array) <= FARTHEST):
-            raise ValueError(f"'{name}' holds an entry that is too large")
+    _check_arrays(data, shapes)
     if not saved.fps > 0:
         raise ValueError(f"fps is {saved.fps:g}")
     for timeline in (saved.timeline, saved.raw):
@@ -276,6 +269,18 @@ def _check(saved: Saved, data: dict[str, Any]) -> None:
             raise ValueError("a keyframe has no frame")
     if not (isinstance(saved.trace, list) and isinstance(saved.report, dict) and isinstance(saved.search, dict)):
         raise ValueError("trace, report and search are not a list and two tables")
+
+
+def _check_arrays(data: dict[str, Any], shapes: Mapping[str, tuple[int, ...]]) -> None:
+    """Raises ValueError for arrays of other shapes, and for entries that are not finite or too large."""
+    for name, shape in shapes.items():
+        if data[name].shape != shape:
+            raise ValueError(f"'{name}' is {data[name].shape}, not {shape}")
+    for name, array in data.items():
+        if array.dtype.kind == "f" and not np.all(np.isfinite(array)):
+            raise ValueError(f"'{name}' holds entries that are not finite numbers")
+        if name.endswith(PLACES) and not np.all(np.abs(array) <= FARTHEST):
+            raise ValueError(f"'{name}' holds an entry that is too large")
 
 
 def _restored(data: dict[str, Any]) -> Saved:

@@ -6,7 +6,7 @@ Everything here is a plain dict, so that it goes into JSON, into the motion file
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -517,99 +517,155 @@ def _cycle_words(data: dict[str, Any]) -> str:
     return f"; a cycle of {cycle['period, s']:.2f} s, {cycle['trust']:.1f} times as sure as the raw spline{feet}"
 
 
-def _lines(before: dict[str, Any], after: dict[str, Any]) -> list[tuple[str, str, str]]:
+Line = tuple[str, str, str]  # what it is, before, after
+Sides = tuple[dict[str, Any], dict[str, Any]]  # what was measured before and after
+
+
+def _lines(before: dict[str, Any], after: dict[str, Any]) -> list[Line]:
     sides = (before, after)
+    return [line for section in SECTIONS for line in section(sides)]
 
-    def row(name: str, *values: str) -> tuple[str, str, str]:
-        return (name, values[0], values[1])
 
-    def millimetres(value: float) -> str:
-        return f"{1000 * value:.1f} mm"
+def _line(sides: Sides, name: str, shown: Callable[[dict[str, Any]], str]) -> Line:
+    return name, shown(sides[0]), shown(sides[1])
 
-    lines = [row("objective", *(f"{s['objective']:.4g}" for s in sides))]
-    for name in after["terms"]:
-        lines.append(row(f"  {name}", *(f"{s['terms'].get(name, 0):.4g}" for s in sides)))
-    deepest = [s["penetration, m"] for s in sides]
-    every = "; none collides, all count" if after["penetration, m"].get("all geoms count") else ""
-    deep_name = f"deepest penetration of any geom{every}"
-    lines.append(row(deep_name, *(f"{millimetres(d['deepest'])}, {d['where']}" for d in deepest)))
-    for name in after["penetration, m"]["points"]:
-        lines.append(row(f"  {name}", *(millimetres(d["points"][name]) for d in deepest)))
-    if after["self-penetration, m"]:
-        selves = [s["self-penetration, m"] for s in sides]
-        shown = [f"{millimetres(found['deepest'])}, {found['where']}" for found in selves]
-        lines.append(row("deepest of the figure in itself", *shown))
-    for name in after["bends, degrees"]:
-        angles = [s["bends, degrees"][name] for s in sides]
-        shown = [f"{a['backward']:.1f}° / {a['sideways']:.1f}° / {a['twist']:.1f}°" for a in angles]
-        lines.append(row(f"{name}: backward / sideways / twist", *shown))
-    if after["beyond joint range"]:
-        lines.append(row("farthest beyond a joint's range", *(_beyond(s["beyond joint range"]) for s in sides)))
-    tied = [s.get("equality constraints", {}) for s in sides]
-    if "coupled" in tied[1]:
-        lines.append(row("farthest off what it follows", *(_beyond(found["coupled"]) for found in tied)))
-    if "closed" in tied[1]:
-        torn = (found["closed"] for found in tied)
-        lines.append(row("closed loops apart", *(f"{millimetres(f['most, m'])}, {f['loop']}" for f in torn)))
-    for name in after["skate"]:
-        skates = [s["skate"][name] for s in sides]
-        lines.append(
-            row(f"skate of {name}", *(f"{millimetres(k['path, m'])}, {k['speed, m/s']:.3f} m/s" for k in skates))
-        )
-    for one, two in zip(before["stances"], after["stances"], strict=False):
-        name = f"{two['points']} planted {two['from, s']:.2f} - {two['to, s']:.2f} s: lift / slide"
-        lines.append(row(name, *(f"{millimetres(s['lift, m'])} / {millimetres(s['slide, m'])}" for s in (one, two))))
-    for foot in after.get("swings", {}):
-        lines.append(row(f"{foot} off the floor, every swing", *(swing_words(s["swings"][foot]) for s in sides)))
-    for one, two in zip(before.get("contacts", []), after.get("contacts", []), strict=False):
-        name = f"{two['point']} rests {two['from, s']:.2f} - {two['to, s']:.2f} s: moved / path"
-        lines.append(row(name, *(f"{millimetres(c['moved, m'])} / {millimetres(c['path, m'])}" for c in (one, two))))
-    for one, two in zip(before.get("holds", []), after.get("holds", []), strict=False):
-        name = f"{two['hand']} on {two['body']} {two['from, s']:.2f} - {two['to, s']:.2f} s: moved"
-        lines.append(row(name, *(millimetres(found["moved, m"]) for found in (one, two))))
-    if after.get("in what is carried, m"):
-        carried = [s["in what is carried, m"] for s in sides]
-        lines.append(
-            row("deepest in what is carried", *(f"{millimetres(c['deepest'])}, {c['where']}" for c in carried))
-        )
-    for name in after["off their places, m"]:
-        lines.append(row(f"{name}, off its place", *(millimetres(s["off their places, m"][name]) for s in sides)))
-    for name, value in after["edge clearance, m"].items():
-        lines.append(row(f"clearance of {name}", "", millimetres(value)))
-    units = [s["unit deviation"] for s in sides]
-    lines.append(row("length of quaternions", *(f"{u['shortest']:.4f} - {u['longest']:.4f}" for u in units)))
-    lines.append(row("keyframe error", *(f"{s['keyframe error']:.1e}" for s in sides)))
-    if "turn, degrees" in after.get("seam", {}):
-        lines.append(row("a period turns by", *(f"{s['seam'].get('turn, degrees', 0.0):.4g}°" for s in sides)))
-    if "seam" in after:
-        apart = ([s["seam"][k] for k in ("state", "first derivative", "second derivative")] for s in sides)
-        lines.append(row("seam of the loop: y / y' / y'' apart", *(" / ".join(f"{a:.0e}" for a in s) for s in apart)))
-    peaks = [s["angular acceleration, rad/s²"] for s in sides]
-    lines.append(row("peak angular acceleration", *(f"{p['peak']:.0f} rad/s², {p['joint']}" for p in peaks)))
-    torques = [s["torque, N m"] for s in sides]
-    lines.append(
-        row(
-            "norm of all joints' torques, root mean square over time",
-            *(f"{t['root mean square']:.0f} N m" for t in torques),
-        )
-    )
-    lines.append(row("  peak of one joint", *(f"{t['peak of one joint']:.0f} N m, {t['joint']}" for t in torques)))
-    lines.append(row("peak root force, the ground's to supply", *(f"{t['peak root force']:.0f} N" for t in torques)))
-    carried = [s["support"] for s in sides]
-    if "off free fall, g" in after["support"]:
-        lines.append(row("in flight: centre of mass off g, mean", *(f"{c['off free fall, g']:.1%}" for c in carried)))
-        lines.append(
-            row("  upward force from nothing, mean", *(f"{c['upward force in flight, N']:.0f} N" for c in carried))
-        )
-    if after["support"]:
+
+def _paired(sides: Sides, key: str) -> Iterator[Sides]:
+    """What a list of both sides holds, one by one."""
+    yield from zip(sides[0].get(key, []), sides[1].get(key, []), strict=False)
+
+
+def _millimetres(value: float) -> str:
+    return f"{1000 * value:.1f} mm"
+
+
+def _deepest(found: dict[str, Any]) -> str:
+    return f"{_millimetres(found['deepest'])}, {found['where']}"
+
+
+def _of_objective(sides: Sides) -> Iterator[Line]:
+    yield _line(sides, "objective", lambda s: f"{s['objective']:.4g}")
+    for name in sides[1]["terms"]:
+        yield _line(sides, f"  {name}", lambda s, name=name: f"{s['terms'].get(name, 0):.4g}")
+
+
+def _of_depth(sides: Sides) -> Iterator[Line]:
+    key, selves = "penetration, m", "self-penetration, m"
+    every = "; none collides, all count" if sides[1][key].get("all geoms count") else ""
+    yield _line(sides, f"deepest penetration of any geom{every}", lambda s: _deepest(s[key]))
+    for name in sides[1][key]["points"]:
+        yield _line(sides, f"  {name}", lambda s, name=name: _millimetres(s[key]["points"][name]))
+    if sides[1][selves]:
+        yield _line(sides, "deepest of the figure in itself", lambda s: _deepest(s[selves]))
+
+
+def _of_joints(sides: Sides) -> Iterator[Line]:
+    def bent(angles: dict[str, float]) -> str:
+        return f"{angles['backward']:.1f}° / {angles['sideways']:.1f}° / {angles['twist']:.1f}°"
+
+    def torn(found: dict[str, Any]) -> str:
+        return f"{_millimetres(found['most, m'])}, {found['loop']}"
+
+    for name in sides[1]["bends, degrees"]:
+        called = f"{name}: backward / sideways / twist"
+        yield _line(sides, called, lambda s, name=name: bent(s["bends, degrees"][name]))
+    if sides[1]["beyond joint range"]:
+        yield _line(sides, "farthest beyond a joint's range", lambda s: _beyond(s["beyond joint range"]))
+    key = "equality constraints"
+    if "coupled" in sides[1].get(key, {}):
+        yield _line(sides, "farthest off what it follows", lambda s: _beyond(s[key]["coupled"]))
+    if "closed" in sides[1].get(key, {}):
+        yield _line(sides, "closed loops apart", lambda s: torn(s[key]["closed"]))
+
+
+def _of_feet(sides: Sides) -> Iterator[Line]:
+    def skated(found: dict[str, float]) -> str:
+        return f"{_millimetres(found['path, m'])}, {found['speed, m/s']:.3f} m/s"
+
+    for name in sides[1]["skate"]:
+        yield _line(sides, f"skate of {name}", lambda s, name=name: skated(s["skate"][name]))
+    for pair in _paired(sides, "stances"):
+        name = f"{pair[1]['points']} planted {_span(pair[1])}: lift / slide"
+        yield _line(pair, name, lambda s: f"{_millimetres(s['lift, m'])} / {_millimetres(s['slide, m'])}")
+    for foot in sides[1].get("swings", {}):
+        name = f"{foot} off the floor, every swing"
+        yield _line(sides, name, lambda s, foot=foot: swing_words(s["swings"][foot]))
+
+
+def _span(found: dict[str, Any]) -> str:
+    return f"{found['from, s']:.2f} - {found['to, s']:.2f} s"
+
+
+def _of_contacts(sides: Sides) -> Iterator[Line]:
+    for pair in _paired(sides, "contacts"):
+        name = f"{pair[1]['point']} rests {_span(pair[1])}: moved / path"
+        yield _line(pair, name, lambda c: f"{_millimetres(c['moved, m'])} / {_millimetres(c['path, m'])}")
+    for pair in _paired(sides, "holds"):
+        name = f"{pair[1]['hand']} on {pair[1]['body']} {_span(pair[1])}: moved"
+        yield _line(pair, name, lambda found: _millimetres(found["moved, m"]))
+    if sides[1].get("in what is carried, m"):
+        yield _line(sides, "deepest in what is carried", lambda s: _deepest(s["in what is carried, m"]))
+
+
+def _of_places(sides: Sides) -> Iterator[Line]:
+    key = "off their places, m"
+    for name in sides[1][key]:
+        yield _line(sides, f"{name}, off its place", lambda s, name=name: _millimetres(s[key][name]))
+    for name, value in sides[1]["edge clearance, m"].items():
+        yield (f"clearance of {name}", "", _millimetres(value))
+
+
+def _of_spline(sides: Sides) -> Iterator[Line]:
+    def seams(found: dict[str, float]) -> str:
+        return " / ".join(f"{found[k]:.0e}" for k in ("state", "first derivative", "second derivative"))
+
+    def lengths(found: dict[str, float]) -> str:
+        return f"{found['shortest']:.4f} - {found['longest']:.4f}"
+
+    yield _line(sides, "length of quaternions", lambda s: lengths(s["unit deviation"]))
+    yield _line(sides, "keyframe error", lambda s: f"{s['keyframe error']:.1e}")
+    if "turn, degrees" in sides[1].get("seam", {}):
+        yield _line(sides, "a period turns by", lambda s: f"{s['seam'].get('turn, degrees', 0.0):.4g}°")
+    if "seam" in sides[1]:
+        yield _line(sides, "seam of the loop: y / y' / y'' apart", lambda s: seams(s["seam"]))
+
+
+def _of_effort(sides: Sides) -> Iterator[Line]:
+    peak, torque = "angular acceleration, rad/s²", "torque, N m"
+    efforts = (sides[0][torque], sides[1][torque])
+    yield _line(sides, "peak angular acceleration", lambda s: f"{s[peak]['peak']:.0f} rad/s², {s[peak]['joint']}")
+    name = "norm of all joints' torques, root mean square over time"
+    yield _line(efforts, name, lambda t: f"{t['root mean square']:.0f} N m")
+    yield _line(efforts, "  peak of one joint", lambda t: f"{t['peak of one joint']:.0f} N m, {t['joint']}")
+    yield _line(efforts, "peak root force, the ground's to supply", lambda t: f"{t['peak root force']:.0f} N")
+
+
+def _of_support(sides: Sides) -> Iterator[Line]:
+    carried = (sides[0]["support"], sides[1]["support"])
+    if "off free fall, g" in carried[1]:
+        yield _line(carried, "in flight: centre of mass off g, mean", lambda c: f"{c['off free fall, g']:.1%}")
+        yield _line(carried, "  upward force from nothing, mean", lambda c: f"{c['upward force in flight, N']:.0f} N")
+    if carried[1]:
         name = "root force that no contact can supply, root mean square"
-        lines.append(row(name, *(f"{c['root mean square']:.2f} body weights" for c in carried)))
-        lines.append(row("  moment, body weight × height", *(f"{c['moment, root mean square']:.2f}" for c in carried)))
-    drift = after.get("centre of mass off before, m")
+        yield _line(carried, name, lambda c: f"{c['root mean square']:.2f} body weights")
+        yield _line(carried, "  moment, body weight × height", lambda c: f"{c['moment, root mean square']:.2f}")
+    drift = sides[1].get("centre of mass off before, m")
     if drift:
-        lines.append(row("centre of mass off before, largest", "", millimetres(drift["largest"])))
-        lines.append(row("  away from where before is in a box", "", millimetres(drift["away from trouble"])))
-    return lines
+        yield ("centre of mass off before, largest", "", _millimetres(drift["largest"]))
+        yield ("  away from where before is in a box", "", _millimetres(drift["away from trouble"]))
+
+
+SECTIONS: tuple[Callable[[Sides], Iterator[Line]], ...] = (
+    _of_objective,
+    _of_depth,
+    _of_joints,
+    _of_feet,
+    _of_contacts,
+    _of_places,
+    _of_spline,
+    _of_effort,
+    _of_support,
+)
 
 
 def _beyond(found: dict[str, Any]) -> str:
