@@ -59,11 +59,12 @@ def test_every_kind_is_made_or_is_nothing_to_look_at(kind):
     [
         (
             'kind = "bend"\nsideway = 3',
-            "penalty 1: 'sideway' is not for kind 'bend', which takes: weight, joints, least",
+            "penalty 1: no key 'sideway'; did you mean 'sideways'?",
         ),
         ('kind = "bend"\nsideways = "x"', "penalty 1: sideways must be a number, not 'x'"),
         ('kind = "bend"\nsideways = 0', "penalty 1: sideways must be above 0, not 0"),
         ('kind = "bend"\nweight = -1', "penalty 1: weight must be at least 0, not -1"),
+        ('kind = "bend"\nmargin = 0', "penalty 1: 'margin' is not for kind 'bend', which takes: weight, joints, least"),
         ('kind = "bent"', "no penalty 'bent'"),
         ('kind = "flight"\nintervals = [[0]]', "penalty 1: intervals must be a list of [from, to] in seconds"),
         ('kind = "level"\nbodies = "chest"', "penalty 1: bodies must be a list of names, not 'chest'"),

@@ -18,6 +18,7 @@ from .table import PenaltyTable, spoken
 
 CARRIED = ("flight", "support", "peak")  # on by default where keyframes tell what carries the figure
 ROOT_WEIGHT_CARRIED = 0.45  # of "root", which flight and support then know better
+ANY = {option for kind in KINDS.values() for option in kind.options.model_fields}
 DEEP = 0.02  # [m] of a sole point in something, by a keyframe, from which on the user is told
 
 
@@ -34,8 +35,10 @@ def chosen(entries: Sequence[PenaltyTable], place: str) -> dict[str, Options]:
             raise UserError(f"{here}: kind '{entry.kind}' is given already by penalty {given[entry.kind]}")
         options = KINDS[entry.kind].options
         for option in sorted(entry.said.keys() - options.model_fields.keys()):
-            takes = ", ".join(["weight", *sorted(options.model_fields.keys() - {"weight"})])
-            raise UserError(f"{here}: '{option}' is not for kind '{entry.kind}', which takes: {takes}")
+            takes = ["weight", *sorted(options.model_fields.keys() - {"weight"})]
+            if option not in ANY:
+                raise UserError(f"{here}: {unknown('key', option, takes)}")
+            raise UserError(f"{here}: '{option}' is not for kind '{entry.kind}', which takes: {', '.join(takes)}")
         try:
             found[entry.kind] = options.model_validate(entry.said)
         except ValidationError as error:
