@@ -18,7 +18,7 @@ from bench import Effort, Section, Target, median, seconds
 
 from dynsplines import models
 from dynsplines.clip.constraints import posing_bends
-from dynsplines.clip.feet import sole_points
+from dynsplines.clip.posing.feet import sole_points
 from dynsplines.clip.table import PenaltyTable
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask

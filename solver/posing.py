@@ -19,7 +19,7 @@ import numpy as np
 from . import quaternion as quat
 from .array import Array, Index, Mask
 from .figure.figure import Figure, JointKind
-from .penalty.bend import BendLimits, bent
+from .penalty.joints.bend import BendLimits, bent
 from .surface.points import Point
 
 MET, EXACT = 1e-6, 1e-9  # [m, rad] a goal that is missed by no more is met; what is aimed at

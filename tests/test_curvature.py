@@ -37,9 +37,9 @@ from dynsplines.solver.penalty import (
     Torque,
     UnitMagnitude,
 )
-from dynsplines.solver.penalty.bend import NEAR as NEAR_ANGLE
-from dynsplines.solver.penalty.contact import NEAR as NEAR_DEPTH
 from dynsplines.solver.penalty.curvature import Curvature, Sides
+from dynsplines.solver.penalty.ground.contact import NEAR as NEAR_DEPTH
+from dynsplines.solver.penalty.joints.bend import NEAR as NEAR_ANGLE
 from dynsplines.solver.refine.euler_lagrange import WeakForm
 from dynsplines.solver.refine.subdivision import evenly, midpoints, split
 from dynsplines.solver.search.descent import optimised

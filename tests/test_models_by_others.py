@@ -21,7 +21,7 @@ from rich.console import Console
 
 from dynsplines import motion, work
 from dynsplines.clip import load as clip
-from dynsplines.clip.feet import sole_points
+from dynsplines.clip.posing.feet import sole_points
 from dynsplines.clip.starter import starter
 from dynsplines.measure import report
 from dynsplines.picture.show import Look, images

@@ -8,7 +8,7 @@ from test_penalty_unit import penalty_slope, scaled_like
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.figure.kinematics import Cotangent, Samples
 from dynsplines.solver.penalty import CovariantAcceleration
-from dynsplines.solver.penalty.covariant import covariant_acceleration
+from dynsplines.solver.penalty.motion.covariant import covariant_acceleration
 
 
 def angular_accelerations(samples: Samples) -> np.ndarray:

@@ -21,7 +21,7 @@ from dynsplines.solver.figure.kinematics import Cotangent, Samples
 from dynsplines.solver.figure.wrench import RootWrench, height, weight
 from dynsplines.solver.inbetween import Settings, inbetween
 from dynsplines.solver.penalty import CovariantAcceleration, Flight, Penalty, RootAcceleration
-from dynsplines.solver.penalty.flight import rows_of_wrench
+from dynsplines.solver.penalty.ground.flight import rows_of_wrench
 
 G = 9.81
 BRICK = f"""<mujoco><option gravity="0 0 -{G}"/><worldbody><body><freejoint/>
@@ -112,7 +112,7 @@ def test_rows_for_any_joints_are_those_for_ball_joints_in_the_world(rng, monkeyp
     link, at = rng.choice(np.flatnonzero(figure.tables.path[:, root]), 6), np.sort(rng.integers(0, 4, 6))
     pushes = Pushes(at, link, *rng.normal(size=(2, 3, 6))) if pushed else None
     closed = rows_of_wrench(samples, root, pushes)
-    monkeypatch.setattr("dynsplines.solver.penalty.flight.has_moment_rows", lambda _: False)
+    monkeypatch.setattr("dynsplines.solver.penalty.ground.flight.has_moment_rows", lambda _: False)
     assert_near(rows_of_wrench(samples, root, pushes), closed, 1e-12)
 
 

@@ -23,7 +23,7 @@ from dynsplines.solver.penalty import (
     slipped,
 )
 from dynsplines.solver.penalty.curvature import Curvature
-from dynsplines.solver.penalty.resting import SETTLING
+from dynsplines.solver.penalty.ground.resting import SETTLING
 from dynsplines.solver.surface.points import Point
 
 TWO = """<mujoco><worldbody>

@@ -11,9 +11,9 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import Settings, inbetween
 from dynsplines.solver.penalty import CovariantAcceleration, Rest, Resting, RootAcceleration, UnitMagnitude
-from dynsplines.solver.penalty.contact import point_gradients, velocity_gradients
 from dynsplines.solver.penalty.curvature import Curvature
-from dynsplines.solver.penalty.resting import SETTLING
+from dynsplines.solver.penalty.ground.contact import point_gradients, velocity_gradients
+from dynsplines.solver.penalty.ground.resting import SETTLING
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point
 

@@ -22,7 +22,7 @@ from dynsplines.measure.report import report, tables
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Cotangent, Samples
 from dynsplines.solver.penalty import SelfContact
-from dynsplines.solver.penalty.self_contact import NEAR, nearest_on_segments
+from dynsplines.solver.penalty.joints.self_contact import NEAR, nearest_on_segments
 from dynsplines.system.progress import Teller
 
 SPIDER = """

@@ -12,9 +12,9 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import Settings, inbetween
 from dynsplines.solver.penalty import Contact, CovariantAcceleration, RootAcceleration, Skate, UnitMagnitude
-from dynsplines.solver.penalty.contact import velocity_gradients
 from dynsplines.solver.penalty.curvature import Curvature
-from dynsplines.solver.penalty.skate import LONG, Bound
+from dynsplines.solver.penalty.ground.contact import velocity_gradients
+from dynsplines.solver.penalty.ground.skate import LONG, Bound
 from dynsplines.solver.surface import Box, Plane
 from dynsplines.solver.surface.points import Point, places_of
 

@@ -17,7 +17,7 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Cotangent, Samples
 from dynsplines.solver.figure.wrench import RootWrench
 from dynsplines.solver.penalty import Flight, Footing, Support
-from dynsplines.solver.penalty.support import friction_edges
+from dynsplines.solver.penalty.ground.support import friction_edges
 from dynsplines.solver.surface.points import Point
 
 UP = np.array([0.0, 0, 1])

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 from dynsplines.clip import load as clip
-from dynsplines.clip.feet import sole_points
 from dynsplines.clip.load import Clip
 from dynsplines.clip.mirror import mirrored_tables
-from dynsplines.clip.places import Places, posable_sites
+from dynsplines.clip.posing.feet import sole_points
+from dynsplines.clip.posing.places import Places, posable_sites
 from dynsplines.errors import UserError
 from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.figure.figure import Figure

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from dynsplines import models
 from dynsplines.clip.constraints import posing_bends
-from dynsplines.clip.feet import sole_points
+from dynsplines.clip.posing.feet import sole_points
 from dynsplines.clip.table import PenaltyTable
 from dynsplines.solver import posing
 from dynsplines.solver import quaternion as quat
@@ -21,7 +21,7 @@ from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Bend, BendLimits
-from dynsplines.solver.penalty.bend import bent
+from dynsplines.solver.penalty.joints.bend import bent
 from dynsplines.solver.posing import MET, STARTS, BodyGoal, Goal, PointGoal, Posed, SiteGoal, chain, entries, posed
 from dynsplines.solver.surface.points import Point, site_points
 

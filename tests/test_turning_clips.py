@@ -14,7 +14,7 @@ from scipy.spatial.transform import Rotation
 from dynsplines import motion, work
 from dynsplines.clip import load as clips
 from dynsplines.clip.mirror import mirrored_tables
-from dynsplines.clip.rotation import quaternion_of
+from dynsplines.clip.posing.rotation import quaternion_of
 from dynsplines.clip.table import RotationTable
 from dynsplines.edit import edits
 from dynsplines.edit.thinning import recorded_of

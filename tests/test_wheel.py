@@ -48,7 +48,7 @@ def test_the_wheel_holds_exactly_the_packages_and_their_data(contents):
         if path.is_file() and "__pycache__" not in path.parts and not path.name.startswith(".")
     }
     assert {name for name in contents if ".dist-info/" not in name} == wanted
-    named = ("py.typed", "models/human.xml", "models/clips/run_and_step.toml", "solver/penalty/unit.py")
+    named = ("py.typed", "models/human.xml", "models/clips/run_and_step.toml", "solver/penalty/motion/unit.py")
     assert {f"dynsplines/{name}" for name in named} <= wanted
 
 

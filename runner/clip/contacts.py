@@ -18,13 +18,13 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Rest, Stance
 from dynsplines.solver.penalty.allowance import Allowance
-from dynsplines.solver.penalty.planted import SAME_SPOT
+from dynsplines.solver.penalty.ground.planted import SAME_SPOT
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.heights import height_over
 from dynsplines.solver.surface.points import Point, placed, places_of
 
 from ..errors import UserError, unknown
-from .places import Places
+from .posing.places import Places
 from .table import ContactTable, HoldTable
 
 ROUNDING = 1e-9  # [s]

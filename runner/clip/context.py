@@ -30,9 +30,9 @@ from dynsplines.solver.surface.points import Point, body_points
 
 from ..errors import UserError, unknown
 from .contacts import contacts
-from .feet import sole_points
 from .holds import holds
-from .places import Places
+from .posing.feet import sole_points
+from .posing.places import Places
 from .table import ContactTable, HoldTable
 
 KNEES, ELBOWS = ("knee", "shin"), ("elbow", "forearm", "farm")

@@ -17,12 +17,12 @@ from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Hold, Spot, slipped
-from dynsplines.solver.penalty.planted import SAME_SPOT
+from dynsplines.solver.penalty.ground.planted import SAME_SPOT
 from dynsplines.solver.surface.points import Point, placed
 
 from ..errors import UserError, unknown
 from .contacts import ROUNDING, agreeing, check_interval, check_overlap, stretches
-from .places import Places
+from .posing.places import Places
 from .table import HoldTable
 
 NEARLY = 1e-3  # [m, rad] by which a pose may miss a place and still tell what is there

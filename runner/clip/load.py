@@ -40,14 +40,14 @@ from ..scene.configuration import first_wrong
 from .constraints import chosen, constraints, posing_bends
 from .contacts import rests
 from .context import Context
-from .couplings import complaints, follow
-from .feet import sole_points
 from .holds import asked
 from .obstacles import obstacles
-from .places import Places
-from .placing import check_search, wanted, with_pose
-from .rotation import quaternion_of
-from .standing import Stander
+from .posing.couplings import complaints, follow
+from .posing.feet import sole_points
+from .posing.places import Places
+from .posing.placing import check_search, wanted, with_pose
+from .posing.rotation import quaternion_of
+from .posing.standing import Stander
 from .table import ROTATION, ClipTable, KeyframeTable, RootTable, RotationTable, SolveTable, spoken
 from .things import lying
 

@@ -14,8 +14,8 @@ from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.surface.points import Point
 
 from ..errors import UserError
-from .feet import sole_points
-from .places import Places, places_at
+from .posing.feet import sole_points
+from .posing.places import Places, places_at
 
 KNOWN = {
     "keyframe": {"time", "root", "roots", "joints", "sites", "bodies", "others"},

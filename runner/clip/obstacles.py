@@ -10,7 +10,7 @@ from dynsplines.solver.array import Array
 
 from ..errors import UserError
 from ..scene.obstacle import KINDS, Obstacle
-from .rotation import quaternion_of
+from .posing.rotation import quaternion_of
 from .table import BarTable, BoxTable, SceneTable, SphereTable
 
 SHORTEST = 1e-4  # [m] from end to end

@@ -25,9 +25,9 @@ from dynsplines.solver.surface.touch import solids as solids_of
 from ..errors import UserError
 from ..scene.compose import compose, figure_spec, first_line, quietly
 from ..scene.configuration import first_wrong
-from .couplings import follow
-from .feet import sole_points
-from .places import Places, places_at, posable_sites
+from .posing.couplings import follow
+from .posing.feet import sole_points
+from .posing.places import Places, places_at, posable_sites
 from .text import keyframe_tables, rotation, written
 
 APART = 0.5  # [s] between keyframes whose times do not rise

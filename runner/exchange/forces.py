@@ -20,7 +20,7 @@ from dynsplines.solver.figure.dynamics import generalised_forces
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.wrench import RootWrench
 from dynsplines.solver.penalty import Support
-from dynsplines.solver.penalty.support import Reactions
+from dynsplines.solver.penalty.ground.support import Reactions
 
 from ..clip import load as clip
 from ..motion import samples_at

@@ -1,0 +1,6 @@
+"""Keyframes by position, and what partial keyframes leave free: posed before the search.
+
+places     names of points and bodies   placing   places that keyframes give become joints
+feet       the soles' points            standing  feet that stand stay where they stand
+rotation   rotations as a clip has them couplings joints that others make follow
+"""

@@ -1,0 +1,82 @@
+"""Equality constraints of a model as a clip keeps them: exactly in keyframes where these leave a choice, else told."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import mujoco
+import numpy as np
+
+from dynsplines.solver.array import Array, Mask
+from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.penalty import Closed, Coupled, closures, couplings
+from dynsplines.solver.penalty.joints.coupled import Coupling, in_order
+from dynsplines.solver.surface.points import placed
+
+BROKEN = {"degrees": np.radians(0.1), "m": 1e-4}  # [rad, m] that a keyframe may be off a coupling untold
+TORN = 1e-3  # [m] that points of a closed loop may be apart untold
+
+
+def follow(figure: Figure, qpos: Array, fixed: Mask, is_named: Callable[[str], bool]) -> None:
+    """Sets what follows a joint of a keyframe, qpos and mask, in place.
+
+    A joint that the keyframe names stays; where it names a follower and not the driver, the driver gives way.
+    """
+    names = {link.qpos: link.name for link in figure.links[1:]}
+    for coupling in in_order(couplings(figure)):
+        driver = coupling.driver
+        if not is_named(names[coupling.follower]):
+            if driver < 0 or fixed[driver]:
+                qpos[coupling.follower] = coupling.follow(qpos[driver] if driver >= 0 else np.zeros(()))
+                fixed[coupling.follower] = True
+        elif driver >= 0 and not is_named(names[driver]) and fixed[coupling.follower]:
+            back = _driven(coupling, float(qpos[coupling.follower]))
+            if back is not None:
+                qpos[driver], fixed[driver] = back, True
+
+
+def _driven(coupling: Coupling, follower: float) -> float | None:
+    """Where a driver is when its follower is so; None where that is not said by a straight line."""
+    a = coupling.coefficients
+    if a[1] == 0 or np.any(a[2:]):
+        return None
+    return coupling.rest[1] + (follower - coupling.rest[0] - float(a[0])) / float(a[1])
+
+
+def complaints(figure: Figure, keys: Timeline, frames: Sequence[Frame]) -> list[str]:
+    """One line on every constraint that keyframes break, and on those that nobody looks at."""
+    samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
+    found = []
+    joined = couplings(figure)
+    if joined:
+        away, _ = Coupled(joined).away(samples)
+        for coupling, off in zip(joined, away, strict=True):
+            known = keys.fixed[:, coupling.follower] & ((coupling.driver < 0) | keys.fixed[:, coupling.driver])
+            k = int(np.argmax(np.abs(off) * known))
+            if known[k] and abs(off[k]) > BROKEN[coupling.unit]:
+                far = np.degrees(off[k]) if coupling.unit == "degrees" else off[k]
+                found.append(
+                    f"keyframe {k + 1} (t = {frames[k].time:g} s) has '{coupling.name}' {abs(far):.3g} {coupling.unit} "
+                    "off where the model's equality constraint wants it"
+                )
+    loops = closures(figure)
+    if loops:
+        apart = np.linalg.norm(Closed(loops).apart(samples), axis=0)
+        both = placed(figure, keys.fixed, [c.one for c in loops]) & placed(figure, keys.fixed, [c.two for c in loops])
+        n, k = (int(i) for i in np.unravel_index(np.argmax(apart * both), apart.shape))
+        if both[n, k] and apart[n, k] > TORN:
+            found.append(
+                f"keyframe {k + 1} (t = {frames[k].time:g} s) tears the loop of {loops[n].name} "
+                f"apart by {1000 * apart[n, k]:.3g} mm"
+            )
+    return found + _unseen(figure.model)
+
+
+def _unseen(model: mujoco.MjModel) -> list[str]:
+    """Equality constraints of other kinds."""
+    known = [int(kind) for kind in (mujoco.mjtEq.mjEQ_JOINT, mujoco.mjtEq.mjEQ_CONNECT, mujoco.mjtEq.mjEQ_WELD)]
+    others = [i for i in range(model.neq) if model.eq_active0[i] and int(model.eq_type[i]) not in known]
+    names = ", ".join(f"'{model.equality(i).name or i}'" for i in others)
+    return [f"equality constraints of tendons are not looked at: {names}"] if others else []

@@ -1,0 +1,231 @@
+"""Keyframes by position: where sites are to be and how bodies are turned, as a clip says it, becomes joints.
+
+What is "pose" is solved into a pose here, and its joints are fixed from then on; what is "search" is left to the
+optimiser as a soft constraint. Whatever `others` says, the joints of the limb that a site or body ends, up to where
+another limb branches off, are free unless the keyframe names them.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import mujoco
+import numpy as np
+
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame, TimelineError
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.penalty import Placed
+from dynsplines.solver.posing import (
+    MET,
+    BodyGoal,
+    Goal,
+    PointGoal,
+    Posed,
+    SiteGoal,
+    chain,
+    entries,
+    limb,
+    posed,
+    reached,
+)
+from dynsplines.solver.surface.points import Point
+
+from ...errors import UserError, unknown
+from ..table import ROTATION, BodyTable, KeyframeTable, SiteTable
+from .places import Places
+from .rotation import quaternion_of
+from .standing import Stander
+
+BESIDE = 0.1  # share of the worst miss up to which a goal is not told: it is off for the worst's sake
+
+
+@dataclass(frozen=True, eq=False)
+class Wanted:
+    """What one keyframe says of places: goals of its pose, and points that are left to the search."""
+
+    goals: tuple[Goal, ...] = ()
+    placed: tuple[Placed, ...] = ()
+
+    def loose(self, figure: Figure, row: KeyframeTable) -> list[int]:
+        """The links whose joints the goals and points free, whatever `others` says."""
+        model = figure.model
+        bodies = [goal.body(model) for goal in self.goals]
+        bodies += [figure.links[point.point.link].body for point in self.placed]
+        named = {link.name for link in figure.links if link.name in row.joints or link.name in row.roots}
+        if row.root.model_fields_set:
+            named |= {link.name for link in figure.links[1:] if link.kind is JointKind.FREE}
+        limbs = {link for body in bodies for link in limb(figure, body)}
+        return sorted(link for link in limbs if figure.links[link].name not in named)
+
+
+def wanted(places: Places, row: KeyframeTable, place: str) -> Wanted:
+    """What a keyframe's sites and bodies say; raises UserError for names that are not there and for contradictions."""
+    figure = places.figure
+    goals: list[Goal] = []
+    placed: list[Placed] = []
+    points: list[tuple[Point, Array]] = []
+    for name, table in row.sites.items():
+        point = places.point(name)
+        if point is None:
+            raise UserError(f"{place}: {unknown('site', name, places.points_listed)}")
+        table = table if isinstance(table, SiteTable) else SiteTable(position=table)
+        target = _target(table.position, f"{place}: sites.{name}", "the site")
+        goal = PointGoal.of(figure, point, target)
+        _check_moves(figure, goal, f"{place}: site '{name}'")
+        if table.by == "pose":
+            goals.append(goal)
+            points.append((point, target))
+        else:
+            placed.append(Placed(point, row.time, target))
+    for name, table in row.bodies.items():
+        body = places.body(name)
+        if body is None:
+            raise UserError(f"{place}: {unknown('body', name, places.bodies_listed)}")
+        own = _body_goals(figure, name, body, table, f"{place}: bodies.{name}")
+        _check_moves(figure, own[0], f"{place}: body '{name}'")
+        goals += own
+        points += [
+            (Point(name, *figure.point_on_link(body, goal.offset)), goal.position)
+            for goal in own
+            if isinstance(goal, PointGoal)
+        ]
+    _check_apart(figure, points, place)
+    return Wanted(tuple(goals), tuple(placed))
+
+
+def _target(position: Sequence[float | str], place: str, what: str) -> Array:
+    """(3,) [m] a place as a table says it, NaN along the axes that are free."""
+    target = np.array([np.nan if axis == "free" else float(axis) for axis in position])
+    if np.all(np.isnan(target)):
+        raise UserError(f"{place}: every axis is free; leave {what} out, or give it a place")
+    return target
+
+
+def with_pose(
+    figure: Figure,
+    keys: Sequence[Frame],
+    k: int,
+    goals: Sequence[Goal],
+    stander: Stander,
+    place: str,
+) -> tuple[Frame, list[str]]:
+    """Keyframe k of some with the joints that its goals depend on fixed where they meet them, or come nearest to them;
+    and what of the goals no pose was found for, a line each.
+
+    The pose is the one nearest to where the spline through the other keyframes passes, if there is one with the feet
+    where they stand before and after.
+    """
+    try:
+        path = stander.timeline(keys, "periodic") if stander.ends == "periodic" else raw_timeline(figure, list(keys))
+    except TimelineError as error:
+        raise UserError(f"{place}: {error}") from None
+    key = keys[k]
+    home = np.where(key.fixed, key.state, figure.to_qpos(path.states[k]))
+    for columns in figure.tables.quaternion_columns.T:
+        home[columns] = quat.normalised(home[columns])
+    also = stander.beside(keys, k, goals)
+    found = posed(figure, home, ~key.fixed, [*goals, *also], stander.bends) if also else None
+    if found is None or not found.is_met:
+        found = posed(figure, home, ~key.fixed, goals, stander.bends)
+    posed_key = Frame.key(key.time, np.where(key.fixed, key.state, found.qpos), key.fixed | reached(figure, goals))
+    return posed_key, [] if found.is_met else _complaints(figure, key, goals, found)
+
+
+def check_search(figure: Figure, key: Frame, placed: Sequence[Placed], place: str) -> None:
+    """Raises UserError for a point left to the search that nothing free can move."""
+    for point in placed:
+        body = figure.links[point.point.link].body
+        if not _free_joints(figure, key, body):
+            raise UserError(f"{place}: site '{point.point.name}' {_held(figure, body)}")
+
+
+def _body_goals(figure: Figure, name: str, body: int, table: BodyTable, place: str) -> list[Goal]:
+    """Where a body's origin, or a point in its axes, is to be, and how it is to be turned: at least one of the two."""
+    given = table.model_fields_set & {"rotvec", "euler", "quat", "order", "heading"}
+    goals: list[Goal] = []
+    if table.at is not None and table.position is None:
+        raise UserError(f"{place}: 'at' is a point of the body; say where it is to be by position = [x, y, z]")
+    if table.position is not None:
+        target = _target(table.position, place, "the position")
+        goals.append(PointGoal(name, body, np.array(table.at or (0.0, 0, 0)), target))
+    if table.flat is not None and given:
+        raise UserError(f"{place}: give flat or a rotation, not both")
+    if table.flat is None and (given or not goals):
+        goals.append(BodyGoal(name, quaternion_of(table, place), body))
+    if table.flat is False:
+        raise UserError(f"{place}: flat = false says nothing; give flat = true or a rotation, {ROTATION}")
+    if table.flat:
+        goals.append(BodyGoal(name, index=body))
+    return goals
+
+
+def _check_moves(figure: Figure, goal: Goal, what: str) -> None:
+    if not chain(figure, goal.body(figure.model)):
+        raise UserError(f"{what} is no part of the figure: no joint moves it")
+
+
+def _check_apart(figure: Figure, points: Sequence[tuple[Point, Array]], place: str) -> None:
+    """Raises UserError for two points that move together and are given places at another distance than they have."""
+    for (a, to), (b, there) in itertools.combinations(points, 2):
+        if a.link != b.link or np.isnan([to, there]).any():
+            continue
+        given = float(np.linalg.norm(to - there))
+        real = float(np.linalg.norm(a.position - b.position))
+        if abs(given - real) > MET:
+            body = figure.model.body(figure.links[a.link].body).name
+            raise UserError(
+                f"{place}: sites '{a.name}' and '{b.name}' are {_metres(real)} apart on the figure, not "
+                f'{_metres(given)}; give one of them a "free" axis, or one site and bodies.{body}'
+            )
+
+
+def _complaints(figure: Figure, key: Frame, goals: Sequence[Goal], found: Posed) -> list[str]:
+    """What is not met, and by how much: what misses by nothing beside the worst only makes room for that."""
+    least = max(MET, BESIDE * found.worst)
+    missing = [(goal, float(missed)) for goal, missed in zip(goals, found.missed, strict=True) if missed > least]
+    return [_complaint(figure, key, goal, missed, found.starts) for goal, missed in missing]
+
+
+def _complaint(figure: Figure, key: Frame, goal: Goal, missed: float, starts: int) -> str:
+    body = goal.body(figure.model)
+    joints = _free_joints(figure, key, body)
+    kind = _kind(figure, goal)
+    if not joints:
+        return f"{kind} '{goal.name}' {_held(figure, body)}"
+    free = f"with the joints that are free: {', '.join(joints)}"
+    if isinstance(goal, SiteGoal | PointGoal):
+        where = ", ".join("free" if np.isnan(axis) else f"{axis:g}" for axis in goal.position)
+        closest = f"({starts} starts; closest: {_metres(missed)} short)"
+        return f"no pose found that puts {kind} '{goal.name}' at ({where}) {closest} {free}"
+    closest = f"({starts} starts; closest: {np.degrees(missed):.3g} degrees short)"
+    return f"no pose found that turns body '{goal.name}' so {closest} {free}"
+
+
+def _kind(figure: Figure, goal: Goal) -> str:
+    """What the thing is that a goal names."""
+    model, named = figure.model, mujoco.mjtObj
+    if isinstance(goal, BodyGoal):
+        return "body"
+    if mujoco.mj_name2id(model, int(named.mjOBJ_SITE), goal.name) >= 0:
+        return "site"
+    return "body" if mujoco.mj_name2id(model, int(named.mjOBJ_BODY), goal.name) >= 0 else "point"
+
+
+def _free_joints(figure: Figure, key: Frame, body: int) -> list[str]:
+    """The joints from the root to a body of which a keyframe leaves something free."""
+    links = [link for link in reversed(chain(figure, body)) if not key.fixed[entries(figure, link)].all()]
+    return [figure.links[link].name for link in links]
+
+
+def _held(figure: Figure, body: int) -> str:
+    names = ", ".join(figure.links[link].name for link in reversed(chain(figure, body)))
+    return f"cannot move: every joint on the way to it is given ({names}); leave one of them free"
+
+
+def _metres(length: float) -> str:
+    return f"{length:.3g} m" if length >= 0.01 else f"{1000 * length:.2g} mm"

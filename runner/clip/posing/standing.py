@@ -1,0 +1,345 @@
+"""What a partial keyframe leaves free is posed before the search: feet that stand stay where they stand.
+
+A straight leg has no gradient that bends it, so the search cannot find a squat by itself. The points that rest in a
+[[contact]] at a keyframe's time, the sites that a [[hold]] keeps on a body, the sole points that the keyframes before
+and after put on one spot, and the places that are left to the search are the goals of a pose; the entries that lead to
+them start there and stay free.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import mujoco
+import numpy as np
+
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array, Mask
+from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
+from dynsplines.solver.curve.seam import Seam
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.penalty import BendLimits, Hold, Placed
+from dynsplines.solver.penalty.ground.planted import NEAR_SURFACE, SAME_SPOT
+from dynsplines.solver.posing import Goal, HoldGoal, PointGoal, Posed, TurnGoal, entries, limb, posed, reached
+from dynsplines.solver.surface import Surface
+from dynsplines.solver.surface.points import Point, arrays_of, placed
+
+from ..contacts import ROUNDING, Contacts, contacts
+from ..holds import NEARLY, REACH, holds
+from ..table import ContactTable, HoldTable, SolveTable
+from .feet import sole_points
+
+BEYOND = float(np.radians(10))  # [rad] beyond their ranges that joints go rather than that a foot leaves its place
+STARTS = 4  # poses to begin with, at most
+OWN_TURN = 1e-3  # of a foot's own turn in what its points tell, which do not see a roll about the line through two
+TURNS = 4  # times that it takes itself as its own, so that nothing of that is left
+
+
+@dataclass(frozen=True, eq=False)
+class Standing:
+    """One foot that is to stand: its points (n) on spots (n, 3) [m], and how its link is turned (4,) where a keyframe
+    tells it."""
+
+    points: tuple[Point, ...]
+    spots: Array
+    turn: Array
+
+    def goals(self, figure: Figure) -> list[Goal]:
+        """The middle of the points in its place; and turned as they are, if they are several."""
+        link, own = self.points[0].link, np.array([point.position for point in self.points])
+        body, spot = figure.links[link].body, self.spots.mean(axis=0)
+        middle = Point(self.points[0].name, link, own.mean(axis=0))
+        goals: list[Goal] = [PointGoal.of(figure, middle, spot)]
+        if len(self.points) > 1:
+            turn = fitted(own - middle.position, self.spots - spot, self.turn)
+            rotation = quat.product(turn, figure.body_turn[body])
+            goals.append(TurnGoal(self.points[0].name, body, rotation))
+        return goals
+
+
+def fitted(own: Array, seen: Array, turn: Array) -> Array:
+    """(4,) the rotation that takes vectors `own` (n, 3) nearest to `seen` (n, 3), and of several that do the one
+    nearest to a turn (4,) (W. Kabsch 1976)."""
+    spread = OWN_TURN * float(np.sum(own * own))
+    rotation = quat.matrices(turn)
+    for _ in range(TURNS):
+        left, _, right = np.linalg.svd(seen.T @ own + spread * rotation)
+        handed = np.diag([1.0, 1.0, np.linalg.det(left @ right)])
+        rotation = left @ handed @ right
+    return _quaternion(rotation)
+
+
+class Stander:
+    """Finds where feet stand in partial keyframes, and poses them.
+
+    tables  the clip's contacts;  held  its holds;  place  how errors call the clip
+    """
+
+    def __init__(
+        self,
+        figure: Figure,
+        surfaces: tuple[Surface, ...],
+        tables: Sequence[ContactTable],
+        bends: BendLimits | None,
+        solve: SolveTable,
+        place: str,
+        held: Sequence[HoldTable] = (),
+    ) -> None:
+        self.figure, self.surfaces, self.tables, self.bends = figure, surfaces, tables, bends
+        self.solve, self.place, self.held = solve, place, held
+
+    @property
+    def ends(self) -> str:
+        return self.solve.ends
+
+    def timeline(self, keys: Sequence[Frame], ends: str) -> Timeline:
+        """The keyframes' timeline; of a loop, as it comes back. Raises TimelineError."""
+        slope, solve = np.zeros((2, self.figure.width)), self.solve
+        turn = None if solve.turn is None else float(np.radians(solve.turn))
+        return raw_timeline(self.figure, list(keys), ends, slope, solve.travel, turn)
+
+    def stood(self, keys: Sequence[Frame], left: Sequence[Placed]) -> list[Frame]:
+        """The keyframes, what the partial ones leave free posed as far as it is beyond doubt.
+
+        left  points whose places are left to the search
+        """
+        if all(key.is_key for key in keys):
+            return list(keys)
+        seen = self.seen(keys)
+        if seen is None:
+            return list(keys)
+        count = len(keys) - (self.ends == "periodic")  # the last keyframe of a loop is the first
+        return [
+            self._posed(keys[k], seen, k, left) if k < count and not keys[k].is_key else keys[k]
+            for k in range(len(keys))
+        ]
+
+    def beside(self, keys: Sequence[Frame], k: int, goals: Sequence[Goal]) -> list[Goal]:
+        """Goals of the feet that stand in keyframe k, other limbs than those that it gives goals of its own.
+
+        Only of feet that those goals move too: of others `stood` takes care.
+        """
+        figure, free = self.figure, ~keys[k].fixed
+        own = reached(figure, goals)
+        busy = {link for goal in goals for link in limb(figure, goal.body(figure.model))}
+        if not free[own].any() or (seen := self.seen(keys)) is None:
+            return []
+        found: list[Goal] = []
+        for foot in seen.standing(k):
+            more = foot.goals(figure)
+            if foot.points[0].link not in busy and (reached(figure, more) & own & free).any():
+                found += more
+        for goal in seen.holding(k):
+            links = limb(figure, goal.body(figure.model))
+            if not busy.intersection(links) and (reached(figure, [goal]) & own & free).any():
+                found.append(goal)
+        return found
+
+    def seen(self, keys: Sequence[Frame]) -> _Seen | None:
+        """What keyframes tell of feet; None where they make no timeline, which the clip complains of."""
+        try:
+            timeline = self.timeline(keys, self.ends)
+        except TimelineError:
+            return None
+        whole = [self.figure.to_qpos(frame.state) for frame in timeline.frames if frame.is_key]
+        soles = sole_points(self.figure, np.reshape(whole, (-1, self.figure.width)))
+        found = contacts(self.figure, timeline, self.tables, self.place, soles, self.surfaces)
+        held = holds(self.figure, timeline, self.held, self.place, soles)
+        return _Seen(self.figure, timeline, soles, self.surfaces, found, held)
+
+    def _upright(self, home: Array, free: Mask, goals: Sequence[Goal]) -> Posed:
+        """The pose with the trunk turned as at home, from the root to where limbs branch off, or else with all that is
+        free."""
+        trunk = np.zeros(self.figure.width, bool)
+        for columns in self.figure.tables.quaternion_columns.T:
+            trunk[columns] = True
+        legs = {link for goal in goals for link in limb(self.figure, goal.body(self.figure.model))}
+        for link in legs:
+            trunk[entries(self.figure, link)] = False
+        found = posed(self.figure, home, free & ~trunk, goals, self.bends, 3)
+        return found if found.worst <= NEARLY else posed(self.figure, home, free, goals, self.bends, STARTS)
+
+    def _posed(self, key: Frame, seen: _Seen, k: int, left: Sequence[Placed]) -> Frame:
+        """Keyframe k with what its feet and places lead to posed; feet that cannot stay where they stand are let go."""
+        figure = self.figure
+        frame = seen.timeline.frames[k]
+        groups = [foot.goals(figure) for foot in seen.standing(k)]
+        groups += [[goal] for goal in seen.holding(k)]
+        for point in left:
+            if abs(point.time - key.time) < ROUNDING:
+                groups.append([PointGoal.of(self.figure, point.point, point.target)])
+        home, count = figure.to_qpos(frame.state), len(groups)
+        told, missed = np.zeros(figure.width, bool), list[Goal]()
+        while groups:
+            goals = [goal for group in groups for goal in group]
+            found = self._upright(home, ~frame.fixed, goals)
+            if found.worst > NEARLY and len(groups) == count:
+                found = posed(figure, home, ~frame.fixed, goals, self.bends, STARTS, BEYOND)
+            if found.worst <= NEARLY:
+                home, told = found.qpos, found.fixed & ~frame.fixed
+                break
+            of_group = np.repeat(np.arange(len(groups)), [len(group) for group in groups])
+            missed += groups.pop(int(of_group[np.argmax(found.missed)]))
+        home, more = self._reaching(home, ~frame.fixed & ~told, missed)
+        told |= more
+        return Frame(key.time, np.where(told, home, key.state), key.fixed, told) if told.any() else key
+
+    def _reaching(self, home: Array, free: Mask, missed: Sequence[Goal]) -> tuple[Array, Mask]:
+        """A pose with the sites that cannot be where they hold as near to there as they reach, those of which that is
+        near enough; and which entries (N,) that tells."""
+        goals = [goal for goal in missed if isinstance(goal, HoldGoal)]
+        while goals:
+            found = posed(self.figure, home, free, goals, self.bends, STARTS)
+            if found.worst <= REACH:
+                return found.qpos, found.fixed & free
+            del goals[int(np.argmax(found.missed))]
+        return home, np.zeros(self.figure.width, bool)
+
+
+class _Seen:
+    """Where points are at keyframes, as far as these tell.
+
+    Of a loop three periods are looked at, so that the keyframes before the first and after the last are seen too.
+    """
+
+    def __init__(
+        self,
+        figure: Figure,
+        timeline: Timeline,
+        soles: Sequence[Point],
+        surfaces: Sequence[Surface],
+        found: Contacts,
+        held: Sequence[Hold] = (),
+    ) -> None:
+        self.figure, self.timeline, self.soles, self.contacts = figure, timeline, tuple(soles), found
+        self.holds = tuple(held)
+        rests = [stance.point for stance in found.stances]
+        self.points = (*self.soles, *(p for i, p in enumerate(rests) if not _among(p, (*self.soles, *rests[:i]))))
+        states = timeline.states
+        self.samples = Samples(figure, states, 0 * states, 0 * states)
+        self.told = placed(figure, timeline.known, self.points) if self.points else np.zeros((0, len(states)), bool)
+        self.times, self.centres, self.low = self._unrolled(surfaces)
+
+    def _unrolled(self, surfaces: Sequence[Surface]) -> tuple[Array, Array, Mask]:
+        """Times (T,), where the points are (n, T, 3), and whether they are told to touch the ground (n, T)."""
+        links, positions, radii = arrays_of(self.points)
+        centres, _ = self.samples.links.points(links, positions)
+        heights = [surface.height(centres) for surface in surfaces]
+        above = np.min(heights, axis=0) - radii[:, None] if heights else np.full(centres.shape[1:], np.inf)
+        times, centres, low = self.timeline.times, np.moveaxis(centres, 0, 2), np.abs(above) < NEAR_SURFACE
+        if self.timeline.ends != "periodic":
+            return times, centres, low
+        seam, period = Seam.of(self.figure, self.timeline), times[-1] - times[0]
+        turns = np.arange(-1, 2)
+        return (
+            (times[:-1] + period * turns[:, None]).ravel(),
+            np.concatenate([seam.carried(self.figure, centres[:, :-1], turn) for turn in turns], axis=1),
+            np.tile(low[:, :-1], (1, 3)),
+        )
+
+    def standing(self, k: int) -> list[Standing]:
+        """The feet that stand at keyframe k, and the other points that a contact tells to rest."""
+        own: dict[int, list[tuple[Point, Array, Array]]] = {}
+        for i, point in enumerate(self.points):
+            if self.told[i, k]:
+                continue
+            near = self._neighbours(i, k)
+            spot = self._resting(point, k)
+            if spot is None and not self._spoken_of(point, k):
+                spot = self._planted(i, k, near)
+            if spot is not None:
+                own.setdefault(point.link, []).append((point, spot, self._turn(point.link, k, near)))
+        return [
+            Standing(tuple(p for p, _, _ in some), np.array([spot for _, spot, _ in some]), some[0][2])
+            for some in own.values()
+        ]
+
+    def holding(self, k: int) -> list[HoldGoal]:
+        """Goals of the sites that hold something at keyframe k where somebody says, but for those it tells itself."""
+        t, known, found = self.timeline.times[k], self.timeline.known[k : k + 1], list[HoldGoal]()
+        for hold in self.holds:
+            spot = hold.spot(np.array([t]))
+            ends = (hold.point, Point(hold.body, hold.link, np.zeros(3)))
+            is_told = placed(self.figure, known, ends).all()
+            if spot is not None and hold.first - ROUNDING <= t <= hold.last + ROUNDING and not is_told:
+                found.append(HoldGoal.of(self.figure, hold.point, hold.link, spot[:, 0]))
+        return found
+
+    def _neighbours(self, i: int, k: int) -> tuple[int | None, int | None]:
+        """The nearest keyframes before and after keyframe k that tell where point i is, of those unrolled."""
+        count = self.times.size // 3 if self.timeline.ends == "periodic" else self.times.size
+        at = k + (count if self.timeline.ends == "periodic" else 0)
+        told = self.told[i, :count] if self.timeline.ends != "periodic" else np.tile(self.told[i, :count], 3)
+        before, after = np.flatnonzero(told[:at]), np.flatnonzero(told[at + 1 :])
+        return (int(before[-1]) if before.size else None), (int(at + 1 + after[0]) if after.size else None)
+
+    def _planted(self, i: int, k: int, near: tuple[int | None, int | None]) -> Array | None:
+        """Where a sole point stands: between the spots that are one in the keyframes before and after; at the first and
+        last keyframes that tell nothing, where the only neighbour has it. No spot if the keyframe sets its limb."""
+        point, (before, after) = self.points[i], near
+        if i >= len(self.soles) or self._is_set(point, k):
+            return None
+        some = [n for n in near if n is not None]
+        if not some or not all(self.low[i, n] for n in some):
+            return None
+        if before is None or after is None:
+            return self.centres[i, some[0]]
+        spot, landed = self.centres[i, before], self.centres[i, after]
+        if np.linalg.norm(landed - spot) >= SAME_SPOT:
+            return None
+        share = (self.timeline.times[k] - self.times[before]) / (self.times[after] - self.times[before])
+        return spot + share * (landed - spot)
+
+    def _is_set(self, point: Point, k: int) -> bool:
+        """Whether a keyframe fixes some of the joints of a point's limb."""
+        links = limb(self.figure, self.figure.links[point.link].body)
+        fixed = self.timeline.frames[k].fixed
+        return any(fixed[entries(self.figure, link)].any() for link in links)
+
+    def _resting(self, point: Point, k: int) -> Array | None:
+        """Where a contact tells a point to rest at keyframe k, unless two contacts contradict each other there."""
+        t = self.timeline.times[k]
+        spots = [
+            stance.place(np.array([t]))[:, 0]
+            for stance in self.contacts.stances
+            if _is_same(stance.point, point) and stance.first - ROUNDING <= t <= stance.last + ROUNDING
+        ]
+        if not spots or any(np.linalg.norm(spot - spots[0]) >= SAME_SPOT for spot in spots):
+            return None
+        return spots[0]
+
+    def _spoken_of(self, point: Point, k: int) -> bool:
+        """Whether a contact speaks of a point at keyframe k."""
+        t = self.timeline.times[k]
+        return any(
+            _is_same(rest.point, point) and rest.first - ROUNDING <= t <= rest.last + ROUNDING
+            for rest in self.contacts.given
+        )
+
+    def _turn(self, link: int, k: int, near: tuple[int | None, int | None]) -> Array:
+        """(4,) how a link is turned in the nearer of the neighbours that tell it, or else at keyframe k."""
+        some = [n for n in near if n is not None]
+        nearest = min(some, key=lambda n: abs(self.times[n] - self.timeline.times[k])) if some else k
+        if self.timeline.ends != "periodic" or not some:
+            return _quaternion(self.samples.links.rotation[:, :, link, nearest])
+        number, nearest = divmod(nearest, self.times.size // 3)  # of the periods before, of and after the loop
+        own = _quaternion(self.samples.links.rotation[:, :, link, nearest])
+        return quat.product(Seam.of(self.figure, self.timeline).turn(number - 1), own)
+
+
+def _quaternion(rotation: Array) -> Array:
+    """(4,) wxyz of a rotation matrix (3, 3)."""
+    out = np.zeros(4)
+    mujoco.mju_mat2Quat(out, np.ascontiguousarray(rotation).ravel())
+    return out
+
+
+def _is_same(a: Point, b: Point) -> bool:
+    return a.link == b.link and np.array_equal(a.position, b.position)
+
+
+def _among(point: Point, points: Sequence[Point]) -> bool:
+    return any(_is_same(point, other) for other in points)

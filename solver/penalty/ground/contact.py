@@ -1,0 +1,258 @@
+"""Floor and step: contact points stay above the surfaces (eq. 12), squared so that the gradient is smooth."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
+
+from ...array import Array, Index
+from ...curve.frame import Timeline
+from ...figure.algebra import applied, dot
+from ...figure.figure import Figure
+from ...figure.jacobian_rows import has_point_rows, point_rows, velocity_rows
+from ...figure.joint_rows import any_point_rows, any_velocity_rows
+from ...figure.kinematics import Cotangent, Samples, attached_pulled_back
+from ...surface import Surface
+from ...surface.points import Point, arrays_of, placed, places_of
+from ..allowance import Allowance
+from ..curvature import Curvature, Sides
+from ..penalty import Scale
+
+NEAR = 0.03  # [m] within which a point may touch after one step of the search
+ROUNDING = 1e-9  # [s] a keyframe may be outside an interval that it is meant to begin or end
+MOST_TOGETHER = 64  # points that one sphere stands for; a limb of capsules has 10-30
+
+
+@dataclass(frozen=True)
+class Contact:
+    """Σ over points and surfaces of depth² [m²], every point grown by `margin` [m].
+
+    allowed  (n, K) [m] how much smaller points are, for what keyframes do themselves
+    carrier  index of the link that carries the surfaces, which are in its axes; 0: the world, where they stand still
+    """
+
+    points: tuple[Point, ...]
+    surfaces: tuple[Surface, ...]
+    margin: float = 0.0
+    allowed: Allowance | None = None
+    name: str = "contact"
+    carrier: int = 0
+
+    def allowing(self, figure: Figure, keys: Timeline, holding: Sequence[tuple[int, float, float]] = ()) -> Contact:
+        """The same that lets pass how deep points whose places keyframes fix are in them, margin and all.
+
+        holding  links that hold on to the surfaces, with their limbs, each from when to when [s]: where a keyframe
+                 leaves these free, all of a link may be as deep as any point of it at the next one that fixes it
+        """
+        if not self.points or not self.surfaces:
+            return self
+        samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
+        centres = self.seen(samples, self.centres(samples)[0])
+        deep = np.max([surface.depth(centres, self._arrays[2])[0] for surface in self.surfaces], axis=0)
+        known = placed(figure, keys.fixed, self.points)
+        excess, path = deep * known, figure.tables.path > 0
+        for link, first, last in holding:
+            limb = np.flatnonzero((path[:, link] | path[link])[self._arrays[0]])
+            during = np.flatnonzero((keys.times >= first - ROUNDING) & (keys.times <= last + ROUNDING))
+            for before, k in [*pairwise(during), *pairwise(during[::-1])]:
+                free = limb[~known[limb, k] & known[limb, before]]
+                for own in np.unique(self._arrays[0][free]):
+                    some = free[self._arrays[0][free] == own]
+                    excess[some, k] = excess[some, before].max()
+                known[free, k] = True
+        return replace(self, allowed=Allowance(keys.times, excess))
+
+    @property
+    def scale(self) -> Scale:
+        return Scale(1e-4, is_violation=True)
+
+    @cached_property
+    def _arrays(self) -> tuple[Index, Array, Array]:
+        """Links (n,), positions (3, n) and radii (n,) of the points, margin included."""
+        links, positions, radius = arrays_of(self.points)
+        return links, positions, radius + self.margin
+
+    @cached_property
+    def _groups(self) -> tuple[Index, Index]:
+        """Points are looked at in groups, those of a link or, where it has many, of a part of it: links of the groups
+        (m,), and every point's group (n,)."""
+        links, positions, _ = self._arrays
+        found = [part for link in np.unique(links) for part in neighbours(positions, np.flatnonzero(links == link))]
+        owner = np.empty(links.size, np.intp)
+        for k, part in enumerate(found):
+            owner[part] = k
+        return np.array([links[part[0]] for part in found]), owner
+
+    @cached_property
+    def _bounds(self) -> tuple[Index, Array, Array]:
+        """Spheres round each group's points: links (m,), centres (3, m), radii (m,)."""
+        _, positions, radius = self._arrays
+        carriers, owner = self._groups
+        middles = np.array([positions[:, owner == k].mean(axis=1) for k in range(carriers.size)]).T
+        far = np.linalg.norm(positions - middles[:, owner], axis=0) + radius
+        return carriers, middles, np.array([far[owner == k].max() for k in range(carriers.size)])
+
+    @cached_property
+    def _places(self) -> tuple[Index, Index]:
+        """Where every point stands in `_by_group`: rank (n,) in its group and group (n,)."""
+        _, owner = self._groups
+        order, counts = np.argsort(owner, kind="stable"), np.bincount(owner)
+        rank = np.empty_like(order)
+        rank[order] = np.arange(owner.size) - np.repeat(np.cumsum(counts) - counts, counts)
+        return rank, owner
+
+    @cached_property
+    def _by_group(self) -> tuple[Array, Array]:
+        """Every group's points: positions (3, p, m), radii (p, m); a group with fewer than p has some of radius −∞."""
+        _, positions, radius = self._arrays
+        rank, owner = self._places
+        padded = np.zeros((3, rank.max() + 1, owner.max() + 1))
+        radii = np.full(padded.shape[1:], -np.inf)
+        padded[:, rank, owner], radii[rank, owner] = positions, radius
+        return padded, radii
+
+    @cached_property
+    def _allowed_by_group(self) -> Allowance | None:
+        """The allowances as `_by_group` lays the points out, (p, m, K), or None where there are none."""
+        if self.allowed is None or not self.allowed.excess.any():
+            return None
+        rank, owner = self._places
+        padded = np.zeros((rank.max() + 1, owner.max() + 1, self.allowed.times.size))
+        padded[rank, owner] = self.allowed.excess
+        return Allowance(self.allowed.times, padded)
+
+    def centres(self, samples: Samples) -> tuple[Array, Array, Index]:
+        """The points as `places_of` tells."""
+        return places_of(self.points, samples)
+
+    def seen(self, samples: Samples, points: Array) -> Array:
+        """Points (3, n, S) of the world in the axes of the surfaces' carrier."""
+        if not self.carrier:
+            return points
+        away = points - samples.links.x[:, self.carrier, None]
+        return np.einsum("ijs,ins->jns", samples.links.rotation[:, :, self.carrier], away)
+
+    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+        values = np.zeros(samples.count)
+        if not self.points or not self.surfaces:
+            return values
+        carriers, middles, reach = self._bounds
+        around = self.seen(samples, samples.links.points(carriers, middles)[0])
+        touching = [surface.near(around, reach[:, None]) for surface in self.surfaces]
+        near = np.flatnonzero(np.logical_or.reduce(touching))
+        if not near.size:
+            return values
+        flat, arms, centres, radii = self._near(samples, near)
+        scale = 2 * scale + np.zeros(samples.count)
+        for surface, touched in zip(self.surfaces, touching, strict=True):
+            if not touched.any():
+                continue
+            depth, gradient = surface.depth(centres, radii)
+            deep = np.flatnonzero(depth > 0)
+            if not deep.size:
+                continue
+            depth, pairs = depth.take(deep), flat.take(deep % flat.size)
+            at = pairs % samples.count
+            values += np.bincount(at, depth * depth, samples.count)
+            if into is not None:
+                force = gradient.reshape(3, -1).take(deep, axis=1)
+                force *= scale.take(at) * depth
+                force, leg = self._in_world(samples, at, force, centres.reshape(3, -1).take(deep, axis=1))
+                into.add_forces(pairs, arms.take(deep, axis=1), force)
+                if self.carrier:
+                    into.add_forces(self.carrier * samples.count + at, leg, -force)
+        return values
+
+    def _in_world(self, samples: Samples, at: Index, force: Array, place: Array) -> tuple[Array, Array]:
+        """A vector and a place (3, P) in the carrier's axes, turned into the world's, at samples `at` (P,)."""
+        if not self.carrier:
+            return force, place
+        rotation = samples.links.rotation[:, :, self.carrier, at]
+        return applied(rotation, force), applied(rotation, place)
+
+    def _near(self, samples: Samples, near: Index) -> tuple[Index, Array, Array, Array]:
+        """All points of k pairs of a group and a sample: link · S + sample (k,), arms (3, p k), centres (3, p k, 1) in
+        the axes of the surfaces and radii (p k,).
+
+        near  (k,) which: group · S + sample
+        """
+        positions, radii = self._by_group
+        carrier, at = np.divmod(near, samples.count)
+        flat = self._bounds[0].take(carrier) * samples.count + at
+        x, rotation = samples.links.poses(flat)
+        arms = np.einsum("ijk,jpk->ipk", rotation, positions.take(carrier, axis=2))
+        centres = arms + x[:, None]
+        if self.carrier:
+            origin, turn = samples.links.poses(self.carrier * samples.count + at)
+            centres = np.einsum("ijk,ipk->jpk", turn, centres - origin[:, None])
+        centres = centres.reshape(3, -1, 1)
+        radii = radii.take(carrier, axis=1)
+        if self._allowed_by_group is not None:
+            radii = radii - self._allowed_by_group.of(carrier, samples.t.take(at))
+        return flat, arms.reshape(3, -1), centres, radii.ravel()
+
+    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+        """Nothing: depths count on one side only."""
+
+    def sides(self, samples: Samples) -> Sides | None:
+        if not self.points or not self.surfaces:
+            return None
+        carriers, middles, reach = self._bounds
+        around = self.seen(samples, samples.links.points(carriers, middles)[0])
+        parts = []
+        for surface in self.surfaces:
+            near = np.flatnonzero(surface.near(around, reach[:, None] + NEAR))
+            if not near.size:
+                continue
+            flat, arms, centres, radii = self._near(samples, near)
+            about, way_about = surface.depth(centres, radii + NEAR)
+            kept = np.flatnonzero(about > 0)
+            depth, way = surface.depth(centres[:, kept], radii[kept])
+            inside = depth[:, 0] > 0
+            # a depth grows by |way| a metre, through a box's sides by more than 1
+            way_about = way_about[:, kept, 0]
+            beyond = about[kept, 0] - NEAR * np.sqrt(dot(way_about, way_about))
+            depth = np.where(inside, depth[:, 0], np.minimum(beyond, 0))
+            way = np.where(inside, way[..., 0], way_about)
+            link, at = np.divmod(flat[kept % flat.size], samples.count)
+            way, leg = self._in_world(samples, at, way, centres[:, kept, 0])
+            rows = point_gradients(samples, at, link, arms[:, kept], way)
+            if self.carrier:
+                rows -= point_gradients(samples, at, np.full(at.size, self.carrier), leg, way)
+            parts.append(Sides(at, depth, rows))
+        return Sides.joined(parts) if parts else Sides.none(samples)
+
+
+def neighbours(positions: Array, some: Index) -> list[Index]:
+    """Some of points (3, n) by groups of at most MOST_TOGETHER, halved across where they spread farthest."""
+    if some.size <= MOST_TOGETHER:
+        return [some]
+    axis = int(np.argmax(np.ptp(positions[:, some], axis=1)))
+    order = some[np.argsort(positions[axis, some], kind="stable")]
+    half = order.size // 2
+    return [*neighbours(positions, order[:half]), *neighbours(positions, order[half:])]
+
+
+def point_gradients(samples: Samples, at: Index, link: Index, arm: Array, way: Array) -> Array:
+    """(P, N): the gradient of way · p for points p at `arm` (3, P) from their links' origins, at samples `at` (P,)."""
+    rows = point_rows if has_point_rows(samples.figure) else any_point_rows
+    return rows(samples, at, link, arm, way)
+
+
+def velocity_gradients(samples: Samples, at: Index, link: Index, arm: Array, way: Array) -> Array:
+    """(P, 2, N): the gradients of way · v with respect to y and y', v the velocities of points as in
+    `point_gradients`."""
+    rows = velocity_rows if has_point_rows(samples.figure) else any_velocity_rows
+    return rows(samples, at, link, arm, way)
+
+
+def add_by_velocity(into: Cotangent, link: int, at: Index, arm: Array, gradient: Array) -> None:
+    """Adds gradients (3, P) with respect to the velocities of points at `arm` (3, P) on a link, at samples `at`."""
+    gradients, arms = np.zeros((2, 3, 1, into.samples.count))
+    gradients[:, 0, at], arms[:, 0, at] = gradient, arm
+    into.room("x_d")[:, link] += gradients[:, 0]
+    attached_pulled_back(into, arms, (None, gradients, None), np.array([link]))

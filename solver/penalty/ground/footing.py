@@ -1,0 +1,243 @@
+"""What carries the figure when, read off the keyframes: feet that stand, and flights between them.
+
+A segment between two keyframes is a stance if a point of a sole rests on one spot in both, see `stances`; a flight if
+nothing can carry the figure there; and else unknown: a foot may come and go in between.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...array import Array, Mask
+from ...curve.frame import Timeline
+from ...figure.figure import Figure
+from ...figure.kinematics import Samples
+from ...figure.wrench import RootWrench
+from ...surface import Plane, Surface
+from ...surface.points import Point, placed, places_of
+from .planted import NEAR_SURFACE, Stance
+from .resting import Rest
+
+HIGHEST = 0.6  # [m] that a centre of mass rises in a flight that nobody asked for
+PUSHED = 0.2  # of its speed at take-off and landing, the centre of mass has on the average in the segments beside
+ALOFT = 0.05  # [m] over which all soles are in the air beyond doubt
+STRAY = 0.15  # [m] that keyframes in the air may be off the free fall between the ends of the flight
+STEP = 0.2  # [s] that a foot is on the ground for in a running step
+DOWN = 2.0  # [m/s] at which a foot comes down for a step and is lifted after it
+Interval = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class Footing:
+    """A point that a surface may push from `first` to `last` [s], along its unit normal (3,) and by friction across."""
+
+    point: Point
+    first: float
+    last: float
+    normal: Array
+
+
+def footings(
+    figure: Figure,
+    keys: Timeline,
+    points: Sequence[Point],
+    surfaces: Sequence[Surface],
+    stances: Sequence[Stance | Rest],
+    body: Sequence[Point] = (),
+) -> tuple[Footing, ...]:
+    """A foot that stands from one keyframe to the next may push with all of it that touches in one of them.
+
+    That are its points of the sole and of the `body`; those inside the others' hull are left out.
+    """
+    feet = {point.link for point in points}
+    every = (*points, *(point for point in body if point.link in feet))
+    if not points or not surfaces:
+        return ()
+    spots = _Spots.of(figure, keys, every, surfaces)
+    links = np.array([point.link for point in every])
+    begin, end = np.array([s.first for s in stances]), np.array([s.last for s in stances])
+    standing = np.array([s.point.link for s in stances])
+    found = []
+    for k, (first, last) in enumerate(zip(keys.times[:-1], keys.times[1:], strict=True)):
+        for link in np.unique(standing[(begin <= first) & (last <= end)]):
+            on, at = np.nonzero(spots.touches[:, k : k + 2] & (links == link)[:, None])
+            if on.size:
+                kept, normal = spots.outermost(int(link), on, k + at)
+                found += [
+                    Footing(Point(every[i].name, int(link), p), float(first), float(last), normal) for i, p in kept
+                ]
+    return tuple(found)
+
+
+@dataclass(frozen=True)
+class _Spots:
+    """Where points touch surfaces in keyframes: touches (n, K), centres (3, n, K), over (n, K) which surface."""
+
+    samples: Samples
+    points: Sequence[Point]
+    surfaces: Sequence[Surface]
+    touches: Mask
+    centres: Array
+    over: NDArray[np.intp]
+
+    @classmethod
+    def of(cls, figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]) -> _Spots:
+        samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
+        centres, _, _ = places_of(points, samples)
+        height, over = _heights(figure, keys, points, surfaces)
+        touches = (np.abs(height) < NEAR_SURFACE) & placed(figure, keys.known, points)
+        return cls(samples, points, surfaces, touches, centres, over)
+
+    def outermost(
+        self, link: int, points: NDArray[np.intp], keys: NDArray[np.intp]
+    ) -> tuple[list[tuple[int, Array]], Array]:
+        """Of a link's points that touch in keyframes (m,), those that reach farthest some way along the surface, by
+        index and where they touch in the link's axes (3,); and the surface's normal (3,)."""
+        normal = _normal(self.surfaces[int(self.over[points[0], keys[0]])])
+        radius = np.array([self.points[i].radius for i in points])
+        touched = self.centres[:, points, keys] - radius * normal[:, None]
+        touched -= self.samples.links.x[:, link, keys]
+        rotation = self.samples.links.rotation[:, :, link, keys]
+        local = np.einsum("ijp,ip->jp", rotation, touched)
+        ways = rotation[:, :, 0].T @ _around(normal)
+        kept = np.unique(np.argmax(local.T @ ways, axis=0))
+        return [(int(points[i]), local[:, i]) for i in kept], normal
+
+
+def _around(normal: Array, count: int = 8) -> Array:
+    """(3, count): unit vectors across a normal (3,), all round, a little turned so that no two points tie."""
+    across = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
+    across /= np.linalg.norm(across)
+    angle = 2 * np.pi * (np.arange(count) + 0.3) / count
+    both = np.column_stack([across, np.cross(normal, across)])
+    return np.asarray(both @ np.array([np.cos(angle), np.sin(angle)]), float)
+
+
+def flights(
+    figure: Figure,
+    root: int,
+    keys: Timeline,
+    points: Sequence[Point],
+    surfaces: Sequence[Surface],
+    stances: Sequence[Stance | Rest],
+    body: Sequence[Point] = (),
+) -> tuple[Interval, ...]:
+    """The flights that a timeline of keyframes implies.
+
+    A flight goes from the keyframe in which the last foot leaves, or in which the clip begins in the air, to that in
+    which the first foot lands or the clip ends. No foot stands on one spot in two of its neighbouring keyframes, all
+    of them fix the feet, and no other point of the `body` touches a surface. A foot that leaves has stood before, and
+    is no more flat on the ground; a foot that lands stands afterwards. The free fall through both ends rises by no
+    more than 0.6 m and passes keyframes in between within 15 cm; in the segments before and after the centre of mass
+    rises and sinks at a fifth of its speeds at least, as a body does that pushes itself off and catches itself.
+    """
+    if not points or not surfaces or not figure.gravity.any():
+        return ()
+    seen = _Keys.of(figure, keys, points, surfaces, stances, body)
+    times, rising = np.asarray(keys.times), _rising(figure, root, keys)
+    found, first = [], 0
+    for k in range(times.size - 1):
+        if not seen.free[k]:
+            first = k + 1
+        elif k + 2 == times.size or seen.touched[k + 1] or not seen.free[k + 1]:
+            is_told = seen.leaves(first) and seen.lands(k + 1) and not seen.leaves_room(times, first, k + 1)
+            if is_told and _falls(figure, times, rising, first, k + 1):
+                found.append((float(times[first]), float(times[k + 1])))
+            first = k + 1
+    return tuple(found)
+
+
+@dataclass(frozen=True)
+class _Keys:
+    """What keyframes say of contact: free (K − 1,) segments that nothing carries; touched, flat (K,): whether a foot
+    touches there, and with all its points; lowest (K,) [m] how high the lowest point of a foot is."""
+
+    free: Mask
+    touched: Mask
+    flat: Mask
+    lowest: Array
+
+    @classmethod
+    def of(
+        cls,
+        figure: Figure,
+        keys: Timeline,
+        points: Sequence[Point],
+        surfaces: Sequence[Surface],
+        stances: Sequence[Stance | Rest],
+        body: Sequence[Point],
+    ) -> _Keys:
+        height = _heights(figure, keys, points, surfaces)[0]
+        low = np.abs(height) < NEAR_SURFACE
+        known = np.logical_and.reduce(placed(figure, keys.known, points))
+        known &= np.logical_or.reduce(low) | (np.min(height, axis=0) > ALOFT)  # else who can say whether it touches
+        feet = [np.array([p.link == link for p in points]) for link in sorted({p.link for p in points})]
+        flat = np.zeros_like(known)
+        for foot in feet:
+            if foot.sum() > 1:
+                flat |= np.logical_and.reduce(low[foot])
+        others = [point for point in body if point.link not in {p.link for p in points}]
+        if others:
+            known &= ~np.logical_or.reduce(_heights(figure, keys, others, surfaces)[0] < NEAR_SURFACE)
+        begin, end = keys.times[:-1], keys.times[1:]
+        carried = np.zeros(begin.size, bool)
+        for stance in stances:
+            carried |= (stance.first < end) & (begin < stance.last)
+        return cls(~carried & known[:-1] & known[1:], np.logical_or.reduce(low), flat, height.min(axis=0))
+
+    def leaves(self, k: int) -> bool:
+        """Whether a flight may begin at a keyframe."""
+        return not self.touched[k] or (not self.flat[k] and (k == 0 or not self.free[k - 1]))
+
+    def leaves_room(self, times: Array, first: int, last: int) -> bool:
+        """Whether there is time for a step between keyframes at both ends that are in the air."""
+        if last > first + 1 or self.touched[first] or self.touched[last]:
+            return False
+        return bool(times[last] - times[first] >= STEP + (self.lowest[first] + self.lowest[last]) / DOWN)
+
+    def lands(self, k: int) -> bool:
+        """Whether a flight may end at a keyframe."""
+        return not self.touched[k] or k == self.free.size or not self.free[k]
+
+
+def _heights(
+    figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]
+) -> tuple[Array, NDArray[np.intp]]:
+    """Points' heights over the nearest surface below them at keyframes, and which that is, (n, K) each."""
+    samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
+    centres, _, _ = places_of(points, samples)
+    heights = np.array([surface.height(centres) for surface in surfaces])
+    heights -= np.array([point.radius for point in points])[:, None]
+    over = np.argmin(heights, axis=0)
+    return np.take_along_axis(heights, over[None], axis=0)[0], over
+
+
+def _normal(surface: Surface) -> Array:
+    """The way up from a surface."""
+    return surface.normal if isinstance(surface, Plane) else np.array([0.0, 0, 1])
+
+
+def _rising(figure: Figure, root: int, keys: Timeline) -> Array:
+    """(K,) [m] how high, against gravity, the centre of mass is."""
+    samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
+    return -figure.gravity @ RootWrench(samples, root).centre / np.linalg.norm(figure.gravity)
+
+
+def _falls(figure: Figure, times: Array, height: Array, first: int, last: int) -> bool:
+    """Whether heights (K,) of a centre of mass look like one free fall between two keyframes, and like a push-off and
+    a landing in the segments beside."""
+    g, t = float(np.linalg.norm(figure.gravity)), times[first : last + 1] - times[first]
+    speed = (height[last] - height[first]) / t[-1] + g * t[-1] / 2
+    rise = speed**2 / (2 * g) if 0 < speed < g * t[-1] else 0.0
+    path = height[first] + speed * t - g * t**2 / 2
+    falls = rise + min(height[first] - height[last], 0) <= HIGHEST
+    falls &= np.abs(height[first : last + 1] - path).max() <= STRAY
+    if first > 0:
+        falls &= height[first] - height[first - 1] >= PUSHED * speed * (times[first] - times[first - 1])
+    if last + 1 < times.size:
+        falls &= height[last + 1] - height[last] <= PUSHED * (speed - g * t[-1]) * (times[last + 1] - times[last])
+    return bool(falls)

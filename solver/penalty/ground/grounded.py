@@ -1,0 +1,142 @@
+"""Bodies that do not float: between keyframes that touch the ground, the lowest point of the body stays near it.
+
+The paper leaves floating to future work (§6). A body that rises far all the same, in a leap that the keyframes ask for,
+is let go: the pull fades with the height.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from ...array import Array, Index
+from ...curve.frame import Timeline
+from ...figure.figure import Figure
+from ...figure.kinematics import Cotangent, Samples
+from ...surface import Surface
+from ...surface.heights import heights, ways_up
+from ...surface.points import Point, arrays_of, places_of
+from ..curvature import Curvature, Sides
+from ..penalty import Scale
+from .contact import point_gradients
+
+TOUCHING = 0.05  # [m] that the lowest point of a keyframe on the ground may be over it
+NEGLIGIBLE = 1e-9  # of the lowest point's share
+Interval = tuple[float, float]
+_Shares = tuple[Index, Index, Array, Array, Array]  # points and samples (q,), shares (q,), arms and ways up (3, q)
+
+
+@dataclass(frozen=True)
+class Grounded:
+    """reach² (1 − exp(−(m/reach)²)) [m²] in some intervals [s], m ≥ 0 the height of the lowest of the points.
+
+    The lowest is a smooth one: m = −blend log Σ exp(−h/blend) over the points' heights h, lower by blend log n for n
+    points of one height.
+
+    reach  [m] the height from which on a body is in the air
+    blend  [m]
+    """
+
+    points: tuple[Point, ...]
+    surfaces: tuple[Surface, ...]
+    intervals: tuple[Interval, ...]
+    reach: float = 0.05
+    blend: float = 0.01
+    name: str = "grounded"
+
+    @property
+    def scale(self) -> Scale:
+        return Scale(1e-4, is_violation=True)
+
+    @cached_property
+    def _arrays(self) -> tuple[Index, Array, Array]:
+        """Links (n,), positions (3, n) and radii (n,) of the points."""
+        return arrays_of(self.points)
+
+    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+        at = self._during(samples.t)
+        values = np.zeros(samples.count)
+        if not at.size:
+            return values
+        lowest, seen = self._seen(samples, at)
+        fading = np.exp(-((lowest / self.reach) ** 2))
+        values[at] = self.reach**2 * (1 - fading)
+        if into is not None and lowest.any():
+            pull = 2 * (scale + np.zeros(samples.count))[at] * lowest * fading
+            which, pair, share, arm, up = seen()
+            into.add_forces(self._arrays[0][which] * samples.count + at[pair], arm, share * pull[pair] * up)
+        return values
+
+    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+        """As of √fading · m with the fading held: it only ever makes the pull weaker."""
+        at = self._during(samples.t)
+        if not at.size:
+            return
+        lowest, seen = self._seen(samples, at)
+        which, pair, share, arm, up = seen()
+        if not pair.size:
+            return
+        gradients = point_gradients(samples, at[pair], self._arrays[0][which], arm, up * share)
+        rows = np.zeros((at.size, gradients.shape[1]))
+        np.add.at(rows, pair, gradients)
+        some = np.flatnonzero(lowest > 0)
+        some = some[np.argsort(at[some], kind="stable")]
+        fading = np.exp(-((lowest[some] / self.reach) ** 2))
+        into.add_rows(at[some], scale[at[some]] * fading, rows[some, None], (0,))
+
+    def sides(self, samples: Samples) -> Sides | None:
+        return None
+
+    def _during(self, t: Array) -> Index:
+        """The samples of times t (S,) in the intervals."""
+        inside = np.zeros(t.size, bool)
+        for first, last in self.intervals:
+            inside |= (t >= first) & (t <= last)
+        return np.flatnonzero(inside) if self.points and self.surfaces else np.zeros(0, np.intp)
+
+    def _seen(self, samples: Samples, at: Index) -> tuple[Array, Callable[[], _Shares]]:
+        """m (P,) at samples `at` (P,), and the points that have a share in it where it is not zero."""
+        links, positions, radius = self._arrays
+        centre, arm = samples.links.points(links, positions)
+        if at.size < samples.count:
+            centre, arm = centre[:, :, at], arm[:, :, at]
+        height, nearest = heights(self.surfaces, centre, radius)
+        least = height.min(axis=0)
+        near = height < least + self.blend * np.log(1 / NEGLIGIBLE)
+        which, pair = np.nonzero(near)
+        part = np.exp((least[pair] - height[which, pair]) / self.blend)
+        total = np.bincount(pair, part, at.size)
+        lowest = np.maximum(least - self.blend * np.log(total), 0)
+
+        def shares() -> _Shares:
+            high = np.flatnonzero(lowest[pair] > 0)
+            i, k = which[high], pair[high]
+            up = ways_up(self.surfaces, nearest[i, k], centre[:, i, k])
+            return i, k, part[high] / total[k], arm[:, i, k], up
+
+        return lowest, shares
+
+
+def grounded_intervals(
+    figure: Figure,
+    keys: Timeline,
+    points: Sequence[Point],
+    surfaces: Sequence[Surface],
+    flights: Sequence[Interval] = (),
+) -> tuple[Interval, ...]:
+    """The segments between two keyframes that both touch the ground, but for those in a flight."""
+    if not points or not surfaces:
+        return ()
+    samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
+    centres, _, _ = places_of(points, samples)
+    height, _ = heights(surfaces, centres, np.array([point.radius for point in points]))
+    down = height.min(axis=0) < TOUCHING
+    segments = zip(keys.times[:-1].tolist(), keys.times[1:].tolist(), down[:-1] & down[1:], strict=True)
+    return tuple(
+        (first, last)
+        for first, last, both in segments
+        if both and not any(begin < last and first < end for begin, end in flights)
+    )

@@ -1,0 +1,104 @@
+"""Placements: a point is to be at a place in the world at one time, as far as the rest of the motion lets it.
+
+Keyframes by position that are left to the search; beyond the paper, whose keyframes are joint angles.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from ...array import Array, Index
+from ...figure.algebra import applied, dot
+from ...figure.kinematics import Cotangent, Samples
+from ...surface.points import Point
+from ..curvature import Curvature, Sides
+from ..penalty import Momentary, Scale
+from .contact import point_gradients
+
+
+@dataclass(frozen=True, eq=False)
+class Placed:
+    """One point that is to be at a target (3,) [m] at a time [s]; NaN along the axes that are free."""
+
+    point: Point
+    time: float
+    target: Array
+
+
+@dataclass(frozen=True)
+class Placement(Momentary):
+    """Σ over placed points of the squared distance [m²] from the target, along the axes that it gives."""
+
+    placed: tuple[Placed, ...]
+
+    @property
+    def name(self) -> str:
+        return "placement"
+
+    @property
+    def scale(self) -> Scale:
+        return Scale(1e-4, is_violation=True)
+
+    @property
+    def instants(self) -> Array:
+        return np.unique(self._times)
+
+    def away(self, samples: Samples) -> tuple[Index, Array]:
+        """Which points (p,) have their time among the samples, and the ways from their targets (3, p) [m]."""
+        which, at = self._pairs(samples)
+        return which, self._seen(samples, which, at)[2]
+
+    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+        which, at = self._pairs(samples)
+        if not which.size:
+            return np.zeros(samples.count)
+        flat, arm, away = self._seen(samples, which, at)
+        if into is not None:
+            into.add_forces(flat, arm, (2 * scale + np.zeros(samples.count))[at] * away)
+        return np.bincount(at, dot(away, away), samples.count).astype(float)
+
+    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+        which, at = self._pairs(samples)
+        if not which.size:
+            return
+        links, _, _, given = self._arrays
+        _, arm, _ = self._seen(samples, which, at)
+        for axis, way in zip(given, np.eye(3), strict=True):
+            some = np.flatnonzero(axis[which])
+            ways = np.repeat(way[:, None], some.size, axis=1)
+            rows = point_gradients(samples, at[some], links[which[some]], arm[:, some], ways)
+            into.add_rows(at[some], scale[at[some]], rows[:, None], (0,))
+
+    def sides(self, samples: Samples) -> Sides | None:
+        return None
+
+    def _pairs(self, samples: Samples) -> tuple[Index, Index]:
+        """The pairs of a placed point and a sample at its time, (p,) each, samples rising."""
+        near = np.flatnonzero(np.isin(samples.t, self.instants))
+        at, which = np.nonzero(samples.t[near, None] == self._times)
+        return which, near[at]
+
+    def _seen(self, samples: Samples, which: Index, at: Index) -> tuple[Index, Array, Array]:
+        """link · S + sample (p,), the points' arms and their ways from the targets (3, p), zero along free axes."""
+        links, positions, targets, given = self._arrays
+        flat = links[which] * samples.count + at
+        x, rotation = samples.links.poses(flat)
+        arm = applied(rotation, positions[:, which])
+        return flat, arm, (x + arm - targets[:, which]) * given[:, which]
+
+    @cached_property
+    def _times(self) -> Array:
+        """(n,) [s]"""
+        return np.array([p.time for p in self.placed])
+
+    @cached_property
+    def _arrays(self) -> tuple[Index, Array, Array, Array]:
+        """Links (n,), positions on them, targets, and 1 where an axis is given, (3, n) each."""
+        targets = np.array([p.target for p in self.placed], float).reshape(-1, 3).T
+        given = ~np.isnan(targets)
+        positions = np.array([p.point.position for p in self.placed]).reshape(-1, 3).T
+        links = np.array([p.point.link for p in self.placed], np.intp)
+        return links, positions, np.where(given, targets, 0.0), given.astype(float)

@@ -1,0 +1,171 @@
+"""Planted points: a point of the sole that two neighbouring keyframes put on the same spot stays there in between.
+
+The keyframes are the only input. This goes beyond the paper, which leaves skidding to future work (§6).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from ...array import Array, Index
+from ...curve.frame import Timeline
+from ...figure.algebra import applied, dot
+from ...figure.figure import Figure
+from ...figure.kinematics import Cotangent, Samples
+from ...surface import Surface
+from ...surface.points import Point, placed, places_of
+from ..curvature import Curvature, Sides
+from ..penalty import Scale
+from .contact import point_gradients
+
+NEAR_SURFACE = 0.012
+SAME_SPOT = 0.05
+SAME_PLACE = 0.001  # [m] by which keyframes may put a thing that lies differently: it has no reason to drift
+ARM = 0.2  # [m] from a thing's origin to the points that tell how it lies: about half of what a person carries
+HELD = 10.0  # times as much a stance weighs that a posed keyframe tells: nothing exact holds the point at its end
+
+
+@dataclass(frozen=True)
+class Stance:
+    """One point at rest: from its spot (3,) [m] at time `first` [s] to `landed` at `last`, the same but for drift.
+
+    weight  of this stance among the others
+    """
+
+    point: Point
+    first: float
+    last: float
+    spot: Array
+    landed: Array
+    weight: float = 1.0
+
+    def place(self, t: Array) -> Array:
+        """Where the point should be at times t (S,): (3, S)."""
+        share = (t - self.first) / (self.last - self.first)
+        return self.spot[:, None] + (self.landed - self.spot)[:, None] * share
+
+
+@dataclass(frozen=True)
+class Planted:
+    """Σ over stances of their weight times the squared distance [m²] of the point from its spot, while they last."""
+
+    stances: tuple[Stance, ...]
+    name: str = "planted"
+
+    @property
+    def scale(self) -> Scale:
+        return Scale(1e-4, is_violation=True, is_sharp=True)
+
+    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+        stance, at = self._during(samples.t)
+        values = np.zeros(samples.count)
+        if not stance.size:
+            return values
+        links, positions, spots, drifts = self._arrays
+        flat = links.take(stance) * samples.count + at
+        x, rotation = samples.links.poses(flat)
+        arm = applied(rotation, positions.take(stance, axis=1))
+        first, _ = self._times
+        away = x + arm
+        away -= spots.take(stance, axis=1)
+        away -= drifts.take(stance, axis=1) * (samples.t.take(at) - first.take(stance))
+        if into is not None:
+            force = (2 * scale + np.zeros(samples.count)).take(at) * self._weights.take(stance)
+            into.add_forces(flat, arm, force * away)
+        values += np.bincount(at, self._weights.take(stance) * dot(away, away), samples.count)
+        return values
+
+    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+        stance, at = self._during(samples.t)
+        if not stance.size:
+            return
+        order = np.argsort(at, kind="stable")
+        stance, at = stance[order], at[order]
+        links, positions, _, _ = self._arrays
+        link = links[stance]
+        arm = applied(samples.links.rotation[:, :, link, at], positions[:, stance])
+        for way in np.eye(3):
+            ways = np.repeat(way[:, None], at.size, axis=1)
+            into.add_rows(
+                at, scale[at] * self._weights[stance], point_gradients(samples, at, link, arm, ways)[:, None], (0,)
+            )
+
+    def sides(self, samples: Samples) -> Sides | None:
+        return None
+
+    def _during(self, t: Array) -> tuple[Index, Index]:
+        """The pairs of a stance and a sample at times t (S,) that it holds for, (p,) each."""
+        first, last = self._times
+        order = np.argsort(t, kind="stable")
+        rising = t[order]
+        begin, end = np.searchsorted(rising, first, "left"), np.searchsorted(rising, last, "right")
+        active = np.flatnonzero(end > begin)
+        begin, counts = begin[active], (end - begin)[active]
+        place = np.arange(counts.sum()) + np.repeat(begin - (np.cumsum(counts) - counts), counts)
+        return np.repeat(active, counts), order[place]
+
+    @cached_property
+    def _times(self) -> tuple[Array, Array]:
+        """When the stances begin and end, (n,) each."""
+        return np.array([s.first for s in self.stances]), np.array([s.last for s in self.stances])
+
+    @cached_property
+    def _weights(self) -> Array:
+        """(n,)"""
+        return np.array([s.weight for s in self.stances])
+
+    @cached_property
+    def _arrays(self) -> tuple[Index, Array, Array, Array]:
+        """Links (n,), the points' positions on them, their spots and drifts per second, (3, n) each."""
+        links = np.array([s.point.link for s in self.stances], np.intp)
+        drifts = [(s.landed - s.spot) / (s.last - s.first) for s in self.stances]
+        positions, spots = [s.point.position for s in self.stances], [s.spot for s in self.stances]
+        return links, np.array(positions).T, np.array(spots).T, np.array(drifts).T
+
+
+def stances(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]) -> tuple[Stance, ...]:
+    """The stances that a timeline of keyframes implies: a point within 12 mm of a surface in two neighbouring ones,
+    on spots less than 5 cm apart, and both keyframes tell every joint from the root to the point."""
+    if not points or not surfaces:
+        return ()
+    states = keys.states
+    samples = Samples(figure, states, 0 * states, 0 * states)
+    centres, _, _ = places_of(points, samples)
+    radius = np.array([point.radius for point in points])[:, None]
+    height = np.min([surface.height(centres) for surface in surfaces], axis=0) - radius
+    low, exact = (
+        (np.abs(height) < NEAR_SURFACE) & placed(figure, keys.known, points),
+        placed(figure, keys.fixed, points),
+    )
+    found = []
+    for k, (first, last) in enumerate(zip(keys.times[:-1], keys.times[1:], strict=True)):
+        for i, point in enumerate(points):
+            spot, landed = centres[:, i, k], centres[:, i, k + 1]
+            if low[i, k] and low[i, k + 1] and np.linalg.norm(landed - spot) < SAME_SPOT:
+                weight = 1.0 if exact[i, k] and exact[i, k + 1] else HELD
+                found.append(Stance(point, float(first), float(last), spot.copy(), landed.copy(), weight))
+    return tuple(found)
+
+
+def lying(figure: Figure, keys: Timeline, links: Sequence[int]) -> tuple[Stance, ...]:
+    """Stances of things, links with trees of their own, that two neighbouring keyframes put in the same place, turned
+    alike: three points of each."""
+    points = [Point(figure.links[link].name, link, ARM * axis) for link in links for axis in np.eye(3)]
+    if not points:
+        return ()
+    states = keys.states
+    centres, _, _ = places_of(points, Samples(figure, states, 0 * states, 0 * states))
+    told = placed(figure, keys.known, points)
+    found: list[Stance] = []
+    for k, (first, last) in enumerate(zip(keys.times[:-1], keys.times[1:], strict=True)):
+        for i, point in enumerate(points):
+            here, there = centres[:, i, k], centres[:, i, k + 1]
+            own = slice(i - i % 3, i - i % 3 + 3)
+            moved = np.linalg.norm(centres[:, own, k + 1] - centres[:, own, k], axis=0)
+            if told[i, k] and told[i, k + 1] and np.all(moved < SAME_PLACE):
+                found.append(Stance(point, float(first), float(last), here.copy(), there.copy()))
+    return tuple(found)

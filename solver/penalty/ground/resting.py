@@ -1,0 +1,82 @@
+"""Resting points: at rest on a surface from one time to another, wherever that is.
+
+For contacts whose spot nobody has said. Where keyframes say the spot, see `planted`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...array import Array, Index
+from ...figure.algebra import cross, dot
+from ...figure.kinematics import Cotangent, Samples
+from ...surface import Surface
+from ...surface.heights import height_over
+from ...surface.points import Point
+from ..curvature import Curvature, Sides
+from ..penalty import Scale
+from .contact import add_by_velocity, point_gradients, velocity_gradients
+
+SETTLING = 0.05  # [s]: a speed counts like the way it makes in so long
+
+
+@dataclass(frozen=True)
+class Rest:
+    """A point that rests from `first` to `last` [s]."""
+
+    point: Point
+    first: float
+    last: float
+
+
+@dataclass(frozen=True)
+class Resting:
+    """Σ over rests of (0.05 s)² |v|² + h² [m²], v the point's velocity, h its height over the surface below it."""
+
+    rests: tuple[Rest, ...]
+    surfaces: tuple[Surface, ...]
+    name: str = "resting"
+
+    @property
+    def scale(self) -> Scale:
+        return Scale(1e-4, is_violation=True, is_sharp=True)
+
+    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+        values = np.zeros(samples.count)
+        scale = scale + values
+        for rest, at in self._during(samples.t):
+            height, up, arm, velocity = self._seen(samples, rest.point, at)
+            values[at] += SETTLING**2 * dot(velocity, velocity) + height**2
+            if into is None:
+                continue
+            add_by_velocity(into, rest.point.link, at, arm, 2 * SETTLING**2 * scale[at] * velocity)
+            into.add_forces(rest.point.link * samples.count + at, arm, 2 * scale[at] * height * up)
+        return values
+
+    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+        for rest, at in self._during(samples.t):
+            _, up, arm, _ = self._seen(samples, rest.point, at)
+            links = np.full(at.size, rest.point.link)
+            into.add_rows(at, scale[at], point_gradients(samples, at, links, arm, up)[:, None], (0,))
+            for way in np.eye(3):
+                ways = np.repeat(way[:, None], at.size, axis=1)
+                rows = velocity_gradients(samples, at, links, arm, ways)
+                into.add_rows(at, SETTLING**2 * scale[at], rows, (0, 1))
+
+    def sides(self, samples: Samples) -> Sides | None:
+        return None
+
+    def _during(self, t: Array) -> list[tuple[Rest, Index]]:
+        """The rests with the samples at times t (S,) that they hold for, where there are any."""
+        during = [(rest, np.flatnonzero((t >= rest.first) & (t <= rest.last))) for rest in self.rests]
+        return [(rest, at) for rest, at in during if at.size]
+
+    def _seen(self, samples: Samples, point: Point, at: Index) -> tuple[Array, Array, Array, Array]:
+        """Height (P,), its gradient, the arm and the velocity (3, P) of a point at samples `at` (P,)."""
+        links = samples.links
+        arm = np.einsum("ijp,j->ip", links.rotation[:, :, point.link, at], point.position)
+        height, up = height_over(self.surfaces, (links.x[:, point.link, at] + arm)[:, None], np.array([point.radius]))
+        velocity = links.x_d[:, point.link, at] + cross(links.omega[:, point.link, at], arm)
+        return height[0], up[:, 0], arm, velocity

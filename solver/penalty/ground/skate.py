@@ -1,0 +1,129 @@
+"""Feet that stay: a point of the sole near a surface is slow, the slower the nearer.
+
+The paper leaves skidding to future work (§6). Nothing here needs to know when a foot is down: the height says it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from ...array import Array, Index
+from ...curve.frame import Timeline
+from ...figure.algebra import cross, dot
+from ...figure.figure import Figure
+from ...figure.kinematics import Cotangent, Samples, attached_pulled_back
+from ...surface import Surface
+from ...surface.heights import height_over
+from ...surface.points import Point, arrays_of, placed, places_of
+from ..curvature import Curvature, Sides
+from ..penalty import Scale
+from .contact import velocity_gradients
+
+NEGLIGIBLE = 1e-3  # of the weight: higher up a point is free
+STRIDDEN = 0.08  # [m] between two neighbouring keyframes, from which on a point is in the air in between
+SHORTLY = 0.25  # [s] between them, up to which it cannot stand on the way as well
+LONG = 0.45  # [s] between two keyframes, from which on they tell less of where feet stand in between
+WORTH = 1e-3  # [m² rad⁻² s²]: 3 cm/s of a point on the ground count like half a radian per s²
+
+
+@dataclass(frozen=True, eq=False)
+class Bound:
+    """How much points are bound from keyframe to keyframe: key times (K,) [s], shares of the weight (n, K − 1)."""
+
+    times: Array
+    shares: Array
+
+    @classmethod
+    def of(cls, figure: Figure, keys: Timeline, points: Sequence[Point], *, swings: bool = True) -> Bound:
+        """Less in a long segment, by the square of its length: a foot may take steps there that nobody told of. Not at
+        all, if it may be that a foot `swings`, where two keyframes up to 0.25 s apart put a point more than 8 cm apart:
+        one that comes so far so fast passes low, and is not to be braked."""
+        spans = np.diff(keys.times)
+        shares = np.tile(np.minimum(1.0, (LONG / spans) ** 2), (len(points), 1))
+        if swings:
+            samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
+            centres, _, _ = places_of(points, samples)
+            steps = np.linalg.norm(np.diff(centres, axis=2), axis=0)
+            told = placed(figure, keys.known, points)
+            shares[(steps > STRIDDEN) & (spans <= SHORTLY) & told[:, 1:] & told[:, :-1]] = 0.0
+        return cls(keys.times, shares)
+
+    def at(self, t: Array) -> Array:
+        """(n, S) at times t (S,) [s]."""
+        span = np.searchsorted(self.times, t, side="right") - 1
+        return self.shares[:, np.clip(span, 0, self.times.size - 2)]
+
+
+@dataclass(frozen=True)
+class Skate:
+    """Σ over points of exp(−(h/reach)²) |v|² [m²/s²]: v the point's velocity, h ≥ 0 its height over the surface below.
+
+    Counts beside the angular accelerations, not by what the raw spline happens to skate: so the clock of the clip and
+    the distance of its keyframes do not matter.
+
+    reach   [m] the height at which a point is 1/e as bound as on the surface
+    bound   how much which points are bound when, however low; None: all are, always
+    """
+
+    points: tuple[Point, ...]
+    surfaces: tuple[Surface, ...]
+    reach: float = 0.04
+    bound: Bound | None = None
+    name: str = "skate"
+
+    @property
+    def scale(self) -> Scale:
+        return Scale(WORTH, time_power=2, beside="covariant")
+
+    @cached_property
+    def _arrays(self) -> tuple[Index, Array, Array]:
+        """Links (n,), positions (3, n) and radii (n,) of the points."""
+        return arrays_of(self.points)
+
+    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+        if not self.points or not self.surfaces:
+            return np.zeros(samples.count)
+        links, positions, radius = self._arrays
+        motion = samples.links
+        at, arm = motion.points(links, positions)
+        height, up = height_over(self.surfaces, at, radius)
+        np.maximum(height, 0, out=height)
+        velocity = motion.x_d.take(links, axis=1) + cross(motion.omega.take(links, axis=1), arm)
+        weight = self._weight(height, samples.t)
+        energy = weight * dot(velocity, velocity)
+        if into is not None:
+            by_velocity = (2 * scale * weight) * velocity
+            room = into.room("x_d")
+            for i, link in enumerate(links):
+                room[:, link] += by_velocity[:, i]
+            attached_pulled_back(into, arm, (None, by_velocity, None), links)
+            force = (-2 * scale * energy * height / self.reach**2) * up
+            flat = links[:, None] * samples.count + np.arange(samples.count)
+            into.add_forces(flat.ravel(), arm.reshape(3, -1), force.reshape(3, -1))
+        return energy.sum(axis=0)
+
+    def _weight(self, height: Array, t: Array) -> Array:
+        """(n, S) how much points at heights (n, S) over the ground are bound."""
+        near = np.exp(-((height / self.reach) ** 2))
+        return near if self.bound is None else near * self.bound.at(t)
+
+    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+        """As of √weight · v with the weight held: what it changes by is of either sign."""
+        if not self.points or not self.surfaces:
+            return
+        links, positions, radius = self._arrays
+        where, arms = samples.links.points(links, positions)
+        height, _ = height_over(self.surfaces, where, radius)
+        weight = self._weight(np.maximum(height, 0), samples.t)
+        at, which = np.nonzero(weight.T > NEGLIGIBLE)
+        arm, share = arms[:, which, at], scale[at] * weight[which, at]
+        for way in np.eye(3):
+            ways = np.repeat(way[:, None], at.size, axis=1)
+            into.add_rows(at, share, velocity_gradients(samples, at, links[which], arm, ways), (0, 1))
+
+    def sides(self, samples: Samples) -> Sides | None:
+        return None

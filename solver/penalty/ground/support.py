@@ -1,0 +1,194 @@
+"""Support: what moves the figure from outside comes from the ground under its feet, by pushing and by friction.
+
+The wrench at the root (eqs. 18 and 21) less the best that forces in the friction cones of the points in contact can
+supply; in flight nothing can, and all of it counts. This goes beyond the paper.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from ...array import Array, Index, Mask
+from ...cone import Unsupplied, projection, unsupplied
+from ...figure.algebra import applied, cross
+from ...figure.figure import Figure
+from ...figure.jacobian_rows import Pushes
+from ...figure.kinematics import Cotangent, Samples
+from ...figure.wrench import RootWrench, height, weight
+from ..curvature import Curvature, Sides
+from ..penalty import Scale
+from .flight import A_TENTH, rows_of_wrench, within
+from .footing import Footing, Interval
+
+EDGES = 4
+
+
+class _Found(NamedTuple):
+    """A wrench, what of it is left, the forces [N] at all contacts that supply the rest, and the cones' edges."""
+
+    wrench: RootWrench
+    left: Unsupplied
+    pushes: Pushes
+    edges: Array
+
+
+class Reactions(NamedTuple):
+    """What the ground gives: at samples `at` (P,), on the points of footings `footing` (P,), at `place` (3, P) [m], a
+    force (3, P) [N], world axes."""
+
+    at: Index
+    footing: Index
+    place: Array
+    force: Array
+
+
+@dataclass(frozen=True)
+class Support:
+    """|w − G λ|², least over λ ≥ 0: w the root's wrench, the columns of G the edges of friction pyramids at the points
+    in contact. Forces in units of the weight, moments about the centre of mass in units of the weight times the height.
+    Nothing counts at moments that are neither in a footing nor in a flight.
+
+    root               index of the tree's free link
+    footings, flights  when which point can push, and when nothing does, whatever the footings say
+    unit, length       weight [N] and height [m]
+    friction           coefficient μ
+    softness           ε |λ|² is added, so that the forces are unique
+    """
+
+    root: int
+    footings: tuple[Footing, ...]
+    flights: tuple[Interval, ...]
+    unit: float
+    length: float
+    friction: float = 0.8
+    softness: float = 1e-4
+    name: str = "support"
+
+    @classmethod
+    def of(
+        cls,
+        figure: Figure,
+        root: int,
+        footings: Sequence[Footing],
+        flights: Sequence[Interval],
+        friction: float = 0.8,
+    ) -> Support:
+        return cls(root, tuple(footings), tuple(flights), weight(figure, root), height(figure, root), friction)
+
+    @property
+    def scale(self) -> Scale:
+        return Scale(A_TENTH, is_violation=True, is_sharp=True)
+
+    @property
+    def tells(self) -> bool:
+        """Whether it says anything at any time."""
+        return bool(self.footings or self.flights)
+
+    def known(self, t: Array) -> Mask:
+        """(S,) whether it is known at times t (S,) what carries the figure."""
+        return within(self.flights, t) | (self._active(t).any(axis=0) if self.footings else np.zeros(t.size, bool))
+
+    def rest(self, samples: Samples) -> Array:
+        """(6, S): force and moment that nothing can supply, in units of weight and weight times height."""
+        out, at = np.zeros((6, samples.count)), np.flatnonzero(self.known(samples.t))
+        if at.size:
+            out[:, at] = self._found(samples, at).left.rest
+        return out
+
+    def reactions(self, samples: Samples) -> Reactions:
+        """The forces at the points in contact that supply the most, at the samples of which it is known."""
+        known = np.flatnonzero(self.known(samples.t))
+        which, _, _ = self._pairs(samples.t[known])
+        if not which.size:
+            none = np.zeros(0, np.intp)
+            return Reactions(none, none, np.zeros((3, 0)), np.zeros((3, 0)))
+        pushes = self._found(samples, known).pushes
+        x, _ = samples.links.poses(pushes.link * samples.count + pushes.at)
+        return Reactions(pushes.at, which, x + pushes.arm, pushes.force)
+
+    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+        values, at = np.zeros(samples.count), np.flatnonzero(self.known(samples.t))
+        if not at.size:
+            return values
+        found = self._found(samples, at)
+        values[at] = found.left.value
+        if into is not None:
+            bars = np.zeros((2, 3, samples.count))
+            bars[:, :, at] = found.left.rest.reshape(2, 3, -1) * (2 / self.unit)
+            bars *= scale
+            found.pushes.pull_back(found.wrench, into, bars[0], bars[1] / self.length)
+        return values
+
+    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+        at = np.flatnonzero(self.known(samples.t))
+        if not at.size:
+            return
+        chosen = samples.taken(at)
+        found = self._found(chosen, np.arange(at.size))
+        rows = rows_of_wrench(chosen, self.root, found.pushes)
+        rows *= (np.repeat([1.0, 1 / self.length], 3) / self.unit)[:, None, None]
+        root = np.linalg.cholesky(projection(found.left, found.edges, self.softness))
+        rows = np.einsum("scd,scon->sdon", root, rows)
+        each = np.repeat(at, 6)
+        into.add_rows(each, scale[each], rows.reshape(each.size, 3, -1))
+
+    def sides(self, samples: Samples) -> Sides | None:
+        return None
+
+    def _found(self, samples: Samples, known: Index) -> _Found:
+        """At the samples `known` (P,)."""
+        wrench = RootWrench(samples, self.root)
+        w = np.concatenate([wrench.force[:, known], wrench.moment[:, known] / self.length]) / self.unit
+        which, at, slot = self._pairs(samples.t[known])
+        links, positions, edges = self._arrays
+        link, sample = links[which], known[at]
+        x, rotation = samples.links.poses(link * samples.count + sample)
+        arm = applied(rotation, positions[:, which])
+        ways = edges[:, which]
+        lever = (x + arm - wrench.centre[:, sample]) / self.length
+        pyramid = np.zeros((6, max(int(slot.max(initial=-1)) + 1, 1), EDGES, known.size))
+        pyramid[:3, slot, :, at] = ways.transpose(1, 0, 2)
+        pyramid[3:, slot, :, at] = cross(lever[:, :, None], ways).transpose(1, 0, 2)
+        pyramid = pyramid.reshape(6, -1, known.size)
+        left = unsupplied(w, pyramid, self.softness)
+        shares = left.shares.reshape(-1, EDGES, known.size)[slot, :, at]
+        force = self.unit * np.einsum("ipe,pe->ip", ways, shares)
+        return _Found(wrench, left, Pushes(sample, link, arm, force), pyramid)
+
+    def _active(self, t: Array) -> Mask:
+        """(n, S) whether a footing holds at times t (S,)."""
+        first, last = (np.array([getattr(f, name) for f in self.footings])[:, None] for name in ("first", "last"))
+        return (first <= t) & (t <= last) & ~within(self.flights, t)
+
+    def _pairs(self, t: Array) -> tuple[Index, Index, Index]:
+        """The pairs of a footing and a sample that it holds for, by sample, and which one of the sample's each is."""
+        if not self.footings:
+            none = np.zeros(0, np.intp)
+            return none, none, none
+        at, which = np.nonzero(self._active(t).T)
+        begin = np.searchsorted(at, np.arange(t.size))
+        return which, at, np.arange(at.size) - begin[at]
+
+    @cached_property
+    def _arrays(self) -> tuple[Index, Array, Array]:
+        """Links (n,), positions (3, n) of the points, and the edges of their friction pyramids (3, n, 4)."""
+        links = np.array([f.point.link for f in self.footings], np.intp)
+        positions = np.array([f.point.position for f in self.footings]).reshape(-1, 3).T
+        normals = np.array([f.normal for f in self.footings]).reshape(-1, 3)
+        unlike, which = np.unique(normals, axis=0, return_inverse=True)
+        edges = np.array([friction_edges(normal, self.friction) for normal in unlike]).reshape(-1, 3, EDGES)
+        return links, positions, edges[which.ravel()].transpose(1, 0, 2)
+
+
+def friction_edges(normal: Array, friction: float) -> Array:
+    """(3, 4): the edges of the pyramid inside the friction cone about a unit normal (3,), each of normal part 1."""
+    across = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
+    across /= np.linalg.norm(across)
+    along = np.cross(across, normal)
+    ways = np.array([across + along, along - across, -across - along, across - along]) / np.sqrt(2)
+    return (normal + friction * ways).T

@@ -1,0 +1,207 @@
+"""Knees and elbows: not backward, and neither sideways nor twisted beyond a bound (§5 of the paper).
+
+With u the child's long axis and v its hinge axis, both seen in the parent (Rᵀ_parent R_child e): flexion is the angle
+of u in the parent's sagittal plane, sideways bend the angle of u out of it, twist the angle of v about u (too large by
+1/cos of the sideways bend).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from ... import quaternion as quat
+from ...array import Array, Index
+from ...curve.frame import Timeline
+from ...figure.algebra import cross, gathered
+from ...figure.figure import Figure, on_links, quaternion_columns
+from ...figure.kinematics import Cotangent, Samples
+from ..allowance import Allowance
+from ..curvature import Curvature, Sides, jacobian
+from ..penalty import Scale
+
+NEAR = np.radians(4)  # within which a bound may be passed after one step of the search
+Seen = tuple[Array, Array, Array, Array, Array, Array]
+
+
+@dataclass(frozen=True)
+class Bend:
+    """One knee or elbow.
+
+    link       index of the child's link
+    lateral    (3,) unit axis that the joint flexes about by positive angles, in the parent at rest: +y for knees,
+               −y for elbows of a figure that faces x
+    long_axis  (3,) unit axis of the child at rest, from the joint along the limb
+    """
+
+    name: str
+    link: int
+    lateral: Array
+    long_axis: Array
+
+
+@dataclass(frozen=True)
+class BendLimits:
+    """Σ over joints of squared excess angles [rad²]: of flexion below `least`, of |sideways| and |twist| over bounds.
+
+    least, sideways, twist  [rad]
+    allowed                 (5, n, K) beyond flexion, both sides and both twists, what keyframes do themselves
+    """
+
+    joints: tuple[Bend, ...]
+    least: float = 0.0
+    sideways: float = np.radians(10)
+    twist: float = np.radians(10)
+    allowed: Allowance | None = None
+    name: str = "bend"
+
+    def allowing(self, figure: Figure, keys: Timeline) -> BendLimits:
+        """The same that lets pass how far joints that keyframes fix are beyond their bounds in them."""
+        if not self.joints:
+            return self
+        samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
+        columns = [quaternion_columns(figure.links[joint.link]) for joint in self.joints]
+        fixed = np.array([keys.fixed[:, some].all(axis=1) for some in columns])
+        excess = np.maximum(self._excess(self.angles(samples)), 0) * fixed
+        return replace(self, allowed=Allowance(keys.times, excess))
+
+    def _excess(self, angles: Array) -> Array:
+        """(5, n, S): how far angles (3, n, S) are beyond each bound, negative within."""
+        flexion, sideways, twist = angles
+        return np.array(
+            [
+                self.least - flexion,
+                sideways - self.sideways,
+                -sideways - self.sideways,
+                twist - self.twist,
+                -twist - self.twist,
+            ]
+        )
+
+    @property
+    def scale(self) -> Scale:
+        return Scale(float(np.radians(1) ** 2), is_violation=True)
+
+    def angles(self, samples: Samples) -> Array:
+        """(3, n, S) [rad]: flexion, sideways bend and twist of every joint."""
+        return self._seen(samples)[0]
+
+    @cached_property
+    def _axes(self) -> tuple[Index, Array]:
+        """Links (n,), and the joints' axes in the parent: forward, along the limb, lateral, (3, 3, n)."""
+        lateral = np.array([joint.lateral for joint in self.joints]).T
+        down = np.array([joint.long_axis for joint in self.joints]).T
+        forward = np.cross(lateral.T, down.T).T
+        return np.array([joint.link for joint in self.joints], np.intp), np.array([forward, down, lateral])
+
+    def _bounds(self, t: Array) -> tuple[Array, Array]:
+        """Least and most flexion, sideways bend and twist, (3, n, S) or (3, 1, 1) [rad]."""
+        least, most = [-np.inf, -self.sideways, -self.twist], [np.inf, self.sideways, self.twist]
+        low, high = np.reshape(least, (3, 1, 1)), np.reshape(most, (3, 1, 1))
+        low[0] = self.least
+        if self.allowed is None or not self.allowed.excess.any():
+            return low, high
+        allowed = self.allowed.at(t)
+        return low - allowed[[0, 2, 4]], high + allowed[[1, 1, 3]]
+
+    def _seen(self, samples: Samples) -> tuple[Array, Seen]:
+        own, axes = self._axes
+        tables = samples.figure.tables
+        carried = axes[:0:-1]  # the child's hinge axis v and long axis u, at rest where the parent's are
+        if tables.has_turns:
+            carried = np.einsum("jin,kjn->kin", _matrices(tables.turn[:, own]), carried)
+        fixed = np.concatenate([*carried, *axes], axis=1)
+        owners = np.concatenate([own, own, *[tables.parents[own]] * 3])
+        seen = samples.links.fixed(on_links(fixed, owners, len(samples.figure.links)))
+        seen = seen.reshape(3, 5, own.size, samples.count).swapaxes(0, 1)
+        world, frame = seen[:2], seen[2:]
+        v, u = np.einsum("bins,kins->kbns", frame, world)
+        angles, planar, p = _bent(u, v)
+        return angles, (world, frame, u, v, planar, p)
+
+    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+        if not self.joints:
+            return np.zeros(samples.count)
+        angles, seen = self._seen(samples)
+        least, most = self._bounds(samples.t)
+        excess = np.maximum(angles, least)
+        np.minimum(excess, most, out=excess)
+        np.subtract(angles, excess, out=excess)
+        if into is not None and excess.any():
+            self._pull_back(samples, into, seen, 2 * scale * excess)
+        return np.einsum("kns,kns->s", excess, excess)
+
+    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+        """Nothing: angles count beyond their bounds only."""
+
+    def sides(self, samples: Samples) -> Sides | None:
+        if not self.joints:
+            return None
+        excess = self._excess(self._seen(samples)[0])
+        if self.allowed is not None:
+            excess -= self.allowed.at(samples.t)
+        side, joint, at = np.nonzero(excess > -NEAR)
+        angle, sign = np.array([0, 1, 1, 2, 2])[side], np.array([-1.0, 1, -1, 1, -1])[side]
+
+        def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
+            seeds = np.zeros((3, len(self.joints), rows.size))
+            seeds[angle[rows], joint[rows], np.arange(rows.size)] = sign[rows]
+            self._pull_back(copies, cotangent, self._seen(copies)[1], seeds)
+
+        return Sides(at, excess[side, joint, at], jacobian(samples, at, seeded)[:, 0])
+
+    def _pull_back(self, samples: Samples, into: Cotangent, seen: Seen, gradient: Array) -> None:
+        world, frame, (x, z, _), v, planar, p = seen
+        flexion_bar, sideways_bar, twist_bar = gradient
+        q = v[2]
+        both = np.maximum(p**2 + q**2, 1e-18)
+        # what v and u get along the parent's axes
+        bars = np.empty((2, *v.shape))
+        p_bar = twist_bar * q / (both * planar)
+        bars[0] = -p_bar * z, p_bar * x, -twist_bar * p / both
+        # the normal turns in the sagittal plane as the limb flexes: d normal / d flexion = (z d + x f) / |(x, z)|
+        flexion_bar = (flexion_bar + p_bar * (z * v[1] + x * v[0])) / planar**2
+        bars[1] = flexion_bar * z, -flexion_bar * x, sideways_bar / planar
+        torque = np.add.reduce(cross(world.swapaxes(0, 1), np.einsum("kbns,bins->ikns", bars, frame)), axis=1)
+        identity = np.eye(len(samples.figure.links))
+        own = self._axes[0]
+        incidence = identity[:, own] - identity[:, samples.figure.tables.parents[own]]
+        into.hand("turn", gathered(incidence, torque))
+
+
+def bent(figure: Figure, joints: Sequence[Bend], relative: Array) -> Array:
+    """(3, ..., n) [rad]: flexion, sideways bend and twist of n joints turned by `relative` (..., n, 4), as in qpos."""
+    turn = np.array([figure.links[joint.link].turn for joint in joints])
+    lateral = np.array([joint.lateral for joint in joints])
+    down = np.array([joint.long_axis for joint in joints])
+    seen = quat.product(quat.product(turn, relative), quat.inverse(turn))
+    axes = np.array([np.cross(lateral, down), down, lateral])
+    v, u = (np.einsum("bni,...ni->b...n", axes, quat.rotated(seen, axis)) for axis in (lateral, down))
+    return _bent(u, v)[0]
+
+
+def _bent(u: Array, v: Array) -> tuple[Array, Array, Array]:
+    """The three angles of axes u and v along the parent's (3, ...), and |(x, z)| and p, the normal's part of v."""
+    x, z, y = u
+    planar = np.maximum(np.hypot(x, z), 1e-9)
+    p = (x * v[1] - z * v[0]) / planar
+    angles = np.empty(u.shape)
+    np.arctan2(x, z, out=angles[0])
+    np.arctan2(y, planar, out=angles[1])
+    np.arctan2(p, v[2], out=angles[2])
+    return angles, planar, p
+
+
+def _matrices(quaternions: Array) -> Array:
+    """Rotation matrices (3, 3, n) of quaternions (4, n), any length."""
+    w, x, y, z = quaternions / np.linalg.norm(quaternions, axis=0)
+    return np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+        ]
+    )

@@ -1,0 +1,123 @@
+"""Closed loops: points of two bodies that a model holds together, by `connect` and `weld` equality constraints.
+
+A connection holds one point of each body together; a weld three, which are a limb's length apart, so that an error of
+its rotation counts like one of place, or one if its `torquescale` is nought.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import mujoco
+import numpy as np
+
+from ... import quaternion as quat
+from ...array import Array, Index
+from ...figure.algebra import applied, dot
+from ...figure.figure import Figure
+from ...figure.kinematics import Cotangent, Samples
+from ...surface.points import Point
+from ..curvature import Curvature, Sides
+from ..ground.contact import point_gradients
+from ..penalty import Scale
+
+TORQUE_SCALE = 10  # of a weld's numbers: nought leaves rotations alone
+ARM = 0.1  # [m] from the middle of a weld to the points that hold its rotation
+
+
+@dataclass(frozen=True, eq=False)
+class Closure:
+    """Two points, of different links or of one and the world (link 0), that are to be one."""
+
+    name: str
+    one: Point
+    two: Point
+
+
+@dataclass(frozen=True)
+class Closed:
+    """Σ over closures of the squared distance [m²]."""
+
+    closures: tuple[Closure, ...]
+    name: str = "closed"
+
+    @property
+    def scale(self) -> Scale:
+        return Scale(1e-4, is_violation=True)
+
+    @cached_property
+    def _sides(self) -> tuple[tuple[Index, Array], tuple[Index, Array]]:
+        """Of either end the links (n,) and positions (3, n)."""
+        ends = [[c.one for c in self.closures], [c.two for c in self.closures]]
+        one, two = (
+            (np.array([p.link for p in end], np.intp), np.array([p.position for p in end]).T.reshape(3, -1))
+            for end in ends
+        )
+        return one, two
+
+    def apart(self, samples: Samples) -> Array:
+        """(3, n, S) [m] the ways from the second points to the first."""
+        (links, positions), (others, places) = self._sides
+        return samples.links.points(links, positions)[0] - samples.links.points(others, places)[0]
+
+    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+        apart = self.apart(samples)
+        if into is not None:
+            here = np.arange(samples.count)
+            for (links, positions), sign in zip(self._sides, (2.0, -2.0), strict=True):
+                _, arms = samples.links.points(links, positions)
+                flat = (links[:, None] * samples.count + here).ravel()
+                into.add_forces(flat, arms.reshape(3, -1), (sign * scale * apart).reshape(3, -1))
+        return dot(apart, apart).sum(axis=0)
+
+    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+        at = np.repeat(np.arange(samples.count), len(self.closures))
+        for way in np.eye(3):
+            ways = np.repeat(way[:, None], at.size, axis=1)
+            rows = np.zeros((at.size, samples.y.shape[1]))
+            for (links, positions), sign in zip(self._sides, (1.0, -1.0), strict=True):
+                link, place = np.tile(links, samples.count), np.tile(positions, samples.count)
+                arm = applied(samples.links.rotation[:, :, link, at], place)
+                rows += sign * point_gradients(samples, at, link, arm, ways)
+            into.add_rows(at, scale[at], rows[:, None], (0,))
+
+    def sides(self, samples: Samples) -> Sides | None:
+        return None
+
+
+def closures(figure: Figure) -> tuple[Closure, ...]:
+    """What a model's active connections and welds hold together, but for handles that a programme moves (mocap)."""
+    model, found = figure.model, []
+    kinds = {int(mujoco.mjtEq.mjEQ_CONNECT): "connect", int(mujoco.mjtEq.mjEQ_WELD): "weld"}
+    for i in np.flatnonzero(model.eq_active0 != 0):
+        kind = kinds.get(int(model.eq_type[i]))
+        if kind is None:
+            continue
+        frames = _frames(model, int(i), weld=kind == "weld")
+        turns = kind == "weld" and model.eq_data[i, TORQUE_SCALE] > 0
+        if any(model.body_mocapid[body] >= 0 for body, _, _ in frames):
+            continue
+        name = model.equality(int(i)).name or " and ".join(model.body(body).name or "world" for body, _, _ in frames)
+        offsets = [np.zeros(3), *(ARM * np.eye(3)[:2])] if turns else [np.zeros(3)]
+        for offset in offsets:
+            ends = []
+            for body, position, turn in frames:
+                link, place = figure.point_on_link(body, position + quat.rotated(turn, offset))
+                ends.append(Point(name, link, place))
+            if ends[0].link != ends[1].link:
+                found.append(Closure(name, ends[0], ends[1]))
+    return tuple(found)
+
+
+def _frames(model: mujoco.MjModel, equality: int, *, weld: bool) -> list[tuple[int, Array, Array]]:
+    """The two frames that are to be one: body, place in it (3,) [m] and turn in it (4,)."""
+    ids, data = (int(model.eq_obj1id[equality]), int(model.eq_obj2id[equality])), model.eq_data[equality]
+    if int(model.eq_objtype[equality]) == int(mujoco.mjtObj.mjOBJ_SITE):
+        return [(int(model.site_bodyid[s]), np.array(model.site_pos[s]), np.array(model.site_quat[s])) for s in ids]
+    still = np.array([1.0, 0, 0, 0])
+    if not weld:
+        return [(ids[0], np.array(data[:3]), still), (ids[1], np.array(data[3:6]), still)]
+    # the anchor in the second body, then in the first, and how the second is turned in it
+    anchor, place, turn = np.array(data[:3]), np.array(data[3:6]), quat.normalised(np.array(data[6:10]))
+    return [(ids[0], place, turn), (ids[1], anchor, still)]

@@ -1,0 +1,124 @@
+"""Coupled joints: one hinge or slide follows another as a polynomial of it, or stays, as equality constraints say.
+
+MuJoCo's q₁ − q₁⁰ = a₀ + a₁ (q₂ − q₂⁰) + … + a₄ (q₂ − q₂⁰)⁴, the references at rest: fingers of a gripper, double knees.
+A coupling of degree one that all frames of a spline keep holds everywhere between them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import mujoco
+import numpy as np
+from numpy.polynomial.polynomial import polyder, polyval
+
+from ...array import Array, Index
+from ...figure.figure import Figure
+from ...figure.kinematics import Cotangent, Samples
+from ..curvature import Curvature, Sides
+from ..penalty import Scale
+
+
+@dataclass(frozen=True, eq=False)
+class Coupling:
+    """A column of the state that follows another: follower − rest[0] = Σ coefficients (driver − rest[1])^k.
+
+    driver  −1 where the follower stays
+    unit    "degrees" or "m", of the follower
+    """
+
+    name: str
+    follower: int
+    driver: int
+    rest: tuple[float, float]
+    coefficients: Array
+    unit: str
+
+    def follow(self, driver: Array) -> Array:
+        """The follower's values [rad or m] for the driver's."""
+        return np.asarray(self.rest[0] + polyval(driver - self.rest[1], self.coefficients), float)
+
+    def slope(self, driver: Array) -> Array:
+        """How fast the follower goes with the driver."""
+        return np.asarray(polyval(driver - self.rest[1], polyder(self.coefficients)), float)
+
+
+@dataclass(frozen=True)
+class Coupled:
+    """Σ over couplings of how far the follower is from where it should be, squared [rad² or m²]."""
+
+    couplings: tuple[Coupling, ...]
+    name: str = "coupled"
+
+    @property
+    def scale(self) -> Scale:
+        return Scale(float(np.radians(1) ** 2), is_violation=True)
+
+    @cached_property
+    def _columns(self) -> tuple[Index, Index]:
+        """Followers and drivers, (n,) each; who has no driver drives itself, with a slope of zero."""
+        followers = np.array([c.follower for c in self.couplings], np.intp)
+        drivers = np.array([c.driver for c in self.couplings], np.intp)
+        return followers, np.where(drivers < 0, followers, drivers)
+
+    def away(self, samples: Samples) -> tuple[Array, Array]:
+        """How far followers are off, and their slopes, (n, S) each."""
+        followers, drivers = self._columns
+        driven = samples.columns(drivers)
+        wanted = np.array([c.follow(q) for c, q in zip(self.couplings, driven, strict=True)])
+        slope = np.array([c.slope(q) for c, q in zip(self.couplings, driven, strict=True)])
+        return samples.columns(followers) - wanted, slope
+
+    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+        away, slope = self.away(samples)
+        if into is not None:
+            followers, drivers = self._columns
+            pull = 2 * scale * away
+            np.add.at(into.room("y").T, followers, pull)
+            np.add.at(into.room("y").T, drivers, -slope * pull)
+        return np.einsum("ns,ns->s", away, away)
+
+    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+        followers, drivers = self._columns
+        _, slope = self.away(samples)
+        count, here = len(self.couplings), np.arange(samples.count)
+        rows = np.zeros((samples.count, count, samples.y.shape[1]))
+        for k in range(count):
+            rows[here, k, followers[k]] += 1
+            rows[here, k, drivers[k]] -= slope[k]
+        at = np.repeat(here, count)
+        into.add_rows(at, scale[at], rows.reshape(at.size, 1, -1), (0,))
+
+    def sides(self, samples: Samples) -> Sides | None:
+        return None
+
+
+def couplings(figure: Figure) -> tuple[Coupling, ...]:
+    """The joints that a model's active equality constraints couple."""
+    model = figure.model
+    chosen = (model.eq_type == int(mujoco.mjtEq.mjEQ_JOINT)) & (model.eq_active0 != 0)
+    found = []
+    for i in np.flatnonzero(chosen):
+        one, two = int(model.eq_obj1id[i]), int(model.eq_obj2id[i])
+        follower, driver = int(model.jnt_qposadr[one]), int(model.jnt_qposadr[two]) if two >= 0 else -1
+        coefficients = np.array(model.eq_data[i, :5])
+        if driver < 0:
+            coefficients[1:] = 0
+        rest = float(model.qpos0[follower]), float(model.qpos0[driver]) if two >= 0 else 0.0
+        slides = model.jnt_type[one] == int(mujoco.mjtJoint.mjJNT_SLIDE)
+        name = figure.links[one + 1].name
+        found.append(Coupling(name, follower, driver, rest, coefficients, "m" if slides else "degrees"))
+    return tuple(found)
+
+
+def in_order(chosen: Sequence[Coupling]) -> list[Coupling]:
+    """Couplings such that a follower that drives others comes before those, as far as there is an order."""
+    left, done = list(chosen), []
+    while left:
+        followers = {c.follower for c in left}
+        ready = [c for c in left if c.driver not in followers or c.driver == c.follower] or left[:1]
+        done += ready
+        left = [c for c in left if c not in ready]
+    return done

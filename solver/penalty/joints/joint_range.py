@@ -1,0 +1,204 @@
+"""Joint ranges of the model: hinges and slides between their bounds, ball joints turned by at most an angle.
+
+A ball joint's angle is that of the child's orientation seen from the parent, D = Q_child (Q_parent turn)⁻¹, as MuJoCo
+limits it: θ = 2 atan2(|vec D|, |D_w|). A small turn δφ of the child relative to the parent changes it by axis · δφ. At
+half a turn the axis flips: there π − θ is rounded off to √((π − θ)² + ε²), so that the penalty stays smooth.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from ...array import Array, Index
+from ...curve.frame import Timeline
+from ...figure.algebra import add_at, dot, hamilton, vector_product
+from ...figure.figure import Figure, JointKind, quaternion_columns
+from ...figure.kinematics import Cotangent, Samples
+from ..allowance import Allowance
+from ..curvature import Curvature, Sides, jacobian
+from ..penalty import Scale
+
+NEAR = {JointKind.BALL: np.radians(4), JointKind.HINGE: np.radians(4), JointKind.SLIDE: 0.03}
+ROUNDING = np.radians(0.5)  # ε
+
+
+@dataclass(frozen=True)
+class Range:
+    """The bounds of one joint: `low` and `high` of its coordinate [rad, m], or `high` of a ball joint's angle [rad]."""
+
+    name: str
+    link: int
+    kind: JointKind
+    low: float
+    high: float
+
+
+@dataclass(frozen=True)
+class JointRange:
+    """Σ over joints of how far they are beyond their range, squared [rad² or m²].
+
+    allowed  (2, n, K) below and above their ranges, what keyframes do themselves
+    """
+
+    joints: tuple[Range, ...]
+    allowed: Allowance | None = None
+    name: str = "range"
+
+    def allowing(self, figure: Figure, keys: Timeline) -> JointRange:
+        """The same that lets pass how far joints that keyframes fix are beyond their ranges in them."""
+        if not self.joints:
+            return self
+        samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states, t=np.asarray(keys.times))
+        excess = np.zeros((2, len(self.joints), keys.times.size))
+        plain, balls = self._which
+        low, high = self._bounds
+        if plain.size:
+            value = samples.columns(self._columns(samples))
+            excess[:, plain] = low[plain, None] - value, value - high[plain, None]
+        if balls.size:
+            excess[1, balls] = self._turned(samples)[0] - high[balls, None]
+        links = [figure.links[joint.link] for joint in self.joints]
+        columns = [quaternion_columns(link) or slice(link.qpos, link.qpos + 1) for link in links]
+        fixed = np.array([keys.fixed[:, some].all(axis=1) for some in columns])
+        return replace(self, allowed=Allowance(keys.times, np.maximum(excess, 0) * fixed))
+
+    @property
+    def scale(self) -> Scale:
+        return Scale(float(np.radians(1) ** 2), is_violation=True)
+
+    def beyond(self, samples: Samples) -> Array:
+        """How far every joint is beyond its range, negative within it, (n, S) [rad or m]."""
+        out = np.empty((len(self.joints), samples.count))
+        plain, balls = self._which
+        if plain.size:
+            value = samples.columns(self._columns(samples))
+            low, high = self._limits(samples.t, plain)
+            out[plain] = np.maximum(low - value, value - high)
+        if balls.size:
+            out[balls] = self._turned(samples)[0] - self._limits(samples.t, balls)[1]
+        return out
+
+    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+        values = np.zeros(samples.count)
+        plain, balls = self._which
+        if plain.size:
+            columns = self._columns(samples)
+            value = samples.columns(columns)
+            excess = value - np.clip(value, *self._limits(samples.t, plain))
+            values += np.einsum("ns,ns->s", excess, excess)
+            if into is not None and excess.any():
+                np.add.at(into.room("y").T, columns, 2 * scale * excess)
+        if balls.size:
+            _, angle, rate, axis = self._turned(samples)
+            excess = np.maximum(angle - self._limits(samples.t, balls)[1], 0)
+            values += np.einsum("ns,ns->s", excess, excess)
+            if into is not None and excess.any():
+                self._pull_back(samples, into, 2 * scale * excess * rate * axis)
+        return values
+
+    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+        """Nothing: ranges count on one side only."""
+
+    def sides(self, samples: Samples) -> Sides | None:
+        if not self.joints:
+            return None
+        return Sides.joined([*self._plain_sides(samples), self._ball_sides(samples)])
+
+    def _plain_sides(self, samples: Samples) -> list[Sides]:
+        plain, _ = self._which
+        if not plain.size:
+            return []
+        columns, (low, high) = self._columns(samples), self._limits(samples.t, plain)
+        value = samples.columns(columns)
+        near = np.array([NEAR[self.joints[i].kind] for i in plain])[:, None]
+        parts = []
+        for sign, over in ((-1.0, low - value), (1.0, value - high)):
+            joint, at = np.nonzero(over > -near)
+            rows = np.zeros((at.size, samples.y.shape[1]))
+            rows[np.arange(at.size), columns[joint]] = sign
+            parts.append(Sides(at, over[joint, at], rows))
+        return parts
+
+    def _ball_sides(self, samples: Samples) -> Sides:
+        _, balls = self._which
+        if not balls.size:
+            return Sides.none(samples)
+        _, angle, rate, axis = self._turned(samples)
+        over = angle - self._limits(samples.t, balls)[1]
+        joint, at = np.nonzero(over > -NEAR[JointKind.BALL])
+        way = (rate * axis)[:, joint, at]
+
+        def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
+            seeds = np.zeros((3, balls.size, rows.size))
+            seeds[:, joint[rows], np.arange(rows.size)] = way[:, rows]
+            self._pull_back(copies, cotangent, seeds)
+
+        return Sides(at, over[joint, at], jacobian(samples, at, seeded)[:, 0])
+
+    @cached_property
+    def _which(self) -> tuple[Index, Index]:
+        """Which joints are hinges or slides, and which ball joints."""
+        is_ball = np.array([joint.kind is JointKind.BALL for joint in self.joints], bool)
+        return np.flatnonzero(~is_ball), np.flatnonzero(is_ball)
+
+    @cached_property
+    def _bounds(self) -> tuple[Array, Array]:
+        """Lower and upper bounds of all joints (n,)."""
+        return np.array([joint.low for joint in self.joints]), np.array([joint.high for joint in self.joints])
+
+    @cached_property
+    def _links(self) -> Index:
+        """The ball joints' links."""
+        return np.array([self.joints[i].link for i in self._which[1]], np.intp)
+
+    def _columns(self, samples: Samples) -> Index:
+        """The state's columns of the hinges and slides."""
+        return np.array([samples.figure.links[self.joints[i].link].qpos for i in self._which[0]], np.intp)
+
+    def _limits(self, t: Array, some: Index) -> tuple[Array, Array]:
+        """Lower and upper bounds of some joints (n,) at times t (S,): (n, S), or (n, 1) where nothing is let pass."""
+        low, high = (bound[some, None] for bound in self._bounds)
+        if self.allowed is None or not self.allowed.excess.any():
+            return low, high
+        below, above = self.allowed.at(t)[:, some]
+        return low - below, high + above
+
+    def _turned(self, samples: Samples) -> tuple[Array, Array, Array, Array]:
+        """The ball joints' angles as they are and rounded off at π, the rate of the one by the other, (b, S) [rad], and
+        the axes in the world (3, b, S)."""
+        links, tables, own = samples.links, samples.figure.tables, self._links
+        base = links.Q[:, tables.parents[own]]
+        if tables.has_turns:
+            base = hamilton(base, tables.turn[:, own, None])
+        child = links.Q[:, own]
+        along = np.einsum("jcns,cns->jns", vector_product(base), child)
+        w, sine = dot(base, child), np.sqrt(dot(along, along))
+        angle = 2 * np.arctan2(sine, np.abs(w))
+        left = 2 * np.arctan2(np.abs(w), sine)
+        rounded = np.hypot(left, ROUNDING)
+        axis = along * np.where(w < 0, -1.0, 1.0) / np.maximum(sine, 1e-300)
+        return angle, np.pi - rounded, left / rounded, axis
+
+    def _pull_back(self, samples: Samples, into: Cotangent, torque: Array) -> None:
+        """Gradients with respect to the children's turns relative to their parents, (3, b, S)."""
+        own, room = self._links, into.room("turn")
+        room[:, own] += torque
+        add_at(room, samples.figure.tables.parents[own], -torque)
+
+
+def joint_ranges(figure: Figure) -> tuple[Range, ...]:
+    """The ranges of a model's limited joints that can be passed."""
+    model, found = figure.model, []
+    for i, link in enumerate(figure.links[1:], start=1):
+        if link.kind is JointKind.FREE or not model.jnt_limited[link.joint]:
+            continue
+        low, high = (float(bound) for bound in model.jnt_range[link.joint])
+        if link.kind is JointKind.BALL:
+            low, high = 0.0, max(low, high)
+            if high >= np.pi:
+                continue
+        found.append(Range(link.name, i, link.kind, low, high))
+    return tuple(found)

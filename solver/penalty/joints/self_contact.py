@@ -1,0 +1,285 @@
+"""Limbs stay out of the trunk and of each other: depth of a figure's own capsules in one another, squared.
+
+Two capsules are as deep as their radii exceed the distance of their segments. At the nearest points the distance does
+not change with where on the segments they are (the envelope theorem), so its gradient is that of two points fixed on
+their links. Ellipsoids, boxes and cylinders count by spheres that fill them. Left out are links joined to each other,
+and geoms that overlap at rest.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import mujoco
+import numpy as np
+
+from ... import quaternion as quat
+from ...array import Array, Index
+from ...figure.algebra import cross, dot
+from ...figure.figure import Figure
+from ...figure.kinematics import Cotangent, Samples
+from ...surface.cover import filling_spheres
+from ...surface.touch import movers
+from ..curvature import Curvature, Sides
+from ..ground.contact import point_gradients
+from ..penalty import Scale
+
+NEAR = 0.03  # [m] within which capsules may touch after one step of the search
+GAP = 0.008  # [m] by which spheres may leave a geom unfilled
+HAIR = 0.015  # [m] by which what is left out may stick out of a thicker shape
+PARALLEL = 1e-16  # squared sine of an angle below which it cannot be told where along them two segments are nearest
+
+
+@dataclass(frozen=True)
+class Bar:
+    """A capsule fixed on a link, or a sphere: centre (3,) in the link [m], unit axis (3,), half length, radius [m]."""
+
+    geom: int
+    link: int
+    centre: Array
+    axis: Array
+    half: float
+    radius: float
+
+
+@dataclass(frozen=True)
+class Meeting:
+    """Nearest points of q pairs of capsules at samples.
+
+    at             (q,) sample
+    first, last    (q,) their links; first_arm, last_arm (3, q) from the links' origins to the points [m]
+    depth          (q,) [m], negative where they are apart
+    apart          (3, q) unit vector from the last to the first
+    """
+
+    at: Index
+    first: Index
+    last: Index
+    first_arm: Array
+    last_arm: Array
+    depth: Array
+    apart: Array
+
+    def taken(self, which: Index) -> Meeting:
+        """Some of them."""
+        chosen = (self.at[which], self.first[which], self.last[which])
+        vectors = (self.first_arm[:, which], self.last_arm[:, which])
+        return Meeting(*chosen, *vectors, self.depth[which], self.apart[:, which])
+
+
+@dataclass(frozen=True)
+class SelfContact:
+    """Σ over pairs of capsules of depth² [m²], with `margin` [m] between them.
+
+    pairs  (2, n) indices of bars, the first on a link before the last's
+    """
+
+    bars: tuple[Bar, ...]
+    pairs: Index
+    margin: float = 0.0
+    name: str = "self"
+
+    @classmethod
+    def of(cls, figure: Figure, margin: float = 0.0) -> SelfContact:
+        """All pairs of a figure's own shapes that could meet."""
+        bars = _outer([bar for geom in movers(figure.model) for bar in _bars(figure, geom)])
+        return cls(bars, _pairs(figure, bars), margin)
+
+    @property
+    def scale(self) -> Scale:
+        return Scale(1e-4, is_violation=True)
+
+    @property
+    def geom_pairs(self) -> Index:
+        """(2, g) the pairs of geoms that are kept apart, each once."""
+        geoms = np.array([bar.geom for bar in self.bars], np.intp)
+        return np.unique(geoms[self.pairs], axis=1) if self.pairs.size else np.zeros((2, 0), np.intp)
+
+    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+        values = np.zeros(samples.count)
+        met = self.meetings(samples, 0.0)
+        if met is None:
+            return values
+        values += np.bincount(met.at, met.depth * met.depth, samples.count)
+        if into is not None:
+            force = -met.apart * ((2 * scale + np.zeros(samples.count)).take(met.at) * met.depth)
+            into.add_forces(met.first * samples.count + met.at, met.first_arm, force)
+            into.add_forces(met.last * samples.count + met.at, met.last_arm, -force)
+        return values
+
+    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+        """Nothing: depths count on one side only."""
+
+    def sides(self, samples: Samples) -> Sides | None:
+        if not self.pairs.size:
+            return None
+        met = self.meetings(samples, NEAR)
+        if met is None:
+            return Sides.none(samples)
+        rows = point_gradients(samples, met.at, met.first, met.first_arm, -met.apart)
+        rows += point_gradients(samples, met.at, met.last, met.last_arm, met.apart)
+        return Sides(met.at, met.depth, rows)
+
+    def meetings(self, samples: Samples, near: float) -> Meeting | None:
+        """The pairs of capsules less than `near` [m] apart, or None."""
+        if not self.pairs.size:
+            return None
+        carriers, middles, reach = self._bounds
+        around, _ = samples.links.points(carriers, middles)
+        room = near + self.margin
+        found = []
+        for first, last, pairs in self._groups:
+            a, b = (int(np.searchsorted(carriers, link)) for link in (first, last))
+            gap = around[:, a] - around[:, b]
+            at = np.flatnonzero(dot(gap, gap) < (reach[a] + reach[b] + room) ** 2)
+            if at.size:
+                met = self._met(samples, at, pairs, room)
+                found.append(met.taken(np.flatnonzero(met.depth > -near)))
+        if not any(met.at.size for met in found):
+            return None
+        names = ("at", "first", "last", "first_arm", "last_arm", "depth", "apart")
+        return Meeting(*(np.concatenate([getattr(met, name) for met in found], axis=-1) for name in names))
+
+    @cached_property
+    def _arrays(self) -> tuple[Index, Array, Array, Array, Array]:
+        """Links (n,), centres and axes (3, n), half lengths and radii (n,) of the bars."""
+        links = np.array([bar.link for bar in self.bars], np.intp)
+        centres, axes = (np.array([getattr(bar, name) for bar in self.bars]).T for name in ("centre", "axis"))
+        halves, radii = (np.array([getattr(bar, name) for bar in self.bars]) for name in ("half", "radius"))
+        return links, centres, axes, halves, radii
+
+    @cached_property
+    def _bounds(self) -> tuple[Index, Array, Array]:
+        """Spheres round each link's bars: links (m,), rising, centres (3, m), radii (m,)."""
+        links, centres, _, halves, radii = self._arrays
+        carriers, owner = np.unique(links, return_inverse=True)
+        middles = np.array([centres[:, owner == k].mean(axis=1) for k in range(carriers.size)]).T
+        far = np.linalg.norm(centres - middles[:, owner], axis=0) + halves + radii
+        return carriers, middles, np.array([far[owner == k].max() for k in range(carriers.size)])
+
+    @cached_property
+    def _groups(self) -> list[tuple[int, int, Index]]:
+        """Pairs of links with their pairs of bars (2, p)."""
+        links = self._arrays[0]
+        both = links[self.pairs]
+        found = np.unique(both, axis=1).T
+        return [(int(a), int(b), self.pairs[:, (both[0] == a) & (both[1] == b)]) for a, b in found]
+
+    def _placed(self, samples: Samples, at: Index, bars: Index) -> tuple[Array, Array]:
+        """Arms from the link's origin to the middles, and axes, of some bars of one link at samples: (3, n, k)."""
+        links, centres, axes, _, _ = self._arrays
+        rotation = samples.links.rotation[:, :, links[bars[0]]][:, :, at]
+        centre, axis = (np.einsum("ijk,jn->ink", rotation, local[:, bars]) for local in (centres, axes))
+        return centre, axis
+
+    def _met(self, samples: Samples, at: Index, pairs: Index, room: float) -> Meeting:
+        """How all pairs of bars of two links meet at samples `at`, those whose bounding spheres do."""
+        links, _, _, halves, radii = self._arrays
+        (a, ia), (b, ib) = (np.unique(side, return_inverse=True) for side in pairs)
+        (a_arm, a_axis), (b_arm, b_axis) = (self._placed(samples, at, bars) for bars in (a, b))
+        first, last = int(links[a[0]]), int(links[b[0]])
+        between = (samples.links.x[:, first] - samples.links.x[:, last]).take(at, axis=1)
+        reach = np.full((a.size, b.size), -1.0)  # squared; less than any distance for pairs that are left out
+        reach[ia, ib] = (halves[a[ia]] + radii[a[ia]] + halves[b[ib]] + radii[b[ib]] + room) ** 2
+        from_last = a_arm + between[:, None]
+        squared = -2 * np.einsum("ink->kni", from_last) @ np.einsum("imk->kim", b_arm)
+        squared += dot(from_last, from_last).T[:, :, None] + dot(b_arm, b_arm).T[:, None, :]
+        k, i, j = np.nonzero(squared < reach)
+        d, u, v = from_last[:, i, k] - b_arm[:, j, k], a_axis[:, i, k], b_axis[:, j, k]
+        s, t = nearest_on_segments(d, u, v, halves[a[i]], halves[b[j]])
+        apart = d + s * u - t * v
+        gap = np.sqrt(dot(apart, apart))
+        depth = radii[a[i]] + radii[b[j]] + self.margin - gap
+        way = np.where(gap > 1e-12, apart / np.maximum(gap, 1e-12), np.array([[0.0], [0], [1]]))
+        arms = a_arm[:, i, k] + s * u, b_arm[:, j, k] + t * v
+        return Meeting(at[k], np.full(k.size, first), np.full(k.size, last), *arms, depth, way)
+
+
+def nearest_on_segments(d: Array, u: Array, v: Array, h: Array, g: Array) -> tuple[Array, Array]:
+    """Where on two segments their nearest points are, s and t (p,) along the unit axes u and v (3, p) from the middles.
+
+    d  (3, p) from the second's middle to the first's;  h, g  (p,) half lengths
+    """
+    b, c, f = dot(u, v), dot(u, d), dot(v, d)
+    across = cross(u, v)
+    steep = dot(across, across)  # 1 − b² of nearly parallel ones would be rounding
+    s = np.clip(np.where(steep > PARALLEL, (b * f - c) / np.maximum(steep, PARALLEL), 0.0), -h, h)
+    t = np.clip(b * s + f, -g, g)
+    return np.clip(b * t - c, -h, h), t
+
+
+def _pairs(figure: Figure, bars: Sequence[Bar]) -> Index:
+    """(2, n) the pairs of bars that can meet: not of one link, of joined links, or of geoms that overlap at rest."""
+    carrying = {bar.link for bar in bars}
+    joined = {(_carrier(figure, link, carrying), link) for link in carrying}
+    resting = _overlapping(figure.model, {bar.geom for bar in bars})
+    found = []
+    for i, j in itertools.combinations(range(len(bars)), 2):
+        if bars[i].link > bars[j].link:
+            i, j = j, i
+        links, geoms = (bars[i].link, bars[j].link), sorted((bars[i].geom, bars[j].geom))
+        if links[0] != links[1] and links not in joined and tuple(geoms) not in resting:
+            found.append((i, j))
+    return np.array(found, np.intp).reshape(-1, 2).T
+
+
+def _carrier(figure: Figure, link: int, carrying: set[int]) -> int:
+    """The nearest link before another that has shapes, 0 if there is none."""
+    parent = figure.links[link].parent
+    while parent and parent not in carrying:
+        parent = figure.links[parent].parent
+    return parent
+
+
+def _bars(figure: Figure, geom: int) -> list[Bar]:
+    """A geom of the figure as capsules and spheres."""
+    model = figure.model
+    body, size = int(model.geom_bodyid[geom]), np.array(model.geom_size[geom])
+    axes = np.stack([quat.rotated(model.geom_quat[geom], e) for e in np.eye(3)], axis=1)
+    axis = quat.rotated(figure.body_turn[body], axes[:, 2])
+    if model.geom_type[geom] == mujoco.mjtGeom.mjGEOM_CAPSULE:
+        filled, half = (np.zeros((1, 3)), size[:1]), float(size[1])
+    else:
+        filled, half = filling_spheres(model, geom, GAP), 0.0
+    out = []
+    for offset, radius in zip(*filled, strict=True):
+        link, centre = figure.point_on_link(body, model.geom_pos[geom] + axes @ offset)
+        if radius > 0:
+            out.append(Bar(geom, link, centre, axis, half, float(radius)))
+    return out
+
+
+def _outer(bars: list[Bar]) -> tuple[Bar, ...]:
+    """The bars without those that hardly stick out of a thicker one of their link."""
+    kept: list[Bar] = []
+    for bar in sorted(bars, key=lambda bar: -bar.radius):
+        if not any(_inside(bar, other) for other in kept if other.link == bar.link):
+            kept.append(bar)
+    return tuple(kept)
+
+
+def _inside(bar: Bar, other: Bar) -> bool:
+    """Whether a bar lies inside another but for `HAIR`: both its ends do, and the other is convex."""
+    for side in (-1, 1):
+        away = bar.centre + side * bar.half * bar.axis - other.centre
+        away = away - np.clip(other.axis @ away, -other.half, other.half) * other.axis
+        if np.linalg.norm(away) + bar.radius > other.radius + HAIR:
+            return False
+    return True
+
+
+def _overlapping(model: mujoco.MjModel, geoms: set[int]) -> set[tuple[int, int]]:
+    """Pairs of geoms that overlap at rest, by MuJoCo."""
+    data = mujoco.MjData(model)
+    mujoco.mj_kinematics(model, data)
+    ids = np.array(sorted(geoms), np.intp)
+    place, reach = data.geom_xpos[ids], model.geom_rbound[ids]
+    close = np.linalg.norm(place[:, None] - place, axis=2) < reach[:, None] + reach
+    return {
+        (int(ids[i]), int(ids[j]))
+        for i, j in np.argwhere(np.triu(close, 1))
+        if mujoco.mj_geomDistance(model, data, int(ids[i]), int(ids[j]), 0.01, None) < 0
+    }

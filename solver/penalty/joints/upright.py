@@ -1,0 +1,117 @@
+"""Upright: where nobody has said how the trunk is turned, it leans as it was posed over feet that stand.
+
+Without it a squat leans far back: that spares the hips a part of their way, and nothing else of the objective minds.
+Beyond the paper.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from ...array import Array, Index
+from ...curve.frame import Timeline
+from ...figure.algebra import applied, dot
+from ...figure.figure import Figure, quaternion_columns
+from ...figure.kinematics import Cotangent, Samples
+from ..curvature import Curvature, Sides
+from ..ground.contact import point_gradients
+from ..penalty import Momentary, Scale
+
+
+@dataclass(frozen=True, eq=False)
+class Lean:
+    """An axis (3,) of a link, a unit vector, that is to point somewhere, way (3,), at a time [s]."""
+
+    link: int
+    time: float
+    axis: Array
+    way: Array
+
+
+@dataclass(frozen=True)
+class Upright(Momentary):
+    """Σ over leans of |R axis − way|², nearly the squared angle [rad²] between them."""
+
+    leans: tuple[Lean, ...]
+
+    @property
+    def name(self) -> str:
+        return "upright"
+
+    @property
+    def scale(self) -> Scale:
+        return Scale(float(np.radians(10) ** 2), is_violation=True)
+
+    @property
+    def instants(self) -> Array:
+        return np.unique(self._times)
+
+    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+        which, at = self._pairs(samples)
+        if not which.size:
+            return np.zeros(samples.count)
+        flat, arm, away = self._seen(samples, which, at)
+        if into is not None:
+            force = (2 * scale + np.zeros(samples.count))[at] * away
+            into.add_forces(flat, arm, force)
+            into.add_forces(flat, 0 * arm, -force)  # the axis alone counts, wherever its link is
+        return np.bincount(at, dot(away, away), samples.count).astype(float)
+
+    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+        which, at = self._pairs(samples)
+        if not which.size:
+            return
+        links = self._arrays[0][which]
+        _, arm, _ = self._seen(samples, which, at)
+        for way in np.eye(3):
+            ways = np.repeat(way[:, None], at.size, axis=1)
+            rows = point_gradients(samples, at, links, arm, ways) - point_gradients(samples, at, links, 0 * arm, ways)
+            into.add_rows(at, scale[at], rows[:, None], (0,))
+
+    def sides(self, samples: Samples) -> Sides | None:
+        return None
+
+    def _pairs(self, samples: Samples) -> tuple[Index, Index]:
+        """The pairs of a lean and a sample at its time, (p,) each, samples rising."""
+        near = np.flatnonzero(np.isin(samples.t, self.instants))
+        at, which = np.nonzero(samples.t[near, None] == self._times)
+        return which, near[at]
+
+    def _seen(self, samples: Samples, which: Index, at: Index) -> tuple[Index, Array, Array]:
+        """link · S + sample (p,), the axes as they are turned and what they are away from their ways, (3, p)."""
+        links, axes, ways = self._arrays
+        flat = links[which] * samples.count + at
+        turned = applied(samples.links.poses(flat)[1], axes[:, which])
+        return flat, turned, turned - ways[:, which]
+
+    @cached_property
+    def _times(self) -> Array:
+        """(n,) [s]"""
+        return np.array([lean.time for lean in self.leans])
+
+    @cached_property
+    def _arrays(self) -> tuple[Index, Array, Array]:
+        """Links (n,), axes and ways (3, n)."""
+        axes, ways = (
+            np.array([getattr(lean, part) for lean in self.leans]).reshape(-1, 3).T for part in ("axis", "way")
+        )
+        return np.array([lean.link for lean in self.leans], np.intp), axes, ways
+
+
+def leans(figure: Figure, keys: Timeline, roots: Sequence[int]) -> tuple[Lean, ...]:
+    """How free links lean in the keyframes that were posed with their turn left free: what points up there."""
+    states = keys.states
+    samples = Samples(figure, states, 0 * states, 0 * states)
+    found = []
+    for root in roots:
+        columns = quaternion_columns(figure.links[root])
+        if columns is None:
+            continue
+        for k in np.flatnonzero((keys.known & ~keys.fixed)[:, columns].all(axis=1)):
+            axis = samples.links.rotation[2, :, root, k].copy()
+            found.append(Lean(int(root), float(keys.times[k]), axis, np.array([0.0, 0, 1])))
+    return tuple(found)

@@ -1,0 +1,128 @@
+"""Covariant acceleration: what the rotation itself feels of q''.
+
+The paper's form (eq. 9): f₂ = |q'' − T q|², T = (q''·q)/(q·q): the acceleration of the rotation only while |q| = 1.
+The intrinsic form is exact for q = ρu with any ρ(t) > 0: with s = (q·q')/b and P the projection off q,
+w = P(q'' − 2 s q') and f₂* = |w|²/b = |ω'|²/4.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...array import Array
+from ...figure.algebra import dot
+from ...figure.kinematics import Cotangent, Samples
+from ..curvature import Curvature, Sides
+from ..penalty import Scale
+
+
+def covariant_acceleration(q: Array, q_dd: Array) -> Array:
+    """q'' without its component along q: the acceleration felt on the unit sphere (eq. 9).
+
+    q     (..., 4)  quaternion, wxyz, any length > 0
+    q_dd  (..., 4)  its second time derivative [1/s²]
+    """
+    along = np.sum(q_dd * q, axis=-1, keepdims=True) / np.sum(q * q, axis=-1, keepdims=True)
+    return q_dd - along * q
+
+
+@dataclass(frozen=True)
+class CovariantAcceleration:
+    """Σ over quaternion blocks of f₂* ("intrinsic") or f₂ ("paper") [rad²/s⁴ / 4], and of θ''²/4 over hinges."""
+
+    form: str = "intrinsic"
+    name: str = "covariant"
+
+    def __post_init__(self) -> None:
+        if self.form not in ("intrinsic", "paper"):
+            raise ValueError(f"covariant acceleration: form = {self.form!r} is not one of 'intrinsic', 'paper'")
+
+    @property
+    def scale(self) -> Scale:
+        return Scale(16.0, time_power=4)
+
+    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+        values = (
+            self._intrinsic(samples, into, scale) if self.form == "intrinsic" else self._paper(samples, into, scale)
+        )
+        hinges = samples.figure.tables.hinge_columns
+        if hinges.size:
+            theta_dd = samples.y_dd[:, hinges]
+            values = values + 0.25 * np.sum(theta_dd**2, axis=1)
+            if into is not None:
+                into.room("y_dd")[:, hinges] += 0.5 * np.reshape(scale, (-1, 1)) * theta_dd
+        return values
+
+    def _paper(self, samples: Samples, into: Cotangent | None, scale: Array | float) -> Array:
+        q, q_dd = samples.q, samples.q_dd
+        along = dot(q_dd, q) / dot(q, q)
+        w = q_dd - along * q
+        if into is not None:
+            into.add("q", (2 * scale * along) * (along * q - q_dd))
+            into.add("q_dd", (2 * scale) * w)
+        return dot(w, w).sum(axis=0)
+
+    def _intrinsic(self, samples: Samples, into: Cotangent | None, scale: Array | float) -> Array:
+        q, q_d = samples.q, samples.q_d
+        inverse = 1 / samples.q_dots[0]
+        s, along = samples.q_dots[1:] * inverse
+        rate, off = 2 * s, along - 2 * s * s
+        w = samples.q_dd - rate * q_d
+        w -= off * q
+        values = dot(w, w) * inverse
+        if into is not None:
+            k = (2 * scale) * inverse
+            by_q_dd = k * w
+            c = dot(by_q_dd, q_d)
+            c *= -2 * inverse
+            by_q_d = c * q
+            by_q_d -= rate * by_q_dd
+            by_q = c * q_d
+            by_q -= off * by_q_dd
+            by_q -= (rate * c + k * values) * q
+            for name, gradient in (("q", by_q), ("q_d", by_q_d), ("q_dd", by_q_dd)):
+                into.hand(name, gradient)
+        return np.add.reduce(values, axis=0)
+
+    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+        tables = samples.figure.tables
+        q, q_d, q_dd = (part.transpose(2, 1, 0) for part in (samples.q, samples.q_d, samples.q_dd))
+        rows = _residual_jacobians(q, q_d, q_dd, samples.q_dots.transpose(0, 2, 1), intrinsic=self.form == "intrinsic")
+        into.add_blocks(tables.quaternion_columns.T, rows, scale)
+        into.add_squares(tables.hinge_columns, 2, 0.25 * scale)
+
+    def sides(self, samples: Samples) -> Sides | None:
+        return None
+
+
+def _residual_jacobians(q: Array, q_d: Array, q_dd: Array, dots: Array, *, intrinsic: bool) -> Array:
+    """Of w/√b ("paper": of q'' − T q) with respect to q, q', q'': (..., 4, 3, 4) for blocks (..., 4).
+
+    dots  (3, ...) q·q, q·q', q·q''
+
+    Every Jacobian is a sum of products of q, 4 s q − 2 q' and w with some row, and of a multiple of the identity.
+    """
+    inverse = 1 / dots[0][..., None]
+    along = dots[2][..., None] * inverse
+    s = dots[1][..., None] * inverse if intrinsic else np.zeros_like(inverse)
+    by_s = 4 * s * q - 2 * q_d
+    q_inverse = q * inverse
+    left, right = np.empty((*q.shape, 3)), np.zeros((*q.shape[:-1], 3, 3, 4))
+    left[..., 0], left[..., 1] = q, by_s
+    left[..., 2] = q_dd - (along - 2 * s * s) * q - 2 * s * q_d
+    right[..., 0, 0, :] = 2 * along * q_inverse - q_dd * inverse
+    right[..., 0, 2, :] = -q_inverse
+    if intrinsic:
+        right[..., 1, 0, :] = q_d * inverse - 2 * s * q_inverse
+        right[..., 1, 1, :] = q_inverse
+        right[..., 2, 0, :] = -q_inverse
+    out = np.matmul(left, right.reshape(*q.shape[:-1], 3, 12)).reshape(*q.shape, 3, 4)
+    diagonal = np.einsum("...aka->...ak", out)
+    diagonal[..., 0] += 2 * s * s - along
+    diagonal[..., 1] -= 2 * s
+    diagonal[..., 2] += 1
+    if intrinsic:
+        out *= np.sqrt(inverse)[..., None, None]
+    return out

@@ -1,0 +1,196 @@
+"""Cycle: joints are where the clip's own walking or running cycle has them, as far as that is known.
+
+Keyframes half a period apart tell little of what is between them, but all of them together tell the cycle (see
+`rhythm`). How far a joint is off counts by how certain the cycle is there: least where no keyframe has the same phase.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...array import Array, Index
+from ...curve.frame import Frame, Timeline
+from ...curve.spline import Path, spline_of
+from ...figure.algebra import add_at, applied, conjugated, cross, dot, hamilton, vector_product
+from ...figure.figure import Figure
+from ...figure.kinematics import Cotangent, Samples
+from ...reading.pose_vectors import HEIGHT
+from ...reading.rhythm import Rhythm
+from ..curvature import Curvature, Sides, jacobian
+from ..penalty import Guide, Scale
+from .posture import apart
+
+FRAMES = 8  # variable frames a period that a path needs to follow a cycle
+LITTLE = np.radians(5)  # [rad] off in one joint that counts as little
+
+
+@dataclass(frozen=True, eq=False)
+class Cycle(Guide):
+    """Σ over joints and the root of 4 sin²(θ/2) [rad²], θ the angle off the rhythm's rotation, of squared angles off
+    over hinges, and of (5 rad/m · the root's height off)²; times the rhythm's trust."""
+
+    figure: Figure
+    rhythm: Rhythm
+
+    @property
+    def name(self) -> str:
+        return "cycle"
+
+    @property
+    def scale(self) -> Scale:
+        return Scale(LITTLE**2, is_violation=True)
+
+    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+        target, trust = self._at(samples.t)
+        w, v = self._off(samples, target)
+        values = 4 * dot(v, v).sum(axis=0)
+        columns, rates = self._columns
+        straight = rates * (samples.y[:, columns] - target[:, self._turns :])
+        values += np.sum(straight**2, axis=1)
+        if into is not None:
+            share = scale * trust
+            child, parent = _joints(samples.figure)
+            turn = applied(samples.links.rotation[:, :, child], (4 * share * w) * v)
+            room = into.room("turn")
+            add_at(room, child, turn)
+            add_at(room, parent, -turn)
+            into.room("y")[:, columns] += 2 * share[:, None] * rates * straight
+        return trust * values
+
+    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+        figure = samples.figure
+        target, trust = self._at(samples.t)
+        share = scale * trust
+        columns, rates = self._columns
+        for rate in np.unique(rates):
+            into.add_squares(columns[rates == rate], 0, rate**2 * share)
+        child, parent = _joints(figure)
+        if not child.size:
+            return
+        w, v = self._off(samples, target)
+        if not figure.is_world:
+            self._add_by_adjoint(samples, into, share, (w, v))
+            return
+        links = samples.links
+        moved = _moved(w, v, links.rotation[:, :, child])
+        by_q = vector_product(links.Q) * links.scale
+        rows = np.zeros((samples.count, child.size, 3, 3, 8))
+        rows[:, :, :, 0, :4] = np.einsum("ijns,jkns->snik", moved, by_q[:, :, child])
+        rows[:, :, :, 0, 4:] = -np.einsum("ijns,jkns->snik", moved, by_q[:, :, parent])
+        for some, blocks in apart(figure, tuple(child.tolist())):
+            into.add_blocks(blocks, rows[:, some, ..., : blocks.shape[1]], share)
+
+    def sides(self, samples: Samples) -> Sides | None:
+        return None
+
+    def off(self, samples: Samples) -> Array:
+        """(n, S) [rad] how far every joint with a quaternion is off the cycle."""
+        w, v = self._off(samples, self._at(samples.t)[0])
+        return 2 * np.arctan2(np.linalg.norm(v, axis=0), np.abs(w))
+
+    def led(self, timeline: Timeline, most: int | None) -> Timeline:
+        """The cycle itself where variable frames are, a period's in eight frames if there may be so many."""
+        fixed = [frame for frame in timeline.frames if not frame.is_variable]
+        edges, apart = np.array([frame.time for frame in fixed]), self.rhythm.period / FRAMES
+        counts = np.ceil(np.diff(edges) / apart - 1e-9).astype(int) - 1
+        present = np.histogram(timeline.times, edges)[0] - 1
+        present[-1] -= 1  # whose last edge counts too
+        counts = np.maximum(counts, present)
+        if most is not None and counts.sum() > most:
+            counts = present
+        segments = zip(edges[:-1], edges[1:], counts, strict=True)
+        times = np.concatenate([np.linspace(first, last, count + 2)[1:-1] for first, last, count in segments])
+        states = self._states(Path(spline_of(timeline), timeline.rows).at(times), times)
+        frames = [*fixed, *(Frame.variable(t, state) for t, state in zip(times, states, strict=True))]
+        return Timeline(tuple(sorted(frames, key=lambda frame: frame.time)), timeline.end_slope, timeline.ends)
+
+    def _states(self, plain: Array, times: Array) -> Array:
+        """The cycle's states at times (T,) [s], all that it does not tell as in `plain` (T, N)."""
+        found, qpos = self.rhythm.poses.map, self.figure.to_qpos(plain)
+        target = self._at(times)[0]
+        qpos[:, found.columns.T] = target[:, : self._turns].reshape(times.size, found.links.size, 4)
+        qpos[:, self._columns[0]] = target[:, self._turns :]
+        states = self.figure.to_state(qpos)
+        for columns in self.figure.tables.quaternion_columns.T:
+            states[:, columns] *= np.where(np.sum(states[:, columns] * plain[:, columns], axis=1) < 0, -1, 1)[:, None]
+        return np.where(self._is_told(times)[:, None], states, plain)
+
+    @property
+    def _turns(self) -> int:
+        """How many columns of the target are of quaternions."""
+        return 4 * self.rhythm.rotations.shape[1]
+
+    @cached_property
+    def _columns(self) -> tuple[Index, Array]:
+        """The state's columns of hinges and the root's height, and what each counts [1, rad/m]."""
+        found = self.rhythm.poses.map
+        columns = np.concatenate([found.hinges, found.heights])
+        return columns, np.repeat([1.0, HEIGHT], [found.hinges.size, found.heights.size])
+
+    @cached_property
+    def _table(self) -> Array:
+        """(T, 4 q + h + f + 1) the rhythm at its times: quaternions, angles, heights, trust."""
+        rhythm = self.rhythm
+        turns = rhythm.rotations.reshape(rhythm.times.size, -1)
+        return np.hstack([turns, rhythm.angles, rhythm.heights, rhythm.trust[:, None]])
+
+    def _at(self, t: Array) -> tuple[Array, Array]:
+        """The target (S, 4 q + h + f), quaternions not of unit length, and its trust (S,), at times t [s]: none where
+        the clip has not begun the cycle yet, or has left it."""
+        times = self.rhythm.times
+        place = (np.clip(t, times[0], times[-1]) - times[0]) / (times[1] - times[0])
+        before = np.minimum(place.astype(np.intp), times.size - 2)
+        share = (place - before)[:, None]
+        rows = (1 - share) * self._table[before] + share * self._table[before + 1]
+        return rows[:, :-1], np.where(self._is_told(t), rows[:, -1], 0.0)
+
+    def _is_told(self, t: Array) -> NDArray[np.bool_]:
+        """(S,) whether the rhythm reaches to times t [s]."""
+        return (t >= self.rhythm.times[0]) & (t <= self.rhythm.times[-1])
+
+    def _off(self, samples: Samples, target: Array) -> tuple[Array, Array]:
+        """The unit quaternions from the target to the joints' own rotations: w (n, S) and v (3, n, S)."""
+        links, tables = samples.links, samples.figure.tables
+        child, parent = _joints(samples.figure)
+        wanted = target[:, : self._turns].reshape(samples.count, -1, 4).T
+        base = links.Q[:, parent]
+        if tables.has_turns:
+            base = hamilton(base, tables.turn[:, child][:, :, None])
+        q = hamilton(conjugated(hamilton(base, wanted)), links.Q[:, child])
+        q /= np.sqrt(dot(q, q))
+        return q[0], q[1:]
+
+    def _add_by_adjoint(self, samples: Samples, into: Curvature, share: Array, off: tuple[Array, Array]) -> None:
+        """The rows of joint coordinates, by the adjoint sweep."""
+        child, parent = _joints(samples.figure)
+        moved = _moved(*off, samples.links.rotation[:, :, child])
+        at = np.repeat(np.arange(samples.count), 3 * child.size)
+        joint, way = np.tile(np.repeat(np.arange(child.size), 3), samples.count), np.tile(np.arange(3), at.size // 3)
+
+        def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
+            room, here = cotangent.room("turn"), np.arange(rows.size)
+            seeds = moved[way[rows], :, joint[rows], at[rows]].T
+            room[:, child[joint[rows]], here] += seeds
+            room[:, parent[joint[rows]], here] -= seeds
+
+        into.add_rows(at, share[at], jacobian(samples, at, seeded)[:, :1], (0,))
+
+
+def _moved(w: Array, v: Array, rotation: Array) -> Array:
+    """What 2 v changes by a small turn of the link in the world: (w + [v]×) Rᵀ, (3, 3, n, S)."""
+    rows = rotation.swapaxes(0, 1)
+    out = w * rows
+    for k in range(3):
+        out[:, k] += cross(v, rows[:, k])
+    return out
+
+
+@lru_cache(maxsize=8)
+def _joints(figure: Figure) -> tuple[Index, Index]:
+    """The links with quaternions and those they hang on, (n,) each."""
+    child = figure.tables.quaternion_links
+    return child, figure.tables.parents[child]

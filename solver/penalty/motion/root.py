@@ -1,0 +1,38 @@
+"""Acceleration of the root, and of slides: |T''|²."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...array import Array
+from ...figure.kinematics import Cotangent, Samples
+from ..curvature import Curvature, Sides
+from ..penalty import Scale
+
+
+@dataclass(frozen=True)
+class RootAcceleration:
+    """Σ of the squared accelerations of free roots' positions and of slides [m²/s⁴]."""
+
+    name: str = "root"
+
+    @property
+    def scale(self) -> Scale:
+        return Scale(4.0, time_power=4)
+
+    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+        tables = samples.figure.tables
+        columns = np.concatenate([tables.position_columns.ravel(), tables.slide_columns])
+        accelerations = samples.y_dd[:, columns]
+        if into is not None:
+            into.room("y_dd")[:, columns] += 2 * np.reshape(scale, (-1, 1)) * accelerations
+        return np.einsum("sc,sc->s", accelerations, accelerations)
+
+    def sides(self, samples: Samples) -> Sides | None:
+        return None
+
+    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+        tables = samples.figure.tables
+        into.add_squares(np.concatenate([tables.position_columns.ravel(), tables.slide_columns]), 2, scale)
