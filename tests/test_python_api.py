@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import subprocess
 import sys
 from dataclasses import FrozenInstanceError
@@ -33,7 +32,6 @@ from dynsplines import (
 )
 from dynsplines.clip.table import ClipTable, KeyframeTable
 
-ROOT = Path(__file__).parent.parent
 ARM = """
 <mujoco model="arm"><worldbody>
   <body name="upper" pos="0 0 1"><joint name="shoulder" type="ball"/>
@@ -63,11 +61,8 @@ def loop() -> Motion:
 
 
 def run(code: str, folder: Path) -> str:
-    path = os.pathsep.join([str(ROOT), os.environ.get("PYTHONPATH", "")])
     command = [sys.executable, "-c", code]
-    done = subprocess.run(
-        command, cwd=folder, env=os.environ | {"PYTHONPATH": path}, capture_output=True, text=True, check=False
-    )
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     return done.stdout
 

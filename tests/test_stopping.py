@@ -17,7 +17,6 @@ from tiny import changed, written
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="signals are another matter there")
 
-ROOT = Path(__file__).parent.parent
 LONG = changed("evaluations = 8\nframes = 2", "evaluations = 100000\nframes = 400\ntolerance = 1e-15\nthreshold = 0")
 DEFAULT = "import signal, sys; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
 COMMAND = DEFAULT + "sys.argv = sys.argv[1:]; from dynsplines.start import main; main()"
@@ -48,7 +47,7 @@ def start(tmp_path: Path) -> Iterator[Start]:
 
     def start(script: str, *words: object) -> subprocess.Popen[str]:
         command = [sys.executable, "-c", script, *map(str, words)]
-        environment = {**os.environ, "PYTHONPATH": str(ROOT), "DYNSPLINES_CACHE": "off"}
+        environment = {**os.environ, "DYNSPLINES_CACHE": "off"}
         begun.append(
             subprocess.Popen(
                 command, cwd=tmp_path, env=environment, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE
