@@ -15,6 +15,7 @@ from functools import cached_property, partial
 
 import numpy as np
 from numpy.typing import ArrayLike
+from threadpoolctl import threadpool_limits
 
 from .array import Array
 from .curve.arcs import straightened
@@ -160,10 +161,22 @@ def inbetween(
 
     The keyframes are met exactly whenever the search is stopped. Raises TimelineError for frames that make no clip.
     """
-    settings = settings or Settings()
     raw = raw_timeline(figure, list(keys), ends, end_slope, travel, turn)
+    with threadpool_limits(1, user_api="blas"):  # on matrices as small as these, threads only wait for each other
+        return _searched(raw, len(keys) - 1, figure, penalties, settings or Settings(), improved)
+
+
+def _searched(
+    raw: Timeline,
+    segments: int,
+    figure: Figure,
+    penalties: Sequence[tuple[Penalty, float]],
+    settings: Settings,
+    improved: Callable[[Improvement], None] | None,
+) -> Motion:
+    """The best path found through the keyframes of the raw timeline."""
     objective = objective_of(raw, figure, penalties, settings)
-    segments, in_windows = len(keys) - 1, settings.quadrature.kind == "gauss" and is_long(raw)
+    in_windows = settings.quadrature.kind == "gauss" and is_long(raw)
     first = split(raw, beginning(raw, settings, in_windows=in_windows))
     guide = _guide(objective)
     if guide is not None and first.variable_count and not in_windows:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import ctypes
+import json
 import os
+import subprocess
 import sys
 from pathlib import Path
 
@@ -34,3 +36,31 @@ def test_every_library_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setenv(name, "7")
     threads.keep_to_one()
     assert {os.environ[name] for name in threads.THREADS} == {"1"}
+
+
+BUSY = """
+import json
+from dynsplines import load
+from dynsplines.solver import Settings, inbetween
+from threadpoolctl import threadpool_info
+
+def threads():
+    return [library["num_threads"] for library in threadpool_info() if library["user_api"] == "blas"]
+
+clip, seen, before = load("run_and_step"), [], threads()
+inbetween(
+    clip.figure, clip.keys, clip.penalties, Settings(max_evaluations=2), improved=lambda _: seen.append(threads())
+)
+print(json.dumps([before, seen, threads()]))
+"""
+
+
+def test_a_search_in_a_program_of_ones_own_has_one_thread_and_gives_the_others_back() -> None:
+    environment = {name: value for name, value in os.environ.items() if name not in threads.THREADS}
+    environment["OPENBLAS_NUM_THREADS"] = "2"
+    done = subprocess.run([sys.executable, "-c", BUSY], env=environment, capture_output=True, text=True, check=True)
+    before, seen, after = json.loads(done.stdout)
+    if not before or set(before) == {1}:
+        pytest.skip("linear algebra has one thread here anyway")
+    assert seen and {count for counts in seen for count in counts} == {1}
+    assert after == before
