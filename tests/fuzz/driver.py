@@ -22,7 +22,7 @@ from fuzz import strange
 
 from dynsplines.errors import UserError
 
-TESTS = Path(__file__).parent.parent
+TESTS = Path(__file__).parents[1]
 MOST_MEGABYTES = 1000.0  # of a process, at its peak
 ROOM = 6 * 2**30  # [bytes] of addresses: what asks for more fails, and the machine is spared
 MOST_SECONDS = 60.0  # of one file, by the clock of a machine that others use as well
@@ -65,7 +65,7 @@ def tried(kind: str, count: int, folder: Path, *, start: int = 0) -> Tally:
 def _batch(kind: str, start: int, stop: int, folder: Path, tally: Tally) -> int:
     """By one process; the first seed that is left."""
     command = [sys.executable, *PROGRAM, kind, str(start), str(stop), str(folder)]
-    paths = os.pathsep.join([str(TESTS), str(TESTS.parent)])
+    paths = os.pathsep.join([str(TESTS), str(TESTS / "support")])
     environment = {**os.environ, "PYTHONPATH": paths, "OMP_NUM_THREADS": "1", "DYNSPLINES_CACHE": "off"}
     with (folder / "errors.txt").open("ab") as errors:
         process = subprocess.Popen(

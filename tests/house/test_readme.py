@@ -1,0 +1,67 @@
+"""The README's own example, clip and pictures."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from dynsplines import inbetween
+from dynsplines.clip import load as clip
+
+README = (Path(__file__).parents[2] / "README.md").read_text(encoding="utf-8")
+
+
+def blocks(language: str) -> list[str]:
+    return re.findall(rf"```{language}\n(.*?)```", README, flags=re.S)
+
+
+@pytest.mark.slow
+def test_the_python_example_runs(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (example,) = blocks("python")
+    exec(compile(example, "README.md", "exec"), {})
+    assert capsys.readouterr().out.startswith("(67, 51) <Motion run_and_step: 2.20 s, 12 keyframes")
+    assert {path.name for path in tmp_path.iterdir()} == {"step.png", "few.toml", "run.csv"}
+
+
+def test_every_format_of_the_table_exists_and_none_is_left_out() -> None:
+    from dynsplines.exchange.formats import FORMATS
+
+    table = README.split("## To and from other programs")[1].split("##")[0]
+    ways = {"both": (True, True), "writes": (True, False), "reads": (False, True)}
+    said = {
+        name: ways[way.strip()]
+        for names, way in re.findall(r"^\| ([^|]+) \| (both|writes|reads) \|", table, flags=re.MULTILINE)
+        for name in re.findall(r"`([\w-]+)`", names)
+    }
+    assert said == {each.name: (each.writes, each.reads) for each in FORMATS}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("pasted", [1, 2, 3])
+def test_the_example_clips_pasted_one_below_the_other_solve_and_nothing_is_wrong_with_them(pasted: int) -> None:
+    parts = blocks("toml")
+    assert len(parts) == 3 and len(parts[0].splitlines()) <= 12
+    motion = inbetween(clip.from_text("".join(parts[:pasted]), name="readme"))
+    assert not motion.problems
+
+
+def test_every_picture_and_linked_file_is_there() -> None:
+    root = Path(__file__).parents[2]
+    for target in re.findall(r"\]\(([^)]+)\)", README):
+        if not target.startswith("#"):
+            assert (root / target).exists(), target
+
+
+def test_every_command_of_the_table_exists() -> None:
+    from typer.main import get_command
+
+    from dynsplines.cli import app
+
+    names = set(get_command(app).commands)  # type: ignore[attr-defined]
+    for command in re.findall(r"`dynsplines (\w+)", README):
+        assert command in names, command

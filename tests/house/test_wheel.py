@@ -1,0 +1,82 @@
+"""The wheel holds the package with its data and nothing else, and works from an empty folder."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+PIP = [sys.executable, "-m", "pip", "--disable-pip-version-check", "--no-input", "-q"]
+READ = (
+    "from dynsplines import load, models; import dynsplines.solver; print(models.__file__);"
+    "print(models.clip_text('run_and_step')); print(load('run_and_step')); print(models.figures())"
+)
+PACKAGES = {"runner": "dynsplines", "models": "dynsplines/models", "solver": "dynsplines/solver"}
+
+
+@pytest.fixture(scope="module")
+def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder, source = tmp_path_factory.mktemp("wheel"), tmp_path_factory.mktemp("source")
+    for name in (*PACKAGES, "pyproject.toml", "README.md", "LICENSE", "MANIFEST.in"):
+        if (ROOT / name).is_dir():
+            shutil.copytree(ROOT / name, source / name)
+        else:
+            shutil.copy(ROOT / name, source / name)
+    command = [*PIP, "wheel", "--no-deps", "--no-build-isolation", "--no-index", "-w", str(folder), str(source)]
+    subprocess.run(command, check=True, capture_output=True, text=True)
+    (built,) = folder.glob("*.whl")
+    return built
+
+
+@pytest.fixture(scope="module")
+def contents(wheel: Path) -> set[str]:
+    with zipfile.ZipFile(wheel) as archive:
+        return set(archive.namelist())
+
+
+@pytest.mark.slow
+def test_the_wheel_holds_exactly_the_packages_and_their_data(contents):
+    wanted = {
+        f"{package}/{path.relative_to(ROOT / folder).as_posix()}"
+        for folder, package in PACKAGES.items()
+        for path in (ROOT / folder).rglob("*")
+        if path.is_file() and "__pycache__" not in path.parts and not path.name.startswith(".")
+    }
+    assert {name for name in contents if ".dist-info/" not in name} == wanted
+    named = ("py.typed", "models/human.xml", "models/clips/run_and_step.toml", "solver/penalty/motion/unit.py")
+    assert {f"dynsplines/{name}" for name in named} <= wanted
+
+
+@pytest.mark.slow
+def test_the_wheel_knows_its_command_its_licence_and_nothing_of_the_tests(contents, wheel):
+    assert {name.split("/")[0].split("-")[0] for name in contents} == {"dynsplines", "dynamic_splines"}
+    (top,) = (name for name in contents if name.endswith("top_level.txt"))
+    (entries,) = (name for name in contents if name.endswith("entry_points.txt"))
+    with zipfile.ZipFile(wheel) as archive:
+        assert archive.read(top).decode().split() == ["dynsplines"]
+        assert "dynsplines = dynsplines.start:main" in archive.read(entries).decode()
+    assert any("licenses/LICENSE" in name for name in contents)
+
+
+@pytest.mark.slow
+def test_an_installed_wheel_works_beside_a_project_with_folders_of_the_same_names(wheel, tmp_path):
+    target = tmp_path / "site"
+    command = [*PIP, "install", "--no-deps", "--no-index", "--no-compile", "--target", str(target), str(wheel)]
+    subprocess.run(command, check=True, capture_output=True, text=True)
+    project = tmp_path / "project"
+    for name in PACKAGES:
+        (project / name).mkdir(parents=True)
+        (project / name / "__init__.py").write_text(f"raise ImportError('the project's own {name}')")
+    script = f"import sys; sys.path[:0] = [{str(project)!r}, {str(target)!r}]; {READ}"
+    command = [sys.executable, "-I", "-c", script]
+    done = subprocess.run(command, cwd=project, check=True, capture_output=True, text=True)
+    place, *rest = done.stdout.splitlines()
+    assert Path(place) == target / "dynsplines" / "models" / "__init__.py"
+    assert 'figure = "human"' in rest
+    assert "'human'" in rest[-1]
+    assert (target / "bin" / "dynsplines").is_file()

@@ -1,0 +1,80 @@
+"""The records of soft constraints: the README's table has them all, options are known, and what is wrong is told."""
+
+import re
+import tomllib
+from pathlib import Path
+
+import pytest
+
+from dynsplines import UserError, load
+from dynsplines.clip.kinds import KINDS
+
+README = (Path(__file__).parents[3] / "README.md").read_text(encoding="utf-8")
+CLIP = """
+figure = "human"
+[[keyframe]]
+time = 0
+others = "rest"
+[[keyframe]]
+time = 1
+others = "rest"
+[[penalty]]
+"""
+
+
+def rows() -> dict[str, tuple[str, str]]:
+    """Default weight and text of every kind in the README's table."""
+    table = README[README.index("| kind | default weight |") :].split("\n\n")[0]
+    found = {}
+    for line in table.splitlines()[2:]:
+        names, weight, text = (cell.strip() for cell in line.strip("|").split("|", 2))
+        found |= dict.fromkeys(re.findall(r"`(\w+)`", names), (weight, text))
+    return found
+
+
+def test_the_readme_knows_every_kind_its_weight_and_its_options():
+    told = rows()
+    assert told.keys() == KINDS.keys()
+    for kind in KINDS.values():
+        weight, text = told[kind.name]
+        assert weight.split(",")[0] == ("–" if kind.weight is None else f"{kind.weight:g}")
+        for option in kind.choices():
+            assert f"`{option}" in text, (kind.name, option)
+
+
+def test_every_option_says_what_it_is_given_in():
+    assert all(text for kind in KINDS.values() for text in kind.choices().values())
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_every_kind_is_made_or_is_nothing_to_look_at(kind):
+    clip = load(CLIP + f'kind = "{kind}"\nweight = 0.5\n' + ('bodies = ["chest"]' if kind == "level" else ""))
+    made = {penalty.name: weight for penalty, weight in clip.penalties}
+    absent = {"placement", "upright", "resting", "hold", "coupled", "closed", "range", "cycle"}
+    assert made.get(kind, 0.5 if kind in absent else None) == 0.5
+
+
+@pytest.mark.parametrize(
+    ("said", "told"),
+    [
+        (
+            'kind = "bend"\nsideway = 3',
+            "penalty 1: no key 'sideway'; did you mean 'sideways'?",
+        ),
+        ('kind = "bend"\nsideways = "x"', "penalty 1: sideways must be a number, not 'x'"),
+        ('kind = "bend"\nsideways = 0', "penalty 1: sideways must be above 0, not 0"),
+        ('kind = "bend"\nweight = -1', "penalty 1: weight must be at least 0, not -1"),
+        ('kind = "bend"\nmargin = 0', "penalty 1: 'margin' is not for kind 'bend', which takes: weight, joints, least"),
+        ('kind = "bent"', "no penalty 'bent'"),
+        ('kind = "flight"\nintervals = [[0]]', "penalty 1: intervals must be a list of [from, to] in seconds"),
+        ('kind = "level"\nbodies = "chest"', "penalty 1: bodies must be a list of names, not 'chest'"),
+        ('kind = "level"\nbodies = ["chets"]', "no body 'chets'"),
+        ('kind = "level"\nbodies = ["chest"]\naxis = [0, 0, 0]', "axis is [0, 0, 0], which points nowhere"),
+        ('kind = "level"\nbodies = ["chest"]\naxis = [0, 1]', "axis"),
+    ],
+)
+def test_what_is_wrong_names_table_key_and_value(said, told):
+    with pytest.raises(UserError) as caught:
+        load(CLIP + said)
+    assert told in str(caught.value)
+    assert tomllib.loads(CLIP + said)

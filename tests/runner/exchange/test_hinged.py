@@ -1,0 +1,134 @@
+"""Ball joints as three hinges, against MuJoCo and SciPy."""
+
+import itertools
+
+import mujoco
+import numpy as np
+import pytest
+import wild
+from figures import BALL_TREE
+from scipy.spatial.transform import Rotation
+
+from dynsplines.errors import UserError
+from dynsplines.exchange.skeleton.hinged import Hinged, Layout, angles, rates, rotation_of
+from dynsplines.exchange.take import Take
+from dynsplines.scene.assets import Scene
+from dynsplines.solver import quaternion as quat
+
+ORDERS = ["".join(order) for order in itertools.permutations("xyz")]
+
+
+@pytest.fixture(scope="module")
+def take():
+    return Take.of(wild.motion_of("human"))
+
+
+def test_all_bodies_of_the_variant_stand_and_move_as_those_of_the_figure(take):
+    hinged = take.hinged
+    names = [[m.body(i).name for i in range(m.nbody)] for m in (take.model, hinged.model)]
+    assert names[0] == names[1]
+    assert not np.any(hinged.model.jnt_type == mujoco.mjtJoint.mjJNT_BALL)
+    ball = wild.poses(take.model, take.qpos, take.qvel)
+    hinge = wild.poses(hinged.model, hinged.qpos, hinged.qvel)
+    np.testing.assert_allclose(hinge["xpos"], ball["xpos"], atol=1e-9)
+    np.testing.assert_allclose(hinge["xmat"], ball["xmat"], atol=1e-9)
+    np.testing.assert_allclose(hinge["velocity"], ball["velocity"], atol=1e-7)
+    np.testing.assert_array_equal(take.model.body_mass, hinged.model.body_mass)
+    np.testing.assert_array_equal(take.model.body_inertia, hinged.model.body_inertia)
+
+
+def test_joints_carry_the_names_of_the_balls_and_their_axes_in_order(take):
+    model = take.hinged.model
+    names = [model.joint(i).name for i in range(model.njnt)]
+    assert names[:7] == [
+        "root",
+        "spine_x",
+        "spine_z",
+        "spine_y",
+        "left_shoulder_x",
+        "left_shoulder_z",
+        "left_shoulder_y",
+    ]
+    assert names == take.hinged.layout.names
+    np.testing.assert_array_equal(model.jnt_axis[1:4], [[1, 0, 0], [0, 0, 1], [0, 1, 0]])
+
+
+@pytest.mark.slow
+def test_velocities_are_the_differences_of_neighbouring_samples(take):
+    fine = Take.of(take.saved, 5000.0).hinged
+    ahead = np.zeros(fine.model.nv)
+    mujoco.mj_differentiatePos(fine.model, ahead, 2 / 5000, fine.qpos[2000], fine.qpos[2002])
+    # over the step the root turns: differentiatePos speaks in its first axes, the middle sample in its own
+    np.testing.assert_allclose(ahead[6:], fine.qvel[2001, 6:], atol=1e-4)
+    np.testing.assert_allclose(ahead[:3], fine.qvel[2001, :3], atol=1e-4)
+
+
+@pytest.mark.parametrize("order", ORDERS)
+def test_angles_of_every_order_are_intrinsic_rotations_in_it(order, rng):
+    q = rng.normal(size=(40, 2, 4))
+    angle = angles(q, order)
+    own = Rotation.from_euler(order.upper(), angle.reshape(-1, 3)).as_matrix()
+    np.testing.assert_allclose(own, Rotation.from_quat(q.reshape(-1, 4), scalar_first=True).as_matrix(), atol=1e-12)
+    assert np.max(quat.angle_between(rotation_of(angle, order), q)) < 1e-12
+
+
+@pytest.mark.parametrize("order", ORDERS)
+def test_angles_go_on_through_the_lock_and_beyond_whole_turns(order):
+    t = np.linspace(0, 1, 401)[:, None]
+    smooth = np.concatenate([8 * t, np.pi * t, 0.3 - 9 * t], 1)  # the middle one passes 90° in sample 200, exactly
+    found = angles(rotation_of(smooth, order)[:, None], order)[:, 0]
+    assert np.max(quat.angle_between(rotation_of(found, order), rotation_of(smooth, order))) < 1e-7
+    np.testing.assert_allclose(found[:200], smooth[:200], atol=1e-7)
+    np.testing.assert_allclose(found[:, 1], smooth[:, 1], atol=1e-6)
+    assert np.max(np.abs(np.diff(found, axis=0))) < 0.06
+    spin = quat.rotation_vector(
+        quat.product(quat.inverse(rotation_of(smooth[99], order)), rotation_of(smooth[101], order))
+    )
+    np.testing.assert_allclose(rates(smooth[100], spin * 200, order), [8, np.pi, -9], rtol=2e-3)
+    assert np.all(np.isfinite(rates(smooth[200], np.array([5.0, 6, 7]), order)))
+
+
+def test_configurations_come_back(take):
+    layout = take.hinged.layout
+    back = layout.back(take.hinged.qpos)
+    np.testing.assert_array_equal(back[:, :7], take.qpos[:, :7])
+    signs = np.abs(np.sum((back * take.qpos)[:, 7:].reshape(len(back), -1, 4), axis=-1))
+    np.testing.assert_allclose(signs, 1, atol=1e-12)
+
+
+def test_a_joint_near_the_lock_is_told_and_one_far_off_is_not():
+    model = mujoco.MjModel.from_xml_string(BALL_TREE)
+    qpos = np.tile(model.qpos0, (3, 1))
+    layout = Layout(model)
+    at = int(model.jnt_qposadr[model.joint("elbow").id])
+    qpos[1, at : at + 4] = quat.from_rotation_vector(np.radians([0, 0, 85]))
+    found = Hinged.of(model, Scene(BALL_TREE), qpos, np.zeros((3, model.nv))).warning(np.array([0, 0.5, 1]))
+    assert found is not None and found.startswith("'elbow' comes within 5° of gimbal lock at 0.50 s")
+    qpos[1, at : at + 4] = quat.from_rotation_vector(np.radians([170, 0, 0]))
+    assert Hinged.of(model, Scene(BALL_TREE), qpos, np.zeros((3, model.nv))).warning(np.arange(3.0)) is None
+    assert layout.balls == [1, 2, 3]
+
+
+def test_what_acts_on_ball_joints_goes_and_anchors_and_damping_stay():
+    text = BALL_TREE.replace('name="hip" type="ball"', 'name="hip" type="ball" damping="0.5" range="0 1"').replace(
+        "</mujoco>",
+        '<actuator><motor joint="elbow"/></actuator><sensor><ballquat joint="hip"/><framepos objtype="body" '
+        'objname="leg"/></sensor><keyframe><key time="1"/></keyframe></mujoco>',
+    )
+    model = mujoco.MjModel.from_xml_string(text)
+    variant = mujoco.MjModel.from_xml_string(Layout(model).mjcf(text))
+    assert (variant.nu, variant.nsensor, variant.nkey) == (0, 1, 0)
+    hips = [variant.joint(f"hip_{axis}") for axis in "xzy"]
+    assert all(joint.damping[0] == 0.5 and not variant.jnt_limited[joint.id] for joint in hips)
+    np.testing.assert_array_equal([joint.pos for joint in hips], [[0.01, 0.02, 0.03]] * 3)
+
+
+def test_a_figure_of_hinges_stays_as_it_is_and_a_name_twice_is_refused(tmp_path):
+    (tmp_path / "robot.xml").write_text(wild.ROBOT)
+    take = Take.of(wild.motion_of(str(tmp_path / "robot.xml")))
+    assert take.hinged.model is take.model and not take.hinged.is_other
+    np.testing.assert_array_equal(take.hinged.qpos, take.qpos)
+    text = BALL_TREE.replace('name="elbow"', 'name="hip_x" type="hinge"/><joint name="elbow"')
+    model = mujoco.MjModel.from_xml_string(text)
+    with pytest.raises(UserError, match="two joints 'hip_x'"):
+        _ = Layout(model).names

@@ -1,0 +1,438 @@
+"""What is wrong with a motion is told: every kind on a motion that has it and nothing else, worst first and soon."""
+
+from __future__ import annotations
+
+import io
+import itertools
+import re
+import time
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from rich.console import Console
+
+from dynsplines import Keyframe, build, inbetween, load_motion, motion, work
+from dynsplines.clip import load as clip
+from dynsplines.clip.load import Clip
+from dynsplines.edit import edits
+from dynsplines.measure import problems
+from dynsplines.measure.bounds import BOUNDS, WHIP_SHARE
+from dynsplines.measure.penetration import penetration
+from dynsplines.measure.problems import Problem
+from dynsplines.motion import sampled
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.search.optimiser import Stop
+from dynsplines.system.progress import Teller
+
+REST = '\n[[keyframe]]\ntime = {}\nothers = "rest"\n'
+HIGH = REST + "root.position = [0, 0, 3]\n"  # above all floors
+SQUAT = 'figure = "human"\n' + REST.format(0) + REST.format(1) + "root.position = [0, 0, 0.73]\n" + REST.format(2)
+
+BALL = """<mujoco><worldbody><body name="ball" pos="0 0 1"><freejoint name="root"/>
+  <geom name="ball" type="sphere" size=".1" mass="1"/><site name="mark" pos="0 0 0"/></body></worldbody></mujoco>"""
+ARM = """<mujoco><compiler angle="degree" autolimits="true"/><worldbody>
+  <body name="rail" pos="0 0 2"><joint name="slide" type="slide" axis="1 0 0" range="-1 1"/><geom size=".05" mass="1"/>
+    <body name="upper" pos="0 .2 0"><joint name="swing" type="hinge" axis="0 1 0" range="-90 90"/>
+      <geom type="capsule" size=".03" fromto="0 0 0 0 0 -.3"/><site name="tip" pos="0 0 -.3"/></body></body>
+  {more}</worldbody>{equality}</mujoco>"""
+TWIN = """<body name="twin" pos="0 .4 2"><joint name="twin" type="hinge" axis="0 1 0"/>
+  <geom type="capsule" size=".03" fromto="0 0 0 0 0 -.3"/></body>"""
+TRUNK = """<mujoco><compiler angle="degree"/><worldbody><body name="trunk" pos="0 0 2"><freejoint name="root"/>
+  <geom name="trunk" type="capsule" size=".1" fromto="0 0 -.2 0 0 .2" mass="9"/>
+  <body name="arm" pos="0 .3 .2"><joint name="shoulder" type="ball"/>
+    <geom name="arm" type="capsule" size=".03" fromto="0 0 -.02 0 0 -.1" mass="1"/>
+    <body name="hand" pos="0 0 -.2"><joint name="wrist" type="ball"/>
+      <geom name="hand" type="capsule" size=".04" fromto="0 0 0 0 0 -.15" mass="1"/></body></body>
+</body></worldbody></mujoco>"""
+
+
+def quiet() -> Teller:
+    return Teller(Console(file=io.StringIO()))
+
+
+def read(text: str, figure: str = "", folder: Path | None = None) -> Clip:
+    """A clip from text, its figure in a file called it.xml."""
+    if folder is not None:
+        (folder / "it.xml").write_text(figure, encoding="utf-8")
+        text = 'figure = "it.xml"\n' + text
+    return clip.from_text(text, name="it", folder=folder)
+
+
+def wrong(problem: Clip, timeline: Timeline | None = None, stop: Stop = Stop.CONVERGED) -> tuple[Problem, ...]:
+    """With the raw spline, or with another timeline through its keyframes."""
+    raw = work.unsolved(problem).motion.raw
+    return problems.problems(problem, timeline or raw, raw, stop)
+
+
+def unposed(problem: Clip) -> Clip:
+    """The clip as if nobody had posed what its keyframes leave to the search."""
+    return replace(problem, keys=tuple(replace(key, posed=None) for key in problem.keys))
+
+
+def kinds(found: Sequence[Problem]) -> set[str]:
+    return {each.kind for each in found}
+
+
+def with_frame(problem: Clip, at: float, change: np.ndarray) -> Timeline:
+    """The raw spline with one more frame, in which the state is another."""
+    raw = work.unsolved(problem).motion.raw
+    return raw.inserted([Frame.variable(at, path_of(raw).at(np.array([at]))[0] + change)])
+
+
+# what is said
+
+
+def test_a_keyframe_in_the_floor_is_to_blame_itself_and_the_path_to_it_is_not():
+    found = wrong(read(SQUAT))
+    assert kinds(found) == {"penetration"}
+    assert {each.keyframe for each in found} == {2}
+    assert found[0].text in (
+        "keyframe 2 itself: left_heel is 200 mm in the floor at 1.00 s",
+        "keyframe 2 itself: right_heel is 200 mm in the floor at 1.00 s",
+    )
+    assert found[0].amount == pytest.approx(0.2, abs=1e-4)
+    assert (found[0].time, found[0].unit, found[0].bound) == (1.0, "m", BOUNDS["penetration"].most)
+
+
+def test_a_path_that_goes_deeper_than_the_keyframes_beside_it_is_to_blame_too():
+    problem = read(SQUAT)
+    down = np.zeros(problem.figure.width)
+    down[2] = -0.3
+    found = wrong(problem, with_frame(problem, 0.8, down))
+    path = [each for each in found if each.keyframe is None and each.name.endswith(("heel", "toe"))]
+    assert {each.kind for each in path} >= {"penetration"}
+    assert path[0].text.startswith(f"{path[0].name} is ")
+    assert path[0].amount > 0.3
+    assert any(each.keyframe == 2 for each in found)
+
+
+def test_between_frames_a_path_in_the_floor_is_found_as_deep_as_it_is(tmp_path):
+    rows = "".join(
+        f"[[keyframe]]\ntime = {t}\nroot = {{position = [0, 0, {z}], rotation = {{rotvec = [0, 0, 0]}}}}\n"
+        for t, z in ((0, 1), (0.5, 0.11), (1, 0.11), (1.5, 1))
+    )
+    problem = read(rows, BALL, tmp_path)
+    (found,) = wrong(problem)
+    run = sampled(problem.figure, work.unsolved(problem).motion.raw, 1000.0)
+    seen = penetration(problem.figure.model, run.time, run.qpos)
+    assert found.amount == pytest.approx(seen.deepest, abs=1e-4)
+    assert found.time == pytest.approx(0.75, abs=0.01)
+    assert found.text == f"ball is {1000 * seen.deepest:.0f} mm in the floor at {found.time:.2f} s"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["hand_on_rail", "jump_over_box", "sit_down"])
+def test_depths_are_mujocos(name):
+    problem = clip.load(name)
+    raw = work.unsolved(problem).motion.raw
+    found = [each for each in wrong(problem) if each.kind == "penetration"]
+    run = sampled(problem.figure, raw, 240.0)
+    seen = penetration(problem.figure.model, run.time, run.qpos)
+    assert seen.deepest > 0.02
+    assert found[0].amount == pytest.approx(seen.deepest, abs=0.002)
+    assert f"in the {seen.worst().split(' in ')[1].split()[0]} " in found[0].text
+
+
+def test_a_figure_that_goes_through_a_box_is_told_though_its_keyframes_are_out_of_it(tmp_path):
+    box = '[[scene.box]]\nname = "crate"\nposition = [0, 0, 1]\nsize = [0.4, 0.4, 0.4]\n'
+    rows = "".join(
+        f"[[keyframe]]\ntime = {t}\nroot = {{position = [{x}, 0.05, 1], rotation = {{rotvec = [0, 0, 0]}}}}\n"
+        for t, x in ((0, -1), (1, 1))
+    )
+    (found,) = wrong(read(box + rows, BALL, tmp_path))
+    assert (found.kind, found.name, found.keyframe) == ("penetration", "ball", None)
+    assert found.amount == pytest.approx(0.25, abs=0.01)  # 0.15 m to the nearest face, and the ball's radius
+    assert "ball is 250 mm in the crate at " in found.text
+    assert found.time == pytest.approx(0.5, abs=0.1)
+
+
+@pytest.mark.parametrize(
+    ("turn", "kind", "text"),
+    [
+        ([0, -20, 0], "backward", "left_knee is bent 20° backward at 1.00 s"),
+        ([20, 0, 0], "sideways", "left_knee bends 12° farther sideways than it may at 1.00 s"),
+        ([0, 0, 20], "twist", "left_knee is twisted 12° farther than it may be at 1.00 s"),
+    ],
+)
+def test_a_knee_bent_the_wrong_way(turn, kind, text):
+    knee = f"joints.left_knee = {{rotvec = {turn}}}\n"
+    middle = HIGH.format(1)
+    found = wrong(read('figure = "human"\n' + HIGH.format(0) + middle + knee + HIGH.format(2)))
+    assert [(each.kind, each.keyframe) for each in found] == [(kind, 2)]
+    assert found[0].text == f"keyframe 2 itself: {text}"
+
+
+def test_bends_that_a_clip_does_not_want_are_not_told():
+    text = 'figure = "human"\n[[penalty]]\nkind = "bend"\nweight = 0\n' + HIGH.format(0) + HIGH.format(1)
+    assert wrong(read(text + "joints.left_knee = {rotvec = [0, -20, 0]}\n")) == ()
+
+
+@pytest.mark.parametrize(
+    ("key", "kind", "text"),
+    [
+        ("swing = 98", "range", "swing is 8° beyond its range at 1.00 s"),
+        ("slide = 1.02", "travel", "slide is 20 mm beyond its range at 1.00 s"),
+    ],
+)
+def test_a_joint_beyond_its_range(tmp_path, key, kind, text):
+    other = "joints.slide = 0\n" if "swing" in key else "joints.swing = 0\n"
+    rows = f"[[keyframe]]\ntime = 0\njoints.swing = 0\njoints.slide = 0\n[[keyframe]]\ntime = 1\njoints.{key}\n{other}"
+    (found,) = wrong(read(rows, ARM.format(more="", equality=""), tmp_path))
+    assert (found.kind, found.text) == (kind, f"keyframe 2 itself: {text}")
+
+
+TWO = (
+    "[[keyframe]]\ntime = 0\njoints = {{slide = 0, swing = 0, twin = 0}}\n"
+    "[[keyframe]]\ntime = 1\njoints = {{slide = 0, swing = {}, twin = {}}}\n"
+)
+
+
+def test_joints_off_what_they_follow(tmp_path):
+    couple = '<equality><joint joint1="twin" joint2="swing" polycoef="0 1 0 0 0"/></equality>'
+    (found,) = wrong(read(TWO.format(30, 24), ARM.format(more=TWIN, equality=couple), tmp_path))
+    assert (found.kind, found.keyframe) == ("coupled", 2)
+    assert found.text == "keyframe 2 itself: twin is 6° off what it follows at 1.00 s"
+
+
+def test_a_loop_that_is_torn(tmp_path):
+    twin = TWIN.replace("0 .4 2", "0 .2 2")
+    tied = '<equality><connect name="bolt" body1="upper" body2="twin" anchor="0 0 -.3"/></equality>'
+    (found,) = wrong(read(TWO.format(20, 14), ARM.format(more=twin, equality=tied), tmp_path))
+    assert (found.kind, found.keyframe) == ("torn", 2)
+    assert found.amount == pytest.approx(2 * 0.3 * np.sin(np.radians(3)), rel=1e-3)
+    assert found.text == "keyframe 2 itself: the loop of bolt is torn by 31 mm at 1.00 s"
+
+
+def standing(*places: float) -> str:
+    """A clip of a figure that stands at places along x [m], one a second."""
+    key = '[[keyframe]]\ntime = {}\nroot.position = [{}, 0, 0.93]\nothers = "rest"\n'
+    return 'figure = "human"\n' + "".join(key.format(t, x) for t, x in enumerate(places))
+
+
+STANDING = standing(0, 0, 0.4)
+
+
+def test_a_contact_that_moves_and_its_worst_moment():
+    contact = '[[contact]]\npoint = "right_toe"\nfrom = 1.2\nto = 1.8\n'
+    problem = read(STANDING + contact)
+    found = [each for each in wrong(problem) if each.kind == "contact"]
+    raw = path_of(work.unsolved(problem).motion.raw)
+    x = raw.at(np.array([1.2, 1.5, 1.8]))[:, 0]
+    assert [(each.name, each.keyframe) for each in found] == [("right_toe", None)]
+    assert found[0].amount == pytest.approx(max(x[1] - x[0], x[2] - x[1]), abs=1e-3)
+    assert found[0].time in (1.2, 1.8)
+    assert found[0].text.startswith("contact right_toe moves ")
+    assert " while it should rest at " in found[0].text
+
+
+def test_a_contact_that_is_up_in_the_air():
+    contact = '[[contact]]\npoint = "right_toe"\nfrom = 0.4\nto = 0.6\n'
+    problem = read(STANDING.replace("0.93", "1.03") + contact)
+    (found,) = [each for each in wrong(problem) if each.kind in ("hover", "contact")]
+    assert found.kind == "hover"
+    assert found.text.startswith("contact right_toe is 100 mm up while it should rest")
+
+
+def test_a_foot_that_keyframes_leave_standing_slides():
+    problem = read(standing(0, 0, 0))
+    assert wrong(problem) == ()
+    aside = np.zeros(problem.figure.width)
+    aside[1] = 0.05
+    found = wrong(problem, with_frame(problem, 0.5, aside))
+    assert kinds(found) == {"stance"}
+    assert len(found) == 2  # a foot each
+    assert found[0].amount == pytest.approx(0.05, abs=0.005)
+    assert "between keyframes that put it in one place at 0.5" in found[0].text
+
+
+def test_keyframes_that_move_a_contact_are_to_blame_themselves():
+    contact = '[[contact]]\npoint = "right_toe"\nfrom = 0\nto = 1\n'
+    (found,) = [each for each in wrong(read(standing(0, 0.03, 0.03) + contact)) if each.kind == "contact"]
+    assert (found.keyframe, found.amount) == (2, pytest.approx(0.03, abs=1e-6))
+    assert found.text.startswith("keyframe 2 itself: right_toe, which is to rest, is 30 mm from where")
+
+
+def test_a_point_off_the_place_that_the_search_was_to_find(tmp_path):
+    rows = "[[keyframe]]\ntime = 0\njoints = {slide = 0, swing = 0}\n"
+    rows += '[[keyframe]]\ntime = 1\nsites.tip = {position = [0.05, 0.2, 1.7], by = "search"}\n'
+    problem = unposed(read(rows, ARM.format(more="", equality=""), tmp_path))
+    (found,) = wrong(problem)
+    assert (found.kind, found.name, found.keyframe) == ("placement", "tip", None)
+    assert found.text == "tip is 50 mm off its place at 1.00 s"
+    assert wrong(problem, work.solve(problem, quiet()).motion.timeline) == ()
+
+
+def test_limbs_in_each_other_only_where_the_clip_asks(tmp_path):
+    rows = "".join(
+        f"[[keyframe]]\ntime = {t}\nroot = {{position = [0, 0, 2], rotation = {{rotvec = [0, 0, 0]}}}}\n"
+        f"joints = {{shoulder = {{rotvec = [-40, {turn}, 0]}}, wrist = {{rotvec = [0, 0, 0]}}}}\n"
+        for t, turn in ((0, 40), (1, -40))
+    )
+    assert wrong(read(rows, TRUNK, tmp_path)) == ()
+    (found,) = wrong(read(rows + "[[penalty]]\nkind = 'self'\nweight = 1\nmargin = 0.01\n", TRUNK, tmp_path))
+    assert (found.kind, found.keyframe) == ("self", None)
+    assert 0.05 < found.amount < 0.14
+    assert found.text.startswith("trunk and hand are ")
+
+
+def test_a_limb_that_whips():
+    problem = read('figure = "human"\n' + HIGH.format(0) + HIGH.format(1))
+    raw = work.unsolved(problem).motion.raw
+    elbow = next(link for link in problem.figure.links if link.name == "left_elbow")
+    assert problem.figure.is_world
+    state = path_of(raw).at(np.array([0.5]))[0]
+    turned = state.copy()
+    turned[elbow.qpos : elbow.qpos + 4] = quat.product(
+        quat.from_rotation_vector(np.array([0, -1.0, 0])), state[elbow.qpos : elbow.qpos + 4]
+    )
+    frames = [Frame.variable(0.45, state), Frame.variable(0.5, turned), Frame.variable(0.55, state)]
+    found = [each for each in wrong(problem, raw.inserted(frames)) if each.kind == "whip"]
+    assert found[0].name == "left_elbow"
+    assert found[0].text.startswith("left_elbow whips: ")
+    assert found[0].time == pytest.approx(0.5, abs=0.06)
+
+
+def test_a_quaternion_far_from_length_one(tmp_path):
+    rows = "".join(
+        f"[[keyframe]]\ntime = {t}\nroot = {{position = [0, 0, 2], rotation = {{rotvec = [0, 0, 0]}}}}\n"
+        for t in (0, 1)
+    )
+    problem = read(rows, BALL, tmp_path)
+    (found,) = wrong(problem, with_frame(problem, 0.5, np.array([0, 0, 0, -0.7, 0, 0, 0])))
+    assert (found.kind, found.name) == ("length", "root")
+    assert found.amount == pytest.approx(0.7, abs=0.02)
+
+
+@pytest.mark.parametrize("stop", Stop)
+def test_a_search_that_ended_early(stop):
+    found = wrong(read(standing(0, 0)), stop=stop)
+    assert kinds(found) == ({"search"} if stop in (Stop.BUDGET, Stop.STUCK) else set())
+    for each in found:
+        assert each.time is None
+        assert each.text == f"the search ended before it was done: {stop.value}"
+
+
+# in what order, how many, how fast
+
+
+def test_the_worst_comes_first_by_how_many_times_its_bound_it_is():
+    text = SQUAT.replace(
+        'time = 2\nothers = "rest"\n', 'time = 2\nothers = "rest"\njoints.left_knee = {rotvec = [0, -20, 0]}\n'
+    )
+    text += '[[contact]]\npoint = "right_toe"\nfrom = 0.3\nto = 0.9\n'
+    found = wrong(read(text), stop=Stop.BUDGET)
+    assert len(kinds(found)) >= 4
+    severities = [each.amount / each.bound for each in found]
+    assert severities == sorted(severities, reverse=True) == [each.severity for each in found]
+    assert all(severity >= 1 for severity in severities)
+    for one, two in itertools.pairwise(found):
+        assert one != two
+
+
+def test_of_many_lines_the_worst_are_told_and_the_rest_counted():
+    many = [Problem("range", f"joint {i}", 0.1, 20.0 - i, "degrees", 2.0, None, f"joint {i} is off") for i in range(14)]
+    lines = problems.lines(many, "it.npz")
+    assert lines[:2] == ["problem: joint 0 is off", "problem: joint 1 is off"]
+    assert lines[10:] == ["... and 4 more: dynsplines report it.npz"]
+    assert problems.lines(many[:10]) == lines[:10]
+    assert problems.lines([]) == []
+
+
+def test_limbs_that_one_keyframe_sinks_are_one_line():
+    found = wrong(read(SQUAT))
+    (line,) = problems.lines(found)
+    assert line == f"problem: {found[0].text}; {len(found) - 1} more of it are"
+    assert len(found) == 4
+
+
+@pytest.mark.slow
+def test_the_look_is_quick():
+    problem = clip.load("run_and_step")
+    wrong(problem)
+    raw = work.unsolved(problem).motion.raw
+    spent = []
+    for _ in range(3):
+        begin = time.perf_counter()
+        problems.problems(problem, raw, raw)
+        spent.append(time.perf_counter() - begin)
+    assert min(spent) < 0.5  # a twentieth of that, on a machine that has nothing else to do
+
+
+# of motions in files
+
+
+@pytest.fixture(scope="module")
+def walked() -> motion.Saved:
+    """A motion with a contact that moves and a place that is missed."""
+    contact = '[[contact]]\npoint = "right_toe"\nfrom = 1.2\nto = 1.8\n'
+    site = 'sites.left_hand = {position = [0.5, 0.4, 1.2], by = "search"}\n'
+    return work.unsolved(unposed(read(STANDING + site + contact))).saved(quiet(), with_report=False)
+
+
+def said(saved: motion.Saved) -> set[tuple[str, str]]:
+    return {(each.kind, each.name) for each in problems.of_motion(saved)}
+
+
+@pytest.mark.slow
+def test_a_motion_from_a_file_has_the_problems_that_it_had(walked, tmp_path):
+    assert said(walked) >= {("contact", "right_toe"), ("placement", "left_hand")}
+    motion.save(walked, tmp_path / "m.npz")
+    again = motion.load(tmp_path / "m.npz")
+    assert [each.text for each in problems.of_motion(again)] == [each.text for each in problems.of_motion(walked)]
+    assert [each.text for each in load_motion(tmp_path / "m.npz").problems] == [
+        each.text for each in problems.of_motion(walked)
+    ]
+
+
+@pytest.mark.slow
+def test_edited_motions_are_looked_at_as_what_they_are(walked):
+    assert said(edits.mirrored(walked)) >= {("contact", "left_toe"), ("placement", "right_hand")}
+    fast = problems.of_motion(edits.retimed(walked, 2.0))
+    assert {each.time for each in fast if each.kind == "placement"} == {1.0}
+    assert ("contact", "right_toe") in said(edits.trimmed(walked, 1.1, 2.0))
+    assert ("contact", "right_toe") not in said(edits.trimmed(walked, 0.0, 1.1))
+    later = problems.of_motion(edits.joined(walked, walked, 0.4, quiet()))
+    assert {each.kind for each in later} >= {"contact"}
+
+
+def test_a_text_that_nobody_can_read_is_no_reason_not_to_look(walked):
+    assert isinstance(problems.of_motion(replace(walked, text="figure = ")), tuple)
+
+
+@pytest.mark.slow
+def test_why_the_search_ended_is_in_the_file(tmp_path):
+    keys = [Keyframe(0, others="rest"), Keyframe(0.8, root={"position": [0.7, 0, 1.2]}, others="rest")]
+    found = inbetween(build("human", keys, scene={"step": {"x": 0.4, "height": 0.27}}, solve={"evaluations": 2}))
+    assert [each.kind for each in found.problems].count("search") == 1
+    found.save(tmp_path / "m.npz")
+    assert motion.load(tmp_path / "m.npz").report == {}
+    again = load_motion(tmp_path / "m.npz")
+    assert [each.text for each in again.problems] == [each.text for each in found.problems]
+    assert again.report()["evaluations"] == found.saved.search["evaluations"] > 0
+    assert found.saved.search["seconds"] > 0
+    assert "seconds" not in again.report()  # a file knows no clock
+    assert again.report()["stopped because"] == Stop.BUDGET.value
+    assert [each["text"] for each in again.report()["problems"]] == [each.text for each in found.problems]
+    assert str(again.report()).splitlines()[0].startswith("problem: ")
+    again.save(tmp_path / "measured.npz")
+    assert motion.load(tmp_path / "measured.npz").report["keyframes"] == 2
+
+
+def test_the_bounds_of_the_page_are_those_of_the_code():
+    """A row for every bound, or one for two of the same size."""
+    page = (Path(__file__).parents[3] / "docs" / "problems.md").read_text(encoding="utf-8")
+    told = {}
+    for names, most in re.findall(r"^\| (`[^|]+`) \| ([^|]+) \|", page, flags=re.MULTILINE):
+        told |= dict.fromkeys(re.findall(r"`([^`]+)`", names), most)
+    spoken = {"m": lambda most: f"{1000 * most:g} mm", "degrees": lambda most: f"{most:g}°"}
+    said = {
+        kind: spoken.get(bound.unit, lambda most, unit=bound.unit: f"{most:g} {unit}".strip())(bound.most)
+        for kind, bound in BOUNDS.items()
+    }
+    assert told == said | {"search": "–"}
+    assert f"{WHIP_SHARE:g} times the raw spline's" in page

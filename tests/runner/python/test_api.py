@@ -1,0 +1,415 @@
+"""`from dynsplines import ...`: what users of Python get, as they would use it."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from dataclasses import FrozenInstanceError
+from pathlib import Path
+from typing import Any
+
+import mujoco
+import numpy as np
+import pytest
+from figures import EVERY_JOINT
+from scipy.spatial.transform import Rotation
+from tiny import names, written
+
+import dynsplines
+from dynsplines import (
+    Clip,
+    Keyframe,
+    Motion,
+    UserError,
+    build,
+    clips,
+    figures,
+    import_motion,
+    inbetween,
+    load,
+    load_motion,
+)
+from dynsplines.clip.table import ClipTable, KeyframeTable
+
+ARM = """
+<mujoco model="arm"><worldbody>
+  <body name="upper" pos="0 0 1"><joint name="shoulder" type="ball"/>
+    <geom type="capsule" size=".04" fromto="0 0 0 0 0 -.3"/>
+    <body name="lower" pos="0 0 -.3"><joint name="elbow" axis="0 1 0"/>
+      <geom type="capsule" size=".03" fromto="0 0 0 0 0 -.3"/><site name="hand" pos="0 0 -.3"/></body></body>
+</worldbody></mujoco>"""
+WAVE = (
+    Keyframe(0.0, qpos=[1, 0, 0, 0, 0.2]),
+    Keyframe(0.5, joints={"shoulder": Rotation.from_euler("y", -60, degrees=True), "elbow": -45.0}),
+    Keyframe(1.0, qpos=np.array([1, 0, 0, 0, 0.2])),
+)
+
+
+def wave(**more: Any) -> Clip:
+    return build(mujoco.MjSpec.from_string(ARM), WAVE, name="wave", **more)
+
+
+@pytest.fixture(scope="module")
+def motion() -> Motion:
+    return inbetween(wave())
+
+
+@pytest.fixture(scope="module")
+def loop() -> Motion:
+    return inbetween(wave(solve={"ends": "periodic"}))
+
+
+def run(code: str, folder: Path) -> str:
+    command = [sys.executable, "-c", code]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def test_importing_the_package_loads_nothing_heavy(tmp_path):
+    heavy = run("import sys, dynsplines; print(*sys.modules)", tmp_path).split()
+    assert not {"numpy", "scipy", "mujoco", "rich", "pydantic", "matplotlib", "typer"} & set(heavy)
+
+
+def test_every_name_is_there_and_listed():
+    assert set(dynsplines.__all__) <= set(dir(dynsplines))
+    for name in dynsplines.__all__:
+        assert getattr(dynsplines, name).__doc__
+    with pytest.raises(AttributeError, match=r"no attribute 'lod'; it has: Clip, Keyframe"):
+        _ = dynsplines.lod  # type: ignore[attr-defined]
+
+
+@pytest.mark.slow
+def test_a_script_in_an_empty_folder(tmp_path):
+    (tmp_path / "arm.xml").write_text(ARM)
+    script = """
+from dynsplines import *
+clip = build("arm.xml", [Keyframe(0, others="rest"), Keyframe(1, joints={"elbow": 60.0})])
+motion = inbetween(clip)
+motion.save("up.npz"), motion.save("up.toml"), motion.export("up.csv")
+print(motion.at(1)[-1], load_motion("up.npz"), inbetween(load("up.toml")), sep="\\n")
+print(import_motion("up.csv", "arm.xml"))
+"""
+    last, *shown = run(script, tmp_path).splitlines()
+    assert float(last) == pytest.approx(np.pi / 3)
+    assert shown[0].startswith("<Motion clip: 1.00 s, 2 keyframes,")
+    assert shown[2] == "<Motion up: 1.00 s, 31 keyframes, 4 DOF>"
+    assert names(tmp_path) == ["arm.xml", "up.csv", "up.npz", "up.toml", "up.xml"]
+
+
+def test_what_ships_is_listed_and_loads():
+    assert "run_and_step" in clips()
+    assert "human" in figures()
+    assert repr(load("run_and_step")) == "<Clip run_and_step: 2.20 s, 12 keyframes (1 partial), 15 penalties, 39 DOF>"
+
+
+@pytest.mark.slow
+def test_a_clip_is_loaded_from_a_path_and_from_text(tmp_path):
+    path = written(tmp_path)
+    found = load(path)
+    assert isinstance(found, Clip)
+    assert [key.time for key in found.keys] == [0, 0.2, 0.41]
+    assert load(str(path), fps=50).fps == 50
+    text = 'figure = "human"\n[[keyframe]]\ntime = 0\nothers = "rest"\n[[keyframe]]\ntime = 1\nothers = "hold"\n'
+    assert repr(load(text)) == "<Clip clip: 1.00 s, 2 keyframes, 14 penalties, 39 DOF>"
+    with pytest.raises(UserError, match=r"^clip: keyframe 1: time must be a number"):
+        load(text.replace("time = 0", 'time = "now"'))
+    with pytest.raises(UserError, match=r"'x\.npz' is a motion.*load_motion"):
+        load("x.npz")
+
+
+@pytest.mark.slow
+def test_the_verb_takes_what_load_takes(tmp_path):
+    path = written(tmp_path)
+    expected = inbetween(load(path)).at(0.3)
+    for source in (path, str(path)):
+        np.testing.assert_array_equal(inbetween(source).at(0.3), expected)
+    with pytest.raises(UserError, match=r"no clip 'run_and_stp'; did you mean 'run_and_step'"):
+        inbetween("run_and_stp")
+
+
+@pytest.mark.slow
+def test_a_clip_built_is_the_clip_written():
+    text = """
+figure = "human"
+fps = 60.0
+[scene]
+step = {x = 0.3, height = 0.27}
+[solve]
+variable = 1
+[[penalty]]
+kind = "torque"
+weight = 0.1
+[[penalty]]
+kind = "clearance"
+margin = 0.002
+[[contact]]
+point = "right_heel"
+from = 0.0
+to = 0.5
+[[keyframe]]
+time = 0.0
+others = "rest"
+[[keyframe]]
+time = 0.8
+root.position = [0.1, "free", 0.93]
+joints.left_hip = {rotvec = [0, -70, 0]}
+joints.left_knee = {euler = [70, 0], order = "yx"}
+sites.right_heel = [-0.05, -0.09, 0.05]
+bodies.right_foot = {flat = true}
+others = "hold"
+"""
+    made = build(
+        "human",
+        [
+            Keyframe(0, others="rest"),
+            Keyframe(
+                0.8,
+                root={"position": [np.float64(0.1), "free", 0.93]},
+                joints={"left_hip": {"rotvec": np.array([0, -70, 0])}, "left_knee": {"euler": (70, 0), "order": "yx"}},
+                sites={"right_heel": np.array([-0.05, -0.09, 0.05])},
+                bodies={"right_foot": {"flat": True}},
+                others="hold",
+            ),
+        ],
+        fps=60,
+        scene={"step": {"x": 0.3, "height": 0.27}},
+        contacts=[{"point": "right_heel", "from": 0.0, "to": 0.5}],
+        penalties={"torque": 0.1, "clearance": {"margin": 0.002}},
+        solve={"variable": 1},
+    )
+    told = load(text)
+    assert made.mjcf == told.mjcf
+    assert (made.fps, made.settings, made.ends) == (told.fps, told.settings, told.ends)
+    assert [(p.name, w) for p, w in made.penalties] == [(p.name, w) for p, w in told.penalties]
+    assert [rest.point.name for rest in made.contacts] == ["right_heel"]
+    for one, other in zip(made.keys, told.keys, strict=True):
+        np.testing.assert_array_equal(one.fixed, other.fixed)
+        np.testing.assert_allclose(one.state, other.state, atol=1e-9)
+
+
+def test_keyframes_say_all_that_a_file_can():
+    assert {*KeyframeTable.model_fields, "qpos"} == set(Keyframe.__dataclass_fields__)
+    assert set(ClipTable.model_fields) == {"figure", "fps", "scene", "contact", "hold", "penalty", "solve", "keyframe"}
+
+
+def test_scipys_rotations_and_whole_configurations_are_keyframes(motion):
+    half = np.radians(60) / 2
+    np.testing.assert_allclose(motion.at(0.5), [np.cos(half), 0, -np.sin(half), 0, -np.pi / 4], atol=1e-9)
+    np.testing.assert_allclose(motion.at(0.0), [1, 0, 0, 0, 0.2], atol=1e-9)
+    over = build(mujoco.MjSpec.from_string(ARM), [Keyframe(0, qpos=[1, 0, 0, 0, 0.2], joints={"elbow": 90.0}), WAVE[1]])
+    assert over.keys[0].state[-1] == pytest.approx(np.pi / 2)
+    assert over.keys[0].fixed.all()
+
+
+def test_any_kind_of_joint_is_built(rng):
+    model = mujoco.MjModel.from_xml_string(EVERY_JOINT)
+    qpos = [model.qpos0.copy(), model.qpos0.copy()]
+    mujoco.mj_integratePos(model, qpos[1], 0.3 * rng.normal(size=model.nv), 1.0)
+    made = build(mujoco.MjSpec.from_string(EVERY_JOINT), [Keyframe(i, qpos=q) for i, q in enumerate(qpos)])
+    np.testing.assert_allclose(made.keys[1].state, qpos[1], atol=1e-12)
+
+
+def test_the_figure_given_is_not_changed():
+    spec = mujoco.MjSpec.from_string(ARM)
+    build(spec, WAVE)
+    build(spec, WAVE)
+    assert [body.name for body in spec.bodies] == ["world", "upper", "lower"]
+
+
+@pytest.mark.parametrize(
+    ("keyframes", "complaint"),
+    [
+        ([], "no keyframes"),
+        ([Keyframe(0, others="rest")], "at least two"),
+        ([Keyframe(0), Keyframe(1, joints={"elbw": 1.0})], r"keyframe 2 \(t = 1 s\): no joint 'elbw'; did you mean"),
+        ([Keyframe(0), Keyframe(1, qpos=[1, 0, 0])], r"t = 1 s\): qpos is \(5,\) .*; it is \(3,\)"),
+        ([Keyframe(0), Keyframe(1, qpos=[1, 0, 0, 0, np.nan])], "not finite"),
+        ([Keyframe(0), Keyframe(1, sites={"hand": [0, 0, 9]})], "no pose found that puts site 'hand'"),
+        ([Keyframe(0), Keyframe("soon")], "time must be a number"),  # type: ignore[arg-type]
+    ],
+)
+def test_what_does_not_fit_is_told_in_one_line(keyframes, complaint):
+    with pytest.raises(UserError, match=complaint) as raised:
+        build(mujoco.MjSpec.from_string(ARM), keyframes, name="wave")
+    assert "\n" not in str(raised.value)
+
+
+def test_unknown_figures_and_penalties_are_told():
+    with pytest.raises(UserError, match="no figure 'humn'; did you mean 'human'"):
+        build("humn", WAVE)
+    with pytest.raises(UserError, match="no penalty 'torqe'; did you mean 'torque'"):
+        wave(penalties={"torqe": 1})
+
+
+def test_a_motion_says_what_it_is(motion, loop):
+    assert repr(motion) == "<Motion wave: 1.00 s, 3 keyframes, 6 variable frames, 4 DOF>"
+    assert ", loop," in repr(loop)
+    assert (motion.name, motion.start, motion.end, motion.duration, motion.fps) == ("wave", 0, 1, 1, 30)
+    assert (motion.is_loop, loop.is_loop) == (False, True)
+    assert motion.key_times.tolist() == [0, 0.5, 1]
+    assert motion.model.nq == 5
+    assert "shoulder" in motion.mjcf
+    assert motion.clip.name == "wave"
+
+
+def test_times_are_one_or_several(motion):
+    assert motion.at(0.3).shape == (5,)
+    assert motion.at([0.3]).shape == (1, 5)
+    assert motion.at(np.linspace(0, 1, 7)).shape == (7, 5)
+    assert motion.at([]).shape == (0, 5)
+    np.testing.assert_array_equal(motion.at(0.3), motion.at([0.3])[0])
+    np.testing.assert_allclose(np.linalg.norm(motion.at(np.linspace(0, 1, 7))[:, :4], axis=1), 1)
+    for outside in (-0.1, 1.1, [0.5, 2.0], np.nan):
+        with pytest.raises(UserError, match="runs from 0 to 1 s"):
+            motion.at(outside)
+    with pytest.raises(UserError, match="one number or a list"):
+        motion.at(np.zeros((2, 2)))
+
+
+def test_samples_are_at_equal_times(motion):
+    run = motion.sampled(50)
+    np.testing.assert_allclose(run.time, np.arange(51) / 50)
+    np.testing.assert_allclose(run.qpos, motion.at(run.time))
+    assert run.qvel.shape == run.qacc.shape == (51, 4)
+    assert motion.sampled().time.size == 31
+    for rate in (0, -1, np.inf, np.nan):
+        with pytest.raises(UserError, match="above 0"):
+            motion.sampled(rate)
+
+
+def test_nothing_is_changed_in_place(motion):
+    for thing, name in ((motion, "saved"), (motion.clip, "name"), (WAVE[0], "time")):
+        with pytest.raises(FrozenInstanceError):
+            setattr(thing, name, None)
+    qpos = motion.at(0.5)
+    qpos[:] = 9
+    assert motion.at(0.5).max() < 2
+
+
+def test_before_is_the_raw_spline(motion):
+    assert motion.before.saved.timeline.variable_count == 0
+    far = motion.apart(motion.before)
+    assert 0 < far.distance < 0.3
+    assert 0 <= far.time <= 1
+    assert far.where in ("hand", "lower", "upper")
+    assert motion.apart(motion).distance < 1e-12
+    assert str(far).startswith("at most ")
+
+
+def test_other_figures_and_shorter_motions_are_not_compared(motion):
+    with pytest.raises(UserError, match="different figures"):
+        motion.apart(inbetween(build("spinner", [Keyframe(0, others="rest"), Keyframe(1, others="hold")])))
+    with pytest.raises(UserError, match="not all of"):
+        motion.apart(motion.trimmed(0.2, 0.8))
+
+
+@pytest.mark.slow
+def test_a_report_is_a_table_to_read_and_numbers_to_keep(motion):
+    report = motion.report()
+    assert {"before", "after", "left to gain"} <= set(report)
+    assert json.loads(json.dumps(report))["keyframes"] == 3
+    assert "angular acceleration" in str(report)
+    assert report._repr_html_().startswith("<pre>")
+    assert motion.report() is report
+    edited = motion.retimed(2).report()
+    assert edited["duration, s"] == pytest.approx(0.5)
+
+
+def test_edits_give_new_motions(motion, loop):
+    assert motion.retimed(2).duration == pytest.approx(0.5)
+    assert motion.retimed(duration=4).duration == pytest.approx(4)
+    np.testing.assert_allclose(motion.retimed(2).at(0.25), motion.at(0.5), atol=1e-9)
+    cut = motion.trimmed(0.25)
+    assert (cut.start, cut.end) == (0.25, 1)
+    np.testing.assert_allclose(cut.at(0.7), motion.at(0.7), atol=1e-9)
+    assert loop.repeated(3).duration == pytest.approx(3)
+    assert motion.joined(motion, 0.3).duration == pytest.approx(2.3)
+    assert motion.duration == 1
+
+
+@pytest.mark.parametrize(
+    ("attempt", "complaint"),
+    [
+        (lambda m: m.retimed(), "one of them"),
+        (lambda m: m.retimed(2, duration=3), "one of them"),
+        (lambda m: m.retimed(duration=0), "above 0"),
+        (lambda m: m.retimed(0), "speed"),
+        (lambda m: m.trimmed(0.8, 0.2), "ends after it begins"),
+        (lambda m: m.repeated(2), "only a loop"),
+        (lambda m: m.thinned("2 feet"), "max_error = 2 feet"),
+        (lambda m: m.thinned(0.02, max_angle=0), "max_angle = 0"),
+        (lambda m: m.save("m.txt"), r"\.npz, or as a clip, \.toml"),
+        (lambda m: m.export("m.txt"), "its ending does not tell its format"),
+        (lambda m: m.export("m.csv", "bvh"), r"'m\.csv': a bvh file's name ends in \.bvh"),
+        (lambda m: m.export("m.csv", "cvs"), "no format 'cvs'; did you mean 'csv'"),
+        (lambda m: m.render("m.mp4", camera="sde"), "no camera 'sde'; did you mean 'side'"),
+        (lambda m: m.render("m.mp4", only="middle"), "not one of before, after, keys"),
+        (lambda m: m.render("m.png", at=7), "nothing is at 7"),
+    ],
+)
+def test_what_cannot_be_done_is_told(motion, attempt, complaint, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(UserError, match=complaint):
+        attempt(motion)
+    assert names(tmp_path) == []
+
+
+def test_thinned_keeps_its_bound(motion):
+    thin = motion.thinned("5mm", max_angle=3)
+    far = motion.apart(thin)
+    assert far.distance <= 0.005
+    assert far.angle <= 3
+    assert 3 <= thin.key_times.size < 12
+    assert thin.saved.timeline.variable_count == 0
+
+
+@pytest.mark.slow
+def test_files_go_there_and_back(motion, loop, tmp_path):
+    for each in (motion, loop):
+        assert each.save(tmp_path / "m.npz") == tmp_path / "m.npz"
+        again = load_motion(tmp_path / "m.npz")
+        assert again.apart(each).distance < 1e-12
+        assert again.is_loop == each.is_loop
+        each.save(tmp_path / "m.toml", overwrite=True)
+        assert load(tmp_path / "m.toml").ends == each.clip.ends
+    assert str(load_motion(tmp_path / "m.npz").report())
+
+
+@pytest.mark.slow
+def test_a_recording_is_saved_as_a_clip_of_its_instants(motion, tmp_path):
+    (tmp_path / "arm.xml").write_text(ARM)
+    motion.export(tmp_path / "m.csv", fps=20)
+    with pytest.raises(UserError, match="say whose it is: --figure, or figure= in Python"):
+        import_motion(tmp_path / "m.csv")
+    with pytest.raises(UserError, match="a scale is not for it"):
+        import_motion(tmp_path / "m.csv", tmp_path / "arm.xml", scale=0.01)
+    recorded = import_motion(tmp_path / "m.csv", tmp_path / "arm.xml")
+    recorded.save(tmp_path / "m.toml")
+    again = inbetween(load(tmp_path / "m.toml"))
+    assert again.key_times.size == 21
+    assert recorded.apart(again).distance < 1e-9
+
+
+@pytest.mark.slow
+def test_pictures_are_drawn(motion, tmp_path, graphics):
+    assert motion.render(tmp_path / "m.png", at=0.5, size=(64, 48)) == tmp_path / "m.png"
+    motion.trimmed(0, 0.2).render(tmp_path / "m.gif", only="after", size=(64, 48), fps=10)
+    assert names(tmp_path) == ["m.gif", "m.png"]
+
+
+@pytest.mark.slow
+def test_solving_is_silent_unless_asked(capfd):
+    inbetween(wave())
+    assert capfd.readouterr() == ("", "")
+    inbetween(wave(), progress=True)
+    assert "solving" in capfd.readouterr().err
+
+
+def test_a_motion_shows_itself_as_a_page_of_its_own(motion):
+    shown = motion._repr_html_()
+    assert shown.startswith("<iframe")
+    assert shown.count("<") == 2  # the page itself is escaped
+    assert "&lt;script" in shown
+    assert 'src="http' not in shown.replace("&quot;", '"')

@@ -1,0 +1,119 @@
+"""Models with files of meshes, images and height fields: a motion file holds all it takes to show them again."""
+
+from __future__ import annotations
+
+import io
+import zipfile
+from pathlib import Path
+
+import drawing
+import mujoco
+import numpy as np
+import pytest
+from meshes import stl
+from PIL import Image
+from rich.console import Console
+
+from dynsplines import motion, work
+from dynsplines.clip import load as clip
+from dynsplines.errors import UserError
+from dynsplines.picture.show import Look, images
+from dynsplines.scene.compose import compose, figure_spec
+from dynsplines.system.progress import Teller
+
+MODEL = """
+<mujoco><compiler meshdir="parts/mesh" texturedir="parts"/>
+<include file="parts/more.xml"/>
+<asset>
+  <mesh file="a/bone.stl"/><mesh name="other" file="b/bone.stl" scale="2 2 2"/><mesh name="obj" file="b/corner.obj"/>
+  <texture name="wood" type="2d" file="wood.png"/><material name="wood" texture="wood"/>
+  <texture name="dice" type="cube" fileup="side.png" filedown="side.png" fileleft="wood.png"/>
+  <hfield name="hill" file="hill.png" size="1 1 .2 .1"/>
+</asset>
+<worldbody><geom name="hill" type="hfield" hfield="hill" pos="3 0 0"/>
+  <body name="trunk" pos="0 0 1"><freejoint name="root"/><geom type="mesh" mesh="bone" material="wood"/>
+    <body name="arm" pos="0 0 .3"><joint name="arm" axis="0 1 0"/><geom type="mesh" mesh="other"/>
+      <body pos="0 0 .3"><joint name="hand" type="ball"/><geom type="mesh" mesh="obj"/></body></body></body>
+</worldbody>
+<keyframe><key qpos="0 0 1 1 0 0 0 0 1 0 0 0"/>
+  <key time="0.6" qpos="0.5 0 1 1 0 0 0 0.5 1 0 0 0"/></keyframe></mujoco>"""
+
+
+def png(folder: Path, name: str, colours: np.ndarray) -> None:
+    Image.fromarray(colours.astype(np.uint8)).save(folder / name)
+
+
+@pytest.fixture
+def model(tmp_path: Path, rng: np.random.Generator) -> Path:
+    """A model in a folder of its own, its files in others."""
+    home = tmp_path / "somewhere"
+    mesh = home / "parts" / "mesh"
+    for folder in ("a", "b"):
+        (mesh / folder).mkdir(parents=True)
+    (mesh / "a" / "bone.stl").write_bytes(stl(0.1))
+    (mesh / "b" / "bone.stl").write_bytes(stl(0.2))
+    (mesh / "b" / "corner.obj").write_text(
+        "v 0 0 0\nv .1 0 0\nv 0 .1 0\nv 0 0 .1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n"
+    )
+    (home / "parts" / "more.xml").write_text("<mujoco><option gravity='0 0 -3'/></mujoco>")
+    png(mesh, "hill.png", rng.integers(0, 255, (8, 8)))
+    png(home / "parts", "wood.png", rng.integers(0, 255, (16, 16, 3)))
+    png(home / "parts", "side.png", rng.integers(0, 255, (16, 16, 3)))
+    (home / "it.xml").write_text(MODEL)
+    return home / "it.xml"
+
+
+def told() -> Teller:
+    return Teller(Console(file=io.StringIO()))
+
+
+def test_all_files_come_along_once_and_files_of_one_name_stay_apart(model):
+    scene = compose(figure_spec(str(model)))
+    assert sorted(scene.assets) == ["bone.stl", "bone_2.stl", "corner.obj", "hill.png", "side.png", "wood.png"]
+    before, after = mujoco.MjModel.from_xml_path(str(model)), scene.model()
+    np.testing.assert_allclose(after.mesh_vert, before.mesh_vert, atol=1e-7)
+    np.testing.assert_array_equal(after.hfield_data, before.hfield_data)
+    assert after.opt.gravity[2] == -3
+    own = before.tex_adr[0], before.tex_adr[0] + before.tex_width[0] * before.tex_height[0]
+    at = after.texture("wood").adr[0]
+    np.testing.assert_array_equal(after.tex_data[at : at + own[1] - own[0]], before.tex_data[own[0] : own[1]])
+
+
+@pytest.mark.slow
+def test_a_motion_file_needs_no_other_files(model):
+    found = work.solve(clip.load(str(model)), told()).saved(told(), with_report=False)
+    target = model.parent.parent / "it.npz"
+    motion.save(found, target)
+    for path in sorted(model.parent.rglob("*"), reverse=True):
+        path.unlink() if path.is_file() else path.rmdir()
+    again = motion.load(target)
+    assert again.scene == found.scene
+    assert again.figure.model.nmesh == 3
+    (picture,) = images(again, Look(96, 64, only="after", at=0.3), drawing.GRAPHICS)
+    assert np.ptp(picture) > 50
+
+
+def test_a_motion_file_of_the_first_format_still_loads(motion_file, tmp_path):
+    old = tmp_path / "old.npz"
+    with np.load(motion_file) as data:
+        assert "asset_names" not in data
+        np.savez(old, **{**data, "format_version": 1})
+    assert motion.load(old).scene.assets == {}
+
+
+@pytest.mark.parametrize("damage", ["asset_0", "asset_names"])
+def test_a_motion_file_with_damaged_assets_is_refused(model, damage, tmp_path):
+    target, bad = tmp_path / "it.npz", tmp_path / "bad.npz"
+    motion.save(work.unsolved(clip.load(str(model))).saved(told(), with_report=False), target)
+    with np.load(target) as data:
+        np.savez(bad, **{**data, damage: np.zeros(3)})
+    with pytest.raises(UserError, match="its arrays do not fit together"):
+        motion.load(bad)
+    with zipfile.ZipFile(target) as file:
+        assert "asset_0.npy" in file.namelist()
+
+
+def test_a_file_that_is_missing_is_named(model):
+    (model.parent / "parts" / "wood.png").unlink()
+    with pytest.raises(UserError, match=r"wood\.png"):
+        clip.load(str(model))

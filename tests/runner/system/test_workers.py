@@ -1,0 +1,202 @@
+"""Several processes give what one gives, in order, and however it ends none of them is left."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import crew
+import pytest
+from crew import Bench
+
+from dynsplines.errors import UserError
+from dynsplines.system.workers import AHEAD, cores, in_order
+
+POSIX = pytest.mark.skipif(os.name == "nt", reason="signals are another matter there")
+
+
+@pytest.fixture(autouse=True)
+def _nobody_is_left() -> Iterator[None]:
+    before = multiprocessing.active_children()
+    yield
+    assert multiprocessing.active_children() == before
+
+
+@pytest.mark.parametrize("workers", [1, 3])
+def test_the_results_come_in_order_though_the_first_take_longest(workers: int):
+    found = list(in_order(Bench, crew.squared, range(9), workers))
+    assert [result for result, *_ in found] == [n**2 for n in range(9)]
+
+
+def test_one_worker_is_this_process_and_its_tool_is_closed():
+    bench = Bench()
+    assert {owner for _, owner, _ in in_order(lambda: bench, crew.squared, range(3))} == {os.getpid()}
+    assert not bench.is_open
+
+
+def test_every_worker_is_a_process_that_opens_one_tool_and_keeps_it():
+    found = list(in_order(Bench, crew.squared, range(9), 2))
+    owners = {owner for _, owner, _ in found}
+    assert len(owners) == 2
+    assert os.getpid() not in owners
+    for owner in owners:
+        uses = [count for _, by, count in found if by == owner]
+        assert uses == list(range(1, len(uses) + 1))
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_no_items_give_no_results(workers: int):
+    assert list(in_order(Bench, crew.squared, [], workers)) == []
+
+
+def test_items_are_asked_for_only_when_they_are_needed():
+    asked: list[int] = []
+
+    def items() -> Iterator[int]:
+        for number in range(1000):
+            asked.append(number)
+            yield number
+
+    results = in_order(Bench, crew.squared, items(), 2)
+    for _ in range(5):
+        next(results)
+    results.close()
+    assert len(asked) <= 5 + 2 * (AHEAD + 1)
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_an_error_of_the_work_is_raised_as_it_is(workers: int):
+    with pytest.raises(ValueError) as caught:
+        list(in_order(Bench, crew.fails_at_three, range(100), workers))
+    assert str(caught.value) == "three is too many"
+    if workers > 1:
+        assert "fails_at_three" in caught.value.__notes__[0]
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_a_tool_that_does_not_open_is_told(workers: int):
+    with pytest.raises(ValueError, match="the bench is locked"):
+        list(in_order(crew.locked, crew.squared, range(3), workers))
+
+
+def test_an_error_that_cannot_be_sent_is_told_in_its_words():
+    with pytest.raises(RuntimeError, match="Stubborn: one thing and another"):
+        list(in_order(Bench, crew.fails_strangely, range(3), 2))
+
+
+def test_an_error_of_the_items_ends_the_workers():
+    def items() -> Iterator[int]:
+        yield from range(3)
+        raise KeyError("no more")
+
+    with pytest.raises(KeyError, match="no more"):
+        list(in_order(Bench, crew.squared, items(), 2))
+
+
+def test_a_worker_that_ends_is_told_with_its_code():
+    with pytest.raises(UserError, match="a worker process ended with code 3; --workers 1 does without"):
+        list(in_order(Bench, crew.leaves, range(3), 2))
+
+
+@POSIX
+def test_a_worker_that_is_killed_is_told_with_the_signal():
+    with pytest.raises(UserError, match=r"ended by signal 9 \(Killed.*; too little memory\?\)"):
+        list(in_order(Bench, crew.is_killed, range(3), 2))
+
+
+def test_a_process_that_cannot_be_started_is_told(monkeypatch: pytest.MonkeyPatch):
+    def full(*_: object) -> None:
+        raise BlockingIOError(11, "Resource temporarily unavailable")
+
+    monkeypatch.setattr("multiprocessing.context.SpawnProcess.start", full)
+    with pytest.raises(UserError, match="cannot be started: Resource temporarily unavailable; --workers 1"):
+        list(in_order(Bench, crew.squared, range(3), 2))
+
+
+def test_a_loop_that_is_left_ends_workers_in_the_middle_of_their_work():
+    results = in_order(Bench, crew.squared, range(1000), 2)
+    assert next(results)[0] == 0
+    begin = time.monotonic()
+    results.close()
+    assert time.monotonic() - begin < 4
+
+
+def test_there_is_a_core():
+    assert cores() >= 1
+
+
+SCRIPT = """
+import crew, multiprocessing, threading
+from dynsplines.system.workers import in_order
+def tell():
+    while len(found := multiprocessing.active_children()) < 2: pass
+    print(*[child.pid for child in found], flush=True)
+if __name__ == "__main__":
+    threading.Thread(target=tell, daemon=True).start()
+    list(in_order(crew.Bench, crew.{work}, range(100), 2))
+"""
+
+
+@pytest.fixture
+def at_work(tmp_path: Path, request: pytest.FixtureRequest) -> Iterator[tuple[subprocess.Popen[str], list[int]]]:
+    """A process with two workers, in a group of its own, and the workers' numbers."""
+    path = tmp_path / "script.py"
+    path.write_text(SCRIPT.format(work=request.param), encoding="utf-8")
+    paths = os.pathsep.join([str(Path(crew.__file__).parent), *sys.path])
+    process = subprocess.Popen(
+        [sys.executable, str(path)],
+        env={**os.environ, "PYTHONPATH": paths},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+    )
+    assert process.stdout is not None
+    yield process, [int(word) for word in process.stdout.readline().split()]
+    process.kill()
+    process.communicate()
+
+
+def gone(number: int) -> bool:
+    """Whether a process is no more, or is waited for by nobody."""
+    try:
+        os.kill(number, 0)
+        return Path(f"/proc/{number}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()[0] == "Z"
+    except (ProcessLookupError, FileNotFoundError):
+        return True
+
+
+def assert_gone(numbers: list[int]) -> None:
+    end = time.monotonic() + 20
+    while not all(gone(number) for number in numbers):
+        assert time.monotonic() < end, "a worker is left"
+        time.sleep(0.05)
+
+
+@pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="needs /proc")
+@pytest.mark.parametrize("at_work", ["squared"], indirect=True)
+def test_workers_go_when_their_parent_is_killed(at_work):
+    process, numbers = at_work
+    assert len(numbers) == 2
+    process.kill()
+    assert_gone(numbers)
+
+
+@pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="needs /proc")
+@pytest.mark.parametrize("at_work", ["never_ends"], indirect=True)
+@pytest.mark.parametrize("pause", [0.0, 0.5])
+def test_ctrl_c_ends_the_workers_and_only_the_parent_speaks(at_work, pause: float):
+    process, numbers = at_work
+    time.sleep(pause)
+    os.killpg(process.pid, signal.SIGINT)
+    _, said = process.communicate(timeout=20)
+    assert process.returncode != 0
+    assert said.count("Traceback") == 1
+    assert said.splitlines()[-1] == "KeyboardInterrupt"
+    assert_gone(numbers)

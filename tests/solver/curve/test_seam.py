@@ -1,0 +1,172 @@
+"""Loops whose root travels: C² across the seam for every x, exact gradients, and the middle of many periods."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from dense_hessian import SMOOTH, assert_dense, smooth_problem
+from figures import TINY, figure_of
+from hopping_loop import (
+    PERIOD,
+    STRIDE,
+    TERMS,
+    assert_exact_gradient,
+    assert_splits_keep_the_curve,
+    hop,
+    loop,
+    pose,
+)
+from random_keys import mask_without
+
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame, TimelineError
+from dynsplines.solver.curve.seam import Seam
+from dynsplines.solver.curve.spline import Path, path_of
+from dynsplines.solver.curve.unknowns import Unknowns, raw_timeline
+from dynsplines.solver.inbetween import Settings, inbetween
+from dynsplines.solver.refine.subdivision import evenly
+
+
+@pytest.mark.parametrize("turns", [0, 1])
+@pytest.mark.parametrize("partial", [False, True])
+@pytest.mark.parametrize("coordinates", ["world", "joint"])
+def test_a_travelling_loop_is_smooth_across_its_seam_for_every_x(rng, coordinates, partial, turns):
+    figure = figure_of(TINY, coordinates)
+    timeline = evenly(loop(figure, turns, partial=partial), 1)
+    unknowns = Unknowns.of(figure, timeline)
+    for x in (unknowns.start, unknowns.start + 0.1 * rng.normal(size=unknowns.size)):
+        moved = timeline.with_rows(unknowns.rows(x))
+        seam = Seam.of(figure, moved)
+        np.testing.assert_allclose(seam.travel, STRIDE * np.eye(figure.width)[0], atol=1e-12)
+        assert (seam.signs[3:7] < 0).all() == (turns == 1)
+        assert seam.apart(path_of(moved)).max() < 1e-9
+        ends = np.array([0.0, PERIOD])
+        y, y_d, y_dd = (path_of(moved).at(ends, order) for order in range(3))
+        np.testing.assert_allclose(y[1] - y[0] * seam.signs, seam.travel, atol=1e-9)
+        np.testing.assert_allclose(y_d[1], y_d[0] * seam.signs, atol=1e-9)
+        np.testing.assert_allclose(y_dd[1], y_dd[0] * seam.signs, atol=1e-9)
+
+
+@pytest.mark.parametrize("turns", [0, 1])
+@pytest.mark.parametrize("coordinates", ["world", "joint"])
+def test_the_gradient_through_the_seam_is_exact(rng, coordinates, turns):
+    figure = figure_of(TINY, coordinates)
+    assert_exact_gradient(loop(figure, turns, partial=True), figure, rng)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("turns", [0, 1])
+@pytest.mark.parametrize("partial", [False, True])
+def test_the_step_of_the_search_is_the_dense_gauss_newton_step(rng, partial, turns):
+    figure = figure_of(TINY)
+    problem, x = smooth_problem(loop(figure, turns, partial=partial), figure, rng)
+    assert_dense(problem, SMOOTH, x, rtol=1e-3)
+
+
+@pytest.mark.parametrize("turns", [0, 1])
+def test_frames_inserted_into_a_travelling_loop_leave_its_curve(rng, turns):
+    figure = figure_of(TINY)
+    timeline = loop(figure, turns, partial=False)
+    finer = assert_splits_keep_the_curve(timeline)
+    rows = Unknowns.of(figure, finer).rows(Unknowns.of(figure, finer).start)
+    t = np.linspace(0, PERIOD, 101)
+    np.testing.assert_allclose(Path(path_of(finer).spline, rows).at(t), path_of(timeline).at(t), atol=1e-10)
+
+
+@pytest.mark.slow
+def test_a_loop_is_the_middle_of_the_same_motion_over_many_periods():
+    figure = figure_of(TINY)
+    settings = Settings(variable=2, frames=0, tolerance=1e-12, renormalise=False)
+    found = inbetween(figure, hop(), TERMS, settings, ends="periodic")
+    t = np.linspace(0, PERIOD, 50)
+    errors = []
+    for periods in (3, 7):
+        run, middle = inbetween(figure, hop(periods), TERMS, settings), periods // 2
+        qpos = run.at(t + PERIOD * middle)
+        qpos[:, 0] -= STRIDE * middle
+        for columns in figure.tables.quaternion_columns.T:
+            qpos[:, columns] *= np.sign(np.sum(qpos[:, columns] * found.at(t)[:, columns], axis=1))[:, None]
+        errors.append(np.abs(qpos - found.at(t)).max())
+    assert errors[0] < 2e-3
+    assert errors[1] < 1e-6  # what the ends do fades
+
+
+def test_a_loop_in_place_has_no_travel():
+    figure = figure_of(TINY)
+    keys = hop()
+    keys[-1] = Frame.key(PERIOD, keys[0].state + 4e-10 * np.eye(figure.width)[0])
+    np.testing.assert_array_equal(Seam.of(figure, raw_timeline(figure, keys, "periodic")).travel, 0)
+
+
+@pytest.mark.parametrize("free", [(), ("root x",), ("root x", "root y", "root z")])
+def test_travel_given_is_met_whatever_the_ends_leave_free(rng, free):
+    figure = figure_of(TINY)
+    keys = hop()
+    climb = pose(PERIOD) + 0.1 * np.eye(figure.width)[2]
+    keys[-1] = Frame.key(PERIOD, climb, mask_without(figure, *free))
+    timeline = raw_timeline(figure, keys, "periodic", travel=[STRIDE, 0, 0.1])
+    unknowns = Unknowns.of(figure, evenly(timeline, 1))
+    rows = unknowns.rows(rng.normal(size=unknowns.size))
+    np.testing.assert_allclose(rows[-3, :3] - rows[0, :3], [STRIDE, 0, 0.1], atol=1e-12)
+    np.testing.assert_allclose(rows[0, :3], pose(0)[:3], atol=1e-12)
+    np.testing.assert_allclose(figure.to_qpos(rows[-3])[:3], climb[:3], atol=1e-12)
+
+
+def test_travel_given_holds_where_both_ends_leave_the_root_free(rng):
+    figure = figure_of(TINY)
+    mask = mask_without(figure, "root x")
+    keys = [Frame.key(key.time, key.state, mask if key.time in (0, PERIOD) else None) for key in hop()]
+    timeline = raw_timeline(figure, keys, "periodic", travel=[2.0, 0, 0])
+    unknowns = Unknowns.of(figure, timeline)
+    rows = unknowns.rows(unknowns.start + rng.normal(size=unknowns.size))
+    np.testing.assert_allclose(rows[-3, 0] - rows[0, 0], 2, atol=1e-12)
+    assert abs(rows[0, 0]) > 1e-3
+
+
+def refused(words: str, change: Array | None = None, travel: list[float] | None = None, ends: str = "periodic") -> None:
+    figure = figure_of(TINY)
+    keys = hop()
+    keys[-1] = Frame.key(PERIOD, keys[-1].state + (0 if change is None else change))
+    with pytest.raises(TimelineError, match=words):
+        raw_timeline(figure, keys, ends, travel=travel)
+
+
+def test_a_loop_that_does_not_close_says_where_and_by_how_much():
+    one = np.eye(11)
+    refused(
+        r"\(t = 0\.8 s\) differs from the first at 'root' along z \(with travel = \[0\.6, 0, 0\]\) by 0\.02",
+        0.02 * one[2],
+    )
+    refused(r"at 'root' along x \(with travel = \[0\.5, 0, 0\]\) by 0\.1", travel=[0.5, 0, 0])
+    refused(r"at 'root' \(a loop may travel, and turn about the vertical\) by", 0.1 * one[4])
+    refused(r"at 'knee' by", 0.1 * one[9])
+
+
+def test_travel_that_makes_no_sense_is_refused():
+    refused("travel is for ends = 'periodic', not 'free'", travel=[1, 0, 0], ends="free")
+    refused("three finite numbers", travel=[1, 0])
+    refused("three finite numbers", travel=[1, 0, np.nan])
+    ball = figure_of('<mujoco><worldbody><body><joint type="ball"/><geom size=".1"/></body></worldbody></mujoco>')
+    keys = [Frame.key(t, [1, 0, 0, 0]) for t in (0, 1)]
+    with pytest.raises(TimelineError, match="no free joint, so no root to travel"):
+        raw_timeline(ball, keys, "periodic", travel=[1, 0, 0])
+
+
+@pytest.mark.parametrize("partial", [False, True])
+@pytest.mark.parametrize("coordinates", ["world", "joint"])
+def test_joints_turn_by_the_shortest_arcs_up_to_the_seam_though_the_whole_figure_nearly_turns_round(
+    coordinates, partial
+):
+    figure = figure_of(TINY, coordinates)
+    keys = []
+    for time, heading, knee in ((0.0, 0, 0), (0.3, 120, -20), (0.5, 195, -40), (PERIOD, 360, 0)):
+        root, shin = (quat.from_rotation_vector(np.radians([0, 0, angle])) for angle in (heading, knee))
+        fixed = mask_without(figure, "knee") if partial and time in (0, PERIOD) else np.ones(figure.width, bool)
+        keys.append(Frame.key(time, np.concatenate([[0, 0, 1], root, shin]), fixed))
+    states = raw_timeline(figure, keys, "periodic").states
+    root, shin = states[:, 3:7], states[:, 7:11]
+    if coordinates == "world":
+        shin = quat.product(quat.inverse(quat.product(root, figure.links[2].turn)), shin)
+    assert np.all(np.sum(shin[1:] * shin[:-1], axis=1) > 0)
+    np.testing.assert_allclose(root[-1], -root[0], atol=1e-12)

@@ -1,0 +1,302 @@
+"""The decision vector: keyframes are met for every x, whole or partial, and the map has an exact transpose."""
+
+import mujoco
+import numpy as np
+import pytest
+from figures import BALL_TREE
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from random_keys import TIMES, distance_from_key, mask_without, masks_by_name, random_keys
+from scipy.interpolate import CubicSpline
+
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
+from dynsplines.solver.curve.spline import Path, Spline, path_of
+from dynsplines.solver.curve.unknowns import Unknowns, raw_timeline
+from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.objective import Objective
+from dynsplines.solver.penalty import CovariantAcceleration, RootAcceleration, Torque, UnitMagnitude
+from dynsplines.solver.refine.subdivision import evenly
+
+KINDS = [
+    "whole",
+    "a joint free, what hangs on it fixed",
+    "root orientation free",
+    "root position free on single axes",
+    "any",
+]
+
+
+def prepared(figure: Figure, keys: list[Frame], ends: str, rng: np.random.Generator) -> Timeline:
+    slope = rng.normal(size=(2, figure.width)) if ends == "clamped" else None
+    return evenly(raw_timeline(figure, keys, ends, slope), 1)
+
+
+def random_x(unknowns: Unknowns, rng: np.random.Generator) -> np.ndarray:
+    x = rng.normal(size=unknowns.size)
+    return 10 * x / np.linalg.norm(x) if x.size else x
+
+
+@pytest.mark.parametrize("ends", ["free", "clamped", "periodic"])
+@pytest.mark.parametrize("kind", KINDS)
+def test_keyframes_are_met_for_every_x(figure, rng, kind, ends):
+    keys = random_keys(figure, rng, masks_by_name(figure, kind, rng))
+    if ends == "periodic":
+        last = Frame.key(TIMES[-1], keys[0].state, keys[0].fixed & keys[-1].fixed)
+        keys[-1] = last
+    timeline = prepared(figure, keys, ends, rng)
+    unknowns = Unknowns.of(figure, timeline)
+    for _ in range(5):
+        path = Path(Spline(timeline.times, ends), unknowns.rows(random_x(unknowns, rng)))
+        for key, state in zip(keys, path.at(TIMES), strict=True):
+            assert distance_from_key(figure, state, key) <= 1e-12
+
+
+@pytest.mark.slow
+@settings(deadline=None, max_examples=40)
+@given(st.integers(0, 2**32 - 1), st.sampled_from(["free", "periodic"]))
+def test_partial_keyframes_of_any_mask_are_met_for_every_x(seed, ends):
+    rng = np.random.default_rng(seed)
+    figure = BALLS
+    keys = random_keys(figure, rng, masks_by_name(figure, "any", rng))
+    if ends == "periodic":
+        keys[-1] = Frame.key(TIMES[-1], np.where(keys[-1].fixed, keys[0].state, 0), keys[0].fixed & keys[-1].fixed)
+    timeline = prepared(figure, keys, ends, rng)
+    unknowns = Unknowns.of(figure, timeline)
+    path = Path(Spline(timeline.times, ends), unknowns.rows(random_x(unknowns, rng)))
+    for key, state in zip(keys, path.at(TIMES), strict=True):
+        assert distance_from_key(figure, state, key) <= 1e-11
+
+
+BALLS = Figure(
+    mujoco.MjModel.from_xml_string(
+        """<mujoco><worldbody><body><freejoint name="root"/><geom size=".1"/>
+        <body pos="0 0 -.1" quat=".9 .1 -.2 .3"><joint name="hip" type="ball"/><geom size=".1"/>
+        <body pos="0 0 -.4"><joint name="knee" type="ball"/><geom size=".1"/></body></body></body>
+        </worldbody></mujoco>"""
+    )
+)
+
+
+@pytest.mark.parametrize("ends", ["free", "clamped", "periodic"])
+@pytest.mark.parametrize("kind", KINDS)
+def test_pulled_back_is_the_transpose_of_rows(figure, rng, kind, ends):
+    keys = random_keys(figure, rng, masks_by_name(figure, kind, rng))
+    if ends == "periodic":
+        keys[-1] = Frame.key(TIMES[-1], keys[0].state, keys[0].fixed)
+    timeline = prepared(figure, keys, ends, rng)
+    unknowns = Unknowns.of(figure, timeline)
+    x, g = rng.normal(size=unknowns.size), rng.normal(size=timeline.rows.shape)
+    linear = unknowns.rows(x) - unknowns.rows(0 * x)
+    np.testing.assert_allclose(np.sum(g * linear), unknowns.pulled_back(g) @ x, rtol=1e-11, atol=1e-11)
+    assert unknowns.size > 0
+
+
+@pytest.mark.parametrize("ends", ["free", "clamped", "periodic"])
+@pytest.mark.parametrize("kind", KINDS)
+def test_the_start_stands_for_the_timeline_itself(figure, rng, kind, ends):
+    keys = random_keys(figure, rng, masks_by_name(figure, kind, rng))
+    if ends == "periodic":
+        keys[-1] = Frame.key(TIMES[-1], keys[0].state, keys[0].fixed)
+    timeline = prepared(figure, keys, ends, rng)
+    unknowns = Unknowns.of(figure, timeline)
+    np.testing.assert_allclose(unknowns.rows(unknowns.start), timeline.rows, atol=1e-11)
+    x = random_x(unknowns, rng)
+    moved = timeline.with_rows(unknowns.rows(x))
+    np.testing.assert_allclose(Unknowns.of(figure, moved).start, x, atol=1e-12)
+
+
+def test_x_holds_the_unfixed_entries_and_the_free_end_slopes_and_nothing_else(figure, rng):
+    keys = random_keys(figure, rng, {1: mask_without(figure, "root x", "root turn")})
+    raw, width = raw_timeline(figure, keys), figure.width
+    assert Unknowns.of(figure, raw).size == 5 + 2 * width
+    assert Unknowns.of(figure, evenly(raw, 2)).size == 5 + 2 * width + 6 * width
+    clamped = raw_timeline(figure, keys, "clamped", np.zeros((2, width)))
+    assert Unknowns.of(figure, clamped).size == 5
+    unknowns = Unknowns.of(figure, evenly(raw, 1))
+    assert unknowns.row_of.shape == (unknowns.size,)
+    values = unknowns.rows(unknowns.start)[unknowns.whole]
+    np.testing.assert_array_equal(unknowns.start[unknowns.blocks], values)
+
+
+def test_the_raw_timeline_of_whole_keyframes_is_the_natural_spline(figure, rng):
+    raw = raw_timeline(figure, random_keys(figure, rng))
+    np.testing.assert_allclose(path_of(raw).at([TIMES[0], TIMES[-1]], 2), 0, atol=1e-9)
+    for columns in figure.tables.quaternion_columns.T:
+        track = raw.states[:, columns]
+        np.testing.assert_allclose(np.linalg.norm(track, axis=1), 1, atol=1e-12)
+        assert np.all(np.sum(track[1:] * track[:-1], axis=1) >= 0)
+
+
+def test_an_entry_missing_from_one_keyframe_starts_on_the_spline_of_its_neighbours(figure, rng):
+    keys = random_keys(figure, rng, {1: mask_without(figure, "root z")})
+    raw = raw_timeline(figure, keys)
+    others = [0, 2, 3]
+    times = np.array(TIMES)
+    expected = CubicSpline(times[others], [keys[i].state[2] for i in others], bc_type="natural")(times[1])
+    np.testing.assert_allclose(raw.states[1, 2], expected, atol=1e-12)
+
+
+def test_an_entry_missing_at_the_ends_keeps_its_nearest_known_value(figure, rng):
+    missing = mask_without(figure, "root z")
+    raw = raw_timeline(figure, random_keys(figure, rng, {0: missing, 2: missing, 3: missing}))
+    np.testing.assert_array_equal(raw.states[:, 2], raw.states[1, 2])
+    raw = raw_timeline(figure, random_keys(figure, rng, {0: missing, 3: missing}))
+    np.testing.assert_array_equal(raw.states[[0, 3], 2], raw.states[[1, 2], 2])
+
+
+def test_what_no_keyframe_says_starts_at_the_rest_pose(figure, rng):
+    joint = figure.links[2].name
+    mask = mask_without(figure, "root", "root x", "root y", "root z", joint)
+    raw = raw_timeline(figure, random_keys(figure, rng, dict.fromkeys(range(4), mask)))
+    rest = np.array(figure.model.qpos0)
+    for qpos in figure.to_qpos(raw.states):
+        np.testing.assert_allclose(qpos[~mask], rest[~mask], atol=1e-12)
+
+
+def test_a_half_fixed_quaternion_is_refused_by_place_and_name(figure, rng):
+    mask = np.ones(figure.width, bool)
+    mask[4] = False
+    keys = random_keys(figure, rng, {1: mask})
+    with pytest.raises(
+        TimelineError, match=r"keyframe 2 \(t = 0\.4 s\): the quaternion of 'root' is fixed whole or not"
+    ):
+        raw_timeline(figure, keys)
+
+
+def test_a_zero_quaternion_is_refused_unless_it_is_left_out(figure, rng):
+    keys = random_keys(figure, rng)
+    state = keys[2].state.copy()
+    state[3:7] = 0
+    keys[2] = Frame.key(keys[2].time, state)
+    with pytest.raises(TimelineError, match=r"keyframe 3 \(t = 1 s\): the quaternion of 'root' is zero"):
+        raw_timeline(figure, keys)
+    keys[2] = Frame.key(keys[2].time, state, mask_without(figure, "root"))
+    assert np.all(np.isfinite(raw_timeline(figure, keys).rows))
+
+
+def test_a_state_of_the_wrong_width_is_refused(figure):
+    keys = [Frame.key(t, np.ones(figure.width + 1)) for t in TIMES]
+    with pytest.raises(TimelineError, match=f"keyframe 1 .*: {figure.width + 1} entries, .* qpos has {figure.width}"):
+        raw_timeline(figure, keys)
+
+
+def test_clamped_ends_without_slopes_and_unknown_ends_are_refused(figure, rng):
+    keys = random_keys(figure, rng)
+    with pytest.raises(TimelineError, match="clamped ends need end_slope of shape"):
+        raw_timeline(figure, keys, "clamped")
+    with pytest.raises(TimelineError, match="clamped ends need end_slope of shape"):
+        raw_timeline(figure, keys, "clamped", np.zeros(3))
+    with pytest.raises(TimelineError, match="not one of 'free', 'clamped', 'periodic'"):
+        raw_timeline(figure, keys, "looped")
+
+
+def test_a_quaternion_laid_on_the_other_hemisphere_takes_its_clamped_slope_along(figure, rng):
+    keys, slope = random_keys(figure, rng), rng.normal(size=(2, figure.width))
+    mirrored, mirrored_slope = keys[-1].state.copy(), slope.copy()
+    mirrored[3:7] *= -1
+    same = raw_timeline(figure, keys, "clamped", slope)
+    signs = np.ones(figure.width)
+    before = figure.to_state(keys[-1].state)
+    after = figure.to_state(mirrored)
+    for columns in figure.tables.quaternion_columns.T:
+        signs[columns] = np.sign(before[columns] @ after[columns])
+    mirrored_slope[1] *= signs
+    assert (signs < 0).any()
+    flipped = raw_timeline(figure, [*keys[:-1], Frame.key(keys[-1].time, mirrored)], "clamped", mirrored_slope)
+    np.testing.assert_allclose(flipped.rows, same.rows, atol=1e-12)
+
+
+def test_a_loop_that_does_not_close_is_refused_by_name(figure, rng):
+    keys = random_keys(figure, rng)
+    state = keys[0].state.copy()
+    state[3:7] = quat.product(quat.from_rotation_vector([0.2, 0, 0]), state[3:7])
+    keys[-1] = Frame.key(TIMES[-1], state)
+    with pytest.raises(TimelineError, match=r"last keyframe \(t = 1\.3 s\) differs from the first at 'root'"):
+        raw_timeline(figure, keys, "periodic")
+
+
+def test_a_loop_closes_whatever_the_length_and_sign_of_its_quaternions(figure, rng):
+    keys = random_keys(figure, rng)
+    state = keys[0].state.copy()
+    for columns in figure.tables.quaternion_columns.T:
+        state[columns] *= -2.5
+    keys[-1] = Frame.key(TIMES[-1], state)
+    raw = raw_timeline(figure, keys, "periodic")
+    np.testing.assert_allclose(figure.to_qpos(raw.states[-1])[:3], keys[0].state[:3], atol=1e-12)
+
+
+def test_what_either_end_of_a_loop_fixes_is_met_at_both(figure, rng):
+    keys = random_keys(figure, rng, {0: mask_without(figure, "root", "root x")})
+    end = np.where(keys[0].fixed, keys[0].state, keys[-1].state)
+    keys[-1] = Frame.key(TIMES[-1], end)
+    timeline = prepared(figure, keys, "periodic", rng)
+    unknowns = Unknowns.of(figure, timeline)
+    path = Path(Spline(timeline.times, "periodic"), unknowns.rows(random_x(unknowns, rng)))
+    for state in path.at([TIMES[0], TIMES[-1]]):
+        assert distance_from_key(figure, state, keys[-1]) < 1e-12
+
+
+@pytest.mark.parametrize("turns", [0, 1])
+@pytest.mark.parametrize("free_ends", [False, True])
+def test_a_loop_moves_on_smoothly_across_the_seam_even_after_a_full_turn(figure, rng, turns, free_ends):
+    keys = []
+    first = figure.to_qpos(figure.to_state(rng.normal(size=figure.width)))
+    for i, t in enumerate(np.linspace(0, 1.3, 5)):
+        qpos = first + (0.15 * rng.normal(size=first.shape) if 0 < i < 4 else 0)
+        qpos[3:7] = quat.product(quat.from_rotation_vector([0, 0, turns * 2 * np.pi * i / 4]), qpos[3:7])
+        mask = mask_without(figure, "root turn") if free_ends and i in (0, 4) else None
+        keys.append(Frame.key(t, qpos, mask))
+    timeline = prepared(figure, keys, "periodic", rng)
+    unknowns = Unknowns.of(figure, timeline)
+    x = unknowns.start + 0.05 * rng.normal(size=unknowns.size)
+    for rows in (timeline.rows, unknowns.rows(x)):
+        path = Path(Spline(timeline.times, "periodic"), rows)
+        ends = [0, 1.3]
+        samples = Samples(figure, *(path.at(ends, order) for order in range(3)))
+        for name in ("x", "x_d", "x_dd", "rotation", "omega", "alpha"):
+            value = getattr(samples.links, name)
+            np.testing.assert_allclose(value[..., 0], value[..., 1], atol=1e-8 * (1 + np.abs(value).max()))
+    came_back = timeline.states[0, 3:7] @ timeline.states[-1, 3:7]
+    assert np.sign(came_back) == (-1 if turns else 1)
+
+
+@pytest.mark.parametrize("form", ["intrinsic", "paper"])
+def test_the_objective_does_not_feel_the_sign_of_a_whole_track(figure, rng, form):
+    penalties = (CovariantAcceleration(form), UnitMagnitude(), RootAcceleration(), Torque())
+    objective = Objective.of(figure, [(penalty, 1.0) for penalty in penalties])
+    path = path_of(raw_timeline(figure, random_keys(figure, rng)))
+    expected = objective.value(path)
+    for columns in figure.tables.quaternion_columns.T:
+        rows = path.rows.copy()
+        rows[:, columns] *= -1
+        np.testing.assert_allclose(objective.value(Path(path.spline, rows)), expected, rtol=1e-10)
+
+
+def test_a_key_that_fixes_only_hinges_and_slides_leaves_the_rest_free(rng):
+    model = mujoco.MjModel.from_xml_string(
+        """<mujoco><compiler angle="radian"/><worldbody><body><joint name="a" axis="0 1 0" ref="0.3"/><geom size=".1"/>
+        <body pos="0 0 -1"><joint name="b" type="slide"/><geom size=".1"/></body></body></worldbody></mujoco>"""
+    )
+    figure = Figure(model)
+    assert [link.kind for link in figure.links[1:]] == [JointKind.HINGE, JointKind.SLIDE]
+    keys = [Frame.key(0, [0.1, 0.2], [True, False]), Frame.key(1, [0.5, 0.4], [False, True])]
+    unknowns = Unknowns.of(figure, raw_timeline(figure, keys, "clamped", np.zeros((2, 2))))
+    np.testing.assert_allclose(unknowns.start, [0.4, 0.1])
+    np.testing.assert_allclose(unknowns.rows(np.array([7.0, 8.0]))[:2], [[0.1, 7], [8, 0.4]])
+
+
+@pytest.mark.parametrize("degrees", [150.0, 178.0, 180.0, 182.0, 200.0])
+def test_a_joint_that_hardly_turns_stays_put_while_the_whole_figure_turns_half_round(degrees):
+    figure = Figure(mujoco.MjModel.from_xml_string(BALL_TREE), "world")
+    shoulder = figure.model.joint("shoulder").qposadr[0]
+    keys = []
+    for time, turn, bend in ((0.0, 0.0, -4.0), (1.0, degrees, 4.0)):
+        qpos = np.array(figure.model.qpos0)
+        qpos[3:7] = quat.from_rotation_vector([0, 0, np.radians(turn)])
+        qpos[shoulder : shoulder + 4] = quat.from_rotation_vector([0, 0, np.radians(bend)])
+        keys.append(Frame.key(time, qpos))
+    path = path_of(raw_timeline(figure, keys))
+    along = figure.to_qpos(path.at(np.linspace(0, 1, 50)))[:, shoulder : shoulder + 4]
+    assert np.degrees(quat.angle_between(along, [1.0, 0, 0, 0])).max() < 15

@@ -1,0 +1,195 @@
+"""A second motion after a first: placed where that one goes on, with a transition that takes over y, y' and y''."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import mujoco
+import numpy as np
+import pytest
+from curvature_of import RESIDUALS
+from dense_hessian import SMOOTH, assert_dense
+from every_penalty import every_penalty
+from figures import BALL_TREE, TINY, figure_of
+from hopping_loop import TERMS, hop
+from oracles import posed
+from random_keys import random_keys, random_qpos
+from taylor import taylor_slope
+
+from dynsplines.scene.compose import figure_spec
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.curve.unknowns import Unknowns, raw_timeline
+from dynsplines.solver.edit.join import Placement, bridge, following, heading, joined, signed_like, trunk
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.inbetween import Settings, inbetween
+from dynsplines.solver.objective import Objective
+from dynsplines.solver.refine.subdivision import evenly, split
+from dynsplines.solver.search.descent import Descent, optimised
+
+LENGTH = 0.4
+
+
+def sides(figure: Figure, rng: np.random.Generator) -> tuple[Timeline, Timeline]:
+    """A motion, and another that begins a transition later, placed and signed to follow it."""
+    settings = Settings(variable=2, frames=0)
+    before = inbetween(figure, hop(2), TERMS, settings).timeline
+    after = inbetween(figure, random_keys(figure, rng), TERMS, settings).timeline
+    after = signed_like(figure, before, following(figure, before, after, LENGTH).timeline(figure, after))
+    shift = before.times[-1] + LENGTH - after.times[0]
+    frames = tuple(replace(frame, time=frame.time + shift) for frame in after.frames)
+    return before, Timeline(frames, after.end_slope)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("coordinates", ["world", "joint"])
+def test_both_motions_keep_their_curves_and_the_whole_is_smooth_to_the_second_derivative(rng, coordinates):
+    figure = figure_of(TINY, coordinates)
+    before, after = sides(figure, rng)
+    begin = bridge(figure, before, after, variable=5)
+    objective = Objective.of(figure, TERMS).renormalised(path_of(begin))
+    between = optimised(objective, begin)
+    assert objective.value(path_of(between)) < 0.9 * objective.value(path_of(begin))
+    whole = path_of(joined(before, between, after))
+    for part in (before, between, after):
+        t = np.linspace(*path_of(part).span, 150)
+        for order in range(3):
+            wanted = path_of(part).at(t, order)
+            assert np.abs(whole.at(t, order) - wanted).max() < 1e-9 * max(1, np.abs(wanted).max())
+    for at in path_of(between).span:
+        near, far = whole.at(at - 1e-7, 2), whole.at(at + 1e-7, 2)
+        assert np.abs(near - far).max() < 1e-3 * np.abs(whole.at(np.linspace(*whole.span, 99), 2)).max()
+
+
+@pytest.mark.parametrize("variable", [4, 7])
+def test_the_ends_of_a_transition_are_held_for_every_x(rng, variable):
+    figure = figure_of(TINY)
+    before, after = sides(figure, rng)
+    begin = bridge(figure, before, after, variable=variable)
+    for timeline in (begin, evenly(begin, 1)):
+        unknowns = Unknowns.of(figure, timeline)
+        for x in (unknowns.start, unknowns.start + rng.normal(size=unknowns.size)):
+            path = path_of(timeline.with_rows(unknowns.rows(x)))
+            for order in range(3):
+                for at, side in ((path.span[0], before), (path.span[1], after)):
+                    wanted = path_of(side).at(at, order)
+                    np.testing.assert_allclose(path.at(at, order), wanted, atol=1e-8 * max(1, np.abs(wanted).max()))
+        np.testing.assert_allclose(unknowns.rows(unknowns.start), timeline.rows, atol=1e-11)
+    finer = split(begin, np.array([begin.times[0] + 0.01, begin.times[-1] - 0.02]))
+    t = np.linspace(*path_of(begin).span, 60)
+    np.testing.assert_allclose(path_of(finer).at(t), path_of(begin).at(t), atol=1e-10)
+
+
+def test_the_gradient_and_the_step_under_held_ends_are_exact(rng):
+    figure = figure_of(TINY)
+    begin = bridge(figure, *sides(figure, rng), variable=5)
+    objective = Objective.of(figure, every_penalty(figure)).renormalised(path_of(begin))
+    problem = objective.on(begin)
+    x = problem.unknowns.start + 0.02 * rng.normal(size=problem.unknowns.size)
+    assert taylor_slope(lambda z: problem(z).value, x, problem(x).gradient, rng) > 1.9
+    smooth = [(RESIDUALS[name][0], 1.0) for name in SMOOTH]
+    assert_dense(Objective.of(figure, smooth).renormalised(path_of(begin)).on(begin), SMOOTH, x, rtol=1e-3)
+
+
+def test_every_optimiser_finds_the_same_transition(rng):
+    figure = figure_of(TINY)
+    begin = bridge(figure, *sides(figure, rng), variable=5)
+    objective = Objective.of(figure, TERMS).renormalised(path_of(begin))
+    values = [Descent(objective, begin).run(method=name, tolerance=1e-9).value for name in ("newton", "lbfgs")]
+    np.testing.assert_allclose(values[0], values[1], rtol=1e-4)
+
+
+def test_the_quintic_of_a_quintic_is_itself(rng):
+    figure = figure_of(TINY)
+    keys = random_keys(figure, rng)
+    timeline = raw_timeline(figure, keys)
+    before = Timeline(timeline.frames[:2], path_of(timeline).at([timeline.times[0], timeline.times[1]], 1))
+    after = Timeline(timeline.frames[2:], path_of(timeline).at([timeline.times[2], timeline.times[3]], 1))
+    begin = bridge(figure, before, after, variable=30)
+    t = np.linspace(*path_of(begin).span, 50)
+    u = (t - t[0]) / (t[-1] - t[0])
+    fit = np.polynomial.polynomial.polyfit(u, path_of(begin).at(t), 5)
+    np.testing.assert_allclose(path_of(begin).at(t), np.polynomial.polynomial.polyval(u, fit).T, atol=1e-4)
+
+
+@pytest.mark.parametrize("coordinates", ["world", "joint"])
+def test_a_placed_figure_is_turned_and_shifted_as_a_whole(rng, coordinates):
+    model = mujoco.MjModel.from_xml_string(BALL_TREE)
+    figure = Figure(model, coordinates)
+    place = Placement(quat.from_rotation_vector([0, 0, 0.7]), np.array([1.0, -2, 0]))
+    qpos = random_qpos(figure, rng)
+    turn = np.stack([quat.rotated(place.turn, e) for e in np.eye(3)], axis=1)
+    centres, rotations = posed(model, qpos)
+    moved = figure.to_qpos(place.states(figure, figure.to_state(qpos)))
+    for each in (moved, place.states(figure, qpos, "joint")):
+        got, got_turn = posed(model, each)
+        np.testing.assert_allclose(got[1:], centres[1:] @ turn.T + place.shift, atol=1e-9)
+        np.testing.assert_allclose(got_turn[1:], turn @ rotations[1:], atol=1e-9)
+    timeline = raw_timeline(figure, random_keys(figure, rng))
+    t = np.linspace(0, 1.3, 30)
+    wanted = place.states(figure, path_of(timeline).at(t))
+    np.testing.assert_allclose(path_of(place.timeline(figure, timeline)).at(t), wanted, atol=1e-10)
+
+
+def test_the_root_goes_on_in_its_heading_and_at_the_mean_of_both_velocities(rng):
+    figure = figure_of(TINY)
+    before, after = sides(figure, rng)
+    end, start = before.states[-1], after.states[0]
+    turned = heading(np.stack([axes(quat.normalised(state[3:7])) for state in (end, start)]))
+    np.testing.assert_allclose(np.cos(turned[1] - turned[0]), 1, atol=1e-12)
+    velocities = [path_of(before).at(before.times[-1], 1), path_of(after).at(after.times[0], 1)]
+    np.testing.assert_allclose(start[:2] - end[:2], LENGTH * np.mean(velocities, axis=0)[0, :2], atol=1e-9)
+
+
+def test_heading_is_the_turn_about_z_under_any_tilt(rng):
+    for angle in (0.0, 1.0, -2.5, 3.0):
+        turn = quat.from_rotation_vector([0, 0, angle])
+        tilt = quat.from_rotation_vector(np.append(rng.normal(size=2), 0))
+        np.testing.assert_allclose(heading(axes(quat.product(turn, tilt))), angle, atol=1e-12)
+    assert heading(np.diag([1.0, -1, -1])) == 0
+
+
+def axes(q: Array) -> Array:
+    """(3, 3) the rotation matrix of a unit quaternion."""
+    return np.stack([quat.rotated(q, e) for e in np.eye(3)], axis=1)
+
+
+def test_a_walk_goes_on_the_way_that_its_trunk_faces_whichever_foot_is_ahead():
+    """At a step the pelvis turns 4 degrees one way and the chest as much the other: the walk goes straight on."""
+    figure = Figure(figure_spec("human").compile())
+    assert [figure.links[i].name for i in trunk(figure)] == ["root", "spine"]
+    for way in (0.0, 1.2, -2.9):
+        still = np.zeros((2, figure.width))
+        before, after = Timeline(step(figure, 4.0, way), still), Timeline(step(figure, -4.0, 0.0), still)
+        place = following(figure, before, after, LENGTH)
+        np.testing.assert_allclose(heading(axes(place.turn)), way, atol=1e-9)
+
+
+def step(figure: Figure, pelvis: float, way: float) -> tuple[Frame, Frame]:
+    """Two frames of one pose, the pelvis turned by some degrees off its way [rad] and the chest as much back."""
+    qpos, off = np.array(figure.model.qpos0), np.radians(pelvis)
+    qpos[3:7] = quat.from_rotation_vector([0, 0, way + off])
+    spine = next(link for link in figure.links if link.name == "spine")
+    qpos[spine.qpos : spine.qpos + 4] = quat.from_rotation_vector([0, 0, -2 * off])
+    state = figure.to_state(qpos)
+    return Frame.key(0.0, state), Frame.key(1.0, state)
+
+
+def test_a_figure_that_stands_fixed_is_not_moved(rng):
+    ball = figure_of('<mujoco><worldbody><body><joint type="ball"/><geom size=".1"/></body></worldbody></mujoco>')
+    one, two = (raw_timeline(ball, random_keys(ball, rng)) for _ in range(2))
+    np.testing.assert_array_equal(following(ball, one, two, 1.0).timeline(ball, two).rows, two.rows)
+
+
+def test_a_transition_that_is_none_is_refused(rng):
+    figure = figure_of(TINY)
+    before, after = sides(figure, rng)
+    with pytest.raises(TimelineError, match="takes time"):
+        bridge(figure, before, before)
+    with pytest.raises(TimelineError, match="at least 4 variable frames, not 2"):
+        bridge(figure, before, after, variable=2)
+    begin = bridge(figure, before, after)
+    with pytest.raises(TimelineError, match="held ends need a variable frame beside each"):
+        Timeline(begin.frames[:1] + begin.frames[-1:], begin.end_slope, "held")

@@ -1,0 +1,273 @@
+"""Thinning: the bound holds whatever the motion, and hardly any choice of fewer keyframes would keep it."""
+
+from __future__ import annotations
+
+import itertools
+
+import mujoco
+import numpy as np
+import pytest
+from figures import BALL_TREE, EVERY_JOINT, FIGURES
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.interpolate import CubicSpline
+
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.edit.thin import Bound, Recorded, natural_splines, refined, thin
+from dynsplines.solver.figure.figure import Figure
+
+WIDE = Bound(0.08, np.radians(10))
+
+
+def recording(figure: Figure, seed: int, count: int = 14, bends: int = 5) -> tuple[np.ndarray, np.ndarray]:
+    """Times (count,) and qpos of a motion that turns every joint this way and that."""
+    model, rng = figure.model, np.random.default_rng(seed)
+    times = np.linspace(0, 1, count)
+    velocity = CubicSpline(np.linspace(0, 1, bends), 0.4 * rng.normal(size=(bends, model.nv)), bc_type="natural")(times)
+    qpos = np.tile(model.qpos0, (count, 1))
+    for row, move in zip(qpos, velocity, strict=True):
+        mujoco.mj_integratePos(model, row, move, 1.0)
+    return times, qpos
+
+
+def of(name: str) -> Figure:
+    text, coordinates = FIGURES[name]
+    return Figure(mujoco.MjModel.from_xml_string(text), coordinates)
+
+
+def apart_by_mujoco(figure: Figure, times: np.ndarray, qpos: np.ndarray, timeline) -> tuple[float, float]:
+    """The largest distance of a body's origin or a site [m] and the largest angle of a body [rad]."""
+    data = [mujoco.MjData(figure.model) for _ in range(2)]
+    distance = angle = 0.0
+    between = figure.to_qpos(path_of(timeline).at(times))
+    for pair in zip(qpos, between, strict=True):
+        for each, row in zip(data, pair, strict=True):
+            each.qpos = row
+            mujoco.mj_kinematics(figure.model, each)
+        for one, other in ((data[0].xpos, data[1].xpos), (data[0].site_xpos, data[1].site_xpos)):
+            if len(one):
+                distance = max(distance, float(np.linalg.norm(one - other, axis=1).max()))
+        dots = np.abs(np.sum(data[0].xquat * data[1].xquat, axis=1))
+        angle = max(angle, float(2 * np.arccos(np.minimum(dots, 1)).max()))
+    return distance, angle
+
+
+def holds(recorded: Recorded, kept: tuple[int, ...]) -> bool:
+    return bool(recorded.excess(recorded.spline(recorded.frames(kept))).max() <= 1 + 1e-9)
+
+
+def fewest(recorded: Recorded, below: int) -> int:
+    """The least number of keyframes that any choice keeps the bound with, or `below` if none has fewer."""
+    last = len(recorded.times) - 1
+    for inner in range(below - 2):
+        if any(holds(recorded, (0, *some, last)) for some in itertools.combinations(range(1, last), inner)):
+            return inner + 2
+    return below
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("name", ["ball tree, world", "every joint"])
+def test_no_choice_of_keyframes_has_more_than_one_fewer(name, seed):
+    figure = of(name)
+    recorded = Recorded(figure, *recording(figure, seed, bends=4 + seed % 3), WIDE)
+    found = thin(recorded)
+    assert len(found.kept) <= fewest(recorded, len(found.kept)) + 1
+
+
+@pytest.mark.slow
+def test_longer_motions_come_as_near_to_the_fewest():
+    figure = of("ball tree, joint")
+    recorded = Recorded(figure, *recording(figure, 3, count=26, bends=4), Bound(0.1, np.radians(15)))
+    found = thin(recorded)
+    assert 4 <= len(found.kept) <= fewest(recorded, len(found.kept)) + 1
+
+
+@pytest.mark.slow
+@settings(max_examples=25, deadline=None)
+@given(
+    name=st.sampled_from(sorted(FIGURES)),
+    seed=st.integers(0, 10_000),
+    count=st.integers(2, 40),
+    metres=st.floats(1e-6, 1.0),
+    degrees=st.floats(1e-3, 90.0),
+)
+def test_the_bound_holds_by_mujocos_kinematics(name, seed, count, metres, degrees):
+    figure = of(name)
+    times, qpos = recording(figure, seed, count)
+    found = thin(Recorded(figure, times, qpos, Bound(metres, np.radians(degrees))))
+    distance, angle = apart_by_mujoco(figure, times, qpos, found.timeline)
+    assert distance <= metres * (1 + 1e-6) + 1e-12
+    assert angle <= np.radians(degrees) * (1 + 1e-6) + 1e-7
+    np.testing.assert_allclose(found.timeline.times, times[list(found.kept)])
+
+
+def test_a_straight_motion_thins_to_two_keyframes():
+    figure = of("every joint")
+    times = np.linspace(0, 2, 50)
+    qpos = np.tile(figure.model.qpos0, (50, 1))
+    qpos[:, 0] += 1.5 * times
+    qpos[:, 7] += 0.4 * times  # a hinge
+    assert thin(Recorded(figure, times, qpos, Bound(1e-6, 1e-6))).kept == (0, 49)
+
+
+def test_a_bound_of_next_to_nothing_keeps_every_instant():
+    figure = of("ball tree, world")
+    times, qpos = recording(figure, 1, count=12, bends=12)
+    recorded = Recorded(figure, times, qpos, Bound(1e-9, 1e-9))
+    found = thin(recorded)
+    assert found.kept == tuple(range(12))
+    assert recorded.excess(found.timeline).max() < 1
+
+
+@pytest.mark.parametrize(("distance", "angle"), [(0.0, 1.0), (1.0, 0.0), (-1.0, 1.0), (np.nan, 1.0)])
+def test_a_bound_of_nothing_is_refused(distance, angle):
+    with pytest.raises(ValueError, match="above 0"):
+        Bound(distance, angle)
+
+
+def test_a_turn_of_the_last_body_counts_though_no_origin_moves():
+    figure = Figure(mujoco.MjModel.from_xml_string('<mujoco><worldbody><body name="ball"><joint type="ball"/>'
+                                                   '<geom size=".1"/></body></worldbody></mujoco>'))  # fmt: skip
+    times = np.linspace(0, 1, 41)
+    turned = 0.6 * np.sin(2 * np.pi * times)
+    qpos = np.stack([np.cos(turned / 2), np.sin(turned / 2), 0 * times, 0 * times], axis=1)
+    recorded = Recorded(figure, times, qpos, Bound(0.01, np.radians(2)))
+    found = thin(recorded)
+    assert 4 <= len(found.kept) < 12
+    distance, angle = recorded.worst(found.timeline)
+    assert distance.value < 1e-12
+    assert 0.1 * np.radians(2) < angle.value <= np.radians(2) * (1 + 1e-6)
+
+
+@pytest.mark.slow
+def test_half_the_bound_takes_more_keyframes_not_fewer():
+    figure = of("ball tree, world")
+    times, qpos = recording(figure, 5, count=60, bends=25)
+    counts = [len(thin(Recorded(figure, times, qpos, Bound(d, np.radians(45)))).kept) for d in (0.8, 0.2, 0.05)]
+    assert counts[0] < counts[1] < counts[2] <= 60
+
+
+def test_the_worst_is_told_with_its_name_and_instant():
+    figure = of("every joint")
+    times, qpos = recording(figure, 2, count=30)
+    recorded = Recorded(figure, times, qpos, WIDE)
+    timeline = recorded.spline(recorded.frames([0, 29]))
+    distance, angle = recorded.worst(timeline)
+    apart = apart_by_mujoco(figure, times, qpos, timeline)
+    assert (distance.value, angle.value) == pytest.approx(apart, rel=1e-6)
+    assert distance.name in {figure.model.body(i).name for i in range(figure.model.nbody)}
+    assert 0 < distance.instant < 29
+
+
+def test_refining_any_in_between_ends_within_the_bound():
+    figure = of("ball tree, joint")
+    times, qpos = recording(figure, 4, count=30)
+    recorded = Recorded(figure, times, qpos, WIDE)
+    calls = []
+
+    def crooked(keys):
+        calls.append(len(keys))
+        line = recorded.spline(keys)
+        return line.with_rows(np.concatenate([line.states, 1.3 * line.end_slope]))
+
+    found = refined(recorded, (0, 29), crooked)
+    assert recorded.excess(found.timeline).max() <= 1 + 1e-9
+    assert calls == sorted(calls)
+    assert calls[-1] == len(found.kept)
+
+
+def test_many_splines_at_once_are_scipys_natural_ones():
+    rng = np.random.default_rng(0)
+    times = np.cumsum(rng.uniform(0.1, 1, (3, 6)), axis=1)
+    values = rng.normal(size=(3, 6, 4))
+    for some in (slice(0, 6), slice(0, 2)):
+        t = [np.linspace(row[some][0], row[some][-1], 9) for row in times]
+        owner = np.repeat([0, 1, 2], 9)
+        many = natural_splines(times[:, some], values[:, some], owner, np.concatenate(t))
+        one = [CubicSpline(times[k, some], values[k, some], bc_type="natural")(t[k]) for k in range(3)]
+        np.testing.assert_allclose(many, np.concatenate(one), atol=1e-12)
+
+
+@pytest.mark.slow
+def test_a_loop_stays_a_loop():
+    figure = Figure(mujoco.MjModel.from_xml_string(BALL_TREE))
+    times = np.linspace(0, 1, 17)
+    qpos = np.tile(figure.model.qpos0, (17, 1))
+    qpos[:, 0] += 2 * times
+    qpos[:, 2] += 0.1 * np.cos(2 * np.pi * times)
+    swing = 0.5 * np.sin(2 * np.pi * times)
+    qpos[:, 7:11] = np.stack([np.cos(swing), np.sin(swing), 0 * swing, 0 * swing], axis=1)
+    recorded = Recorded(figure, times, qpos, Bound(0.02, np.radians(5)), "periodic", (2.0, 0.0, 0.0))
+    found = thin(recorded)
+    assert found.timeline.ends == "periodic"
+    assert {0, 16} < set(found.kept)
+    assert len(found.kept) <= fewest(recorded, len(found.kept)) + 1
+    assert recorded.excess(found.timeline).max() <= 1
+    start, end = (path_of(found.timeline).at([t], 1)[0] for t in (0.0, 1.0))
+    np.testing.assert_allclose(start, end, atol=1e-9)
+
+
+def test_figures_without_names_are_told_by_number():
+    figure = Figure(mujoco.MjModel.from_xml_string(EVERY_JOINT.replace('name="tip"', "")), "joint")
+    recorded = Recorded(figure, *recording(figure, 0), WIDE)
+    assert any(name.startswith("body ") for name in recorded.points[0])
+
+
+SWAY = """<mujoco><worldbody><body name="foot"><joint type="slide" axis="1 0 0"/><geom size=".02"/>
+<site name="sole" pos="0 0 -.02"/></body></worldbody></mujoco>"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("hertz", "stands"), [(1.1, True), (4.0, False)])
+def test_what_stands_keeps_to_a_quarter_of_the_bound_and_what_moves_to_all_of_it(hertz, stands):
+    """A foot comes, and then sways by a centimetre: below 0.1 m/s that is standing, above it is not."""
+    figure = Figure(mujoco.MjModel.from_xml_string(SWAY))
+    times = np.linspace(0, 3, 301)
+    come = np.clip(times, 0, 1)
+    qpos = (come**2 * (3 - 2 * come) + 0.01 * np.sin(2 * np.pi * hertz * (times - 1)) * (times > 1))[:, None]
+    recorded = Recorded(figure, times, qpos, Bound(0.02, np.radians(5)))
+    found = thin(recorded)
+    off = np.abs(figure.to_qpos(path_of(found.timeline).at(times)) - qpos)[:, 0]
+    swaying = times > 1.05
+    assert off.max() <= 0.02 * (1 + 1e-6)
+    if stands:
+        assert recorded.stands[:, swaying].all()
+        assert off[swaying].max() <= 0.005 * (1 + 1e-6)
+        assert recorded.slipped(found.timeline) == pytest.approx(off[recorded.stands[0]].max(), rel=1e-6)
+    else:
+        assert off[swaying].max() > 0.005
+    assert not recorded.stands[:, (times > 0.2) & (times < 0.8)].any()
+
+
+def test_a_stand_of_a_moment_is_none():
+    figure = Figure(mujoco.MjModel.from_xml_string(SWAY))
+    times = np.linspace(0, 1, 201)
+    qpos = 0.5 * np.abs(times - 0.5)[:, None]  # turns round at once
+    assert not Recorded(figure, times, qpos, WIDE).stands.any()
+
+
+def test_a_body_between_others_may_stand_or_move():
+    """Only the ends of limbs are held more closely: hips that pause over swinging legs are not."""
+    text, coordinates = FIGURES["ball tree, joint"]
+    figure = Figure(mujoco.MjModel.from_xml_string(text), coordinates)
+    times = np.linspace(0, 1, 50)
+    recorded = Recorded(figure, times, np.tile(figure.model.qpos0, (50, 1)), WIDE)
+    parents = {link.parent for link in figure.links[1:]}
+    for row, link in zip(recorded.stands, recorded.points[1], strict=True):
+        assert row.all() == (link not in parents)
+
+
+def test_limbs_without_a_site_are_looked_at_to_their_tips():
+    arm = """<mujoco><worldbody><body name="upper"><joint type="ball"/>
+    <geom type="capsule" size=".03" fromto="0 0 0 0 0 -.3"/>
+    <body name="lower" pos="0 0 -.3"><joint axis="0 1 0"/><geom type="capsule" size=".02" fromto="0 0 0 0 0 -.25"/>{}
+    </body></body></worldbody></mujoco>"""
+    bare, marked = (Figure(mujoco.MjModel.from_xml_string(arm.format(site))) for site in ("", '<site name="hand"/>'))
+    times, qpos = recording(bare, 0)
+    names, links, places = Recorded(bare, times, qpos, WIDE).points
+    at = names.index("tip of lower")
+    assert bare.links[links[at]].body == bare.model.body("lower").id
+    np.testing.assert_allclose(places[:, at], [0, 0, -0.27], atol=1e-9)
+    assert set(names) == {"upper", "lower", "tip of lower"}
+    assert set(Recorded(marked, times, qpos, WIDE).points[0]) == {"upper", "lower", "hand"}

@@ -1,0 +1,107 @@
+"""Closed rows of the root's wrench and of joints' accelerations on figures of any joints, against adjoint sweeps."""
+
+from __future__ import annotations
+
+import mujoco
+import numpy as np
+import pytest
+from closed_forms import WOOD, assert_near
+from random_model import random_figure
+from random_samples import random_samples
+
+from dynsplines.solver.array import Array, Index
+from dynsplines.solver.figure import joint_spin
+from dynsplines.solver.figure.algebra import add_at
+from dynsplines.solver.figure.axes import turning
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.jacobian_rows import Pushes
+from dynsplines.solver.figure.joint_spin import any_relative_spin_rows
+from dynsplines.solver.figure.joint_wrench import any_wrench_rows
+from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.figure.wrench import RootWrench
+from dynsplines.solver.penalty.curvature import jacobian
+
+SEEDS = range(12)
+
+
+def some_pushes(samples: Samples, root: int, rng: np.random.Generator) -> Pushes:
+    """On links of one root's tree, two at one sample and link."""
+    link = rng.choice(np.flatnonzero(samples.figure.tables.path[:, root]), 7)
+    at = np.sort(rng.integers(0, samples.count, 7))
+    link[1], at[1] = link[0], at[0]
+    return Pushes(at, link, rng.normal(0, 0.1, (3, 7)), rng.normal(0, 50, (3, 7)))
+
+
+def swept(samples: Samples, root: int, pushes: Pushes | None) -> Array:
+    """The wrench's rows by one adjoint sweep each, (S, 6, 3, N)."""
+    at = np.repeat(np.arange(samples.count), 6)
+
+    def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
+        bars = np.zeros((2, 3, rows.size))
+        bars[rows % 6 // 3, rows % 3, np.arange(rows.size)] = 1.0
+        wrench = RootWrench(copies, root)
+        if pushes is None:
+            wrench.pull_back(cotangent, bars[0], bars[1])
+            return
+        push, copy = np.nonzero(pushes.at[:, None] == at[rows])  # every row's own copy gets its sample's
+        own = Pushes(copy, pushes.link[push], pushes.arm[:, push], pushes.force[:, push])
+        own.pull_back(wrench, cotangent, bars[0], bars[1])
+
+    return jacobian(samples, at, seeded).reshape(samples.count, 6, 3, -1)
+
+
+def spins_swept(samples: Samples, at: Index, link: Index, way: Array) -> Array:
+    """Rows of way · (ω' − ω'_parent) by one adjoint sweep each, (P, 3, N)."""
+
+    def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
+        seeds = np.zeros((3, len(copies.figure.links), rows.size))
+        seeds[:, link[rows], np.arange(rows.size)] = way[:, rows]
+        room = cotangent.room("alpha")
+        room += seeds
+        add_at(room, copies.figure.tables.parents, -seeds)
+
+    return jacobian(samples, at, seeded)
+
+
+def check_wrench(figure: Figure, rng: np.random.Generator) -> int:
+    """Compares those of every free root; how many there are."""
+    samples, roots = random_samples(figure, rng), figure.tables.free_links
+    for root in roots:
+        for pushes in (None, some_pushes(samples, root, rng)):
+            assert_near(any_wrench_rows(RootWrench(samples, root), pushes), swept(samples, root, pushes), 1e-10)
+    return roots.size
+
+
+def check_spins(figure: Figure, rng: np.random.Generator) -> None:
+    samples = random_samples(figure, rng)
+    at, link = rng.integers(0, samples.count, 40), rng.integers(1, len(figure.links), 40)
+    way = rng.normal(size=(3, 40))
+    assert_near(any_relative_spin_rows(samples, at, link, way), spins_swept(samples, at, link, way), 1e-10)
+
+
+def test_rows_are_those_of_the_adjoint_sweep(figure, rng):
+    assert check_wrench(figure, rng) == figure.tables.free_links.size > 0
+    check_spins(figure, rng)
+
+
+@pytest.mark.parametrize("coordinates", ["auto", "joint"])
+def test_so_they_are_on_random_models(coordinates):
+    assert sum(check_wrench(*random_figure(seed, coordinates)) for seed in SEEDS) > 5
+    for seed in SEEDS:
+        check_spins(*random_figure(seed, coordinates))
+
+
+def test_so_they_are_where_quaternions_in_the_world_follow_each_other(rng):
+    figure = Figure(mujoco.MjModel.from_xml_string(WOOD), "world")
+    assert not np.array_equal(turning(figure), figure.tables.beyond)
+    assert check_wrench(figure, rng) == 2
+    check_spins(figure, rng)
+
+
+def test_many_joints_are_taken_in_parts(figure, rng, monkeypatch):
+    samples = random_samples(figure, rng)
+    at, link = rng.integers(0, samples.count, 200), rng.integers(1, len(figure.links), 200)
+    way = rng.normal(size=(3, 200))
+    whole = any_relative_spin_rows(samples, at, link, way)
+    monkeypatch.setattr(joint_spin, "AT_ONCE", 60)
+    np.testing.assert_allclose(any_relative_spin_rows(samples, at, link, way), whole, atol=1e-12 * np.abs(whole).max())

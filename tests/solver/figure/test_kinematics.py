@@ -1,0 +1,77 @@
+"""The batched kinematics and its adjoint, against MuJoCo and Taylor expansions."""
+
+import mujoco
+import numpy as np
+import pytest
+from random_samples import random_samples
+from taylor import taylor_slope
+
+from dynsplines.solver.figure.dynamics import velocities
+from dynsplines.solver.figure.kinematics import Cotangent, Samples
+
+
+def test_link_positions_and_orientations_are_those_of_mj_kinematics(figure, rng):
+    samples = random_samples(figure, rng)
+    data = mujoco.MjData(figure.model)
+    for i, qpos in enumerate(figure.to_qpos(samples.y)):
+        data.qpos[:] = qpos
+        mujoco.mj_kinematics(figure.model, data)
+        for link_index, link in enumerate(figure.links[1:], start=1):
+            if figure.body_link[link.body] != link_index:
+                continue
+            np.testing.assert_allclose(samples.links.x[:, link_index, i], data.xpos[link.body], atol=1e-12)
+            np.testing.assert_allclose(
+                samples.links.rotation[:, :, link_index, i].ravel(), data.xmat[link.body], atol=1e-12
+            )
+            if link.kind != link.kind.SLIDE:  # MuJoCo gives a slide's anchor before the displacement
+                np.testing.assert_allclose(samples.links.anchor[:, link_index, i], data.xanchor[link.joint], atol=1e-12)
+
+
+def test_state_and_qpos_are_inverse_to_each_other(figure, rng):
+    qpos = figure.to_qpos(figure.to_state(rng.normal(size=(4, figure.width))))
+    np.testing.assert_allclose(figure.to_qpos(figure.to_state(qpos)), qpos, atol=1e-14)
+
+
+def test_qvel_and_qacc_are_the_derivatives_of_the_motion_that_mujoco_integrates(figure, rng):
+    samples = random_samples(figure, rng)
+    qvel, qacc = velocities(samples)
+    h = 1e-4
+    model = figure.model
+
+    def along(i: int, t: float) -> np.ndarray:
+        return figure.to_qpos(samples.y[i] + t * samples.y_d[i] + 0.5 * t**2 * samples.y_dd[i])
+
+    for i in range(samples.count):
+        before, after = np.zeros(model.nv), np.zeros(model.nv)
+        mujoco.mj_differentiatePos(model, after, h, along(i, 0), along(i, h))
+        mujoco.mj_differentiatePos(model, before, h, along(i, -h), along(i, 0))
+        np.testing.assert_allclose((before + after) / 2, qvel[i], rtol=1e-4, atol=1e-4)
+        np.testing.assert_allclose((after - before) / h, qacc[i], rtol=1e-3, atol=5e-3)
+
+
+@pytest.mark.parametrize("name", ["x", "x_d", "x_dd", "omega", "alpha"])
+def test_the_adjoint_of_each_quantity_has_taylor_slope_two(figure, rng, name):
+    samples = random_samples(figure, rng)
+    weights = rng.normal(size=(3, len(figure.links), samples.count))
+    cotangent = Cotangent(samples)
+    cotangent.add(name, weights)
+    gradients = cotangent.gradients()
+
+    def value(point: np.ndarray) -> float:
+        return float(np.sum(weights * getattr(Samples(figure, *point).links, name)))
+
+    assert taylor_slope(value, np.stack([samples.y, samples.y_d, samples.y_dd]), np.stack(gradients), rng) > 1.95
+
+
+def test_the_adjoint_of_rotations_has_taylor_slope_two(figure, rng):
+    samples = random_samples(figure, rng)
+    weights = rng.normal(size=(3, 3, len(figure.links), samples.count))
+    rotation = samples.links.rotation
+    cotangent = Cotangent(samples)
+    cotangent.add("turn", np.cross(rotation, weights, axis=0).sum(axis=1))
+    gradients = cotangent.gradients()
+
+    def value(point: np.ndarray) -> float:
+        return float(np.sum(weights * Samples(figure, *point).links.rotation))
+
+    assert taylor_slope(value, np.stack([samples.y, samples.y_d, samples.y_dd]), np.stack(gradients), rng) > 1.95

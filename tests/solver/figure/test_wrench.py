@@ -1,0 +1,93 @@
+"""The wrench at a free root against mj_inverse, its adjoint, and its rows in closed form."""
+
+import mujoco
+import numpy as np
+import pytest
+from closed_forms import CLOSED
+from figures import BALL_TREE
+from oracles import mujoco_forces
+from random_samples import random_samples
+from taylor import taylor_slope
+
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.jacobian_rows import Pushes, wrench_rows
+from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.figure.wrench import RootWrench, height, weight
+
+
+def test_force_and_moment_are_those_of_mj_inverse_at_the_root(figure, rng):
+    samples = random_samples(figure, rng)
+    wrench = RootWrench(samples, 1)
+    expected = mujoco_forces(samples)[:, :6]
+    rotation, root = samples.links.rotation[:, :, 1], samples.links.x[:, 1]
+    at_root = wrench.moment + np.cross(wrench.centre - root, wrench.force, axis=0)
+    scale = np.abs(expected).max()
+    np.testing.assert_allclose(wrench.force.T, expected[:, :3], atol=1e-11 * scale)
+    np.testing.assert_allclose(np.einsum("ijs,is->sj", rotation, at_root), expected[:, 3:], atol=1e-11 * scale)
+
+
+def test_the_centre_and_the_mass_are_mujocos(figure, rng):
+    samples, data = random_samples(figure, rng), mujoco.MjData(figure.model)
+    wrench = RootWrench(samples, 1)
+    for i, qpos in enumerate(figure.to_qpos(samples.y)):
+        data.qpos[:] = qpos
+        mujoco.mj_kinematics(figure.model, data)
+        mujoco.mj_comPos(figure.model, data)
+        np.testing.assert_allclose(wrench.centre[:, i], data.subtree_com[1], atol=1e-12)
+    np.testing.assert_allclose(wrench.mass, figure.model.body_subtreemass[1])
+    np.testing.assert_allclose(weight(figure, 1), np.linalg.norm(figure.gravity) * figure.model.body_subtreemass[1])
+
+
+def test_a_slender_rod_is_as_high_as_it_is_long():
+    text = """<mujoco><worldbody><body><freejoint/><inertial pos="1 2 3" mass="6" diaginertia="2 2 1e-9"/></body>
+    </worldbody></mujoco>"""
+    assert height(Figure(mujoco.MjModel.from_xml_string(text)), 1) == pytest.approx(2)
+
+
+def test_the_adjoint_has_taylor_slope_two(figure, rng):
+    samples = random_samples(figure, rng)
+    bars = rng.normal(size=(3, 3, samples.count))
+    cotangent = Cotangent(samples)
+    RootWrench(samples, 1).pull_back(cotangent, *bars)
+
+    def value(point: np.ndarray) -> float:
+        wrench = RootWrench(Samples(figure, *point), 1)
+        return float(np.sum(bars * np.array([wrench.force, wrench.moment, wrench.centre])))
+
+    gradients = np.stack(cotangent.gradients())
+    assert taylor_slope(value, np.stack([samples.y, samples.y_d, samples.y_dd]), gradients, rng) > 1.95
+
+
+@pytest.mark.parametrize("kind", CLOSED)
+@pytest.mark.parametrize("pushed", [False, True])
+def test_its_rows_are_its_differences_pushes_taken_off(rng, kind, pushed):
+    figure = Figure(mujoco.MjModel.from_xml_string(CLOSED[kind]))
+    for root in figure.tables.free_links:
+        samples = random_samples(figure, rng)
+        inside = np.flatnonzero(figure.tables.path[:, root])
+        link, at = rng.choice(inside, 9), rng.integers(0, samples.count, 9)
+        position, force = rng.normal(size=(2, 3, 9)) * pushed
+
+        def total(point: np.ndarray, root=int(root), link=link, at=at, position=position, force=force) -> np.ndarray:
+            seen = Samples(figure, *point)
+            wrench = RootWrench(seen, root)
+            x, rotation = seen.links.poses(link * seen.count + at)
+            lever = x + np.einsum("ijp,jp->ip", rotation, position) - wrench.centre[:, at]
+            turning = np.cross(lever, force, axis=0)
+            moment = wrench.moment - np.array([np.bincount(at, part, seen.count) for part in turning], float)
+            return np.concatenate([wrench.force, moment])
+
+        arm = np.einsum("ijp,jp->ip", samples.links.rotation[:, :, link, at], position)
+        pushes = Pushes(at, link, arm, force) if pushed else None
+        rows = wrench_rows(RootWrench(samples, int(root)), pushes)
+        point, h = np.stack([samples.y, samples.y_d, samples.y_dd]), 1e-6
+        way = rng.normal(size=point.shape)
+        slope = (total(point + h * way) - total(point - h * way)) / (2 * h)
+        found = np.einsum("scon,osn->cs", rows, way)
+        np.testing.assert_allclose(found, slope, atol=1e-7 * np.abs(slope).max())
+
+
+def test_without_gravity_the_weight_is_still_a_unit():
+    text = BALL_TREE.replace('gravity="0 0 -9.81"', 'gravity="0 0 0"')
+    figure = Figure(mujoco.MjModel.from_xml_string(text))
+    assert weight(figure, 1) == pytest.approx(9.81 * figure.model.body_subtreemass[1])

@@ -1,0 +1,141 @@
+"""Flight: free fall costs nothing, the value against mj_inverse, gradient and curvature, and what it does to a hop."""
+
+import mujoco
+import numpy as np
+import pytest
+from closed_forms import WOOD
+from curvature_of import assembled, assert_near, curvature_of, jacobians
+from figures import BALL_TREE
+from oracles import mujoco_forces
+from penalty_slope import penalty_slope, scaled_like
+from random_samples import at_times, random_samples
+
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.jacobian_rows import Pushes
+from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.figure.wrench import RootWrench, height, weight
+from dynsplines.solver.inbetween import Settings, inbetween
+from dynsplines.solver.penalty import CovariantAcceleration, Flight, Penalty, RootAcceleration
+from dynsplines.solver.penalty.ground.flight import rows_of_wrench
+
+G = 9.81
+BRICK = f"""<mujoco><option gravity="0 0 -{G}"/><worldbody><body><freejoint/>
+<inertial mass="3" pos=".1 .2 .3" diaginertia=".2 .3 .4"/></body></worldbody></mujoco>"""
+ALL = ((-1.0, 9.0),)
+
+
+@pytest.mark.parametrize("angular", [0.0, 0.7])
+def test_the_gradient_has_taylor_slope_two(figure, rng, angular):
+    samples = at_times(random_samples(figure, rng, 8), np.linspace(0, 1, 8))
+    assert penalty_slope(Flight.of(figure, 1, ((0.1, 0.4), (0.6, 0.8)), angular), samples, rng) > 1.95
+
+
+def test_it_is_the_root_force_of_mj_inverse_in_weights_while_a_flight_lasts(figure, rng):
+    samples = at_times(random_samples(figure, rng, 6), np.array([0.0, 0.1, 0.2, 0.3, 0.6, 0.7]))
+    expected = np.sum(mujoco_forces(samples)[:, :3] ** 2, axis=1) / weight(figure, 1) ** 2
+    expected[[0, 4]] = 0
+    found = Flight.of(figure, 1, ((0.05, 0.4), (0.7, 0.8))).evaluate(samples)
+    np.testing.assert_allclose(found, expected, rtol=1e-9)
+    assert np.count_nonzero(expected) == 4
+
+
+def test_it_does_not_feel_the_quaternions_length(figure, rng):
+    samples = random_samples(figure, rng, 5)
+    flight = Flight.of(figure, 1, ALL, 0.5)
+    np.testing.assert_allclose(flight.evaluate(scaled_like(samples, rng)), flight.evaluate(samples), rtol=1e-9)
+
+
+def thrown() -> Samples:
+    """A body of three different moments of inertia that tumbles freely, by MuJoCo's own simulation."""
+    figure = Figure(mujoco.MjModel.from_xml_string(BRICK))
+    model, data = figure.model, mujoco.MjData(figure.model)
+    model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONTACT)
+    data.qvel[:] = 1, -0.5, 3, 2, -3, 1
+    y, y_d, y_dd = np.zeros((3, 20, 7))
+    model.opt.timestep = 0.02
+    for i in range(20):
+        mujoco.mj_forward(model, data)
+        spin, spin_rate = data.qvel[3:], data.qacc[3:]
+        q = data.qpos[3:].copy()
+        q_d = 0.5 * quat.product(q, np.append(0, spin))
+        y[i], y_d[i] = data.qpos, np.append(data.qvel[:3], q_d)
+        y_dd[i, :3] = data.qacc[:3]
+        y_dd[i, 3:] = 0.5 * (quat.product(q_d, np.append(0, spin)) + quat.product(q, np.append(0, spin_rate)))
+        mujoco.mj_step(model, data)
+    return Samples(figure, y, y_d, y_dd)
+
+
+def test_a_body_that_tumbles_freely_costs_nothing_and_one_that_hovers_one():
+    samples = thrown()
+    flight = Flight.of(samples.figure, 1, ALL, 1.0)
+    assert flight.evaluate(samples).max() < 1e-20
+    still = Samples(samples.figure, samples.y, 0 * samples.y, 0 * samples.y)
+    np.testing.assert_allclose(flight.evaluate(still), 1.0, rtol=1e-12)
+
+
+def test_no_flight_costs_nothing(figure, rng):
+    samples = random_samples(figure, rng)
+    cotangent = Cotangent(samples)
+    for intervals in ((), ((3.0, 4.0),)):
+        assert not Flight.of(figure, 1, intervals).evaluate(samples, cotangent).any()
+    assert not any(g.any() for g in cotangent.gradients())
+
+
+@pytest.mark.slow
+def test_the_curvature_is_twice_the_square_of_the_residuals_jacobian(figure, rng):
+    samples = at_times(random_samples(figure, rng, 4), np.linspace(0.1, 1.3, 4))
+    flight = Flight.of(figure, 1, ((0.0, 0.6), (1.2, 1.4)), 0.4)
+    aloft = np.array([1.0, 1, 0, 1])
+
+    def residuals(seen: Samples) -> Array:
+        wrench = RootWrench(seen, 1)
+        both = np.concatenate([wrench.force, np.sqrt(0.4) * wrench.moment / height(figure, 1)])
+        return (both * aloft).T / weight(figure, 1)
+
+    np.testing.assert_allclose(np.sum(residuals(samples) ** 2, axis=1), flight.evaluate(samples), rtol=1e-9)
+    scale, phi = rng.uniform(0.5, 2, 4), rng.normal(size=(4, 3, 2))
+    moved = np.einsum("sron,soa->sran", jacobians(residuals, samples), phi).reshape(4, 6, -1)
+    expected = 2 * scale[:, None, None] * np.einsum("srx,sry->sxy", moved, moved)
+    assert_near(assembled(curvature_of(flight, samples, scale), phi), expected)
+
+
+@pytest.mark.parametrize("pushed", [False, True])
+def test_rows_for_any_joints_are_those_for_ball_joints_in_the_world(rng, monkeypatch, pushed):
+    figure = Figure(mujoco.MjModel.from_xml_string(WOOD))
+    root = int(figure.tables.free_links[0])
+    samples = random_samples(figure, rng, 4)
+    link, at = rng.choice(np.flatnonzero(figure.tables.path[:, root]), 6), np.sort(rng.integers(0, 4, 6))
+    pushes = Pushes(at, link, *rng.normal(size=(2, 3, 6))) if pushed else None
+    closed = rows_of_wrench(samples, root, pushes)
+    monkeypatch.setattr("dynsplines.solver.penalty.ground.flight.has_moment_rows", lambda _: False)
+    assert_near(rows_of_wrench(samples, root, pushes), closed, 1e-12)
+
+
+def hop(*penalties: tuple[Penalty, float]) -> tuple[float, float]:
+    """How far the centre of mass of a jointed figure is off g in its flight from 0.3 to 0.7 s: before, after."""
+    figure = Figure(mujoco.MjModel.from_xml_string(BALL_TREE))
+    rest = np.array(mujoco.MjData(figure.model).qpos)
+    heights, keys = {0.0: 1.0, 0.3: 1.1, 0.7: 1.1, 1.0: 1.0}, []
+    for time, z in heights.items():
+        qpos = rest.copy()
+        qpos[:3] = 2 * time, 0, z
+        qpos[7:11] = quat.from_rotation_vector(np.array([0, 2 * np.sin(9 * time), 0]))
+        keys.append(Frame.key(time, qpos))
+    motion = inbetween(figure, keys, [(CovariantAcceleration(), 1.0), *penalties], Settings(frames=20))
+    off = []
+    for timeline in (motion.raw, motion.timeline):
+        samples = Samples(figure, *path_of(timeline).motion(np.linspace(0.3, 0.7, 201)))
+        off.append(np.mean(np.linalg.norm(RootWrench(samples, 1).force, axis=0)) / weight(figure, 1))
+    return off[0], off[1]
+
+
+def test_flight_falls_as_it_should_and_without_the_penalty_it_does_not():
+    figure = Figure(mujoco.MjModel.from_xml_string(BALL_TREE))
+    before, after = hop((Flight.of(figure, 1, ((0.3, 0.7),)), 3.0))
+    assert before > 0.2
+    assert after < 0.05
+    assert hop((RootAcceleration(), 1.0))[1] > 0.2

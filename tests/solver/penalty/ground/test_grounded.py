@@ -1,0 +1,113 @@
+"""Grounded: the value by hand, where it holds, gradient and curvature, and a body that floated coming down."""
+
+import mujoco
+import numpy as np
+from penalty_slope import penalty_slope, scaled_like
+from random_samples import at_times, random_samples
+
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.inbetween import Settings, inbetween
+from dynsplines.solver.penalty import (
+    CovariantAcceleration,
+    Grounded,
+    RootAcceleration,
+    UnitMagnitude,
+    grounded_intervals,
+)
+from dynsplines.solver.penalty.curvature import Curvature
+from dynsplines.solver.surface import Plane
+from dynsplines.solver.surface.points import Point, places_of
+
+UP = np.array([0.0, 0, 1])
+FLOOR = Plane("floor", np.zeros(3), UP)
+
+
+def some_points(samples: Samples) -> tuple[Point, ...]:
+    last = len(samples.figure.links) - 1
+    return Point("a", 1, np.array([0.1, 0.2, -0.3]), 0.05), Point("b", last, np.array([0.0, 0.1, -0.2]))
+
+
+def case(figure: Figure, rng: np.random.Generator, count: int = 6) -> tuple[Samples, Grounded]:
+    samples = at_times(random_samples(figure, rng, count), np.linspace(0, 1, count))
+    points = some_points(samples)
+    centres, _, _ = places_of(points, samples)
+    floor = Plane("floor", (centres[2].min() - 0.3) * UP, UP)
+    return samples, Grounded(points, (floor,), ((0.1, 0.5), (0.7, 1.0)), reach=0.8, blend=0.2)
+
+
+def test_the_value_by_hand(figure, rng):
+    samples, grounded = case(figure, rng)
+    (floor,) = grounded.surfaces
+    assert isinstance(floor, Plane)
+    centres, _, _ = places_of(grounded.points, samples)
+    height = centres[2] - floor.point[2] - np.array([0.05, 0])[:, None]
+    lowest = np.maximum(-0.2 * np.log(np.sum(np.exp(-height / 0.2), axis=0)), 0)
+    expected = np.where([False, True, True, False, True, True], 0.64 * (1 - np.exp(-((lowest / 0.8) ** 2))), 0)
+    np.testing.assert_allclose(grounded.evaluate(samples), expected, rtol=1e-9)
+    assert np.count_nonzero(expected) > 1
+
+
+def test_the_gradient_has_taylor_slope_two(figure, rng):
+    samples, grounded = case(figure, rng)
+    assert penalty_slope(grounded, samples, rng) > 1.95
+
+
+def test_it_does_not_feel_the_quaternions_length(figure, rng):
+    samples, grounded = case(figure, rng)
+    np.testing.assert_allclose(grounded.evaluate(scaled_like(samples, rng)), grounded.evaluate(samples), rtol=1e-9)
+
+
+def test_its_curvature_is_that_of_the_lowest_height(figure, rng):
+    samples, grounded = case(figure, rng)
+    curvature, phi, h = Curvature(samples), rng.normal(size=(6, 3)), 1e-6
+    grounded.curvature(samples, curvature, np.ones(6))
+
+    def height(y: np.ndarray) -> np.ndarray:
+        value = grounded.evaluate(Samples(figure, y, samples.y_d, samples.y_dd, samples.t))
+        return 0.8 * np.sqrt(-np.log(1 - value / 0.64))
+
+    rows = [
+        (height(samples.y + h * phi[:, :1] * e) - height(samples.y - h * phi[:, :1] * e)) / (2 * h)
+        for e in np.eye(figure.width)
+    ]
+    fading = np.exp(-((height(samples.y) / 0.8) ** 2))
+    expected = 2 * np.einsum("s,ms,ns->mn", fading, np.array(rows), np.array(rows))
+    np.testing.assert_allclose(curvature.quadratic(phi, 0, 6), expected, rtol=1e-4, atol=1e-5 * expected.max())
+
+
+BALL = '<mujoco><worldbody><body><freejoint/><geom size=".1"/></body></worldbody></mujoco>'
+FOOT = Point("foot", 1, np.zeros(3), 0.1)
+
+
+def on_a_path(heights: list[float], weight: float, flights: tuple = ()) -> float:
+    """How high a ball gets in the middle third of keyframes with these heights."""
+    figure = Figure(mujoco.MjModel.from_xml_string(BALL))
+    keys = [Frame.key(0.5 * i, [0.5 * i, 0, z + 0.1, 1, 0, 0, 0]) for i, z in enumerate(heights)]
+    intervals = grounded_intervals(figure, raw_timeline(figure, keys), (FOOT,), (FLOOR,), flights)
+    penalties = [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0), (UnitMagnitude(), 1.0)]
+    penalties.append((Grounded((FOOT,), (FLOOR,), intervals), weight))
+    motion = inbetween(figure, keys, penalties, Settings(tolerance=1e-4))
+    middle = 0.5 * (len(heights) - 1) * np.linspace(1 / 3, 2 / 3, 200)
+    return float(motion.at(middle)[:, 2].max() - 0.1)
+
+
+def test_a_body_that_floated_between_keyframes_on_the_ground_comes_down():
+    assert on_a_path([-0.3, 0.0, 0.0, -0.3], 0.0) > 0.04
+    assert on_a_path([-0.3, 0.0, 0.0, -0.3], 1.0) < 0.01
+
+
+def test_a_flight_stays_one():
+    floated = on_a_path([-0.3, 0.0, 0.0, -0.3], 0.0)
+    np.testing.assert_allclose(on_a_path([-0.3, 0.0, 0.0, -0.3], 1.0, ((0.5, 1.0),)), floated, rtol=0.05)
+
+
+def test_segments_with_an_end_in_the_air_are_left_out():
+    figure = Figure(mujoco.MjModel.from_xml_string(BALL))
+    keys = [Frame.key(float(i), [0, 0, z + 0.1, 1, 0, 0, 0]) for i, z in enumerate([0.0, 0.04, 0.0, 0.3, 0.0])]
+    timeline = raw_timeline(figure, keys)
+    assert grounded_intervals(figure, timeline, (FOOT,), (FLOOR,)) == ((0.0, 1.0), (1.0, 2.0))
+    assert grounded_intervals(figure, timeline, (FOOT,), (FLOOR,), ((1.5, 1.7),)) == ((0.0, 1.0),)
+    assert grounded_intervals(figure, timeline, (), (FLOOR,)) == grounded_intervals(figure, timeline, (FOOT,), ()) == ()

@@ -1,0 +1,139 @@
+"""Holds: the value by hand, gradient and curvature, and a ball that stays where it was on a box that moves."""
+
+import mujoco
+import numpy as np
+import pytest
+from penalty_slope import penalty_slope
+from random_samples import at_times, random_samples
+
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.inbetween import Settings, inbetween
+from dynsplines.solver.penalty import (
+    CovariantAcceleration,
+    Hold,
+    Holding,
+    RootAcceleration,
+    Spot,
+    UnitMagnitude,
+    slipped,
+)
+from dynsplines.solver.penalty.curvature import Curvature
+from dynsplines.solver.penalty.ground.resting import SETTLING
+from dynsplines.solver.surface.points import Point
+
+TWO = """<mujoco><worldbody>
+<body name="hand"><freejoint/><geom size=".1"/></body>
+<body name="box"><freejoint/><geom type="box" size=".2 .3 .1"/></body>
+</worldbody></mujoco>"""
+HAND = Point("hand", 1, np.array([0.1, 0.2, -0.3]))
+
+
+def holds(figure: Figure) -> tuple[Hold, Hold]:
+    """One whose spot drifts and then stays, with more and more slack, and one whose spot nobody knows."""
+    last = len(figure.links) - 1
+    spots = (
+        Spot(0.1, 0.4, np.array([0.1, 0, 0.2]), np.array([0.1, 0.3, 0]), (0.0, 0.3)),
+        Spot(0.4, 0.8, np.array([0.1, 0.3, 0]), np.array([0.1, 0.3, 0]), (0.3, 0.7)),
+    )
+    return Hold(HAND, last, "it", 0.1, 0.8, spots), Hold(Point("b", last, np.ones(3)), 1, "it", 0.3, 1.0)
+
+
+def case(figure: Figure, rng: np.random.Generator) -> tuple[Samples, tuple[Hold, Hold]]:
+    return at_times(random_samples(figure, rng, 6), np.linspace(0, 1, 6)), holds(figure)
+
+
+def known(samples: Samples, hold: Hold) -> Array:
+    """(S, 3) the way from the spot to the hand, as far as it is beyond the slack."""
+    links = samples.links
+    away = np.empty((samples.count, 3))
+    for s, t in enumerate(samples.t):
+        share = np.clip((t - 0.1) / 0.3, 0, 1)
+        spot = np.array([0.1, 0.3 * share, 0.2 * (1 - share)])
+        hand = links.x[:, hold.point.link, s] + links.rotation[:, :, hold.point.link, s] @ hold.point.position
+        whole = hand - links.x[:, hold.link, s] - links.rotation[:, :, hold.link, s] @ spot
+        far = float(np.linalg.norm(whole))
+        away[s] = max(far - np.interp(t, [0.1, 0.8], [0, 0.7]), 0) / far * whole
+    return away
+
+
+def sliding(samples: Samples, hold: Hold) -> Array:
+    """(S, 3) how fast the hand moves on the body, in that link's axes, by differences along y', y''."""
+    h = 1e-5
+    there = [
+        slipped(Samples(samples.figure, samples.y + k * h * samples.y_d, samples.y_d, samples.y_dd), hold)
+        for k in (-1, 1)
+    ]
+    return ((there[1] - there[0]) / (2 * h)).T
+
+
+def test_the_value_is_the_distance_from_the_spot_or_what_the_hand_slides_on_the_body_in_a_twentieth_of_a_second(
+    figure, rng
+):
+    samples, (first, second) = case(figure, rng)
+    t = samples.t
+    expected = ((t >= 0.1) & (t <= 0.8)) * np.sum(known(samples, first) ** 2, axis=1)
+    expected += ((t >= 0.3) & (t <= 1.0)) * SETTLING**2 * np.sum(sliding(samples, second) ** 2, axis=1)
+    np.testing.assert_allclose(Holding((first, second)).evaluate(samples), expected, rtol=1e-6)
+
+
+@pytest.mark.parametrize("which", [0, 1])
+def test_the_gradient_has_taylor_slope_two(figure, rng, which):
+    samples, some = case(figure, rng)
+    assert penalty_slope(Holding((some[which],)), samples, rng) > 1.95
+
+
+def test_nothing_counts_within_the_slack(figure, rng):
+    samples = at_times(random_samples(figure, rng, 6), np.linspace(0, 1, 6))
+    there = slipped(samples, holds(figure)[0])[:, 2]
+    hold = Hold(HAND, len(figure.links) - 1, "it", 0.1, 0.8, (Spot(0.1, 0.8, there, there, (1e3, 1e3)),))
+    curvature = Curvature(samples)
+    Holding((hold,)).curvature(samples, curvature, np.ones(6))
+    assert not Holding((hold,)).evaluate(samples).any()
+    assert not curvature.quadratic(rng.normal(size=(6, 3)), 0, 6).any()
+
+
+@pytest.mark.slow
+def test_its_curvature_is_that_of_its_residuals(figure, rng):
+    """By differences of the residuals when the whole state moves by (φ, φ', φ'') e along every entry e."""
+    samples, (first, second) = case(figure, rng)
+    curvature, phi, scale = Curvature(samples), rng.normal(size=(6, 3)), rng.uniform(1, 2, 6)
+    Holding((first, second)).curvature(samples, curvature, scale)
+    h, width = 1e-6, samples.y.shape[1]
+
+    def residuals(moved: Array) -> Array:
+        there = Samples(figure, samples.y + phi[:, :1] * moved, samples.y_d + phi[:, 1:2] * moved, samples.y_dd)
+        there = at_times(there, samples.t)
+        turn = np.einsum("ijs,sj->si", there.links.rotation[:, :, second.link], sliding(there, second))
+        back = np.einsum("ijs,si->sj", samples.links.rotation[:, :, second.link], turn)
+        t = samples.t[:, None]
+        away = known(there, first) * ((t >= 0.1) & (t <= 0.8))
+        return np.concatenate([away, SETTLING * back * ((t >= 0.3) & (t <= 1.0))], axis=1)
+
+    rows = np.array([(residuals(h * e) - residuals(-h * e)) / (2 * h) for e in np.eye(width)])
+    expected = 2 * np.einsum("s,msr,nsr->mn", scale, rows, rows)
+    np.testing.assert_allclose(curvature.quadratic(phi, 0, 6), expected, rtol=1e-3, atol=1e-3 * np.abs(expected).max())
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("is_known", [True, False])
+def test_a_hand_stays_on_a_box_that_turns_where_the_raw_spline_loses_it(is_known):
+    figure = Figure(mujoco.MjModel.from_xml_string(TWO))
+    spot, keys = np.array([0.9, 0, 0]), []
+    for i in range(2):
+        box, turn = np.array([0.5, 0.4, 0.3]) * i, [np.cos(0.6 * i), 0, 0, np.sin(0.6 * i)]
+        keys.append(Frame.key(float(i), [*(box + quat.rotated(turn, spot)), 1, 0, 0, 0, *box, *turn]))
+    spots = (Spot(0, 1, spot, spot),) if is_known else ()
+    hold = Hold(Point("hand", 1, np.zeros(3)), 2, "box", 0.0, 1.0, spots)
+    others = [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0), (UnitMagnitude(), 1.0)]
+
+    def worst(weight: float) -> float:
+        motion = inbetween(figure, keys, [*others, (Holding((hold,)), weight)], Settings(tolerance=1e-5))
+        samples = Samples(figure, *(figure.to_state(motion.at(np.linspace(0, 1, 80))),) * 3)
+        return float(np.linalg.norm(slipped(samples, hold) - spot[:, None], axis=0).max())
+
+    assert worst(0.0) > 0.1
+    assert worst(300.0) < 0.003

@@ -1,0 +1,103 @@
+"""Planted points: which keyframes plant one, where it should be in between, the value by hand and the gradient."""
+
+import mujoco
+import numpy as np
+import pytest
+from ground import stance_of
+from penalty_slope import penalty_slope, scaled_like
+from random_samples import at_times, random_samples
+
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Cotangent
+from dynsplines.solver.penalty import Planted, Stance, stances
+from dynsplines.solver.surface import Plane
+from dynsplines.solver.surface.points import Point
+
+FLOOR = Plane("floor", np.zeros(3), np.array([0.0, 0, 1]))
+FOOT = Point("foot", 1, np.array([0.0, 0, -0.5]), 0.1)
+
+
+def test_the_gradient_has_taylor_slope_two(figure, rng):
+    samples = at_times(random_samples(figure, rng, 8), np.linspace(0, 2, 8))
+    last = len(figure.links) - 1
+    planted = Planted((stance_of(1, 0.2, 1.0), stance_of(last, 0.5, 2.0), stance_of(last, 0.0, 0.6)))
+    assert penalty_slope(planted, samples, rng) > 1.95
+
+
+def test_it_is_the_squared_distance_from_the_drifting_spot_while_the_stance_lasts(figure, rng):
+    t = np.array([0.0, 0.49, 0.5, 0.75, 1.0, 1.01])
+    samples = at_times(random_samples(figure, rng, 6), t)
+    stance = stance_of(1, 0.5, 1.0)
+    arm = np.einsum("ijs,j->is", samples.links.rotation[:, :, 1], stance.point.position)
+    away = samples.links.x[:, 1] + arm - np.array([0.1, 0.2, 0])[:, None]
+    away -= np.array([0.03, 0, 0.01])[:, None] * (t - 0.5) / 0.5
+    expected = np.where((t >= 0.5) & (t <= 1.0), np.sum(away**2, axis=0), 0)
+    np.testing.assert_allclose(Planted((stance,)).evaluate(samples), expected, rtol=1e-12)
+    assert np.count_nonzero(expected) == 3
+
+
+def test_it_does_not_feel_the_quaternions_length(figure, rng):
+    samples = at_times(random_samples(figure, rng, 5), np.linspace(0, 1, 5))
+    planted = Planted((stance_of(2, 0.0, 1.0),))
+    np.testing.assert_allclose(planted.evaluate(scaled_like(samples, rng)), planted.evaluate(samples), rtol=1e-9)
+
+
+def test_no_stance_costs_nothing(figure, rng):
+    samples = random_samples(figure, rng)
+    cotangent = Cotangent(samples)
+    assert not Planted(()).evaluate(samples, cotangent).any()
+    assert not any(g.any() for g in cotangent.gradients())
+
+
+def found(places: list[tuple[float, float]]) -> tuple[Stance, ...]:
+    """The stances of a ball on a stick whose foot is at these (x, height) in keyframes a second apart."""
+    model = mujoco.MjModel.from_xml_string(
+        '<mujoco><worldbody><body><freejoint/><geom size=".1"/></body></worldbody></mujoco>'
+    )
+    figure = Figure(model)
+    keys = [Frame.key(float(i), [x, 0, z + 0.6, 1, 0, 0, 0]) for i, (x, z) in enumerate(places)]
+    return stances(figure, raw_timeline(figure, keys), (FOOT,), (FLOOR,))
+
+
+def test_two_keyframes_with_the_point_on_one_spot_plant_it_between_them():
+    (stance,) = found([(0.0, 0.3), (0.5, 0.005), (0.52, -0.005), (1.0, 0.3)])
+    assert (stance.first, stance.last) == (1.0, 2.0)
+    np.testing.assert_allclose(stance.place(np.array([1.0, 1.5, 2.0]))[0], [0.5, 0.51, 0.52])
+    np.testing.assert_allclose(stance.place(np.array([1.0, 1.5, 2.0]))[2], [0.105, 0.1, 0.095])
+
+
+@pytest.mark.parametrize(
+    "places",
+    [
+        [(0.0, 0.0), (0.06, 0.0)],  # slid
+        [(0.0, 0.0), (0.0, 0.02)],  # lifted
+        [(0.0, -0.02), (0.0, 0.0)],  # below the floor
+        [(0.0, 0.0), (0.0, 0.3), (0.0, 0.0)],  # a hop
+    ],
+)
+def test_a_point_that_moved_or_left_the_surface_is_not_planted(places):
+    assert found(places) == ()
+
+
+def test_no_points_or_no_surfaces_plant_nothing(figure, rng):
+    keys = [Frame.key(float(i), figure.to_qpos(figure.to_state(rng.normal(size=figure.width)))) for i in range(2)]
+    timeline = raw_timeline(figure, keys)
+    assert stances(figure, timeline, (), (FLOOR,)) == ()
+    assert stances(figure, timeline, (FOOT,), ()) == ()
+
+
+def test_many_stances_at_samples_in_any_order_add_up_one_by_one(figure, rng):
+    samples = at_times(random_samples(figure, rng, 30), rng.permutation(np.linspace(0, 6, 30)))
+    last = len(figure.links) - 1
+    many = [stance_of(link, first, first + 0.5) for first in np.linspace(-1, 7, 60) for link in (1, last)]
+    cotangent, expected = Cotangent(samples), np.zeros(30)
+    scale = rng.uniform(1, 2, 30)
+    values = Planted(tuple(many)).evaluate(samples, cotangent, scale)
+    one_by_one = Cotangent(samples)
+    for stance in many:
+        expected += Planted((stance,)).evaluate(samples, one_by_one, scale)
+    np.testing.assert_allclose(values, expected, rtol=1e-12)
+    for g, h in zip(cotangent.gradients(), one_by_one.gradients(), strict=True):
+        np.testing.assert_allclose(g, h, rtol=1e-11, atol=1e-11)

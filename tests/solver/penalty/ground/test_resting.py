@@ -1,0 +1,84 @@
+"""Resting points: the value by hand, gradient and curvature, and a foot held for an interval whose spot nobody said."""
+
+import mujoco
+import numpy as np
+from penalty_slope import penalty_slope
+from random_samples import at_times, random_samples
+
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.inbetween import Settings, inbetween
+from dynsplines.solver.penalty import CovariantAcceleration, Rest, Resting, RootAcceleration, UnitMagnitude
+from dynsplines.solver.penalty.curvature import Curvature
+from dynsplines.solver.penalty.ground.contact import point_gradients, velocity_gradients
+from dynsplines.solver.penalty.ground.resting import SETTLING
+from dynsplines.solver.surface import Plane
+from dynsplines.solver.surface.points import Point
+
+UP = np.array([0.0, 0, 1])
+FLOOR = Plane("floor", -50 * UP, UP)
+
+
+def case(figure: Figure, rng: np.random.Generator) -> tuple[Samples, Resting]:
+    samples = at_times(random_samples(figure, rng, 6), np.linspace(0, 1, 6))
+    last = len(figure.links) - 1
+    rests = Rest(Point("a", 1, np.array([0.1, 0.2, -0.3]), 0.05), 0.1, 0.5), Rest(Point("b", last, UP), 0.3, 1.0)
+    return samples, Resting(rests, (FLOOR,))
+
+
+def test_the_value_by_hand(figure, rng):
+    samples, resting = case(figure, rng)
+    expected = np.zeros(6)
+    for rest in resting.rests:
+        links = samples.links
+        arm = np.einsum("ijs,j->is", links.rotation[:, :, rest.point.link], rest.point.position)
+        velocity = links.x_d[:, rest.point.link] + np.cross(links.omega[:, rest.point.link].T, arm.T).T
+        height = (links.x[:, rest.point.link] + arm)[2] + 50 - rest.point.radius
+        during = (samples.t >= rest.first) & (samples.t <= rest.last)
+        expected += during * (height**2 + SETTLING**2 * np.sum(velocity**2, axis=0))
+    np.testing.assert_allclose(resting.evaluate(samples), expected, rtol=1e-9)
+
+
+def test_the_gradient_has_taylor_slope_two(figure, rng):
+    samples, resting = case(figure, rng)
+    assert penalty_slope(resting, samples, rng) > 1.95
+
+
+def test_its_curvature_is_that_of_height_and_velocity(figure, rng):
+    samples, resting = case(figure, rng)
+    curvature, phi, scale = Curvature(samples), rng.normal(size=(6, 3)), rng.uniform(1, 2, 6)
+    resting.curvature(samples, curvature, scale)
+    expected = 0
+    for rest in resting.rests:
+        at = np.flatnonzero((samples.t >= rest.first) & (samples.t <= rest.last))
+        link = np.full(at.size, rest.point.link)
+        arm = np.einsum("ijs,j->is", samples.links.rotation[:, :, rest.point.link, at], rest.point.position)
+        ways = [np.repeat(way[:, None], at.size, axis=1) for way in np.eye(3)]
+        moved = [phi[at, :1] * point_gradients(samples, at, link, arm, ways[2])]
+        for way in ways:
+            rows = velocity_gradients(samples, at, link, arm, way)
+            moved.append(SETTLING * np.einsum("po,pon->pn", phi[at, :2], rows))
+        for part in moved:
+            expected = expected + 2 * np.einsum("p,pm,pn->mn", scale[at], part, part)
+    np.testing.assert_allclose(curvature.quadratic(phi, 0, 6), expected, rtol=1e-9, atol=1e-9)
+
+
+def test_a_foot_rests_where_nobody_said_that_it_should():
+    figure = Figure(
+        mujoco.MjModel.from_xml_string(
+            '<mujoco><worldbody><body><freejoint/><geom size=".1"/></body></worldbody></mujoco>'
+        )
+    )
+    foot, floor = Point("foot", 1, np.zeros(3), 0.1), Plane("floor", np.zeros(3), UP)
+    keys = [Frame.key(float(i), [x, 0, 0.3, 1, 0, 0, 0]) for i, x in enumerate([0.0, 1.0])]
+    penalties = [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0), (UnitMagnitude(), 1.0)]
+
+    def way(weight: float) -> float:
+        resting = Resting((Rest(foot, 0.4, 0.6),), (floor,))
+        motion = inbetween(figure, keys, [*penalties, (resting, weight)], Settings(tolerance=1e-4))
+        qpos = motion.at(np.linspace(0.4, 0.6, 100))
+        return float(np.ptp(qpos[:, 0]) + np.abs(qpos[:, 2] - 0.1).max())
+
+    assert way(0.0) > 0.3
+    assert way(3000.0) < 0.01

@@ -1,0 +1,177 @@
+"""Skate: the value by hand, from velocities by differences of positions; gradient, curvature; what it does to feet."""
+
+import mujoco
+import numpy as np
+import pytest
+from penalty_slope import penalty_slope, scaled_like
+from random_samples import random_samples
+
+from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.inbetween import Settings, inbetween
+from dynsplines.solver.penalty import Contact, CovariantAcceleration, RootAcceleration, Skate, UnitMagnitude
+from dynsplines.solver.penalty.curvature import Curvature
+from dynsplines.solver.penalty.ground.contact import velocity_gradients
+from dynsplines.solver.penalty.ground.skate import LONG, Bound
+from dynsplines.solver.surface import Box, Plane
+from dynsplines.solver.surface.points import Point, places_of
+
+UP = np.array([0.0, 0, 1])
+TILTED = np.array([0.0, 0.6, 0.8])
+
+
+def some_points(samples: Samples) -> tuple[Point, ...]:
+    last = len(samples.figure.links) - 1
+    return Point("a", 1, np.array([0.1, 0.2, -0.3]), 0.05), Point("b", last, np.array([0.0, 0.1, -0.2]))
+
+
+def below(samples: Samples, normal: np.ndarray = UP) -> Plane:
+    """A plane under all of the points."""
+    centres, _, _ = places_of(some_points(samples), samples)
+    return Plane("floor", (np.einsum("i,ins->ns", normal, centres).min() - 0.3) * normal, normal)
+
+
+def test_the_value_is_the_velocity_by_differences_weighted_by_height(figure, rng):
+    samples, h = random_samples(figure, rng, 5), 1e-6
+    points, floor = some_points(samples), below(samples)
+    before, after = (Samples(figure, samples.y + s * samples.y_d, samples.y_d, samples.y_dd) for s in (-h, h))
+    contact = Contact(points, ())
+    velocity = (contact.centres(after)[0] - contact.centres(before)[0]) / (2 * h)
+    height = contact.centres(samples)[0][2] - floor.point[2] - np.array([0.05, 0])[:, None]
+    expected = np.sum(np.exp(-((height / 0.4) ** 2)) * np.sum(velocity**2, axis=0), axis=0)
+    np.testing.assert_allclose(Skate(points, (floor,), 0.4).evaluate(samples), expected, rtol=1e-6)
+
+
+@pytest.mark.parametrize("normal", [UP, TILTED])
+def test_the_gradient_has_taylor_slope_two(figure, rng, normal):
+    samples = random_samples(figure, rng, 6)
+    assert penalty_slope(Skate(some_points(samples), (below(samples, normal),), 1.0), samples, rng) > 1.95
+
+
+def test_the_gradient_has_taylor_slope_two_over_a_box(figure, rng):
+    samples = random_samples(figure, rng, 6)
+    top = below(samples).point[2]
+    box = Box("step", np.array([0, 0, top - 1.0]), np.eye(3), np.array([100.0, 100, 1]))
+    assert penalty_slope(Skate(some_points(samples), (box,), 1.0), samples, rng) > 1.95
+
+
+def test_it_does_not_feel_the_quaternions_length(figure, rng):
+    samples = random_samples(figure, rng, 5)
+    skate = Skate(some_points(samples), (below(samples),), 1.0)
+    np.testing.assert_allclose(skate.evaluate(scaled_like(samples, rng)), skate.evaluate(samples), rtol=1e-9)
+
+
+def test_velocity_rows_are_differences_of_the_velocity(figure, rng):
+    samples, h = random_samples(figure, rng, 4), 1e-6
+    point, way = some_points(samples)[1], rng.normal(size=(3, 4))
+
+    def velocity(y: np.ndarray, y_d: np.ndarray) -> np.ndarray:
+        links = Samples(figure, y, y_d, samples.y_dd).links
+        arm = np.einsum("ijs,j->is", links.rotation[:, :, point.link], point.position)
+        return np.sum(way * (links.x_d[:, point.link] + np.cross(links.omega[:, point.link].T, arm.T).T), axis=0)
+
+    arm = np.einsum("ijs,j->is", samples.links.rotation[:, :, point.link], point.position)
+    rows = velocity_gradients(samples, np.arange(4), np.full(4, point.link), arm, way)
+    step = rng.normal(size=samples.y.shape)
+    for order, (by_y, by_y_d) in enumerate(((step, 0 * step), (0 * step, step))):
+        up, down = (velocity(samples.y + s * h * by_y, samples.y_d + s * h * by_y_d) for s in (1, -1))
+        np.testing.assert_allclose(np.sum(rows[:, order] * step, axis=1), (up - down) / (2 * h), rtol=1e-6, atol=1e-6)
+
+
+def test_its_curvature_is_that_of_the_weighted_velocities(figure, rng):
+    samples = random_samples(figure, rng, 3)
+    floor, scale = below(samples), rng.uniform(1, 2, 3)
+    skate = Skate(some_points(samples), (floor,), 1.0)
+    curvature = Curvature(samples)
+    skate.curvature(samples, curvature, scale)
+    phi = rng.normal(size=(3, 3))
+    centres, arms, links = places_of(skate.points, samples)
+    height = centres[2] - floor.point[2] - np.array([0.05, 0])[:, None]
+    weight = np.exp(-(height**2))
+    expected = 0
+    for i, link in enumerate(links):
+        for way in np.eye(3):
+            ways = np.repeat(way[:, None], 3, axis=1)
+            rows = velocity_gradients(samples, np.arange(3), np.full(3, link), arms[:, i], ways)
+            moved = np.einsum("so,son->sn", phi[:, :2], rows)
+            expected = expected + 2 * np.einsum("s,sm,sn->mn", scale * weight[i], moved, moved)
+    np.testing.assert_allclose(curvature.quadratic(phi, 0, 3), expected, rtol=1e-9, atol=1e-9)
+
+
+def test_high_points_are_free_and_no_points_cost_nothing(figure, rng):
+    samples = random_samples(figure, rng, 4)
+    floor = Plane("floor", -1e3 * UP, UP)
+    assert not Skate(some_points(samples), (floor,)).evaluate(samples).any()
+    assert not Skate((), (floor,)).evaluate(samples).any()
+    assert not Skate(some_points(samples), ()).evaluate(samples).any()
+
+
+HOPPER = '<mujoco><worldbody><body><freejoint/><geom size=".1"/></body></worldbody></mujoco>'
+FOOT = Point("foot", 1, np.zeros(3), 0.1)
+FLOOR = Plane("floor", np.zeros(3), UP)
+
+
+def speed_on_the_ground(weight: float, clock: float = 1.0) -> float:
+    """How fast a ball moves on the average while it is within 5 mm of the floor, between keyframes on and above it."""
+    figure = Figure(mujoco.MjModel.from_xml_string(HOPPER))
+    places = [(0.0, 0.4), (0.4, 0.1), (0.5, 0.1), (0.9, 0.4)]
+    keys = [Frame.key(0.3 * clock * i, [x, 0, z, 1, 0, 0, 0]) for i, (x, z) in enumerate(places)]
+    penalties = [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0), (UnitMagnitude(), 1.0)]
+    motion = inbetween(figure, keys, [*penalties, (Skate((FOOT,), (FLOOR,)), weight)], Settings(tolerance=1e-4))
+    t = np.linspace(0, 0.9 * clock, 901)
+    qpos = motion.at(t)
+    speed = np.linalg.norm(np.gradient(qpos[:, :2], t, axis=0), axis=1)
+    np.testing.assert_allclose(motion.at([key.time for key in keys]), [key.state for key in keys], atol=1e-12)
+    return float(clock * speed[np.abs(qpos[:, 2] - 0.1) < 0.005].mean())
+
+
+@pytest.mark.slow
+def test_a_point_that_comes_down_is_slow_there_and_without_the_penalty_it_is_not():
+    assert speed_on_the_ground(0.0) > 0.25
+    assert speed_on_the_ground(300.0) < 0.7 * speed_on_the_ground(0.0)
+
+
+def stepping(rest: float) -> tuple[Figure, Timeline]:
+    """A foot on a leg that steps 20 cm in 0.2 s, then rests, then goes 20 cm in `rest` seconds."""
+    model = mujoco.MjModel.from_xml_string(
+        '<mujoco><worldbody><geom type="plane" size="5 5 1"/><body pos="0 0 0.1"><freejoint/><geom size="0.1"/></body>'
+        "</worldbody></mujoco>"
+    )
+    figure = Figure(model)
+    keys = [
+        Frame.key(time, [x, 0, 0.1, 1, 0, 0, 0]) for time, x in ((0.0, 0.0), (0.2, 0.2), (0.4, 0.2), (0.4 + rest, 0.4))
+    ]
+    return figure, raw_timeline(figure, keys)
+
+
+def test_a_point_that_comes_far_between_near_keyframes_swings():
+    figure, keys = stepping(0.4)
+    bound = Bound.of(figure, keys, (Point("sole", 1, np.array([0.0, 0, -0.1])),))
+    np.testing.assert_array_equal(bound.at(np.array([0.1, 0.3, 0.7])), [[0, 1, 1]])
+
+
+def test_nothing_swings_where_nobody_told_where_the_foot_is():
+    figure, keys = stepping(0.4)
+    loose = Timeline(tuple(Frame.key(f.time, f.state, np.zeros(7, bool)) for f in keys.frames), keys.end_slope)
+    assert np.all(Bound.of(figure, loose, (Point("sole", 1, np.zeros(3)),)).shares == 1)
+    assert np.all(Bound.of(figure, keys, (Point("sole", 1, np.zeros(3)),), swings=False).shares == 1)
+
+
+def test_what_stands_is_told_the_less_the_longer_nobody_tells():
+    figure, keys = stepping(1.8)
+    bound = Bound.of(figure, keys, (Point("sole", 1, np.zeros(3)),), swings=False)
+    np.testing.assert_allclose(bound.at(np.array([0.1, 0.3, 0.7, 2.5])), [[1, 1, (LONG / 1.8) ** 2, (LONG / 1.8) ** 2]])
+
+
+def test_a_point_that_swings_is_as_fast_as_it_likes(rng):
+    figure, keys = stepping(0.1)
+    points, floor = (Point("sole", 1, np.array([0.0, 0, -0.1])),), Plane("floor", np.zeros(3), UP)
+    t = np.array([0.1, 0.3])
+    y = np.tile([0.0, 0, 0.15, 1, 0, 0, 0], (2, 1))
+    y_d = rng.normal(size=y.shape)
+    samples = Samples(figure, y, y_d, 0 * y, t=t)
+    free, all_ = Skate(points, (floor,), bound=Bound.of(figure, keys, points)), Skate(points, (floor,))
+    np.testing.assert_array_equal(free.evaluate(samples), all_.evaluate(samples) * [0, 1])
+    assert penalty_slope(free, samples, rng) > 1.95

@@ -1,0 +1,163 @@
+"""Support: what the ground can supply costs nothing, what it cannot counts; gradient and curvature."""
+
+from dataclasses import replace
+
+import mujoco
+import numpy as np
+import pytest
+from closed_forms import WOOD
+from curvature_of import assembled, curvature_of, shifted
+from penalty_slope import penalty_slope, scaled_like
+from random_samples import at_times, random_samples
+from scipy.optimize import nnls
+
+from dynsplines.solver.cone import projection
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.figure.wrench import RootWrench
+from dynsplines.solver.penalty import Flight, Footing, Support
+from dynsplines.solver.penalty.ground.support import friction_edges
+from dynsplines.solver.surface.points import Point
+
+UP = np.array([0.0, 0, 1])
+TABLE = """<mujoco><option gravity="0 0 -10"/><worldbody><body pos="0 0 1"><freejoint/>
+<inertial mass="3" pos="0 0 0" diaginertia=".2 .3 .4"/></body></worldbody></mujoco>"""
+
+
+def standing(figure: Figure, rng: np.random.Generator) -> Support:
+    """Footings on the first and the last link of the root's tree, one on a slope, with a flight besides."""
+    slope = rng.normal(size=3)
+    slope /= np.linalg.norm(slope)
+    inside = np.flatnonzero(figure.tables.path[:, 1])
+    first, last = int(inside[0]), int(inside[-1])
+    places = rng.normal(size=(3, 3))
+    footings = (
+        Footing(Point("a", first, places[0]), 0.0, 0.5, UP),
+        Footing(Point("b", last, places[1]), 0.3, 0.8, slope),
+        Footing(Point("c", last, places[2]), 0.3, 0.6, slope),
+    )
+    return Support.of(figure, 1, footings, ((0.35, 0.45), (0.95, 1.1)))
+
+
+def test_the_gradient_has_taylor_slope_two(figure, rng):
+    samples = at_times(random_samples(figure, rng, 9), np.linspace(0, 1, 9))
+    assert penalty_slope(standing(figure, rng), samples, rng) > 1.95
+
+
+def test_it_does_not_feel_the_quaternions_length(figure, rng):
+    samples = at_times(random_samples(figure, rng, 9), np.linspace(0, 1, 9))
+    support = standing(figure, rng)
+    np.testing.assert_allclose(support.evaluate(scaled_like(samples, rng)), support.evaluate(samples), rtol=1e-8)
+
+
+def test_it_is_what_the_best_forces_in_the_friction_pyramids_leave(figure, rng):
+    samples = at_times(random_samples(figure, rng, 5), np.array([0.1, 0.32, 0.4, 0.7, 0.9]))
+    support = standing(figure, rng)
+    wrench, expected = RootWrench(samples, 1), []
+    for s, names in enumerate(["a", "abc", "", "b", None]):
+        columns = []
+        for footing in support.footings:
+            link = footing.point.link
+            if names is not None and footing.point.name in names:
+                arm = samples.links.rotation[:, :, link, s] @ footing.point.position
+                lever = samples.links.x[:, link, s] + arm - wrench.centre[:, s]
+                for edge in friction_edges(footing.normal, 0.8).T:
+                    columns.append(np.append(edge, np.cross(lever, edge) / support.length))
+        w = np.append(wrench.force[:, s], wrench.moment[:, s] / support.length) / support.unit
+        matrix = np.array(columns).reshape(-1, 6).T
+        k = matrix.shape[1]
+        soft = np.vstack([matrix, np.sqrt(support.softness) * np.eye(k)])
+        left = nnls(soft, np.append(w, np.zeros(k)))[1] ** 2 if k else w @ w
+        expected.append(0 if names is None else left)
+    np.testing.assert_allclose(support.evaluate(samples), expected, rtol=1e-8)
+    assert expected[0] > 0 < expected[2]
+
+
+def test_in_flight_it_is_all_of_the_wrench(figure, rng):
+    samples = random_samples(figure, rng, 6)
+    support = replace(standing(figure, rng), flights=((-1.0, 1.0),))
+    flight = Flight.of(figure, 1, ((-1.0, 1.0),), angular=1.0)
+    np.testing.assert_allclose(support.evaluate(samples), flight.evaluate(samples), rtol=1e-12)
+
+
+def resting(x: float, push: float, lift: float = 0.0) -> float:
+    """What is left of a body on two feet 0.2 m before and behind it when it is `x` m off their middle, accelerated
+    by `push` forward and `lift` upward [m/s²]."""
+    figure = Figure(mujoco.MjModel.from_xml_string(TABLE))
+    feet = [Footing(Point("foot", 1, np.array([side - x, 0, -1])), 0, 1, UP) for side in (-0.2, 0.2)]
+    support = replace(Support.of(figure, 1, feet, ()), softness=1e-10)
+    y = np.array([[0, 0, 1, 1, 0, 0, 0.0]])
+    y_dd = np.array([[push, 0, lift, 0, 0, 0, 0.0]])
+    return float(support.evaluate(Samples(figure, y, 0 * y, y_dd))[0])
+
+
+@pytest.mark.parametrize(("x", "push"), [(0.0, 0.0), (0.19, 0.0), (-0.19, 0.0), (0.19, 3.5), (0.0, 1.9)])
+def test_a_body_that_can_stand_costs_nothing(x, push):
+    assert resting(x, push) < 1e-8
+
+
+@pytest.mark.parametrize(
+    ("x", "push", "lift"),
+    [(0.25, 0.0, 0.0), (0.0, 2.5, 0.0), (0.0, -2.5, 0.0), (0.0, 9.0, 0.0), (0.0, 0.0, -10.5)],
+    ids=["beside its feet", "leaning back too far", "leaning too far", "beyond friction", "pulled down"],
+)
+def test_a_body_that_cannot_stand_like_that_costs_something(x, push, lift):
+    assert resting(x, push, lift) > 1e-4
+
+
+def test_friction_edges_lie_on_the_cone(rng):
+    normal = rng.normal(size=3)
+    normal /= np.linalg.norm(normal)
+    edges = friction_edges(normal, 0.5)
+    across = edges - np.outer(normal, normal @ edges)
+    np.testing.assert_allclose(normal @ edges, 1)
+    np.testing.assert_allclose(np.linalg.norm(across, axis=0), 0.5)
+    np.testing.assert_allclose(across.sum(axis=1), 0, atol=1e-14)
+
+
+def test_moments_of_which_nothing_is_known_cost_nothing(figure, rng):
+    samples, cotangent = at_times(random_samples(figure, rng, 3), np.array([0.85, 0.9, 2.0])), None
+    support = standing(figure, rng)
+    cotangent = Cotangent(samples)
+    assert not support.known(samples.t).any()
+    assert not support.evaluate(samples, cotangent).any()
+    assert not any(g.any() for g in cotangent.gradients())
+    assert not support.rest(samples).any()
+    nothing = Support.of(figure, 1, (), ())
+    assert not nothing.tells
+    assert not nothing.evaluate(samples).any()
+
+
+@pytest.mark.parametrize("wood", [False, True])
+def test_the_curvature_is_the_second_derivative_the_wrench_itself_taken_as_linear(figure, rng, wood):
+    """Against E of w + (∂w/∂y) δ − δ(G λ) with the forces held, which is quadratic while its edges stay."""
+    if wood:
+        figure = Figure(mujoco.MjModel.from_xml_string(WOOD))
+    root = int(figure.tables.free_links[0])
+    samples = at_times(random_samples(figure, rng, 3), np.array([0.1, 0.4, 1.0]))
+    inside = np.flatnonzero(figure.tables.path[:, root])
+    feet = (Footing(Point("a", int(inside[-1]), rng.normal(size=3)), 0.0, 0.2, UP),)
+    support = Support.of(figure, root, feet, ((0.3, 0.5), (0.9, 1.1)))
+    scale, h = rng.uniform(0.5, 2, 3), 1e-5
+    phi = rng.normal(size=(3, 3, 1))
+    found = assembled(curvature_of(support, samples, scale), phi)
+    shares = support._found(samples, np.arange(samples.count))
+    way = rng.normal(size=figure.width)
+    by = np.einsum("so,n->osn", phi[:, :, 0], way)
+
+    def residual(seen: Samples) -> np.ndarray:
+        """w − G λ with the forces at the points held, (6, S)."""
+        wrench = RootWrench(seen, root)
+        x, rotation = seen.links.poses(shares.pushes.link * seen.count + shares.pushes.at)
+        position = np.array([feet[0].point.position] * shares.pushes.at.size).reshape(-1, 3).T
+        lever = x + np.einsum("ijp,jp->ip", rotation, position) - wrench.centre[:, shares.pushes.at]
+        both = np.concatenate([wrench.force, wrench.moment / support.length])
+        pushed = np.concatenate([shares.pushes.force, np.cross(lever, shares.pushes.force, axis=0) / support.length])
+        both -= np.array([np.bincount(shares.pushes.at, part, seen.count) for part in pushed], float)
+        return both / support.unit
+
+    slope = (residual(shifted(samples, h * by)) - residual(shifted(samples, -h * by))) / (2 * h)
+    expected = (
+        2 * scale * np.einsum("is,sij,js->s", slope, projection(shares.left, shares.edges, support.softness), slope)
+    )
+    np.testing.assert_allclose(np.einsum("n,snm,m->s", way, found, way), expected, rtol=1e-5)

@@ -1,0 +1,197 @@
+"""Equality constraints: coupled joints and closed loops, kept by default and told where keyframes break them."""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+
+import mujoco
+import numpy as np
+import pytest
+from random_samples import random_samples
+from rich.console import Console
+from taylor import taylor_slope
+
+from dynsplines import work
+from dynsplines.clip import load as clip
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.penalty import Closed, Coupled, closures, couplings
+from dynsplines.solver.penalty.curvature import Curvature
+from dynsplines.system.progress import Teller
+
+GRIPPER = """
+<mujoco><compiler angle="degree"/><worldbody>
+<body name="arm" pos="0 0 .5"><joint name="swing" type="hinge" axis="0 1 0" range="-90 90" limited="true"/>
+  <geom type="capsule" size=".03" fromto="0 0 0 .4 0 0"/>
+  <body name="left" pos=".4 .05 0"><joint name="left" type="hinge" axis="0 0 1" range="0 45" limited="true" ref="5"/>
+    <geom type="box" size=".05 .01 .01" pos=".05 0 0"/>
+    <body name="tip" pos=".1 0 0"><joint name="tip" type="hinge" axis="0 0 1"/>
+      <geom type="box" size=".02 .01 .01" pos=".02 0 0"/></body></body>
+  <body name="right" pos=".4 -.05 0"><joint name="right" type="slide" axis="0 1 0"/>
+    <geom type="box" size=".05 .01 .01" pos=".05 0 0"/></body>
+  <body name="lock" pos=".2 0 .05"><joint name="lock" type="hinge" axis="0 0 1"/><geom size=".01"/></body>
+</body></worldbody>
+<equality>
+  <joint joint1="tip" joint2="left" polycoef="0 -1.5 0.4 0 0"/>
+  <joint joint1="right" joint2="left" polycoef="0.01 0.05 0 0 0"/>
+  <joint joint1="lock" polycoef="0.2 0 0 0 0"/>
+  <joint joint1="swing" joint2="left" active="false"/>
+</equality></mujoco>"""
+
+FOUR_BAR = """
+<mujoco><compiler angle="degree"/><worldbody>
+<body name="crank" pos="0 0 1"><joint name="crank" axis="0 1 0"/><geom type="capsule" size=".01" fromto="0 0 0 0 0 .1"/>
+  <body name="rod" pos="0 0 .1"><joint name="rod" axis="0 1 0"/><geom type="capsule" size=".01" fromto="0 0 0 .3 0 0"/>
+  </body></body>
+<body name="rocker" pos=".3 0 1"><joint name="rocker" axis="0 1 0"/>
+  <geom type="capsule" size=".01" fromto="0 0 0 0 0 .1"/></body>
+<body name="handle" mocap="true" pos="0 1 2"/>
+<body name="lid" pos="0 1 1"><freejoint name="lid"/><geom type="box" size=".1 .1 .01"/></body>
+</worldbody>
+<equality><weld body1="lid" body2="handle"/>
+  <connect body1="rod" body2="rocker" anchor=".3 0 0"/><weld body1="lid"/></equality></mujoco>"""
+
+
+def solved(text: str, keys: str, folder: Path) -> work.Solved:
+    (folder / "it.xml").write_text(text, encoding="utf-8")
+    problem = clip.from_text('figure = "it.xml"\n' + keys, name="it", folder=folder)
+    return work.solve(problem, Teller(Console(file=io.StringIO())))
+
+
+def measured(found: work.Solved) -> dict:
+    return found.saved(Teller(Console(file=io.StringIO()))).report["after"]["equality constraints"]
+
+
+def test_couplings_are_those_of_mujoco(rng):
+    model = mujoco.MjModel.from_xml_string(GRIPPER)
+    figure, data = Figure(model), mujoco.MjData(model)
+    samples = random_samples(figure, rng)
+    away, _ = Coupled(couplings(figure)).away(samples)
+    for i, qpos in enumerate(figure.to_qpos(samples.y)):
+        data.qpos[:] = qpos
+        mujoco.mj_forward(model, data)
+        equality = data.efc_type == int(mujoco.mjtConstraint.mjCNSTR_EQUALITY)
+        np.testing.assert_allclose(away[:, i], data.efc_pos[equality], atol=1e-12)
+
+
+def test_points_of_closed_loops_are_those_of_mujoco(rng):
+    model = mujoco.MjModel.from_xml_string(FOUR_BAR)
+    figure, data = Figure(model), mujoco.MjData(model)
+    samples = random_samples(figure, rng)
+    apart = Closed(closures(figure)).apart(samples)
+    for i, qpos in enumerate(figure.to_qpos(samples.y)):
+        data.qpos[:] = qpos
+        mujoco.mj_forward(model, data)
+        equality = data.efc_type == int(mujoco.mjtConstraint.mjCNSTR_EQUALITY)
+        np.testing.assert_allclose(apart[:, 0, i], data.efc_pos[equality][6:9], atol=1e-12)
+        np.testing.assert_allclose(apart[:, 1, i], data.efc_pos[equality][9:12], atol=1e-12)
+    assert len(closures(figure)) == 4
+
+
+def test_a_weld_without_torque_leaves_rotations_alone():
+    weld = '<weld name="pin" body1="one" body2="two" torquescale="{}"/>'
+    bodies = "".join(f'<body name="{name}"><joint type="ball"/><geom size=".1"/></body>' for name in ("one", "two"))
+    for torque, points in (("1", 3), ("0", 1)):
+        text = f"<mujoco><worldbody>{bodies}</worldbody><equality>{weld.format(torque)}</equality></mujoco>"
+        assert len(closures(Figure(mujoco.MjModel.from_xml_string(text)))) == points
+
+
+@pytest.mark.parametrize("penalty", ["coupled", "closed"])
+def test_the_gradient_is_exact_and_the_curvature_fits_it(penalty, rng):
+    figure = Figure(mujoco.MjModel.from_xml_string(GRIPPER if penalty == "coupled" else FOUR_BAR))
+    term = Coupled(couplings(figure)) if penalty == "coupled" else Closed(closures(figure))
+    samples = random_samples(figure, rng)
+    scale = rng.uniform(0.5, 2, samples.count)
+    cotangent = Cotangent(samples)
+    values = term.evaluate(samples, cotangent, scale)
+    gradients = cotangent.gradients()
+
+    def value(point: np.ndarray) -> float:
+        return float(scale @ term.evaluate(Samples(figure, *point)))
+
+    assert taylor_slope(value, np.stack([samples.y, samples.y_d, samples.y_dd]), np.stack(gradients), rng) > 1.95
+    curvature = Curvature(samples)
+    term.curvature(samples, curvature, scale)
+    phi = np.zeros((samples.count, 3))
+    phi[2, 0] = 1.0
+    matrix = curvature.quadratic(phi, 0, samples.count)
+    # of residuals r with values Σ r²: vᵀ H v = 2 Σ (dr v)², by differences of the residuals' own values along v
+    for _ in range(3):
+        v = rng.normal(size=figure.width)
+        step = 1e-6
+
+        def residuals(y: np.ndarray) -> np.ndarray:
+            there = Samples(figure, y, 0 * y, 0 * y)
+            return term.away(there)[0] if isinstance(term, Coupled) else term.apart(there)
+
+        rate = (residuals(samples.y + step * v) - residuals(samples.y - step * v))[..., 2] / (2 * step)
+        assert v @ matrix @ v == pytest.approx(2 * scale[2] * np.sum(rate**2), rel=1e-6)
+    assert values.shape == (samples.count,)
+
+
+@pytest.mark.slow
+def test_followers_follow_within_half_a_degree_by_default(tmp_path):
+    keys = """
+[[keyframe]]
+time = 0
+joints = {swing = 0, left = 5}
+[[keyframe]]
+time = 0.5
+joints = {swing = 50, left = 40}
+[[keyframe]]
+time = 0.9
+joints.tip = -30
+joints.swing = 0
+[[keyframe]]
+time = 1.4
+joints = {swing = 10, left = 10}
+others = "hold"
+"""
+    found = solved(GRIPPER, keys, tmp_path)
+    assert "coupled" in [penalty.name for penalty, _ in found.clip.penalties]
+    tip, right, lock = (found.clip.figure.model.joint(name).qposadr[0] for name in ("tip", "right", "lock"))
+    assert all(key.fixed[right] for key in found.clip.keys[:2])
+    assert all(key.fixed[lock] for key in found.clip.keys)
+    d = np.radians(35)
+    assert found.clip.keys[1].state[tip] == pytest.approx(-1.5 * d + 0.4 * d**2)
+    assert found.clip.keys[1].state[right] == pytest.approx(0.01 + 0.05 * d)
+    assert measured(found)["coupled"]["most"] < 0.5
+    assert not [note for note in found.clip.notes if "equality" in note]
+
+
+@pytest.mark.slow
+def test_a_keyframe_that_breaks_a_coupling_is_kept_and_told(tmp_path):
+    keys = "".join(f"[[keyframe]]\ntime = {t}\njoints = {{left = 20, right = 0.08, swing = 0}}\n" for t in (0, 1))
+    found = solved(GRIPPER, keys, tmp_path)
+    (note,) = [note for note in found.clip.notes if "equality" in note]
+    assert "keyframe 1 (t = 0 s) has 'right' 0.0569 m off" in note
+
+
+@pytest.mark.slow
+def test_a_closed_loop_stays_closed_by_default(tmp_path):
+    keys = """
+[[keyframe]]
+time = 0
+joints = {crank = 0, rod = 0, rocker = 0}
+roots.lid = {position = [0, 1, 1], rotation = {rotvec = [0, 0, 0]}}
+[[keyframe]]
+time = 0.5
+joints.crank = 50
+[[keyframe]]
+time = 1
+joints = {crank = -20}
+roots.lid = {position = [0, 1, 1], rotation = {rotvec = [0, 0, 0]}}
+"""
+    found = solved(FOUR_BAR, keys, tmp_path)
+    torn = measured(found)["closed"]
+    assert torn["most, m"] < 2e-3
+    assert not [note for note in found.clip.notes if "tears" in note]
+
+
+@pytest.mark.slow
+def test_a_keyframe_that_tears_a_loop_is_told(tmp_path):
+    text = "[[keyframe]]\ntime = {}\njoints = {{crank = {}, rod = 0, rocker = 0}}\nothers = 'rest'\n"
+    found = solved(FOUR_BAR, text.format(0, 0) + text.format(1, 40), tmp_path)
+    (note,) = [note for note in found.clip.notes if "tears" in note]
+    assert "keyframe 2 (t = 1 s) tears the loop of rod and rocker apart" in note

@@ -1,0 +1,72 @@
+"""Level: the angle by MuJoCo, gradient and curvature, and a chest that rises between keyframes that bow."""
+
+import mujoco
+import numpy as np
+import pytest
+from penalty_slope import penalty_slope
+from random_samples import random_samples
+
+from dynsplines import inbetween, load
+from dynsplines.solver.penalty import Level
+from dynsplines.solver.penalty.curvature import Curvature, add_differences
+
+BOW = """
+figure = "human"
+[[keyframe]]
+time = 0
+others = "rest"
+root.rotation = {{rotvec = [0, 30, 0]}}
+[[keyframe]]
+time = 1
+others = "rest"
+root.rotation = {{rotvec = [0, 30, 0]}}
+{more}
+"""
+ASKED = '[[penalty]]\nkind = "level"\nweight = 30\nbodies = ["chest"]'
+
+
+@pytest.mark.parametrize("axis", [None, (0.3, -0.2, 1.0)])
+def test_the_value_is_what_mujoco_says_of_the_axis(figure, rng, axis):
+    samples, model = random_samples(figure, rng, 4), figure.model
+    bodies = [i for i in range(1, model.nbody) if figure.body_link[i]][:2]
+    data, rest, expected = mujoco.MjData(model), mujoco.MjData(model), np.zeros(4)
+    mujoco.mj_kinematics(model, rest)
+    for s, qpos in enumerate(figure.to_qpos(samples.y)):
+        data.qpos[:] = qpos
+        mujoco.mj_normalizeQuat(model, data.qpos)
+        mujoco.mj_kinematics(model, data)
+        for body in bodies:
+            own = rest.xmat[body].reshape(3, 3).T @ [0, 0, 1] if axis is None else np.array(axis) / np.linalg.norm(axis)
+            expected[s] += np.sum((data.xmat[body].reshape(3, 3) @ own - [0, 0, 1]) ** 2)
+    np.testing.assert_allclose(Level.of(figure, bodies, axis).evaluate(samples), expected, atol=1e-9)
+
+
+def test_the_gradient_has_taylor_slope_two(figure, rng):
+    bodies = np.flatnonzero(figure.body_link)[:3].tolist()
+    assert penalty_slope(Level.of(figure, bodies), random_samples(figure, rng, 5), rng) > 1.95
+
+
+def test_its_curvature_is_two_j_t_j_of_its_residuals(figure, rng):
+    """Of a sum of squares with residuals r the second derivatives are 2 JᵀJ where r = 0, and more elsewhere."""
+    samples, level = random_samples(figure, rng, 3), Level.of(figure, [int(np.flatnonzero(figure.body_link)[0])])
+    at_rest = type(samples)(figure, *(np.tile(figure.to_state(figure.model.qpos0), (3, 1)) * k for k in (1, 0, 0)))
+    scale, phi = rng.uniform(1, 2, 3), rng.normal(size=(3, 3))
+    made, differenced = Curvature(at_rest), Curvature(at_rest)
+    level.curvature(at_rest, made, scale)
+    add_differences(level.evaluate, at_rest, differenced, scale)
+    assert level.evaluate(at_rest).max() < 1e-20
+    wanted = differenced.quadratic(phi, 0, 3)
+    np.testing.assert_allclose(made.quadratic(phi, 0, 3), wanted, atol=1e-4 * max(np.abs(wanted).max(), 1e-9))
+
+
+@pytest.mark.slow
+def test_a_chest_rises_between_keyframes_that_bow():
+    lean = {}
+    for more in ("", ASKED):
+        motion = inbetween(load(BOW.format(more=more)))
+        model, data = motion.clip.figure.model, mujoco.MjData(motion.clip.figure.model)
+        data.qpos[:] = motion.at(0.5)
+        mujoco.mj_kinematics(model, data)
+        lean[more] = np.degrees(np.arccos(data.body("chest").xmat[8]))
+    assert lean[""] > 25
+    assert lean[ASKED] < 0.5 * lean[""]

@@ -1,0 +1,186 @@
+"""Limbs in the trunk and in each other: depths against MuJoCo's distances, gradients, what is left out, and a clip."""
+
+from __future__ import annotations
+
+import io
+
+import mujoco
+import numpy as np
+import pytest
+from curvature_of import curvature_of, shifted, sides_of
+from figures import EVERY_JOINT
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
+from penalty_slope import penalty_slope, scaled_like
+from random_samples import random_samples
+from rich.console import Console
+
+from dynsplines import work
+from dynsplines.clip import load as clip
+from dynsplines.measure.penetration import self_penetration
+from dynsplines.measure.report import report, tables
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.penalty import SelfContact
+from dynsplines.solver.penalty.joints.self_contact import NEAR, nearest_on_segments
+from dynsplines.system.progress import Teller
+
+SPIDER = """
+<mujoco><worldbody><body name="trunk" pos="0 0 1"><freejoint name="root"/>
+  <geom name="trunk" type="capsule" size=".1" fromto="0 0 0 .05 0 .4"/>
+  <body name="arm" pos="0 .2 .4"><joint name="shoulder" type="ball"/>
+    <geom name="arm" type="capsule" size=".05" fromto="0 0 0 0 .3 0"/>
+    <body name="hand" pos="0 .3 0" quat=".9 .1 .2 .3"><joint name="wrist" type="ball"/>
+      <geom name="hand" size=".06" pos="0 .1 0"/></body></body>
+  <body name="other" pos="0 -.2 .4"><joint name="other" type="ball" pos=".01 .02 .03"/>
+    <geom name="other" type="capsule" size=".05" fromto="0 0 0 0 -.3 0"/>
+    <body name="pad" pos="0 -.3 0" quat=".9 .1 -.2 .3">
+      <geom name="pad" type="capsule" size=".06" fromto="0 0 -.1 0 0 .1"/></body></body>
+</body></worldbody></mujoco>"""
+COORDINATES = ["world", "joint"]
+
+
+def spider(coordinates: str = "world") -> Figure:
+    return Figure(mujoco.MjModel.from_xml_string(SPIDER), coordinates)
+
+
+def tangled(figure: Figure, rng: np.random.Generator, count: int = 60) -> Samples:
+    return random_samples(figure, rng, count)
+
+
+@pytest.mark.parametrize("coordinates", COORDINATES)
+def test_the_penalty_is_the_sum_of_squared_depths_by_mujoco(coordinates, rng):
+    figure = spider(coordinates)
+    penalty, samples, model = SelfContact.of(figure), tangled(figure, rng), figure.model
+    pairs = {tuple(sorted(model.geom(g).name for g in pair)) for pair in penalty.geom_pairs.T}
+    assert pairs == {
+        ("hand", "trunk"), ("arm", "other"), ("arm", "pad"), ("hand", "other"), ("hand", "pad"),
+    }  # fmt: skip
+    data, expected = mujoco.MjData(model), []
+    for qpos in figure.to_qpos(samples.y):
+        data.qpos[:] = qpos
+        mujoco.mj_kinematics(model, data)
+        depths = [-mujoco.mj_geomDistance(model, data, a, b, 1, None) for a, b in penalty.geom_pairs.T]
+        expected.append(np.sum(np.maximum(depths, 0) ** 2))
+    np.testing.assert_allclose(penalty.evaluate(samples), expected, atol=1e-6)
+    assert np.count_nonzero(np.array(expected) > 1e-4) > 5
+
+
+@pytest.mark.parametrize("coordinates", COORDINATES)
+def test_the_gradient_has_taylor_slope_two(coordinates, rng):
+    figure = spider(coordinates)
+    samples, penalty = tangled(figure, rng), SelfContact.of(figure, 0.02)
+    assert np.count_nonzero(penalty.evaluate(samples)) > 5
+    assert penalty_slope(penalty, samples, rng) > 1.9
+    np.testing.assert_allclose(penalty.evaluate(scaled_like(samples, rng)), penalty.evaluate(samples), rtol=1e-9)
+
+
+@pytest.mark.parametrize("coordinates", COORDINATES)
+def test_the_sides_add_up_to_the_penalty_look_ahead_and_have_gradients_for_rows(coordinates, rng):
+    figure = spider(coordinates)
+    samples, penalty, h = tangled(figure, rng), SelfContact.of(figure), 1e-7
+    sides = sides_of(penalty, samples)
+    total = np.bincount(sides.at, np.maximum(sides.value, 0) ** 2, samples.count)
+    np.testing.assert_allclose(total, penalty.evaluate(samples), rtol=1e-10, atol=1e-15)
+    assert np.all(sides.value > -NEAR)
+    assert np.count_nonzero(sides.value < 0) > 3
+    way = rng.normal(size=samples.y.shape)
+    by = h * np.stack([way, 0 * way, 0 * way])
+    after, before = sides_of(penalty, shifted(samples, by)), sides_of(penalty, shifted(samples, -by))
+    np.testing.assert_array_equal(after.at, before.at)
+    slope = np.einsum("pn,pn->p", sides.rows, way[sides.at])
+    np.testing.assert_allclose((after.value - before.value) / (2 * h), slope, rtol=1e-4, atol=1e-5)
+    assert not curvature_of(penalty, samples, np.ones(60)).quadratic(np.ones((60, 3)), 0, 60).any()
+
+
+numbers = st.floats(-1, 1)
+vectors = st.tuples(numbers, numbers, numbers).filter(lambda v: np.linalg.norm(v) > 0.1)
+
+
+@pytest.mark.slow
+@settings(deadline=None, max_examples=150)
+@example((0.0, 1.0, 0.0), (0.0, 1.0, 2e-5), False, (0.0, 0.0, 0.5), 1.0, 1.0)
+@example((0.0, 1.0, 0.0), (0.0, 1.0, 2e-7), False, (0.3, 0.2, 0.5), 1.0, 1.0)
+@given(vectors, vectors, st.booleans(), vectors, st.floats(0, 1), st.floats(0, 1))
+def test_no_points_of_two_segments_are_nearer_than_the_nearest(u, v, parallel, d, h, g):
+    u = np.array(u) / np.linalg.norm(u)
+    v = u if parallel else np.array(v) / np.linalg.norm(v)
+    middle = np.array(d)
+    s, t = nearest_on_segments(middle[:, None], u[:, None], v[:, None], np.array([h]), np.array([g]))
+    assert abs(s[0]) <= h
+    assert abs(t[0]) <= g
+    found = np.linalg.norm(middle + s[0] * u - t[0] * v)
+    grid = np.linspace(-1, 1, 41)
+    every = middle[:, None, None] + u[:, None, None] * (h * grid[:, None]) - v[:, None, None] * (g * grid)
+    assert found <= np.linalg.norm(every, axis=0).min() + 1e-7
+
+
+def test_a_figure_at_rest_costs_nothing_and_nothing_to_meet_has_no_sides(figure, rng):
+    rest = figure.to_state(figure.model.qpos0)[None]
+    penalty = SelfContact.of(figure)
+    assert not penalty.evaluate(Samples(figure, rest, 0 * rest, 0 * rest)).any()
+    samples = random_samples(figure, rng)
+    none = SelfContact((), np.zeros((2, 0), np.intp))
+    assert none.sides(samples) is None
+    assert not none.evaluate(samples, Cotangent(samples)).any()
+    assert none.geom_pairs.shape == (2, 0)
+
+
+def test_joined_links_are_left_out_even_across_links_without_shapes():
+    figure = Figure(mujoco.MjModel.from_xml_string(EVERY_JOINT), "joint")
+    penalty = SelfContact.of(figure)
+    met = {
+        (figure.links[penalty.bars[a].link].name, figure.links[penalty.bars[b].link].name) for a, b in penalty.pairs.T
+    }
+    assert ("root", "pitch") not in met
+    assert ("pitch", "reach") not in met
+    assert ("root", "reach") in met
+    assert ("root", "turn") in met
+
+
+ARMS = """
+<mujoco><compiler angle="degree"/><worldbody><body name="trunk" pos="0 0 1"><freejoint name="root"/>
+  <geom name="trunk" type="capsule" size=".1" fromto="0 0 -.2 0 0 .2" mass="9"/>
+  <body name="arm" pos="0 .3 .2"><joint name="shoulder" type="ball"/>
+    <geom name="arm" type="capsule" size=".03" fromto="0 0 -.02 0 0 -.1" mass="1"/>
+    <body name="hand" pos="0 0 -.2"><joint name="elbow" type="ball"/>
+      <geom name="hand" type="capsule" size=".04" fromto="0 0 0 0 0 -.15" mass="1"/></body></body>
+</body></worldbody></mujoco>"""
+SWING = """figure = "arms.xml"
+[[keyframe]]
+time = 0
+root.position = [0, 0, 1]
+root.rotation = {rotvec = [0, 0, 0]}
+joints = {shoulder = {rotvec = [-40, 40, 0]}, elbow = {rotvec = [0, 0, 0]}}
+[[keyframe]]
+time = 1
+root.position = [0, 0, 1]
+root.rotation = {rotvec = [0, 0, 0]}
+joints = {shoulder = {rotvec = [-40, -40, 0]}, elbow = {rotvec = [0, 0, 0]}}
+"""
+
+
+@pytest.mark.slow
+def test_an_arm_goes_through_the_trunk_without_the_penalty_and_at_most_two_millimetres_with_it(tmp_path):
+    (tmp_path / "arms.xml").write_text(ARMS, encoding="utf-8")
+    deepest = {}
+    for asked in ("", "[[penalty]]\nkind = 'self'\nweight = 30\nmargin = 0.002\n"):
+        (tmp_path / "arms.toml").write_text(SWING + asked, encoding="utf-8")
+        solved = work.solve(clip.load(str(tmp_path / "arms.toml")), Teller(Console(file=io.StringIO())))
+        data = report(solved.clip, solved.motion, 0.0)
+        out = io.StringIO()
+        Console(file=out, width=160).print(tables(data))
+        assert ("deepest of the figure in itself" in out.getvalue()) == bool(asked)
+        if asked:
+            found = data["after"]["self-penetration, m"]
+            assert data["before"]["self-penetration, m"]["where"].startswith("trunk in hand at 0.")
+            deepest["before"], deepest["after"] = data["before"]["self-penetration, m"]["deepest"], found["deepest"]
+        else:
+            assert data["after"]["self-penetration, m"] == {}
+            figure = solved.clip.figure
+            time = np.linspace(0, 1, 1001)
+            pairs = SelfContact.of(figure).geom_pairs
+            deepest["without"], _ = self_penetration(figure.model, pairs, time, solved.motion.at(time))
+    assert deepest["without"] > 0.05
+    assert deepest["before"] > 0.05
+    assert deepest["after"] <= 0.002

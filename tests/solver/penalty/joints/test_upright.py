@@ -1,0 +1,92 @@
+"""Upright: the value by hand, gradient and curvature, and which keyframes it is about."""
+
+import mujoco
+import numpy as np
+import pytest
+from curvature_of import assembled, assert_near, curvature_of, jacobians
+from figures import BALL_TREE
+from penalty_slope import penalty_slope, scaled_like
+from random_samples import at_times, random_samples
+
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.penalty import Lean, Upright, leans
+
+AXES = np.array([[0.6, 0.0, 0.8], [0.0, -1.0, 0.0]])
+UP = np.array([0.0, 0, 1])
+
+
+def upright_of(figure: Figure, *times: float) -> Upright:
+    """Axes of the first and the last link at every time."""
+    links = (1, len(figure.links) - 1)
+    return Upright(tuple(Lean(link, t, axis, UP) for t in times for link, axis in zip(links, AXES, strict=True)))
+
+
+def some(figure: Figure, rng: np.random.Generator) -> Samples:
+    return at_times(random_samples(figure, rng, 6), np.array([0.0, 0.5, 0.5, 0.7, 1.0, 1.3]))
+
+
+def turned(figure: Figure, qpos: Array, link: int, axis: Array) -> Array:
+    """An axis of a link in the world, by MuJoCo's kinematics."""
+    data = mujoco.MjData(figure.model)
+    data.qpos[:] = qpos
+    mujoco.mj_kinematics(figure.model, data)
+    return data.body(figure.links[link].body).xmat.reshape(3, 3) @ axis
+
+
+def test_it_is_the_squared_distance_of_the_axes_ends_at_its_time(figure, rng):
+    samples = some(figure, rng)
+    values = upright_of(figure, 0.5, 1.3).evaluate(samples)
+    for i in (1, 2, 5):
+        qpos, links = figure.to_qpos(samples.y[i]), (1, len(figure.links) - 1)
+        away = [turned(figure, qpos, link, axis) - UP for link, axis in zip(links, AXES, strict=True)]
+        assert values[i] == pytest.approx(float(np.sum(np.square(away))), rel=1e-9)
+    assert not values[[0, 3, 4]].any()
+
+
+def test_the_gradient_has_taylor_slope_two(figure, rng):
+    assert penalty_slope(upright_of(figure, 0.5, 1.0), some(figure, rng), rng) > 1.95
+
+
+def test_it_does_not_feel_the_quaternions_length(figure, rng):
+    samples, upright = some(figure, rng), upright_of(figure, 0.5)
+    np.testing.assert_allclose(upright.evaluate(scaled_like(samples, rng)), upright.evaluate(samples), rtol=1e-9)
+
+
+def test_the_curvature_is_twice_the_square_of_the_residuals_jacobian(figure, rng):
+    upright, samples = upright_of(figure, 0.5, 1.0), some(figure, rng)
+
+    def away(there: Samples) -> Array:
+        out = np.zeros((there.count, len(upright.leans), 3))
+        for k, lean in enumerate(upright.leans):
+            axis = np.einsum("ijs,j->si", there.links.rotation[:, :, lean.link], lean.axis)
+            out[:, k] = (axis - lean.way) * (there.t == lean.time)[:, None]
+        return out.reshape(there.count, -1)
+
+    np.testing.assert_allclose(np.sum(away(samples) ** 2, axis=1), upright.evaluate(samples), rtol=1e-9)
+    scale, phi = rng.uniform(0.5, 2, samples.count), rng.normal(size=(samples.count, 3, 2))
+    moved = np.einsum("sron,soa->sran", jacobians(away, samples), phi).reshape(samples.count, -1, 2 * figure.width)
+    expected = 2 * scale[:, None, None] * np.einsum("srx,sry->sxy", moved, moved)
+    assert_near(assembled(curvature_of(upright, samples, scale), phi), expected)
+    assert upright.sides(samples) is None
+
+
+def test_nothing_that_leans_costs_nothing(figure, rng):
+    samples = random_samples(figure, rng)
+    cotangent = Cotangent(samples)
+    assert not Upright(()).evaluate(samples, cotangent, np.ones(samples.count)).any()
+    assert not any(g.any() for g in cotangent.gradients())
+
+
+def test_it_is_about_keyframes_whose_roots_turn_was_posed_and_keeps_what_points_up_there():
+    figure = Figure(mujoco.MjModel.from_xml_string(BALL_TREE), "world")
+    qpos, free = np.array(figure.model.qpos0), np.zeros(figure.width, bool)
+    qpos[3:7] = [np.cos(0.2), 0, np.sin(0.2), 0]
+    free[3:7] = True
+    keys = [Frame.key(0.0, qpos), Frame(1.0, qpos, ~free, free), Frame.key(2.0, qpos, ~free), Frame.key(3.0, qpos)]
+    (lean,) = leans(figure, raw_timeline(figure, keys), figure.tables.free_links.tolist())
+    assert (lean.link, lean.time) == (int(figure.tables.free_links[0]), 1.0)
+    np.testing.assert_allclose(turned(figure, qpos, lean.link, lean.axis), UP, atol=1e-12)

@@ -1,0 +1,114 @@
+"""The cycle's soft constraint: value by SciPy, gradient, curvature, and what it does to a walk with few keyframes."""
+
+import mujoco
+import numpy as np
+import pytest
+from figures import HUMAN_AND_CHAINS
+from gaits import FIGURE, GROUND, PERIOD, SOLES, TIME, WALK, gait
+from penalty_slope import penalty_slope, scaled_like
+from random_samples import random_samples
+from scipy.spatial.transform import Rotation
+
+from dynsplines.clip.constraints import constraints
+from dynsplines.clip.context import Context
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.figure import Figure, quaternion_columns
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.inbetween import Settings, inbetween
+from dynsplines.solver.penalty import Cycle
+from dynsplines.solver.penalty.curvature import Curvature
+from dynsplines.solver.reading.pose_vectors import HEIGHT
+from dynsplines.solver.reading.stride import Gait
+
+
+@pytest.fixture(params=HUMAN_AND_CHAINS, ids=["human", "human, joints", "fixed balls", "fixed ball and hinge"])
+def cycled(request, rng) -> Cycle:
+    text, coordinates = request.param
+    figure = Figure(mujoco.MjModel.from_xml_string(text), coordinates)
+    keys = [Frame.key(0.3 * k, qpos) for k, qpos in enumerate(figure.to_qpos(random_samples(figure, rng, 6).y))]
+    rhythm = Gait(figure, raw_timeline(figure, keys), (), ()).given(0.7)
+    assert rhythm is not None and rhythm.trust.max() > 0
+    return Cycle(figure, rhythm)
+
+
+def at_its_times(cycle: Cycle, rng: np.random.Generator, count: int) -> tuple[Samples, np.ndarray]:
+    """Random samples at some of the times that the rhythm knows, and which."""
+    some = rng.choice(cycle.rhythm.times.size, count, replace=False)
+    seen = random_samples(cycle.figure, rng, count)
+    return Samples(seen.figure, seen.y, seen.y_d, seen.y_dd, cycle.rhythm.times[some]), some
+
+
+def residuals(cycle: Cycle, y: np.ndarray, some: np.ndarray) -> np.ndarray:
+    """How far joints, hinges and the root's height are off, (S, r), the trust aside."""
+    figure, rhythm = cycle.figure, cycle.rhythm
+    qpos, out = figure.to_qpos(y), []
+    for i, link in enumerate(figure.tables.quaternion_links):
+        own = qpos[:, quaternion_columns(figure.links[link])]
+        off = Rotation.from_quat(np.roll(rhythm.rotations[some, i], -1, 1)).inv()
+        out.append(2 * (off * Rotation.from_quat(np.roll(own, -1, 1))).as_quat(canonical=True)[:, :3])
+    out.append(qpos[:, figure.tables.hinge_columns] - rhythm.angles[some])
+    out.append(HEIGHT * (qpos[:, figure.tables.position_columns[2]] - rhythm.heights[some]))
+    return np.hstack(out)
+
+
+def test_the_value_is_how_far_joints_are_off(cycled, rng):
+    samples, some = at_its_times(cycled, rng, 5)
+    expected = cycled.rhythm.trust[some] * np.sum(residuals(cycled, samples.y, some) ** 2, axis=1)
+    np.testing.assert_allclose(cycled.evaluate(samples), expected, rtol=1e-9)
+
+
+def test_the_gradient_has_taylor_slope_two(cycled, rng):
+    assert penalty_slope(cycled, at_its_times(cycled, rng, 5)[0], rng) > 1.95
+
+
+def test_it_does_not_feel_the_quaternions_length(cycled, rng):
+    samples, _ = at_its_times(cycled, rng, 5)
+    np.testing.assert_allclose(cycled.evaluate(scaled_like(samples, rng)), cycled.evaluate(samples), rtol=1e-9)
+
+
+def test_its_curvature_is_that_of_differences(cycled, rng):
+    (samples, some), h = at_its_times(cycled, rng, 3), 1e-6
+    curvature, scale, phi = Curvature(samples), rng.uniform(1, 2, 3), rng.normal(size=(3, 3))
+    cycled.curvature(samples, curvature, scale)
+    rows = []
+    for entry in np.eye(cycled.figure.width):
+        moved = [residuals(cycled, samples.y + s * phi[:, :1] * entry, some) for s in (h, -h)]
+        rows.append((moved[0] - moved[1]) / (2 * h))
+    share = scale * cycled.rhythm.trust[some]
+    expected = 2 * np.einsum("s,msr,nsr->mn", share, np.array(rows), np.array(rows))
+    np.testing.assert_allclose(curvature.quadratic(phi, 0, 3), expected, rtol=1e-5, atol=1e-6 * expected.max())
+
+
+@pytest.mark.slow
+def test_a_walk_with_few_keyframes_is_nearer_to_the_real_one_and_goes_through_them():
+    keys = [Frame.key(TIME[k], WALK[k]) for k in range(0, TIME.size, 280)]
+    penalties = constraints(Context(FIGURE, gait(WALK, 0.7).keys, GROUND, [], "walk"), [])
+    off = {}
+    for some in (penalties, [(p, w) for p, w in penalties if p.name != "cycle"]):
+        motion = inbetween(FIGURE, keys, some, Settings(frames=30, tolerance=1e-2))
+        reached = TIME[keys[-1].time >= TIME][::20]
+        found = motion.at(reached)[:, FIGURE.tables.quaternion_columns.T]
+        real = WALK[: 20 * reached.size : 20][:, FIGURE.tables.quaternion_columns.T]
+        off[len(some)] = np.degrees(quat.angle_between(found, real).mean())
+        met = motion.at([key.time for key in keys])[:, FIGURE.tables.quaternion_columns.T]
+        wanted = np.array([key.state for key in keys])[:, FIGURE.tables.quaternion_columns.T]
+        assert quat.angle_between(met, wanted).max() < 1e-6
+    assert off[len(penalties)] < 0.6 * off[len(penalties) - 1]
+
+
+def test_the_path_to_begin_with_is_the_cycle_at_variable_frames_and_keeps_the_keyframes():
+    seen = gait(WALK, 0.7)
+    rhythm = seen.told()
+    assert rhythm is not None and len(SOLES) == 4
+    cycle = Cycle(FIGURE, rhythm)
+    led = cycle.led(seen.keys, None)
+    assert np.diff(led.times).max() <= 1.05 * PERIOD / 8
+    fixed = [frame for frame in led.frames if not frame.is_variable]
+    np.testing.assert_array_equal([f.state for f in fixed], seen.keys.states)
+    loose = np.array([frame.state for frame in led.frames if frame.is_variable])
+    times = np.array([frame.time for frame in led.frames if frame.is_variable])
+    off = cycle.off(Samples(FIGURE, loose, 0 * loose, 0 * loose, times))
+    assert np.degrees(off.max()) < 0.1
+    assert cycle.led(seen.keys, 0).variable_count == 0

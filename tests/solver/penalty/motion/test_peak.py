@@ -1,0 +1,80 @@
+"""Peaks of angular acceleration: the value by hand, gradient and curvature, and that they come down."""
+
+import mujoco
+import numpy as np
+import pytest
+from closed_forms import WOOD
+from curvature_of import assembled, assert_near, curvature_of, jacobians
+from figures import BALL_TREE
+from penalty_slope import penalty_slope, scaled_like
+from random_samples import random_samples
+from small_problems import turning
+
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.figure.dynamics import velocities
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.objective import Objective
+from dynsplines.solver.penalty import CovariantAcceleration, PeakAcceleration, UnitMagnitude
+from dynsplines.solver.refine.subdivision import evenly
+from dynsplines.solver.search.descent import optimised
+
+
+def sizes(samples: Samples) -> Array:
+    """(S, joints): |α − α_parent| of ball joints and hinges, by the links' angular accelerations."""
+    links, found = samples.links, []
+    for i, link in enumerate(samples.figure.links):
+        if i and link.kind in (link.kind.BALL, link.kind.HINGE):
+            found.append(np.linalg.norm(links.alpha[:, i] - links.alpha[:, link.parent], axis=0))
+    return np.array(found).T
+
+
+def test_the_gradient_has_taylor_slope_two(figure, rng):
+    assert penalty_slope(PeakAcceleration(), random_samples(figure, rng), rng) > 1.95
+
+
+def test_it_is_the_sum_of_eighth_powers(figure, rng):
+    samples = random_samples(figure, rng)
+    np.testing.assert_allclose(PeakAcceleration().evaluate(samples), np.sum(sizes(samples) ** 8, axis=1), rtol=1e-10)
+
+
+def test_it_does_not_feel_the_quaternions_length(figure, rng):
+    samples = random_samples(figure, rng)
+    np.testing.assert_allclose(
+        PeakAcceleration().evaluate(scaled_like(samples, rng)), PeakAcceleration().evaluate(samples), rtol=1e-8
+    )
+
+
+def test_of_a_hinge_it_is_the_eighth_power_of_its_acceleration():
+    text = '<mujoco><worldbody><body><joint type="hinge"/><geom size=".1"/></body></worldbody></mujoco>'
+    figure = Figure(mujoco.MjModel.from_xml_string(text))
+    samples = Samples(figure, [[0.3]], [[2.0]], [[-1.5]])
+    np.testing.assert_allclose(PeakAcceleration().evaluate(samples), 1.5**8)
+    np.testing.assert_allclose(velocities(samples)[1], -1.5)
+    second = curvature_of(PeakAcceleration(), samples, np.ones(1)).quadratic(np.array([[0.0, 0, 1]]), 0, 1)
+    np.testing.assert_allclose(second, 56 * 1.5**6)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("text", [BALL_TREE, WOOD])
+def test_the_curvature_is_that_of_the_fourth_powers_times_seven_quarters(rng, text):
+    for coordinates in ("world", "joint"):
+        figure = Figure(mujoco.MjModel.from_xml_string(text), coordinates)
+        samples = random_samples(figure, rng, 4)
+        scale, phi = rng.uniform(0.5, 2, 4), rng.normal(size=(4, 3, 2))
+        moved = np.einsum("sron,soa->sran", jacobians(lambda seen: sizes(seen) ** 4, samples), phi)
+        flat = moved.reshape(*moved.shape[:2], -1)
+        expected = 7 / 4 * 2 * scale[:, None, None] * np.einsum("srx,sry->sxy", flat, flat)
+        assert_near(assembled(curvature_of(PeakAcceleration(), samples, scale), phi), expected)
+
+
+def test_a_peak_comes_down():
+    peaks = []
+    for weight in (0.0, 3.0):
+        objective, raw = turning([90.0, -60.0, 100.0, -100.0], 0)
+        terms = [(CovariantAcceleration(), 1.0), (UnitMagnitude(), 10.0), (PeakAcceleration(), weight)]
+        objective = Objective.of(objective.figure, terms).renormalised(path_of(raw))
+        path = path_of(optimised(objective, evenly(raw, 3)))
+        peaks.append(sizes(objective.samples(path, np.linspace(0, 4, 401))).max())
+    assert peaks[1] < 0.9 * peaks[0]

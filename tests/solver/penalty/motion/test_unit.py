@@ -1,0 +1,68 @@
+"""The unit-magnitude penalty: values by hand, the gradient by Taylor. Also the Taylor test of any penalty."""
+
+import mujoco
+import numpy as np
+import pytest
+from penalty_slope import penalty_slope
+from random_samples import random_samples
+
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.objective import Objective
+from dynsplines.solver.penalty import UnitMagnitude
+
+BALL = '<mujoco><worldbody><body><joint type="ball"/><geom size="0.1"/></body></worldbody></mujoco>'
+
+
+@pytest.mark.parametrize("form", ["square", "absolute"])
+def test_the_gradient_has_taylor_slope_two(figure, rng, form):
+    assert penalty_slope(UnitMagnitude(form, epsilon=0.1), random_samples(figure, rng), rng) > 1.95
+
+
+def test_the_square_is_the_sum_of_squared_excess_lengths(figure, rng):
+    samples = random_samples(figure, rng)
+    expected = sum((samples.y[:, c] ** 2).sum(axis=1) - 1 for c in figure.tables.quaternion_columns.T[:1]) ** 2
+    for columns in figure.tables.quaternion_columns.T[1:]:
+        expected = expected + ((samples.y[:, columns] ** 2).sum(axis=1) - 1) ** 2
+    np.testing.assert_allclose(UnitMagnitude().evaluate(samples), expected, rtol=1e-12)
+
+
+def test_the_absolute_form_is_the_papers_up_to_its_rounding(figure, rng):
+    samples = random_samples(figure, rng)
+    papers = sum(abs((samples.y[:, c] ** 2).sum(axis=1) - 1) for c in figure.tables.quaternion_columns.T)
+    values = UnitMagnitude("absolute", epsilon=1e-6).evaluate(samples)
+    np.testing.assert_allclose(values, papers, atol=1e-5)
+    assert np.all(values <= papers)
+
+
+@pytest.mark.parametrize("form", ["square", "absolute"])
+def test_unit_quaternions_cost_nothing_and_have_no_gradient(figure, rng, form):
+    y = figure.to_state(rng.normal(size=(4, figure.width)))
+    samples = Samples(figure, y, 0 * y, 0 * y)
+    cotangent = Cotangent(samples)
+    np.testing.assert_allclose(UnitMagnitude(form).evaluate(samples, cotangent), 0, atol=1e-20)
+    np.testing.assert_allclose(np.concatenate(cotangent.gradients()), 0, atol=1e-11)
+
+
+@pytest.mark.parametrize("form", ["square", "absolute"])
+def test_the_reference_is_the_penalty_of_one_percent(form):
+    penalty, excess = UnitMagnitude(form, epsilon=1e-9), 1.01**2 - 1
+    expected = excess**2 if form == "square" else excess
+    np.testing.assert_allclose(penalty.scale.reference, expected, rtol=0.02)
+
+
+def test_an_unknown_form_is_refused():
+    with pytest.raises(ValueError, match="'cubic' is not one of 'square', 'absolute'"):
+        UnitMagnitude("cubic")
+
+
+def test_a_raw_spline_that_is_far_off_unit_length_does_not_make_it_soft():
+    figure = Figure(mujoco.MjModel.from_xml_string(BALL))
+    turns = [[1.0, 0, 0, 0], [0.1, 1, 0, 0], [1, 0.1, 0, 0]]
+    raw = path_of(raw_timeline(figure, [Frame.key(t, q) for t, q in zip((0.0, 0.1, 3.0), turns, strict=True)]))
+    firm, soft = (Objective.of(figure, [(UnitMagnitude(most=m), 2.0)]).renormalised(raw).terms[0] for m in (0.01, 1e9))
+    np.testing.assert_allclose(firm.factor, 2.0 / (0.01 * 3.0), rtol=1e-12)
+    assert soft.factor < firm.factor / 2

@@ -1,0 +1,357 @@
+"""The Gauss-Newton curvature of every penalty against differences of residuals that are written down here, the
+one-sided residuals of contact and bend limits, and the weak form's promises."""
+
+from collections.abc import Callable
+
+import mujoco
+import numpy as np
+import pytest
+from bends import limits_of
+from closed_forms import WOOD
+from curvature_of import (
+    RESIDUALS,
+    _efforts,
+    assembled,
+    assert_gradients,
+    assert_near,
+    curvature_of,
+    jacobians,
+    low_samples,
+    shifted,
+    sides_of,
+)
+from every_penalty import clip, every_penalty
+from figures import BALL, with_armature
+from ground import FLOOR, SLOPE, some_points
+from random_samples import at_times, random_samples
+from small_problems import slider, turning
+
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.objective import Objective
+from dynsplines.solver.penalty import (
+    BendLimits,
+    Contact,
+    CovariantAcceleration,
+    Penalty,
+    RootAcceleration,
+    Scale,
+    Torque,
+    UnitMagnitude,
+)
+from dynsplines.solver.penalty.curvature import Curvature
+from dynsplines.solver.penalty.ground.contact import NEAR as NEAR_DEPTH
+from dynsplines.solver.penalty.joints.bend import NEAR as NEAR_ANGLE
+from dynsplines.solver.refine.euler_lagrange import WeakForm
+from dynsplines.solver.refine.subdivision import evenly, midpoints, split
+from dynsplines.solver.search.descent import optimised
+from dynsplines.solver.surface import Box, Surface
+from dynsplines.solver.surface.points import Point
+
+
+@pytest.fixture(params=RESIDUALS)
+def known(request: pytest.FixtureRequest) -> tuple[Penalty, Callable[[Samples], Array]]:
+    """A penalty, and its residuals (S, r) at samples."""
+    return RESIDUALS[request.param]
+
+
+def some_samples(figure: Figure, rng: np.random.Generator, count: int = 4) -> Samples:
+    return at_times(random_samples(figure, rng, count), np.linspace(0.1, 1.3, count))
+
+
+def test_the_residuals_written_here_are_the_penalties(figure, rng, known):
+    penalty, residuals = known
+    samples = some_samples(figure, rng)
+    np.testing.assert_allclose(np.sum(residuals(samples) ** 2, axis=1), penalty.evaluate(samples), rtol=1e-9)
+
+
+def assert_squares(penalty: Penalty, residuals: Callable[[Samples], Array], figure: Figure, rng: np.random.Generator):
+    """That a penalty's matrices are 2 JᵀJ, J by differences."""
+    samples = some_samples(figure, rng)
+    scale, phi = rng.uniform(0.5, 2, samples.count), rng.normal(size=(samples.count, 3, 2))
+    moved = np.einsum("sron,soa->sran", jacobians(residuals, samples), phi)
+    flat = moved.reshape(*moved.shape[:2], -1)
+    expected = 2 * scale[:, None, None] * np.einsum("srx,sry->sxy", flat, flat)
+    assert_near(assembled(curvature_of(penalty, samples, scale), phi), expected)
+
+
+def test_the_curvature_is_twice_the_square_of_the_residuals_jacobian(figure, rng, known):
+    penalty, residuals = known
+    assert_squares(penalty, residuals, figure, rng)
+
+
+def test_the_curvature_of_torques_knows_the_armature(figure, rng):
+    assert_squares(Torque(), _efforts, with_armature(figure, rng), rng)
+
+
+def test_the_curvature_of_a_figure_that_closed_forms_know_is_the_same_square(rng, known):
+    penalty, residuals = known
+    assert_squares(penalty, residuals, Figure(mujoco.MjModel.from_xml_string(WOOD), "world"), rng)
+
+
+def test_the_quadratic_form_and_the_diagonal_are_those_of_the_same_matrices(figure, rng, known):
+    penalty, _ = known
+    samples = some_samples(figure, rng, 5)
+    curvature = curvature_of(penalty, samples, rng.uniform(0.5, 2, samples.count))
+    phi = rng.normal(size=(samples.count, 3))
+    each = assembled(curvature, phi[:, :, None])
+    for first, last in ((0, 5), (1, 3), (2, 2), (4, 5)):
+        assert_near(curvature.quadratic(phi, first, last), each[first:last].sum(axis=0), 1e-12)
+    by_acceleration = assembled(curvature, np.tile([[[0.0], [0], [1]]], (samples.count, 1, 1)))
+    assert_near(curvature.acceleration(), np.einsum("snn->sn", by_acceleration), 1e-12)
+
+
+def test_where_the_residuals_are_zero_the_curvature_is_the_second_derivative(figure, rng):
+    y = figure.to_state(rng.normal(size=(3, figure.width)))
+    samples = Samples(figure, y, 0 * y, 0 * y)
+    by = np.zeros((3, *y.shape))
+    for penalty in (CovariantAcceleration(), CovariantAcceleration("paper"), UnitMagnitude(), RootAcceleration()):
+        assert not penalty.evaluate(samples).max() > 1e-25
+        phi = rng.normal(size=(3, 3))
+        for _ in range(4):
+            way = rng.normal(size=figure.width)
+            by[:] = 1e-4 * phi.T[:, :, None] * way
+            bent = (penalty.evaluate(shifted(samples, by)) + penalty.evaluate(shifted(samples, -by))) / 1e-8
+            expected = way @ curvature_of(penalty, samples, np.ones(3)).quadratic(phi, 0, 3) @ way
+            np.testing.assert_allclose(bent.sum(), expected, rtol=1e-5)
+
+
+@pytest.mark.parametrize("epsilon", [1e-3, 0.1])
+def test_at_unit_length_the_absolute_forms_curvature_is_its_second_derivative(figure, rng, epsilon):
+    y = figure.to_state(rng.normal(size=(3, figure.width)))
+    samples, penalty = Samples(figure, y, 0 * y, 0 * y), UnitMagnitude("absolute", epsilon)
+    by = np.zeros((3, *y.shape))
+    by[0] = 1e-2 * epsilon * y
+    bent = penalty.evaluate(shifted(samples, by)) + penalty.evaluate(shifted(samples, -by))
+    curvature = curvature_of(penalty, samples, np.ones(3))
+    for s in range(3):
+        found = by[0, s] @ curvature.quadratic(np.array([[1.0, 0, 0]] * 3), s, s + 1) @ by[0, s]
+        np.testing.assert_allclose(found, bent[s], rtol=1e-2)
+
+
+def test_penalties_that_count_on_one_side_only_have_no_curvature_of_their_own(figure, rng):
+    samples = some_samples(figure, rng)
+    samples.y[:, 2] = 0
+    for penalty in (Contact(some_points(figure, rng), (FLOOR,)), limits_of(figure)):
+        assert penalty.evaluate(samples).any()
+        assert not curvature_of(penalty, samples, np.ones(samples.count)).quadratic(np.ones((4, 3)), 0, 4).any()
+
+
+def test_penalties_that_count_on_both_sides_have_no_sides(figure, rng, known):
+    assert known[0].sides(some_samples(figure, rng)) is None
+
+
+class Plain(Penalty):
+    """½ zᵀAz of z = (y, y', y''), A of any signs; it says nothing of its curvature."""
+
+    def __init__(self, matrix: Array) -> None:
+        self.matrix = matrix
+
+    @property
+    def name(self) -> str:
+        return "plain"
+
+    @property
+    def scale(self) -> Scale:
+        return Scale(1.0)
+
+    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+        z = np.hstack([samples.y, samples.y_d, samples.y_dd])
+        pull = z @ self.matrix
+        if into is not None:
+            for name, part in zip(("y", "y_d", "y_dd"), np.split(pull, 3, axis=1), strict=True):
+                into.add(name, np.reshape(scale, (-1, 1)) * part)
+        return 0.5 * np.sum(z * pull, axis=1)
+
+
+@pytest.mark.parametrize("negative", [False, True])
+def test_a_penalty_that_says_nothing_gets_its_second_derivatives_with_all_signs_positive(figure, rng, negative):
+    width = figure.width
+    samples = random_samples(figure, rng, 3)
+    turn, _ = np.linalg.qr(rng.normal(size=(3 * width, 3 * width)))
+    sizes = rng.uniform(0.5, 3, 3 * width)
+    signs = rng.choice([-1, 1], 3 * width) if negative else 1
+    penalty = Plain(turn * (signs * sizes) @ turn.T)
+    scale, phi = rng.uniform(0.5, 2, 3), rng.normal(size=(3, 3, 2))
+    hessian = (turn * sizes @ turn.T).reshape(3, width, 3, width)
+    expected = np.einsum("s,soa,onpm,spb->sanbm", scale, phi, hessian, phi).reshape(3, 2 * width, 2 * width)
+    assert_near(assembled(curvature_of(penalty, samples, scale), phi), expected)
+    assert penalty.sides(samples) is None
+
+
+def test_differences_of_a_penalty_find_what_it_knows_where_its_residuals_are_zero(figure, rng):
+    class Forgetful(CovariantAcceleration):
+        curvature = Penalty.curvature
+
+    y = figure.to_state(rng.normal(size=(3, figure.width)))
+    samples = Samples(figure, y, 0 * y, 0 * y)
+    scale, phi = rng.uniform(0.5, 2, 3), rng.normal(size=(3, 3, 2))
+    found = assembled(curvature_of(Forgetful(), samples, scale), phi)
+    assert_near(found, assembled(curvature_of(CovariantAcceleration(), samples, scale), phi), 1e-4)
+
+
+def depths(contact: Contact, surface: Surface, samples: Samples) -> Array:
+    """How deep spheres are in a plane, negative over it, (n, S)."""
+    centres, _, _ = contact.centres(samples)
+    radii = np.array([point.radius for point in contact.points]) + contact.margin
+    return radii[:, None] - surface.height(centres)
+
+
+ONE_SIDED: dict[str, Callable[[Figure, np.random.Generator], Penalty]] = {
+    "floor": lambda figure, rng: Contact(some_points(figure, rng), (FLOOR,), 0.01),
+    "slope": lambda figure, rng: Contact(some_points(figure, rng), (SLOPE,)),
+    "floor and slope": lambda figure, rng: Contact(some_points(figure, rng), (FLOOR, SLOPE)),
+    "bend": lambda figure, rng: limits_of(figure),
+}
+
+
+@pytest.fixture(params=ONE_SIDED)
+def one_sided(request: pytest.FixtureRequest, figure: Figure, rng: np.random.Generator) -> Penalty:
+    return ONE_SIDED[request.param](figure, rng)
+
+
+@pytest.mark.slow
+def test_the_sides_that_count_add_up_to_the_penalty_at_every_sample(figure, rng, one_sided):
+    samples = low_samples(figure, rng)
+    sides = sides_of(one_sided, samples)
+    total = np.bincount(sides.at, np.maximum(sides.value, 0) ** 2, samples.count)
+    np.testing.assert_allclose(total, one_sided.evaluate(samples), rtol=1e-10, atol=1e-15)
+    assert np.count_nonzero(sides.value > 0) > 10
+
+
+def test_the_sides_rows_are_the_gradients_of_their_values(figure, rng, one_sided):
+    assert_gradients(one_sided, figure, rng)
+
+
+@pytest.mark.parametrize("kind", ONE_SIDED)
+def test_the_sides_rows_of_a_figure_that_closed_forms_know_are_gradients_too(rng, kind):
+    figure = Figure(mujoco.MjModel.from_xml_string(WOOD), "world")
+    assert_gradients(ONE_SIDED[kind](figure, rng), figure, rng)
+
+
+def test_the_sides_of_a_floor_are_all_points_less_than_three_centimetres_over_it(figure, rng):
+    samples, contact = low_samples(figure, rng, 80), Contact(some_points(figure, rng), (FLOOR,), 0.01)
+    sides, expected = sides_of(contact, samples), depths(contact, FLOOR, samples)
+    assert NEAR_DEPTH == 0.03
+    for s in range(samples.count):
+        own = expected[:, s]
+        np.testing.assert_allclose(np.sort(sides.value[sides.at == s]), np.sort(own[own > -NEAR_DEPTH]), atol=1e-12)
+    assert np.count_nonzero(sides.value < 0) > 5
+
+
+def test_the_sides_of_bend_limits_are_all_angles_less_than_four_degrees_inside(figure, rng):
+    samples, limits = low_samples(figure, rng, 80), limits_of(figure)
+    flexion, sideways, twist = limits.angles(samples)
+    over = [0.1 - flexion, sideways - 0.2, -0.2 - sideways, twist - 0.3, -0.3 - twist]
+    expected, sides = np.concatenate(over), sides_of(limits, samples)
+    assert np.isclose(NEAR_ANGLE, np.radians(4))
+    for s in range(samples.count):
+        own = expected[:, s]
+        np.testing.assert_allclose(np.sort(sides.value[sides.at == s]), np.sort(own[own > -NEAR_ANGLE]), atol=1e-12)
+    assert np.count_nonzero(sides.value < 0) > 5
+
+
+@pytest.mark.parametrize(
+    "place",
+    [(0.0, 0.26), (0.0, 0.31), (0.3, 0.2), (0.5, 0.1), (0.0, 0.351), (0.551, 0.1), (0.56, 0.1), (0.57, 0.345)],
+)
+def test_a_sphere_at_a_step_counts_as_deep_as_its_penalty_says_and_not_at_all_outside(place):
+    figure = Figure(mujoco.MjModel.from_xml_string(BALL))
+    step = Box("step", np.array([0.0, 0, 0.15]), np.eye(3), np.array([0.5, 0.5, 0.15]))
+    contact = Contact((Point("p", 1, np.zeros(3), 0.05),), (step,))
+    y = np.array([[place[0], 0, place[1], 1, 0, 0, 0]])
+    samples = Samples(figure, y, 0 * y, 0 * y)
+    value = np.maximum(sides_of(contact, samples).value, 0)
+    np.testing.assert_allclose(value**2, contact.evaluate(samples), rtol=1e-12)
+
+
+def test_no_points_no_surfaces_no_joints_and_nothing_near_have_no_sides(figure, rng):
+    samples = low_samples(figure, rng)
+    assert Contact((), (FLOOR,)).sides(samples) is None
+    assert Contact(some_points(figure, rng), ()).sides(samples) is None
+    assert BendLimits(()).sides(samples) is None
+    samples.y[:, 2] = 50
+    on_the_root = tuple(p for p in some_points(figure, rng) if figure.tables.path[p.link, 1])
+    nothing = Contact(on_the_root, (FLOOR,)).sides(samples)
+    assert nothing is not None
+    assert nothing.at.size == nothing.value.size == len(nothing.rows) == 0
+
+
+def test_sides_that_count_enter_a_curvature_as_squares(figure, rng, one_sided):
+    samples = low_samples(figure, rng, 6)
+    sides, scale, curvature = sides_of(one_sided, samples), rng.uniform(0.5, 2, 6), Curvature(samples)
+    curvature.add_sides(sides, scale)
+    phi = rng.normal(size=(6, 3))
+    expected = np.zeros((figure.width, figure.width))
+    for at, value, row in zip(sides.at, sides.value, sides.rows, strict=True):
+        if value > 0:
+            expected += 2 * scale[at] * phi[at, 0] ** 2 * np.outer(row, row)
+    assert_near(curvature.quadratic(phi, 0, 6), expected, 1e-12)
+
+
+ENDS = ["free", "clamped", "periodic"]
+
+
+@pytest.mark.parametrize("ends", ENDS)
+def test_the_weak_form_never_promises_that_e_rises(figure, rng, ends):
+    timeline = evenly(clip(figure, rng, ends), 1)
+    objective = Objective.of(figure, every_penalty(figure)).renormalised(path_of(timeline))
+    decrements = WeakForm.of(objective, path_of(timeline)).decrements(midpoints(timeline))
+    assert decrements.shape == (len(timeline.frames) - 1,)
+    assert np.all(decrements >= 0)
+    assert np.all(np.isfinite(decrements))
+    assert decrements.max() > 0
+
+
+@pytest.mark.parametrize("chosen", [slice(2, 3), slice(None)], ids=["one frame", "frames everywhere"])
+def test_the_weak_form_promises_what_a_frame_moved_alone_brings_where_e_is_quadratic(rng, chosen):
+    """A slide whose frames do not lie where its energy would have them, with a penalty of y besides."""
+    problem = slider(np.linspace(0, 3, 4), 2)
+    timeline = problem.timeline
+    timeline = timeline.with_rows(timeline.rows + 0.1 * rng.normal(size=timeline.rows.shape))
+    terms: list[tuple[Penalty, float]] = [(RootAcceleration(), 1.0), (Plain(np.diag([40.0, 5.0, 0.3])), 1.0)]
+    objective = Objective.of(problem.objective.figure, terms)
+    candidates = midpoints(timeline)[chosen]
+    finer, brought = split(timeline, candidates), []
+    for row in np.searchsorted(finer.times, candidates):
+        values = []
+        for by in (-1.0, 0.0, 1.0):
+            rows = np.array(finer.rows)
+            rows[row] += by
+            values.append(objective.value(path_of(finer.with_rows(rows))))
+        slope, bent = (values[2] - values[0]) / 2, values[2] - 2 * values[1] + values[0]
+        brought.append(slope**2 / (2 * bent))
+    promised = WeakForm.of(objective, path_of(timeline)).decrements(candidates)
+    np.testing.assert_allclose(promised, brought, rtol=2e-3)
+
+
+@pytest.mark.parametrize("jerky", [0, 2, 5])
+def test_the_weak_form_ranks_the_segment_with_a_jerk_first(jerky):
+    turns = [10.0] * 6
+    turns[jerky] = 150.0
+    objective, timeline = turning(turns, 0)
+    assert np.argmax(WeakForm.of(objective, path_of(timeline)).decrements(midpoints(timeline))) == jerky
+
+
+def test_the_weak_form_ranks_the_segment_that_dips_into_the_floor_first():
+    figure = Figure(mujoco.MjModel.from_xml_string(BALL))
+    heights = [0.5, 0.4, 0.5, 0.12, 0.12, 0.5, 0.4]
+    raw = raw_timeline(figure, [Frame.key(float(i), [0, 0, z, 1, 0, 0, 0]) for i, z in enumerate(heights)])
+    contact = Contact((Point("ball", 1, np.zeros(3), 0.1),), (FLOOR,))
+    objective = Objective.of(figure, [(RootAcceleration(), 1.0), (contact, 50.0)]).renormalised(path_of(raw))
+    assert np.argmax(WeakForm.of(objective, path_of(raw)).decrements(midpoints(raw))) == 3
+
+
+def test_the_weak_form_promises_next_to_nothing_at_a_fine_optimum():
+    left = []
+    for variable in (0, 2, 8):
+        objective, timeline = turning([80.0, -60.0, 100.0], variable)
+        best = optimised(objective, timeline, tolerance=1e-10)
+        e = objective.value(path_of(best))
+        left.append(WeakForm.of(objective, path_of(best)).decrements(midpoints(best)).sum() / e)
+    assert left[0] > 10 * left[1] > 100 * left[2]
+    assert left[2] < 1e-4

@@ -1,0 +1,146 @@
+"""The cycle that keyframes tell: its period from few of them, no alias, and nothing where there is none."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from gaits import FIGURE, GROUND, PERIOD, SOLES, TIME, WALK, gait
+from walker import FINE
+
+from dynsplines.clip.constraints import constraints
+from dynsplines.clip.context import Context
+from dynsplines.clip.table import PenaltyTable
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.penalty import Cycle
+from dynsplines.solver.reading.pose_vectors import PoseVectors
+from dynsplines.solver.reading.rhythm import Process
+from dynsplines.solver.reading.stride import SLIP, Gait
+from dynsplines.solver.surface import Plane
+
+
+def facing(angle: float, rate: float = 0.0) -> np.ndarray:
+    """The walk on a line that way, or on a circle at a rate [rad/s]."""
+    out, way = WALK.copy(), angle + rate * TIME
+    step = np.diff(WALK[:, 0], prepend=0.0)
+    out[:, 0], out[:, 1] = np.cumsum(step * np.cos(way)), np.cumsum(step * np.sin(way))
+    turn = quat.from_rotation_vector(np.outer(way, [0.0, 0, 1]))
+    out[:, 3:7] = quat.product(turn, WALK[:, 3:7])
+    return out
+
+
+@pytest.mark.parametrize("every", [0.3, 0.42, 0.5, 0.7, 1.0])
+def test_a_walks_period_is_found_even_from_keyframes_two_steps_apart(every):
+    rhythm = gait(WALK, every).told()
+    assert rhythm is not None
+    assert abs(rhythm.period / PERIOD - 1) < 0.05
+    assert rhythm.slip < SLIP / 1.3
+
+
+@pytest.mark.parametrize("way", [(2.0, 0.0), (-1.0, 0.4)])
+def test_it_does_not_matter_which_way_the_figure_walks(way):
+    rhythm = gait(facing(*way), 0.42).told()
+    assert rhythm is not None
+    assert abs(rhythm.period / PERIOD - 1) < 0.05
+
+
+def test_an_alias_explains_the_keyframes_about_as_well_and_slides():
+    seen = gait(WALK, 0.5)
+    poses = PoseVectors.of(FIGURE, seen.keys)
+    assert poses is not None
+    first, second = seen.candidates(Process(poses), (0.7, 1.5), -np.inf)[:2]
+    true, alias = sorted((first, second), key=lambda rhythm: abs(rhythm.period - PERIOD))
+    assert abs(true.gain - alias.gain) < 0.1
+    assert alias.slip > 4 * true.slip
+
+
+def test_its_poses_are_those_of_the_walk():
+    seen = gait(WALK, 0.42)
+    rhythm = seen.told()
+    assert rhythm is not None
+    columns = rhythm.poses.map.columns.T
+    real = WALK[np.round(rhythm.times * FINE).astype(int)][:, columns]
+    plain = FIGURE.to_qpos(path_of(seen.keys).at(rhythm.times))[:, columns]
+    assert np.degrees(quat.angle_between(rhythm.rotations, real).mean()) < 2
+    assert np.degrees(quat.angle_between(plain, real).mean()) > 4
+
+
+def test_poses_without_a_rhythm_tell_none(rng):
+    wild = WALK.copy()
+    for columns in FIGURE.tables.quaternion_columns.T[1:]:
+        wild[:, columns] = quat.from_rotation_vector(rng.normal(scale=0.5, size=(TIME.size, 3)))
+    assert gait(wild, 0.42).told() is None
+
+
+def test_a_figure_that_stays_where_it_is_or_climbs_tells_none():
+    still, up = WALK.copy(), gait(WALK, 0.42)
+    still[:, 0] = 0.0
+    assert gait(still, 0.42).told() is None
+    slope = Plane("slope", np.zeros(3), np.array([-0.1, 0, 1]) / np.hypot(0.1, 1))
+    assert Gait(FIGURE, up.keys, SOLES, (slope,)).told() is None
+
+
+def test_two_keyframes_tell_none_even_if_asked():
+    keys = raw_timeline(FIGURE, [Frame.key(TIME[k], WALK[k]) for k in (0, 200)])
+    two = Gait(FIGURE, keys, SOLES, GROUND)
+    assert two.told() is two.likeliest() is two.given(1.0) is None
+    notes: list[str] = []
+    found = constraints(Context(FIGURE, keys, GROUND, notes, "two"), [PenaltyTable.of("cycle", period=1.0)])
+    assert "cycle" not in {penalty.name for penalty, _ in found}
+    assert (
+        "no cycle: that takes three keyframes that fix every joint, not all alike, and one free joint or none" in notes
+    )
+
+
+def test_a_figure_that_is_moved_along_in_one_pose_tells_none():
+    still = WALK.copy()
+    still[:, 2:] = FIGURE.model.qpos0[2:]
+    moved = gait(still, 0.5)
+    assert moved.told() is moved.likeliest() is moved.given(1.0) is None
+    assert gait(WALK, 0.5).likeliest() is not None
+
+
+def test_a_clip_has_the_cycle_by_itself_or_as_asked_and_not_with_weight_0():
+    keys = gait(WALK, 0.42).keys
+
+    def periods(*entries: PenaltyTable) -> list[float]:
+        found = constraints(Context(FIGURE, keys, GROUND, [], "walk"), list(entries))
+        return [penalty.rhythm.period for penalty, _ in found if isinstance(penalty, Cycle)]
+
+    assert periods() == pytest.approx([PERIOD], rel=0.05)
+    assert periods(PenaltyTable.of("cycle", period=0.9)) == [0.9]
+    assert periods(PenaltyTable.of("cycle")) == pytest.approx([PERIOD], rel=0.05)
+    assert periods(PenaltyTable.of("cycle", weight=0)) == []
+
+
+def test_a_pose_to_set_out_from_stands_outside_the_cycle():
+    before = np.array(WALK)
+    before[:3, 7:] = FIGURE.model.qpos0[7:]  # at rest, and a tenth of a second later in full stride
+    turned = FIGURE.tables.quaternion_columns.T[1:]
+    for columns in turned[: len(turned) // 2]:
+        before[:3, columns] = quat.from_rotation_vector(np.array([1.2, 0, 0]))
+    first = [Frame.key(TIME[0], before[0])]
+    keys = [Frame.key(TIME[k], WALK[k]) for k in range(3, TIME.size, round(0.42 * FINE))]
+    seen = Gait(FIGURE, raw_timeline(FIGURE, first + keys), SOLES, GROUND)
+    rhythm = seen.told()
+    assert rhythm is not None
+    assert abs(rhythm.period / PERIOD - 1) < 0.05
+    assert rhythm.times[0] == TIME[3]
+    assert seen._told_by_all is None or seen._told_by_all.gain < rhythm.gain - 0.2
+    whole = Gait(FIGURE, raw_timeline(FIGURE, keys), SOLES, GROUND).told()
+    assert whole is not None
+    assert whole.times[0] == TIME[3]
+
+
+def test_where_the_cycle_is_not_told_it_asks_for_nothing():
+    rhythm = gait(WALK, 0.42).told()
+    assert rhythm is not None
+    late = replace(rhythm, times=rhythm.times + 1.0)
+    t = np.array([rhythm.times[0], late.times[0], late.times[-1], late.times[-1] + 0.1])
+    y = np.repeat(FIGURE.to_state(FIGURE.model.qpos0[None]), t.size, axis=0)
+    values = Cycle(FIGURE, late).evaluate(Samples(FIGURE, y, 0 * y, 0 * y, t=t))
+    assert values[0] == values[-1] == 0
+    assert np.all(values[1:3] > 0)

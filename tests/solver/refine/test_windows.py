@@ -1,0 +1,284 @@
+"""A long clip in windows: every segment is kept once, and what comes out is the whole clip as one solve finds it."""
+
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from bends import limits_of
+from figures import TINY, figure_of
+from ground import FLOOR
+from random_keys import distance_from_key, mask_without
+
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.curve.quadrature import Quadrature
+from dynsplines.solver.curve.spline import Path, path_of
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.inbetween import Improvement, Motion, Settings, inbetween
+from dynsplines.solver.objective import Objective, segment_integrals
+from dynsplines.solver.penalty import Contact, CovariantAcceleration, Penalty, RootAcceleration, UnitMagnitude
+from dynsplines.solver.penalty.curvature import Curvature
+from dynsplines.solver.refine.subdivision import evenly
+from dynsplines.solver.refine.windows import AHEAD, BEHIND, KEPT, LARGEST, Assembly, Window, is_long, windows
+from dynsplines.solver.search.optimiser import Stop, StopSearch
+from dynsplines.solver.surface.points import Point
+
+SEGMENTS = 20
+FIGURE = figure_of(TINY)
+FINE = Quadrature(points=12)
+SETTINGS = Settings(frames=3 * SEGMENTS, tolerance=1e-6)
+
+
+def penalties() -> list[tuple[Penalty, float]]:
+    contact = Contact((Point("foot", 2, np.array([0.01, 0, -0.3]), 0.06),), (FLOOR,))
+    return [(CovariantAcceleration(), 1.0), (UnitMagnitude(), 0.5), (RootAcceleration(), 1.0), (contact, 1.0)]
+
+
+def long_keys(*, partial: bool = False) -> list[Frame]:
+    """Hops over a floor at uneven times, turning; with `partial`, every third leaves something free."""
+    rng, keys, time = np.random.default_rng(3), [], 0.0
+    turn = FIGURE.links[2].turn
+    for i in range(SEGMENTS + 1):
+        root = [0.3 * i, 0.1 * np.sin(i), (0.4, 0.55)[i % 2]]
+        way = quat.from_rotation_vector([0.3 * np.sin(i), 0.4 * np.cos(0.7 * i), 0.2 * i])
+        knee = quat.product(quat.inverse(turn), quat.from_rotation_vector(0.3 * rng.normal(size=3)))
+        state = np.concatenate([root, way, quat.product(knee, turn)])
+        free = ("root turn", "root x") if i % 2 else ("knee",)
+        keys.append(Frame.key(time, state, mask_without(FIGURE, *free) if partial and i % 3 == 1 else None))
+        time += rng.uniform(0.3, 0.6)
+    return keys
+
+
+@pytest.fixture
+def short(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Windows of six segments, for any clip."""
+    monkeypatch.setattr("dynsplines.solver.refine.windows.KEPT", 6)
+    monkeypatch.setattr("dynsplines.solver.refine.windows.LARGEST", 0)
+
+
+def fine_value(motion: Motion, path: Path | None = None) -> float:
+    return Objective(motion.figure, motion.objective.terms, FINE).value(path or motion.path)
+
+
+def assert_whole(path: Path, keys: list[Frame]) -> None:
+    """That a path runs through all keyframes."""
+    times = np.array([key.time for key in keys])
+    assert path.span == (times[0], times[-1])
+    for key, state in zip(keys, path.at(times), strict=True):
+        assert distance_from_key(FIGURE, state, key) < 1e-12
+
+
+@pytest.mark.parametrize("segments", [1, 5, 24, 25, 29, 47, 48, 49, 100, 241])
+def test_windows_keep_every_segment_once_and_overlap_their_neighbours(segments):
+    found = windows(segments)
+    assert [k for window in found for k in range(window.first, window.kept)] == list(range(segments))
+    sizes = [window.kept - window.first for window in found]
+    assert max(sizes) <= KEPT
+    assert max(sizes) - min(sizes) <= 1
+    for window in found:
+        assert window.held == max(window.first - BEHIND, 0)
+        assert window.last == min(window.kept + AHEAD, segments)
+    for one, other in pairwise(found):
+        assert other.held < one.kept < one.last
+    assert found[0].first == 0
+
+
+def test_long_clips_of_large_figures_are_long_and_loops_never(monkeypatch):
+    keys = long_keys()
+    loop = [*keys[:-1], Frame.key(keys[-1].time, keys[0].state)]
+    slope = np.zeros((2, FIGURE.width))
+
+    def long(frames: list[Frame], ends: str = "free") -> bool:
+        return is_long(raw_timeline(FIGURE, frames, ends, slope if ends == "clamped" else None))
+
+    assert not long(keys)  # few entries
+    monkeypatch.setattr("dynsplines.solver.refine.windows.LARGEST", 0)
+    assert not long(keys)  # fewer segments than a window
+    monkeypatch.setattr("dynsplines.solver.refine.windows.KEPT", 6)
+    assert long(keys)
+    assert long(keys, "clamped")
+    assert not long(loop, "periodic")
+    assert not long(keys[:11])
+    assert long(keys[:12])
+    monkeypatch.setattr("dynsplines.solver.refine.windows.LARGEST", LARGEST)
+    assert not long(keys)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("ends", ["free", "clamped"])
+@pytest.mark.parametrize("partial", [False, True])
+def test_a_clip_in_windows_costs_what_the_whole_costs_and_meets_its_keyframes(ends, partial, request):
+    keys, slope = long_keys(partial=partial), np.zeros((2, FIGURE.width)) if ends == "clamped" else None
+    alike = replace(SETTINGS, variable=2)
+    whole = inbetween(FIGURE, keys, penalties(), alike, ends=ends, end_slope=slope)
+    request.getfixturevalue("short")
+    seen: list[Improvement] = []
+    found = inbetween(FIGURE, keys, penalties(), alike, ends=ends, end_slope=slope, improved=seen.append)
+    assert found.stop is whole.stop is Stop.CONVERGED
+    np.testing.assert_allclose(fine_value(found), fine_value(whole), rtol=5e-3)
+    assert fine_value(found) < 0.6 * fine_value(found, path_of(found.raw))
+    assert_whole(found.path, keys)
+    values = [value for _, _, value, _ in found.trace]
+    assert np.all(np.diff(values) < 0)
+    assert np.all(np.diff([evaluation for evaluation, *_ in found.trace]) > 0)
+    assert found.trace == tuple((s.evaluation, s.round, s.value, s.parts) for s in seen)
+    for _, _, value, parts in found.trace:
+        np.testing.assert_allclose(sum(parts.values()), value)
+
+
+def test_windows_begin_with_their_whole_budget_up_to_three_frames_a_segment_unless_told():
+    assert Settings().beginning(9, in_windows=False) == 2
+    assert [Settings(frames=n).beginning(9, in_windows=True) for n in (None, 5, 18, 27, 100)] == [3, 2, 2, 3, 3]
+    assert Settings(variable=1, frames=100).beginning(9, in_windows=True) == 1
+
+
+@pytest.mark.slow
+def test_what_is_told_while_it_goes_on_is_the_whole_clip_and_about_its_e(short):
+    keys, told = long_keys(), []
+    motion = inbetween(FIGURE, keys, penalties(), SETTINGS, improved=lambda each: told.append((each.value, each.path)))
+    assert len(told) > 10
+    for value, path in told:
+        assert_whole(path, keys)
+        np.testing.assert_allclose(motion.objective.value(path), value, rtol=0.03)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("ends", ["free", "clamped"])
+def test_the_last_e_told_is_that_of_the_clip(short, ends):
+    slope = np.zeros((2, FIGURE.width)) if ends == "clamped" else None
+    motion = inbetween(FIGURE, long_keys(), penalties(), SETTINGS, ends=ends, end_slope=slope)
+    np.testing.assert_allclose(motion.trace[-1][2], motion.objective.value(motion.path), rtol=5e-3)
+
+
+@pytest.mark.slow
+def test_what_was_told_is_the_whole_clip_still_when_it_is_asked_for_later(short):
+    keys, told = long_keys(), []
+    inbetween(FIGURE, keys, penalties(), SETTINGS, improved=told.append)
+    for each in told:
+        assert_whole(each.path, keys)
+
+
+@pytest.mark.slow
+def test_no_frame_that_a_window_added_is_lost(short, monkeypatch):
+    close, lost = Assembly.close, []
+
+    def watched(self: Assembly, window: Window, solved: Timeline) -> None:
+        close(self, window, solved)
+        lost.extend(
+            {frame.time for frame in solved.frames if frame.is_variable}
+            - {frame.time for frame in self.timeline().frames}
+        )
+
+    monkeypatch.setattr(Assembly, "close", watched)
+    inbetween(FIGURE, long_keys(), penalties(), SETTINGS)
+    assert not lost
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("frames", [2 * SEGMENTS, 3 * SEGMENTS])
+def test_the_budget_of_variable_frames_is_kept_in_windows_too(short, frames):
+    settings = Settings(variable=1, frames=frames, threshold=0.0, max_evaluations=10)
+    assert inbetween(FIGURE, long_keys(), penalties(), settings).timeline.variable_count <= frames
+
+
+class Counted(CovariantAcceleration):
+    """Counts its calls; at number `stop_at` Ctrl-C is pressed."""
+
+    calls, stop_at = 0, 0
+
+    @classmethod
+    def count(cls) -> None:
+        cls.calls += 1
+        if cls.calls == cls.stop_at:
+            raise KeyboardInterrupt
+
+    @classmethod
+    def reset(cls, stop_at: int) -> None:
+        cls.calls, cls.stop_at = 0, stop_at
+
+    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+        self.count()
+        return super().evaluate(samples, into, scale)
+
+    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+        self.count()
+        super().curvature(samples, into, scale)
+
+
+@pytest.mark.slow
+def test_ctrl_c_anywhere_in_the_middle_returns_a_whole_motion_no_worse_than_the_raw_one(short):
+    keys, terms = long_keys(partial=True), [(Counted(), 1.0), *penalties()[1:]]
+    settings, values = Settings(variable=1, frames=2 * SEGMENTS, tolerance=1e-3), []
+    Counted.reset(0)
+    inbetween(FIGURE, keys, terms, settings)
+    total = Counted.calls
+    for share in (0.05, 0.3, 0.5, 0.7, 0.95):
+        Counted.reset(int(share * total))
+        motion = inbetween(FIGURE, keys, terms, settings)
+        Counted.reset(0)
+        assert motion.stop is Stop.ASKED
+        assert_whole(motion.path, keys)
+        values.append(fine_value(motion))
+        assert values[-1] <= fine_value(motion, path_of(evenly(motion.raw, 1))) * (1 + 1e-9)
+    assert values[-1] < 0.7 * values[0]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("error", [StopSearch, KeyboardInterrupt])
+@pytest.mark.parametrize("count", [1, 15, 35])
+def test_a_stop_in_improved_keeps_the_whole_clip_as_it_was_told(short, error, count):
+    keys, told = long_keys(), []
+
+    def stop(each: Improvement) -> None:
+        told.append(each.path.rows)
+        if len(told) == count:
+            raise error
+
+    motion = inbetween(FIGURE, keys, penalties(), SETTINGS, improved=stop)
+    assert motion.stop is Stop.ASKED
+    assert len(told) == count
+    assert_whole(motion.path, keys)
+    np.testing.assert_array_equal(motion.timeline.rows, told[-1])
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("window", [0, 1, 2])
+def test_ctrl_c_between_windows_returns_a_whole_motion(short, monkeypatch, window):
+    keys, opened = long_keys(), Assembly.opened
+
+    def interrupted(self: Assembly, at: Window) -> Timeline:
+        if at.first == windows(SEGMENTS)[window].first:
+            raise KeyboardInterrupt
+        return opened(self, at)
+
+    monkeypatch.setattr(Assembly, "opened", interrupted)
+    motion = inbetween(FIGURE, keys, penalties(), SETTINGS)
+    assert motion.stop is Stop.ASKED
+    assert_whole(motion.path, keys)
+    assert fine_value(motion) <= fine_value(motion, path_of(motion.raw)) * (1 + 1e-9)
+
+
+@pytest.mark.slow
+def test_other_methods_and_bounds_solve_windows_too(short):
+    more: list[tuple[Penalty, float]] = [*penalties(), (limits_of(FIGURE), 0.1)]
+    for method in ("newton", "lbfgs"):
+        settings = Settings(variable=1, frames=0, method=method, max_evaluations=60)
+        motion = inbetween(FIGURE, long_keys(), more, settings)
+        assert_whole(motion.path, long_keys())
+        assert motion.timeline.variable_count == SEGMENTS
+        assert fine_value(motion) < 0.9 * fine_value(motion, path_of(motion.raw))
+
+
+def test_the_segments_integrals_add_up_to_the_objective():
+    raw = raw_timeline(FIGURE, long_keys())
+    objective = Objective.of(FIGURE, penalties(), quadrature=Quadrature(points=4)).renormalised(path_of(raw))
+    for timeline in (raw, evenly(raw, 2)):
+        parts = segment_integrals(objective, path_of(timeline), raw.times)
+        assert parts.shape == (SEGMENTS, 4)
+        assert np.all(parts >= 0)
+        np.testing.assert_allclose(parts.sum(), objective.value(path_of(timeline)), rtol=1e-12)
+        own = [term.factor * i for term, i in zip(objective.terms, objective.integrals(path_of(timeline)), strict=True)]
+        np.testing.assert_allclose(parts.sum(axis=0), own, rtol=1e-12)

@@ -1,0 +1,293 @@
+"""The Gauss-Newton search: the minimum that NLopt finds, in few evaluations, and every way of being stopped."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from bends import limits_of
+from dense_hessian import tiny_clip
+from figures import TINY, figure_of
+from ground import FLOOR
+from random_keys import TIMES
+from small_problems import TERMS, problem_of, slider
+
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.objective import HEAVY, Discretised, Evaluation, Objective
+from dynsplines.solver.penalty import Contact, Penalty
+from dynsplines.solver.refine.subdivision import evenly
+from dynsplines.solver.search import optimiser
+from dynsplines.solver.search.descent import METHODS, NEWTON, Descent
+from dynsplines.solver.search.newton import FIRST_DAMPING, Search, gauss_newton
+from dynsplines.solver.search.optimiser import Minimum, Stop, StopSearch, minimise
+from dynsplines.solver.surface import Plane
+from dynsplines.solver.surface.points import Point
+
+ENDS = ["free", "clamped", "periodic"]
+
+
+class Watched(Discretised):
+    """Counts its evaluations; `spoil` may change what the k-th gives, or raise."""
+
+    def __init__(self, problem: Discretised, spoil: Callable[[int, Evaluation], Evaluation] | None = None) -> None:
+        super().__init__(problem.objective, problem.timeline)
+        self.values: list[float] = []
+        self.points: list[Array] = []
+        self.spoil = spoil
+
+    def __call__(self, x: Array) -> Evaluation:
+        found = super().__call__(x)
+        if self.spoil is not None:
+            found = self.spoil(len(self.values) + 1, found)
+        self.values.append(found.value)
+        self.points.append(x.copy())
+        return found
+
+
+def by_nlopt_alone(problem: Discretised) -> Minimum:
+    """By E and its gradient in the unknowns, without any model."""
+
+    def fun(x: np.ndarray) -> tuple[float, np.ndarray]:
+        found = problem(x)
+        return found.value, found.gradient
+
+    return minimise(fun, problem.unknowns.start, method="lbfgs", max_evaluations=5000, tolerance=1e-13)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("ends", ENDS)
+@pytest.mark.parametrize("coordinates", ["world", "joint"])
+def test_it_finds_the_minimum_that_nlopt_finds_with_fewer_evaluations(rng, ends, coordinates):
+    problem = problem_of(rng, ends, coordinates)
+    found, _ = gauss_newton(problem, max_evaluations=200, tolerance=1e-10)
+    other = by_nlopt_alone(problem)
+    assert found.stop is Stop.CONVERGED
+    np.testing.assert_allclose(found.value, other.value, rtol=1e-7)
+    assert found.evaluations < 0.3 * other.evaluations
+    assert problem(found.x).value == found.value
+
+
+def one_sided(rng: np.random.Generator, kind: str, floor: Plane = FLOOR) -> Discretised:
+    """Keyframes with a foot near the floor and a knee near its bounds: the curve between them passes both."""
+    figure, keys = figure_of(TINY), []
+    for i, time in enumerate(TIMES):
+        root = np.array([0.3 * i, 0, (0.32, 0.5)[i % 2], *quat.from_rotation_vector(0.3 * rng.normal(size=3))])
+        knee = quat.product(
+            quat.inverse(figure.links[2].turn), quat.from_rotation_vector([0, 0.2, 0] + 0.1 * rng.normal(size=3))
+        )
+        keys.append(Frame.key(time, np.concatenate([root, quat.product(knee, figure.links[2].turn)])))
+    contact = Contact((Point("foot", 2, np.array([0.01, 0, -0.3]), 0.06),), (floor,))
+    more: dict[str, list[Penalty]] = {"floor": [contact], "bend": [limits_of(figure)]}
+    more["both"] = [*more["floor"], *more["bend"]]
+    raw = raw_timeline(figure, keys)
+    objective = Objective.of(figure, [*TERMS, *((penalty, 5.0) for penalty in more[kind])]).renormalised(path_of(raw))
+    return objective.on(evenly(raw, 2))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", ["floor", "bend", "both"])
+def test_so_it_does_with_residuals_on_one_side(rng, kind):
+    problem = one_sided(rng, kind)
+    parts = problem(problem.unknowns.start).parts
+    assert all(parts.get(name, 1) > 0.1 for name in ("contact", "bend"))
+    found, _ = gauss_newton(problem, max_evaluations=200, tolerance=1e-9)
+    other = by_nlopt_alone(problem)
+    assert found.stop is Stop.CONVERGED
+    np.testing.assert_allclose(found.value, other.value, rtol=1e-6)
+    assert found.evaluations < 0.5 * other.evaluations
+
+
+@pytest.mark.parametrize("variable", [1, 4])
+def test_a_flat_problem_takes_three_evaluations_at_most(variable):
+    problem = slider(np.array([0.0, 0.3, 1.0, 2.5]), variable)
+    found, _ = gauss_newton(problem, tolerance=1e-6)
+    assert found.evaluations <= 3
+    assert found.stop is Stop.CONVERGED
+
+
+def test_e_falls_strictly_and_improved_hears_of_every_fall(rng):
+    problem, told = Watched(problem_of(rng)), []
+    found, _ = gauss_newton(problem, tolerance=1e-9, improved=lambda *each: told.append(each))
+    counts, evaluations, points = zip(*told, strict=True)
+    values = [evaluation.value for evaluation in evaluations]
+    assert len(values) > 3
+    assert np.all(np.diff(values) < 0)
+    assert counts[0] == 1
+    assert values == [problem.values[count - 1] for count in counts]
+    for count, x in zip(counts, points, strict=True):
+        np.testing.assert_array_equal(x, problem.points[count - 1])
+    assert found.value == values[-1] == min(problem.values)
+    assert found.evaluations == len(problem.values)
+    np.testing.assert_array_equal(found.x, points[-1])
+
+
+@pytest.mark.parametrize("budget", [1, 2, 4])
+def test_the_budget_is_kept(rng, budget):
+    problem = Watched(problem_of(rng))
+    found, _ = gauss_newton(problem, max_evaluations=budget, tolerance=1e-14)
+    assert len(problem.values) == found.evaluations == budget
+    assert found.stop is Stop.BUDGET
+    assert found.value == min(problem.values)
+
+
+def test_the_budget_is_kept_where_every_step_is_refused(rng):
+    def spoil(k: int, found: Evaluation) -> Evaluation:
+        return found if k == 1 else Evaluation(found.value + 1e9, found.gradient, found.parts)
+
+    problem = Watched(problem_of(rng), spoil)
+    found, damping = gauss_newton(problem, max_evaluations=5)
+    assert (found.stop, found.evaluations) == (Stop.BUDGET, 5)
+    assert damping > FIRST_DAMPING
+    lengths = [np.linalg.norm(x - problem.points[0]) for x in problem.points[1:]]
+    assert np.all(np.diff(lengths) < 0)
+    found, _ = gauss_newton(Watched(problem_of(np.random.default_rng(7)), spoil), max_evaluations=1000)
+    assert found.evaluations < 100
+    assert found.stop in (Stop.STUCK, Stop.CONVERGED)
+
+
+@pytest.mark.parametrize("higher", [0.0, 1e-9, 0.1])
+def test_a_step_that_does_not_lower_e_is_refused_and_a_shorter_one_tried(rng, higher):
+    told: list[int] = []
+
+    def spoil(k: int, found: Evaluation) -> Evaluation:
+        return Evaluation(min(problem.values) + higher, found.gradient, found.parts) if k == 3 else found
+
+    problem = Watched(problem_of(rng), spoil)
+    found, _ = gauss_newton(problem, tolerance=1e-8, improved=lambda k, _found, _x: told.append(k))
+    assert told[:3] == [1, 2, 4]
+    long, short = (np.linalg.norm(problem.points[k] - problem.points[1]) for k in (2, 3))
+    assert 0 < short < long
+    assert found.stop is Stop.CONVERGED
+
+
+@pytest.mark.parametrize("error", [StopSearch, KeyboardInterrupt])
+@pytest.mark.parametrize("place", ["problem", "improved"])
+@pytest.mark.parametrize("count", [1, 2, 4])
+def test_a_stop_asked_for_anywhere_keeps_the_best_x(rng, error, place, count):
+    def spoil(k: int, found: Evaluation) -> Evaluation:
+        if place == "problem" and k == count:
+            raise error
+        return found
+
+    def improved(k: int, _found: Evaluation, _x: Array) -> None:
+        if place == "improved" and k >= count:
+            raise error
+
+    problem = Watched(problem_of(rng), spoil)
+    found, _ = gauss_newton(problem, tolerance=1e-12, improved=improved)
+    assert found.stop is Stop.ASKED
+    assert found.value == min(problem.values, default=np.inf)
+    if problem.values:
+        assert Discretised.__call__(problem, found.x).value == found.value
+    else:
+        np.testing.assert_array_equal(found.x, problem.unknowns.start)
+
+
+def test_an_error_of_the_callers_comes_out(rng):
+    def improved(*_: object) -> None:
+        raise ZeroDivisionError("mine")
+
+    with pytest.raises(ZeroDivisionError, match="mine"):
+        gauss_newton(problem_of(rng), improved=improved)
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
+@pytest.mark.parametrize("what", ["value", "gradient"])
+def test_what_is_no_number_never_becomes_the_best(rng, bad, what):
+    def spoil(k: int, found: Evaluation) -> Evaluation:
+        if k in (2, 3):
+            value = bad if what == "value" else found.value
+            return Evaluation(value, found.gradient * (bad if what == "gradient" else 1), found.parts)
+        return found
+
+    problem = Watched(problem_of(rng), spoil)
+    whole, _ = gauss_newton(problem_of(np.random.default_rng(7)), tolerance=1e-8)
+    found, _ = gauss_newton(problem, tolerance=1e-8)
+    assert np.isfinite(found.value)
+    assert found.value == Discretised.__call__(problem, found.x).value
+    np.testing.assert_allclose(found.value, whole.value, rtol=1e-3)
+
+
+def test_a_start_that_is_no_number_is_stuck(rng):
+    problem = Watched(problem_of(rng), lambda _, found: Evaluation(np.nan, found.gradient, found.parts))
+    found, _ = gauss_newton(problem)
+    assert (found.stop, found.evaluations) == (Stop.STUCK, 1)
+    np.testing.assert_array_equal(found.x, problem.unknowns.start)
+
+
+def test_nothing_to_choose_is_one_evaluation(rng):
+    raw = tiny_clip(rng, "clamped", "world")
+    problem = Objective.of(figure_of(TINY), TERMS).on(raw)
+    found, _ = gauss_newton(problem)
+    assert found.x.size == 0
+    assert (found.stop, found.evaluations) == (Stop.CONVERGED, 1)
+
+
+def test_at_the_minimum_it_converges_at_once(rng):
+    problem = problem_of(rng)
+    best, damping = gauss_newton(problem, max_evaluations=300, tolerance=1e-11)
+    again = problem.objective.on(problem.timeline.with_rows(problem.unknowns.rows(best.x)))
+    found, _ = gauss_newton(again, tolerance=1e-6, damping=damping)
+    assert found.evaluations <= 2
+    assert found.stop is Stop.CONVERGED
+
+
+def test_a_tighter_tolerance_gets_nearer_to_the_minimum(rng):
+    problem = problem_of(rng)
+    least = gauss_newton(problem, max_evaluations=300, tolerance=1e-12)[0].value
+    ends = [gauss_newton(problem, tolerance=tolerance)[0] for tolerance in (1e-2, 1e-4, 1e-7)]
+    gaps = [found.value - least for found in ends]
+    evaluations = [found.evaluations for found in ends]
+    assert gaps[0] >= gaps[1] >= gaps[2]
+    assert evaluations[0] < evaluations[1] < evaluations[2]
+    for gap, tolerance in zip(gaps, (1e-2, 1e-4, 1e-7), strict=True):
+        assert gap < 5 * tolerance * least
+
+
+@pytest.mark.slow
+def test_what_is_gross_and_cannot_be_helped_does_not_end_the_search_early(rng):
+    """Keyframes that are all deep in the floor: what that costs says nothing of how exact the rest must be."""
+    deep = one_sided(rng, "floor", Plane("floor", np.array([0, 0, 0.4]), np.array([0.0, 0, 1])))
+    costs = sum(weight for _, weight in TERMS)
+    assert deep.objective.heavy == HEAVY * costs
+    least = gauss_newton(deep, max_evaluations=500, tolerance=1e-12)[0].value
+    assert least > 50 * deep.objective.heavy
+    found, early = (
+        gauss_newton(problem, max_evaluations=300, tolerance=1e-4)[0]
+        for problem in (deep, replace(deep.objective, heavy=np.inf).on(deep.timeline))
+    )
+    assert found.stop is early.stop is Stop.CONVERGED
+    assert found.value - least < 0.05 * (early.value - least)
+
+
+def test_a_decrease_is_measured_against_e_but_not_against_more_than_is_heavy(rng):
+    search = Search(problem_of(rng), 10, FIRST_DAMPING, None)
+    heavy = search.problem.objective.heavy
+    for e, size in ((0.5, 0.5), (0.9 * heavy, 0.9 * heavy), (1e6 * heavy, heavy)):
+        search.value = search.first = e
+        assert search.is_negligible(0.99e-3 * size, 1e-3)
+        assert not search.is_negligible(1.01e-3 * size, 1e-3)
+
+
+def test_the_damping_that_was_left_is_where_a_descent_goes_on(rng):
+    problem = problem_of(rng)
+    descent = Descent(problem.objective, problem.timeline, damping=3.0)
+    found = descent.run(max_evaluations=6, tolerance=1e-12)
+    same, damping = gauss_newton(problem, max_evaluations=6, tolerance=1e-12, damping=3.0)
+    assert descent.damping == damping != 3.0
+    assert found.value == same.value
+
+
+def test_the_search_is_a_method_beside_those_of_nlopt(rng):
+    assert [*METHODS] == [NEWTON, *optimiser.METHODS]
+    assert all(len(text) > 10 for text in METHODS.values())
+    problem = problem_of(rng)
+    newton = Descent(problem.objective, problem.timeline).run(method="Newton", tolerance=1e-8)
+    default = Descent(problem.objective, problem.timeline).run(tolerance=1e-8)
+    assert newton.value == default.value
+    with pytest.raises(ValueError, match="no optimiser 'gauss'"):
+        Descent(problem.objective, problem.timeline).run(method="gauss")

@@ -1,0 +1,262 @@
+"""The objective: renormalisation, its gradient in x over whole clips, and the quadrature under it."""
+
+import gc
+
+import mujoco
+import numpy as np
+import pytest
+from every_penalty import clip, every_penalty
+from random_keys import TIMES
+from scipy.interpolate import CubicSpline
+from taylor import taylor_slope
+from walker import FINE, walk, walker
+
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.quadrature import Quadrature, gauss_nodes
+from dynsplines.solver.curve.spline import Path, path_of
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.objective import LEAST_TYPICAL, MOST_OF_TIME, RUN, SMALL_SHARE, VIOLENT, Objective
+from dynsplines.solver.penalty import (
+    Contact,
+    CovariantAcceleration,
+    RootAcceleration,
+)
+from dynsplines.solver.refine.subdivision import evenly
+from dynsplines.solver.surface import Plane
+from dynsplines.solver.surface.points import Point
+
+ONE_HINGE = '<mujoco><worldbody><body><joint axis="0 1 0"/><geom size=".1"/></body></worldbody></mujoco>'
+
+
+def test_the_renormalised_raw_spline_costs_the_sum_of_the_weights(figure, rng):
+    raw = path_of(clip(figure, rng))
+    length, spacing = TIMES[-1] - TIMES[0], np.mean(np.diff(TIMES))
+    every = [(p, weight) for p, weight in every_penalty(figure) if not p.scale.is_violation]
+    integrals = Objective.of(figure, every).integrals(raw)
+    floors = [p.scale.reference * SMALL_SHARE * length / spacing**p.scale.time_power for p, _ in every]
+    penalties = [pair for pair, integral, floor in zip(every, integrals, floors, strict=True) if integral > floor]
+    assert len(penalties) >= 3
+    objective = Objective.of(figure, penalties)
+    renormalised = objective.renormalised(raw)
+    np.testing.assert_allclose(renormalised.value(raw), sum(weight for _, weight in penalties), rtol=1e-12)
+    np.testing.assert_allclose([t.weight for t in renormalised.terms], [weight for _, weight in penalties])
+
+
+def test_a_violation_is_divided_by_no_more_than_its_reference_over_the_whole_clip(figure, rng):
+    raw = path_of(clip(figure, rng))
+    length = TIMES[-1] - TIMES[0]
+    for height, share in ((50.0, 1.0), (-50.0, 0.01)):
+        floor = Plane("floor", np.array([0.0, 0, height]), np.array([0.0, 0, 1]))
+        contact = Contact((Point("p", 1, np.zeros(3)),), (floor,))
+        (term,) = Objective.of(figure, [(contact, 3.0)]).renormalised(raw).terms
+        np.testing.assert_allclose(term.factor, 3.0 / (1e-4 * share * length), rtol=1e-12)
+
+
+def test_a_term_that_starts_at_zero_is_divided_by_its_reference_over_a_hundredth_of_the_clip(figure, rng):
+    floor = Plane("deep", np.array([0.0, 0, -50]), np.array([0.0, 0, 1]))
+    contact = Contact((Point("p", 1, np.zeros(3)),), (floor,))
+    raw = path_of(clip(figure, rng))
+    (term,) = Objective.of(figure, [(contact, 3.0)]).renormalised(raw).terms
+    np.testing.assert_allclose(term.factor, 3.0 / (1e-4 * 0.01 * (TIMES[-1] - TIMES[0])), rtol=1e-12)
+
+
+def hinge_path(times: np.ndarray, angles: np.ndarray) -> tuple[Objective, Path]:
+    """One hinge, whose covariant acceleration is its angle's own, and the natural spline through angles [rad]."""
+    figure = Figure(mujoco.MjModel.from_xml_string(ONE_HINGE))
+    raw = raw_timeline(figure, [Frame.key(t, [angle]) for t, angle in zip(times, angles, strict=True)])
+    return Objective.of(figure, [(CovariantAcceleration(), 2.0)]), path_of(raw)
+
+
+def violent_parts(times: np.ndarray, angles: np.ndarray) -> tuple[float, float]:
+    """SciPy's natural spline: ∫ θ''² dt, and with no segment's mean over four times what four fifths of time stay
+    below."""
+    bend = CubicSpline(times, angles, bc_type="natural").derivative(2)(times)
+    spans = np.diff(times)
+    means = (bend[1:] ** 2 + bend[1:] * bend[:-1] + bend[:-1] ** 2) / 3
+    passed = 0.0
+    for mean, span in sorted(zip(means, spans, strict=True)):
+        passed += span
+        if passed >= MOST_OF_TIME * spans.sum():
+            return float(means @ spans), float(np.minimum(means, VIOLENT * mean) @ spans)
+    raise AssertionError
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_violent_segments_count_as_four_times_what_most_of_the_time_stays_below(seed):
+    rng = np.random.default_rng(seed)
+    times = np.cumsum(rng.uniform(0.1, 0.4, 60))
+    angles = 2 * rng.normal(size=60)
+    angles[rng.integers(20, 40)] += rng.uniform(20, 60)
+    objective, path = hinge_path(times, angles)
+    whole, typical = violent_parts(times, angles)
+    assert 0.1 * whole < typical < whole
+    (term,) = objective.renormalised(path).terms
+    np.testing.assert_allclose(term.factor * objective.integrals(path)[0] / term.weight, whole / typical, rtol=1e-9)
+
+
+def test_a_tenth_of_the_integral_counts_however_violent_one_segment_is():
+    times = np.append(np.arange(0.0, 20.0), 19.02)
+    angles = np.append(0.01 * np.sin(times[:-1]), 3.0)
+    objective, path = hinge_path(times, angles)
+    whole, typical = violent_parts(times, angles)
+    assert typical < LEAST_TYPICAL * whole
+    (term,) = objective.renormalised(path).terms
+    np.testing.assert_allclose(term.factor, term.weight / (LEAST_TYPICAL * objective.integrals(path)[0]), rtol=1e-12)
+
+
+def test_an_even_motion_is_divided_by_its_whole_integrals():
+    times = 0.3 * np.arange(12.0)
+    objective, path = hinge_path(times, 10 * np.sin(2 * times))
+    (term,) = objective.renormalised(path).terms
+    assert term.factor == term.weight / objective.integrals(path)[0]
+
+
+def test_a_pose_a_thirtieth_of_a_second_before_a_walk_does_not_make_the_walk_soft():
+    figure, soles = walker()
+    time, qpos = walk(figure, soles, 1.1, 3.5)
+    walked = [Frame.key(time[k], qpos[k]) for k in range(0, time.size, round(0.14 * FINE))]
+    pose = np.array(figure.model.qpos0)
+    pose[:3] = qpos[0, :3]
+    objective = Objective.of(figure, [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0)])
+    plain, posed = (
+        path_of(raw_timeline(figure, keys)) for keys in (walked, [Frame.key(time[0] - 1 / 30, pose), *walked])
+    )
+    assert np.all(objective.integrals(posed) > 2 * objective.integrals(plain))
+    kept, softer = (np.array([t.factor for t in objective.renormalised(path).terms]) for path in (plain, posed))
+    assert np.all(softer > kept / 1.5)
+
+
+def test_without_renormalisation_it_is_the_weighted_sum_of_integrals(figure, rng):
+    raw, penalties = path_of(clip(figure, rng)), every_penalty(figure)
+    objective = Objective.of(figure, penalties)
+    expected = np.dot([weight for _, weight in penalties], objective.integrals(raw))
+    np.testing.assert_allclose(objective.value(raw), expected, rtol=1e-12)
+    t, w = Quadrature().nodes(raw.spline.times)
+    np.testing.assert_allclose(w @ objective.density(objective.samples(raw, t)), expected, rtol=1e-12)
+
+
+@pytest.mark.parametrize("ends", ["free", "clamped", "periodic"])
+@pytest.mark.parametrize("kind", ["gauss", "uniform"])
+def test_the_gradient_of_a_whole_clip_with_partial_keyframes_has_taylor_slope_two(figure, rng, ends, kind):
+    timeline = clip(figure, rng, ends)
+    objective = Objective.of(figure, every_penalty(figure), quadrature=Quadrature(kind)).renormalised(path_of(timeline))
+    problem = objective.on(evenly(timeline, 1))
+    x = problem.unknowns.start + 0.02 * rng.normal(size=problem.unknowns.size)
+    assert taylor_slope(lambda z: problem(z).value, x, problem(x).gradient, rng) > 1.9
+
+
+def test_the_parts_add_up_to_the_value_and_the_value_is_that_of_the_path(figure, rng):
+    timeline = clip(figure, rng)
+    objective = Objective.of(figure, every_penalty(figure)).renormalised(path_of(timeline))
+    problem = objective.on(timeline)
+    found = problem(problem.unknowns.start)
+    np.testing.assert_allclose(sum(found.parts.values()), found.value, rtol=1e-14)
+    np.testing.assert_allclose(objective.value(problem.path(problem.unknowns.start)), found.value, rtol=1e-10)
+    np.testing.assert_allclose(found.parts["covariant"], 2.5, rtol=1e-10)  # two terms of one name
+    assert set(found.parts) == {"covariant", "unit", "root", "torque", "bend", "contact"}
+
+
+def test_sample_gradients_are_those_of_the_density(figure, rng):
+    objective = Objective.of(figure, every_penalty(figure)[:6])
+    samples = objective.samples(path_of(clip(figure, rng)), np.array([0.1, 0.7, 1.2]))
+    point = np.stack([samples.y, samples.y_d, samples.y_dd])
+
+    def value(p: np.ndarray) -> float:
+        return float(objective.density(Samples(figure, *p)).sum())
+
+    assert taylor_slope(value, point, np.stack(objective.sample_gradients(samples)), rng) > 1.95
+
+
+def test_gauss_and_uniform_sums_agree_when_fine(figure, rng):
+    path = path_of(clip(figure, rng))
+    penalties = every_penalty(figure)[:6]
+    gauss, uniform, coarse = (
+        Objective.of(figure, penalties, quadrature=q).integrals(path)
+        for q in (Quadrature("gauss", 16), Quadrature("uniform", 4000), Quadrature())
+    )
+    np.testing.assert_allclose(uniform, gauss, rtol=1e-4)
+    np.testing.assert_allclose(coarse, gauss, rtol=0.05)
+
+
+def test_gauss_points_integrate_polynomials_exactly_and_uniform_ones_straight_lines():
+    times = np.array([0.0, 0.5, 0.6, 2.0])
+    t, w = Quadrature("gauss", 3).nodes(times)
+    assert t.size == 9
+    np.testing.assert_allclose([w @ t**k for k in range(6)], [2 ** (k + 1) / (k + 1) for k in range(6)], rtol=1e-13)
+    t, w = Quadrature("uniform", 7).nodes(times)
+    assert t.size == 80  # four samples on the shortest span
+    np.testing.assert_allclose([w.sum(), w @ t], [2, 2], rtol=1e-13)
+    assert Quadrature("uniform", 200).nodes(times)[0].size == 200
+
+
+def test_long_spans_are_cut_into_equal_panels():
+    quadrature = Quadrature(points=2, longest=0.5)
+    np.testing.assert_allclose(quadrature.panels(np.array([0.0, 0.5, 1.7])), [0, 0.5, 0.9, 1.3, 1.7])
+    t, w = quadrature.nodes(np.array([0.0, 0.5, 1.7]))
+    np.testing.assert_allclose(w.sum(), 1.7)
+    np.testing.assert_array_equal((t, w), gauss_nodes(quadrature.panels(np.array([0.0, 0.5, 1.7])), 2))
+
+
+def test_a_quadrature_that_makes_no_sense_is_refused():
+    with pytest.raises(ValueError, match="'simpson' is not one of 'gauss', 'uniform'"):
+        Quadrature("simpson")
+    with pytest.raises(ValueError, match="must be positive"):
+        Quadrature(points=0)
+    with pytest.raises(ValueError, match="must be positive"):
+        Quadrature(longest=0.0)
+
+
+def test_a_figure_of_one_hinge_has_the_energy_of_its_cubic():
+    figure = Figure(
+        mujoco.MjModel.from_xml_string(
+            '<mujoco><worldbody><body><joint axis="0 1 0"/><geom size=".1"/></body></worldbody></mujoco>'
+        )
+    )
+    keys = [Frame.key(t, [angle]) for t, angle in ((0.0, 0.0), (1.0, 1.0), (3.0, 0.5))]
+    raw = path_of(raw_timeline(figure, keys))
+    second = raw.at([1.0], 2)[0, 0]
+    expected = 0.25 * second**2 * (1 + 2) / 3  # a natural cubic's y'' is a hat
+    np.testing.assert_allclose(Objective.of(figure, [(CovariantAcceleration(), 1.0)]).value(raw), expected, rtol=1e-12)
+
+
+def test_a_long_clip_in_runs_of_samples_has_the_value_and_gradient_of_one_piece(figure, rng):
+    timeline = clip(figure, rng)
+    objective = Objective.of(figure, every_penalty(figure), quadrature=Quadrature("uniform", 1203))
+    problem = objective.on(timeline)
+    x = problem.unknowns.start + 0.02 * rng.normal(size=problem.unknowns.size)
+    assert problem.weights.size > 2 * RUN
+    found = problem(x)
+    samples = Samples(figure, *problem.sampling.samples(problem.unknowns.rows(x)), t=problem.sampling.t)
+    whole = sum(problem.weights @ (term.factor * term.penalty.evaluate(samples)) for term in objective.terms)
+    np.testing.assert_allclose(found.value, whole, rtol=1e-12)
+    np.testing.assert_allclose(problem.weights @ objective.density(samples), whole, rtol=1e-12)
+    cotangent = Cotangent(samples)
+    for term in objective.terms:
+        term.penalty.evaluate(samples, cotangent, term.factor * problem.weights)
+    gradients = cotangent.gradients()
+    expected = problem.unknowns.pulled_back(problem.sampling.pulled_back(gradients))
+    np.testing.assert_allclose(found.gradient, expected, rtol=1e-10, atol=1e-12 * np.abs(expected).max())
+    for own, g in zip(objective.sample_gradients(samples), gradients, strict=True):
+        np.testing.assert_allclose(problem.weights[:, None] * own, g, rtol=1e-10, atol=1e-12 * np.abs(g).max())
+
+
+@pytest.mark.slow
+def test_an_evaluation_leaves_nothing_for_the_garbage_collector(figure, rng):
+    problem = Objective.of(figure, every_penalty(figure)).on(clip(figure, rng))
+    x = problem.unknowns.start
+    problem(x)
+    gc.collect()
+    gc.disable()
+    gc.set_debug(gc.DEBUG_SAVEALL)
+    try:
+        problem(x)
+        gc.collect()
+        # other threads, as those of a parallel run of the tests, leave things of their own
+        left = [type(thing) for thing in gc.garbage if type(thing).__module__.startswith("dynsplines.solver")]
+    finally:
+        gc.set_debug(0)
+        gc.garbage.clear()
+        gc.enable()
+    assert not left

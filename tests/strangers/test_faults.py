@@ -1,0 +1,341 @@
+"""What surrounds a command breaks: disks, folders, streams, limits, clocks, signals at any moment. It ends in one line,
+what was there before stays, and nothing half-done is left."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import threading
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from small_disk import SMALL, largest_file
+from tiny import changed, names, written
+
+from dynsplines import motion
+from dynsplines.clip import load as clips
+from dynsplines.system import output
+from dynsplines.system.output import TEMPORARY, Replacement
+
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="limits, forks and signals are another matter there")
+
+TESTS = Path(__file__).parents[1]
+SUPPORT = TESTS / "support"
+Tried = Callable[..., dict[str, Any]]
+COMMANDS = {
+    "solve": ("solve", "tiny.toml", "-o", "out.npz"),
+    "report": ("report", "motion.npz"),
+    "plot": ("plot", "motion.npz", "-o", "out.png"),
+    "new": ("new", "tiny.xml", "-o", "out.toml"),
+    "export": ("export", "motion.npz", "-o", "out.csv"),
+    "import": ("import", "there.csv", "--figure", "tiny.xml", "-o", "out.npz"),
+    "retime": ("retime", "tiny.toml", "--speed", "2", "-o", "out.toml"),
+    "trim": ("trim", "motion.npz", "--from", "0.1", "--to", "0.4", "-o", "out.npz"),
+    "join": ("join", "motion.npz", "motion.npz", "-o", "out.npz"),
+    "mirror": ("mirror", "tumble", "-o", "out.toml"),
+    "thin": ("thin", "motion.npz", "-o", "out.toml"),
+    "render": ("render", "motion.npz", "--size", "64x48", "-o", "out.png"),
+}
+EDITS = ("export", "import", "new", "retime", "thin", "trim", "join", "mirror")
+SEARCHING = ("solve", "thin")  # which keep what they have found by then
+CODES = {signal.SIGINT: 130, signal.SIGTERM: 143, signal.SIGHUP: 129}
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Tried]:
+    """Runs the command in a folder with the tiny clip and its motion in it."""
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join([str(TESTS), str(SUPPORT)]), "MUJOCO_GL": "disable"}
+    environment["OMP_NUM_THREADS"] = "1"
+    process = subprocess.Popen(
+        [sys.executable, str(SUPPORT / "faulty.py")],
+        env=environment,
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        text=True,
+        cwd=tmp_path_factory.mktemp("server"),
+    )
+    assert process.stdin is not None and process.stdout is not None
+    talk, heard = process.stdin, process.stdout
+
+    def tried(*words: str, **conditions: object) -> dict[str, Any]:
+        talk.write(json.dumps({"words": words, **conditions}) + "\n")
+        talk.flush()
+        return json.loads(heard.readline())
+
+    yield tried
+    process.kill()
+    process.communicate()
+
+
+@pytest.fixture
+def tried(server: Tried, tmp_path: Path, motion_file: Path) -> Tried:
+    """In the test's folder, which has the tiny clip in it, its motion, and a table of that."""
+    from dynsplines.exchange import formats
+
+    written(tmp_path, changed("evaluations = 8\nframes = 2", "evaluations = 1\nframes = 0"))
+    (tmp_path / "motion.npz").write_bytes(motion_file.read_bytes())
+    formats.export(motion.load(motion_file), "csv", tmp_path / "there.csv", fps=20.0)
+
+    def tried(*words: str, before: str = "", **conditions: object) -> dict[str, Any]:
+        return server(*words, before=f"import os; os.chdir({str(tmp_path)!r})\n{before}", **conditions)
+
+    return tried
+
+
+def assert_told(ended: dict[str, Any], words: str, code: int = 2) -> None:
+    """Ended with that code and a line that says why."""
+    assert "Traceback" not in ended["err"]
+    assert (ended["code"], ended["err"].splitlines()[-1:]) == (code, [ended["err"].splitlines()[-1]]), ended
+    assert words in ended["err"].splitlines()[-1]
+
+
+def is_whole(path: Path) -> bool:
+    """Whether it is a motion or a clip."""
+    return bool(motion.load(path) if path.suffix == ".npz" else clips.load(str(path)))
+
+
+def left(folder: Path) -> list[str]:
+    return [name for name in names(folder) if TEMPORARY.fullmatch(name)]
+
+
+# signals, in every phase of every command
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_a_signal_at_any_moment_leaves_the_older_file_or_the_whole_new_one(command: str, tried: Tried, tmp_path: Path):
+    words = COMMANDS[command]
+    target = tmp_path / words[-1] if words[-2] == "-o" else None
+    more = ("--overwrite",) if command in EDITS else ()
+    whole = tried(*words, calls=True)
+    assert whole["code"] == 0 and whole["calls"] > 50, whole
+    new = target.read_bytes() if target else b""
+    for number, share in zip((signal.SIGINT, signal.SIGTERM, signal.SIGHUP), (0.02, 0.6, 0.97), strict=True):
+        if target:
+            target.write_bytes(b"older")
+        ended = tried(*words, *more, at=max(1, int(share * whole["calls"])), signal=int(number))
+        assert ended["code"] == CODES[number], (share, ended)
+        assert "Traceback" not in ended["err"]
+        if target:
+            assert target.read_bytes() in (b"older", new) or (command in SEARCHING and is_whole(target))
+        assert left(tmp_path) == []
+
+
+# disks and folders
+
+WRITING = {
+    "motion": ("solve", "tiny.toml", "-o", "out.npz"),
+    "table": ("export", "motion.npz", "-o", "out.csv", "--overwrite"),
+    "page": ("export", "motion.npz", "-o", "out.html", "--overwrite"),
+    "skeleton": ("export", "motion.npz", "-o", "out.bvh", "--overwrite"),
+    "meshes": ("export", "motion.npz", "-o", "out.glb", "--overwrite"),
+    "pickle": ("export", "motion.npz", "-o", "out.gmr.pkl", "--overwrite"),
+    "clip": ("thin", "motion.npz", "-o", "out.toml", "--overwrite"),
+}
+
+
+@pytest.mark.parametrize("kind", WRITING)
+def test_a_full_disk_is_told_with_the_files_name_and_the_older_file_stays(kind: str, tried: Tried, tmp_path: Path):
+    words = WRITING[kind]
+    target = tmp_path / words[words.index("-o") + 1]
+    target.write_bytes(b"older")
+    ended = tried(*words, before=SMALL)
+    assert_told(ended, f"cannot write '{target.stem}.")
+    assert target.read_bytes() == b"older"
+    assert left(tmp_path) == []
+
+
+def test_a_manifest_on_a_full_disk_is_told_and_goes_on_later(tmp_path: Path):
+    from dynsplines.batch.manifest import Entry, Manifest
+    from dynsplines.errors import UserError
+
+    manifest = Manifest.of(tmp_path)
+    manifest.record([Entry("a", "a.toml")])
+    full = pytest.raises(UserError, match=r"cannot write '.*manifest.jsonl': ")
+    with largest_file(manifest.path.stat().st_size + 20), full:
+        manifest.record([Entry("b", "b.toml")])
+    assert set(Manifest.of(tmp_path).entries) == {"a"}
+    manifest.record([Entry("c", "c.toml")])
+    assert set(Manifest.of(tmp_path).entries) == {"a", "c"}
+
+
+def test_a_folder_that_nobody_writes_to_is_told(tried: Tried, tmp_path: Path):
+    (tmp_path / "sealed").mkdir()
+    (tmp_path / "sealed").chmod(0o555)
+    place = "sealed" if os.geteuid() else "/sys"  # who may do anything may not write there
+    for words in (("solve", "tiny.toml"), ("export", "motion.npz", "--to", "npz"), ("new", "tiny.xml")):
+        ending = "toml" if words[0] == "new" else "npz"
+        assert_told(tried(*words, "-o", f"{place}/a.{ending}"), f"cannot write '{place}/a.{ending}'")
+
+
+GONE = "import os, tempfile; os.chdir(place := tempfile.mkdtemp()); os.rmdir(place)\n"
+
+
+def test_a_folder_that_vanished_beneath_the_command_is_no_harm_to_what_lies_elsewhere(tried: Tried, tmp_path: Path):
+    source = str(tmp_path / "tiny.toml")
+    assert tried("solve", source, "-o", str(tmp_path / "out.npz"), before=GONE)["code"] == 0
+    assert motion.load(tmp_path / "out.npz").name == "tiny"
+    assert_told(
+        tried("solve", source, "-o", "out.npz", before=GONE), "the folder that the command was started in is gone"
+    )
+    assert_told(tried("solve", "tiny.toml", before=GONE), "the folder that the command was started in is gone")
+
+
+@pytest.mark.parametrize("home", ["", "os.environ['HOME'] = '/nowhere'; "])
+@pytest.mark.parametrize("temporary", ["", "os.environ['TMPDIR'] = '/nowhere'; "])
+def test_without_a_home_and_a_folder_for_temporary_files_it_is_solved(
+    home: str, temporary: str, tried: Tried, tmp_path
+):
+    before = "for name in ('DYNSPLINES_CACHE', 'HOME', 'XDG_CACHE_HOME'):\n    os.environ.pop(name, 0)\n"
+    before += "os.environ.pop('TMPDIR', 0)\n" + home + temporary + "import tempfile; tempfile.tempdir = None\n"
+    assert tried("solve", "tiny.toml", "-o", "out.npz", before=before)["code"] == 0
+    assert motion.load(tmp_path / "out.npz").name == "tiny"
+
+
+def test_paths_that_are_no_text_are_read_and_written(tried: Tried, tmp_path: Path):
+    name = os.fsdecode(b"caf\xe9")
+    os.rename(tmp_path / "tiny.toml", tmp_path / f"{name}.toml")  # noqa: PTH104
+    ended = tried("solve", f"{name}.toml", "-o", f"{name}.csv.npz")
+    assert ended["code"] == 0, ended
+    assert motion.load(tmp_path / f"{name}.csv.npz").figure.width == 11
+    assert_told(tried("solve", f"{name}2.toml"), "no file 'caf\\udce92.toml'")
+
+
+# streams
+
+CLOSED = "sys = __import__('sys')\nfor number, name in (({}, '{}'),):\n    os.close(number); setattr(sys, name, None)\n"
+FULL = "os.dup2(os.open('/dev/full', os.O_WRONLY), {})\n"
+
+
+@pytest.mark.parametrize(("number", "name"), [(0, "stdin"), (1, "stdout"), (2, "stderr")])
+def test_a_closed_stream_hinders_no_work(number: int, name: str, tried: Tried, tmp_path: Path):
+    ended = tried("solve", "tiny.toml", "-o", "out.npz", before=CLOSED.format(number, name))
+    assert (ended["code"], "Traceback" in ended["err"]) == (0, False), ended
+    assert motion.load(tmp_path / "out.npz").name == "tiny"
+
+
+@pytest.mark.parametrize(
+    "words", [("report", "motion.npz"), ("report", "motion.npz", "--json"), ("clips",), ("formats",)]
+)
+@pytest.mark.parametrize("before", [FULL.format(1), CLOSED.format(1, "stdout")])
+def test_what_cannot_be_printed_is_no_mistake_of_the_program(words: tuple[str, ...], before: str, tried: Tried):
+    ended = tried(*words, before=before)
+    assert ended["code"] in (0, 1, 2, 120), ended
+    assert "Traceback" not in ended["err"] and "mistake of dynsplines" not in ended["err"]
+
+
+def test_who_reads_no_further_ends_the_command_quietly(tried: Tried):
+    ended = tried("report", "motion.npz", before="r, w = os.pipe(); os.close(r); os.dup2(w, 1)\n")
+    assert "Traceback" not in ended["err"] and "mistake" not in ended["err"]
+
+
+# limits
+
+
+@pytest.mark.parametrize("handles", [8, 12, 16, 24])
+def test_too_few_handles_are_told(handles: int, tried: Tried, tmp_path: Path):
+    few = f"import resource; resource.setrlimit(resource.RLIMIT_NOFILE, ({handles}, {handles}))\n"
+    for words in (("solve", "tiny.toml", "-o", "out.npz"), ("export", "motion.npz", "-o", "out.html")):
+        ended = tried(*words, before=few)
+        assert ended["code"] in (0, 2) and "Traceback" not in ended["err"], ended
+    assert left(tmp_path) == []
+
+
+@pytest.mark.parametrize("megabytes", [0, 5, 40])
+def test_too_little_memory_is_told(megabytes: int, tried: Tried, tmp_path: Path):
+    little = (
+        "import resource; used = int(open('/proc/self/statm').read().split()[0]) * resource.getpagesize()\n"
+        f"resource.setrlimit(resource.RLIMIT_AS, (used + {megabytes}_000_000,) * 2)\n"
+    )
+    (tmp_path / "long.toml").write_text(changed("time = 0.41", "time = 500"), encoding="utf-8")
+    ended = tried("solve", "long.toml", "-o", "out.npz", "--fps", "1000", before=little)
+    assert_told(ended, "memory")
+    assert left(tmp_path) == []
+
+
+def test_the_time_that_a_process_may_use_ends_it_without_half_a_file(tried: Tried, tmp_path: Path):
+    text = changed(
+        "evaluations = 8\nframes = 2", "evaluations = 100000\nframes = 400\ntolerance = 1e-15\nthreshold = 0"
+    )
+    (tmp_path / "long.toml").write_text(text, encoding="utf-8")
+    used = "import resource, time; s = int(time.process_time()) + 1\n"
+    used += "resource.setrlimit(resource.RLIMIT_CPU, (s, s + 60))\n"
+    ended = tried("solve", "long.toml", "-o", "out.npz", before=used)
+    assert ended["code"] == -signal.SIGXCPU
+    assert not (tmp_path / "out.npz").exists() and left(tmp_path) == []
+
+
+# others at work
+
+
+def test_two_writers_of_one_file_leave_one_of_the_two_whole(tmp_path: Path):
+    target, sizes, ready = tmp_path / "a.bin", (100_000, 300_000), threading.Barrier(2)
+
+    def write(letter: bytes, size: int) -> None:
+        for _ in range(15):
+            ready.wait(10)
+            with Replacement(target) as temporary:
+                temporary.write_bytes(letter * size)
+
+    writers = [threading.Thread(target=write, args=each) for each in zip((b"a", b"b"), sizes, strict=True)]
+    for each in writers:
+        each.start()
+    seen: set[bytes] = set()
+    while any(each.is_alive() for each in writers):
+        if target.exists():
+            seen.add(target.read_bytes())
+    assert seen <= {b"a" * sizes[0], b"b" * sizes[1]} and len(seen | {target.read_bytes()}) >= 1
+    assert names(tmp_path) == ["a.bin"]
+
+
+def test_a_writer_whose_file_is_taken_for_a_leftover_before_it_is_locked_begins_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
+    target, real, taken = tmp_path / "a.bin", output._locked, []
+
+    def locked(handle: int) -> bool:
+        if not taken:
+            taken.append([path.unlink() for path in tmp_path.iterdir()])
+        return real(handle)
+
+    monkeypatch.setattr(output, "_locked", locked)
+    with Replacement(target) as temporary:
+        temporary.write_bytes(b"whole")
+    assert taken == [[None]] and target.read_bytes() == b"whole" and names(tmp_path) == ["a.bin"]
+
+
+def test_a_clip_that_is_removed_or_cut_while_it_is_read_is_told(tried: Tried, tmp_path: Path):
+    gone = "import dynsplines.clip.load as c; load = c.from_text\ndef f(*a, **k):\n"
+    gone += "    os.unlink('tiny.xml'); return load(*a, **k)\n"
+    assert_told(tried("solve", "tiny.toml", before=gone + "c.from_text = f\n"), "no file 'tiny.xml'")
+    (tmp_path / "motion.npz").write_bytes((tmp_path / "motion.npz").read_bytes()[:-100])
+    assert_told(tried("report", "motion.npz"), "motion.npz: not an .npz file, or cut short")
+
+
+BACK = """
+import itertools, time
+ticks = itertools.count()
+real = time.time
+time.time = lambda: 1e9 - 1000 * next(ticks)
+"""
+
+
+def test_a_clock_that_goes_back_changes_nothing(tried: Tried, tmp_path: Path):
+    assert tried("solve", "tiny.toml", "-o", "out.npz")["code"] == 0
+    before = (tmp_path / "out.npz").read_bytes()
+    ended = tried("solve", "tiny.toml", "-o", "out.npz", before=BACK)
+    assert ended["code"] == 0, ended
+    assert (tmp_path / "out.npz").read_bytes() == before
+
+
+def test_files_from_the_future_are_read_and_replaced(tried: Tried, tmp_path: Path):
+    cache = f"os.environ['DYNSPLINES_CACHE'] = {str(tmp_path / 'cache')!r}\n"
+    assert tried("solve", "tiny.toml", "-o", "out.npz", before=cache)["code"] == 0
+    for path in tmp_path.rglob("*"):
+        os.utime(path, (4e9, 4e9))
+    ended = tried("solve", "tiny.toml", "-o", "out.npz", before=cache)
+    assert ended["code"] == 0 and motion.load(tmp_path / "out.npz").name == "tiny"

@@ -1,0 +1,166 @@
+"""Gauss-Newton curvature of soft constraints beside residuals that are written anew and differences of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from ground import stance_of
+from random_samples import random_samples
+
+from dynsplines.solver.array import Array
+from dynsplines.solver.figure.dynamics import generalised_forces
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.penalty import (
+    CovariantAcceleration,
+    Penalty,
+    Planted,
+    RootAcceleration,
+    Torque,
+    UnitMagnitude,
+)
+from dynsplines.solver.penalty.curvature import Curvature, Sides
+from dynsplines.solver.surface.points import places_of
+
+STEP_SIZE = 1e-5
+PLANTED = Planted((stance_of(1, 0.2, 1.0), stance_of(2, 0.5, 2.0), stance_of(2, 0.0, 0.6)))
+
+
+def _blocks(samples: Samples) -> tuple[Array, Array, Array]:
+    """q, q', q'' of the state's quaternions, (S, n, 4) each."""
+    columns = samples.figure.tables.quaternion_columns.T
+    return samples.y[:, columns], samples.y_d[:, columns], samples.y_dd[:, columns]
+
+
+def _along(a: Array, b: Array) -> Array:
+    return np.sum(a * b, axis=-1, keepdims=True)
+
+
+def _intrinsic(samples: Samples) -> Array:
+    """P(q'' − 2 s q')/√b for quaternions, θ''/2 for hinges."""
+    q, q_d, q_dd = _blocks(samples)
+    b = _along(q, q)
+    felt = q_dd - 2 * _along(q, q_d) / b * q_d
+    felt = (felt - _along(felt, q) / b * q) / np.sqrt(b)
+    return np.hstack([felt.reshape(samples.count, -1), samples.y_dd[:, samples.figure.tables.hinge_columns] / 2])
+
+
+def _paper(samples: Samples) -> Array:
+    """q'' off q for quaternions, θ''/2 for hinges."""
+    q, _, q_dd = _blocks(samples)
+    felt = q_dd - _along(q_dd, q) / _along(q, q) * q
+    return np.hstack([felt.reshape(samples.count, -1), samples.y_dd[:, samples.figure.tables.hinge_columns] / 2])
+
+
+def _unit(samples: Samples) -> Array:
+    q, _, _ = _blocks(samples)
+    return 1 - np.sum(q * q, axis=-1)
+
+
+def _root(samples: Samples) -> Array:
+    tables = samples.figure.tables
+    return samples.y_dd[:, [*tables.position_columns.ravel(), *tables.slide_columns]]
+
+
+def _efforts(samples: Samples) -> Array:
+    """MuJoCo's joint entries of qfrc_inverse, those of ball joints turned from the body's axes to the world's."""
+    figure, forces = samples.figure, generalised_forces(samples)
+    efforts = []
+    for i, link in enumerate(figure.links[1:], start=1):
+        if link.kind == link.kind.BALL:
+            own = forces[:, link.dof : link.dof + 3]
+            efforts.append(np.einsum("ijs,sj->si", samples.links.rotation[:, :, i], own))
+        elif link.kind != link.kind.FREE:
+            efforts.append(forces[:, link.dof : link.dof + 1])
+    return np.hstack(efforts)
+
+
+def _away(samples: Samples) -> Array:
+    """Every planted point's way from its place, zeros when its stance is over."""
+    centres, _, _ = places_of(tuple(s.point for s in PLANTED.stances), samples)
+    away = []
+    for stance, centre in zip(PLANTED.stances, centres.swapaxes(0, 1), strict=True):
+        lasts = (samples.t >= stance.first) & (samples.t <= stance.last)
+        away.append(((centre - stance.place(samples.t)) * lasts).T)
+    return np.hstack(away)
+
+
+RESIDUALS: dict[str, tuple[Penalty, Callable[[Samples], Array]]] = {
+    "covariant": (CovariantAcceleration(), _intrinsic),
+    "covariant, the paper's": (CovariantAcceleration("paper"), _paper),
+    "unit": (UnitMagnitude(), _unit),
+    "root": (RootAcceleration(), _root),
+    "torque": (Torque(), _efforts),
+    "planted": (PLANTED, _away),
+}
+
+
+def shifted(samples: Samples, by: Array) -> Samples:
+    """Samples moved by (3, S, N)."""
+    return Samples(samples.figure, samples.y + by[0], samples.y_d + by[1], samples.y_dd + by[2], samples.t)
+
+
+def jacobians(residuals: Callable[[Samples], Array], samples: Samples) -> Array:
+    """(S, r, 3, N): central differences of residuals with respect to y, y', y''."""
+    count, width = samples.y.shape
+    out = []
+    for order in range(3):
+        for column in range(width):
+            by = np.zeros((3, count, width))
+            by[order, :, column] = STEP_SIZE
+            out.append((residuals(shifted(samples, by)) - residuals(shifted(samples, -by))) / (2 * STEP_SIZE))
+    return np.array(out).reshape(3, width, count, -1).transpose(2, 3, 0, 1)
+
+
+def curvature_of(penalty: Penalty, samples: Samples, scale: Array) -> Curvature:
+    curvature = Curvature(samples)
+    penalty.curvature(samples, curvature, scale)
+    return curvature
+
+
+def assembled(curvature: Curvature, phi: Array) -> Array:
+    """(S, K N, K N): the matrices of the coefficients of K directions (S, 3, K), from rows and blocks."""
+    count, width, directions = curvature.samples.count, curvature.width, phi.shape[2]
+    out = np.zeros((count, directions * width, directions * width))
+    for at, rows in curvature.rows(phi):
+        assert np.all(np.diff(at) >= 0)
+        np.add.at(out, at, rows[:, :, None] * rows[:, None, :])
+    for columns, blocks in curvature.blocks(phi):
+        for n, own in enumerate(columns):
+            place = (np.arange(directions)[:, None] * width + own).ravel()
+            size = place.size
+            out[np.ix_(np.arange(count), place, place)] += blocks[:, n].reshape(count, size, size)
+    return out
+
+
+def assert_near(found: Array, expected: Array, rtol: float = 1e-5) -> None:
+    np.testing.assert_allclose(found, expected, rtol=0, atol=rtol * max(np.abs(expected).max(), 1e-12))
+
+
+def low_samples(figure: Figure, rng: np.random.Generator, count: int = 40) -> Samples:
+    """Samples about the floor."""
+    samples = random_samples(figure, rng, count)
+    samples.y[:, 2] = rng.uniform(-0.5, 0.5, count)
+    return samples
+
+
+def sides_of(penalty: Penalty, samples: Samples) -> Sides:
+    sides = penalty.sides(samples)
+    assert sides is not None
+    assert sides.at.shape == sides.value.shape == sides.rows.shape[:1]
+    return sides
+
+
+def assert_gradients(penalty: Penalty, figure: Figure, rng: np.random.Generator) -> None:
+    """That the rows of a penalty's sides are the differences of their values."""
+    samples, h = low_samples(figure, rng), 1e-7
+    sides = sides_of(penalty, samples)
+    for _ in range(3):
+        way = rng.normal(size=samples.y.shape)
+        by = h * np.stack([way, 0 * way, 0 * way])
+        after, before = sides_of(penalty, shifted(samples, by)), sides_of(penalty, shifted(samples, -by))
+        np.testing.assert_array_equal(after.at, sides.at)
+        np.testing.assert_array_equal(before.at, sides.at)
+        slope = np.einsum("pn,pn->p", sides.rows, way[sides.at])
+        np.testing.assert_allclose((after.value - before.value) / (2 * h), slope, rtol=1e-4, atol=1e-5)

@@ -1,0 +1,47 @@
+"""What MuJoCo and SciPy can be asked as oracles, and from which version on."""
+
+import mujoco
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation, Slerp
+
+from dynsplines.solver.array import Array
+from dynsplines.solver.figure.dynamics import velocities
+from dynsplines.solver.figure.figure import Figure, quaternion_columns
+from dynsplines.solver.figure.kinematics import Samples
+
+tells_height_fields = pytest.mark.skipif(
+    int(mujoco.__version__[0]) < 4, reason="MuJoCo 3 tells no distances from height fields"
+)
+
+
+def by_scipy(figure: Figure, times: Array, qpos: Array, t: Array) -> Array:
+    """(T, nq): configurations (K, nq) joined by SciPy's SLERP of every joint's own rotation, and by lines."""
+    out = np.array([np.interp(t, times, column) for column in qpos.T]).T
+    for link in figure.links[1:]:
+        columns = quaternion_columns(link)
+        if columns is not None:
+            turns = Slerp(times, Rotation.from_quat(np.roll(qpos[:, columns], -1, axis=1)))(t)
+            out[:, columns] = np.roll(turns.as_quat(), 1, axis=1)
+    return out
+
+
+def mujoco_forces(samples: Samples) -> np.ndarray:
+    figure = samples.figure
+    model = figure.model
+    model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONTACT) | int(mujoco.mjtDisableBit.mjDSBL_CONSTRAINT)
+    data = mujoco.MjData(model)
+    out = []
+    for qpos, qvel, qacc in zip(figure.to_qpos(samples.y), *velocities(samples), strict=True):
+        data.qpos[:], data.qvel[:], data.qacc[:] = qpos, qvel, qacc
+        mujoco.mj_inverse(model, data)
+        out.append(data.qfrc_inverse.copy())
+    return np.array(out)
+
+
+def posed(model: mujoco.MjModel, qpos: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Positions (nbody, 3) and rotations (nbody, 3, 3) of the bodies."""
+    data = mujoco.MjData(model)
+    data.qpos[:] = qpos
+    mujoco.mj_kinematics(model, data)
+    return data.xpos.copy(), data.xmat.reshape(-1, 3, 3).copy()
