@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import pytest
 import shipped
-from perturbed import perturbed
+from variations import perturbed
 
 from dynsplines import models
 from dynsplines.clip import load as clips
