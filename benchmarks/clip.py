@@ -16,12 +16,12 @@ from typing import Any
 from bench import CLIP, Effort, Section, Target, alternated, dynsplines, median
 
 from dynsplines.clip import load as clips
-from dynsplines.solver import Improvement, Motion, StopSearch, inbetween
+from dynsplines.solver import Improvement, Solution, StopSearch, inbetween
 
 
-def solve(problem: clips.Clip) -> Motion:
+def solve(problem: clips.Clip) -> Solution:
     """What `dynsplines solve` calls, every penalty, subdivision included."""
-    return inbetween(problem.figure, problem.keys, problem.penalties, problem.settings, ends=problem.ends)
+    return inbetween(problem.problem)
 
 
 def first_told() -> float:
@@ -73,7 +73,7 @@ def measure(effort: Effort) -> Section:
             clocks.setdefault(name, []).append(work())
     for name, own in clocks.items():
         section.add(name, median(own), min(own), max(own))
-    motion: Motion = results["solve"]
+    motion: Solution = results["solve"]
     middle = {name: median(own) for name, own in clocks.items()}
     solved, line, better, help_text = middle.values()
     section.targets = [
@@ -101,8 +101,7 @@ def _until_better(begin: float) -> None:
             print(json.dumps({"seconds": time.time() - begin, "evaluation": step.evaluation}))
             raise StopSearch
 
-    settings = problem.settings
-    inbetween(problem.figure, problem.keys, problem.penalties, settings, ends=problem.ends, improved=improved)
+    inbetween(problem.problem, improved=improved)
 
 
 if __name__ == "__main__":

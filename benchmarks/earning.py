@@ -9,7 +9,7 @@ import pinned  # noqa: F401  isort: skip  # before anything that imports NumPy
 
 import argparse
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 import report
@@ -18,7 +18,7 @@ from perturbed import solved
 
 from dynsplines import models
 from dynsplines.clip import load as clips
-from dynsplines.solver import Motion
+from dynsplines.solver import Solution
 from dynsplines.solver.array import Array
 
 RATE = 200.0  # [1/s] of the samples over which integrals are summed
@@ -42,7 +42,7 @@ class Outcome:
     share: float
 
 
-def costs(of: Motion, motion: Motion) -> dict[str, float]:
+def costs(of: Solution, motion: Solution) -> dict[str, float]:
     """The terms of one motion's E by name, of another's path, on one fine grid."""
     first, last = of.path.span
     edges = np.linspace(first, last, round(RATE * (last - first)) + 1)
@@ -63,7 +63,7 @@ def outcomes(name: str, terms: Sequence[str], effort: Effort) -> list[Outcome]:
         left = tuple((penalty, weight) for penalty, weight in clip.penalties if penalty.name != term)
         if not left or len(left) == len(clip.penalties):
             continue
-        without = costs(whole, solved(replace(clip, penalties=left)))
+        without = costs(whole, solved(clip.asking(penalties=left)))
         rest, before = (sum(v for key, v in side.items() if key != term) for side in (without, with_it))
         if max(without[term], with_it[term]) < LITTLE * sum(with_it.values()):
             continue

@@ -55,7 +55,7 @@ def in_a_row(work: Callable[[], object]) -> None:
 
 def measure(effort: Effort) -> Section:
     problem = clips.load("run_and_step")
-    found = inbetween(problem.figure, problem.keys, problem.penalties, Settings(variable=0, frames=0))
+    found = inbetween(replace(problem.problem, settings=Settings(variable=0, frames=0)))
     timeline = coarse(found.raw)
     objective = replace(found.objective, quadrature=Quadrature("uniform", SAMPLES))
     discretised = objective.on(timeline)

@@ -50,16 +50,7 @@ class Motion:
 def whole(name: str) -> Motion:
     """A shipped clip, solved, at 30 images a second."""
     clip = clips.load(name)
-    found = inbetween(
-        clip.figure,
-        clip.keys,
-        clip.penalties,
-        clip.settings,
-        ends=clip.ends,
-        end_slope=clip.end_slope,
-        travel=clip.travel,
-        turn=clip.turn,
-    )
+    found = inbetween(clip.problem)
     first, last = found.path.span
     time = first + np.arange(int((last - first) * FPS + 1e-9) + 1) / FPS
     return Motion(name, clip, time, continuous(clip.figure, found.at(time)))
@@ -71,7 +62,7 @@ def ours(motion: Motion, kept: NDArray[np.intp], folder: Path) -> Array:
     model.write_text(motion.clip.mjcf, encoding="utf-8")
     np.savez(keys, time=motion.time[kept], qpos=motion.qpos[kept])
     clip = clips.load("", model=str(model), keys=str(keys))
-    return inbetween(clip.figure, clip.keys, clip.penalties, clip.settings).at(motion.time)
+    return inbetween(clip.problem).at(motion.time)
 
 
 def _by_joint(motion: Motion, kept: NDArray[np.intp], places: Callable, turns: Callable) -> Array:
@@ -119,8 +110,8 @@ class Seen:
             ends.append([*(data.site(name).xpos.copy() for name in ENDS), *(data.body(n).xpos.copy() for n in FEET)])
         y = np.array([figure.to_state(row) for row in qpos])
         samples = Samples(figure, y, 0 * y, 0 * y)
-        centres, _, _ = places_of(clip.points, samples)
-        heights = np.min([surface.height(centres) for surface in clip.surfaces], axis=0)
+        centres, _, _ = places_of(clip.context.points, samples)
+        heights = np.min([surface.height(centres) for surface in clip.context.surfaces], axis=0)
         turns = qpos[:, figure.tables.quaternion_columns.T]
         return cls(turns, np.array(ends), centres.transpose(2, 1, 0), heights.T)
 

@@ -24,7 +24,7 @@ from bench import Effort, Section, Target
 
 from dynsplines import models
 from dynsplines.clip import load as clips
-from dynsplines.solver import Frame, Motion, inbetween
+from dynsplines.solver import Frame, Solution, inbetween
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.surface.points import places_of, site_points
 
@@ -66,7 +66,7 @@ def solve(count: int) -> dict[str, Any]:
     problem = looped(count)
     before = _peak()
     begin = time.perf_counter()
-    motion: Motion = inbetween(problem.figure, problem.keys, problem.penalties, problem.settings, ends=problem.ends)
+    motion: Solution = inbetween(problem.problem)
     spent = time.perf_counter() - begin
     return {
         "keyframes": count,

@@ -11,7 +11,7 @@ from dataclasses import replace
 from bench import Effort, Section, Target, alternated, median, worst
 
 from dynsplines.clip import load as clips
-from dynsplines.solver import Motion, inbetween
+from dynsplines.solver import Solution, inbetween
 from dynsplines.solver.search.descent import NEWTON, Descent
 
 CLIPS = (
@@ -25,21 +25,12 @@ MORE_EVALUATIONS = 60
 CLOSE, LONGEST = 1.01, 2.0
 
 
-def solve(problem: clips.Clip, method: str) -> Motion:
+def solve(problem: clips.Clip, method: str) -> Solution:
     """What `dynsplines solve` calls, by one optimiser."""
-    return inbetween(
-        problem.figure,
-        problem.keys,
-        problem.penalties,
-        replace(problem.settings, method=method),
-        ends=problem.ends,
-        end_slope=problem.end_slope,
-        travel=problem.travel,
-        turn=problem.turn,
-    )
+    return inbetween(replace(problem.problem, settings=replace(problem.settings, method=method)))
 
 
-def gone_on(motion: Motion, method: str) -> tuple[float, float]:
+def gone_on(motion: Solution, method: str) -> tuple[float, float]:
     """From the end of a solve, on the same frames: what share of E goes [%], and in what time [s]."""
     descent = Descent(motion.objective, motion.timeline)
     before = descent.problem(descent.problem.unknowns.start).value

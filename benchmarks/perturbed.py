@@ -19,11 +19,10 @@ from dynsplines.clip import load as clips
 from dynsplines.clip.contacts import contacts
 from dynsplines.clip.text import tables, written
 from dynsplines.errors import UserError
-from dynsplines.solver import Frame, Motion, inbetween
+from dynsplines.solver import Frame, Solution, inbetween
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty.motion.peak import relative_accelerations
@@ -49,7 +48,7 @@ class Seen:
     limb: str
 
     @classmethod
-    def of(cls, motion: Motion) -> Seen:
+    def of(cls, motion: Solution) -> Seen:
         """Measured on a grid from the first keyframe to the last."""
         first, last = motion.path.span
         t = np.linspace(first, last, round(RATE * (last - first)) + 1)
@@ -129,11 +128,11 @@ def _moved(figure: Figure, key: Frame, rng: np.random.Generator) -> Frame:
 def _without_contradictions(clip: clips.Clip, keys: Sequence[Frame]) -> clips.Clip:
     """The clip without the contacts that other keyframes contradict, which would be refused."""
     table = clips.table_of(clip.text, clip.name)
-    timeline = raw_timeline(clip.figure, list(keys), clip.ends, clip.end_slope, clip.travel, clip.turn)
+    timeline = replace(clip.problem, keys=tuple(keys)).raw
     kept: list[int] = []
     for i in range(len(table.contact)):
         try:
-            contacts(clip.figure, timeline, [table.contact[k] for k in (*kept, i)], clip.name, clip.points)
+            contacts(clip.figure, timeline, [table.contact[k] for k in (*kept, i)], clip.name, clip.context.points)
         except UserError:
             continue
         kept.append(i)
@@ -143,19 +142,20 @@ def _without_contradictions(clip: clips.Clip, keys: Sequence[Frame]) -> clips.Cl
     return replace(clip, text=written(said | {"contact": [said["contact"][i] for i in kept]}))
 
 
-def solved(clip: clips.Clip) -> Motion:
+def solved(clip: clips.Clip) -> Solution:
     """As `dynsplines solve` does it."""
-    return inbetween(
-        clip.figure, clip.keys, clip.penalties, clip.settings,
-        ends=clip.ends, end_slope=clip.end_slope, travel=clip.travel, turn=clip.turn,
-    )  # fmt: skip
+    return inbetween(clip.problem)
 
 
 def outcome(clip: clips.Clip, seed: int, peak: float) -> Outcome:
     """Of one set, beside the shipped clip's own peak [rad/s²]."""
     other = perturbed(clip, seed)
     spent, motion = seconds(lambda: solved(other))
-    seen, parts, dropped = Seen.of(motion), motion.trace[-1][3], len(clip.contacts) - len(other.contacts)
+    seen, parts, dropped = (
+        Seen.of(motion),
+        motion.trace[-1][3],
+        len(clip.context.contacts.given) - len(other.context.contacts.given),
+    )
     ratio = seen.peak / peak if peak > 0 else 1.0  # a figure without joints has no peak, moved or not
     return Outcome(clip.name, seed, ratio, seen, spent, motion.evaluations, parts, dropped)
 

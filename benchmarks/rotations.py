@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from dynsplines.claims.orientations import INTRINSIC, moderate, spinner
-from dynsplines.solver import Frame, Motion, Objective, Path, Quadrature, Settings, inbetween
+from dynsplines.solver import Frame, Objective, Path, Problem, Quadrature, Settings, Solution, inbetween
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.penalty import CovariantAcceleration, UnitMagnitude
 
@@ -71,9 +71,9 @@ def track(kind: str, seed: int, count: int, ratio: float | None = None) -> Track
 
 def solved(
     found: Track, settings: Settings, improved: Callable[[Any], None] | None = None, *, light: bool = False
-) -> Motion:
+) -> Solution:
     """Our path through a set, in the intrinsic form; `light`: with a weak unit term, which lets |q| vary more."""
-    return inbetween(spinner(), found.keys, LIGHT if light else INTRINSIC, settings, improved=improved)
+    return inbetween(Problem(spinner(), found.keys, LIGHT if light else INTRINSIC, settings), improved=improved)
 
 
 def energy(path: Path) -> float:

@@ -25,7 +25,18 @@ from bench import NOT_INSTALLED, Effort, Section, Target, alternated, median, pe
 from numpy.typing import NDArray
 
 from dynsplines import models
-from dynsplines.solver import Figure, Frame, Improvement, Objective, Path, Quadrature, Settings, Timeline, inbetween
+from dynsplines.solver import (
+    Figure,
+    Frame,
+    Improvement,
+    Objective,
+    Path,
+    Problem,
+    Quadrature,
+    Settings,
+    Timeline,
+    inbetween,
+)
 from dynsplines.solver.curve.spline import Spline
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.kinematics import Samples
@@ -144,7 +155,7 @@ def ours(runner: Runner) -> list[Iterate]:
     def improved(step: Improvement) -> None:
         seen.append((time.perf_counter() - begin, step.path))
 
-    inbetween(runner.figure, runner.keys, runner.penalties, runner.settings(VARIABLE), improved=improved)
+    inbetween(Problem(runner.figure, runner.keys, runner.penalties, runner.settings(VARIABLE)), improved=improved)
     return [*seen, (time.perf_counter() - begin, seen[-1][1])]
 
 
@@ -383,7 +394,7 @@ def finest(runner: Runner, ends: list[Path]) -> tuple[float, Path]:
         tolerance=1e-9,
         max_evaluations=2000,
     )
-    found = [inbetween(runner.figure, runner.keys, runner.penalties, replace(settings, variable=FINEST)).path]
+    found = [inbetween(Problem(runner.figure, runner.keys, runner.penalties, replace(settings, variable=FINEST))).path]
     found += [_refined(runner, end, settings) for end in ends]
     values = [runner.value(path) for path in found]
     return min(values), found[int(np.argmin(values))]

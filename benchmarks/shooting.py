@@ -10,7 +10,7 @@ import numpy as np
 from bench import NOT_INSTALLED, Effort, Section, Target, alternated, median, peer, worst
 from rotations import Track, energy, exact_energy, in_other_class, solved, track
 
-from dynsplines.solver import Motion, Settings
+from dynsplines.solver import Settings, Solution
 
 FIRST_SEED = 2000
 SIZES = {7: (20, 3), 1000: (2, 1)}
@@ -61,7 +61,7 @@ def of_set(found: Track, module: Any, effort: Effort) -> dict[str, Any]:
     row["peer closed"] = has_closed(curve)
     row["peer / exact"] = energy_of(curve) / least if has_closed(curve) and least else None
     for variable in VARIABLE:
-        motion: Motion = results[f"{variable}"]
+        motion: Solution = results[f"{variable}"]
         row[f"{variable} [s]"] = median(times[f"{variable}"])
         row[f"{variable} / exact"] = energy(motion.path) / least if least else None
         row[f"{variable}, evaluations"] = motion.evaluations

@@ -11,7 +11,7 @@ from bench import Effort, Section, Target, median, worst
 from rotations import energy, solved, track
 
 from dynsplines.clip import load as clips
-from dynsplines.solver import Improvement, Motion, Objective, Path, Quadrature, Settings, inbetween
+from dynsplines.solver import Improvement, Objective, Path, Quadrature, Settings, Solution, inbetween
 
 FIRST_SEED = 4000
 RATIO = 20.0
@@ -24,7 +24,7 @@ CLIP_UNIFORM, CLIP_FINEST = (2, 3), 12
 CLIP_QUADRATURE = Quadrature("gauss", 4, 0.02)
 
 
-def rounds(solve: Callable[[Callable[[Improvement], None]], Motion]) -> list[Path]:
+def rounds(solve: Callable[[Callable[[Improvement], None]], Solution]) -> list[Path]:
     """The best path of every round of subdivision, in order."""
     last: dict[int, Path] = {}
 
@@ -69,8 +69,8 @@ def of_clip(effort: Effort) -> list[dict[str, Any]]:
     """run_and_step: frames for the gaps that two and three in every segment leave, judged on one fine quadrature."""
     problem = clips.load("run_and_step")
 
-    def solve(settings: Settings, improved: Any = None) -> Motion:
-        return inbetween(problem.figure, problem.keys, problem.penalties, settings, improved=improved)
+    def solve(settings: Settings, improved: Any = None) -> Solution:
+        return inbetween(problem.asking(settings=settings).problem, improved=improved)
 
     def settings(**more: Any) -> Settings:
         return Settings(**{"quadrature": CLIP_QUADRATURE, "max_evaluations": 1000, "tolerance": 1e-6, **more})

@@ -11,7 +11,7 @@ from bench import NOT_INSTALLED, Effort, Section, Target, median, peer, seconds,
 from rotations import KINDS, Track, energy, exact_energy, exact_energy_from, solved, track
 from shooting import energy_of, has_closed, quaternions_of, shot
 
-from dynsplines.solver import Motion, Settings
+from dynsplines.solver import Settings, Solution
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.refine.subdivision import by_weak_form, evenly
 from dynsplines.solver.search.descent import optimised
@@ -53,7 +53,7 @@ def _theirs(found: Track, module: Any) -> dict[str, Any]:
     return {"peer [s]": spent, "peer failed": why, "peer energy": energy_of(curve) if closed else None}
 
 
-def _nearest(found: Track, motion: Motion, exact: float | None) -> tuple[float, str]:
+def _nearest(found: Track, motion: Solution, exact: float | None) -> tuple[float, str]:
     """The energy of the minimum that ours is near, and how it is known."""
     own = energy(motion.path)
     from_ours = exact_energy_from(found, motion.path)

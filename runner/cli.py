@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     from .clip.load import Clip
     from .edit.files import Edit
-    from .measure.problems import Problem
+    from .measure.problems import Flaw
     from .motion import Saved
     from .picture.graphics import Graphics
     from .picture.show import Look
@@ -804,7 +804,7 @@ class _Result:
     """A motion, and what is wrong with it."""
 
     saved: Saved
-    problems: tuple[Problem, ...]
+    problems: tuple[Flaw, ...]
 
 
 def _result(
@@ -846,7 +846,7 @@ def _measured(found: Clip | Saved, teller: Teller, *, fresh: bool) -> Saved:
     return replace(found, report={"problems": problems.plain(problems.of_motion(found)), **found.report})
 
 
-def _tell(teller: Teller, target: Path, found: Sequence[Problem], file: object) -> None:
+def _tell(teller: Teller, target: Path, found: Sequence[Flaw], file: object) -> None:
     """What was written, and what is wrong with it; `file` is what a report of all of it takes."""
     from .measure.problems import lines
 

@@ -26,9 +26,8 @@ import numpy as np
 
 from dynsplines import solver
 from dynsplines.solver.curve.frame import Frame, Timeline
-from dynsplines.solver.curve.unknowns import raw_timeline
-from dynsplines.solver.inbetween import Motion, objective_of
 from dynsplines.solver.search.optimiser import Stop
+from dynsplines.solver.solution import Solution
 
 from . import work
 from .clip.load import Clip, table_of
@@ -93,8 +92,10 @@ def _parts(clip: Clip) -> Iterator[bytes]:
         yield key.state.tobytes()
         yield key.fixed.tobytes() + key.known.tobytes()
     weights = [(penalty.name, weight) for penalty, weight in clip.penalties]
-    yield repr((clip.figure.coordinates, clip.ends, clip.travel, clip.turn, clip.settings, weights)).encode()
-    yield b"" if clip.end_slope is None else clip.end_slope.tobytes()
+    yield repr(
+        (clip.figure.coordinates, clip.ends, clip.problem.travel, clip.problem.turn, clip.settings, weights)
+    ).encode()
+    yield b"" if clip.problem.end_slope is None else clip.problem.end_slope.tobytes()
 
 
 @lru_cache(maxsize=1)
@@ -152,7 +153,7 @@ def read(file: Path, clip: Clip) -> Solved | None:
 
 def _restored(clip: Clip, data: Mapping[str, Any], key: str) -> Solved:
     """Raises an exception of any kind for what is no solution of the clip."""
-    raw = raw_timeline(clip.figure, list(clip.keys), clip.ends, clip.end_slope, clip.travel, clip.turn)
+    raw = clip.problem.raw
     timeline = _timeline(raw, data)
     seconds, evaluations = float(data["seconds"]), int(data["evaluations"])
     trace = tuple(
@@ -169,8 +170,7 @@ def _restored(clip: Clip, data: Mapping[str, Any], key: str) -> Solved:
         raise ValueError("not what it is called")
     if not keyframe_error(clip, timeline) <= UNMET:
         raise ValueError("not through the keyframes")
-    objective = objective_of(raw, clip.figure, clip.penalties, clip.settings)
-    motion = Motion(clip.figure, objective, timeline, raw, trace, evaluations, Stop[str(data["stop"])])
+    motion = Solution(clip.figure, clip.problem.objective, timeline, raw, trace, evaluations, Stop[str(data["stop"])])
     return Solved(clip, motion, seconds)
 
 

@@ -11,13 +11,12 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from dynsplines.solver.curve.unknowns import raw_timeline
-from dynsplines.solver.inbetween import Improvement, Motion, inbetween
-from dynsplines.solver.objective import Objective
+from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.search.optimiser import Stop, StopSearch
+from dynsplines.solver.solution import Improvement, Solution
 
 from .clip.load import Clip
-from .measure.problems import Problem, problems
+from .measure.problems import Flaw, problems
 from .motion import Saved
 from .system import largest
 from .system.progress import Teller
@@ -46,11 +45,11 @@ class Solved:
     """A solved clip and how long the solve took [s], where that is known."""
 
     clip: Clip
-    motion: Motion
+    motion: Solution
     seconds: float | None
 
     @cached_property
-    def problems(self) -> tuple[Problem, ...]:
+    def problems(self) -> tuple[Flaw, ...]:
         """What is wrong with it, worst first."""
         return problems(self.clip, self.motion.timeline, self.motion.raw, self.motion.stop)
 
@@ -117,18 +116,7 @@ def solve(clip: Clip, teller: Teller, *, stop_after: int | None = None) -> Solve
             raise StopSearch
 
     begin = time.perf_counter()
-    settings = clip.settings
-    found = inbetween(
-        clip.figure,
-        clip.keys,
-        clip.penalties,
-        settings,
-        ends=clip.ends,
-        end_slope=clip.end_slope,
-        travel=clip.travel,
-        turn=clip.turn,
-        improved=improved,
-    )
+    found = inbetween(clip.problem, improved=improved)
     seconds = time.perf_counter() - begin
     if found.trace:
         teller.step("solving", 1.0, course(found), force=True)
@@ -141,7 +129,7 @@ def tell_notes(clip: Clip, teller: Teller) -> None:
         teller.say(f"note: {note}")
 
 
-def course(motion: Motion) -> str:
+def course(motion: Solution) -> str:
     """How a search went, in a few words; none for no search."""
     if not motion.trace:
         return ""
@@ -150,6 +138,5 @@ def course(motion: Motion) -> str:
 
 def unsolved(clip: Clip) -> Solved:
     """A clip as its raw spline, for looking at keyframes."""
-    raw = raw_timeline(clip.figure, list(clip.keys), clip.ends, clip.end_slope, clip.travel, clip.turn)
-    objective = Objective.of(clip.figure, clip.penalties, quadrature=clip.settings.quadrature)
-    return Solved(clip, Motion(clip.figure, objective, raw, raw, (), 0, Stop.CONVERGED), 0.0)
+    problem = clip.problem
+    return Solved(clip, Solution(problem.figure, problem.plain_objective, problem.raw, problem.raw), 0.0)

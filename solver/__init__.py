@@ -10,10 +10,11 @@ from .curve.quadrature import Quadrature as Quadrature
 from .curve.spline import Path as Path
 from .figure.figure import Figure as Figure
 from .figure.figure import FigureError as FigureError
-from .inbetween import Improvement as Improvement
-from .inbetween import Motion as Motion
-from .inbetween import Settings as Settings
 from .inbetween import inbetween as inbetween
 from .objective import Objective as Objective
+from .problem import Problem as Problem
+from .problem import Settings as Settings
 from .search.optimiser import Stop as Stop
 from .search.optimiser import StopSearch as StopSearch
+from .solution import Improvement as Improvement
+from .solution import Solution as Solution

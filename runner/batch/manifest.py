@@ -38,7 +38,7 @@ class Entry:
     output, size, sha256  the file in the manifest's folder, how many bytes it has, and a digest of them
     cause     of a failure: "error", "time", "memory" or "lost" (its process or its worker went away)
     bound     that a failure by time [s] or memory [MB] came up against
-    problems  what is wrong with the motion, worst first: `Problem`s as tables
+    problems  what is wrong with the motion, worst first: `Flaw`s as tables
     """
 
     clip: str

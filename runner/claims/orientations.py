@@ -19,10 +19,12 @@ from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.quadrature import gauss_nodes
 from dynsplines.solver.curve.spline import Path, path_of
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.inbetween import Improvement, Motion, Settings, inbetween
+from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import CovariantAcceleration, Penalty, UnitMagnitude
+from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.refine.euler_lagrange import WeakForm, covariant_residual, tangential
+from dynsplines.solver.solution import Improvement, Solution
 
 KEYFRAMES = 7
 TENTHS = 10  # equal parts of a path, as in figure 10
@@ -63,25 +65,25 @@ class Run:
 
     def __init__(self, keys: Sequence[Frame]) -> None:
         self.keys = list(keys)
-        self._solved: dict[tuple[Weights, int], Motion] = {}
+        self._solved: dict[tuple[Weights, int], Solution] = {}
 
-    def solved(self, weights: Weights, variable: int) -> Motion:
+    def solved(self, weights: Weights, variable: int) -> Solution:
         """The optimum with `variable` frames in every segment."""
         if (weights, variable) not in self._solved:
             self._solved[weights, variable] = self.inbetween(weights, Settings(variable=variable, frames=0))
         return self._solved[weights, variable]
 
-    def adaptive(self, weights: Weights, frames: int, criterion: str) -> Motion:
+    def adaptive(self, weights: Weights, frames: int, criterion: str) -> Solution:
         """The optimum with `frames` variable frames in all, added one by one where the criterion is largest."""
         settings = Settings(variable=0, frames=frames, criterion=criterion, batch=1e-9, threshold=0.0)
         return self.inbetween(weights, settings)
 
     def inbetween(
         self, weights: Weights, settings: Settings, improved: Callable[[Improvement], None] | None = None
-    ) -> Motion:
+    ) -> Solution:
         """Tightly converged: the claims are about optima."""
         tight = replace(settings, tolerance=1e-9, max_evaluations=1000)
-        return inbetween(spinner(), self.keys, weights, tight, improved=improved)
+        return inbetween(Problem(spinner(), self.keys, weights, tight), improved=improved)
 
     @cached_property
     def least(self) -> float:

@@ -18,9 +18,11 @@ from numpy.typing import NDArray
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.inbetween import Improvement, Settings, inbetween
+from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import CovariantAcceleration, UnitMagnitude
+from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.refine.displacement import displacement
+from dynsplines.solver.solution import Improvement
 
 from ..system.progress import Teller
 from .barr import Discrete
@@ -221,7 +223,7 @@ PEERS: dict[str, Callable[[Discrete], Array]] = {"sparse": Discrete.by_newton, "
 
 def _measure_speed(case: Case) -> Row:
     settings = Settings(variable=1, frames=0)
-    ours, motion = _timed(partial(inbetween, spinner(), case.keys, INTRINSIC, settings), 7)
+    ours, motion = _timed(lambda: inbetween(Problem(spinner(), case.keys, INTRINSIC, settings)), 7)
     goal = energy(motion.path)
     row = {"ours [ms]": ours, "ours, energy / exact": goal / case.least}
     fewest = STEPS[0]

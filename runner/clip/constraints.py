@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 from pydantic import ValidationError
@@ -19,6 +20,7 @@ from .table import PenaltyTable, spoken
 CARRIED = ("flight", "support", "peak")  # on by default where keyframes tell what carries the figure
 ROOT_WEIGHT_CARRIED = 0.45  # of "root", which flight and support then know better
 ANY = {option for kind in KINDS.values() for option in kind.options.model_fields}
+NO_CYCLE = "no cycle: that takes three keyframes that fix every joint, not all alike, and one free joint or none"
 DEEP = 0.02  # [m] of a sole point in something, by a keyframe, from which on the user is told
 
 
@@ -47,20 +49,34 @@ def chosen(entries: Sequence[PenaltyTable], place: str) -> dict[str, Options]:
     return found
 
 
-def constraints(context: Context, entries: Sequence[PenaltyTable]) -> tuple[tuple[Penalty, float], ...]:
-    """The soft constraints of a clip with their weights."""
+@dataclass(frozen=True)
+class Constraints:
+    """The soft constraints of a clip with their weights, what they were made of, a line on everything to know."""
+
+    context: Context
+    penalties: tuple[tuple[Penalty, float], ...]
+    notes: tuple[str, ...]
+
+
+def constraints(context: Context, entries: Sequence[PenaltyTable]) -> Constraints:
+    """What a clip's keyframes and tables make; raises UserError for what does not fit the figure."""
     said = chosen(entries, context.place)
     default = {kind.name: kind.options(weight=kind.weight) for kind in KINDS.values() if kind.weight is not None}
     every = default | said
-    _tell(context, every, said)
+    notes = context.lacking
+    context = _asked(context, every, said)
+    if "cycle" in said and every["cycle"].weight > 0 and context.rhythm is None:
+        notes.append(NO_CYCLE)
     told = context.support is not None and context.support.tells
     absent = {kind for kind in CARRIED if kind not in said and not told}
     if told and "root" not in said:
         every["root"] = Options(weight=ROOT_WEIGHT_CARRIED)
     built = [(_made(context, kind, options), options.weight) for kind, options in every.items() if kind not in absent]
     found = [(penalty, weight) for penalty, weight in built if penalty is not None]
-    _tell_deep(context, [penalty for penalty, _ in found if isinstance(penalty, Contact) and penalty.name == "contact"])
-    return tuple((penalty, weight) for penalty, weight in found if weight > 0)
+    notes += _deep(
+        context, [penalty for penalty, _ in found if isinstance(penalty, Contact) and penalty.name == "contact"]
+    )
+    return Constraints(context, tuple((penalty, weight) for penalty, weight in found if weight > 0), tuple(notes))
 
 
 def _made(context: Context, kind: str, options: Options) -> Penalty | None:
@@ -72,18 +88,21 @@ def _made(context: Context, kind: str, options: Options) -> Penalty | None:
         raise UserError(f"{context.place}: penalty '{kind}': {error}") from None
 
 
-def _tell(context: Context, every: Mapping[str, Options], said: Mapping[str, Options]) -> None:
-    """What some options say of the whole clip: the points of its soles, its flights, its cycle."""
-    soles, flight, cycle = every["contact"], every["flight"], every["cycle"]
-    assert isinstance(soles, SoleMargin) and isinstance(flight, FlightOptions) and isinstance(cycle, CycleOptions)
+def _asked(context: Context, every: Mapping[str, Options], said: Mapping[str, Options]) -> Context:
+    """What some options say of the whole clip: the points of its soles, its limbs, its flights, its cycle."""
+    soles, bend, flight, cycle = (every[kind] for kind in ("contact", "bend", "flight", "cycle"))
+    assert isinstance(soles, SoleMargin) and isinstance(bend, BendOptions)
+    assert isinstance(flight, FlightOptions) and isinstance(cycle, CycleOptions)
     if soles.points is not None:
-        context.points = context.sites(soles.points)
-    context.support = context.carried_when(flight.intervals, "flight" in said)
-    context.rhythm = context.cycle(cycle.period, "cycle" in said) if cycle.weight > 0 else None
+        context = replace(context, points=context.sites(soles.points))
+    if bend.joints is not None:
+        context = replace(context, bends=context.limbs(bend.joints))
+    context = replace(context, support=context.carried_when(flight.intervals, "flight" in said))
+    return replace(context, rhythm=context.cycle(cycle.period, "cycle" in said)) if cycle.weight > 0 else context
 
 
-def _tell_deep(context: Context, found: Sequence[Contact]) -> None:
-    """Notes of keyframes that drive a foot into something: the motion goes through them all the same."""
+def _deep(context: Context, found: Sequence[Contact]) -> Iterator[str]:
+    """A line on keyframes that drive a foot into something: the motion goes through them all the same."""
     for contact in found:
         if contact.allowed is None or not contact.allowed.excess.any():
             continue
@@ -97,7 +116,7 @@ def _tell_deep(context: Context, found: Sequence[Contact]) -> None:
         point, frame = contact.points[int(inside[:, worst].argmax())], context.keys.frames[worst]
         others = int(np.sum(deepest > DEEP)) - 1
         more = f", as do {others} more keyframe{'s' if others > 1 else ''}" if others else ""
-        context.notes.append(
+        yield (
             f"keyframe {worst + 1} (t = {frame.time:g} s) puts {point.name} {1000 * deepest[worst]:.0f} mm deep "
             f"into something solid{more}; keyframes are met exactly, so there it goes"
         )

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -12,6 +14,7 @@ from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.penalty import (
     Bend,
+    Hold,
     Lean,
     Placed,
     Stance,
@@ -29,7 +32,7 @@ from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.points import Point, body_points
 
 from ..errors import UserError, unknown
-from .contacts import contacts
+from .contacts import Contacts, contacts
 from .holds import holds
 from .posing.feet import sole_points
 from .posing.places import Places
@@ -38,43 +41,71 @@ from .table import ContactTable, HoldTable
 KNEES, ELBOWS = ("knee", "shin"), ("elbow", "forearm", "farm")
 
 
+@dataclass(frozen=True, eq=False)
 class Context:
     """What there is to make soft constraints of.
 
-    points   of the soles, or the sites that the clip names for `contact`
-    bends    knees and elbows on ball joints
-    support  what carries the figure when, for one that moves freely
-    rhythm   the cycle that the keyframes are parts of, if they are
-    notes    gets a line for what the user should know
+    place     how errors call the clip
+    points    of the soles, or the sites that the clip names for `contact`
+    bends     knees and elbows on ball joints, or those that the clip names for `bend`
+    contacts  that the clip gives;  holds, too;  placed, the points that it leaves to the search to place
+    support   what carries the figure when, for one that moves freely
+    rhythm    the cycle that the keyframes are parts of, if they are
     """
 
-    def __init__(
-        self,
+    figure: Figure
+    keys: Timeline
+    surfaces: tuple[Surface, ...]
+    place: str
+    points: tuple[Point, ...] = ()
+    bends: tuple[Bend, ...] = ()
+    contacts: Contacts = Contacts()  # noqa: RUF009 - never changed
+    holds: tuple[Hold, ...] = ()
+    placed: tuple[Placed, ...] = ()
+    support: Support | None = None
+    rhythm: Rhythm | None = None
+
+    @classmethod
+    def of(
+        cls,
         figure: Figure,
         keys: Timeline,
         surfaces: tuple[Surface, ...],
-        notes: list[str],
         place: str,
         placed: tuple[Placed, ...] = (),
         tables: Sequence[ContactTable] = (),
         held: Sequence[HoldTable] = (),
-    ) -> None:
-        self.figure, self.keys, self.surfaces, self.notes, self.place = figure, keys, surfaces, notes, place
-        self.placed = placed
+    ) -> Context:
+        """What keyframes and tables say, before anything is asked of it by [[penalty]] tables."""
         whole = [figure.to_qpos(frame.state) for frame in keys.frames if frame.fixed.all()]
-        self.points = sole_points(figure, np.reshape(whole, (-1, figure.width)))
-        self.bends = tuple(knees_and_elbows(figure))
-        self.contacts = contacts(figure, keys, tables, place, self.points, surfaces)
-        self.holds = holds(figure, keys, held, place, self.points)
-        self.carried = carried_links(figure, self.holds)
-        self.support: Support | None = None
-        self.rhythm: Rhythm | None = None
-        if not surfaces:
-            notes.append("no static geom found: nothing to stay out of")
-        if not self.points and _is_free(figure):
-            notes.append("no feet found, nor a site named heel or toe: no contact points")
-        if not self.bends and figure.tables.ball_links.size:
-            notes.append("no knee, shin, elbow or forearm on a ball joint found: no limits on bending")
+        points = sole_points(figure, np.reshape(whole, (-1, figure.width)))
+        given = contacts(figure, keys, tables, place, points, surfaces)
+        bends = tuple(knees_and_elbows(figure))
+        return cls(
+            figure, keys, surfaces, place, points, bends, given, holds(figure, keys, held, place, points), placed
+        )
+
+    @property
+    def lacking(self) -> list[str]:
+        """A line on everything that figures commonly have and this one has not."""
+        lines: list[str] = []
+        if not self.surfaces:
+            lines.append("no static geom found: nothing to stay out of")
+        if not self.points and self.is_free:
+            lines.append("no feet found, nor a site named heel or toe: no contact points")
+        if not self.bends and self.figure.tables.ball_links.size:
+            lines.append("no knee, shin, elbow or forearm on a ball joint found: no limits on bending")
+        return lines
+
+    @property
+    def is_free(self) -> bool:
+        """Whether the figure may move about on a ground."""
+        return bool(self.figure.tables.free_links.size)
+
+    @cached_property
+    def carried(self) -> tuple[int, ...]:
+        """The links that hands hold."""
+        return tuple(carried_links(self.figure, self.holds))
 
     def own(self, points: Sequence[Point]) -> tuple[Point, ...]:
         """The points that are not of what is carried."""
@@ -129,18 +160,14 @@ class Context:
         gait = Gait(self.figure, self.keys, self.points, self.surfaces)
         if not asked:
             return gait.told()
-        found = gait.likeliest() if period is None else gait.given(period)
-        if found is None:
-            self.notes.append(
-                "no cycle: that takes three keyframes that fix every joint, not all alike, and one free joint or none"
-            )
-        return found
+        return gait.likeliest() if period is None else gait.given(period)
 
     def _stands(self, root: int) -> bool:
         """Whether sole points are on the tree of a free link."""
         return any(self.figure.tables.path[point.link, root] for point in self.points)
 
-    def sites(self, names: list[str]) -> tuple[Point, ...]:
+    def sites(self, names: Sequence[str]) -> tuple[Point, ...]:
+        """Points by name. Raises UserError for one that the figure has not."""
         places, found = Places(self.figure, self.points), list[Point]()
         for name in names:
             point = places.point(name)
@@ -149,10 +176,13 @@ class Context:
             found.append(point)
         return tuple(found)
 
-
-def _is_free(figure: Figure) -> bool:
-    """Whether it may move about on a ground."""
-    return bool(figure.tables.free_links.size)
+    def limbs(self, names: Sequence[str]) -> tuple[Bend, ...]:
+        """Knees and elbows by the name of their joint. Raises UserError for one that the figure has not."""
+        known = {bend.name: bend for bend in self.bends}
+        for name in names:
+            if name not in known:
+                raise UserError(f"{self.place}: penalty 'bend': {unknown('joint', name, known)}")
+        return tuple(known[name] for name in names)
 
 
 def knees_and_elbows(figure: Figure) -> list[Bend]:

@@ -148,12 +148,6 @@ def _contact(context: Context, chosen: SoleMargin) -> Penalty | None:
 
 
 def _bend(context: Context, chosen: BendOptions) -> Penalty | None:
-    if chosen.joints is not None:
-        known = {bend.name: bend for bend in context.bends}
-        for name in chosen.joints:
-            if name not in known:
-                raise UserError(f"{context.place}: penalty 'bend': {unknown('joint', name, known)}")
-        context.bends = tuple(known[name] for name in chosen.joints)
     return limits(context.bends, chosen).allowing(context.figure, context.keys) if context.bends else None
 
 

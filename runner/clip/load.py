@@ -22,15 +22,13 @@ from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.curve.frame import Frame, TimelineError
 from dynsplines.solver.curve.quadrature import Quadrature
 from dynsplines.solver.curve.seam import Seam
-from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure, FigureError, JointKind, quaternion_columns
-from dynsplines.solver.inbetween import FEW, Settings
-from dynsplines.solver.penalty import Bend, Hold, Penalty, Placed, Rest, Support
+from dynsplines.solver.penalty import Penalty, Placed
 from dynsplines.solver.posing import entries
+from dynsplines.solver.problem import FEW, Problem, Settings
 from dynsplines.solver.refine.subdivision import CRITERIA
 from dynsplines.solver.search.descent import check_method
-from dynsplines.solver.surface import Surface, static_surfaces
-from dynsplines.solver.surface.points import Point
+from dynsplines.solver.surface import static_surfaces
 
 from ..errors import UserError, unknown
 from ..motion import Saved, read_arrays
@@ -38,7 +36,7 @@ from ..scene.assets import Scene
 from ..scene.compose import Step, compose, figure_spec, first_line, quietly, spec_joint_names
 from ..scene.configuration import first_wrong
 from .constraints import chosen, constraints, posing_bends
-from .contacts import rests
+from .contacts import Contacts, rests
 from .context import Context
 from .holds import asked
 from .obstacles import obstacles
@@ -66,42 +64,54 @@ LONGEST = 600.0  # [s] from the first keyframe to the last
 class Clip:
     """A problem ready to solve, and what the report looks at.
 
-    text    the TOML text (empty for MJCF and NPZ clips)
-    scene   the complete MJCF of figure and scene, with the files that it refers to
-    travel  (3,) [m] how far a loop's root comes in a period; None: as the keyframes say
-    turn    [rad] by how much it is turned about the vertical by then; None: as the keyframes say
-    points  the sole points that stand on surfaces; bends: knees and elbows
-    support  what carries the figure when; None without a free joint
-    notes   one line each on what was looked for and not found
-    placed  points that keyframes leave to the search to place
-    contacts, holds  the clip's own
+    text     the TOML text (empty for MJCF and NPZ clips)
+    scene    the complete MJCF of figure and scene, with the files that it refers to
+    problem  what is to be solved: figure, keyframes, soft constraints, settings, ends
+    context  what the soft constraints were made of: soles, knees and elbows, contacts, holds, flights, a cycle
+    notes    one line each on what was looked for and not found
     """
 
     name: str
     text: str
     scene: Scene
-    figure: Figure
     fps: float
-    keys: tuple[Frame, ...]
-    penalties: tuple[tuple[Penalty, float], ...]
-    settings: Settings
-    ends: str
-    end_slope: Array | None
-    travel: tuple[float, float, float] | None
-    turn: float | None
-    surfaces: tuple[Surface, ...]
-    points: tuple[Point, ...]
-    bends: tuple[Bend, ...]
-    support: Support | None
+    problem: Problem
+    context: Context
     notes: tuple[str, ...]
-    placed: tuple[Placed, ...] = ()
-    contacts: tuple[Rest, ...] = ()
-    holds: tuple[Hold, ...] = ()
+
+    @property
+    def figure(self) -> Figure:
+        """Whose motion it is."""
+        return self.problem.figure
+
+    @property
+    def keys(self) -> tuple[Frame, ...]:
+        """The keyframes."""
+        return tuple(self.problem.keys)
+
+    @property
+    def penalties(self) -> tuple[tuple[Penalty, float], ...]:
+        """The soft constraints with their weights."""
+        return tuple(self.problem.penalties)
+
+    @property
+    def settings(self) -> Settings:
+        """How the search goes."""
+        return self.problem.settings
+
+    @property
+    def ends(self) -> str:
+        """ "free", "clamped" or "periodic" """
+        return self.problem.ends
 
     @property
     def mjcf(self) -> str:
         """The complete MJCF text."""
         return self.scene.mjcf
+
+    def asking(self, **changes: Any) -> Clip:
+        """The same clip with fields of its problem changed: penalties, settings, ends."""
+        return replace(self, problem=replace(self.problem, **changes))
 
     def __repr__(self) -> str:
         """ "<Clip run_and_step: 2.20 s, 12 keyframes (3 partial), 15 penalties, 39 DOF>" """
@@ -270,15 +280,17 @@ def answered(saved: Saved) -> Clip:
         return of_motion(saved, contacts=True)
     except UserError:
         clip, table = of_motion(saved), table_of(saved.text, saved.name)
-        resting, held = rests(saved.figure, table.contact, clip.points), asked(saved.figure, table.hold, clip.points)
-        return replace(clip, contacts=resting, holds=held)
+        points = clip.context.points
+        given = Contacts(given=rests(saved.figure, table.contact, points))
+        held = asked(saved.figure, table.hold, points)
+        return replace(clip, context=replace(clip.context, contacts=given, holds=held))
 
 
 def with_keys(clip: Clip, keys: Sequence[Frame]) -> Clip:
     """The same clip through other keyframes; what was found from the old ones is found again, poses too."""
     table = ClipTable.model_validate(tomllib.loads(clip.text)) if clip.text else None
     times = {key.time for key in keys}
-    placed = tuple(point for point in clip.placed if point.time in times)
+    placed = tuple(point for point in clip.context.placed if point.time in times)
     keys = [replace(key, posed=None) for key in keys]
     if table is not None:
         keys = _stander(clip.figure, table, clip.name).stood(keys, placed)
@@ -304,23 +316,23 @@ def _clip(
 ) -> Clip:
     solve = solve or (SolveTable() if table is None else table.solve)
     try:
-        slope = np.zeros((2, figure.width))
-        timeline = raw_timeline(figure, keys, solve.ends, slope, solve.travel, radians(solve.turn))
-        settings = _settings(solve, [key.time for key in keys])
+        problem = _problem(figure, keys, solve)
+        timeline = problem.raw
     except (TimelineError, ValueError) as error:
         raise UserError(f"{place}: {error}") from None
     surfaces = static_surfaces(figure.model)
-    notes = complaints(figure, timeline, keys)
+    complained = complaints(figure, timeline, keys)
     contact, held, penalty = ([], [], []) if table is None else (table.contact, table.hold, table.penalty)
-    context = Context(figure, timeline, surfaces, notes, place, placed, contact, held)
-    penalties = constraints(context, penalty)
-    return Clip(
-        name, text, scene, figure, fps, tuple(keys), penalties, settings, solve.ends,
-        np.zeros((2, figure.width)) if solve.ends == "clamped" else None, solve.travel,
-        radians(solve.turn), surfaces,
-        context.points, context.bends, context.support, tuple(notes), placed, context.contacts.given,
-        context.holds,
-    )  # fmt: skip
+    found = constraints(Context.of(figure, timeline, surfaces, place, placed, contact, held), penalty)
+    problem = replace(problem, penalties=found.penalties)
+    return Clip(name, text, scene, fps, problem, found.context, (*complained, *found.notes))
+
+
+def _problem(figure: Figure, keys: Sequence[Frame], solve: SolveTable) -> Problem:
+    """What [solve] says of the keyframes, without soft constraints yet."""
+    settings = _settings(solve, [key.time for key in keys])
+    slope = np.zeros((2, figure.width)) if solve.ends == "clamped" else None
+    return Problem(figure, tuple(keys), (), settings, solve.ends, slope, solve.travel, radians(solve.turn))
 
 
 def _figure(scene: Scene, coordinates: str, place: str) -> Figure:

@@ -17,9 +17,9 @@ from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.edit import join, retime
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.inbetween import Motion, renormalised
-from dynsplines.solver.objective import Objective
+from dynsplines.solver.problem import renormalised
 from dynsplines.solver.search.descent import optimised
+from dynsplines.solver.solution import Solution
 
 from ..clip import load as clips
 from ..clip.load import Clip
@@ -179,9 +179,8 @@ def _transition(saved: Saved, one: Timeline, two: Timeline, ends: tuple[Frame, F
     """The in-between from the end of one timeline to the start of the other, weighed as in the first motion."""
     count = max(LEAST_FRAMES, round((ends[1].time - ends[0].time) / FRAME_SECONDS))
     begin = join.bridge(saved.figure, one, two, variable=count)
-    problem = clips.of_motion(replace(saved, keys=ends, timeline=one))
-    objective = Objective.of(saved.figure, problem.penalties, quadrature=problem.settings.quadrature)
-    objective = renormalised(objective, saved.raw)
+    clip = clips.of_motion(replace(saved, keys=ends, timeline=one))
+    objective = renormalised(clip.problem.plain_objective, saved.raw)
     teller.step("solving the transition", 0.0, force=True)
     return optimised(objective, begin, tolerance=TOLERANCE)
 
@@ -210,12 +209,11 @@ def check_alike(before: Clip | Saved, after: Clip | Saved) -> None:
 
 def measured(saved: Saved, teller: Teller, edit: str) -> Saved:
     """A motion with the report that belongs to it; `edit` says why no search stopped, where none did."""
-    problem = clips.answered(saved)
-    objective = Objective.of(saved.figure, problem.penalties, quadrature=problem.settings.quadrature)
-    objective = renormalised(objective, saved.raw)
+    clip = clips.answered(saved)
+    objective = renormalised(clip.problem.plain_objective, saved.raw)
     evaluations = saved.search.get("evaluations", 0)
-    found = Motion(saved.figure, objective, saved.timeline, saved.raw, (), evaluations, stop_of(saved))
-    again = Solved(problem, found, saved.search.get("seconds")).saved(teller)
+    found = Solution(saved.figure, objective, saved.timeline, saved.raw, (), evaluations, stop_of(saved))
+    again = Solved(clip, found, saved.search.get("seconds")).saved(teller)
     return replace(saved, report=again.report | {"stopped because": saved.search.get("stopped because", edit)})
 
 

@@ -17,13 +17,13 @@ from ..clip.mirror import mirrored_tables
 from ..clip.text import tables, written
 from ..errors import UserError
 from ..measure import problems
-from ..measure.problems import Problem
+from ..measure.problems import Flaw
 from ..motion import Saved
 from ..system.output import Replacement, check_target
 from ..system.progress import Teller
 from . import edits
 
-Problems = tuple[Problem, ...]
+Problems = tuple[Flaw, ...]
 
 
 @dataclass(frozen=True)

@@ -55,7 +55,7 @@ class Forces:
     @classmethod
     def of(cls, take: Take) -> Forces:
         saved = take.saved
-        support = clip.answered(saved).support
+        support = clip.answered(saved).context.support
         stiff = None if support is None else replace(support, softness=STIFF)
         return cls(take, samples_at(saved.figure, path_of(saved.timeline), take.time), stiff)
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 import mujoco
@@ -46,7 +45,7 @@ def imported(
     found = clips.from_qpos(stem(source), compose(spec), told.time, told.qpos, rate, source.name)
     if told.loops:
         try:
-            return unsolved(replace(found, ends="periodic")).saved(teller, with_report=False)
+            return unsolved(found.asking(ends="periodic")).saved(teller, with_report=False)
         except TimelineError:
             teller.say("note: the file says that it loops, but its last pose is not its first; it is read as it is")
     return unsolved(found).saved(teller, with_report=False)

@@ -8,8 +8,8 @@ import numpy as np
 
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.inbetween import Motion
 from dynsplines.solver.refine.euler_lagrange import residual
+from dynsplines.solver.solution import Solution
 from dynsplines.solver.surface.points import places_of
 
 from ..clip.load import Clip
@@ -19,22 +19,22 @@ RATE = 250.0
 TENTHS = 10
 
 
-def curves(clip: Clip, motion: Motion) -> dict[str, Any]:
+def curves(clip: Clip, motion: Solution) -> dict[str, Any]:
     """Foot heights, lengths of quaternions and EL deviation over tenths, of both motions; plain lists."""
     before = _side(clip, motion, motion.raw)
     return {"before": before, "after": before if motion.is_raw else _side(clip, motion, motion.timeline)}
 
 
-def _side(clip: Clip, motion: Motion, timeline: Timeline) -> dict[str, Any]:
+def _side(clip: Clip, motion: Solution, timeline: Timeline) -> dict[str, Any]:
     first, last = float(timeline.times[0]), float(timeline.times[-1])
     time = np.linspace(first, last, max(2, round((last - first) * RATE) + 1))
     samples = samples_at(clip.figure, path_of(timeline), time)
     heights: dict[str, list[float]] = {}
-    if clip.points and clip.surfaces:
-        centres, _, _ = places_of(clip.points, samples)
-        height = np.min([surface.height(centres) for surface in clip.surfaces], axis=0)
+    if clip.context.points and clip.context.surfaces:
+        centres, _, _ = places_of(clip.context.points, samples)
+        height = np.min([surface.height(centres) for surface in clip.context.surfaces], axis=0)
         rows = np.where(np.isfinite(height), height, 10.0).round(5)
-        heights = {point.name: row.tolist() for point, row in zip(clip.points, rows, strict=True)}
+        heights = {point.name: row.tolist() for point, row in zip(clip.context.points, rows, strict=True)}
     length = np.linalg.norm(samples.q, axis=0)
     if not length.size:
         length = np.ones((1, time.size))

@@ -20,7 +20,7 @@ def hold_rows(clip: Clip, timeline: Timeline, rate: float) -> list[dict[str, Any
     """Every hold that the clip gives: how far its site gets on the body from where it was when it took hold, on a grid
     of so many times a second."""
     out = []
-    for hold in clip.holds:
+    for hold in clip.context.holds:
         time = np.linspace(hold.first, hold.last, max(3, round((hold.last - hold.first) * rate)))
         track = slipped(samples_at(clip.figure, path_of(timeline), time), hold)
         moved = np.linalg.norm(track - track[:, :1], axis=0)
@@ -31,7 +31,7 @@ def hold_rows(clip: Clip, timeline: Timeline, rate: float) -> list[dict[str, Any
 
 def in_carried(clip: Clip, time: Array, qpos: Array) -> dict[str, Any]:
     """The deepest that the figure is in what it carries along qpos (T, nq), by MuJoCo; empty if it holds nothing."""
-    model, links = clip.figure.model, carried_links(clip.figure, clip.holds)
+    model, links = clip.figure.model, carried_links(clip.figure, clip.context.holds)
     if not links:
         return {}
     movers = np.array(moving_geoms(model), np.intp)

@@ -51,7 +51,7 @@ ROUNDING = 1e-9  # [s]
 
 
 @dataclass(frozen=True)
-class Problem:
+class Flaw:
     """One thing that is wrong.
 
     kind      of `dynsplines.measure.bounds.BOUNDS`
@@ -80,7 +80,7 @@ class Problem:
         return self.text
 
 
-def problems(clip: Clip, timeline: Timeline, raw: Timeline, stop: Stop = Stop.CONVERGED) -> tuple[Problem, ...]:
+def problems(clip: Clip, timeline: Timeline, raw: Timeline, stop: Stop = Stop.CONVERGED) -> tuple[Flaw, ...]:
     """What is wrong with a timeline that is to answer a clip, worst first.
 
     raw   the raw spline through its keyframes, by which a whip is told
@@ -90,11 +90,11 @@ def problems(clip: Clip, timeline: Timeline, raw: Timeline, stop: Stop = Stop.CO
     if stop in (Stop.BUDGET, Stop.STUCK):
         bound = BOUNDS["search"]
         text = f"the search ended before it was done: {stop.value}"
-        found.append(Problem("search", stop.name.lower(), None, bound.most, bound.unit, bound.most, None, text))
+        found.append(Flaw("search", stop.name.lower(), None, bound.most, bound.unit, bound.most, None, text))
     return tuple(sorted(found, key=lambda problem: -problem.severity))
 
 
-def of_motion(saved: Saved) -> tuple[Problem, ...]:
+def of_motion(saved: Saved) -> tuple[Flaw, ...]:
     """What is wrong with a motion, by what its file holds."""
     try:
         clip = clips.answered(saved)
@@ -113,10 +113,10 @@ def is_recording(saved: Saved) -> bool:
     return not saved.search and saved.timeline.variable_count == 0
 
 
-def lines(found: Sequence[Problem], file: object = None) -> list[str]:
+def lines(found: Sequence[Flaw], file: object = None) -> list[str]:
     """For the terminal: a line each of the worst, and how many more there are."""
     told: dict[tuple[str, int], int] = {}
-    first: list[Problem] = []
+    first: list[Flaw] = []
     for problem in found:
         if problem.keyframe is not None:
             place = problem.kind, problem.keyframe
@@ -132,17 +132,17 @@ def lines(found: Sequence[Problem], file: object = None) -> list[str]:
     return [*out, f"... and {more} more" + (f": dynsplines report {file}" if file else "")] if more > 0 else out
 
 
-def plain(found: Sequence[Problem]) -> list[dict[str, Any]]:
+def plain(found: Sequence[Flaw]) -> list[dict[str, Any]]:
     """For JSON."""
     return [asdict(problem) for problem in found]
 
 
-def _found(clip: Clip, timeline: Timeline, raw: Timeline) -> Iterator[Problem]:
+def _found(clip: Clip, timeline: Timeline, raw: Timeline) -> Iterator[Flaw]:
     figure, path = clip.figure, path_of(timeline)
     key_times = np.array([key.time for key in clip.keys])
     held = list(_held(clip, timeline))
     ends = [t for each in held for stance in each.stances for t in (stance.first, stance.last)]
-    ends += [t for hold in clip.holds for t in (hold.first, hold.last)]
+    ends += [t for hold in clip.context.holds for t in (hold.first, hold.last)]
     time = _grid(timeline, key_times, ends)
     grid, keys = samples_at(figure, path, time), samples_at(figure, path, key_times)
     raw_peak = _peak(samples_at(figure, path_of(raw), time))
@@ -154,9 +154,12 @@ def _found(clip: Clip, timeline: Timeline, raw: Timeline) -> Iterator[Problem]:
 
 def _slips(clip: Clip, timeline: Timeline) -> Iterator[Measure]:
     """The clip's holds, beside where they began."""
-    if clip.holds:
+    held = clip.context.holds
+    if held:
         placed = measures.links_placed(clip.figure, np.array([key.fixed for key in clip.keys]))
-        yield measures.slips(clip.holds, [begun(clip.figure, timeline, hold) for hold in clip.holds], placed)
+        yield measures.slips(
+            clip.context.holds, [begun(clip.figure, timeline, hold) for hold in clip.context.holds], placed
+        )
 
 
 def begun(figure: Figure, timeline: Timeline, hold: Hold) -> Array:
@@ -181,10 +184,10 @@ def _measures(clip: Clip, raw_peak: float) -> Iterator[Measure]:
     figure, fixed = clip.figure, np.array([key.fixed for key in clip.keys])
     placed = measures.links_placed(figure, fixed)
     parts = list(_parts(clip))
-    yield measures.Sunk(_kept_out(clip, parts), frozenset(point.name for point in clip.points), placed)
+    yield measures.Sunk(_kept_out(clip, parts), frozenset(point.name for point in clip.context.points), placed)
     rests = [rest for part in parts if isinstance(part, Resting) for rest in part.rests]
     optional: tuple[Measure | None, ...] = (
-        measures.hovering(rests, clip.surfaces, placed) if rests and clip.surfaces else None,
+        measures.hovering(rests, clip.context.surfaces, placed) if rests and clip.context.surfaces else None,
         measures.ranges(figure, fixed),
         measures.coupled(figure, fixed),
         measures.torn(figure, placed),
@@ -210,10 +213,10 @@ def _kept_out(clip: Clip, parts: Sequence[Penalty]) -> tuple[Contact, ...]:
     found = [part for part in parts if isinstance(part, Contact)]
     names = {part.name for part in found}
     if "contact" not in names:
-        found.append(Contact(clip.points, clip.surfaces))
+        found.append(Contact(clip.context.points, clip.context.surfaces))
     if "clearance" not in names:
         body, bolted = body_points(clip.figure), bolted_links(clip.figure)
-        for surface in clip.surfaces:
+        for surface in clip.context.surfaces:
             links = bolted.get(surface.name, frozenset())
             found.append(Contact(tuple(point for point in body if point.link not in links), (surface,)))
     return tuple(part for part in found if part.points and part.surfaces)
@@ -224,13 +227,17 @@ def _held(clip: Clip, timeline: Timeline) -> Iterator[measures.Held]:
     figure, fixed = clip.figure, np.array([key.fixed for key in clip.keys])
     placed = measures.links_placed(figure, fixed)
     known = [part.stances for part in _parts(clip) if isinstance(part, Planted)]
-    pieces = [list(_pieces(clip, rest, known, timeline)) for rest in clip.contacts]
+    pieces = [list(_pieces(clip, rest, known, timeline)) for rest in clip.context.contacts.given]
     if pieces:
         groups = np.repeat(np.arange(len(pieces)), [len(some) for some in pieces])
         says = [f"contact {stance.point.name} moves {{}} while it should rest" for some in pieces for stance in some]
         flat = tuple(stance for some in pieces for stance in some)
         yield measures.Held("contact", flat, groups, tuple(says), placed)
-    told = [stance for stance in _told(clip, timeline) if not any(_same(stance, rest) for rest in clip.contacts)]
+    told = [
+        stance
+        for stance in _told(clip, timeline)
+        if not any(_same(stance, rest) for rest in clip.context.contacts.given)
+    ]
     if told:
         feet = [(stance.point.link, stance.first) for stance in told]
         _, groups = np.unique(feet, axis=0, return_inverse=True)
@@ -242,7 +249,9 @@ def _told(clip: Clip, timeline: Timeline) -> tuple[Stance, ...]:
     """The stances of soles that keyframes tell."""
     states = path_of(timeline).at(np.array([key.time for key in clip.keys]))
     frames = [replace(key, state=state) for key, state in zip(clip.keys, states, strict=True)]
-    return stances(clip.figure, Timeline(tuple(frames), np.zeros((2, timeline.width))), clip.points, clip.surfaces)
+    return stances(
+        clip.figure, Timeline(tuple(frames), np.zeros((2, timeline.width))), clip.context.points, clip.context.surfaces
+    )
 
 
 def _same(stance: Stance, rest: Rest) -> bool:
@@ -264,7 +273,7 @@ def _pieces(clip: Clip, rest: Rest, known: Sequence[Sequence[Stance]], timeline:
     yield Stance(rest.point, rest.first, rest.last, spot, spot)
 
 
-def _drifts(held: Sequence[measures.Held], key_times: Array) -> Iterator[Problem]:
+def _drifts(held: Sequence[measures.Held], key_times: Array) -> Iterator[Flaw]:
     """Keyframes that put a point that is to rest somewhere else than the keyframe before."""
     for measure in held:
         bound = BOUNDS[measure.kind].most
@@ -280,9 +289,9 @@ def _drifts(held: Sequence[measures.Held], key_times: Array) -> Iterator[Problem
             yield _problem(Row(measure.kind, name, says, bound), drift, stance.last, k + 1)
 
 
-def _misses(clip: Clip, timeline: Timeline) -> Iterator[Problem]:
+def _misses(clip: Clip, timeline: Timeline) -> Iterator[Flaw]:
     """Points that were left to the search and are not where they were to be."""
-    for point in clip.placed:
+    for point in clip.context.placed:
         samples = samples_at(clip.figure, path_of(timeline), np.array([point.time]))
         away = float(np.linalg.norm(Placement((point,)).away(samples)[1]))
         name, bound = point.point.name, BOUNDS["placement"].most
@@ -290,7 +299,7 @@ def _misses(clip: Clip, timeline: Timeline) -> Iterator[Problem]:
             yield _problem(Row("placement", name, f"{name} is {{}} off its place", bound), away, point.time)
 
 
-def _worst(measure: Measure, grid: Samples, keys: Samples) -> Iterator[Problem]:
+def _worst(measure: Measure, grid: Samples, keys: Samples) -> Iterator[Flaw]:
     """The worst of every group that keyframes say, each, and that the path adds."""
     groups = measure.groups
     said = _said(measure, keys)
@@ -350,12 +359,12 @@ def _beyond_keyframes(measure: Measure, hits: Hits, time: Array, key_times: Arra
     return Hits(hits.row[kept], hits.at[kept], hits.amount[kept])
 
 
-def _problem(row: Row, amount: float, time: float | None, keyframe: int | None = None) -> Problem:
+def _problem(row: Row, amount: float, time: float | None, keyframe: int | None = None) -> Flaw:
     unit = BOUNDS[row.kind].unit
     text = row.says.format(_spoken(amount, unit)) + ("" if time is None else f" at {time:.2f} s")
     if keyframe is not None:
         text = f"keyframe {keyframe} itself: {text}"
-    return Problem(row.kind, row.name, time, amount, unit, row.bound, keyframe, text)
+    return Flaw(row.kind, row.name, time, amount, unit, row.bound, keyframe, text)
 
 
 def _spoken(amount: float, unit: str) -> str:

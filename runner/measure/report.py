@@ -24,7 +24,6 @@ from dynsplines.solver.figure.dynamics import generalised_forces
 from dynsplines.solver.figure.figure import JointKind
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.wrench import RootWrench
-from dynsplines.solver.inbetween import Motion
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import (
     BendLimits,
@@ -43,6 +42,7 @@ from dynsplines.solver.penalty import (
 from dynsplines.solver.refine.displacement import displacement
 from dynsplines.solver.refine.euler_lagrange import residual
 from dynsplines.solver.refine.subdivision import by_weak_form
+from dynsplines.solver.solution import Solution
 from dynsplines.solver.surface import Box
 from dynsplines.solver.surface.points import places_of
 from dynsplines.solver.surface.touch import counts_all
@@ -81,7 +81,7 @@ class Grid:
 
 
 def report(
-    clip: Clip, motion: Motion, seconds: float | None, told: Callable[[int, int], None] | None = None
+    clip: Clip, motion: Solution, seconds: float | None, told: Callable[[int, int], None] | None = None
 ) -> dict[str, Any]:
     """The whole report of a solved clip; `seconds` is what the solve took, where that is known; `told`
     hears of the local solves' progress.
@@ -171,29 +171,29 @@ def _side(clip: Clip, objective: Objective, timeline: Timeline, grid: Grid) -> d
 
 def _heights(clip: Clip, grid: Grid) -> Array:
     """(n, T) height of the contact points over the surface below them [m]."""
-    centres, _, _ = places_of(clip.points, grid.samples)
-    return np.min([surface.height(centres) for surface in clip.surfaces], axis=0)
+    centres, _, _ = places_of(clip.context.points, grid.samples)
+    return np.min([surface.height(centres) for surface in clip.context.surfaces], axis=0)
 
 
 def _point_depths(clip: Clip, grid: Grid) -> dict[str, float]:
-    if not clip.points or not clip.surfaces:
+    if not clip.context.points or not clip.context.surfaces:
         return {}
-    centres, _, _ = places_of(clip.points, grid.samples)
-    depth = np.max([surface.inside(centres) for surface in clip.surfaces], axis=0)
-    return {point.name: float(d) for point, d in zip(clip.points, depth.max(axis=1), strict=True)}
+    centres, _, _ = places_of(clip.context.points, grid.samples)
+    depth = np.max([surface.inside(centres) for surface in clip.context.surfaces], axis=0)
+    return {point.name: float(d) for point, d in zip(clip.context.points, depth.max(axis=1), strict=True)}
 
 
 def _bend_report(clip: Clip, grid: Grid) -> dict[str, dict[str, float]]:
-    if not clip.bends:
+    if not clip.context.bends:
         return {}
-    flexion, sideways, twist = np.degrees(BendLimits(clip.bends).angles(grid.samples))
+    flexion, sideways, twist = np.degrees(BendLimits(clip.context.bends).angles(grid.samples))
     return {
         bend.name: {
             "backward": float(max(0.0, -flexion[i].min())),
             "sideways": float(np.abs(sideways[i]).max()),
             "twist": float(np.abs(twist[i]).max()),
         }
-        for i, bend in enumerate(clip.bends)
+        for i, bend in enumerate(clip.context.bends)
     }
 
 
@@ -240,15 +240,15 @@ def _equality_report(clip: Clip, grid: Grid) -> dict[str, Any]:
 
 def _skate(clip: Clip, grid: Grid) -> dict[str, dict[str, float]]:
     """Horizontal path of each contact point while within 1 cm of its surface, and its mean speed there."""
-    if not clip.points or not clip.surfaces:
+    if not clip.context.points or not clip.context.surfaces:
         return {}
-    centres, _, _ = places_of(clip.points, grid.samples)
+    centres, _, _ = places_of(clip.context.points, grid.samples)
     low = np.abs(_heights(clip, grid)) < RESTING
     steps = np.linalg.norm(np.diff(centres[:2], axis=2), axis=0)
     together = low[:, 1:] & low[:, :-1]
     pace = np.diff(grid.time)
     out = {}
-    for i, point in enumerate(clip.points):
+    for i, point in enumerate(clip.context.points):
         length, rest = float(steps[i, together[i]].sum()), float(pace[together[i]].sum())
         out[point.name] = {"path, m": length, "speed, m/s": length / rest if rest > 0 else 0.0, "rest, s": rest}
     return out
@@ -257,7 +257,11 @@ def _skate(clip: Clip, grid: Grid) -> dict[str, dict[str, float]]:
 def _stance_report(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
     """Every foot that two neighbouring keyframes plant for a while: how high its lowest geom rises, and its slide."""
     keys = _key_timeline(clip, timeline)
-    found = [s for s in stances(clip.figure, keys, clip.points, clip.surfaces) if s.last - s.first > LEAST_STANCE]
+    found = [
+        s
+        for s in stances(clip.figure, keys, clip.context.points, clip.context.surfaces)
+        if s.last - s.first > LEAST_STANCE
+    ]
     groups: dict[tuple[float, float, int], list[Any]] = {}
     for stance in found:
         groups.setdefault((stance.first, stance.last, stance.point.link), []).append(stance)
@@ -280,7 +284,7 @@ def _stance_report(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
 def _contact_report(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
     """Every contact that the clip gives: how far its point gets from where it is in the middle of it, and its path."""
     out = []
-    for rest in clip.contacts:
+    for rest in clip.context.contacts.given:
         time = np.linspace(rest.first, rest.last, max(3, round((rest.last - rest.first) * RATE)))
         centres, _, _ = places_of((rest.point,), samples_at(clip.figure, path_of(timeline), time))
         track = centres[:, 0]
@@ -295,7 +299,7 @@ def _contact_report(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
 def _placement_report(clip: Clip, timeline: Timeline) -> dict[str, float]:
     """How far every point that the search was to place is from there, at its time."""
     out: dict[str, float] = {}
-    for point in clip.placed:
+    for point in clip.context.placed:
         samples = samples_at(clip.figure, path_of(timeline), np.array([point.time]))
         _, away = Placement((point,)).away(samples)
         out[f"{point.point.name} at {point.time:g} s"] = float(np.linalg.norm(away))
@@ -312,11 +316,11 @@ def _key_timeline(clip: Clip, timeline: Timeline) -> Timeline:
 def _edge_clearance(clip: Clip, grid: Grid) -> dict[str, float]:
     """Height of a foot's lowest contact point over a box's top when the foot's middle crosses the box's front edge."""
     out: dict[str, float] = {}
-    for box in (surface for surface in clip.surfaces if isinstance(surface, Box)):
+    for box in (surface for surface in clip.context.surfaces if isinstance(surface, Box)):
         edge = box.centre[0] - np.abs(box.axes[0]) @ box.half
         top = box.centre[2] + np.abs(box.axes[2]) @ box.half
-        for link in sorted({point.link for point in clip.points}):
-            points = tuple(point for point in clip.points if point.link == link)
+        for link in sorted({point.link for point in clip.context.points}):
+            points = tuple(point for point in clip.context.points if point.link == link)
             centres, _, _ = places_of(points, grid.samples)
             middle = centres[0].mean(axis=0)
             for i in np.flatnonzero((middle[:-1] < edge) & (middle[1:] >= edge)):
@@ -389,10 +393,10 @@ def _torque(grid: Grid) -> dict[str, Any]:
 
 def _support(clip: Clip, grid: Grid) -> dict[str, float]:
     """What moves the figure from outside although nothing can push: in flight, and beyond what its footings supply."""
-    if clip.support is None or not clip.support.tells:
+    if clip.context.support is None or not clip.context.support.tells:
         return {}
     # stiff, so that what is left is what cannot be supplied, and not what would cost force
-    carried = replace(clip.support, softness=STIFF)
+    carried = replace(clip.context.support, softness=STIFF)
     rest = carried.rest(grid.samples)[:, carried.known(grid.time)]
     force = np.linalg.norm(rest[:3], axis=0)
     out = {"root mean square": float(np.sqrt(np.mean(force**2)))}
@@ -417,10 +421,10 @@ def _centre_of_mass(samples: Samples) -> Array:
 
 def _far_from_trouble(clip: Clip, before: Grid, margin: float = 0.25) -> Mask:
     """Times at least `margin` [s] away from any at which the raw motion is in a box."""
-    boxes = [surface for surface in clip.surfaces if isinstance(surface, Box)]
+    boxes = [surface for surface in clip.context.surfaces if isinstance(surface, Box)]
     inside = np.zeros(before.time.size, bool)
-    if boxes and clip.points:
-        centres, _, _ = places_of(clip.points, before.samples)
+    if boxes and clip.context.points:
+        centres, _, _ = places_of(clip.context.points, before.samples)
         for box in boxes:
             inside |= (box.inside(centres) > 0).any(axis=0)
     bad = before.time[inside]
@@ -431,14 +435,14 @@ def _far_from_trouble(clip: Clip, before: Grid, margin: float = 0.25) -> Mask:
     return gaps.min(axis=0) > margin
 
 
-def _left_to_gain(motion: Motion) -> dict[str, float]:
+def _left_to_gain(motion: Solution) -> dict[str, float]:
     """About how far E is above its optimum: what frames in the middle of all segments promise, summed (weak form)."""
     promised = float(by_weak_form(motion.objective, motion.timeline).sum())
     value = motion.objective.value(motion.path)
     return {"objective": promised, "share": promised / value if value > 0 else 0.0}
 
 
-def _segments(clip: Clip, motion: Motion, told: Callable[[int, int], None] | None) -> list[dict[str, float]]:
+def _segments(clip: Clip, motion: Solution, told: Callable[[int, int], None] | None) -> list[dict[str, float]]:
     """Per segment between keyframes: EL deviation before and after, δ and what a local solve says is left (app. C)."""
     try:
         left = displacement(

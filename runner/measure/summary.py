@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from typing import Any
 
 from ..motion import Saved
-from .problems import Problem, plain
+from .problems import Flaw, plain
 
 
-def summary(saved: Saved, found: Sequence[Problem]) -> dict[str, Any]:
+def summary(saved: Saved, found: Sequence[Flaw]) -> dict[str, Any]:
     """Plain numbers for JSON; the objective where a search left its values, and what the file keeps of that search."""
     times, trace = saved.timeline.times, saved.trace
     values = {"objective before": trace[0][2], "objective": trace[-1][2]} if trace else {}

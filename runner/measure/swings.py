@@ -19,14 +19,14 @@ MOST_SHOWN = 6  # swings of a foot of which a table says every one
 
 def swings(clip: Clip, samples: Samples) -> dict[str, list[dict[str, float]]]:
     """By foot, its swings: from when to when [s], and how far its lowest point gets over the surface below it [m]."""
-    if not clip.points or not clip.surfaces:
+    if not clip.context.points or not clip.context.surfaces:
         return {}
     model, links = clip.figure.model, clip.figure.links
     found: dict[str, list[dict[str, float]]] = {}
-    for link in sorted({point.link for point in clip.points}):
-        points = tuple(point for point in clip.points if point.link == link)
+    for link in sorted({point.link for point in clip.context.points}):
+        points = tuple(point for point in clip.context.points if point.link == link)
         radii = np.array([point.radius for point in points])
-        over, _ = heights(clip.surfaces, places_of(points, samples)[0], radii)
+        over, _ = heights(clip.context.surfaces, places_of(points, samples)[0], radii)
         lowest = over.min(axis=0)
         name = model.body(links[link].body).name or links[link].name
         found[name] = [

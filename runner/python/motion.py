@@ -27,7 +27,7 @@ from ..clip.load import Clip
 from ..edit import edits, thinning
 from ..errors import UserError, unknown
 from ..measure import problems
-from ..measure.problems import Problem
+from ..measure.problems import Flaw
 from ..measure.report import tables
 from ..motion import Sampled, Saved
 from ..system.output import check_target
@@ -196,12 +196,12 @@ class Motion:
         return replace(self.saved, report=dict(self._report)) if "_report" in self.__dict__ else self.saved
 
     @property
-    def problems(self) -> list[Problem]:
+    def problems(self) -> list[Flaw]:
         """What is wrong with it, worst first, a record each; empty if all is well. Looked for once, in a moment."""
         return list(self._problems)
 
     @cached_property
-    def _problems(self) -> tuple[Problem, ...]:
+    def _problems(self) -> tuple[Flaw, ...]:
         return problems.of_motion(self.saved) if self._solved is None else self._solved.problems
 
     def apart(self, other: Motion) -> Apart:

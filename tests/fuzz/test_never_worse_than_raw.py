@@ -85,7 +85,7 @@ def drawn(seed: int) -> Clip:
     clip = clips.from_text(grammar.solvable_text(seed), name=f"drawn {seed}", spec=grammar.spec())
     evaluations, method = int(rng.choice(EVALUATIONS)), str(rng.choice([NEWTON, *METHODS]))
     settings = replace(clip.settings, max_evaluations=evaluations, method=method, frames=int(rng.choice([0, 4, 8])))
-    return replace(clip, settings=settings)
+    return clip.asking(settings=settings)
 
 
 COUNT = int(os.environ.get("DYNSPLINES_FUZZ", SHORT))

@@ -133,6 +133,7 @@ STRATA = {
         objective posing
         search
         refine
+        problem solution
         inbetween edit
     """,
     "runner": """

@@ -24,8 +24,8 @@ from dynsplines.measure.penetration import penetration
 from dynsplines.motion import continuous, sampled
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.inbetween import Motion
 from dynsplines.solver.penalty import BendLimits
+from dynsplines.solver.solution import Solution
 
 RATE = 500.0
 G = 9.81
@@ -91,7 +91,7 @@ RAW_DEPTH = {  # [m] at least, before
 @dataclass(frozen=True)
 class Move:
     clip: Clip
-    motion: Motion
+    motion: Solution
 
     @cached_property
     def time(self) -> Array:
@@ -206,8 +206,8 @@ def test_at_another_speed_contacts_and_flights_keep_their_place_in_the_move(name
     assert fast.keys[-1].time == pytest.approx(move.clip.keys[-1].time / 2)
     table, own = clips.table_of(fast.text, "fast"), clips.table_of(move.clip.text, "own")
     assert [(c.start, c.end) for c in table.contact] == [(c.start / 2, c.end / 2) for c in own.contact]
-    assert fast.support is not None and move.clip.support is not None
-    np.testing.assert_allclose(fast.support.flights, np.array(move.clip.support.flights) / 2)
+    assert fast.context.support is not None and move.clip.context.support is not None
+    np.testing.assert_allclose(fast.context.support.flights, np.array(move.clip.context.support.flights) / 2)
 
 
 @pytest.mark.slow
@@ -285,7 +285,7 @@ def test_the_hand_comes_from_above_and_is_closed_about_the_rail():
 @pytest.mark.slow
 def test_the_hands_keep_their_place_on_the_crate_to_a_tenth_of_what_they_may():
     move = solved("carry_box")
-    for hold in move.clip.holds:
+    for hold in move.clip.context.holds:
         during = (move.time >= hold.first) & (move.time <= hold.last)
         for raw in (True, False):
             track = move.on("crate", hold.point.name, raw=raw)[during]
@@ -316,8 +316,10 @@ def test_three_steps_and_a_quarter_turn_lead_to_the_crate_and_the_legs_lift_it()
     squat, upright = move.at(4.45), move.at(5.7)
     assert move.qpos[squat, 2] < 0.5 and move.qpos[upright, 2] > 0.9
     assert move.up("chest")[squat, 2] > np.cos(np.radians(60)) and move.up("chest")[upright, 2] > 0.99
-    flexion = np.degrees(BendLimits(move.clip.bends).angles(move.motion.objective.samples(move.motion.path, move.time)))
-    knees = [i for i, bend in enumerate(move.clip.bends) if "knee" in bend.name]
+    flexion = np.degrees(
+        BendLimits(move.clip.context.bends).angles(move.motion.objective.samples(move.motion.path, move.time))
+    )
+    knees = [i for i, bend in enumerate(move.clip.context.bends) if "knee" in bend.name]
     assert flexion[0][knees, squat].min() > 90
     assert np.ptp(flexion[0][knees, squat]) <= 3
 

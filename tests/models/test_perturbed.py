@@ -14,7 +14,7 @@ import pytest
 from dynsplines import work
 from dynsplines.clip import load as clips
 from dynsplines.clip.load import Clip
-from dynsplines.solver import Frame, Motion
+from dynsplines.solver import Frame, Solution
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import path_of
@@ -90,11 +90,11 @@ def test_what_a_keyframe_leaves_free_is_not_moved_and_a_loop_goes_on_closing(ben
 def test_contacts_that_moved_keyframes_contradict_are_left_out_and_the_others_kept(benchmark):
     clip = clips.load("cartwheel")
     kept = [len(benchmark.perturbed(clip, seed).contacts) for seed in range(6)]
-    assert min(kept) < len(clip.contacts)
-    assert 0 < max(kept) <= len(clip.contacts)
+    assert min(kept) < len(clip.context.contacts.given)
+    assert 0 < max(kept) <= len(clip.context.contacts.given)
 
 
-def accelerations(motion: Motion, t: Array) -> Array:
+def accelerations(motion: Solution, t: Array) -> Array:
     """(T, b) [rad/s²] of MuJoCo's bodies relative to their parents, by differences of their turns."""
     model, h = motion.figure.model, 1e-3
     data = mujoco.MjData(model)
@@ -120,7 +120,7 @@ def accelerations(motion: Motion, t: Array) -> Array:
 
 
 @pytest.fixture(scope="module")
-def run(benchmark) -> Motion:
+def run(benchmark) -> Solution:
     return benchmark.solved(clips.load("run_loop"))
 
 

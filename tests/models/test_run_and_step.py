@@ -21,8 +21,9 @@ from dynsplines.motion import sampled
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.quadrature import gauss_nodes
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.inbetween import Motion, inbetween
+from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.search.optimiser import Stop, StopSearch
+from dynsplines.solver.solution import Solution
 
 TEXT = models.clip_text("run_and_step")
 FEET = ("foot", "sole", "shoe", "toe", "heel", "vamp", "ankle", "collar")
@@ -31,7 +32,7 @@ FEET = ("foot", "sole", "shoe", "toe", "heel", "vamp", "ankle", "collar")
 @dataclass(frozen=True)
 class Solved:
     clip: Clip
-    motion: Motion
+    motion: Solution
     report: dict
 
     def deep(self, *, raw: bool, rate: float = 1000.0) -> Penetration:
@@ -40,11 +41,11 @@ class Solved:
         return penetration(self.clip.figure.model, run.time, run.qpos)
 
 
-def solved(clip: Clip, **settings) -> Motion:
-    return inbetween(clip.figure, clip.keys, clip.penalties, replace(clip.settings, **settings), ends=clip.ends)
+def solved(clip: Clip, **settings) -> Solution:
+    return inbetween(replace(clip.problem, settings=replace(clip.settings, **settings)))
 
 
-def deepest(clip: Clip, motion: Motion, rate: float = 500.0) -> float:
+def deepest(clip: Clip, motion: Solution, rate: float = 500.0) -> float:
     run = sampled(clip.figure, motion.timeline, rate)
     return penetration(clip.figure.model, run.time, run.qpos).deepest
 
@@ -60,7 +61,7 @@ def test_the_clip_has_eight_to_twelve_keyframes_in_two_to_three_seconds(run_and_
     clip = run_and_step.clip
     assert 8 <= len(clip.keys) <= 12
     assert 2 <= clip.keys[-1].time - clip.keys[0].time <= 3
-    assert clip.surfaces[1].half[2] == pytest.approx(0.35 / 2)
+    assert clip.context.surfaces[1].half[2] == pytest.approx(0.35 / 2)
 
 
 @pytest.mark.slow
@@ -135,10 +136,10 @@ def test_without_the_flight_and_support_penalties_the_figure_is_carried_by_nothi
     clip = clips.from_text(TEXT, name="carried")
     kept = tuple((penalty, weight) for penalty, weight in clip.penalties if penalty.name not in ("flight", "support"))
     assert len(kept) == len(clip.penalties) - 2
-    assert clip.support is not None
-    motion = solved(replace(clip, penalties=kept), frames=0)
+    assert clip.context.support is not None
+    motion = solved(clip.asking(penalties=kept), frames=0)
     samples = motion.objective.samples(path_of(motion.timeline), np.linspace(0.13, 0.25, 100))
-    assert np.mean(np.linalg.norm(clip.support.rest(samples)[:3], axis=0)) >= 0.2
+    assert np.mean(np.linalg.norm(clip.context.support.rest(samples)[:3], axis=0)) >= 0.2
 
 
 @pytest.mark.slow
@@ -172,7 +173,7 @@ def test_every_improving_path_meets_the_keyframes_and_the_objective_falls(run_an
         if len(values) == 40:
             raise StopSearch
 
-    inbetween(clip.figure, clip.keys, clip.penalties, replace(clip.settings, method=method), improved=improved)
+    inbetween(replace(clip.problem, settings=replace(clip.settings, method=method)), improved=improved)
     assert len(values) >= fewest
     assert np.all(np.diff(values) < 0)
     assert max(errors) <= 1e-12
@@ -200,7 +201,7 @@ def test_stopped_early_the_path_is_valid_and_no_worse_than_raw(run_and_step, met
             raise StopSearch
 
     settings = replace(clip.settings, method=method)
-    motion = inbetween(clip.figure, clip.keys, clip.penalties, settings, improved=improved)
+    motion = inbetween(replace(clip.problem, settings=settings), improved=improved)
     assert motion.stop is Stop.ASKED
     assert np.all(np.isfinite(motion.at(np.linspace(0, 2, 50))))
     t, w = gauss_nodes(np.linspace(clip.keys[0].time, clip.keys[-1].time, 400), 4)
@@ -224,7 +225,7 @@ def test_without_the_contact_penalties_the_foot_still_goes_through_the_step():
     off = {"contact", "clearance", "planted"}
     kept = tuple((penalty, weight) for penalty, weight in clip.penalties if penalty.name not in off)
     assert len(kept) == len(clip.penalties) - len(off)
-    clip = replace(clip, penalties=kept)
+    clip = clip.asking(penalties=kept)
     assert deepest(clip, solved(clip, frames=0)) >= 0.03
 
 

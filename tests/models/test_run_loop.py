@@ -11,15 +11,16 @@ from dynsplines.motion import sampled
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.seam import Seam
-from dynsplines.solver.inbetween import Motion, inbetween
+from dynsplines.solver.inbetween import inbetween
+from dynsplines.solver.solution import Solution
 
 PROBLEM = clip.load("run_loop")
 STRIDE, PERIOD = 2.0, 0.74
 
 
 @pytest.fixture(scope="module")
-def run() -> Motion:
-    return inbetween(PROBLEM.figure, PROBLEM.keys, PROBLEM.penalties, PROBLEM.settings, ends=PROBLEM.ends)
+def run() -> Solution:
+    return inbetween(PROBLEM.problem)
 
 
 @pytest.mark.slow

@@ -20,11 +20,11 @@ from dynsplines.solver.curve.seam import Seam, heading_between
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.inbetween import Motion
 from dynsplines.solver.objective import SMALL_SHARE
 from dynsplines.solver.penalty import BendLimits, Planted, SelfContact, Stance, Together
 from dynsplines.solver.reading.stride import Gait
 from dynsplines.solver.search.astray import is_astray
+from dynsplines.solver.solution import Solution
 from dynsplines.solver.surface.points import places_of
 
 
@@ -65,7 +65,7 @@ class Found:
 
     name: str
     clip: Clip
-    motion: Motion
+    motion: Solution
 
     @property
     def promise(self) -> Promise:
@@ -176,10 +176,10 @@ def test_the_two_steps_of_a_loop_are_mirror_images(name):
 def test_in_walking_a_foot_is_always_down_and_knees_and_pelvis_move_as_in_normal_gait():
     walk = of("walk_loop")
     samples = walk.all()
-    places, _, _ = places_of(walk.clip.points, samples)
+    places, _, _ = places_of(walk.clip.context.points, samples)
     assert places[2].min(axis=0).max() < 0.005
-    flexion, _, _ = np.degrees(BendLimits(walk.clip.bends).angles(samples))
-    knees = [i for i, bend in enumerate(walk.clip.bends) if "knee" in bend.name]
+    flexion, _, _ = np.degrees(BendLimits(walk.clip.context.bends).angles(samples))
+    knees = [i for i, bend in enumerate(walk.clip.context.bends) if "knee" in bend.name]
     assert len(knees) == 2
     for knee in flexion[knees]:
         assert 5 < knee.min() < 12
@@ -211,7 +211,7 @@ def test_the_walk_turns_a_quarter_evenly_over_its_middle_steps_and_its_feet_land
 def test_every_third_keyframe_of_the_turning_walk_tells_its_cycle():
     found = of("walk_and_turn").clip
     some = raw_timeline(found.figure, list(found.keys[::3]))
-    rhythm = Gait(found.figure, some, found.points, found.surfaces).told()
+    rhythm = Gait(found.figure, some, found.context.points, found.context.surfaces).told()
     assert rhythm is not None
     assert rhythm.period == pytest.approx(1.12, rel=0.01)
     assert rhythm.slip < 0.15

@@ -55,7 +55,7 @@ def soles(problem: Clip, k: int) -> Array:
     data = mujoco.MjData(problem.figure.model)
     data.qpos[:] = problem.figure.to_qpos(timeline.states[k])
     mujoco.mj_kinematics(problem.figure.model, data)
-    return np.array([data.site(point.name).xpos for point in problem.points])
+    return np.array([data.site(point.name).xpos for point in problem.context.points])
 
 
 def assert_squat(found: Measured) -> None:
@@ -110,7 +110,7 @@ def test_what_was_posed_stays_free_and_is_where_the_search_and_the_raw_spline_be
     np.testing.assert_allclose(soles(problem, 1), soles(problem, 0), atol=1e-6)
     planted = next(penalty for penalty, _ in problem.penalties if isinstance(penalty, Planted))
     assert {(stance.point.name, stance.first, stance.last) for stance in planted.stances} == {
-        (point.name, first, first + 1.0) for point in problem.points for first in (0.0, 1.0)
+        (point.name, first, first + 1.0) for point in problem.context.points for first in (0.0, 1.0)
     }
 
 
@@ -185,7 +185,7 @@ def test_a_contact_says_where_a_foot_is_that_no_keyframe_tells():
     for point, place in places.items():
         text += f'[[contact]]\npoint = "{point}"\nfrom = 0.5\nto = 1.5\nposition = {place}\n'
     problem = read(text)
-    names = [point.name for point in problem.points]
+    names = [point.name for point in problem.context.points]
     for point, place in places.items():
         np.testing.assert_allclose(soles(problem, 1)[names.index(point)], place, atol=2e-3)
 

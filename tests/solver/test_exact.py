@@ -17,14 +17,16 @@ from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.quadrature import gauss_nodes
 from dynsplines.solver.curve.spline import Path, path_of
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.inbetween import Motion, Settings, inbetween
+from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import CovariantAcceleration, UnitMagnitude
+from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.refine import euler_lagrange
 from dynsplines.solver.refine.displacement import displacement
 from dynsplines.solver.refine.euler_lagrange import WeakForm, covariant_residual, residual, tangential
 from dynsplines.solver.refine.subdivision import evenly, midpoints, split
 from dynsplines.solver.search.descent import optimised
+from dynsplines.solver.solution import Solution
 
 ONE_BALL = '<mujoco><worldbody><body><joint type="ball"/><geom size=".1"/></body></worldbody></mujoco>'
 EVEN = np.arange(7.0)
@@ -55,11 +57,11 @@ def exact(seed: int, even: bool = True) -> ExactPath:
 
 
 @cache
-def motion(seed: int, variable: int, paper: bool = False, even: bool = True) -> Motion:
+def motion(seed: int, variable: int, paper: bool = False, even: bool = True) -> Solution:
     times = EVEN if even else UNEVEN
     keys = [Frame.key(float(t), q) for t, q in zip(times, orientations(seed), strict=True)]
     settings = Settings(variable=variable, frames=0, tolerance=1e-10, max_evaluations=600)
-    return inbetween(one_ball(), keys, PAPER if paper else INTRINSIC, settings)
+    return inbetween(Problem(one_ball(), keys, PAPER if paper else INTRINSIC, settings))
 
 
 def energy(path: Path) -> float:

@@ -12,24 +12,26 @@ from dynsplines.solver.curve.frame import Frame, TimelineError
 from dynsplines.solver.curve.quadrature import Quadrature
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.inbetween import Improvement, Motion, Settings, inbetween
+from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import Contact, CovariantAcceleration, UnitMagnitude
+from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.refine.subdivision import CRITERIA
 from dynsplines.solver.search.descent import METHODS
 from dynsplines.solver.search.optimiser import Stop, StopSearch
+from dynsplines.solver.solution import Improvement, Solution
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point
 
 BRIEF = Settings(variable=1, max_evaluations=40)
 
 
-def solved(motion: Motion) -> float:
+def solved(motion: Solution) -> float:
     """E of what came out, by a sum finer than the search's."""
     return Objective(motion.figure, motion.objective.terms, FINE).value(motion.path)
 
 
-def raw(motion: Motion) -> float:
+def raw(motion: Solution) -> float:
     return Objective(motion.figure, motion.objective.terms, FINE).value(path_of(motion.raw))
 
 
@@ -42,7 +44,7 @@ def test_e_falls_strictly_and_every_callback_meets_the_keyframes(figure, rng, en
     keys = closed(keys) if ends == "periodic" else keys
     slope = np.zeros((2, figure.width)) if ends == "clamped" else None
     seen: list[Improvement] = []
-    motion = inbetween(figure, keys, PENALTIES, BRIEF, ends=ends, end_slope=slope, improved=seen.append)
+    motion = inbetween(Problem(figure, keys, PENALTIES, BRIEF, ends=ends, end_slope=slope), improved=seen.append)
     values = [each.value for each in seen]
     assert len(values) > 2
     assert np.all(np.diff(values) < 0)
@@ -73,7 +75,7 @@ def test_a_stop_after_any_number_of_evaluations_gives_a_path_no_worse_than_the_r
         if each.evaluation >= evaluations:
             raise error
 
-    motion = inbetween(figure, keys, PENALTIES, Settings(method=method), improved=stop)
+    motion = inbetween(Problem(figure, keys, PENALTIES, Settings(method=method)), improved=stop)
     assert motion.stop is Stop.ASKED
     assert motion.evaluations == told[-1].evaluation >= evaluations
     assert solved(motion) <= raw(motion) * (1 + 1e-9)
@@ -95,7 +97,7 @@ def test_ctrl_c_inside_any_evaluation_returns_the_best_motion_so_far(figure, rng
             return super().evaluate(samples, into, scale)
 
     penalties = [(Interrupted(), 1.0), *PENALTIES[1:]]
-    motion = inbetween(figure, partial_keys(figure, rng), penalties, Settings(method=method))
+    motion = inbetween(Problem(figure, partial_keys(figure, rng), penalties, Settings(method=method)))
     assert motion.stop is Stop.ASKED
     assert Interrupted.calls == call
     assert solved(motion) <= raw(motion) * (1 + 1e-9)
@@ -119,7 +121,7 @@ def test_ctrl_c_while_segments_are_judged_returns_the_best_motion_so_far(rng, mo
                 raise KeyboardInterrupt
             return super().evaluate(samples, into, scale)
 
-    motion = inbetween(figure, hinge_keys(), [(Touchy(), 1.0)], Settings(criterion=criterion, variable=1))
+    motion = inbetween(Problem(figure, hinge_keys(), [(Touchy(), 1.0)], Settings(criterion=criterion, variable=1)))
     assert judging
     assert motion.stop is Stop.ASKED
     assert motion.timeline.variable_count == 3
@@ -130,14 +132,14 @@ def test_ctrl_c_while_segments_are_judged_returns_the_best_motion_so_far(rng, mo
 @pytest.mark.parametrize("frames", [3, 4, 8])
 def test_the_budget_of_variable_frames_is_respected(figure, rng, frames):
     settings = Settings(variable=1, frames=frames, threshold=0.0, batch=1.0, max_evaluations=15)
-    motion = inbetween(figure, random_keys(figure, rng), PENALTIES, settings)
+    motion = inbetween(Problem(figure, random_keys(figure, rng), PENALTIES, settings))
     assert motion.timeline.variable_count == frames
     assert motion.raw.variable_count == 0
 
 
 def test_evaluations_are_bounded_in_every_round(figure, rng):
     settings = Settings(variable=1, max_evaluations=2, frames=6, threshold=0.0)
-    motion = inbetween(figure, random_keys(figure, rng), PENALTIES, settings)
+    motion = inbetween(Problem(figure, random_keys(figure, rng), PENALTIES, settings))
     rounds = motion.trace[-1][1] + 1
     assert motion.evaluations <= 2 * rounds + 2
     assert motion.stop is Stop.BUDGET
@@ -149,7 +151,7 @@ def test_hinges_are_solved_in_joint_coordinates_to_the_natural_spline(criterion,
     figure = hinged()
     assert figure.coordinates == "joint"
     settings = Settings(criterion=criterion, method=method, tolerance=1e-10)
-    motion = inbetween(figure, hinge_keys(), [(CovariantAcceleration(), 1.0)], settings)
+    motion = inbetween(Problem(figure, hinge_keys(), [(CovariantAcceleration(), 1.0)], settings))
     t = np.linspace(0, 2, 30)
     np.testing.assert_allclose(motion.at(t), path_of(motion.raw).at(t), atol=1e-3)
     np.testing.assert_allclose(motion.at(TIMES_OF_HINGES), [key.state for key in hinge_keys()], atol=1e-12)
@@ -162,7 +164,7 @@ TIMES_OF_HINGES = np.array([0.0, 0.5, 1.4, 2.0])
 def test_every_method_lowers_e(rng, method):
     figure = hinged()
     keys = [Frame.key(t, [a, 0.0], [True, t == 0]) for t, a in [(0, 0.0), (1, 1.0), (3, -0.5)]]
-    motion = inbetween(figure, keys, [(CovariantAcceleration(), 1.0)], Settings(method=method, frames=2))
+    motion = inbetween(Problem(figure, keys, [(CovariantAcceleration(), 1.0)], Settings(method=method, frames=2)))
     assert np.all(np.diff([value for _, _, value, _ in motion.trace]) < 0)
     assert solved(motion) <= raw(motion)
 
@@ -177,7 +179,7 @@ def test_a_floor_lifts_the_path_off_it():
     keys = [Frame.key(t, [t, 0, z, 1, 0, 0, 0]) for t, z in zip(TIMES, heights, strict=True)]
     floor = Plane("floor", np.zeros(3), np.array([0.0, 0, 1]))
     contact = Contact((Point("ball", 1, np.zeros(3), 0.1),), (floor,))
-    motion = inbetween(figure, keys, [*PENALTIES, (contact, 20.0)])
+    motion = inbetween(Problem(figure, keys, [*PENALTIES, (contact, 20.0)]))
     t = np.linspace(0, 1.3, 200)
     before = path_of(motion.raw).at(t)[:, 2].min() - 0.1
     after = motion.at(t)[:, 2].min() - 0.1
@@ -188,17 +190,17 @@ def test_a_floor_lifts_the_path_off_it():
 def test_an_unknown_criterion_or_method_is_refused_and_the_known_ones_named(figure, rng):
     keys = random_keys(figure, rng)
     with pytest.raises(ValueError, match="'hunch'; there are: weak, residual, objective, resolution"):
-        inbetween(figure, keys, PENALTIES, Settings(criterion="hunch"))
+        inbetween(Problem(figure, keys, PENALTIES, Settings(criterion="hunch")))
     with pytest.raises(ValueError, match="no optimiser 'magic'; there are: newton, lbfgs"):
-        inbetween(figure, keys, PENALTIES, Settings(method="magic"))
+        inbetween(Problem(figure, keys, PENALTIES, Settings(method="magic")))
 
 
 def test_frames_that_make_no_clip_are_refused(figure, rng):
     keys = random_keys(figure, rng)
     with pytest.raises(TimelineError, match="at least 2"):
-        inbetween(figure, keys[:1], PENALTIES)
+        inbetween(Problem(figure, keys[:1], PENALTIES))
     with pytest.raises(TimelineError, match="times must rise"):
-        inbetween(figure, keys[::-1], PENALTIES)
+        inbetween(Problem(figure, keys[::-1], PENALTIES))
 
 
 def test_an_error_inside_a_penalty_comes_out(figure, rng):
@@ -209,13 +211,13 @@ def test_an_error_inside_a_penalty_comes_out(figure, rng):
             return super().evaluate(samples, into, scale)
 
     with pytest.raises(ZeroDivisionError, match="mine"):
-        inbetween(figure, random_keys(figure, rng), [(Broken(), 1.0)])
+        inbetween(Problem(figure, random_keys(figure, rng), [(Broken(), 1.0)]))
 
 
 def test_nothing_to_choose_gives_the_keyframes_spline(figure, rng):
     keys, slope = random_keys(figure, rng), rng.normal(size=(2, figure.width))
     settings = Settings(variable=0, frames=0)
-    motion = inbetween(figure, keys, PENALTIES, settings, ends="clamped", end_slope=slope)
+    motion = inbetween(Problem(figure, keys, PENALTIES, settings, ends="clamped", end_slope=slope))
     np.testing.assert_array_equal(motion.timeline.rows, motion.raw.rows)
     assert motion.evaluations == 1
 
@@ -227,7 +229,7 @@ def test_the_clock_does_not_matter(rng):
     paths = []
     for pace in (0.02, 1.0, 50.0, 1000.0):
         keys = [Frame.key(pace * i, quat.from_rotation_vector(v)) for i, v in enumerate(turns)]
-        motion = inbetween(figure, keys, penalties, Settings(variable=1, frames=0))
+        motion = inbetween(Problem(figure, keys, penalties, Settings(variable=1, frames=0)))
         paths.append(motion.at(pace * np.linspace(0, 3, 40)))
     for path in paths[1:]:
         assert np.degrees(quat.angle_between(path, paths[0])).max() < 0.1

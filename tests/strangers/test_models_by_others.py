@@ -86,9 +86,9 @@ def test_a_model_by_others_becomes_a_clip_that_is_solved_and_drawn_without_an_ed
     source, target = model_file(path), tmp_path / "its.toml"
     target.write_text(starter(str(source), target), encoding="utf-8")
     problem = clip.load(str(target))
-    assert len(problem.points) == FEET[path]
+    assert len(problem.context.points) == FEET[path]
     settings = replace(problem.settings, max_evaluations=EVALUATIONS, frames=FRAMES)
-    found = work.solve(replace(problem, settings=settings), Teller(Console(file=io.StringIO())))
+    found = work.solve(problem.asking(settings=settings), Teller(Console(file=io.StringIO())))
     assert found.motion.trace[-1][2] <= found.motion.trace[0][2]
     small = problem.figure.width <= SMALL
     saved = found.saved(Teller(Console(file=io.StringIO())), with_report=small)

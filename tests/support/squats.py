@@ -43,7 +43,7 @@ class Measured:
 
 
 def solved(problem: Clip, **settings: int) -> work.Solved:
-    problem = replace(problem, settings=replace(problem.settings, **settings))
+    problem = problem.asking(settings=replace(problem.settings, **settings))
     return work.solve(problem, Teller(Console(file=io.StringIO())))
 
 
@@ -69,8 +69,8 @@ def measured(problem: Clip, timeline: Timeline) -> Measured:
     path, figure = path_of(timeline), problem.figure
     first, last = path.span
     samples = samples_at(figure, path, np.linspace(first, last, round((last - first) * RATE) + 1))
-    centres, _, _ = places_of(problem.points, samples)
-    inside = np.max([surface.inside(centres) for surface in problem.surfaces], axis=0)
+    centres, _, _ = places_of(problem.context.points, samples)
+    inside = np.max([surface.inside(centres) for surface in problem.context.surfaces], axis=0)
     away = np.sqrt(dot(centres - centres[:, :, :1], centres - centres[:, :, :1]))
     ranges = JointRange(joint_ranges(figure))
     beyond = np.degrees(ranges.beyond(samples).max(axis=1)) if ranges.joints else np.zeros(0)

@@ -20,7 +20,8 @@ from matplotlib.figure import Figure
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
-from dynsplines.solver.inbetween import Improvement, Settings
+from dynsplines.solver.problem import Settings
+from dynsplines.solver.solution import Improvement
 
 from ...measure.chart import INK, style
 from ..orientations import FEW_FRAMES, PAPER, TENTHS, Run, figure_ten, strong_tenths, unit_deviation, weak_tenths

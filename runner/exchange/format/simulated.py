@@ -91,11 +91,11 @@ def _least(take: Take) -> Array:
     figure, model = take.figure, take.model
     out = np.zeros(model.njnt)
     problem = clip.answered(take.saved)
-    if problem.support is None or not problem.points:
+    if problem.context.support is None or not problem.context.points:
         return out
-    root = problem.support.root
+    root = problem.context.support.root
     gain = STANDING * wrench.weight(figure, root) * wrench.height(figure, root)
-    for link in _standing(figure, {point.link for point in problem.points}):
+    for link in _standing(figure, {point.link for point in problem.context.points}):
         joint = int(np.searchsorted(model.jnt_qposadr, figure.links[link].qpos))
         hinged = int(model.jnt_type[joint]) in (BALL, HINGE)
         out[joint] = gain if hinged else gain / SLIDE**2

@@ -109,9 +109,9 @@ def test_a_foot_rests_where_a_contact_says_and_without_it_does_not():
     contact = 'point = "left_toe"\nfrom = 0.55\nto = 0.75'
 
     def moved(clip: clips.Clip) -> float:
-        motion = inbetween(clip.figure, clip.keys, clip.penalties, clip.settings)
+        motion = inbetween(clip.problem)
         y, y_d, y_dd = path_of(motion.timeline).motion(t := np.linspace(0.55, 0.75, 101))
-        toe = tuple(point for point in clip.points if point.name == "left_toe")
+        toe = tuple(point for point in clip.context.points if point.name == "left_toe")
         centres, _, _ = places_of(toe, Samples(clip.figure, y, y_d, y_dd, t))
         return float(np.ptp(centres[0, 0]))
 
@@ -125,7 +125,7 @@ def test_a_foot_rests_where_a_contact_says_and_without_it_does_not():
 def test_the_report_tells_how_far_every_contact_moves():
     contact = 'point = "left_toe"\nfrom = 0.55\nto = 0.75'
     clip = clips.from_text(text(contact, x=0.2, y=0.4), name="rests")
-    motion = inbetween(clip.figure, clip.keys, clip.penalties, clip.settings)
+    motion = inbetween(clip.problem)
     told = report(clip, motion, 0.0)
     (before,), (after,) = told["before"]["contacts"], told["after"]["contacts"]
     assert (after["point"], after["from, s"], after["to, s"]) == ("left_toe", 0.55, 0.75)
@@ -188,7 +188,7 @@ def test_a_keyframe_that_puts_a_foot_into_a_step_is_told_and_the_legs_do_not_whi
     (note,) = inside.notes
     assert "keyframe 1 (t = 0 s) puts left_toe" in note
     assert "as do 2 more keyframes" in note
-    motion = inbetween(inside.figure, inside.keys, inside.penalties, inside.settings)
+    motion = inbetween(inside.problem)
     qpos = motion.at(np.linspace(0, 1, 100))
     np.testing.assert_allclose(qpos, np.broadcast_to(qpos[0], qpos.shape), atol=0.02)
     assert not clips.from_text(f'figure = "human"\n{standing}', name="beside").notes

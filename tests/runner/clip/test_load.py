@@ -121,7 +121,7 @@ def test_a_shipped_clip_comes_by_its_name():
     problem = clip.load("run_and_step")
     assert problem.name == "run_and_step"
     assert problem.figure.model.nq == 51
-    assert {point.name for point in problem.points} >= {"left_heel", "right_toe"}
+    assert {point.name for point in problem.context.points} >= {"left_heel", "right_toe"}
 
 
 def by_name(problem: Clip) -> dict[str, tuple[object, float]]:
@@ -157,7 +157,7 @@ def test_settings_in_the_file_reach_the_solver(tmp_path):
     s = problem.settings
     assert (s.variable, s.frames, s.criterion, s.threshold) == (3, 9, "residual", 0.5)
     assert (s.method, s.tolerance, s.max_evaluations, problem.ends) == ("slsqp", 1e-3, 77, "clamped")
-    assert problem.end_slope is not None
+    assert problem.problem.end_slope is not None
     assert problem.fps == 20
     assert clip.load(str(tmp_path / "tiny.toml"), fps=12.5).fps == 12.5
 
@@ -171,7 +171,7 @@ def test_static_geoms_that_collide_with_anything_are_surfaces_and_so_is_what_the
     text = CLIP + "[scene]\nstep = {x = 1, height = 0.3}\n"
     (tmp_path / "tiny.toml").write_text(text, encoding="utf-8")
     problem = clip.load(str(tmp_path / "tiny.toml"))
-    assert {surface.name for surface in problem.surfaces} == {"ground", "ball", "welded", "step"}
+    assert {surface.name for surface in problem.context.surfaces} == {"ground", "ball", "welded", "step"}
 
 
 @pytest.mark.parametrize("name", ["left_toe", "R_HEEL_2", "mytoes"])
@@ -179,7 +179,7 @@ def test_sites_named_heel_or_toe_are_contact_points(tmp_path, name):
     written(tmp_path)
     (tmp_path / "tiny.xml").write_text(FIGURE.replace("left_toe", name), encoding="utf-8")
     problem = clip.load(str(tmp_path / "tiny.toml"))
-    assert [point.name for point in problem.points] == [name]
+    assert [point.name for point in problem.context.points] == [name]
     assert not [note for note in problem.notes if "heel" in note]
 
 
@@ -197,7 +197,7 @@ def test_knees_and_elbows_are_found_by_joint_or_body(tmp_path, joint, body, late
     written(tmp_path, CLIP.replace("left_knee", joint))
     figure = FIGURE.replace('"left_knee"', f'"{joint}"').replace('"left_shin"', f'"{body}"')
     (tmp_path / "tiny.xml").write_text(figure, encoding="utf-8")
-    (bend,) = clip.load(str(tmp_path / "tiny.toml")).bends
+    (bend,) = clip.load(str(tmp_path / "tiny.toml")).context.bends
     assert isinstance(bend, Bend)
     assert bend.name == joint
     np.testing.assert_array_equal(bend.lateral, [0, lateral, 0])

@@ -68,7 +68,7 @@ def test_obstacles_are_where_the_clip_says_and_as_large(tmp_path):
     _, _, axes = geom(problem, "post")
     np.testing.assert_allclose(np.abs(axes[:, 2]), [0, 1, 0], atol=1e-6)
     np.testing.assert_allclose(model.geom("post").size[:2], [0.05, 0.5], atol=1e-6)
-    kinds = {surface.name: type(surface) for surface in problem.surfaces}
+    kinds = {surface.name: type(surface) for surface in problem.context.surfaces}
     assert kinds == {
         "floor": Plane, "table": Box, "box 2": Box, "ball": Sphere, "rail": Capsule, "post": Cylinder,
     }  # fmt: skip

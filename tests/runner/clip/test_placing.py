@@ -186,7 +186,7 @@ def quiet() -> Teller:
 @pytest.mark.parametrize("coordinates", ["world", "joint"])
 def test_a_search_ends_within_a_millimetre_and_is_reported(coordinates):
     problem = read(RAIL + f'[solve]\ncoordinates = "{coordinates}"\n')
-    assert [p.point.name for p in problem.placed] == ["right_hand"]
+    assert [p.point.name for p in problem.context.placed] == ["right_hand"]
     assert not problem.keys[1].fixed[_columns(problem, "right_shoulder")].any()
     (weight,) = [w for p, w in problem.penalties if isinstance(p, Placement)]
     assert weight == 30
@@ -242,8 +242,8 @@ def test_a_penalty_table_changes_the_weight_of_places_and_takes_it_away():
 def test_other_keyframes_keep_the_places_at_their_times():
     problem = read(RAIL)
     moved = clip.with_keys(problem, [problem.keys[0], Frame.key(1.0, problem.keys[1].state)])
-    assert moved.placed == ()
-    assert clip.with_keys(problem, problem.keys).placed == problem.placed
+    assert moved.context.placed == ()
+    assert clip.with_keys(problem, problem.keys).context.placed == problem.context.placed
 
 
 @pytest.mark.slow

@@ -288,8 +288,8 @@ def test_a_mirrored_clip_is_the_clip_of_the_mirrored_keyframes(tmp_path):
     for a, b in zip(after.keys, map(mirror.frame, before.keys), strict=True):
         np.testing.assert_array_equal(a.fixed, b.fixed)
         np.testing.assert_allclose(a.state[a.fixed], b.state[b.fixed], atol=1e-12)
-    assert [bend.name for bend in after.bends] == ["right_knee", "left_elbow"]
-    steps = [next(each for each in found.surfaces if isinstance(each, Box)) for found in (before, after)]
+    assert [bend.name for bend in after.context.bends] == ["right_knee", "left_elbow"]
+    steps = [next(each for each in found.context.surfaces if isinstance(each, Box)) for found in (before, after)]
     assert [step.centre[1] for step in steps] == [0.2, -0.2]
     edit_files.run([str(target)], edit_files.mirrored(), tmp_path / "again.toml", overwrite=False, teller=teller())
     twice = clip.load(str(tmp_path / "again.toml"))
@@ -339,7 +339,7 @@ def test_places_contacts_and_obstacles_change_sides_with_a_clip(tmp_path):
     said = clip.table_of(two.text, "two")
     assert said.contact[0].point == "right_toe"
     assert said.contact[0].position == (0.2, -0.1, 0.0)
-    assert two.placed[0].point.name == "left_hand"
+    assert two.context.placed[0].point.name == "left_hand"
     for geom in ("step", "box 1", "capsule 1"):
         mine, its = (found.figure.model.geom(geom) for found in (one, two))
         np.testing.assert_allclose(its.pos, mine.pos * [1, -1, 1], atol=1e-12)

@@ -140,11 +140,10 @@ def test_a_loop_stays_a_loop_in_its_clip(walk, tmp_path):
     run(source, target)
     found = clip.load(str(target))
     assert found.ends == "periodic"
-    assert found.travel is not None
-    assert found.travel[0] == pytest.approx(walk.timeline.states[-1, 0] - walk.timeline.states[0, 0])
+    assert np.array(found.problem.travel)[0] == pytest.approx(walk.timeline.states[-1, 0] - walk.timeline.states[0, 0])
     assert names(tmp_path) == ["walk.npz", "walk_thin.toml"]  # the figure ships, so it is only named
-    assert {contact.point.name for contact in found.contacts} == {
-        contact.point.name for contact in clip.load("walk_loop").contacts
+    assert {contact.point.name for contact in found.context.contacts.given} == {
+        contact.point.name for contact in clip.load("walk_loop").context.contacts.given
     }
 
 

@@ -21,7 +21,7 @@ from dynsplines.edit import edits
 from dynsplines.measure import problems
 from dynsplines.measure.bounds import BOUNDS, WHIP_SHARE
 from dynsplines.measure.penetration import penetration
-from dynsplines.measure.problems import Problem
+from dynsplines.measure.problems import Flaw
 from dynsplines.motion import sampled
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.frame import Frame, Timeline
@@ -63,7 +63,7 @@ def read(text: str, figure: str = "", folder: Path | None = None) -> Clip:
     return clip.from_text(text, name="it", folder=folder)
 
 
-def wrong(problem: Clip, timeline: Timeline | None = None, stop: Stop = Stop.CONVERGED) -> tuple[Problem, ...]:
+def wrong(problem: Clip, timeline: Timeline | None = None, stop: Stop = Stop.CONVERGED) -> tuple[Flaw, ...]:
     """With the raw spline, or with another timeline through its keyframes."""
     raw = work.unsolved(problem).motion.raw
     return problems.problems(problem, timeline or raw, raw, stop)
@@ -71,10 +71,10 @@ def wrong(problem: Clip, timeline: Timeline | None = None, stop: Stop = Stop.CON
 
 def unposed(problem: Clip) -> Clip:
     """The clip as if nobody had posed what its keyframes leave to the search."""
-    return replace(problem, keys=tuple(replace(key, posed=None) for key in problem.keys))
+    return problem.asking(keys=tuple(replace(key, posed=None) for key in problem.keys))
 
 
-def kinds(found: Sequence[Problem]) -> set[str]:
+def kinds(found: Sequence[Flaw]) -> set[str]:
     return {each.kind for each in found}
 
 
@@ -335,7 +335,7 @@ def test_the_worst_comes_first_by_how_many_times_its_bound_it_is():
 
 
 def test_of_many_lines_the_worst_are_told_and_the_rest_counted():
-    many = [Problem("range", f"joint {i}", 0.1, 20.0 - i, "degrees", 2.0, None, f"joint {i} is off") for i in range(14)]
+    many = [Flaw("range", f"joint {i}", 0.1, 20.0 - i, "degrees", 2.0, None, f"joint {i} is off") for i in range(14)]
     lines = problems.lines(many, "it.npz")
     assert lines[:2] == ["problem: joint 0 is off", "problem: joint 1 is off"]
     assert lines[10:] == ["... and 4 more: dynsplines report it.npz"]

@@ -24,7 +24,8 @@ from dynsplines.solver.curve.frame import Frame, TimelineError
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.spline import Path, path_of
 from dynsplines.solver.curve.unknowns import Unknowns, raw_timeline
-from dynsplines.solver.inbetween import Settings, inbetween
+from dynsplines.solver.inbetween import inbetween
+from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.refine.subdivision import evenly
 
 
@@ -78,11 +79,11 @@ def test_frames_inserted_into_a_travelling_loop_leave_its_curve(rng, turns):
 def test_a_loop_is_the_middle_of_the_same_motion_over_many_periods():
     figure = figure_of(TINY)
     settings = Settings(variable=2, frames=0, tolerance=1e-12, renormalise=False)
-    found = inbetween(figure, hop(), TERMS, settings, ends="periodic")
+    found = inbetween(Problem(figure, hop(), TERMS, settings, ends="periodic"))
     t = np.linspace(0, PERIOD, 50)
     errors = []
     for periods in (3, 7):
-        run, middle = inbetween(figure, hop(periods), TERMS, settings), periods // 2
+        run, middle = inbetween(Problem(figure, hop(periods), TERMS, settings)), periods // 2
         qpos = run.at(t + PERIOD * middle)
         qpos[:, 0] -= STRIDE * middle
         for columns in figure.tables.quaternion_columns.T:

@@ -24,8 +24,9 @@ from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import Unknowns, raw_timeline
 from dynsplines.solver.edit.join import Placement, bridge, following, heading, joined, signed_like, trunk
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.inbetween import Settings, inbetween
+from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Objective
+from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.refine.subdivision import evenly, split
 from dynsplines.solver.search.descent import Descent, optimised
 
@@ -35,8 +36,8 @@ LENGTH = 0.4
 def sides(figure: Figure, rng: np.random.Generator) -> tuple[Timeline, Timeline]:
     """A motion, and another that begins a transition later, placed and signed to follow it."""
     settings = Settings(variable=2, frames=0)
-    before = inbetween(figure, hop(2), TERMS, settings).timeline
-    after = inbetween(figure, random_keys(figure, rng), TERMS, settings).timeline
+    before = inbetween(Problem(figure, hop(2), TERMS, settings)).timeline
+    after = inbetween(Problem(figure, random_keys(figure, rng), TERMS, settings)).timeline
     after = signed_like(figure, before, following(figure, before, after, LENGTH).timeline(figure, after))
     shift = before.times[-1] + LENGTH - after.times[0]
     frames = tuple(replace(frame, time=frame.time + shift) for frame in after.frames)

@@ -20,7 +20,8 @@ from dynsplines.solver.curve.spline import Spline, path_of
 from dynsplines.solver.curve.unknowns import Unknowns, raw_timeline
 from dynsplines.solver.edit.retime import repeated, retimed
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.inbetween import Settings, inbetween
+from dynsplines.solver.inbetween import inbetween
+from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.refine.subdivision import evenly
 
 TURN = np.radians(50)  # a period, about a centre 0.7 m to the left
@@ -100,12 +101,12 @@ def test_frames_inserted_into_a_turning_loop_leave_its_curve():
 def test_a_turning_loop_is_the_middle_of_the_same_motion_round_many_periods():
     figure = figure_of(TINY)
     settings = Settings(variable=2, frames=0, tolerance=1e-12, renormalise=False)
-    found = inbetween(figure, circle(), TERMS, settings, ends="periodic")
+    found = inbetween(Problem(figure, circle(), TERMS, settings, ends="periodic"))
     t = np.linspace(0, PERIOD, 40)
     errors = []
     for periods in (3, 7):
         middle = periods // 2
-        run = inbetween(figure, circle(periods), TERMS, settings).at(t + PERIOD * middle)
+        run = inbetween(Problem(figure, circle(periods), TERMS, settings)).at(t + PERIOD * middle)
         wanted = np.array([turned(qpos, TURN * middle) for qpos in found.at(t)])
         for columns in figure.tables.quaternion_columns.T:
             run[:, columns] *= np.sign(np.sum(run[:, columns] * wanted[:, columns], axis=1))[:, None]

@@ -11,9 +11,10 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.inbetween import Settings, inbetween
+from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import Bend, BendLimits, Contact, CovariantAcceleration, RootAcceleration, UnitMagnitude
 from dynsplines.solver.penalty.allowance import Allowance
+from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point, places_of
 
@@ -42,7 +43,7 @@ def deepest(heights: list[float], *, allowing: bool) -> tuple[float, float]:
     if allowing:
         contact = contact.allowing(figure, raw_timeline(figure, keys))
     penalties = [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0), (UnitMagnitude(), 1.0), (contact, 30.0)]
-    motion = inbetween(figure, keys, penalties, Settings(tolerance=1e-4, frames=30))
+    motion = inbetween(Problem(figure, keys, penalties, Settings(tolerance=1e-4, frames=30)))
     height = motion.path.at(t := np.linspace(0, len(heights) - 1, 2001))[:, 2] - 0.1
     return float(-height.min()), float(np.abs(np.gradient(np.gradient(height, t), t)).max())
 

@@ -17,13 +17,15 @@ from dynsplines.solver.curve.quadrature import Quadrature
 from dynsplines.solver.curve.spline import Path, path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.kinematics import Cotangent, Samples
-from dynsplines.solver.inbetween import Improvement, Motion, Settings, inbetween
+from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Objective, segment_integrals
 from dynsplines.solver.penalty import Contact, CovariantAcceleration, Penalty, RootAcceleration, UnitMagnitude
 from dynsplines.solver.penalty.curvature import Curvature
+from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.refine.subdivision import evenly
 from dynsplines.solver.refine.windows import AHEAD, BEHIND, KEPT, LARGEST, Assembly, Window, is_long, windows
 from dynsplines.solver.search.optimiser import Stop, StopSearch
+from dynsplines.solver.solution import Improvement, Solution
 from dynsplines.solver.surface.points import Point
 
 SEGMENTS = 20
@@ -59,7 +61,7 @@ def short(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("dynsplines.solver.refine.windows.LARGEST", 0)
 
 
-def fine_value(motion: Motion, path: Path | None = None) -> float:
+def fine_value(motion: Solution, path: Path | None = None) -> float:
     return Objective(motion.figure, motion.objective.terms, FINE).value(path or motion.path)
 
 
@@ -113,10 +115,10 @@ def test_long_clips_of_large_figures_are_long_and_loops_never(monkeypatch):
 def test_a_clip_in_windows_costs_what_the_whole_costs_and_meets_its_keyframes(ends, partial, request):
     keys, slope = long_keys(partial=partial), np.zeros((2, FIGURE.width)) if ends == "clamped" else None
     alike = replace(SETTINGS, variable=2)
-    whole = inbetween(FIGURE, keys, penalties(), alike, ends=ends, end_slope=slope)
+    whole = inbetween(Problem(FIGURE, keys, penalties(), alike, ends=ends, end_slope=slope))
     request.getfixturevalue("short")
     seen: list[Improvement] = []
-    found = inbetween(FIGURE, keys, penalties(), alike, ends=ends, end_slope=slope, improved=seen.append)
+    found = inbetween(Problem(FIGURE, keys, penalties(), alike, ends=ends, end_slope=slope), improved=seen.append)
     assert found.stop is whole.stop is Stop.CONVERGED
     np.testing.assert_allclose(fine_value(found), fine_value(whole), rtol=5e-3)
     assert fine_value(found) < 0.6 * fine_value(found, path_of(found.raw))
@@ -130,15 +132,17 @@ def test_a_clip_in_windows_costs_what_the_whole_costs_and_meets_its_keyframes(en
 
 
 def test_windows_begin_with_their_whole_budget_up_to_three_frames_a_segment_unless_told():
-    assert Settings().beginning(9, in_windows=False) == 2
-    assert [Settings(frames=n).beginning(9, in_windows=True) for n in (None, 5, 18, 27, 100)] == [3, 2, 2, 3, 3]
-    assert Settings(variable=1, frames=100).beginning(9, in_windows=True) == 1
+    assert Settings().in_each(9, in_windows=False) == 2
+    assert [Settings(frames=n).in_each(9, in_windows=True) for n in (None, 5, 18, 27, 100)] == [3, 2, 2, 3, 3]
+    assert Settings(variable=1, frames=100).in_each(9, in_windows=True) == 1
 
 
 @pytest.mark.slow
 def test_what_is_told_while_it_goes_on_is_the_whole_clip_and_about_its_e(short):
     keys, told = long_keys(), []
-    motion = inbetween(FIGURE, keys, penalties(), SETTINGS, improved=lambda each: told.append((each.value, each.path)))
+    motion = inbetween(
+        Problem(FIGURE, keys, penalties(), SETTINGS), improved=lambda each: told.append((each.value, each.path))
+    )
     assert len(told) > 10
     for value, path in told:
         assert_whole(path, keys)
@@ -149,14 +153,14 @@ def test_what_is_told_while_it_goes_on_is_the_whole_clip_and_about_its_e(short):
 @pytest.mark.parametrize("ends", ["free", "clamped"])
 def test_the_last_e_told_is_that_of_the_clip(short, ends):
     slope = np.zeros((2, FIGURE.width)) if ends == "clamped" else None
-    motion = inbetween(FIGURE, long_keys(), penalties(), SETTINGS, ends=ends, end_slope=slope)
+    motion = inbetween(Problem(FIGURE, long_keys(), penalties(), SETTINGS, ends=ends, end_slope=slope))
     np.testing.assert_allclose(motion.trace[-1][2], motion.objective.value(motion.path), rtol=5e-3)
 
 
 @pytest.mark.slow
 def test_what_was_told_is_the_whole_clip_still_when_it_is_asked_for_later(short):
     keys, told = long_keys(), []
-    inbetween(FIGURE, keys, penalties(), SETTINGS, improved=told.append)
+    inbetween(Problem(FIGURE, keys, penalties(), SETTINGS), improved=told.append)
     for each in told:
         assert_whole(each.path, keys)
 
@@ -173,7 +177,7 @@ def test_no_frame_that_a_window_added_is_lost(short, monkeypatch):
         )
 
     monkeypatch.setattr(Assembly, "close", watched)
-    inbetween(FIGURE, long_keys(), penalties(), SETTINGS)
+    inbetween(Problem(FIGURE, long_keys(), penalties(), SETTINGS))
     assert not lost
 
 
@@ -181,7 +185,7 @@ def test_no_frame_that_a_window_added_is_lost(short, monkeypatch):
 @pytest.mark.parametrize("frames", [2 * SEGMENTS, 3 * SEGMENTS])
 def test_the_budget_of_variable_frames_is_kept_in_windows_too(short, frames):
     settings = Settings(variable=1, frames=frames, threshold=0.0, max_evaluations=10)
-    assert inbetween(FIGURE, long_keys(), penalties(), settings).timeline.variable_count <= frames
+    assert inbetween(Problem(FIGURE, long_keys(), penalties(), settings)).timeline.variable_count <= frames
 
 
 class Counted(CovariantAcceleration):
@@ -213,11 +217,11 @@ def test_ctrl_c_anywhere_in_the_middle_returns_a_whole_motion_no_worse_than_the_
     keys, terms = long_keys(partial=True), [(Counted(), 1.0), *penalties()[1:]]
     settings, values = Settings(variable=1, frames=2 * SEGMENTS, tolerance=1e-3), []
     Counted.reset(0)
-    inbetween(FIGURE, keys, terms, settings)
+    inbetween(Problem(FIGURE, keys, terms, settings))
     total = Counted.calls
     for share in (0.05, 0.3, 0.5, 0.7, 0.95):
         Counted.reset(int(share * total))
-        motion = inbetween(FIGURE, keys, terms, settings)
+        motion = inbetween(Problem(FIGURE, keys, terms, settings))
         Counted.reset(0)
         assert motion.stop is Stop.ASKED
         assert_whole(motion.path, keys)
@@ -237,7 +241,7 @@ def test_a_stop_in_improved_keeps_the_whole_clip_as_it_was_told(short, error, co
         if len(told) == count:
             raise error
 
-    motion = inbetween(FIGURE, keys, penalties(), SETTINGS, improved=stop)
+    motion = inbetween(Problem(FIGURE, keys, penalties(), SETTINGS), improved=stop)
     assert motion.stop is Stop.ASKED
     assert len(told) == count
     assert_whole(motion.path, keys)
@@ -255,7 +259,7 @@ def test_ctrl_c_between_windows_returns_a_whole_motion(short, monkeypatch, windo
         return opened(self, at)
 
     monkeypatch.setattr(Assembly, "opened", interrupted)
-    motion = inbetween(FIGURE, keys, penalties(), SETTINGS)
+    motion = inbetween(Problem(FIGURE, keys, penalties(), SETTINGS))
     assert motion.stop is Stop.ASKED
     assert_whole(motion.path, keys)
     assert fine_value(motion) <= fine_value(motion, path_of(motion.raw)) * (1 + 1e-9)
@@ -266,7 +270,7 @@ def test_other_methods_and_bounds_solve_windows_too(short):
     more: list[tuple[Penalty, float]] = [*penalties(), (limits_of(FIGURE), 0.1)]
     for method in ("newton", "lbfgs"):
         settings = Settings(variable=1, frames=0, method=method, max_evaluations=60)
-        motion = inbetween(FIGURE, long_keys(), more, settings)
+        motion = inbetween(Problem(FIGURE, long_keys(), more, settings))
         assert_whole(motion.path, long_keys())
         assert motion.timeline.variable_count == SEGMENTS
         assert fine_value(motion) < 0.9 * fine_value(motion, path_of(motion.raw))

@@ -11,7 +11,7 @@ from hinged import PENALTIES, hinge_keys, hinged
 from oracles import by_scipy
 from random_keys import distance_from_key, random_keys
 
-from dynsplines.solver import Motion, inbetween
+from dynsplines.solver import Problem, Solution, inbetween
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
@@ -50,20 +50,20 @@ def swinging(seed: int) -> list[Frame]:
     return keys
 
 
-def first_search(keys: list[Frame], monkeypatch: pytest.MonkeyPatch) -> Motion:
+def first_search(keys: list[Frame], monkeypatch: pytest.MonkeyPatch) -> Solution:
     """What comes out if nobody begins again."""
     with monkeypatch.context() as patch:
         patch.setattr(VERB, "is_astray", lambda *_: False)
         patch.setattr(VERB, "is_dear", lambda *_: False)
         patch.setattr(VERB, "farthest", lambda *_: 0.0)
-        return inbetween(LIMB, keys, TERMS)
+        return inbetween(Problem(LIMB, keys, TERMS))
 
 
-def value(motion: Motion) -> float:
+def value(motion: Solution) -> float:
     return motion.objective.value(motion.path)
 
 
-def least_flexion(motion: Motion) -> float:
+def least_flexion(motion: Solution) -> float:
     """[degrees], of a knee that may fold by a little more than half a turn."""
     t = np.linspace(*motion.path.span, 500)
     flexion = np.degrees(limits(KNEE).angles(motion.objective.samples(motion.path, t))[0])
@@ -155,7 +155,7 @@ def from_raw(monkeypatch) -> None:
 @pytest.mark.parametrize("seed", SWINGS)
 def test_beginning_again_never_ends_higher(seed, monkeypatch, from_raw):
     keys = swinging(seed)
-    before, after = first_search(keys, monkeypatch), inbetween(LIMB, keys, TERMS)
+    before, after = first_search(keys, monkeypatch), inbetween(Problem(LIMB, keys, TERMS))
     assert is_astray(before.objective, before.timeline, before.trace[-1][3])
     assert after.evaluations > before.evaluations
     assert value(after) <= value(before) * (1 + 1e-9)
@@ -168,7 +168,7 @@ def test_beginning_again_never_ends_higher(seed, monkeypatch, from_raw):
 @pytest.mark.parametrize("seed", HEAPS)
 def test_a_limb_that_began_behind_its_knee_is_out_of_there(seed, monkeypatch):
     keys = swinging(seed)
-    before, after = first_search(keys, monkeypatch), inbetween(LIMB, keys, TERMS)
+    before, after = first_search(keys, monkeypatch), inbetween(Problem(LIMB, keys, TERMS))
     assert least_flexion(before) < -20
     assert least_flexion(after) > -1.5
     assert not is_violent(after.objective, after.trace[-1][3])
@@ -180,7 +180,7 @@ def test_a_limb_that_began_behind_its_knee_is_out_of_there(seed, monkeypatch):
 def test_where_the_raw_spline_is_far_off_the_straight_way_comes_first(seed):
     keys = swinging(seed)
     assert farthest(LIMB, evenly(raw_timeline(LIMB, keys), 2)) > FAR
-    found = inbetween(LIMB, keys, TERMS)
+    found = inbetween(Problem(LIMB, keys, TERMS))
     assert found.trace[0][2] < 0.1 * found.objective.value(path_of(evenly(raw_timeline(LIMB, keys), 2)))
     assert least_flexion(found) > -1.5
     assert not is_violent(found.objective, found.trace[-1][3])
@@ -190,7 +190,7 @@ def test_a_motion_that_is_no_heap_is_searched_once(monkeypatch):
     figure, asked = hinged(), []
     keys = [Frame.key(key.time, 0.3 * key.state) for key in hinge_keys()]
     monkeypatch.setattr(VERB, "straightened", lambda *_: asked.append(True))
-    motion = inbetween(figure, keys, [(CovariantAcceleration(), 1.0)])
+    motion = inbetween(Problem(figure, keys, [(CovariantAcceleration(), 1.0)]))
     assert motion.stop is Stop.CONVERGED
     assert not asked
 
@@ -200,10 +200,10 @@ def test_a_second_search_that_ends_no_lower_changes_nothing(figure, rng, monkeyp
     with monkeypatch.context() as patch:
         patch.setattr(VERB, "is_astray", lambda *_: False)
         patch.setattr(VERB, "is_dear", lambda *_: False)
-        once = inbetween(figure, keys, PENALTIES)
+        once = inbetween(Problem(figure, keys, PENALTIES))
     monkeypatch.setattr(VERB, "is_astray", lambda *_: True)
     monkeypatch.setattr(VERB, "straightened", lambda _figure, timeline: timeline)
-    twice = inbetween(figure, keys, PENALTIES)
+    twice = inbetween(Problem(figure, keys, PENALTIES))
     assert twice.evaluations > once.evaluations
     assert (twice.trace, twice.stop) == (once.trace, once.stop)
     np.testing.assert_array_equal(twice.timeline.rows, once.timeline.rows)
@@ -218,7 +218,7 @@ def test_a_stop_in_the_second_search_keeps_the_better_of_both(monkeypatch, from_
         if each.round > before.trace[-1][1]:
             raise StopSearch
 
-    after = inbetween(LIMB, keys, TERMS, improved=stop)
+    after = inbetween(Problem(LIMB, keys, TERMS), improved=stop)
     assert after.stop is Stop.ASKED
     assert before.evaluations < after.evaluations
     assert value(after) < value(before)
@@ -227,7 +227,7 @@ def test_a_stop_in_the_second_search_keeps_the_better_of_both(monkeypatch, from_
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", SWINGS)
 def test_nothing_is_worse_than_the_raw_spline_on_one_fine_grid_for_both(seed):
-    motion = inbetween(LIMB, swinging(seed), TERMS)
+    motion = inbetween(Problem(LIMB, swinging(seed), TERMS))
     edges = np.linspace(*motion.path.span, 2000)
     found, before = (motion.objective.value(path, edges) for path in (motion.path, path_of(motion.raw)))
     assert found <= before
@@ -259,7 +259,7 @@ def test_a_round_that_hid_what_it_costs_is_not_kept(monkeypatch):
         return judged[-1][-1]
 
     monkeypatch.setattr(VERB, "best", seen)
-    inbetween(LIMB, swinging(10), TERMS)
+    inbetween(Problem(LIMB, swinging(10), TERMS))
     objective, timelines, chosen = judged[0]
     times = common_grid(timelines)
     values = [objective.value(path_of(timeline), times) for timeline in timelines]
@@ -270,13 +270,13 @@ def test_a_round_that_hid_what_it_costs_is_not_kept(monkeypatch):
 
 @pytest.mark.slow
 def test_where_both_ways_end_in_a_heap_terms_enter_one_after_the_other(monkeypatch):
-    keys, plain = swinging(3), inbetween(LIMB, swinging(3), TERMS)
+    keys, plain = swinging(3), inbetween(Problem(LIMB, swinging(3), TERMS))
     without: list[frozenset[str]] = []
     loosened = VERB._Loop.loosened
     monkeypatch.setattr(VERB, "is_astray", lambda *_: True)
     monkeypatch.setattr(VERB, "is_violent", lambda *_: True)
     monkeypatch.setattr(VERB._Loop, "loosened", lambda *of: (without.append(of[2]), loosened(*of))[1])
-    motion = inbetween(LIMB, keys, TERMS)
+    motion = inbetween(Problem(LIMB, keys, TERMS))
     assert without == [VERB.OF_CONTACTS, VERB.OF_LIMBS]
     assert motion.evaluations > plain.evaluations
     edges = np.linspace(*motion.path.span, 500)
@@ -291,10 +291,10 @@ def test_what_came_out_well_but_dear_is_searched_once_more_without_bends_to_begi
     loosened = VERB._Loop.loosened
     monkeypatch.setattr(VERB, "is_astray", lambda *_: False)
     monkeypatch.setattr(VERB._Loop, "loosened", lambda *of: (without.append(of[2]), loosened(*of))[1])
-    plain = inbetween(LIMB, swinging(3), TERMS)
+    plain = inbetween(Problem(LIMB, swinging(3), TERMS))
     assert without == []
     monkeypatch.setattr(VERB, "is_dear", lambda *_: True)
-    again = inbetween(LIMB, swinging(3), TERMS)
+    again = inbetween(Problem(LIMB, swinging(3), TERMS))
     assert without == [VERB.OF_LIMBS]
     assert again.evaluations > plain.evaluations
     edges = np.linspace(*again.path.span, 500)
@@ -313,7 +313,7 @@ def test_a_single_evaluation_leaves_the_raw_spline_as_it_is(monkeypatch):
         state = figure.model.qpos0 + 0.2 * rng.normal(size=figure.model.nq)
         keys.append(Frame.key(0.3 * i, state))
     settings = VERB.Settings(variable=0, frames=0, max_evaluations=1)
-    found = inbetween(figure, keys, [(CovariantAcceleration(), 1.0)], settings)
+    found = inbetween(Problem(figure, keys, [(CovariantAcceleration(), 1.0)], settings))
     np.testing.assert_array_equal(found.timeline.states, found.raw.states)
     np.testing.assert_array_equal(found.timeline.end_slope, found.raw.end_slope)
 
@@ -323,7 +323,7 @@ def test_keyframes_up_to_10_000_times_as_far_apart_as_their_neighbours_end_with_
     root = [0, 0, 1.0, 1, 0, 0, 0]
     knees = [quat.from_rotation_vector([0, np.radians(angle), 0]) for angle in (20, 21, 80)]
     keys = [Frame.key(t, np.concatenate([root, q])) for t, q in zip((0, apart, 10 - apart), knees, strict=True)]
-    motion = inbetween(LIMB, keys, TERMS)
+    motion = inbetween(Problem(LIMB, keys, TERMS))
     assert longest(LIMB, motion.raw) > LONG or apart > 1e-3
     assert longest(LIMB, motion.timeline) < 1.25
     assert motion.trace[-1][2] < 1e3

@@ -13,7 +13,7 @@ from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.inbetween import Motion, inbetween
+from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Discretised, Objective
 from dynsplines.solver.penalty import CovariantAcceleration
 from dynsplines.solver.refine.subdivision import evenly
@@ -21,6 +21,7 @@ from dynsplines.solver.search.descent import NEWTON, Descent
 from dynsplines.solver.search.newton import gauss_newton
 from dynsplines.solver.search.optimiser import METHODS, Stop, StopSearch
 from dynsplines.solver.search.refinement import refined
+from dynsplines.solver.solution import Solution
 
 TWO_BALLS = """
 <mujoco><worldbody><body><joint type="ball"/><geom size=".1" pos="0 0 -.3"/>
@@ -32,11 +33,9 @@ def problem(rng) -> Discretised:
     return discretised(Figure(mujoco.MjModel.from_xml_string(BALL_TREE)), rng, "free")
 
 
-def solved(name: str, method: str) -> Motion:
+def solved(name: str, method: str) -> Solution:
     clip = load(name)
-    settings = replace(clip.settings, method=method)
-    ends = {"ends": clip.ends, "end_slope": clip.end_slope, "travel": clip.travel}
-    return inbetween(clip.figure, clip.keys, clip.penalties, settings, **ends)
+    return inbetween(replace(clip.problem, settings=replace(clip.settings, method=method)))
 
 
 @pytest.mark.slow

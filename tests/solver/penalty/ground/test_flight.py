@@ -18,9 +18,10 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.jacobian_rows import Pushes
 from dynsplines.solver.figure.kinematics import Cotangent, Samples
 from dynsplines.solver.figure.wrench import RootWrench, height, weight
-from dynsplines.solver.inbetween import Settings, inbetween
+from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import CovariantAcceleration, Flight, Penalty, RootAcceleration
 from dynsplines.solver.penalty.ground.flight import rows_of_wrench
+from dynsplines.solver.problem import Problem, Settings
 
 G = 9.81
 BRICK = f"""<mujoco><option gravity="0 0 -{G}"/><worldbody><body><freejoint/>
@@ -125,7 +126,7 @@ def hop(*penalties: tuple[Penalty, float]) -> tuple[float, float]:
         qpos[:3] = 2 * time, 0, z
         qpos[7:11] = quat.from_rotation_vector(np.array([0, 2 * np.sin(9 * time), 0]))
         keys.append(Frame.key(time, qpos))
-    motion = inbetween(figure, keys, [(CovariantAcceleration(), 1.0), *penalties], Settings(frames=20))
+    motion = inbetween(Problem(figure, keys, [(CovariantAcceleration(), 1.0), *penalties], Settings(frames=20)))
     off = []
     for timeline in (motion.raw, motion.timeline):
         samples = Samples(figure, *path_of(timeline).motion(np.linspace(0.3, 0.7, 201)))

@@ -73,7 +73,7 @@ def run(crouched: float) -> list[Frame]:
 
 
 def test_the_shipped_run_has_its_three_flights():
-    support = clips.load("run_and_step").support
+    support = clips.load("run_and_step").context.support
     assert support is not None
     assert support.flights == ((0.12, 0.26), (0.49, 0.63), (0.88, 1.20))
 

@@ -9,7 +9,7 @@ from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.inbetween import Settings, inbetween
+from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import (
     CovariantAcceleration,
     Grounded,
@@ -18,6 +18,7 @@ from dynsplines.solver.penalty import (
     grounded_intervals,
 )
 from dynsplines.solver.penalty.curvature import Curvature
+from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point, places_of
 
@@ -89,7 +90,7 @@ def on_a_path(heights: list[float], weight: float, flights: tuple = ()) -> float
     intervals = grounded_intervals(figure, raw_timeline(figure, keys), (FOOT,), (FLOOR,), flights)
     penalties = [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0), (UnitMagnitude(), 1.0)]
     penalties.append((Grounded((FOOT,), (FLOOR,), intervals), weight))
-    motion = inbetween(figure, keys, penalties, Settings(tolerance=1e-4))
+    motion = inbetween(Problem(figure, keys, penalties, Settings(tolerance=1e-4)))
     middle = 0.5 * (len(heights) - 1) * np.linspace(1 / 3, 2 / 3, 200)
     return float(motion.at(middle)[:, 2].max() - 0.1)
 

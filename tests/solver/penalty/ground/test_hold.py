@@ -11,7 +11,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.inbetween import Settings, inbetween
+from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import (
     CovariantAcceleration,
     Hold,
@@ -23,6 +23,7 @@ from dynsplines.solver.penalty import (
 )
 from dynsplines.solver.penalty.curvature import Curvature
 from dynsplines.solver.penalty.ground.resting import SETTLING
+from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface.points import Point
 
 TWO = """<mujoco><worldbody>
@@ -131,7 +132,7 @@ def test_a_hand_stays_on_a_box_that_turns_where_the_raw_spline_loses_it(is_known
     others = [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0), (UnitMagnitude(), 1.0)]
 
     def worst(weight: float) -> float:
-        motion = inbetween(figure, keys, [*others, (Holding((hold,)), weight)], Settings(tolerance=1e-5))
+        motion = inbetween(Problem(figure, keys, [*others, (Holding((hold,)), weight)], Settings(tolerance=1e-5)))
         samples = Samples(figure, *(figure.to_state(motion.at(np.linspace(0, 1, 80))),) * 3)
         return float(np.linalg.norm(slipped(samples, hold) - spot[:, None], axis=0).max())
 

@@ -24,6 +24,7 @@ from dynsplines.solver.figure.kinematics import Cotangent, Samples
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Objective, segment_integrals
 from dynsplines.solver.penalty import CovariantAcceleration, Placed, Placement, UnitMagnitude
+from dynsplines.solver.problem import Problem
 from dynsplines.solver.refine.subdivision import by_weak_form, evenly
 from dynsplines.solver.search.quadratic import Layout, Model
 from dynsplines.solver.surface.points import Point
@@ -186,7 +187,7 @@ def test_a_reachable_place_is_reached_within_a_millimetre(coordinates, which):
     keys = [Frame.key(float(i), [0.1 * i, 0, 1, 1, 0, 0, 0]) for i in range(3)]
     keys[which] = Frame.key(float(which), keys[which].state, free)
     penalties = [(CovariantAcceleration(), 1.0), (UnitMagnitude(), 1.0), (Placement((placed(1, float(which)),)), 30.0)]
-    motion = inbetween(figure, keys, penalties)
+    motion = inbetween(Problem(figure, keys, penalties))
     data = mujoco.MjData(figure.model)
     data.qpos[:] = motion.at(float(which))[0]
     mujoco.mj_kinematics(figure.model, data)

@@ -8,11 +8,12 @@ from random_samples import at_times, random_samples
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.inbetween import Settings, inbetween
+from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import CovariantAcceleration, Rest, Resting, RootAcceleration, UnitMagnitude
 from dynsplines.solver.penalty.curvature import Curvature
 from dynsplines.solver.penalty.ground.contact import point_gradients, velocity_gradients
 from dynsplines.solver.penalty.ground.resting import SETTLING
+from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point
 
@@ -76,7 +77,7 @@ def test_a_foot_rests_where_nobody_said_that_it_should():
 
     def way(weight: float) -> float:
         resting = Resting((Rest(foot, 0.4, 0.6),), (floor,))
-        motion = inbetween(figure, keys, [*penalties, (resting, weight)], Settings(tolerance=1e-4))
+        motion = inbetween(Problem(figure, keys, [*penalties, (resting, weight)], Settings(tolerance=1e-4)))
         qpos = motion.at(np.linspace(0.4, 0.6, 100))
         return float(np.ptp(qpos[:, 0]) + np.abs(qpos[:, 2] - 0.1).max())
 

@@ -10,11 +10,12 @@ from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.inbetween import Settings, inbetween
+from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import Contact, CovariantAcceleration, RootAcceleration, Skate, UnitMagnitude
 from dynsplines.solver.penalty.curvature import Curvature
 from dynsplines.solver.penalty.ground.contact import velocity_gradients
 from dynsplines.solver.penalty.ground.skate import LONG, Bound
+from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface import Box, Plane
 from dynsplines.solver.surface.points import Point, places_of
 
@@ -119,7 +120,9 @@ def speed_on_the_ground(weight: float, clock: float = 1.0) -> float:
     places = [(0.0, 0.4), (0.4, 0.1), (0.5, 0.1), (0.9, 0.4)]
     keys = [Frame.key(0.3 * clock * i, [x, 0, z, 1, 0, 0, 0]) for i, (x, z) in enumerate(places)]
     penalties = [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0), (UnitMagnitude(), 1.0)]
-    motion = inbetween(figure, keys, [*penalties, (Skate((FOOT,), (FLOOR,)), weight)], Settings(tolerance=1e-4))
+    motion = inbetween(
+        Problem(figure, keys, [*penalties, (Skate((FOOT,), (FLOOR,)), weight)], Settings(tolerance=1e-4))
+    )
     t = np.linspace(0, 0.9 * clock, 901)
     qpos = motion.at(t)
     speed = np.linalg.norm(np.gradient(qpos[:, :2], t, axis=0), axis=1)

@@ -19,8 +19,9 @@ from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Cotangent, Samples
-from dynsplines.solver.inbetween import Settings, inbetween
+from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import CovariantAcceleration, JointRange, UnitMagnitude, joint_ranges
+from dynsplines.solver.problem import Problem, Settings
 
 LIMITS = {"shoulder": 60, "elbow": 100, "hip": 20, "wrist": 50, "swing": 30}
 PLAIN = {"yaw": (-40, 10), "pitch": (30, 90), "turn": (-1, 1)}
@@ -209,7 +210,7 @@ def test_a_joint_keyed_beyond_its_range_does_not_flick(kind):
 
     def solved(limits: JointRange) -> float:
         chosen = [term for term in (*terms, (limits, 1.0)) if kind == "ball" or term[0].name != "unit"]
-        return peak(inbetween(figure, keys, chosen, Settings(frames=8, tolerance=1e-4)).timeline)
+        return peak(inbetween(Problem(figure, keys, chosen, Settings(frames=8, tolerance=1e-4))).timeline)
 
     strict = JointRange(joint_ranges(figure))
     assert solved(strict.allowing(figure, raw)) <= 2.5 * peak(raw)

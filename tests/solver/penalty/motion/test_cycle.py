@@ -16,9 +16,10 @@ from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.inbetween import Settings, inbetween
+from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import Cycle
 from dynsplines.solver.penalty.curvature import Curvature
+from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.reading.pose_vectors import HEIGHT
 from dynsplines.solver.reading.stride import Gait
 
@@ -84,10 +85,10 @@ def test_its_curvature_is_that_of_differences(cycled, rng):
 @pytest.mark.slow
 def test_a_walk_with_few_keyframes_is_nearer_to_the_real_one_and_goes_through_them():
     keys = [Frame.key(TIME[k], WALK[k]) for k in range(0, TIME.size, 280)]
-    penalties = constraints(Context(FIGURE, gait(WALK, 0.7).keys, GROUND, [], "walk"), [])
+    penalties = constraints(Context.of(FIGURE, gait(WALK, 0.7).keys, GROUND, "walk"), []).penalties
     off = {}
     for some in (penalties, [(p, w) for p, w in penalties if p.name != "cycle"]):
-        motion = inbetween(FIGURE, keys, some, Settings(frames=30, tolerance=1e-2))
+        motion = inbetween(Problem(FIGURE, keys, some, Settings(frames=30, tolerance=1e-2)))
         reached = TIME[keys[-1].time >= TIME][::20]
         found = motion.at(reached)[:, FIGURE.tables.quaternion_columns.T]
         real = WALK[: 20 * reached.size : 20][:, FIGURE.tables.quaternion_columns.T]

@@ -12,9 +12,10 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.inbetween import Settings, inbetween
+from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import CovariantAcceleration, Posture, RootAcceleration, UnitMagnitude
 from dynsplines.solver.penalty.curvature import Curvature
+from dynsplines.solver.problem import Problem, Settings
 
 
 @pytest.fixture(params=HUMAN_AND_CHAINS, ids=["human", "human, joints", "fixed balls", "fixed ball and hinge"])
@@ -78,7 +79,7 @@ def swing(weight: float) -> float:
         bent = quat.from_rotation_vector(np.radians([0, angle, 0]))
         keys.append(Frame.key(2.0 * i, np.concatenate([[1, 0, 0, 0], bent])))
     penalties = [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0), (UnitMagnitude(), 1.0)]
-    motion = inbetween(figure, keys, [*penalties, (Posture(), weight)], Settings(tolerance=1e-5))
+    motion = inbetween(Problem(figure, keys, [*penalties, (Posture(), weight)], Settings(tolerance=1e-5)))
     q = motion.at(np.linspace(0, 6, 601))[:, 4:]
     return float(np.degrees(quat.angle_between(np.array([1.0, 0, 0, 0]), q)).max())
 

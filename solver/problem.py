@@ -1,0 +1,131 @@
+"""What is asked of the verb: keyframes of a figure, soft constraints with their weights, how the search is to go."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .array import Array
+from .curve.frame import Frame, Timeline
+from .curve.quadrature import Quadrature
+from .curve.spline import path_of
+from .curve.unknowns import raw_timeline
+from .figure.figure import Figure
+from .objective import Objective
+from .penalty import Guide, Penalty
+from .refine.subdivision import CRITERIA
+from .search.descent import NEWTON
+
+FEW, MORE = 2, 3  # variable frames in a segment to begin with: of any clip, of one that is solved window by window
+TINY = 0.05  # of the spacing of frames beside it: a segment so short needs none, and with some E is hard to lower
+SPACING = 0.3  # [s] between the frames to begin with in a long segment, so that it can follow what is beside it
+
+
+@dataclass(frozen=True)
+class Settings:
+    """How the search goes.
+
+    variable         variable frames in every segment between keyframes to begin with; None: 2, and 3 in a clip so long
+                     that it is solved window by window, where more rounds would take too long
+    frames           subdivision goes on up to so many variable frames in all; None: twelve a segment between keyframes
+    criterion        which segments are split: "weak", "residual", "objective", "resolution"
+    threshold        a segment is split if its criterion exceeds this; weak: share of the mean E between two keyframes;
+                     the other criteria have units of their own
+    batch            share of the segments that are split in one round, at most
+    method           "newton" (Gauss-Newton steps), or one of NLopt's by name
+    max_evaluations  budget of evaluations in each round
+    tolerance        relative progress at which the last round ends
+    renormalise      divide each term by its integral over the raw spline (eq. 7)
+    """
+
+    variable: int | None = None
+    frames: int | None = None
+    criterion: str = "weak"
+    threshold: float = 1e-3
+    batch: float = 1.0
+    method: str = NEWTON
+    max_evaluations: int = 250
+    tolerance: float = 1e-5
+    renormalise: bool = True
+    quadrature: Quadrature = field(default_factory=Quadrature)
+
+    def __post_init__(self) -> None:
+        if self.criterion not in CRITERIA:
+            raise ValueError(f"no subdivision criterion '{self.criterion}'; there are: {', '.join(CRITERIA)}")
+        if (self.variable or 0) < 0 or (self.frames is not None and self.frames < 0):
+            raise ValueError("settings: variable and frames must not be negative")
+        if self.max_evaluations < 1 or not self.tolerance > 0 or not self.batch > 0 or self.threshold < 0:
+            raise ValueError("settings: max_evaluations, tolerance and batch must be positive, threshold not negative")
+
+    def beginning(self, times: Array, *, in_windows: bool) -> Array:
+        """(V,) [s] of the variable frames to begin with between keyframes at times (K,) [s]: so many in every segment,
+        more in one that is long and none in one that is tiny beside its neighbours, unless `variable` says how many."""
+        spans = np.diff(times)
+        count = np.full(spans.size, self.in_each(spans.size, in_windows=in_windows))
+        if self.variable is None:
+            longer = np.maximum(count, np.ceil(spans / SPACING).astype(int) - 1)
+            if self.frames is None or longer.sum() <= self.frames:
+                count = longer
+            spacing = np.pad(spans / (count + 1), 1)
+            count[spans < TINY * np.maximum(spacing[:-2], spacing[2:])] = 0
+        return np.concatenate(
+            [a + h * np.arange(1, n + 1) / (n + 1) for a, h, n in zip(times[:-1], spans, count, strict=True)]
+        )
+
+    def in_each(self, segments: int, *, in_windows: bool) -> int:
+        """Variable frames to begin with in every one of so many segments between keyframes."""
+        if self.variable is not None:
+            return self.variable
+        return max(FEW, min(MORE, (self.frames or MORE * segments) // segments)) if in_windows else FEW
+
+
+@dataclass(frozen=True, eq=False)
+class Problem:
+    """Keyframes of a figure, to be in-betweened by a path that keeps soft constraints small.
+
+    keys       keyframes holding *qpos* (nq,) and the mask of what is fixed, at least two, in order of time
+    penalties  soft constraints with their weights α
+    ends       "free", "clamped" (with end_slope (2, N), in the figure's coordinates) or "periodic"
+    travel     (3,) [m] how far the root of a loop comes in one period; None: as far in x and y as the keyframes say
+    turn       [rad] by how much the root of a loop is turned by then; None: as the keyframes say
+    """
+
+    figure: Figure
+    keys: Sequence[Frame]
+    penalties: Sequence[tuple[Penalty, float]]
+    settings: Settings = field(default_factory=Settings)
+    ends: str = "free"
+    end_slope: Array | None = None
+    travel: ArrayLike | None = None
+    turn: float | None = None
+
+    @cached_property
+    def raw(self) -> Timeline:
+        """The timeline of the spline through the keyframes alone. Raises TimelineError for frames that make no clip."""
+        return raw_timeline(self.figure, list(self.keys), self.ends, self.end_slope, self.travel, self.turn)
+
+    @cached_property
+    def plain_objective(self) -> Objective:
+        """E with no term divided by anything."""
+        return Objective.of(self.figure, self.penalties, quadrature=self.settings.quadrature)
+
+    @cached_property
+    def objective(self) -> Objective:
+        """E as a search of these settings minimises it (eq. 7)."""
+        return renormalised(self.plain_objective, self.raw) if self.settings.renormalise else self.plain_objective
+
+
+def renormalised(objective: Objective, raw: Timeline) -> Objective:
+    """Every term divided by its integral over the raw path, or the path that one of them knows to begin with."""
+    guide = guide_of(objective)
+    return objective.renormalised(path_of(raw), None if guide is None else path_of(guide.led(raw, None)))
+
+
+def guide_of(objective: Objective) -> Guide | None:
+    """The soft constraint that knows a path to begin with, if one does."""
+    guides = (term.penalty for term in objective.terms if isinstance(term.penalty, Guide) and term.weight > 0)
+    return next(guides, None)
