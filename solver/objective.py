@@ -16,8 +16,9 @@ from .curve.frame import Timeline
 from .curve.quadrature import Quadrature, gauss_nodes
 from .curve.spline import Path, Sampling, spline_of
 from .curve.unknowns import Unknowns
+from .figure.adjoint import Cotangent
 from .figure.figure import Figure
-from .figure.kinematics import Cotangent, Samples
+from .figure.kinematics import Samples
 from .penalty import Penalty
 from .penalty.penalty import instants_of
 

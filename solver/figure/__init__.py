@@ -2,7 +2,8 @@
 
 figure         an MjModel as a tree of links, one joint each, and the state that a spline runs through
 algebra        vectors, rotations and quaternions of many links at many samples, component first
-kinematics     samples of a path as motion of the links, and the adjoint sweep that pulls gradients back
+kinematics     samples of a path as motion of the links
+adjoint        gradients with respect to that motion, pulled back to the path
 dynamics       inverse dynamics of all samples at once, and its adjoint; eqs. 18-21 and appendix A of the paper
 wrench         the wrench at a free root: what must push the figure from outside for it to move as it does
 axes           what each coordinate of a figure does to its links, as a function of time

@@ -78,10 +78,10 @@ def gathered(weights: Array, vectors: Array) -> Array:
     return np.matmul(weights, vectors)
 
 
-def add_at(room: Array, links: Index, vectors: Array) -> None:
-    """room[:, links] += vectors, where a link may come up more than once: (3, L, S) with (n,) and (3, n, S)."""
+def add_at(buffer: Array, links: Index, vectors: Array) -> None:
+    """buffer[:, links] += vectors, where a link may come up more than once: (3, L, S) with (n,) and (3, n, S)."""
     for i, link in enumerate(links):
-        room[:, link] += vectors[:, i]
+        buffer[:, link] += vectors[:, i]
 
 
 def hamilton(p: Array, q: Array) -> Array:

@@ -12,8 +12,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..array import Array
+from .adjoint import Cotangent, attached_pulled_back
 from .algebra import applied, cross, cross_sum, dot, gathered, turned_back
-from .kinematics import Cotangent, LinkMotion, Samples, attached_pulled_back
+from .kinematics import LinkMotion, Samples
 
 
 @dataclass(frozen=True)
@@ -71,35 +72,35 @@ class InverseDynamics:
 
         The sweep back is done once for all that is added, when the cotangent's gradients are asked for.
         """
-        owed = into.owed(self, 3)
-        owed[0] += moment_bar
-        for room, part in zip(owed[1:], (force_bar, centre_bar), strict=True):
+        buffer = into.deferred(self, 3)
+        buffer[0] += moment_bar
+        for own, part in zip(buffer[1:], (force_bar, centre_bar), strict=True):
             if part is not None:
-                room += part
+                own += part
 
-    def settle(self, into: Cotangent, owed: Array) -> None:
-        """The sweep back of all that is owed, (3, 3, L, S)."""
+    def settle(self, into: Cotangent, buffer: Array) -> None:
+        """The sweep back of all that was deferred, (3, 3, L, S)."""
         tables, links = self.links.figure.tables, self.links
-        moment_bar, force_bar, centre_bar = owed
+        moment_bar, force_bar, centre_bar = buffer
         anchor_bar = cross(moment_bar, self.force)
         force_bar += cross(links.anchor, moment_bar)
-        m, f_bar = np.matmul(tables.path, owed[:2])
+        m, f_bar = np.matmul(tables.path, buffer[:2])
         f_bar += cross(m, self.centre)
         centre_bar += cross(self.net_force, m)
         pair = np.array([cross(m, links.omega), m])  # what meets ω and ω'
         inertia_pair = np.einsum("ijls,kjls->kils", self.inertia, pair)
-        into.hand("omega", cross(self.momenta[0], m))
-        into.hand("omega", inertia_pair[0])
-        into.hand("alpha", inertia_pair[1])
-        into.hand("turn", cross_sum(self.momenta, pair))
-        into.hand("turn", cross_sum(inertia_pair, links.spins))
+        into.absorb("omega", cross(self.momenta[0], m))
+        into.absorb("omega", inertia_pair[0])
+        into.absorb("alpha", inertia_pair[1])
+        into.absorb("turn", cross_sum(self.momenta, pair))
+        into.absorb("turn", cross_sum(inertia_pair, links.spins))
         f_bar *= tables.mass[:, None]
         attached_pulled_back(into, self.arm, (centre_bar, None, f_bar))
         if links.hang is not None:
-            into.hand("turn", cross(links.hang, anchor_bar))
+            into.absorb("turn", cross(links.hang, anchor_bar))
         anchor_bar += centre_bar
-        into.hand("x", anchor_bar)
-        into.hand("x_dd", f_bar)
+        into.absorb("x", anchor_bar)
+        into.absorb("x_dd", f_bar)
 
 
 def body_forces(samples: Samples) -> BodyForces:

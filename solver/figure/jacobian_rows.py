@@ -13,10 +13,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..array import Array, Index
+from .adjoint import Cotangent
 from .algebra import applied, cross, dot, gathered, pure_product
 from .dynamics import InverseDynamics
 from .figure import Figure, JointKind
-from .kinematics import Cotangent, LinkMotion, Samples
+from .kinematics import LinkMotion, Samples
 from .wrench import RootWrench
 
 

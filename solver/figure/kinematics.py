@@ -1,4 +1,4 @@
-"""Samples of a path as motion of the figure's links, all at once, and the adjoint sweep that pulls gradients back.
+"""Samples of a path as motion of the figure's links, all at once; `adjoint` sweeps back.
 
 One forward sweep: state -> world quaternions Q, Q', Q'' of every link -> rotation, ω, ω', origin and its derivatives.
 One reverse sweep takes cotangents of any of these back to y, y', y''. Arrays are component first, sample last:
@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import cached_property
 from itertools import pairwise
-from typing import Protocol, TypeVar
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -23,22 +23,16 @@ from numpy.typing import ArrayLike
 from ..array import Array, Index
 from .algebra import (
     applied,
-    conjugated,
     cross,
-    dot,
     gathered,
     hamilton,
-    outer,
     rotation_matrix,
     swing_matrix,
-    swing_pulled_back,
     turned,
-    turned_back,
     vector_product,
 )
 from .figure import Figure, on_links
 
-Gradients = tuple[Array | None, Array | None, Array | None]
 Derived = TypeVar("Derived")
 
 
@@ -319,7 +313,7 @@ _OF_BASE, _OF_OWN = np.array([0, 1, 0, 2, 1, 0]), np.array([0, 0, 1, 0, 1, 2])
 def _world_quaternions(states: States) -> Array:
     """World quaternions of all links and two derivatives from joint coordinates, (3, 4, L, S)."""
     tables = states.figure.tables
-    out = _from_parents(states).swapaxes(0, 1)
+    out = from_parents(states).swapaxes(0, 1)
     for level in tables.levels:
         a, c = out[:, _OF_BASE][:, :, tables.parents[level]], out[:, _OF_OWN][:, :, level]
         parts = hamilton(a, c)
@@ -329,7 +323,7 @@ def _world_quaternions(states: States) -> Array:
     return out.swapaxes(0, 1)
 
 
-def _from_parents(states: States) -> Array:
+def from_parents(states: States) -> Array:
     """Each link's rotation c, c', c'' from its parent's axes, or the world's if that is in the state; (3, 4, L, S)."""
     tables, out = states.figure.tables, _local_quaternions(states)
     if tables.has_turns and tables.levels:
@@ -338,7 +332,7 @@ def _from_parents(states: States) -> Array:
     return out
 
 
-def _hinge_quaternions(states: States) -> tuple[Array, Array, Array]:
+def hinge_quaternions(states: States) -> tuple[Array, Array, Array]:
     """(cos θ/2, axis sin θ/2) of the hinges and two derivatives, (4, h, S) each."""
     tables = states.figure.tables
     theta, theta_d, theta_dd = (states.columns(tables.hinge_columns, k) for k in range(3))
@@ -356,298 +350,5 @@ def _local_quaternions(states: States) -> Array:
     out[0, 0] = 1.0
     out[:, :, tables.quaternion_links] = states.quaternions[:, :, 1:]
     if tables.hinge_links.size:
-        out[:, :, tables.hinge_links] = _hinge_quaternions(states)
+        out[:, :, tables.hinge_links] = hinge_quaternions(states)
     return out
-
-
-class Adjoint(Protocol):
-    """Something derived from the links' motion that can pull gradients of it back."""
-
-    def settle(self, into: Cotangent, owed: Array) -> None:
-        """Adds the gradients with respect to the links' motion to `into`; `owed` is used up."""
-        ...
-
-
-class Cotangent:
-    """Gradients of one scalar with respect to any of a `Samples`' quantities, gathered and pulled back to y, y', y''.
-
-    `add("x", g)` adds to the gradient with respect to the links' origins, and so on for: y y_d y_dd (S, N);
-    q q_d q_dd (4, n, S); x x_d x_dd omega alpha turn (3, L, S), where `turn` is the gradient with respect to a small
-    world rotation of the link with ω and ω' held; swing (3, 3, L, S).
-    """
-
-    def __init__(self, samples: Samples) -> None:
-        self.samples = samples
-        self._parts: dict[str, Array] = {}
-        self._forces: list[tuple[Index, Array, Array]] = []
-        self._owed: list[tuple[Adjoint, Array]] = []
-
-    def owed(self, source: Adjoint, kinds: int) -> Array:
-        """Room (kinds, 3, L, S), zeros at first, for gradients with respect to what `source` derives.
-
-        All who use it add to them; they are pulled back once, at the end.
-        """
-        for known, room in self._owed:
-            if known is source:
-                return room
-        room = np.zeros((kinds, 3, len(self.samples.figure.links), self.samples.count))
-        self._owed.append((source, room))
-        return room
-
-    def add(self, name: str, gradient: Array) -> None:
-        if name in self._parts:
-            self._parts[name] += gradient
-        else:
-            self._parts[name] = np.array(gradient)
-
-    def hand(self, name: str, gradient: Array) -> None:
-        """`add` of an array that the caller has no more use for: it may be kept and added into."""
-        if name in self._parts:
-            self._parts[name] += gradient
-        else:
-            self._parts[name] = gradient
-
-    def room(self, name: str) -> Array:
-        """The array itself, zeros at first, to add into by index."""
-        if name not in self._parts:
-            samples = self.samples
-            if name[0] == "y":
-                shape: tuple[int, ...] = samples.y.shape
-            elif name[0] == "q":
-                shape = samples.q.shape
-            else:
-                shape = (3, len(samples.figure.links), samples.count)
-            self._parts[name] = np.zeros(shape)
-        return self._parts[name]
-
-    def add_forces(self, flat: Index, arm: Array, force: Array) -> None:
-        """Gradients (3, p) with respect to points at `arm` (3, p) from the origins of links.
-
-        flat  (p,) link · S + sample; the same may come up more than once
-        """
-        self._forces.append((flat, arm, force))
-
-    def _settle_forces(self) -> None:
-        """Adds all forces on points to x and turn."""
-        flat, arm, force = (np.concatenate(parts, axis=-1) for parts in zip(*self._forces, strict=True))
-        size = len(self.samples.figure.links) * self.samples.count
-        rows = np.concatenate([force, cross(arm, force)])
-        places = flat + size * np.arange(6)[:, None]
-        total = np.bincount(places.ravel(), rows.ravel(), 6 * size).reshape(2, 3, -1, self.samples.count)
-        self.hand("x", total[0])
-        self.hand("turn", total[1])
-
-    def gradients(self) -> tuple[Array, Array, Array]:
-        """The three gradients with respect to y, y', y'', each (S, N); the cotangent is used up."""
-        samples = self.samples
-        for source, owed in self._owed:
-            source.settle(self, owed)
-        if self._forces:
-            self._settle_forces()
-        if self._parts.keys() & {"x", "x_d", "x_dd", "omega", "alpha", "turn", "swing"}:
-            _origins_pulled_back(self)
-            if "swing" in self._parts:
-                by_omega, by_alpha = swing_pulled_back(self._parts["swing"], samples.links.omega)
-                self.hand("omega", by_omega)
-                self.hand("alpha", by_alpha)
-            quaternions = _quaternion_gradients(self)
-            if samples.figure.is_world:
-                blocks = [g[:, 1:] for g in quaternions]
-            else:
-                blocks = _products_pulled_back(self, quaternions)
-            for name, block in zip(("q", "q_d", "q_dd"), blocks, strict=False):
-                self.hand(name, block)
-        g, g_d, g_dd = (self._by_entries(*names) for names in (("y", "q"), ("y_d", "q_d"), ("y_dd", "q_dd")))
-        return g, g_d, g_dd
-
-    def _by_entries(self, name: str, blocks: str) -> Array:
-        """The gradient with respect to y, y' or y'', (S, N): its own entries' and the quaternion blocks'."""
-        part = self._parts.get(blocks)
-        if part is None:
-            return self.room(name)
-        samples, tables = self.samples, self.samples.figure.tables
-        rows = np.zeros((samples.y.shape[1], samples.count))
-        if tables.quaternion_slice is None:
-            rows[tables.quaternion_columns] = part
-        else:
-            rows[tables.quaternion_slice].reshape(-1, 4, samples.count)[:] = part.swapaxes(0, 1)
-        total = np.ascontiguousarray(rows.T)
-        if name in self._parts:
-            total += self._parts[name]
-        return total
-
-    def get(self, name: str) -> Array | None:
-        return self._parts.get(name)
-
-
-def attached_pulled_back(
-    into: Cotangent, s: Array, gradients: Gradients, owners: Index | None = None, swing: Array | None = None
-) -> None:
-    """Gradients of s, s' = ω × s and s'' = A s, for vectors s (3, n, S) that turn with links, to those of the links.
-
-    owners  (n,) the links, each vector's own; None: every link has one
-    swing   (3, 3, n, S) the owners' A, where it is known
-    """
-    links = into.samples.links
-    g, g_d, g_dd = gradients
-    pull = g
-    if g_d is not None:
-        omega = links.omega if owners is None else links.omega[:, owners]
-        pull = cross(g_d, omega) if pull is None else pull + cross(g_d, omega)
-        _to_owners(into, "omega", cross(s, g_d), owners)
-    if g_dd is not None:
-        if swing is None:
-            swing = links.swing if owners is None else links.swing[:, :, owners]
-        through = turned_back(swing, g_dd)
-        pull = through if pull is None else np.add(pull, through, out=through)
-        _to_owners(into, "swing", outer(g_dd, s), owners)
-    if pull is not None:
-        _to_owners(into, "turn", cross(s, pull), owners)
-
-
-def _to_owners(into: Cotangent, name: str, part: Array, owners: Index | None) -> None:
-    """Adds vectors' gradients to those of the links that own them."""
-    if owners is not None:
-        incidence = np.zeros((len(into.samples.figure.links), owners.size))
-        incidence[owners, np.arange(owners.size)] = 1
-        part = np.matmul(incidence, part)
-    into.hand(name, part)
-
-
-def _origins_pulled_back(cotangent: Cotangent) -> None:
-    """x, x', x'' -> positions of the free roots, slides, and turn, ω and swing of the links."""
-    samples, tables = cotangent.samples, cotangent.samples.figure.tables
-    own: list[Array | None] = []
-    for name, y_name in (("x", "y"), ("x_d", "y_d"), ("x_dd", "y_dd")):
-        whole = cotangent.get(name)
-        g = None if whole is None else gathered(tables.beyond, whole)
-        own.append(g)
-        if g is not None and tables.free_links.size:
-            columns = tables.position_columns.ravel()
-            cotangent.room(y_name)[:, columns] += g[:, tables.free_links].reshape(-1, samples.count).T
-    g, g_d, g_dd = own
-    if g is None and g_d is None and g_dd is None:
-        return
-    links = samples.links
-    swing = None if g_dd is None else links.parent_swing
-    attached_pulled_back(cotangent, links.step, (g, g_d, g_dd), tables.parents, swing)
-    if links.hang is not None:
-        x, x_d, x_dd = (None if part is None else -part for part in own)
-        attached_pulled_back(cotangent, links.hang, (x, x_d, x_dd))
-    if tables.slide_links.size:
-        _slides_pulled_back(cotangent, own)
-
-
-def _slides_pulled_back(cotangent: Cotangent, own: list[Array | None]) -> None:
-    """Displacement q e along a slide's axis e: gradients of q, q', q'' and of the axis."""
-    samples, tables = cotangent.samples, cotangent.samples.figure.tables
-    links, slides = samples.links, tables.slide_links
-    zero = np.zeros((3, slides.size, samples.count))
-    g, g_d, g_dd = (zero if part is None else part[:, slides] for part in own)
-    e, swing = links.slide_axis, links.swing[:, :, slides]
-    e_d, e_dd = cross(links.omega[:, slides], e), applied(swing, e)
-    q, q_d, q_dd = (links.slide(order) for order in range(3))
-    columns = tables.slide_columns
-    cotangent.room("y")[:, columns] += (dot(g, e) + dot(g_d, e_d) + dot(g_dd, e_dd)).T
-    cotangent.room("y_d")[:, columns] += (dot(g_d, e) + 2 * dot(g_dd, e_d)).T
-    cotangent.room("y_dd")[:, columns] += dot(g_dd, e).T
-    axis = (q * g + q_d * g_d + q_dd * g_dd, q * g_d + 2 * q_d * g_dd, q * g_dd)
-    attached_pulled_back(cotangent, e, axis, slides, swing)
-
-
-def _quaternion_gradients(cotangent: Cotangent) -> list[Array]:
-    """(turn, ω, ω') -> gradients with respect to Q, Q', Q'' of the links, (4, L, S); later ones left out if zero.
-
-    With G of a quaternion as in the algebra: (0, v) ⊗ Q = Gᵀ v.
-    """
-    links = cotangent.samples.links
-    turn, omega_bar, alpha_bar = (cotangent.get(name) for name in ("turn", "omega", "alpha"))
-    product = links.vector_product
-    if omega_bar is None and alpha_bar is None:
-        assert turn is not None
-        return [turned_back(product, turn * links.scale)]
-    first = np.zeros_like(links.omega) if omega_bar is None else omega_bar
-    if alpha_bar is None:
-        h0, h1 = cross(links.omega, first), first * links.scale
-    else:
-        h0 = cross(links.omega, first)
-        h0 += cross(links.alpha, alpha_bar)
-        h1 = cross(links.omega, alpha_bar)
-        h1 += first
-        h1 *= links.scale
-    if turn is not None:
-        h0 += turn
-    h0 *= links.scale
-    rate = 2 * links.rates[0]
-    if alpha_bar is None:
-        h0 -= links.rates[0] * h1
-        return [_product_sum((product, h0), (vector_product(links.Q_d), h1)), turned_back(product, h1)]
-    h2 = alpha_bar * links.scale
-    h1 -= rate * h2
-    h0 -= links.rates[0] * h1
-    h0 -= (links.rates[1] + dot(links.Q_d, links.Q_d) * links.scale) * h2
-    product_d = vector_product(links.Q_d)
-    g0 = _product_sum((product, h0), (product_d, h1), (vector_product(links.Q_dd), h2))
-    return [g0, _product_sum((product, h1), (product_d, 2 * h2)), turned_back(product, h2)]
-
-
-def _product_sum(*terms: tuple[Array, Array]) -> Array:
-    """Σ Gᵀ h, (4, L, S)."""
-    (matrix, vector), *rest = terms
-    total = turned_back(matrix, vector)
-    for matrix, vector in rest:
-        total += turned_back(matrix, vector)
-    return total
-
-
-def _products_pulled_back(cotangent: Cotangent, gradients: list[Array]) -> list[Array]:
-    """World quaternions' gradients -> those of joint coordinates: C = A ⊗ c, from the leaves to the root."""
-    samples, tables = cotangent.samples, cotangent.samples.figure.tables
-    links = samples.links
-    local, base = _from_parents(links.states).swapaxes(0, 1), links.quaternions.swapaxes(0, 1)
-    grads = np.zeros_like(base)
-    for order, gradient in enumerate(gradients):
-        grads[:, order] = gradient
-    for level in reversed(tables.levels):
-        parents = tables.parents[level]
-        g, a, c = grads[:, :, level], base[:, :, parents], local[:, :, level]
-        pairs = _OF_SUM, _OF_OTHER
-        up = _summed_back(hamilton(g[:, pairs[0]], conjugated(c[:, pairs[1]])))
-        grads[:, :, level] = _summed_back(hamilton(conjugated(a[:, pairs[1]]), g[:, pairs[0]]))
-        for i, parent in enumerate(parents):
-            grads[:, :, parent] += up[:, :, i]
-    if tables.has_turns and tables.levels:
-        some = np.concatenate(tables.levels)
-        grads[:, :, some] = hamilton(conjugated(tables.turn[:, None, some, None]), grads[:, :, some])
-    grads = grads.swapaxes(0, 1)
-    _hinges_pulled_back(cotangent, [grad[:, tables.hinge_links] for grad in grads])
-    return [grad[:, tables.quaternion_links] for grad in grads]
-
-
-# what meets the gradients of C, C', C'' in those of either factor, by the derivatives of the other
-_OF_SUM, _OF_OTHER = np.array([0, 1, 2, 1, 2, 2]), np.array([0, 1, 2, 0, 1, 0])
-
-
-def _summed_back(parts: Array) -> Array:
-    """(4, 6, l, S) -> gradients of a factor and its two derivatives, (4, 3, l, S)."""
-    return np.stack([parts[:, 0] + parts[:, 1] + parts[:, 2], parts[:, 3] + 2 * parts[:, 4], parts[:, 5]], axis=1)
-
-
-def _hinges_pulled_back(cotangent: Cotangent, grads: list[Array]) -> None:
-    """Gradients of (cos θ/2, axis sin θ/2) and its derivatives -> θ, θ', θ''."""
-    samples, tables = cotangent.samples, cotangent.samples.figure.tables
-    if not tables.hinge_links.size:
-        return
-    q, _, _ = _hinge_quaternions(samples.links.states)
-    axis = tables.axis[:, tables.hinge_links][:, :, None]
-    normal = np.concatenate([-dot(q[1:], axis + 0 * q[1:])[None], axis * q[0]])
-    theta_d, theta_dd = (samples.columns(tables.hinge_columns, k) for k in (1, 2))
-    g, g_d, g_dd = grads
-    along, along_d, along_dd = dot(g, normal), dot(g_d, normal), dot(g_dd, normal)
-    out_d, out_dd = dot(g_d, q), dot(g_dd, q)
-    columns = tables.hinge_columns
-    cotangent.room("y")[:, columns] += (
-        0.5 * along - 0.25 * theta_d * out_d - 0.25 * theta_dd * out_dd - 0.125 * theta_d**2 * along_dd
-    ).T
-    cotangent.room("y_d")[:, columns] += (0.5 * along_d - 0.5 * theta_d * out_dd).T
-    cotangent.room("y_dd")[:, columns] += (0.5 * along_dd).T

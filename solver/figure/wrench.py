@@ -11,10 +11,11 @@ import mujoco
 import numpy as np
 
 from ..array import Array
+from .adjoint import Cotangent
 from .algebra import cross
 from .dynamics import InverseDynamics
 from .figure import Figure
-from .kinematics import Cotangent, Samples
+from .kinematics import Samples
 
 STANDARD_GRAVITY = 9.81
 
@@ -45,7 +46,7 @@ class RootWrench:
         moments[:, self.root] = moment_bar
         forces[:, self.root] = force_bar + cross(self._lever, moment_bar)
         through_lever = cross(self.force, moment_bar)
-        into.room("x")[:, self.root] += through_lever
+        into.buffer("x")[:, self.root] += through_lever
         by_centre = -through_lever if centre_bar is None else centre_bar - through_lever
         self.inverse.pull_back(into, moments, forces, self.share[:, None] * by_centre[:, None])
 

@@ -16,7 +16,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..array import Array, Index
-from ..figure.kinematics import Cotangent, Samples
+from ..figure.adjoint import Cotangent
+from ..figure.kinematics import Samples
 
 ROWS_AT_ONCE = 400
 DIFFERENCE = 1e-6

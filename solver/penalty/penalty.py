@@ -14,7 +14,8 @@ import numpy as np
 
 from ..array import Array
 from ..curve.frame import Timeline
-from ..figure.kinematics import Cotangent, Samples
+from ..figure.adjoint import Cotangent
+from ..figure.kinematics import Samples
 from .curvature import Curvature, Sides, add_differences
 
 

@@ -7,7 +7,8 @@ from abc import abstractmethod
 import numpy as np
 
 from ..array import Array, Index
-from ..figure.kinematics import Cotangent, Samples
+from ..figure.adjoint import Cotangent
+from ..figure.kinematics import Samples
 from .curvature import Curvature, jacobian
 from .penalty import Penalty
 

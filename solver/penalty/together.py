@@ -7,7 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..array import Array
-from ..figure.kinematics import Cotangent, Samples
+from ..figure.adjoint import Cotangent
+from ..figure.kinematics import Samples
 from .curvature import Curvature, Sides
 from .penalty import Penalty, Scale
 

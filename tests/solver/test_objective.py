@@ -15,8 +15,9 @@ from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.quadrature import Quadrature, gauss_nodes
 from dynsplines.solver.curve.spline import Path, path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.objective import LEAST_TYPICAL, MOST_OF_TIME, RUN, SMALL_SHARE, VIOLENT, Objective
 from dynsplines.solver.penalty import (
     Contact,

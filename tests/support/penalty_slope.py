@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 from taylor import taylor_slope
 
-from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.figure.adjoint import Cotangent
+from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Penalty
 
 

@@ -11,11 +11,12 @@ import numpy as np
 
 from ...array import Array, Index
 from ...curve.frame import Timeline
+from ...figure.adjoint import Cotangent, attached_pulled_back
 from ...figure.algebra import applied, dot
 from ...figure.figure import Figure
 from ...figure.jacobian_rows import has_point_rows, point_rows, velocity_rows
 from ...figure.joint_rows import any_point_rows, any_velocity_rows
-from ...figure.kinematics import Cotangent, Samples, attached_pulled_back
+from ...figure.kinematics import Samples
 from ...surface import Surface
 from ...surface.points import Point, arrays_of, placed, places_of
 from ..allowance import Allowance
@@ -254,5 +255,5 @@ def add_by_velocity(into: Cotangent, link: int, at: Index, arm: Array, gradient:
     """Adds gradients (3, P) with respect to the velocities of points at `arm` (3, P) on a link, at samples `at`."""
     gradients, arms = np.zeros((2, 3, 1, into.samples.count))
     gradients[:, 0, at], arms[:, 0, at] = gradient, arm
-    into.room("x_d")[:, link] += gradients[:, 0]
+    into.buffer("x_d")[:, link] += gradients[:, 0]
     attached_pulled_back(into, arms, (None, gradients, None), np.array([link]))

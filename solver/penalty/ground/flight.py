@@ -10,10 +10,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...array import Array, Mask
+from ...figure.adjoint import Cotangent
 from ...figure.figure import Figure
 from ...figure.jacobian_rows import Pushes, has_moment_rows, wrench_rows
 from ...figure.joint_wrench import any_wrench_rows
-from ...figure.kinematics import Cotangent, Samples
+from ...figure.kinematics import Samples
 from ...figure.wrench import RootWrench, height, weight
 from ..curvature import Curvature, Sides
 from ..penalty import Scale

@@ -14,8 +14,9 @@ import numpy as np
 
 from ...array import Array, Index
 from ...curve.frame import Timeline
+from ...figure.adjoint import Cotangent
 from ...figure.figure import Figure
-from ...figure.kinematics import Cotangent, Samples
+from ...figure.kinematics import Samples
 from ...surface import Surface
 from ...surface.heights import heights, ways_up
 from ...surface.points import Point, arrays_of, places_of

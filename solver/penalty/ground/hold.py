@@ -12,8 +12,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...array import Array, Index, Mask
+from ...figure.adjoint import Cotangent
 from ...figure.algebra import applied, cross, dot
-from ...figure.kinematics import Cotangent, Samples
+from ...figure.kinematics import Samples
 from ...surface.points import Point
 from ..curvature import Curvature, Sides
 from ..penalty import Scale

@@ -11,8 +11,9 @@ from functools import cached_property
 import numpy as np
 
 from ...array import Array, Index
+from ...figure.adjoint import Cotangent
 from ...figure.algebra import applied, dot
-from ...figure.kinematics import Cotangent, Samples
+from ...figure.kinematics import Samples
 from ...surface.points import Point
 from ..curvature import Curvature, Sides
 from ..penalty import Momentary, Scale

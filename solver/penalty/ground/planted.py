@@ -13,9 +13,10 @@ import numpy as np
 
 from ...array import Array, Index
 from ...curve.frame import Timeline
+from ...figure.adjoint import Cotangent
 from ...figure.algebra import applied, dot
 from ...figure.figure import Figure
-from ...figure.kinematics import Cotangent, Samples
+from ...figure.kinematics import Samples
 from ...surface import Surface
 from ...surface.points import Point, placed, places_of
 from ..curvature import Curvature, Sides

@@ -10,8 +10,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...array import Array, Index
+from ...figure.adjoint import Cotangent
 from ...figure.algebra import cross, dot
-from ...figure.kinematics import Cotangent, Samples
+from ...figure.kinematics import Samples
 from ...surface import Surface
 from ...surface.heights import height_over
 from ...surface.points import Point

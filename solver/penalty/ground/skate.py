@@ -13,9 +13,10 @@ import numpy as np
 
 from ...array import Array, Index
 from ...curve.frame import Timeline
+from ...figure.adjoint import Cotangent, attached_pulled_back
 from ...figure.algebra import cross, dot
 from ...figure.figure import Figure
-from ...figure.kinematics import Cotangent, Samples, attached_pulled_back
+from ...figure.kinematics import Samples
 from ...surface import Surface
 from ...surface.heights import height_over
 from ...surface.points import Point, arrays_of, placed, places_of
@@ -97,9 +98,9 @@ class Skate:
         energy = weight * dot(velocity, velocity)
         if into is not None:
             by_velocity = (2 * scale * weight) * velocity
-            room = into.room("x_d")
+            buffer = into.buffer("x_d")
             for i, link in enumerate(links):
-                room[:, link] += by_velocity[:, i]
+                buffer[:, link] += by_velocity[:, i]
             attached_pulled_back(into, arm, (None, by_velocity, None), links)
             force = (-2 * scale * energy * height / self.reach**2) * up
             flat = links[:, None] * samples.count + np.arange(samples.count)

@@ -15,10 +15,11 @@ import numpy as np
 
 from ...array import Array, Index, Mask
 from ...cone import Unsupplied, projection, unsupplied
+from ...figure.adjoint import Cotangent
 from ...figure.algebra import applied, cross
 from ...figure.figure import Figure
 from ...figure.jacobian_rows import Pushes
-from ...figure.kinematics import Cotangent, Samples
+from ...figure.kinematics import Samples
 from ...figure.wrench import RootWrench, height, weight
 from ..curvature import Curvature, Sides
 from ..penalty import Scale

@@ -16,9 +16,10 @@ import numpy as np
 from ... import quaternion as quat
 from ...array import Array, Index
 from ...curve.frame import Timeline
+from ...figure.adjoint import Cotangent
 from ...figure.algebra import cross, gathered
 from ...figure.figure import Figure, on_links, quaternion_columns
-from ...figure.kinematics import Cotangent, Samples
+from ...figure.kinematics import Samples
 from ..allowance import Allowance
 from ..curvature import Curvature, Sides, jacobian
 from ..penalty import Scale
@@ -169,7 +170,7 @@ class BendLimits:
         identity = np.eye(len(samples.figure.links))
         own = self._axes[0]
         incidence = identity[:, own] - identity[:, samples.figure.tables.parents[own]]
-        into.hand("turn", gathered(incidence, torque))
+        into.absorb("turn", gathered(incidence, torque))
 
 
 def bent(figure: Figure, joints: Sequence[Bend], relative: Array) -> Array:

@@ -14,9 +14,10 @@ import numpy as np
 
 from ... import quaternion as quat
 from ...array import Array, Index
+from ...figure.adjoint import Cotangent
 from ...figure.algebra import applied, dot
 from ...figure.figure import Figure
-from ...figure.kinematics import Cotangent, Samples
+from ...figure.kinematics import Samples
 from ...surface.points import Point
 from ..curvature import Curvature, Sides
 from ..ground.contact import point_gradients

@@ -15,8 +15,9 @@ import numpy as np
 from numpy.polynomial.polynomial import polyder, polyval
 
 from ...array import Array, Index
+from ...figure.adjoint import Cotangent
 from ...figure.figure import Figure
-from ...figure.kinematics import Cotangent, Samples
+from ...figure.kinematics import Samples
 from ..curvature import Curvature, Sides
 from ..penalty import Scale
 
@@ -76,8 +77,8 @@ class Coupled:
         if into is not None:
             followers, drivers = self._columns
             pull = 2 * scale * away
-            np.add.at(into.room("y").T, followers, pull)
-            np.add.at(into.room("y").T, drivers, -slope * pull)
+            np.add.at(into.buffer("y").T, followers, pull)
+            np.add.at(into.buffer("y").T, drivers, -slope * pull)
         return np.einsum("ns,ns->s", away, away)
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:

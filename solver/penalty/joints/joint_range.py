@@ -14,9 +14,10 @@ import numpy as np
 
 from ...array import Array, Index
 from ...curve.frame import Timeline
+from ...figure.adjoint import Cotangent
 from ...figure.algebra import add_at, dot, hamilton, vector_product
 from ...figure.figure import Figure, JointKind, quaternion_columns
-from ...figure.kinematics import Cotangent, Samples
+from ...figure.kinematics import Samples
 from ..allowance import Allowance
 from ..curvature import Curvature, Sides, jacobian
 from ..penalty import Scale
@@ -90,7 +91,7 @@ class JointRange:
             excess = value - np.clip(value, *self._limits(samples.t, plain))
             values += np.einsum("ns,ns->s", excess, excess)
             if into is not None and excess.any():
-                np.add.at(into.room("y").T, columns, 2 * scale * excess)
+                np.add.at(into.buffer("y").T, columns, 2 * scale * excess)
         if balls.size:
             _, angle, rate, axis = self._turned(samples)
             excess = np.maximum(angle - self._limits(samples.t, balls)[1], 0)
@@ -184,9 +185,9 @@ class JointRange:
 
     def _pull_back(self, samples: Samples, into: Cotangent, torque: Array) -> None:
         """Gradients with respect to the children's turns relative to their parents, (3, b, S)."""
-        own, room = self._links, into.room("turn")
-        room[:, own] += torque
-        add_at(room, samples.figure.tables.parents[own], -torque)
+        own, buffer = self._links, into.buffer("turn")
+        buffer[:, own] += torque
+        add_at(buffer, samples.figure.tables.parents[own], -torque)
 
 
 def joint_ranges(figure: Figure) -> tuple[Range, ...]:

@@ -9,8 +9,9 @@ import numpy as np
 
 from ... import quaternion as quat
 from ...array import Array, Index
+from ...figure.adjoint import Cotangent
 from ...figure.figure import Figure
-from ...figure.kinematics import Cotangent, Samples
+from ...figure.kinematics import Samples
 from ..penalty import Scale
 from ..squares import SumOfSquares
 
@@ -50,9 +51,9 @@ class Level(SumOfSquares):
 
     def pull_back(self, samples: Samples, into: Cotangent, bar: Array) -> None:
         turn = np.cross(self._turned(samples), bar.reshape(3, self.links.size, -1), axis=0)
-        room = into.room("turn")
+        buffer = into.buffer("turn")
         for k, link in enumerate(self.links.tolist()):
-            room[:, link] += turn[:, k]
+            buffer[:, link] += turn[:, k]
 
     def _turned(self, samples: Samples) -> Array:
         """(3, B, S)"""

@@ -18,9 +18,10 @@ import numpy as np
 
 from ... import quaternion as quat
 from ...array import Array, Index
+from ...figure.adjoint import Cotangent
 from ...figure.algebra import cross, dot
 from ...figure.figure import Figure
-from ...figure.kinematics import Cotangent, Samples
+from ...figure.kinematics import Samples
 from ...surface.cover import filling_spheres
 from ...surface.touch import movers
 from ..curvature import Curvature, Sides

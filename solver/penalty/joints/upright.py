@@ -14,9 +14,10 @@ import numpy as np
 
 from ...array import Array, Index
 from ...curve.frame import Timeline
+from ...figure.adjoint import Cotangent
 from ...figure.algebra import applied, dot
 from ...figure.figure import Figure, quaternion_columns
-from ...figure.kinematics import Cotangent, Samples
+from ...figure.kinematics import Samples
 from ..curvature import Curvature, Sides
 from ..ground.contact import point_gradients
 from ..penalty import Momentary, Scale

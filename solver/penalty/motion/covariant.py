@@ -12,8 +12,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...array import Array
+from ...figure.adjoint import Cotangent
 from ...figure.algebra import dot
-from ...figure.kinematics import Cotangent, Samples
+from ...figure.kinematics import Samples
 from ..curvature import Curvature, Sides
 from ..penalty import Scale
 
@@ -52,7 +53,7 @@ class CovariantAcceleration:
             theta_dd = samples.y_dd[:, hinges]
             values = values + 0.25 * np.sum(theta_dd**2, axis=1)
             if into is not None:
-                into.room("y_dd")[:, hinges] += 0.5 * np.reshape(scale, (-1, 1)) * theta_dd
+                into.buffer("y_dd")[:, hinges] += 0.5 * np.reshape(scale, (-1, 1)) * theta_dd
         return values
 
     def _paper(self, samples: Samples, into: Cotangent | None, scale: Array | float) -> Array:
@@ -60,8 +61,8 @@ class CovariantAcceleration:
         along = dot(q_dd, q) / dot(q, q)
         w = q_dd - along * q
         if into is not None:
-            into.add("q", (2 * scale * along) * (along * q - q_dd))
-            into.add("q_dd", (2 * scale) * w)
+            into.accumulate("q", (2 * scale * along) * (along * q - q_dd))
+            into.accumulate("q_dd", (2 * scale) * w)
         return dot(w, w).sum(axis=0)
 
     def _intrinsic(self, samples: Samples, into: Cotangent | None, scale: Array | float) -> Array:
@@ -82,8 +83,9 @@ class CovariantAcceleration:
             by_q = c * q_d
             by_q -= off * by_q_dd
             by_q -= (rate * c + k * values) * q
-            for name, gradient in (("q", by_q), ("q_d", by_q_d), ("q_dd", by_q_dd)):
-                into.hand(name, gradient)
+            into.absorb("q", by_q)
+            into.absorb("q_d", by_q_d)
+            into.absorb("q_dd", by_q_dd)
         return np.add.reduce(values, axis=0)
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:

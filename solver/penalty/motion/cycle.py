@@ -15,9 +15,10 @@ from numpy.typing import NDArray
 from ...array import Array, Index
 from ...curve.frame import Frame, Timeline
 from ...curve.spline import Path, spline_of
+from ...figure.adjoint import Cotangent
 from ...figure.algebra import add_at, applied, conjugated, cross, dot, hamilton, vector_product
 from ...figure.figure import Figure
-from ...figure.kinematics import Cotangent, Samples
+from ...figure.kinematics import Samples
 from ...reading.pose_vectors import HEIGHT
 from ...reading.rhythm import Rhythm
 from ..curvature import Curvature, Sides, jacobian
@@ -55,10 +56,10 @@ class Cycle(Guide):
             share = scale * trust
             child, parent = _joints(samples.figure)
             turn = applied(samples.links.rotation[:, :, child], (4 * share * w) * v)
-            room = into.room("turn")
-            add_at(room, child, turn)
-            add_at(room, parent, -turn)
-            into.room("y")[:, columns] += 2 * share[:, None] * rates * straight
+            buffer = into.buffer("turn")
+            add_at(buffer, child, turn)
+            add_at(buffer, parent, -turn)
+            into.buffer("y")[:, columns] += 2 * share[:, None] * rates * straight
         return trust * values
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
@@ -172,10 +173,10 @@ class Cycle(Guide):
         joint, way = np.tile(np.repeat(np.arange(child.size), 3), samples.count), np.tile(np.arange(3), at.size // 3)
 
         def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
-            room, here = cotangent.room("turn"), np.arange(rows.size)
+            buffer, here = cotangent.buffer("turn"), np.arange(rows.size)
             seeds = moved[way[rows], :, joint[rows], at[rows]].T
-            room[:, child[joint[rows]], here] += seeds
-            room[:, parent[joint[rows]], here] -= seeds
+            buffer[:, child[joint[rows]], here] += seeds
+            buffer[:, parent[joint[rows]], here] -= seeds
 
         into.add_rows(at, share[at], jacobian(samples, at, seeded)[:, :1], (0,))
 

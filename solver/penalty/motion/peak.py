@@ -10,11 +10,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...array import Array, Index
+from ...figure.adjoint import Cotangent
 from ...figure.algebra import add_at
 from ...figure.figure import JointKind
 from ...figure.jacobian_rows import relative_spin_rows
 from ...figure.joint_spin import any_relative_spin_rows
-from ...figure.kinematics import Cotangent, Samples
+from ...figure.kinematics import Samples
 from ..curvature import Curvature, Sides
 from ..penalty import Scale
 
@@ -77,6 +78,6 @@ def _turning(samples: Samples) -> Index:
 
 def _pull_back(into: Cotangent, gradient: Array) -> None:
     """Gradient of α − α_parent, (3, L, S)."""
-    room = into.room("alpha")
-    room += gradient
-    add_at(room, into.samples.figure.tables.parents, -gradient)
+    buffer = into.buffer("alpha")
+    buffer += gradient
+    add_at(buffer, into.samples.figure.tables.parents, -gradient)

@@ -13,9 +13,10 @@ from functools import lru_cache
 import numpy as np
 
 from ...array import Array, Index
+from ...figure.adjoint import Cotangent
 from ...figure.algebra import add_at, cross, vector_product
 from ...figure.figure import Figure, JointKind
-from ...figure.kinematics import Cotangent, Samples
+from ...figure.kinematics import Samples
 from ..curvature import Curvature, Sides, jacobian
 from ..penalty import Scale
 
@@ -42,10 +43,10 @@ class Posture:
         relative = omega[:, child] - omega[:, parent]
         if into is not None:
             by_omega = (0.5 * scale) * relative
-            room = into.room("omega")
-            add_at(room, child, by_omega)
-            add_at(room, parent, -by_omega)
-            into.room("y_d")[:, hinges] += 0.5 * np.reshape(scale, (-1, 1)) * samples.y_d[:, hinges]
+            buffer = into.buffer("omega")
+            add_at(buffer, child, by_omega)
+            add_at(buffer, parent, -by_omega)
+            into.buffer("y_d")[:, hinges] += 0.5 * np.reshape(scale, (-1, 1)) * samples.y_d[:, hinges]
         return values + 0.25 * np.einsum("kns,kns->s", relative, relative)
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
@@ -107,8 +108,8 @@ def _add_by_adjoint(samples: Samples, into: Curvature, scale: Array) -> None:
     joint, way = np.tile(np.repeat(np.arange(child.size), 3), samples.count), np.tile(np.arange(3), at.size // 3)
 
     def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
-        room, here = cotangent.room("omega"), np.arange(rows.size)
-        room[way[rows], child[joint[rows]], here] += 1
-        room[way[rows], parent[joint[rows]], here] -= 1
+        buffer, here = cotangent.buffer("omega"), np.arange(rows.size)
+        buffer[way[rows], child[joint[rows]], here] += 1
+        buffer[way[rows], parent[joint[rows]], here] -= 1
 
     into.add_rows(at, scale[at], jacobian(samples, at, seeded)[:, :2], (0, 1))

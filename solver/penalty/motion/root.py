@@ -7,7 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...array import Array
-from ...figure.kinematics import Cotangent, Samples
+from ...figure.adjoint import Cotangent
+from ...figure.kinematics import Samples
 from ..curvature import Curvature, Sides
 from ..penalty import Scale
 
@@ -27,7 +28,7 @@ class RootAcceleration:
         columns = np.concatenate([tables.position_columns.ravel(), tables.slide_columns])
         accelerations = samples.y_dd[:, columns]
         if into is not None:
-            into.room("y_dd")[:, columns] += 2 * np.reshape(scale, (-1, 1)) * accelerations
+            into.buffer("y_dd")[:, columns] += 2 * np.reshape(scale, (-1, 1)) * accelerations
         return np.einsum("sc,sc->s", accelerations, accelerations)
 
     def sides(self, samples: Samples) -> Sides | None:

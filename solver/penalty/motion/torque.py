@@ -7,10 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...array import Array, Index
+from ...figure.adjoint import Cotangent
 from ...figure.algebra import add_at, cross, dot
 from ...figure.dynamics import InverseDynamics
 from ...figure.jacobian_rows import has_moment_rows, moment_rows
-from ...figure.kinematics import Cotangent, Samples
+from ...figure.kinematics import Samples
 from ..curvature import Curvature, Sides, jacobian
 from ..penalty import Scale
 
@@ -52,8 +53,8 @@ class Torque:
             values = values + np.sum(effort**2, axis=0)
             target[:, indices] = 2 * scale * effort * axis
             if into is not None:
-                into.room("y_dd")[:, columns] += (2 * scale * effort * own[:, None]).T
-                into.room("turn")[:, indices] += cross(axis, 2 * scale * effort * source[:, indices])
+                into.buffer("y_dd")[:, columns] += (2 * scale * effort * own[:, None]).T
+                into.buffer("turn")[:, indices] += cross(axis, 2 * scale * effort * source[:, indices])
         if into is not None:
             inverse.pull_back(into, moment_bar, force_bar)
             if spin is not None:
@@ -101,8 +102,8 @@ def _one_effort(samples: Samples, into: Cotangent, link: Index, axis: Index) -> 
         own = link[at]
         way = (links.rotation[:, :, own, at] * tables.axis[None, :, own]).sum(axis=1)
         target[:, own, at] = way
-        into.room("y_dd")[at, [samples.figure.links[i].qpos for i in own]] += tables.armature[own]
-        into.room("turn")[:, own, at] += cross(way, source[:, own, at])
+        into.buffer("y_dd")[at, [samples.figure.links[i].qpos for i in own]] += tables.armature[own]
+        into.buffer("turn")[:, own, at] += cross(way, source[:, own, at])
     inverse.pull_back(into, moment_bar, force_bar if tables.slide_links.size else None)
 
 
@@ -110,7 +111,7 @@ def _reflected_pulled_back(into: Cotangent, own: Index, parents: Index, gradient
     """Gradient of α_c − α_p − ω_c × (ω_c − ω_p)."""
     omega = into.samples.links.omega[:, own]
     by_spin = cross(omega, gradient)
-    into.room("alpha")[:, own] += gradient
-    into.room("omega")[:, own] += by_spin - cross(spin, gradient)
-    add_at(into.room("alpha"), parents, -gradient)
-    add_at(into.room("omega"), parents, -by_spin)
+    into.buffer("alpha")[:, own] += gradient
+    into.buffer("omega")[:, own] += by_spin - cross(spin, gradient)
+    add_at(into.buffer("alpha"), parents, -gradient)
+    add_at(into.buffer("omega"), parents, -by_spin)

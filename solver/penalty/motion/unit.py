@@ -7,7 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...array import Array
-from ...figure.kinematics import Cotangent, Samples
+from ...figure.adjoint import Cotangent
+from ...figure.kinematics import Samples
 from ..curvature import Curvature, Sides
 from ..penalty import Scale
 
@@ -42,7 +43,7 @@ class UnitMagnitude:
             root = np.sqrt(excess**2 + self.epsilon**2)
             values, slope = root - self.epsilon, excess / root
         if into is not None:
-            into.hand("q", (2 * scale * slope) * samples.q)
+            into.absorb("q", (2 * scale * slope) * samples.q)
         return values.sum(axis=0)
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:

@@ -10,9 +10,10 @@ from random_model import random_figure
 from random_samples import random_samples
 from taylor import taylor_slope
 
+from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.dynamics import InverseDynamics, generalised_forces, velocities
 from dynsplines.solver.figure.figure import JointKind
-from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.figure.kinematics import Samples
 
 SEEDS = range(24)
 COORDINATES = ("auto", "world", "joint")

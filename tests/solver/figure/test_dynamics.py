@@ -7,9 +7,10 @@ from oracles import mujoco_forces
 from random_samples import random_samples
 from taylor import taylor_slope
 
+from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.dynamics import InverseDynamics, body_forces, generalised_forces
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.figure.kinematics import Samples
 
 
 def test_generalised_forces_are_those_of_mj_inverse(figure, rng):

@@ -10,10 +10,11 @@ from random_samples import random_samples
 
 from dynsplines.solver.array import Index
 from dynsplines.solver.figure import joint_rows
+from dynsplines.solver.figure.adjoint import Cotangent, attached_pulled_back
 from dynsplines.solver.figure.algebra import cross
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.joint_rows import any_point_rows, any_velocity_rows
-from dynsplines.solver.figure.kinematics import Cotangent, Samples, attached_pulled_back
+from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty.curvature import jacobian
 
 
@@ -23,8 +24,8 @@ def check(figure: Figure, rng: np.random.Generator) -> None:
 
     def of_place(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
         here = np.arange(rows.size)
-        cotangent.room("x")[:, link[rows], here] = way[:, rows]
-        cotangent.room("turn")[:, link[rows], here] = cross(arm[:, rows], way[:, rows])
+        cotangent.buffer("x")[:, link[rows], here] = way[:, rows]
+        cotangent.buffer("turn")[:, link[rows], here] = cross(arm[:, rows], way[:, rows])
 
     def of_velocity(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
         here = np.arange(rows.size)
@@ -32,7 +33,7 @@ def check(figure: Figure, rng: np.random.Generator) -> None:
         arms = every.copy()
         every[:, here, here], arms[:, here, here] = way[:, rows], arm[:, rows]
         for i, owner in enumerate(link[rows]):
-            cotangent.room("x_d")[:, owner, i] += way[:, rows[i]]
+            cotangent.buffer("x_d")[:, owner, i] += way[:, rows[i]]
         attached_pulled_back(cotangent, arms, (None, every, None), link[rows])
 
     assert_near(any_point_rows(samples, at, link, arm, way), jacobian(samples, at, of_place)[:, 0], 1e-11)

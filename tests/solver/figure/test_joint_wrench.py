@@ -11,13 +11,14 @@ from random_samples import random_samples
 
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.figure import joint_spin
+from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.algebra import add_at
 from dynsplines.solver.figure.axes import turning
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.jacobian_rows import Pushes
 from dynsplines.solver.figure.joint_spin import any_relative_spin_rows
 from dynsplines.solver.figure.joint_wrench import any_wrench_rows
-from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.wrench import RootWrench
 from dynsplines.solver.penalty.curvature import jacobian
 
@@ -56,9 +57,9 @@ def spins_swept(samples: Samples, at: Index, link: Index, way: Array) -> Array:
     def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
         seeds = np.zeros((3, len(copies.figure.links), rows.size))
         seeds[:, link[rows], np.arange(rows.size)] = way[:, rows]
-        room = cotangent.room("alpha")
-        room += seeds
-        add_at(room, copies.figure.tables.parents, -seeds)
+        buffer = cotangent.buffer("alpha")
+        buffer += seeds
+        add_at(buffer, copies.figure.tables.parents, -seeds)
 
     return jacobian(samples, at, seeded)
 

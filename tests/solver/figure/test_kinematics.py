@@ -6,8 +6,9 @@ import pytest
 from random_samples import random_samples
 from taylor import taylor_slope
 
+from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.dynamics import velocities
-from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.figure.kinematics import Samples
 
 
 def test_link_positions_and_orientations_are_those_of_mj_kinematics(figure, rng):
@@ -54,7 +55,7 @@ def test_the_adjoint_of_each_quantity_has_taylor_slope_two(figure, rng, name):
     samples = random_samples(figure, rng)
     weights = rng.normal(size=(3, len(figure.links), samples.count))
     cotangent = Cotangent(samples)
-    cotangent.add(name, weights)
+    cotangent.accumulate(name, weights)
     gradients = cotangent.gradients()
 
     def value(point: np.ndarray) -> float:
@@ -68,10 +69,17 @@ def test_the_adjoint_of_rotations_has_taylor_slope_two(figure, rng):
     weights = rng.normal(size=(3, 3, len(figure.links), samples.count))
     rotation = samples.links.rotation
     cotangent = Cotangent(samples)
-    cotangent.add("turn", np.cross(rotation, weights, axis=0).sum(axis=1))
+    cotangent.accumulate("turn", np.cross(rotation, weights, axis=0).sum(axis=1))
     gradients = cotangent.gradients()
 
     def value(point: np.ndarray) -> float:
         return float(np.sum(weights * Samples(figure, *point).links.rotation))
 
     assert taylor_slope(value, np.stack([samples.y, samples.y_d, samples.y_dd]), np.stack(gradients), rng) > 1.95
+
+
+@pytest.mark.parametrize("way", ["accumulate", "absorb", "buffer"])
+def test_a_gradient_with_respect_to_nothing_that_there_is_is_refused(figure, rng, way):
+    cotangent = Cotangent(random_samples(figure, rng))
+    with pytest.raises(ValueError, match=r"'spin'; there are: y, y_d, .*omega"):
+        getattr(cotangent, way)("spin", *([] if way == "buffer" else [np.zeros(3)]))

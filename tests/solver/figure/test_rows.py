@@ -8,11 +8,12 @@ from figures import BALL_TREE, EVERY_JOINT, with_armature
 from random_samples import random_samples
 
 from dynsplines.solver.array import Array, Index
+from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.algebra import cross
 from dynsplines.solver.figure.dynamics import InverseDynamics
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.jacobian_rows import has_moment_rows, has_point_rows, moment_rows, point_rows
-from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty.curvature import jacobian
 
 
@@ -28,8 +29,8 @@ def test_rows_of_points_are_those_of_the_adjoint_sweep(closed, rng):
 
     def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
         here = np.arange(rows.size)
-        cotangent.room("x")[:, link[rows], here] = way[:, rows]
-        cotangent.room("turn")[:, link[rows], here] = cross(arm[:, rows], way[:, rows])
+        cotangent.buffer("x")[:, link[rows], here] = way[:, rows]
+        cotangent.buffer("turn")[:, link[rows], here] = cross(arm[:, rows], way[:, rows])
 
     expected = jacobian(samples, at, seeded)
     assert not expected[:, 1:].any()
@@ -103,7 +104,7 @@ def test_the_jacobian_of_many_rows_is_that_of_each(closed, rng, monkeypatch):
 
     def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
         np.testing.assert_array_equal(copies.y, samples.y[at[rows]])
-        cotangent.room("y_d")[:] += weight[rows]
+        cotangent.buffer("y_d")[:] += weight[rows]
 
     whole = jacobian(samples, at, seeded)
     monkeypatch.setattr("dynsplines.solver.penalty.curvature.ROWS_AT_ONCE", 3)

@@ -30,8 +30,9 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import (
     BendLimits,
@@ -164,7 +165,7 @@ class Plain(Penalty):
         pull = z @ self.matrix
         if into is not None:
             for name, part in zip(("y", "y_d", "y_dd"), np.split(pull, 3, axis=1), strict=True):
-                into.add(name, np.reshape(scale, (-1, 1)) * part)
+                into.accumulate(name, np.reshape(scale, (-1, 1)) * part)
         return 0.5 * np.sum(z * pull, axis=1)
 
 

@@ -16,7 +16,8 @@ from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.quadrature import Quadrature
 from dynsplines.solver.curve.spline import Path, path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
-from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.figure.adjoint import Cotangent
+from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Objective, segment_integrals
 from dynsplines.solver.penalty import Contact, CovariantAcceleration, Penalty, RootAcceleration, UnitMagnitude

@@ -8,8 +8,9 @@ from random_samples import random_samples
 
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Contact, Hold, carried_links, surfaces_on
 from dynsplines.solver.surface import moving_surface
 from dynsplines.solver.surface.cover import covering_points

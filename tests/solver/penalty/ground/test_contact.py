@@ -8,8 +8,9 @@ from ground import FLOOR, SLOPE, some_points
 from penalty_slope import penalty_slope, scaled_like
 from random_samples import random_samples
 
+from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Contact
 from dynsplines.solver.surface import Box, static_surfaces
 from dynsplines.solver.surface.points import Point, body_points, site_points

@@ -9,8 +9,8 @@ from random_samples import at_times, random_samples
 
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.figure.kinematics import Cotangent
 from dynsplines.solver.penalty import Planted, Stance, stances
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point

@@ -9,8 +9,9 @@ from penalty_slope import penalty_slope, scaled_like
 from random_samples import random_samples
 from scipy.spatial.transform import Rotation
 
+from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Bend, BendLimits
 
 

@@ -14,8 +14,9 @@ from taylor import taylor_slope
 
 from dynsplines import work
 from dynsplines.clip import load as clip
+from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Closed, Coupled, closures, couplings
 from dynsplines.solver.penalty.curvature import Curvature
 from dynsplines.system.progress import Teller

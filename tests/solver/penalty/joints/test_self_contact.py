@@ -19,8 +19,9 @@ from dynsplines import work
 from dynsplines.clip import load as clip
 from dynsplines.measure.penetration import self_penetration
 from dynsplines.measure.report import report, tables
+from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import SelfContact
 from dynsplines.solver.penalty.joints.self_contact import NEAR, nearest_on_segments
 from dynsplines.system.progress import Teller

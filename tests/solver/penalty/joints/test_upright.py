@@ -11,8 +11,9 @@ from random_samples import at_times, random_samples
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Lean, Upright, leans
 
 AXES = np.array([[0.6, 0.0, 0.8], [0.0, -1.0, 0.0]])

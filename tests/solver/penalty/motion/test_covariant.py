@@ -6,7 +6,8 @@ from penalty_slope import penalty_slope, scaled_like
 from random_samples import random_samples
 
 from dynsplines.solver import quaternion as quat
-from dynsplines.solver.figure.kinematics import Cotangent, Samples
+from dynsplines.solver.figure.adjoint import Cotangent
+from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import CovariantAcceleration
 from dynsplines.solver.penalty.motion.covariant import covariant_acceleration
 

@@ -4,7 +4,7 @@ import numpy as np
 from penalty_slope import penalty_slope
 from random_samples import random_samples
 
-from dynsplines.solver.figure.kinematics import Cotangent
+from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.penalty import RootAcceleration
 
 
