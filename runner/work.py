@@ -64,6 +64,7 @@ class Solved:
             **({} if self.seconds is None else {"seconds": self.seconds}),
             "stop": motion.stop.name,
             "stopped because": motion.stop.value,
+            **({"own penalties": [penalty.name for penalty, _ in self.clip.own]} if self.clip.own else {}),
         }
 
     def saved(self, teller: Teller, with_report: bool = True) -> Saved:

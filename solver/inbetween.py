@@ -14,13 +14,13 @@ from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
-from threadpoolctl import threadpool_limits
 
 from .array import Array
 from .curve.arcs import straightened
 from .curve.frame import Timeline
 from .curve.spline import path_of
 from .objective import Evaluation, Objective
+from .one_thread import one_thread
 from .problem import Problem, Settings, guide_of
 from .refine.subdivision import CRITERIA, midpoints, split
 from .refine.windows import Assembly, is_long, windows
@@ -48,7 +48,7 @@ def inbetween(problem: Problem, *, improved: Callable[[Improvement], None] | Non
     The keyframes are met exactly whenever the search is stopped. Raises TimelineError for frames that make no clip.
     """
     raw = problem.raw
-    with threadpool_limits(1, user_api="blas"):  # on matrices as small as these, threads only wait for each other
+    with one_thread():
         loop = _Loop(problem.objective, problem.settings, improved)
         try:
             timeline = best(loop.objective, [loop.over(raw), raw])

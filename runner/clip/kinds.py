@@ -165,9 +165,9 @@ def _clearance(context: Context, chosen: Margin) -> Penalty:
     others = tuple(s for s in context.surfaces if all(s is not g for g in ground))
     clear = _apart(context, body_points(figure), ground, margin)
     if not others and not context.carried:
-        return clear[0] if len(clear) == 1 else Together(clear, name="clearance")
+        return clear[0] if len(clear) == 1 else Together(clear, called="clearance")
     skin = _apart(context, covering_points(figure), others, margin) if others else ()
-    return Together((*clear, *skin, *_beside(context, margin)), name="clearance")
+    return Together((*clear, *skin, *_beside(context, margin)), called="clearance")
 
 
 def _beside(context: Context, margin: float) -> tuple[Contact, ...]:
@@ -176,7 +176,7 @@ def _beside(context: Context, margin: float) -> tuple[Contact, ...]:
     own = context.own(body_points(context.figure))
     found = [(link, surfaces_on(context.figure, link)) for link in context.carried]
     return tuple(
-        Contact(own, surfaces, margin, name="clearance", carrier=link).allowing(
+        Contact(own, surfaces, margin, called="clearance", carrier=link).allowing(
             context.figure,
             context.keys,
             [(hold.point.link, hold.first, hold.last) for hold in context.holds if hold.link == link],
@@ -195,9 +195,9 @@ def _apart(
     for surface in surfaces:
         groups.setdefault(held.get(surface.name, frozenset()), []).append(surface)
     found = [
-        Contact(tuple(p for p in points if p.link not in some), tuple(group), margin, name="clearance")
+        Contact(tuple(p for p in points if p.link not in some), tuple(group), margin, called="clearance")
         for some, group in groups.items()
-    ] or [Contact(points, surfaces, margin, name="clearance")]
+    ] or [Contact(points, surfaces, margin, called="clearance")]
     return tuple(contact.allowing(context.figure, context.keys) for contact in found)
 
 
@@ -218,7 +218,7 @@ def _planted(context: Context, chosen: Options) -> Penalty | None:
 def _resting(context: Context, chosen: Options) -> Penalty | None:
     given = context.contacts
     parts = Planted(given.stances), Resting(given.rests, context.surfaces)
-    return Together(parts, name="resting") if given.given else None
+    return Together(parts, called="resting") if given.given else None
 
 
 def _skate(context: Context, chosen: Reach) -> Penalty | None:

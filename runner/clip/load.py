@@ -69,6 +69,7 @@ class Clip:
     problem  what is to be solved: figure, keyframes, soft constraints, settings, ends
     context  what the soft constraints were made of: soles, knees and elbows, contacts, holds, flights, a cycle
     notes    one line each on what was looked for and not found
+    own      soft constraints of a program's own, which are among the problem's; no file holds them
     """
 
     name: str
@@ -78,6 +79,7 @@ class Clip:
     problem: Problem
     context: Context
     notes: tuple[str, ...]
+    own: tuple[tuple[Penalty, float], ...] = ()
 
     @property
     def figure(self) -> Figure:
@@ -294,7 +296,8 @@ def with_keys(clip: Clip, keys: Sequence[Frame]) -> Clip:
     keys = [replace(key, posed=None) for key in keys]
     if table is not None:
         keys = _stander(clip.figure, table, clip.name).stood(keys, placed)
-    return _clip(clip.name, clip.text, clip.scene, clip.figure, clip.fps, keys, table, clip.name, placed)
+    found = _clip(clip.name, clip.text, clip.scene, clip.figure, clip.fps, keys, table, clip.name, placed)
+    return replace(found.asking(penalties=(*found.penalties, *clip.own)), own=clip.own)
 
 
 def _stander(figure: Figure, table: ClipTable, place: str) -> Stander:

@@ -19,6 +19,7 @@ from dynsplines.solver.figure.figure import Figure, FigureError
 
 from ..clip import load as clips
 from ..clip.load import Clip
+from ..clip.own import Own, with_own
 from ..clip.text import keyframe_tables, written
 from ..errors import UserError
 from ..scene import outside
@@ -66,6 +67,7 @@ def build(
     holds: Sequence[Table] = (),
     penalties: Mapping[str, float | Table] | None = None,
     solve: Table | None = None,
+    own: Own = (),
     allow_outside: bool = False,
 ) -> Clip:
     """A clip from keyframes in Python.
@@ -76,20 +78,21 @@ def build(
     holds      as [[hold]]: {"hand": "left_hand", "body": "crate", "from": 1.2, "to": 2.8}
     penalties  what differs from the defaults: {"torque": 0.1, "clearance": {"weight": 100, "margin": 0.002}}
     solve      as [solve]: {"ends": "periodic", "variable": 3}
+    own        soft constraints of your own with their weights: [(Calm(), 0.1)]; no file holds them
     allow_outside  let the figure's model read files that lie outside the model's own folder
 
     Raises UserError, in one line that names the keyframe and the key, for what does not fit the figure.
     """
     with outside.allowed(allow_outside):
         spec, called = _spec(figure)
-        own = _figure(spec, called) if any(key.qpos is not None for key in keyframes) else None
+        posed = _figure(spec, called) if any(key.qpos is not None for key in keyframes) else None
         raw: dict[str, Any] = {"figure": called, "fps": float(fps)}
         raw |= {key: _plain(value) for key, value in (("scene", scene), ("solve", solve)) if value}
         raw |= {"contact": [_plain(row) for row in contacts]} if contacts else {}
         raw |= {"hold": [_plain(row) for row in holds]} if holds else {}
         raw |= {"penalty": [_penalty(*entry) for entry in penalties.items()]} if penalties else {}
-        raw |= {"keyframe": [_table(key, own) for key in keyframes]}
-        return clips.from_text(written(raw), name=name, place=name, spec=spec)
+        raw |= {"keyframe": [_table(key, posed) for key in keyframes]}
+        return with_own(clips.from_text(written(raw), name=name, place=name, spec=spec), own)
 
 
 def _spec(figure: str | os.PathLike[str] | mujoco.MjSpec) -> tuple[mujoco.MjSpec, str]:

@@ -8,17 +8,21 @@ from pathlib import Path
 from .. import motion as files
 from ..clip import load as clips
 from ..clip.load import Clip
+from ..clip.own import Own, with_own
 from ..errors import UserError
 from ..scene import outside
 from .motion import Motion
 
 
-def load(source: str | os.PathLike[str], *, fps: float | None = None, allow_outside: bool = False) -> Clip:
+def load(
+    source: str | os.PathLike[str], *, fps: float | None = None, own: Own = (), allow_outside: bool = False
+) -> Clip:
     """A clip, ready to be in-betweened.
 
     source  the name of a clip that ships (see `clips()`), a .toml file, an MJCF file with <keyframe> elements, or TOML
             text itself, which has a line break in it
     fps     samples a second of what is made of it, instead of the clip's own
+    own     soft constraints of your own with their weights: [(Calm(), 0.1)]; no file holds them
     allow_outside  let its model read files that lie outside the model's own folder
 
     Raises UserError, in one line that names the file, the keyframe and the key.
@@ -26,11 +30,11 @@ def load(source: str | os.PathLike[str], *, fps: float | None = None, allow_outs
     source = os.fspath(source)
     if "\n" in source:
         with outside.allowed(allow_outside):
-            return clips.from_text(source, name="clip", place="clip", fps=fps)
+            return with_own(clips.from_text(source, name="clip", place="clip", fps=fps), own)
     if files.is_motion(source):
         raise UserError(f"'{source}' is a motion, solved already; load_motion opens it")
     with outside.allowed(allow_outside):
-        return clips.load(source, fps=fps)
+        return with_own(clips.load(source, fps=fps), own)
 
 
 def load_motion(source: str | os.PathLike[str]) -> Motion:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import html
 import io
 import os
+import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -24,6 +25,7 @@ from .. import work
 from ..clip import file as clip_file
 from ..clip import load as clips
 from ..clip.load import Clip
+from ..clip.own import unknown_here
 from ..edit import edits, thinning
 from ..errors import UserError, unknown
 from ..measure import problems
@@ -153,8 +155,12 @@ class Motion:
 
     @cached_property
     def clip(self) -> Clip:
-        """The problem that it answers, to be in-betweened again."""
-        return clips.answered(self.saved) if self._solved is None else self._solved.clip
+        """The problem that it answers, to be in-betweened again; warns of soft constraints that no file holds."""
+        if self._solved is not None:
+            return self._solved.clip
+        if names := self.saved.search.get("own penalties"):
+            warnings.warn(f"{self.name}: {unknown_here(names)}", stacklevel=2)
+        return clips.answered(self.saved)
 
     @cached_property
     def before(self) -> Motion:
@@ -292,12 +298,17 @@ class Motion:
     def save(self, path: str | os.PathLike[str], *, exact: bool = False, overwrite: bool = False) -> Path:
         """Writes it as a motion, .npz, which `load_motion` opens, or as a clip, .toml, of its keyframes.
 
-        A report goes into the file if there is one already; nothing is measured for it.
+        A report goes into the file if there is one already; nothing is measured for it. Warns of soft constraints of
+        your own, which no file holds.
 
         exact      the clip's [solve] leaves the spline through its keyframes as it is; else it is searched as ever
         overwrite  a scene that lies beside the clip and is another one
         """
         target = Path(path)
+        if names := self.saved.search.get("own penalties"):
+            warnings.warn(
+                f"{target}: a file holds no code: {', '.join(names)} will have to be given again", stacklevel=2
+            )
         if target.suffix == ".toml":
             clip_file.write(replace(self.saved, name=target.stem), target, exact=exact, overwrite=overwrite)
         elif target.suffix == ".npz":

@@ -2,10 +2,12 @@
 
 penalty    what one is                       squares   one that gives residuals has all the rest from there
 curvature  what they say of E's second derivatives     together  some as one
+check      is one what it says?
 allowance  what keyframes violate is let pass
 motion, ground, joints  the soft constraints themselves
 """
 
+from .check import check as check
 from .ground.carried import carried_links as carried_links
 from .ground.carried import surfaces_on as surfaces_on
 from .ground.carried import tree_of as tree_of

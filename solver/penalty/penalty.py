@@ -6,9 +6,8 @@ residual. A new soft constraint is one class here, one Taylor test, one row in t
 
 from __future__ import annotations
 
-from abc import abstractmethod
+from abc import ABC, abstractmethod
 from dataclasses import dataclass
-from typing import Protocol
 
 import numpy as np
 
@@ -41,22 +40,22 @@ class Scale:
     is_sharp: bool = False
 
 
-class Penalty(Protocol):
-    """A soft constraint f_j. Inherit from it to leave out `curvature` and `sides`."""
+class Penalty(ABC):
+    """A soft constraint f_j: its name, what counts as little, its values and gradient. The rest follows, slowly."""
 
     @property
+    @abstractmethod
     def name(self) -> str:
         """How the report calls it."""
-        ...
 
     @property
+    @abstractmethod
     def scale(self) -> Scale:
         """What counts as little."""
-        ...
 
+    @abstractmethod
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         """f_j at every sample, (S,); with `into`, also adds the gradient of Σ_s scale_s f_j(s) to it."""
-        ...
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
         """Adds the Gauss-Newton matrices of Σ_s scale_s f_j(s), scale (S,), to `into`, but for what `sides` says.

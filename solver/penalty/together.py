@@ -14,11 +14,15 @@ from .penalty import Penalty, Scale
 
 
 @dataclass(frozen=True)
-class Together:
+class Together(Penalty):
     """Σ of soft constraints of the same unit; at least one."""
 
     parts: tuple[Penalty, ...]
-    name: str
+    called: str
+
+    @property
+    def name(self) -> str:
+        return self.called
 
     @property
     def scale(self) -> Scale:

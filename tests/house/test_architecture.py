@@ -18,6 +18,7 @@ MAY_IMPORT = {"runner": set(HOUSE), "solver": {"solver"}, "models": {"models"}}
 ONLY_IN = {
     "nlopt": {"solver/search/optimiser.py"},
     "imageio": {"runner/picture/film.py"},
+    "threadpoolctl": {"solver/one_thread.py"},
     "tomllib": {"runner/clip/load.py"},
     "typer": {"runner/cli.py"},
     "pygltflib": {"runner/exchange/format/gltf.py"},
@@ -125,7 +126,7 @@ def test_every_file_says_what_it_is(path):
 STRATA = {
     "solver": """
         array
-        quaternion cone
+        quaternion cone one_thread
         figure
         curve surface
         reading

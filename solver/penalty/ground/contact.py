@@ -21,7 +21,7 @@ from ...surface import Surface
 from ...surface.points import Point, arrays_of, placed, places_of
 from ..allowance import Allowance
 from ..curvature import Curvature, Sides
-from ..penalty import Scale
+from ..penalty import Penalty, Scale
 
 NEAR = 0.03  # [m] within which a point may touch after one step of the search
 ROUNDING = 1e-9  # [s] a keyframe may be outside an interval that it is meant to begin or end
@@ -29,7 +29,7 @@ MOST_TOGETHER = 64  # points that one sphere stands for; a limb of capsules has 
 
 
 @dataclass(frozen=True)
-class Contact:
+class Contact(Penalty):
     """Σ over points and surfaces of depth² [m²], every point grown by `margin` [m].
 
     allowed  (n, K) [m] how much smaller points are, for what keyframes do themselves
@@ -40,8 +40,12 @@ class Contact:
     surfaces: tuple[Surface, ...]
     margin: float = 0.0
     allowed: Allowance | None = None
-    name: str = "contact"
+    called: str = "contact"
     carrier: int = 0
+
+    @property
+    def name(self) -> str:
+        return self.called
 
     def allowing(self, figure: Figure, keys: Timeline, holding: Sequence[tuple[int, float, float]] = ()) -> Contact:
         """The same that lets pass how deep points whose places keyframes fix are in them, margin and all.

@@ -16,14 +16,14 @@ from ...figure.jacobian_rows import Pushes, has_moment_rows, wrench_rows
 from ...figure.joint_wrench import any_wrench_rows
 from ...figure.kinematics import Samples
 from ...figure.wrench import RootWrench, height, weight
-from ..curvature import Curvature, Sides
-from ..penalty import Scale
+from ..curvature import Curvature
+from ..penalty import Penalty, Scale
 
 A_TENTH = 0.01  # a tenth of the weight, squared
 
 
 @dataclass(frozen=True)
-class Flight:
+class Flight(Penalty):
     """|F|² + angular · |N|² of a tree in flight: force in units of its weight, which is |a − g|²/g² of the centre of
     mass, and moment about it in units of its weight times its height.
 
@@ -38,7 +38,10 @@ class Flight:
     unit: float
     length: float
     angular: float = 0.0
-    name: str = "flight"
+
+    @property
+    def name(self) -> str:
+        return "flight"
 
     @classmethod
     def of(cls, figure: Figure, root: int, intervals: tuple[tuple[float, float], ...], angular: float = 0.0) -> Flight:
@@ -71,9 +74,6 @@ class Flight:
         rows = rows[:, : 6 if self.angular else 3]
         each = np.repeat(at, rows.shape[1])
         into.add_rows(each, scale[each], rows.reshape(each.size, 3, -1))
-
-    def sides(self, samples: Samples) -> Sides | None:
-        return None
 
 
 def within(intervals: tuple[tuple[float, float], ...], t: Array) -> Mask:

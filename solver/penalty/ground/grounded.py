@@ -20,8 +20,8 @@ from ...figure.kinematics import Samples
 from ...surface import Surface
 from ...surface.heights import heights, ways_up
 from ...surface.points import Point, arrays_of, places_of
-from ..curvature import Curvature, Sides
-from ..penalty import Scale
+from ..curvature import Curvature
+from ..penalty import Penalty, Scale
 from .contact import point_gradients
 
 TOUCHING = 0.05  # [m] that the lowest point of a keyframe on the ground may be over it
@@ -31,7 +31,7 @@ _Shares = tuple[Index, Index, Array, Array, Array]  # points and samples (q,), s
 
 
 @dataclass(frozen=True)
-class Grounded:
+class Grounded(Penalty):
     """reach² (1 − exp(−(m/reach)²)) [m²] in some intervals [s], m ≥ 0 the height of the lowest of the points.
 
     The lowest is a smooth one: m = −blend log Σ exp(−h/blend) over the points' heights h, lower by blend log n for n
@@ -46,7 +46,10 @@ class Grounded:
     intervals: tuple[Interval, ...]
     reach: float = 0.05
     blend: float = 0.01
-    name: str = "grounded"
+
+    @property
+    def name(self) -> str:
+        return "grounded"
 
     @property
     def scale(self) -> Scale:
@@ -87,9 +90,6 @@ class Grounded:
         some = some[np.argsort(at[some], kind="stable")]
         fading = np.exp(-((lowest[some] / self.reach) ** 2))
         into.add_rows(at[some], scale[at[some]] * fading, rows[some, None], (0,))
-
-    def sides(self, samples: Samples) -> Sides | None:
-        return None
 
     def _during(self, t: Array) -> Index:
         """The samples of times t (S,) in the intervals."""

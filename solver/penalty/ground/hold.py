@@ -16,8 +16,8 @@ from ...figure.adjoint import Cotangent
 from ...figure.algebra import applied, cross, dot
 from ...figure.kinematics import Samples
 from ...surface.points import Point
-from ..curvature import Curvature, Sides
-from ..penalty import Scale
+from ..curvature import Curvature
+from ..penalty import Penalty, Scale
 from .contact import add_by_velocity, point_gradients, velocity_gradients
 from .resting import SETTLING
 
@@ -96,12 +96,15 @@ class Hold:
 
 
 @dataclass(frozen=True)
-class Holding:
+class Holding(Penalty):
     """Σ over holds of the squared distance [m²] of the point from its spot on the body, less the spot's slack, or of
     (0.05 s)² |u|², u its velocity beside that of the body where it is, if the spot is unknown; while they last."""
 
     holds: tuple[Hold, ...]
-    name: str = "hold"
+
+    @property
+    def name(self) -> str:
+        return "hold"
 
     @property
     def scale(self) -> Scale:
@@ -136,9 +139,6 @@ class Holding:
                 spin = samples.links.omega[:, hold.link, at]
                 sliding[:, 0] -= _apart_rows(samples, hold, at, arm, own, cross(ways, spin))
                 into.add_rows(at, SETTLING**2 * scale[at], sliding, (0, 1))
-
-    def sides(self, samples: Samples) -> Sides | None:
-        return None
 
     def _during(self, t: Array) -> Iterator[tuple[Hold, Index]]:
         """The holds with the samples at times t (S,) that they last for, where there are any."""

@@ -15,7 +15,7 @@ from ...figure.adjoint import Cotangent
 from ...figure.algebra import applied, dot
 from ...figure.kinematics import Samples
 from ...surface.points import Point
-from ..curvature import Curvature, Sides
+from ..curvature import Curvature
 from ..penalty import Momentary, Scale
 from .contact import point_gradients
 
@@ -72,9 +72,6 @@ class Placement(Momentary):
             ways = np.repeat(way[:, None], some.size, axis=1)
             rows = point_gradients(samples, at[some], links[which[some]], arm[:, some], ways)
             into.add_rows(at[some], scale[at[some]], rows[:, None], (0,))
-
-    def sides(self, samples: Samples) -> Sides | None:
-        return None
 
     def _pairs(self, samples: Samples) -> tuple[Index, Index]:
         """The pairs of a placed point and a sample at its time, (p,) each, samples rising."""

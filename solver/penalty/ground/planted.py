@@ -19,8 +19,8 @@ from ...figure.figure import Figure
 from ...figure.kinematics import Samples
 from ...surface import Surface
 from ...surface.points import Point, placed, places_of
-from ..curvature import Curvature, Sides
-from ..penalty import Scale
+from ..curvature import Curvature
+from ..penalty import Penalty, Scale
 from .contact import point_gradients
 
 NEAR_SURFACE = 0.012
@@ -51,11 +51,14 @@ class Stance:
 
 
 @dataclass(frozen=True)
-class Planted:
+class Planted(Penalty):
     """Σ over stances of their weight times the squared distance [m²] of the point from its spot, while they last."""
 
     stances: tuple[Stance, ...]
-    name: str = "planted"
+
+    @property
+    def name(self) -> str:
+        return "planted"
 
     @property
     def scale(self) -> Scale:
@@ -94,9 +97,6 @@ class Planted:
             into.add_rows(
                 at, scale[at] * self._weights[stance], point_gradients(samples, at, link, arm, ways)[:, None], (0,)
             )
-
-    def sides(self, samples: Samples) -> Sides | None:
-        return None
 
     def _during(self, t: Array) -> tuple[Index, Index]:
         """The pairs of a stance and a sample at times t (S,) that it holds for, (p,) each."""

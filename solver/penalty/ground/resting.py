@@ -16,8 +16,8 @@ from ...figure.kinematics import Samples
 from ...surface import Surface
 from ...surface.heights import height_over
 from ...surface.points import Point
-from ..curvature import Curvature, Sides
-from ..penalty import Scale
+from ..curvature import Curvature
+from ..penalty import Penalty, Scale
 from .contact import add_by_velocity, point_gradients, velocity_gradients
 
 SETTLING = 0.05  # [s]: a speed counts like the way it makes in so long
@@ -33,12 +33,15 @@ class Rest:
 
 
 @dataclass(frozen=True)
-class Resting:
+class Resting(Penalty):
     """Σ over rests of (0.05 s)² |v|² + h² [m²], v the point's velocity, h its height over the surface below it."""
 
     rests: tuple[Rest, ...]
     surfaces: tuple[Surface, ...]
-    name: str = "resting"
+
+    @property
+    def name(self) -> str:
+        return "resting"
 
     @property
     def scale(self) -> Scale:
@@ -65,9 +68,6 @@ class Resting:
                 ways = np.repeat(way[:, None], at.size, axis=1)
                 rows = velocity_gradients(samples, at, links, arm, ways)
                 into.add_rows(at, SETTLING**2 * scale[at], rows, (0, 1))
-
-    def sides(self, samples: Samples) -> Sides | None:
-        return None
 
     def _during(self, t: Array) -> list[tuple[Rest, Index]]:
         """The rests with the samples at times t (S,) that they hold for, where there are any."""

@@ -20,8 +20,8 @@ from ...figure.kinematics import Samples
 from ...surface import Surface
 from ...surface.heights import height_over
 from ...surface.points import Point, arrays_of, placed, places_of
-from ..curvature import Curvature, Sides
-from ..penalty import Scale
+from ..curvature import Curvature
+from ..penalty import Penalty, Scale
 from .contact import velocity_gradients
 
 NEGLIGIBLE = 1e-3  # of the weight: higher up a point is free
@@ -60,7 +60,7 @@ class Bound:
 
 
 @dataclass(frozen=True)
-class Skate:
+class Skate(Penalty):
     """Σ over points of exp(−(h/reach)²) |v|² [m²/s²]: v the point's velocity, h ≥ 0 its height over the surface below.
 
     Counts beside the angular accelerations, not by what the raw spline happens to skate: so the clock of the clip and
@@ -74,7 +74,10 @@ class Skate:
     surfaces: tuple[Surface, ...]
     reach: float = 0.04
     bound: Bound | None = None
-    name: str = "skate"
+
+    @property
+    def name(self) -> str:
+        return "skate"
 
     @property
     def scale(self) -> Scale:
@@ -125,6 +128,3 @@ class Skate:
         for way in np.eye(3):
             ways = np.repeat(way[:, None], at.size, axis=1)
             into.add_rows(at, share, velocity_gradients(samples, at, links[which], arm, ways), (0, 1))
-
-    def sides(self, samples: Samples) -> Sides | None:
-        return None

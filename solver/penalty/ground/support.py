@@ -21,8 +21,8 @@ from ...figure.figure import Figure
 from ...figure.jacobian_rows import Pushes
 from ...figure.kinematics import Samples
 from ...figure.wrench import RootWrench, height, weight
-from ..curvature import Curvature, Sides
-from ..penalty import Scale
+from ..curvature import Curvature
+from ..penalty import Penalty, Scale
 from .flight import A_TENTH, rows_of_wrench, within
 from .footing import Footing, Interval
 
@@ -49,7 +49,7 @@ class Reactions(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Support:
+class Support(Penalty):
     """|w − G λ|², least over λ ≥ 0: w the root's wrench, the columns of G the edges of friction pyramids at the points
     in contact. Forces in units of the weight, moments about the centre of mass in units of the weight times the height.
     Nothing counts at moments that are neither in a footing nor in a flight.
@@ -68,7 +68,10 @@ class Support:
     length: float
     friction: float = 0.8
     softness: float = 1e-4
-    name: str = "support"
+
+    @property
+    def name(self) -> str:
+        return "support"
 
     @classmethod
     def of(
@@ -137,9 +140,6 @@ class Support:
         rows = np.einsum("scd,scon->sdon", root, rows)
         each = np.repeat(at, 6)
         into.add_rows(each, scale[each], rows.reshape(each.size, 3, -1))
-
-    def sides(self, samples: Samples) -> Sides | None:
-        return None
 
     def _found(self, samples: Samples, known: Index) -> _Found:
         """At the samples `known` (P,)."""

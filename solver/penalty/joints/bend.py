@@ -22,7 +22,7 @@ from ...figure.figure import Figure, on_links, quaternion_columns
 from ...figure.kinematics import Samples
 from ..allowance import Allowance
 from ..curvature import Curvature, Sides, jacobian
-from ..penalty import Scale
+from ..penalty import Penalty, Scale
 
 NEAR = np.radians(4)  # within which a bound may be passed after one step of the search
 Seen = tuple[Array, Array, Array, Array, Array, Array]
@@ -45,7 +45,7 @@ class Bend:
 
 
 @dataclass(frozen=True)
-class BendLimits:
+class BendLimits(Penalty):
     """Σ over joints of squared excess angles [rad²]: of flexion below `least`, of |sideways| and |twist| over bounds.
 
     least, sideways, twist  [rad]
@@ -57,7 +57,10 @@ class BendLimits:
     sideways: float = np.radians(10)
     twist: float = np.radians(10)
     allowed: Allowance | None = None
-    name: str = "bend"
+
+    @property
+    def name(self) -> str:
+        return "bend"
 
     def allowing(self, figure: Figure, keys: Timeline) -> BendLimits:
         """The same that lets pass how far joints that keyframes fix are beyond their bounds in them."""

@@ -19,9 +19,9 @@ from ...figure.algebra import applied, dot
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
 from ...surface.points import Point
-from ..curvature import Curvature, Sides
+from ..curvature import Curvature
 from ..ground.contact import point_gradients
-from ..penalty import Scale
+from ..penalty import Penalty, Scale
 
 TORQUE_SCALE = 10  # of a weld's numbers: nought leaves rotations alone
 ARM = 0.1  # [m] from the middle of a weld to the points that hold its rotation
@@ -37,11 +37,14 @@ class Closure:
 
 
 @dataclass(frozen=True)
-class Closed:
+class Closed(Penalty):
     """Σ over closures of the squared distance [m²]."""
 
     closures: tuple[Closure, ...]
-    name: str = "closed"
+
+    @property
+    def name(self) -> str:
+        return "closed"
 
     @property
     def scale(self) -> Scale:
@@ -82,9 +85,6 @@ class Closed:
                 arm = applied(samples.links.rotation[:, :, link, at], place)
                 rows += sign * point_gradients(samples, at, link, arm, ways)
             into.add_rows(at, scale[at], rows[:, None], (0,))
-
-    def sides(self, samples: Samples) -> Sides | None:
-        return None
 
 
 def closures(figure: Figure) -> tuple[Closure, ...]:

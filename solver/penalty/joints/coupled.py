@@ -18,8 +18,8 @@ from ...array import Array, Index
 from ...figure.adjoint import Cotangent
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
-from ..curvature import Curvature, Sides
-from ..penalty import Scale
+from ..curvature import Curvature
+from ..penalty import Penalty, Scale
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,11 +47,14 @@ class Coupling:
 
 
 @dataclass(frozen=True)
-class Coupled:
+class Coupled(Penalty):
     """Σ over couplings of how far the follower is from where it should be, squared [rad² or m²]."""
 
     couplings: tuple[Coupling, ...]
-    name: str = "coupled"
+
+    @property
+    def name(self) -> str:
+        return "coupled"
 
     @property
     def scale(self) -> Scale:
@@ -91,9 +94,6 @@ class Coupled:
             rows[here, k, drivers[k]] -= slope[k]
         at = np.repeat(here, count)
         into.add_rows(at, scale[at], rows.reshape(at.size, 1, -1), (0,))
-
-    def sides(self, samples: Samples) -> Sides | None:
-        return None
 
 
 def couplings(figure: Figure) -> tuple[Coupling, ...]:

@@ -20,7 +20,7 @@ from ...figure.figure import Figure, JointKind, quaternion_columns
 from ...figure.kinematics import Samples
 from ..allowance import Allowance
 from ..curvature import Curvature, Sides, jacobian
-from ..penalty import Scale
+from ..penalty import Penalty, Scale
 
 NEAR = {JointKind.BALL: np.radians(4), JointKind.HINGE: np.radians(4), JointKind.SLIDE: 0.03}
 ROUNDING = np.radians(0.5)  # ε
@@ -38,7 +38,7 @@ class Range:
 
 
 @dataclass(frozen=True)
-class JointRange:
+class JointRange(Penalty):
     """Σ over joints of how far they are beyond their range, squared [rad² or m²].
 
     allowed  (2, n, K) below and above their ranges, what keyframes do themselves
@@ -46,7 +46,10 @@ class JointRange:
 
     joints: tuple[Range, ...]
     allowed: Allowance | None = None
-    name: str = "range"
+
+    @property
+    def name(self) -> str:
+        return "range"
 
     def allowing(self, figure: Figure, keys: Timeline) -> JointRange:
         """The same that lets pass how far joints that keyframes fix are beyond their ranges in them."""

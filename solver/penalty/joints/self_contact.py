@@ -26,7 +26,7 @@ from ...surface.cover import filling_spheres
 from ...surface.touch import movers
 from ..curvature import Curvature, Sides
 from ..ground.contact import point_gradients
-from ..penalty import Scale
+from ..penalty import Penalty, Scale
 
 NEAR = 0.03  # [m] within which capsules may touch after one step of the search
 GAP = 0.008  # [m] by which spheres may leave a geom unfilled
@@ -72,7 +72,7 @@ class Meeting:
 
 
 @dataclass(frozen=True)
-class SelfContact:
+class SelfContact(Penalty):
     """Σ over pairs of capsules of depth² [m²], with `margin` [m] between them.
 
     pairs  (2, n) indices of bars, the first on a link before the last's
@@ -81,7 +81,10 @@ class SelfContact:
     bars: tuple[Bar, ...]
     pairs: Index
     margin: float = 0.0
-    name: str = "self"
+
+    @property
+    def name(self) -> str:
+        return "self"
 
     @classmethod
     def of(cls, figure: Figure, margin: float = 0.0) -> SelfContact:

@@ -18,7 +18,7 @@ from ...figure.adjoint import Cotangent
 from ...figure.algebra import applied, dot
 from ...figure.figure import Figure, quaternion_columns
 from ...figure.kinematics import Samples
-from ..curvature import Curvature, Sides
+from ..curvature import Curvature
 from ..ground.contact import point_gradients
 from ..penalty import Momentary, Scale
 
@@ -72,9 +72,6 @@ class Upright(Momentary):
             ways = np.repeat(way[:, None], at.size, axis=1)
             rows = point_gradients(samples, at, links, arm, ways) - point_gradients(samples, at, links, 0 * arm, ways)
             into.add_rows(at, scale[at], rows[:, None], (0,))
-
-    def sides(self, samples: Samples) -> Sides | None:
-        return None
 
     def _pairs(self, samples: Samples) -> tuple[Index, Index]:
         """The pairs of a lean and a sample at its time, (p,) each, samples rising."""

@@ -15,8 +15,8 @@ from ...array import Array
 from ...figure.adjoint import Cotangent
 from ...figure.algebra import dot
 from ...figure.kinematics import Samples
-from ..curvature import Curvature, Sides
-from ..penalty import Scale
+from ..curvature import Curvature
+from ..penalty import Penalty, Scale
 
 
 def covariant_acceleration(q: Array, q_dd: Array) -> Array:
@@ -30,11 +30,14 @@ def covariant_acceleration(q: Array, q_dd: Array) -> Array:
 
 
 @dataclass(frozen=True)
-class CovariantAcceleration:
+class CovariantAcceleration(Penalty):
     """Σ over quaternion blocks of f₂* ("intrinsic") or f₂ ("paper") [rad²/s⁴ / 4], and of θ''²/4 over hinges."""
 
     form: str = "intrinsic"
-    name: str = "covariant"
+
+    @property
+    def name(self) -> str:
+        return "covariant"
 
     def __post_init__(self) -> None:
         if self.form not in ("intrinsic", "paper"):
@@ -94,9 +97,6 @@ class CovariantAcceleration:
         rows = _residual_jacobians(q, q_d, q_dd, samples.q_dots.transpose(0, 2, 1), intrinsic=self.form == "intrinsic")
         into.add_blocks(tables.quaternion_columns.T, rows, scale)
         into.add_squares(tables.hinge_columns, 2, 0.25 * scale)
-
-    def sides(self, samples: Samples) -> Sides | None:
-        return None
 
 
 def _residual_jacobians(q: Array, q_d: Array, q_dd: Array, dots: Array, *, intrinsic: bool) -> Array:

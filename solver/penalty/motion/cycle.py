@@ -21,7 +21,7 @@ from ...figure.figure import Figure
 from ...figure.kinematics import Samples
 from ...reading.pose_vectors import HEIGHT
 from ...reading.rhythm import Rhythm
-from ..curvature import Curvature, Sides, jacobian
+from ..curvature import Curvature, jacobian
 from ..penalty import Guide, Scale
 from .posture import apart
 
@@ -84,9 +84,6 @@ class Cycle(Guide):
         rows[:, :, :, 0, 4:] = -np.einsum("ijns,jkns->snik", moved, by_q[:, :, parent])
         for some, blocks in apart(figure, tuple(child.tolist())):
             into.add_blocks(blocks, rows[:, some, ..., : blocks.shape[1]], share)
-
-    def sides(self, samples: Samples) -> Sides | None:
-        return None
 
     def off(self, samples: Samples) -> Array:
         """(n, S) [rad] how far every joint with a quaternion is off the cycle."""

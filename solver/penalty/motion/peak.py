@@ -16,18 +16,20 @@ from ...figure.figure import JointKind
 from ...figure.jacobian_rows import relative_spin_rows
 from ...figure.joint_spin import any_relative_spin_rows
 from ...figure.kinematics import Samples
-from ..curvature import Curvature, Sides
-from ..penalty import Scale
+from ..curvature import Curvature
+from ..penalty import Penalty, Scale
 
 POWER = 4
 NEGLIGIBLE = 1e-3  # of the largest residual's gradient
 
 
 @dataclass(frozen=True)
-class PeakAcceleration:
+class PeakAcceleration(Penalty):
     """Σ over ball joints and hinges of |α − α_parent|⁸ [rad⁸/s¹⁶]."""
 
-    name: str = "peak"
+    @property
+    def name(self) -> str:
+        return "peak"
 
     @property
     def scale(self) -> Scale:
@@ -53,9 +55,6 @@ class PeakAcceleration:
         spin_rows = relative_spin_rows if samples.figure.is_world else any_relative_spin_rows
         rows = spin_rows(samples, at, link, ways[:, link, at])
         into.add_rows(at, scale[at], rows * size[:, None, None])
-
-    def sides(self, samples: Samples) -> Sides | None:
-        return None
 
 
 def relative_accelerations(samples: Samples) -> tuple[Array, Array]:

@@ -17,19 +17,22 @@ from ...figure.adjoint import Cotangent
 from ...figure.algebra import add_at, cross, vector_product
 from ...figure.figure import Figure, JointKind
 from ...figure.kinematics import Samples
-from ..curvature import Curvature, Sides, jacobian
-from ..penalty import Scale
+from ..curvature import Curvature, jacobian
+from ..penalty import Penalty, Scale
 
 
 @dataclass(frozen=True)
-class Posture:
+class Posture(Penalty):
     """Σ over ball joints of |ω − ω_parent|²/4 and over hinges of θ'²/4 [rad²/s²/4].
 
     settling  [s] a joint's acceleration and its velocity over so long count alike
     """
 
     settling: float = 0.3
-    name: str = "posture"
+
+    @property
+    def name(self) -> str:
+        return "posture"
 
     @property
     def scale(self) -> Scale:
@@ -69,9 +72,6 @@ class Posture:
             rows[:, :, :, order, 4:] = -part[:, :, parent].transpose(3, 2, 0, 1)
         for some, columns in apart(figure, tuple(child.tolist())):
             into.add_blocks(columns, rows[:, some, ..., : columns.shape[1]], 0.25 * scale)
-
-    def sides(self, samples: Samples) -> Sides | None:
-        return None
 
 
 @lru_cache(maxsize=8)

@@ -9,15 +9,17 @@ import numpy as np
 from ...array import Array
 from ...figure.adjoint import Cotangent
 from ...figure.kinematics import Samples
-from ..curvature import Curvature, Sides
-from ..penalty import Scale
+from ..curvature import Curvature
+from ..penalty import Penalty, Scale
 
 
 @dataclass(frozen=True)
-class RootAcceleration:
+class RootAcceleration(Penalty):
     """Σ of the squared accelerations of free roots' positions and of slides [m²/s⁴]."""
 
-    name: str = "root"
+    @property
+    def name(self) -> str:
+        return "root"
 
     @property
     def scale(self) -> Scale:
@@ -30,9 +32,6 @@ class RootAcceleration:
         if into is not None:
             into.buffer("y_dd")[:, columns] += 2 * np.reshape(scale, (-1, 1)) * accelerations
         return np.einsum("sc,sc->s", accelerations, accelerations)
-
-    def sides(self, samples: Samples) -> Sides | None:
-        return None
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
         tables = samples.figure.tables

@@ -12,15 +12,17 @@ from ...figure.algebra import add_at, cross, dot
 from ...figure.dynamics import InverseDynamics
 from ...figure.jacobian_rows import has_moment_rows, moment_rows
 from ...figure.kinematics import Samples
-from ..curvature import Curvature, Sides, jacobian
-from ..penalty import Scale
+from ..curvature import Curvature, jacobian
+from ..penalty import Penalty, Scale
 
 
 @dataclass(frozen=True)
-class Torque:
+class Torque(Penalty):
     """Σ of squared torques of ball joints and hinges and forces of slides [N² m²]; not of the free roots' wrench."""
 
-    name: str = "torque"
+    @property
+    def name(self) -> str:
+        return "torque"
 
     @property
     def scale(self) -> Scale:
@@ -77,9 +79,6 @@ class Torque:
             _one_effort(copies, cotangent, link[rows % link.size], axis[rows % link.size])
 
         into.add_rows(at, scale[at], jacobian(samples, at, seeded))
-
-    def sides(self, samples: Samples) -> Sides | None:
-        return None
 
 
 def _one_effort(samples: Samples, into: Cotangent, link: Index, axis: Index) -> None:

@@ -9,12 +9,12 @@ import numpy as np
 from ...array import Array
 from ...figure.adjoint import Cotangent
 from ...figure.kinematics import Samples
-from ..curvature import Curvature, Sides
-from ..penalty import Scale
+from ..curvature import Curvature
+from ..penalty import Penalty, Scale
 
 
 @dataclass(frozen=True)
-class UnitMagnitude:
+class UnitMagnitude(Penalty):
     """Σ over quaternion blocks of (1 − b)², b = q·q; with form "absolute", of √((1 − b)² + ε²) − ε.
 
     epsilon  the absolute form's rounding of the corner at b = 1
@@ -25,7 +25,10 @@ class UnitMagnitude:
     form: str = "square"
     epsilon: float = 1e-3
     most: float = 1.0
-    name: str = "unit"
+
+    @property
+    def name(self) -> str:
+        return "unit"
 
     def __post_init__(self) -> None:
         if self.form not in ("square", "absolute"):
@@ -52,6 +55,3 @@ class UnitMagnitude:
         rows = np.zeros((samples.count, excess.shape[0], 1, 3, 4))
         rows[:, :, 0, 0] = (slope * samples.q).transpose(2, 1, 0)
         into.add_blocks(samples.figure.tables.quaternion_columns.T, rows, scale)
-
-    def sides(self, samples: Samples) -> Sides | None:
-        return None

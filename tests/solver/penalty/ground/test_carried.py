@@ -33,7 +33,7 @@ def figure_of() -> Figure:
 
 def clearing(figure: Figure, link: int) -> Contact:
     points = tuple(point for point in covering_points(figure) if point.link in (1, 2))
-    return Contact(points, surfaces_on(figure, link), name="clearance", carrier=link)
+    return Contact(points, surfaces_on(figure, link), called="clearance", carrier=link)
 
 
 def tangled(figure: Figure, rng: np.random.Generator) -> Samples:

@@ -1,0 +1,19 @@
+"""One thread of linear algebra: on matrices as small as a band's blocks, several only wait for each other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from threadpoolctl import ThreadpoolController
+
+
+@contextmanager
+def one_thread() -> Iterator[None]:
+    """In here BLAS has one thread; afterwards as many as before. Where it has one anyway, nothing is asked of it."""
+    libraries = ThreadpoolController().select(user_api="blas")
+    if all(library.num_threads == 1 for library in libraries.lib_controllers):
+        yield
+        return
+    with libraries.limit(limits=1):
+        yield

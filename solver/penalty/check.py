@@ -1,0 +1,58 @@
+"""Is a soft constraint what it says? Its values and its gradient, tried on random samples of a figure."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..array import Array
+from ..figure.adjoint import Cotangent
+from ..figure.figure import Figure
+from ..figure.kinematics import Samples
+from .penalty import Penalty
+
+SAMPLES = 5
+STEPS = np.array([1e-3, 1e-4])
+STEEP = 1.9  # of the Taylor slope: 2 of an exact gradient, 1 of a wrong one
+LINEAR = 1e-10  # of the size of what is compared: remainders as small are rounding, where f_j is linear or flat
+
+
+def check(penalty: Penalty, figure: Figure, *, seed: int = 0) -> None:
+    """Raises ValueError, in a line, unless values are finite, never negative, one a sample, and the gradient is theirs.
+
+    |f(x + h d) − f(x) − h g·d| must fall as h² along a random direction of y, y' and y'' (a Taylor test).
+    """
+    rng, name = np.random.default_rng(seed), penalty.name
+    samples = _random(figure, rng)
+    scale, cotangent = rng.uniform(0.5, 2.0, SAMPLES), Cotangent(samples)
+    values = penalty.evaluate(samples, cotangent, scale)
+    if np.shape(values) != (SAMPLES,):
+        raise ValueError(f"penalty '{name}': values of {SAMPLES} samples are {np.shape(values)}, not ({SAMPLES},)")
+    if not np.all(np.isfinite(values)) or np.any(values < 0):
+        raise ValueError(f"penalty '{name}': a value is {float(np.min(values)):g}; finite ones from 0 on are penalties")
+    if not np.array_equal(values, penalty.evaluate(samples)):
+        raise ValueError(f"penalty '{name}': its values differ when it is asked for a gradient as well")
+    slope = _taylor_slope(penalty, samples, scale, np.stack(cotangent.gradients()), rng)
+    if slope < STEEP:
+        raise ValueError(f"penalty '{name}': its gradient is not that of its values: Taylor slope {slope:.2f}, not 2")
+
+
+def _random(figure: Figure, rng: np.random.Generator) -> Samples:
+    """Poses far from rest, and every entry's derivatives."""
+    y = figure.to_state(rng.normal(size=(SAMPLES, figure.width)))
+    return Samples(figure, y, rng.normal(size=y.shape), rng.normal(size=y.shape), np.arange(SAMPLES) / SAMPLES)
+
+
+def _taylor_slope(penalty: Penalty, samples: Samples, scale: Array, gradient: Array, rng: np.random.Generator) -> float:
+    """Of log remainder over log step; 2 where there is nothing but rounding."""
+    point = np.stack([samples.y, samples.y_d, samples.y_dd])
+    way = rng.normal(size=point.shape)
+    way /= np.linalg.norm(way)
+
+    def value(step: float) -> float:
+        return float(scale @ penalty.evaluate(Samples(samples.figure, *(point + step * way), t=samples.t)))
+
+    first, rise = value(0.0), float(np.sum(gradient * way))
+    remainders = np.array([abs(value(step) - first - step * rise) for step in STEPS])
+    if np.all(remainders < LINEAR * max(abs(first), abs(rise), 1.0)):
+        return 2.0
+    return float(np.diff(np.log(remainders + np.finfo(float).tiny))[0] / np.diff(np.log(STEPS))[0])

@@ -1,0 +1,135 @@
+"""Soft constraints of a program's own: they take part, are checked, and are never lost in silence."""
+
+from __future__ import annotations
+
+import warnings
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pytest
+from tiny import written
+
+from dynsplines import Clip, Keyframe, Motion, UserError, build, inbetween, load, load_motion
+from dynsplines.clip import load as clips
+from dynsplines.solver.array import Array
+from dynsplines.solver.figure.adjoint import Cotangent
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.penalty import Scale, SumOfSquares, check
+
+
+@dataclass(frozen=True)
+class Calm(SumOfSquares):
+    """The squared speed of all bodies' origins, its gradient too large by a factor."""
+
+    called: str = "calm"
+    wrong: float = 1.0
+
+    @property
+    def name(self) -> str:
+        return self.called
+
+    @property
+    def scale(self) -> Scale:
+        return Scale(1.0, time_power=2)
+
+    def residuals(self, samples: Samples) -> Array:
+        return samples.links.x_d[:, 1:].reshape(-1, samples.count)
+
+    def pull_back(self, samples: Samples, into: Cotangent, bar: Array) -> None:
+        into.buffer("x_d")[:, 1:] += self.wrong * bar.reshape(3, -1, samples.count)
+
+
+class Negative(Calm):
+    """A value below zero."""
+
+    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+        return -super().evaluate(samples, into, scale)
+
+
+class Whole(Calm):
+    """One value for all samples."""
+
+    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+        return np.sum(super().evaluate(samples, into, scale))
+
+
+def swing(**more: object) -> Clip:
+    poses = [np.array([0, 0, z, 1, 0, 0, 0.0]) for z in (1.0, 1.6, 1.0)]
+    keys = [Keyframe(float(i), qpos=pose) for i, pose in enumerate(poses)]
+    return build("spinner", keys, solve={"evaluations": 20}, **more)  # type: ignore[arg-type]
+
+
+@pytest.fixture(scope="module")
+def calm() -> Motion:
+    return inbetween(swing(own=[(Calm(), 30.0)]))
+
+
+def speed(motion: Motion) -> float:
+    velocity = motion.sampled(200).qvel[:, :3]
+    return float(np.mean(np.sum(velocity**2, axis=1)))
+
+
+def test_it_takes_part_in_the_search(calm: Motion) -> None:
+    assert calm.clip.penalties[-1][0].name == "calm"
+    assert calm.clip.own == ((Calm(), 30.0),)
+    assert speed(calm) < 0.99 * speed(inbetween(swing()))
+
+
+def test_load_takes_it_too_and_other_keyframes_keep_it(tmp_path: Path) -> None:
+    clip = load(written(tmp_path), own=[(Calm(), 0.1)])
+    assert [penalty.name for penalty, _ in clip.penalties][-1] == "calm"
+    again = clips.with_keys(clip, clip.keys)
+    assert again.own == clip.own and again.penalties[-1] == (Calm(), 0.1)
+
+
+def test_without_a_weight_it_is_not_there() -> None:
+    assert swing(own=[(Calm(), 0)]).own == ()
+
+
+@pytest.mark.parametrize(
+    ("own", "says"),
+    [
+        ([Calm()], "every entry is (penalty, weight)"),
+        ([("calm", 1.0)], "every entry is (penalty, weight)"),
+        ([(Calm(), -1.0)], "the weight of 'calm' is a number from 0 on, not -1.0"),
+        ([(Calm(), float("nan"))], "the weight of 'calm'"),
+        ([(Calm(), "much")], "the weight of 'calm' is a number from 0 on, not 'much'"),
+        ([(Calm("torque"), 1.0)], "called 'torque' is there already"),
+        ([(Calm(), 1.0), (Calm(), 2.0)], "called 'calm' is there already"),
+    ],
+)
+def test_what_is_none_is_refused(own: object, says: str) -> None:
+    with pytest.raises(UserError) as error:
+        swing(own=own)
+    assert says in str(error.value)
+
+
+@pytest.mark.parametrize("ending", ["npz", "toml"])
+def test_saving_says_that_no_file_holds_it(calm: Motion, tmp_path: Path, ending: str) -> None:
+    with pytest.warns(UserWarning, match="a file holds no code: calm will have to be given again"):
+        calm.save(tmp_path / f"up.{ending}")
+
+
+def test_who_loads_it_is_told_once_the_clip_is_asked_for(calm: Motion, tmp_path: Path) -> None:
+    with pytest.warns(UserWarning):
+        calm.save(tmp_path / "up.npz")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        found = load_motion(tmp_path / "up.npz")
+        np.testing.assert_array_equal(found.at(0.7), calm.at(0.7))
+    with pytest.warns(UserWarning, match="also kept 'calm' small, of a program's own"):
+        clip = found.clip
+    assert clip.own == ()
+
+
+def test_check_lets_a_right_one_pass_and_says_what_is_wrong_with_others(figure: Figure) -> None:
+    check(Calm(), figure)
+    for wrong, says in (
+        (Calm(wrong=1.01), "its gradient is not that of its values: Taylor slope"),
+        (Negative(), "a value is -"),
+        (Whole(), r"values of 5 samples are \(\), not \(5,\)"),
+    ):
+        with pytest.raises(ValueError, match=says):
+            check(wrong, figure)
