@@ -52,7 +52,7 @@ class Whole(Calm):
     """One value for all samples."""
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
-        return np.sum(super().evaluate(samples, into, scale))
+        return np.array(np.sum(super().evaluate(samples, into, scale)))
 
 
 def swing(**more: object) -> Clip:
