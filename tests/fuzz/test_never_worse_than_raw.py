@@ -57,7 +57,7 @@ def varied(seed: int) -> Clip:
         except UserError:  # keyframes that contradict a contact
             continue
         evaluations, method = int(rng.choice(EVALUATIONS)), str(rng.choice([NEWTON, *METHODS]))
-        return replace(other, settings=replace(other.settings, max_evaluations=evaluations, method=method))
+        return other.asking(settings=replace(other.settings, max_evaluations=evaluations, method=method))
     raise AssertionError(f"{clip.name}: whatever is moved contradicts a contact")
 
 
