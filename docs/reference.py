@@ -150,7 +150,8 @@ def kinds() -> Iterator[str]:
     for kind in KINDS.values():
         weight = "–" if kind.weight is None else f"{kind.weight:g}"
         options = ", ".join(f"`{name}` ({text})" for name, text in kind.choices().items())
-        yield f"| `{kind.name}` | {weight} | {kind.says} | {options} |"
+        says = re.sub(r'(<\w+>|\[\[\w+\]\]|by = "\w+")', r"`\1`", kind.says)
+        yield f"| `{kind.name}` | {weight} | {says} | {options} |"
 
 
 def written(page: str) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import doctest
+import importlib
 import io
 import re
 import shlex
@@ -30,12 +31,20 @@ def printed(example: Example) -> str | None:
 
 
 def commands(example: Example) -> None:
-    """A block of shell: commands of ours."""
+    """A block of shell: commands of ours, which print what is wrong."""
     for line in str(example.parsed).strip().splitlines():
         name, *words = shlex.split(line)
         assert name == "dynsplines"
         done = subprocess.run([sys.executable, "-c", COMMAND, *words], capture_output=True, text=True, check=False)
         assert done.returncode == 0, done.stderr
+        print(*[each for each in done.stderr.splitlines() if each.startswith("problem")], sep="\n")
+
+
+def kept(example: Example) -> None:
+    """A block of TOML: a file, if its first line says which."""
+    text = str(example.parsed)
+    if name := re.match(r"# (\w+\.toml)\n", text):
+        Path(name[1]).write_text(text, encoding="utf-8")
 
 
 SYBIL = Sybil(
@@ -43,6 +52,7 @@ SYBIL = Sybil(
         PythonCodeBlockParser(),
         CodeBlockParser(language="text", evaluator=printed),
         CodeBlockParser(language="sh", evaluator=commands),
+        CodeBlockParser(language="toml", evaluator=kept),
     ]
 )
 
@@ -59,7 +69,7 @@ def test_the_blocks_of_a_page_run(page: Path, tmp_path: Path, monkeypatch: pytes
             example.evaluate()
         document.namespace["printed"] = out.getvalue()
         ran += 1
-    assert ran >= 1
+    assert ran == len(re.findall(r"^```(?:python|text|sh|toml)$", page.read_text(encoding="utf-8"), re.MULTILINE))
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
@@ -71,7 +81,7 @@ def test_what_a_page_links_to_is_there(page: Path) -> None:
 def test_every_name_of_the_package_is_on_the_first_page() -> None:
     import dynsplines
 
-    told = (ROOT / "docs" / "index.md").read_text(encoding="utf-8")
+    told = (ROOT / "docs" / "python.md").read_text(encoding="utf-8")
     for name in dynsplines.__all__:
         assert re.search(rf"`[^`]*\b{name}\b", told), name
 
@@ -79,3 +89,26 @@ def test_every_name_of_the_package_is_on_the_first_page() -> None:
 def test_every_page_is_on_the_first() -> None:
     told = (ROOT / "docs" / "index.md").read_text(encoding="utf-8")
     assert {page.name for page in PAGES} - {"index.md"} == set(re.findall(r"\]\((\w+\.md)\)", told))
+
+
+def test_every_page_is_in_the_sites_table_of_contents() -> None:
+    told = (ROOT / "docs" / "site" / "mkdocs.yml").read_text(encoding="utf-8")
+    assert {page.name for page in PAGES} == set(re.findall(r"(\w+\.md)$", told, re.MULTILINE))
+
+
+def test_the_reference_is_what_the_schema_says(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.syspath_prepend(str(ROOT / "docs"))
+    reference = importlib.import_module("reference")
+    page = reference.PAGE.read_text(encoding="utf-8")
+    assert reference.written(page) == page
+
+
+@pytest.mark.slow
+def test_the_site_is_built_without_a_warning(tmp_path: Path) -> None:
+    pytest.importorskip("mkdocs")
+    config = ROOT / "docs" / "site" / "mkdocs.yml"
+    command = [sys.executable, "-m", "mkdocs", "build", "--strict", "-f", str(config), "-d", str(tmp_path)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    page = (tmp_path / "tutorial" / "index.html").read_text(encoding="utf-8")
+    assert "keys.png" in page and (tmp_path / "renders" / "tutorial" / "keys.png").is_file()

@@ -10,11 +10,20 @@ import pytest
 from dynsplines import inbetween
 from dynsplines.clip import load as clip
 
-README = (Path(__file__).parents[2] / "README.md").read_text(encoding="utf-8")
+ROOT = Path(__file__).parents[2]
+README, REFERENCE, FORMATS_PAGE, COMMANDS = (
+    (ROOT / name).read_text(encoding="utf-8")
+    for name in ("README.md", "docs/clip.md", "docs/exchange.md", "docs/commands.md")
+)
+LONGEST = 180  # lines of the README
 
 
-def blocks(language: str) -> list[str]:
-    return re.findall(rf"```{language}\n(.*?)```", README, flags=re.S)
+def blocks(language: str, page: str = README) -> list[str]:
+    return re.findall(rf"```{language}\n(.*?)```", page, flags=re.S)
+
+
+def test_a_first_reader_gets_through_it() -> None:
+    assert len(README.splitlines()) <= LONGEST
 
 
 @pytest.mark.slow
@@ -31,7 +40,7 @@ def test_the_python_example_runs(
 def test_every_format_of_the_table_exists_and_none_is_left_out() -> None:
     from dynsplines.exchange.formats import FORMATS
 
-    table = README.split("## To and from other programs")[1].split("##")[0]
+    table = FORMATS_PAGE.split("# To and from other programs")[1].split("##")[0]
     ways = {"both": (True, True), "writes": (True, False), "reads": (False, True)}
     said = {
         name: ways[way.strip()]
@@ -44,17 +53,17 @@ def test_every_format_of_the_table_exists_and_none_is_left_out() -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("pasted", [1, 2, 3])
 def test_the_example_clips_pasted_one_below_the_other_solve_and_nothing_is_wrong_with_them(pasted: int) -> None:
-    parts = blocks("toml")
+    parts = blocks("toml", REFERENCE)
     assert len(parts) == 3 and len(parts[0].splitlines()) <= 12
+    assert blocks("toml") == parts[:1]
     motion = inbetween(clip.from_text("".join(parts[:pasted]), name="readme"))
     assert not motion.problems
 
 
 def test_every_picture_and_linked_file_is_there() -> None:
-    root = Path(__file__).parents[2]
     for target in re.findall(r"\]\(([^)]+)\)", README):
         if not target.startswith("#"):
-            assert (root / target).exists(), target
+            assert (ROOT / target).exists(), target
 
 
 def test_every_command_of_the_table_exists() -> None:
@@ -63,5 +72,5 @@ def test_every_command_of_the_table_exists() -> None:
     from dynsplines.cli import app
 
     names = set(get_command(app).commands)  # type: ignore[attr-defined]
-    for command in re.findall(r"`dynsplines (\w+)", README):
+    for command in re.findall(r"`dynsplines (\w+)", README + COMMANDS):
         assert command in names, command

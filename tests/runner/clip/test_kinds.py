@@ -1,15 +1,12 @@
-"""The records of soft constraints: the README's table has them all, options are known, and what is wrong is told."""
+"""The records of soft constraints: options are known, and what is wrong is told."""
 
-import re
 import tomllib
-from pathlib import Path
 
 import pytest
 
 from dynsplines import UserError, load
 from dynsplines.clip.kinds import KINDS
 
-README = (Path(__file__).parents[3] / "README.md").read_text(encoding="utf-8")
 CLIP = """
 figure = "human"
 [[keyframe]]
@@ -20,26 +17,6 @@ time = 1
 others = "rest"
 [[penalty]]
 """
-
-
-def rows() -> dict[str, tuple[str, str]]:
-    """Default weight and text of every kind in the README's table."""
-    table = README[README.index("| kind | default weight |") :].split("\n\n")[0]
-    found = {}
-    for line in table.splitlines()[2:]:
-        names, weight, text = (cell.strip() for cell in line.strip("|").split("|", 2))
-        found |= dict.fromkeys(re.findall(r"`(\w+)`", names), (weight, text))
-    return found
-
-
-def test_the_readme_knows_every_kind_its_weight_and_its_options():
-    told = rows()
-    assert told.keys() == KINDS.keys()
-    for kind in KINDS.values():
-        weight, text = told[kind.name]
-        assert weight.split(",")[0] == ("–" if kind.weight is None else f"{kind.weight:g}")
-        for option in kind.choices():
-            assert f"`{option}" in text, (kind.name, option)
 
 
 def test_every_option_says_what_it_is_given_in():
