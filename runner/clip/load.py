@@ -7,7 +7,7 @@ What a keyframe leaves out is free. A [[penalty]] entry changes or adds to the d
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
@@ -28,6 +28,7 @@ from dynsplines.solver.posing import entries
 from dynsplines.solver.problem import FEW, Problem, Settings
 from dynsplines.solver.refine.subdivision import CRITERIA
 from dynsplines.solver.search.descent import check_method
+from dynsplines.solver.search.optimiser import DENSE, copes
 from dynsplines.solver.surface import static_surfaces
 
 from ..errors import UserError, unknown
@@ -328,7 +329,20 @@ def _clip(
     contact, held, penalty = ([], [], []) if table is None else (table.contact, table.hold, table.penalty)
     found = constraints(Context.of(figure, timeline, surfaces, place, placed, contact, held), penalty)
     problem = replace(problem, penalties=found.penalties)
-    return Clip(name, text, scene, fps, problem, found.context, (*complained, *found.notes))
+    notes = (*complained, *found.notes, *_too_many(problem))
+    return Clip(name, text, scene, fps, problem, found.context, notes)
+
+
+def _too_many(problem: Problem) -> Iterator[str]:
+    """A line on an optimiser that does nothing with so many unknowns."""
+    settings = problem.settings
+    about = settings.beginning(problem.raw.times, in_windows=False).size * problem.figure.width
+    if not copes(settings.method, about):
+        most = DENSE[settings.method.lower()]
+        yield (
+            f"optimiser '{settings.method}' is dense: with some {about} unknowns, over {most}, "
+            "every step is Gauss-Newton's own and it refines none"
+        )
 
 
 def _problem(figure: Figure, keys: Sequence[Frame], solve: SolveTable) -> Problem:

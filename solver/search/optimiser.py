@@ -22,6 +22,8 @@ METHODS = {
     "var2": ("LD_VAR2", "shifted limited-memory variable metric"),
 }
 
+DENSE = {"slsqp": 300}  # unknowns up to which an iteration, O(n³), takes a tenth of a second; 1200 take 15 s
+
 # NLopt's general failure is a class of its own in 2.11 and no RuntimeError
 FAILURES = (nlopt.RoundoffLimited, RuntimeError, getattr(nlopt, "runtime_error", RuntimeError))
 
@@ -63,6 +65,11 @@ def algorithm(method: str) -> int:
     if number is None:
         raise ValueError(f"no optimiser '{method}'; there are: {', '.join(METHODS)} (or any LD_ name of NLopt)")
     return int(number)
+
+
+def copes(method: str, size: int) -> bool:
+    """Whether a method does anything with so many unknowns while one waits; it hears no Ctrl-C meanwhile."""
+    return size <= DENSE.get(method.lower(), size)
 
 
 def minimise(

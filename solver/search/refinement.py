@@ -2,7 +2,8 @@
 
 NLopt sees E alone and lowers it where the model errs; but no smooth metric foresees which contacts come and go, and a
 metric grows old. So every few evaluations a new model is made, its own step is taken, and NLopt searches on from there
-in the variables that the curvature at the end of this step whitens.
+in the variables that the curvature at the end of this step whitens. A dense method is left out of large problems, whose
+steps are the model's alone.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ import numpy as np
 from ..array import Array
 from ..objective import Discretised, Evaluation
 from .newton import FIRST_DAMPING, Search
-from .optimiser import Minimum, Stop, StopSearch, minimise
+from .optimiser import Minimum, Stop, StopSearch, copes, minimise
 from .preconditioner import Preconditioner
 
 FEW = 6  # evaluations of NLopt with one factor, which costs about ten
@@ -49,7 +50,8 @@ def _run(search: Search, method: str, tolerance: float) -> Stop:
             search.learn((before - search.value) / proposal.promised)
         if proposal.factor is None:
             return Stop.STUCK
-        _search_on(search, Preconditioner(search.layout, proposal.factor, search.value or 1.0), method, tolerance)
+        if copes(method, search.x.size):
+            _search_on(search, Preconditioner(search.layout, proposal.factor, search.value or 1.0), method, tolerance)
         if ended is not None or search.is_negligible(before - search.value, tolerance):
             return ended or Stop.CONVERGED
     return Stop.BUDGET

@@ -426,3 +426,10 @@ def test_without_a_free_joint_there_is_nothing_to_fly(tmp_path):
     text = 'figure = "hinge.xml"\n[[penalty]]\nkind = "support"\n[[keyframe]]\ntime = 0\n[[keyframe]]\ntime = 1\n'
     with pytest.raises(UserError, match="'support' needs a figure with a free joint; there is none"):
         loaded(tmp_path, text)
+
+
+def test_an_optimiser_that_does_nothing_with_so_many_unknowns_is_told():
+    standing = 'figure = "human"\n' + "".join(f'[[keyframe]]\ntime = {t}\nothers = "rest"\n' for t in range(5))
+    dense = clip.from_text(standing + '[solve]\noptimiser = "slsqp"', name="dense")
+    assert "optimiser 'slsqp' is dense: with some 612 unknowns, over 300" in dense.notes[-1]
+    assert not clip.from_text(standing + '[solve]\noptimiser = "lbfgs"', name="sparse").notes

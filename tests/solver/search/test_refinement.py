@@ -17,6 +17,7 @@ from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Discretised, Objective
 from dynsplines.solver.penalty import CovariantAcceleration
 from dynsplines.solver.refine.subdivision import evenly
+from dynsplines.solver.search import optimiser, refinement
 from dynsplines.solver.search.descent import NEWTON, Descent
 from dynsplines.solver.search.newton import gauss_newton
 from dynsplines.solver.search.optimiser import METHODS, Stop, StopSearch
@@ -154,3 +155,18 @@ def test_nlopts_own_names_will_do_in_a_descent(problem):
     found = Descent(problem.objective, problem.timeline).run(method="LD_MMA", tolerance=1e-4)
     assert found.stop is Stop.CONVERGED
     assert found.value < problem(problem.unknowns.start).value
+
+
+def test_a_dense_method_is_left_out_of_large_problems(problem, monkeypatch):
+    def never(*_: object, **__: object) -> None:
+        raise AssertionError("NLopt was asked")
+
+    monkeypatch.setattr(refinement, "minimise", never)
+    with pytest.raises(AssertionError, match="NLopt was asked"):
+        refined(problem, method="slsqp", tolerance=1e-9)
+    monkeypatch.setitem(optimiser.DENSE, "slsqp", problem.unknowns.size - 1)
+    found, _ = refined(problem, method="SLSQP", tolerance=1e-9)
+    expected, _ = gauss_newton(problem, tolerance=1e-9)
+    np.testing.assert_allclose(found.value, expected.value, rtol=1e-6)
+    with pytest.raises(AssertionError, match="NLopt was asked"):
+        refined(problem, method="lbfgs", tolerance=1e-9)
