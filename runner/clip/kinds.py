@@ -69,26 +69,38 @@ class Options(Table):
 
 
 class CovariantOptions(Options):
+    """Which of two readings of the covariant acceleration: the intrinsic one, or eq. 25 as it stands."""
+
     form: str | None = Field(default=None, description="'intrinsic' or 'paper'")
 
 
 class UnitOptions(Options):
+    """Which measure of how far a quaternion's length is from one."""
+
     form: str | None = Field(default=None, description="'square' or 'absolute'")
 
 
 class Margin(Options):
+    """How far off points are kept."""
+
     margin: Annotated[Real, Field(ge=0, le=0.1)] | None = Field(default=None, description="m")
 
 
 class SoleMargin(Margin):
+    """How far off the soles are kept, and which points they are."""
+
     points: list[str] | None = Field(default=None, description="sites")
 
 
 class Reach(Options):
+    """How high above a surface a point still counts."""
+
     reach: Annotated[Real, Field(gt=0, le=1)] | None = Field(default=None, description="m")
 
 
 class BendOptions(Options):
+    """Which limbs, and how far they may go."""
+
     joints: list[str] | None = Field(default=None, description="joints")
     least: Annotated[Real, Field(ge=-360, le=360)] | None = Field(default=None, description="degrees")
     sideways: Angle | None = Field(default=None, description="degrees")
@@ -96,6 +108,8 @@ class BendOptions(Options):
 
 
 class FlightOptions(Options):
+    """When the figure flies, and how much its moment counts."""
+
     intervals: list[tuple[Number, Number]] | None = Field(default=None, description="[from, to] in s")
     angular: Annotated[Real, Field(ge=0, le=1e6)] | None = Field(
         default=None, description="of the moment beside the force"
@@ -103,14 +117,20 @@ class FlightOptions(Options):
 
 
 class SupportOptions(Options):
+    """How slippery the ground is."""
+
     friction: Annotated[Real, Field(gt=0, le=10)] | None = Field(default=None, description="coefficient")
 
 
 class CycleOptions(Options):
+    """How long a cycle lasts."""
+
     period: Annotated[Real, Field(gt=0, le=60)] | None = Field(default=None, description="s")
 
 
 class LevelOptions(Options):
+    """Which bodies, and what in them is up."""
+
     bodies: list[str] = Field(default=[], description="bodies")
     axis: tuple[Number, Number, Number] | None = Field(
         default=None, description="in the body's axes, else what is up at rest"

@@ -21,10 +21,14 @@ Place = tuple[Number, Number, Number]
 
 
 class Table(BaseModel):
+    """Some keys of a clip's file, and no others."""
+
     model_config = ConfigDict(extra="forbid", strict=False)
 
 
 class RotationTable(Table):
+    """A rotation, said in one of several ways."""
+
     rotvec: tuple[Number, Number, Number] | None = None
     euler: list[Number] | None = None
     order: str | None = None
@@ -33,11 +37,15 @@ class RotationTable(Table):
 
 
 class RootTable(Table):
+    """Where a free body is, and how it is turned."""
+
     position: tuple[Axis, Axis, Axis] | Literal["free"] = "free"
     rotation: RotationTable | Literal["free"] = "free"
 
 
 class SiteTable(Table):
+    """Where a site is, and who puts it there."""
+
     position: tuple[Axis, Axis, Axis]
     by: Literal["pose", "search"] = "pose"
 
@@ -51,6 +59,8 @@ class BodyTable(RotationTable):
 
 
 class KeyframeTable(Table):
+    """The figure at one time, as much of it as is said."""
+
     time: Number
     root: RootTable = RootTable()
     roots: dict[str, RootTable] = {}
@@ -61,6 +71,8 @@ class KeyframeTable(Table):
 
 
 class StepTable(Table):
+    """A step to climb."""
+
     x: Number
     height: Length
     length: Length = 3.0
@@ -78,10 +90,14 @@ class _ObstacleTable(Table):
 
 
 class BoxTable(_ObstacleTable):
+    """A box."""
+
     size: tuple[Length, Length, Length]
 
 
 class SphereTable(_ObstacleTable):
+    """A ball."""
+
     radius: Length
 
 
@@ -95,6 +111,8 @@ class BarTable(_ObstacleTable):
 
 
 class SceneTable(Table):
+    """What stands about."""
+
     step: StepTable | None = None
     box: list[BoxTable] = []
     sphere: list[SphereTable] = []
@@ -149,6 +167,8 @@ class HoldTable(Table):
 
 
 class SolveTable(Table):
+    """How the spline ends and how the search goes; None: as it is best."""
+
     coordinates: Literal["auto", "world", "joint"] = "auto"
     ends: Literal["free", "clamped", "periodic"] = "free"
     travel: tuple[Number, Number, Number] | None = None
@@ -165,6 +185,8 @@ class SolveTable(Table):
 
 
 class ClipTable(Table):
+    """All of a clip's file."""
+
     figure: str
     fps: Annotated[Real, Field(ge=0.01, le=1000)] = 30.0
     scene: SceneTable = SceneTable()

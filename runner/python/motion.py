@@ -343,7 +343,7 @@ class Motion:
         return self._edited(edits.repeated(self.saved, count))
 
     def joined(self, other: Motion, transition: float = 0.4) -> Motion:
-        """This and then another one, moved to where this goes on, with a transition [s] between them."""
+        """It and then another one, moved to where this goes on, with a transition [s] between them."""
         return self._edited(edits.joined(self.saved, other.saved, transition, _silent()))
 
     def thinned(self, max_error: float | str = 0.02, *, max_angle: float = 5.0, solve: bool = False) -> Motion:

@@ -29,6 +29,7 @@ PLACES = ("Xposition", "Yposition", "Zposition")
 
 
 def write(take: Take, path: Path) -> None:
+    """The skeleton and its motion into a .bvh."""
     path.write_text(written(skeleton(take)), encoding="utf-8", newline="\n")
 
 

@@ -38,6 +38,7 @@ SAME = 1e-6  # [m, or of a quaternion's entries]: nearer, before and after are o
 
 
 def write(take: Take, path: Path) -> None:
+    """A page that plays the motion, whole in one file."""
     path.write_text(page(take), encoding="utf-8")
 
 
