@@ -26,6 +26,8 @@ from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.refine.euler_lagrange import WeakForm, covariant_residual, tangential
 from dynsplines.solver.solution import Improvement, Solution
 
+from ..system import stopping
+
 KEYFRAMES = 7
 TENTHS = 10  # equal parts of a path, as in figure 10
 REFERENCE_FRAMES = 15  # variable frames a segment that stand for the exact minimum
@@ -60,6 +62,14 @@ def moderate(rng: np.random.Generator, count: int) -> Array:
     return quat.aligned(np.array(track))
 
 
+def to_its_end(problem: Problem, improved: Callable[[Improvement], None] | None = None) -> Solution:
+    """A search that no signal has cut short: its best path would be no answer. Raises KeyboardInterrupt for one."""
+    found = inbetween(problem, improved=improved)
+    if stopping.was_asked():
+        raise KeyboardInterrupt
+    return found
+
+
 class Run:
     """Orientations at their times, and the paths through them, each solved once."""
 
@@ -83,7 +93,7 @@ class Run:
     ) -> Solution:
         """Tightly converged: the claims are about optima."""
         tight = replace(settings, tolerance=1e-9, max_evaluations=1000)
-        return inbetween(Problem(spinner(), self.keys, weights, tight), improved=improved)
+        return to_its_end(Problem(spinner(), self.keys, weights, tight), improved)
 
     @cached_property
     def least(self) -> float:

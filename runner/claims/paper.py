@@ -18,7 +18,6 @@ from numpy.typing import NDArray
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import CovariantAcceleration, UnitMagnitude
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.refine.displacement import displacement
@@ -40,6 +39,7 @@ from .orientations import (
     promised,
     spinner,
     strong_tenths,
+    to_its_end,
     unit_deviation,
 )
 
@@ -223,7 +223,7 @@ PEERS: dict[str, Callable[[Discrete], Array]] = {"sparse": Discrete.by_newton, "
 
 def _measure_speed(case: Case) -> Row:
     settings = Settings(variable=1, frames=0)
-    ours, motion = _timed(lambda: inbetween(Problem(spinner(), case.keys, INTRINSIC, settings)), 7)
+    ours, motion = _timed(lambda: to_its_end(Problem(spinner(), case.keys, INTRINSIC, settings)), 7)
     goal = energy(motion.path)
     row = {"ours [ms]": ours, "ours, energy / exact": goal / case.least}
     fewest = STEPS[0]

@@ -61,6 +61,7 @@ def start(tmp_path: Path) -> Iterator[Start]:
         process.communicate()
 
 
+FIGURES = ("--figures", "drawn")
 FIRST_IMPORTS = ["dynsplines.cli", "typer", "mujoco"]
 
 
@@ -106,3 +107,21 @@ def test_a_signal_that_a_command_is_started_to_ignore_stays_ignored(start: Start
     process.send_signal(signal.SIGTERM)
     process.communicate(timeout=60)
     assert process.returncode == 143
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("number", "words"), [*((each, ()) for each in CODES), (signal.SIGINT, FIGURES)])
+def test_a_signal_ends_the_papers_claims_and_figures_with_nothing_half_done(
+    start: Start, tmp_path: Path, number: signal.Signals, words: tuple[str, ...]
+):
+    """Inside solves, too, which elsewhere keep their best path: here one that is cut short is no answer."""
+    process = start(COMMAND, "dynsplines", "paper", *words)
+    assert process.stderr is not None
+    process.stderr.readline()
+    time.sleep(0.5 + 0.4 * list(CODES).index(number))
+    process.send_signal(number)
+    out, said = process.communicate(timeout=60)
+    assert (process.returncode, out) == (CODES[number], "")
+    assert "Traceback" not in said
+    left = sorted(path for path in (tmp_path / "drawn").glob("*")) if words else []
+    assert all(path.suffix == ".png" and path.stat().st_size > 1000 for path in left)

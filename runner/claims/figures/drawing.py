@@ -22,6 +22,7 @@ from ...clip import load as clip
 from ...errors import UserError
 from ...motion import Saved
 from ...picture.graphics import Graphics
+from ...system import stopping
 from ...system.output import Replacement
 from ...system.progress import Teller
 from ...system.workers import MOST_WORKERS, cores
@@ -101,7 +102,10 @@ class Results:
         return Dip.of(self.runner, self.runner.raw)
 
     def _solved(self, name: str) -> Saved:
-        return work.solve(clip.load(name), self.teller).saved(self.teller, with_report=False)
+        found = work.solve(clip.load(name), self.teller)
+        if stopping.was_asked():  # a search that is cut short is no result
+            raise KeyboardInterrupt
+        return found.saved(self.teller, with_report=False)
 
 
 Figure = tuple[Picture, str]
