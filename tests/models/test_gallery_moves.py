@@ -213,7 +213,7 @@ def test_at_another_speed_contacts_and_flights_keep_their_place_in_the_move(name
 @pytest.mark.slow
 def test_knees_and_elbows_bend_the_right_way(move):
     samples = move.motion.objective.samples(move.motion.path, move.time)
-    flexion, sideways, twist = np.degrees(BendLimits(move.clip.bends).angles(samples))
+    flexion, sideways, twist = np.degrees(BendLimits(move.clip.context.bends).angles(samples))
     assert flexion.min() >= -0.5
     assert np.abs(sideways).max() <= 9
     assert np.abs(twist).max() <= 9

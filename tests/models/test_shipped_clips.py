@@ -122,8 +122,8 @@ def test_keyframes_are_met(found):
 
 @pytest.mark.slow
 def test_knees_and_elbows_bend_the_right_way(found):
-    assert len(found.clip.bends) == 4
-    flexion, sideways, twist = BendLimits(found.clip.bends).angles(found.all())
+    assert len(found.clip.context.bends) == 4
+    flexion, sideways, twist = BendLimits(found.clip.context.bends).angles(found.all())
     assert flexion.min() > 0
     assert max(np.abs(sideways).max(), np.abs(twist).max()) <= SIDEWAYS
 
