@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import cache
 
 from threadpoolctl import ThreadpoolController
 
@@ -11,9 +12,15 @@ from threadpoolctl import ThreadpoolController
 @contextmanager
 def one_thread() -> Iterator[None]:
     """In here BLAS has one thread; afterwards as many as before. Where it has one anyway, nothing is asked of it."""
-    libraries = ThreadpoolController().select(user_api="blas")
+    libraries = _libraries()
     if all(library.num_threads == 1 for library in libraries.lib_controllers):
         yield
         return
     with libraries.limit(limits=1):
         yield
+
+
+@cache
+def _libraries() -> ThreadpoolController:
+    """BLAS as NumPy and SciPy have loaded it by now; looked for once, which takes as long as a small search."""
+    return ThreadpoolController().select(user_api="blas")

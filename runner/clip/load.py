@@ -336,7 +336,9 @@ def _clip(
 def _too_many(problem: Problem) -> Iterator[str]:
     """A line on an optimiser that does nothing with so many unknowns."""
     settings = problem.settings
-    about = settings.beginning(problem.raw.times, in_windows=False).size * problem.figure.width
+    about = (
+        settings.beginning(np.array([key.time for key in problem.keys]), in_windows=False).size * problem.figure.width
+    )
     if not copes(settings.method, about):
         most = DENSE[settings.method.lower()]
         yield (
