@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..array import Array
+from ..array import Array, Index
 from ..curve.frame import Timeline
 from ..figure.adjoint import Cotangent
 from ..figure.kinematics import Samples
@@ -77,8 +77,19 @@ class Momentary(Penalty):
 
     @property
     @abstractmethod
+    def times(self) -> Array:
+        """(n,) [s] of all that it looks at, one after the other; the same may come up more than once."""
+
+    @property
     def instants(self) -> Array:
         """(I,) [s], rising."""
+        return np.unique(self.times)
+
+    def pairs(self, samples: Samples) -> tuple[Index, Index]:
+        """The pairs of something that it looks at and a sample at its time, (p,) each, samples rising."""
+        near = np.flatnonzero(np.isin(samples.t, self.instants))
+        at, which = np.nonzero(samples.t[near, None] == self.times)
+        return which, near[at]
 
 
 class Guide(Penalty):

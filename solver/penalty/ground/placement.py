@@ -43,17 +43,13 @@ class Placement(Momentary):
     def scale(self) -> Scale:
         return Scale(1e-4, is_violation=True)
 
-    @property
-    def instants(self) -> Array:
-        return np.unique(self._times)
-
     def away(self, samples: Samples) -> tuple[Index, Array]:
         """Which points (p,) have their time among the samples, and the ways from their targets (3, p) [m]."""
-        which, at = self._pairs(samples)
+        which, at = self.pairs(samples)
         return which, self._seen(samples, which, at)[2]
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
-        which, at = self._pairs(samples)
+        which, at = self.pairs(samples)
         if not which.size:
             return np.zeros(samples.count)
         flat, arm, away = self._seen(samples, which, at)
@@ -62,7 +58,7 @@ class Placement(Momentary):
         return np.bincount(at, dot(away, away), samples.count).astype(float)
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
-        which, at = self._pairs(samples)
+        which, at = self.pairs(samples)
         if not which.size:
             return
         links, _, _, given = self._arrays
@@ -73,12 +69,6 @@ class Placement(Momentary):
             rows = point_gradients(samples, at[some], links[which[some]], arm[:, some], ways)
             into.add_rows(at[some], scale[at[some]], rows[:, None], (0,))
 
-    def _pairs(self, samples: Samples) -> tuple[Index, Index]:
-        """The pairs of a placed point and a sample at its time, (p,) each, samples rising."""
-        near = np.flatnonzero(np.isin(samples.t, self.instants))
-        at, which = np.nonzero(samples.t[near, None] == self._times)
-        return which, near[at]
-
     def _seen(self, samples: Samples, which: Index, at: Index) -> tuple[Index, Array, Array]:
         """link · S + sample (p,), the points' arms and their ways from the targets (3, p), zero along free axes."""
         links, positions, targets, given = self._arrays
@@ -88,7 +78,7 @@ class Placement(Momentary):
         return flat, arm, (x + arm - targets[:, which]) * given[:, which]
 
     @cached_property
-    def _times(self) -> Array:
+    def times(self) -> Array:
         """(n,) [s]"""
         return np.array([p.time for p in self.placed])
 

@@ -47,12 +47,8 @@ class Upright(Momentary):
     def scale(self) -> Scale:
         return Scale(float(np.radians(10) ** 2), is_violation=True)
 
-    @property
-    def instants(self) -> Array:
-        return np.unique(self._times)
-
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
-        which, at = self._pairs(samples)
+        which, at = self.pairs(samples)
         if not which.size:
             return np.zeros(samples.count)
         flat, arm, away = self._seen(samples, which, at)
@@ -63,7 +59,7 @@ class Upright(Momentary):
         return np.bincount(at, dot(away, away), samples.count).astype(float)
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
-        which, at = self._pairs(samples)
+        which, at = self.pairs(samples)
         if not which.size:
             return
         links = self._arrays[0][which]
@@ -73,12 +69,6 @@ class Upright(Momentary):
             rows = point_gradients(samples, at, links, arm, ways) - point_gradients(samples, at, links, 0 * arm, ways)
             into.add_rows(at, scale[at], rows[:, None], (0,))
 
-    def _pairs(self, samples: Samples) -> tuple[Index, Index]:
-        """The pairs of a lean and a sample at its time, (p,) each, samples rising."""
-        near = np.flatnonzero(np.isin(samples.t, self.instants))
-        at, which = np.nonzero(samples.t[near, None] == self._times)
-        return which, near[at]
-
     def _seen(self, samples: Samples, which: Index, at: Index) -> tuple[Index, Array, Array]:
         """link · S + sample (p,), the axes as they are turned and what they are away from their ways, (3, p)."""
         links, axes, ways = self._arrays
@@ -87,7 +77,7 @@ class Upright(Momentary):
         return flat, turned, turned - ways[:, which]
 
     @cached_property
-    def _times(self) -> Array:
+    def times(self) -> Array:
         """(n,) [s]"""
         return np.array([lean.time for lean in self.leans])
 
