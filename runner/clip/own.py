@@ -22,8 +22,8 @@ def with_own(clip: Clip, own: Own) -> Clip:
     Raises UserError for one that is none, has no weight, or is called as another.
     """
     taken = {penalty.name for penalty, _ in clip.penalties} | KINDS.keys()
+    place = f"{clip.name}: own"
     for entry in own:
-        place = f"{clip.name}: own = {type(own).__name__}"
         if not (isinstance(entry, tuple) and len(entry) == 2 and isinstance(entry[0], Penalty)):
             raise UserError(f"{place}: every entry is (penalty, weight), a soft constraint and a number, not {entry!r}")
         penalty, weight = entry

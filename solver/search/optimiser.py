@@ -22,7 +22,7 @@ METHODS = {
     "var2": ("LD_VAR2", "shifted limited-memory variable metric"),
 }
 
-DENSE = {"slsqp": 300}  # unknowns up to which an iteration, O(n³), takes a tenth of a second; 1200 take 15 s
+DENSE = {"slsqp": 300}  # unknowns up to which an iteration, O(n³), takes a fifth of a second; 1200 take 15 s
 
 # NLopt's general failure is a class of its own in 2.11 and no RuntimeError
 FAILURES = (nlopt.RoundoffLimited, RuntimeError, getattr(nlopt, "runtime_error", RuntimeError))

@@ -24,8 +24,6 @@ FOLDER = Path(__file__).parents[2] / "benchmarks"
 THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "BLIS_NUM_THREADS", "NUMEXPR_NUM_THREADS",
            "VECLIB_MAXIMUM_THREADS")  # fmt: skip
 
-pytestmark = pytest.mark.skipif(not FOLDER.is_dir(), reason="the benchmarks are in the repository alone")
-
 
 @pytest.fixture(scope="module")
 def benchmark() -> ModuleType:
