@@ -43,6 +43,10 @@ class Placement(Momentary):
     def scale(self) -> Scale:
         return Scale(1e-4, is_violation=True)
 
+    @property
+    def times(self) -> Array:
+        return self._times
+
     def away(self, samples: Samples) -> tuple[Index, Array]:
         """Which points (p,) have their time among the samples, and the ways from their targets (3, p) [m]."""
         which, at = self.pairs(samples)
@@ -78,7 +82,7 @@ class Placement(Momentary):
         return flat, arm, (x + arm - targets[:, which]) * given[:, which]
 
     @cached_property
-    def times(self) -> Array:
+    def _times(self) -> Array:
         """(n,) [s]"""
         return np.array([p.time for p in self.placed])
 

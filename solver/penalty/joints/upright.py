@@ -47,6 +47,10 @@ class Upright(Momentary):
     def scale(self) -> Scale:
         return Scale(float(np.radians(10) ** 2), is_violation=True)
 
+    @property
+    def times(self) -> Array:
+        return self._times
+
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         which, at = self.pairs(samples)
         if not which.size:
@@ -77,7 +81,7 @@ class Upright(Momentary):
         return flat, turned, turned - ways[:, which]
 
     @cached_property
-    def times(self) -> Array:
+    def _times(self) -> Array:
         """(n,) [s]"""
         return np.array([lean.time for lean in self.leans])
 
