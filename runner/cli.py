@@ -533,6 +533,32 @@ def import_motion(
         teller.say(f"wrote {target}")
 
 
+@app.command()
+def clean(
+    source: Annotated[Path, typer.Argument(metavar="RECORDING", help="a motion, or a file that `import` reads")],
+    output: Output = None,
+    figure: Annotated[str | None, typer.Option(help="the figure it is for: a shipped one or MJCF")] = None,
+    kind: Annotated[str | None, typer.Option("--from", help="its format, where the ending does not tell it")] = None,
+    fps: Annotated[float | None, typer.Option(help="images a second, where the file does not tell")] = None,
+    scale: Annotated[float | None, typer.Option(help="the file's unit of length in metres")] = None,
+    scene: Annotated[Path | None, typer.Option(help="a TOML file with [scene]: steps and obstacles of it")] = None,
+    contacts: Annotated[Path | None, typer.Option(help="a TOML file with [[contact]]s, if not those found")] = None,
+    within: Annotated[str | None, typer.Option(help="how far hands, feet and pelvis may move, such as 3cm")] = None,
+    overwrite: OverThere = False,
+    allow_outside: Outside = False,
+) -> None:
+    """A recording made physical: feet stay where they stand, nothing sinks, jumps or floats; the motion is kept."""
+    _without_graphics()
+    from .clean import running
+    from .system.progress import Teller
+    from .system.quantity import length
+
+    bound = None if within is None else length(within, "--within")
+    with Teller() as teller:
+        found = running.Source(source, figure, kind, fps, scale, scene, contacts)
+        running.run(found, output, within=bound, overwrite=overwrite, teller=teller)
+
+
 @app.command(name="formats")
 def list_formats() -> None:
     """The formats of other programs that export writes and import reads."""

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import mujoco
 import numpy as np
@@ -47,8 +47,20 @@ from .posing.places import Places
 from .posing.placing import check_search, wanted, with_pose
 from .posing.rotation import quaternion_of
 from .posing.standing import Stander
-from .table import ROTATION, ClipTable, KeyframeTable, RootTable, RotationTable, SolveTable, spoken
+from .table import (
+    ROTATION,
+    ClipTable,
+    KeyframeTable,
+    RootTable,
+    RotationTable,
+    SolveTable,
+    SurroundingsTable,
+    Table,
+    spoken,
+)
 from .things import lying
+
+Tables = TypeVar("Tables", bound=Table)
 
 LONGEST_PANEL = 0.05
 POINTS = 3
@@ -202,7 +214,7 @@ def from_text(
         scene = compose(spec, None if step is None else Step(**step.model_dump()), obstacles(table.scene))
     except UserError as error:
         raise UserError(f"{place}: {error}") from None
-    figure = _figure(scene, table.solve.coordinates, place)
+    figure = figure_of(scene, place, table.solve.coordinates)
     missed: list[str] = []
     keys, placed = _keys(figure, lying(table), _stander(figure, table, place), place, missed)
     if missed and unmet is None:
@@ -214,6 +226,19 @@ def from_text(
 
 def table_of(text: str, place: str) -> ClipTable:
     """The tables of a clip's TOML text; raises UserError for what they cannot hold."""
+    return _tables(text, place, ClipTable)
+
+
+def surroundings(source: Path) -> SurroundingsTable:
+    """What a TOML file says of a recording's scene and contacts; raises UserError for what it cannot."""
+    try:
+        text = source.read_text(encoding="utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise UserError(f"{source}: not UTF-8 text (byte {error.start + 1})") from None
+    return _tables(text, source.name, SurroundingsTable)
+
+
+def _tables(text: str, place: str, kind: type[Tables]) -> Tables:
     try:
         raw = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
@@ -222,9 +247,10 @@ def table_of(text: str, place: str) -> ClipTable:
         raise UserError(f"{place}: not valid TOML: nested too deeply") from None
     except ValueError:  # what Python calls too many digits for an integer
         raise UserError(f"{place}: not valid TOML: a number of thousands of digits") from None
-    _check_filled(raw, place)
+    if kind is ClipTable:
+        _check_filled(raw, place)
     try:
-        return ClipTable.model_validate(raw)
+        return kind.model_validate(raw)
     except ValidationError as error:
         raise UserError(f"{place}: {spoken(error, raw)}") from None
 
@@ -354,7 +380,8 @@ def _problem(figure: Figure, keys: Sequence[Frame], solve: SolveTable) -> Proble
     return Problem(figure, tuple(keys), (), settings, solve.ends, slope, solve.travel, radians(solve.turn))
 
 
-def _figure(scene: Scene, coordinates: str, place: str) -> Figure:
+def figure_of(scene: Scene, place: str, coordinates: str = "auto") -> Figure:
+    """The figure of a scene; raises UserError, place first, for one that the solver cannot move."""
     try:
         return Figure(scene.model(), coordinates)
     except (FigureError, ValueError) as error:
@@ -612,7 +639,7 @@ def from_qpos(name: str, scene: Scene, time: Array, qpos: Array, fps: float | No
 
     scene  figure and stage, complete; place is how errors call it. Raises UserError for what does not fit.
     """
-    figure = _figure(scene, "auto", place)
+    figure = figure_of(scene, place)
     if time.ndim != 1 or qpos.shape != (time.size, figure.width):
         raise UserError(
             f"{place}: time {time.shape} and qpos {qpos.shape} do not fit the figure: "

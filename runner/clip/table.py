@@ -184,6 +184,13 @@ class SolveTable(Table):
     samples: Annotated[Whole, Field(ge=1, le=10_000)] | None = None
 
 
+class SurroundingsTable(Table):
+    """What is round a recording: the scene that it was made in, and the contacts in it."""
+
+    scene: SceneTable = SceneTable()
+    contact: list[ContactTable] = []
+
+
 class ClipTable(Table):
     """All of a clip's file."""
 

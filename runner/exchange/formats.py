@@ -118,7 +118,7 @@ def chosen(name: str | None, target: Path | None) -> Format:
     known = writers()
     if target is None:
         raise UserError(f"name the format, --to, or a file with its ending, -o; formats: {', '.join(known)}")
-    form = _longest(target, [(ending, each) for each in FORMATS for ending in each.told_by])
+    form = by_ending(target)
     if form is None:
         raise UserError(
             f"'{target}': its ending does not tell its format; give --to, or to= in Python, one of: {', '.join(known)}"
@@ -130,6 +130,11 @@ def _longest(path: Path, endings: Iterable[tuple[str, Format]]) -> Format | None
     """The format with the longest of the endings that a name has."""
     fitting = [(len(ending), form) for ending, form in endings if path.name.lower().endswith(ending)]
     return max(fitting, key=lambda each: each[0])[1] if fitting else None
+
+
+def by_ending(path: Path) -> Format | None:
+    """The format that a name's whole ending tells, as .loco.npz does; None for a plain .npz, a motion's."""
+    return _longest(path, [(ending, each) for each in FORMATS for ending in each.told_by])
 
 
 def target_of(name: str, form: Format, wishes: Wishes) -> Path:
@@ -236,7 +241,7 @@ def _check_file(source: Path) -> None:
 def _told(source: Path) -> Format:
     """The format that a file's ending tells, or, where several share it, what is in the file."""
     name, known = source.name.lower(), readers().values()
-    own = _longest(source, [(ending, each) for each in FORMATS for ending in each.told_by])
+    own = by_ending(source)
     if own is not None:
         if not own.reads:
             raise UserError(f"'{source}': {_write_only(own.name)}")

@@ -1,12 +1,14 @@
-"""A file of others becomes a motion of ours: every instant a keyframe, nothing searched."""
+"""A file of others on a figure, and as a motion of ours: every instant a keyframe, nothing searched."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 
 import mujoco
 import numpy as np
 
+from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import TimelineError
 
 from ..clip import load as clips
@@ -15,6 +17,47 @@ from ..scene.compose import compose, figure_spec
 from ..system.progress import Teller
 from ..work import unsolved
 from .formats import recording, stem
+
+
+@dataclass(frozen=True)
+class Taken:
+    """What a file of others holds, on a figure: name; spec, the figure; time (T,) [s] and qpos (T, nq); fps [1/s];
+    loops, the file says that its last sample is the first again, moved on."""
+
+    name: str
+    spec: mujoco.MjSpec
+    time: Array
+    qpos: Array
+    fps: float
+    loops: bool
+
+
+def taken(
+    source: Path,
+    kind: str | None = None,
+    *,
+    figure: str | None = None,
+    fps: float | None = None,
+    scale: float | None = None,
+    teller: Teller | None = None,
+) -> Taken:
+    """Reads a file of another program.
+
+    figure  a shipped figure's name or a path to MJCF, for files that bring none
+    fps, scale  [1/s], [m] the file's rate and unit of length, where it does not tell them
+    teller  hears how the file was read
+
+    Raises UserError.
+    """
+    teller = teller or Teller()
+    spec = None if figure is None else figure_spec(figure)
+    told = recording(source, kind, model=None if spec is None else spec.compile(), fps=fps, scale=scale)
+    for note in told.notes:
+        teller.say(f"note: {note}")
+    spec = mujoco.MjSpec.from_string(told.mjcf, assets=dict(told.assets)) if told.mjcf is not None else spec
+    assert spec is not None, "a reader gives a figure or asks for one"
+    rate = told.fps or (float(np.round(1 / np.median(np.diff(told.time)), 6)) if told.time.size > 1 else 30.0)
+    return Taken(stem(source), spec, told.time, told.qpos, rate, told.loops)
 
 
 def imported(
@@ -35,14 +78,8 @@ def imported(
     Raises UserError. What loops in the file is a loop, if its last pose is its first, moved on.
     """
     teller = teller or Teller()
-    spec = None if figure is None else figure_spec(figure)
-    told = recording(source, kind, model=None if spec is None else spec.compile(), fps=fps, scale=scale)
-    for note in told.notes:
-        teller.say(f"note: {note}")
-    spec = mujoco.MjSpec.from_string(told.mjcf, assets=dict(told.assets)) if told.mjcf is not None else spec
-    assert spec is not None, "a reader gives a figure or asks for one"
-    rate = told.fps or (float(np.round(1 / np.median(np.diff(told.time)), 6)) if told.time.size > 1 else 30.0)
-    found = clips.from_qpos(stem(source), compose(spec), told.time, told.qpos, rate, source.name)
+    told = taken(source, kind, figure=figure, fps=fps, scale=scale, teller=teller)
+    found = clips.from_qpos(told.name, compose(told.spec), told.time, told.qpos, told.fps, source.name)
     if told.loops:
         try:
             return unsolved(found.asking(ends="periodic")).saved(teller, with_report=False)

@@ -52,6 +52,7 @@ from .joints.upright import Upright as Upright
 from .joints.upright import leans as leans
 from .motion.covariant import CovariantAcceleration as CovariantAcceleration
 from .motion.cycle import Cycle as Cycle
+from .motion.near import Near as Near
 from .motion.peak import PeakAcceleration as PeakAcceleration
 from .motion.posture import Posture as Posture
 from .motion.root import RootAcceleration as RootAcceleration

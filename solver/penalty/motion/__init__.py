@@ -4,4 +4,5 @@ covariant  angular acceleration      root     acceleration of the root and of sl
 unit       quaternions' length       posture  angular velocity beside acceleration
 peak       the largest acceleration  torque   what joints must do, by inverse dynamics
 cycle      the walking or running cycle that keyframes tell
+near       the motion that was recorded
 """

@@ -1,0 +1,7 @@
+"""Recordings made physical: what slides, sinks, floats and jumps in them is mended, the motion is kept.
+
+repairs    gaps, jumps, samples that come twice or are no numbers, rest poses: found, told and bridged
+cleaning   a repaired recording, its stances, and the motion near it that keeps to them
+comparing  before and after: depth, slip, ranges, accelerations, forces, and how far what has moved
+running    the command `clean`: from a recording's file to a clean one
+"""

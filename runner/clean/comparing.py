@@ -1,0 +1,200 @@
+"""Before and after: what sinks, slips and jumps, what nothing supplies, and how far what has moved."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from rich.table import Table
+
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.spline import Path
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.penalty import JointRange, Support, joint_ranges
+from dynsplines.solver.surface.heights import height_over
+from dynsplines.solver.surface.points import places_of
+
+from ..clip.followed import Ground
+from ..measure.measures import turning, turns
+from .cleaning import Cleaned
+
+RATE = 120.0  # [1/s]
+RUN = 1000  # samples looked at at once
+
+
+@dataclass(frozen=True)
+class Line:
+    """One thing that was measured, before and after; in a unit."""
+
+    says: str
+    unit: str
+    before: float
+    after: float
+
+
+@dataclass(frozen=True)
+class Farthest:
+    """How far a body is off the recording: median, what 95 % stay below, most [m], and when that is [s]."""
+
+    name: str
+    median: float
+    high: float
+    most: float
+    time: float
+
+
+@dataclass(frozen=True, eq=False)
+class Comparison:
+    """What cleaning changed."""
+
+    cleaned: Cleaned
+
+    @cached_property
+    def lines(self) -> tuple[Line, ...]:
+        """What was wrong before, and what of it is left."""
+        before, after = (_Look(self.cleaned, path, self.times) for path in (self.cleaned.before, self.cleaned.after))
+        rows = [
+            ("deepest sole", "mm", "depth"),
+            ("slip of a stance, most", "mm", "slip"),
+            ("sole at rest, off the ground", "mm", "hover"),
+            ("joint beyond its range", "°", "range"),
+            ("joint acceleration, most", "rad/s²", "peak"),
+            ("jerk of bodies, mean", "m/s³", "jerk"),
+            ("force nothing supplies, mean", "weight", "force"),
+        ]
+        return tuple(Line(says, unit, getattr(before, of), getattr(after, of)) for says, unit, of in rows)
+
+    @cached_property
+    def times(self) -> Array:
+        """(T,) [s] looked at."""
+        first, last = self.cleaned.before.span
+        return np.linspace(first, last, max(2, round((last - first) * RATE) + 1))
+
+    @cached_property
+    def moved(self) -> tuple[Farthest, ...]:
+        """How far pelvis, hands and feet are off what was recorded, farthest first."""
+        figure, found = self.cleaned.figure, list[Farthest]()
+        links = followed(figure)
+        off = []
+        for first in range(0, self.times.size, RUN):
+            t = self.times[first : first + RUN]
+            one, other = (_tips(figure, path, t, links) for path in (self.cleaned.recorded.path, self.cleaned.after))
+            off.append(np.linalg.norm(one - other, axis=0))
+        for link, row in zip(links, np.concatenate(off, axis=1), strict=True):
+            high, at = float(np.percentile(row, 95)), int(row.argmax())
+            name = figure.model.body(figure.links[link].body).name or figure.links[link].name
+            found.append(Farthest(name, float(np.median(row)), high, float(row[at]), float(self.times[at])))
+        return tuple(sorted(found, key=lambda one: -one.most))
+
+    def table(self) -> Table:
+        """For the terminal."""
+        out = Table(box=None, pad_edge=False)
+        for heading in ("", "before", "after"):
+            out.add_column(heading, justify="left" if not heading else "right")
+        for line in self.lines:
+            out.add_row(line.says, *(f"{value:.3g} {line.unit}" for value in (line.before, line.after)))
+        for one in self.moved:
+            out.add_row(
+                f"{one.name} off the recording",
+                f"{100 * one.median:.1f} cm median",
+                f"{100 * one.high:.1f} cm in 95 %, {100 * one.most:.1f} at {one.time:.2f} s",
+            )
+        return out
+
+
+def farthest(cleaned: Cleaned) -> float:
+    """[m] that a pelvis, hand or foot is off the recording, at most."""
+    return max(one.most for one in Comparison(cleaned).moved)
+
+
+def followed(figure: Figure) -> list[int]:
+    """The links whose places are looked at: free roots, and the ends of limbs."""
+    parents = figure.tables.parents
+    ends = [i for i in range(1, len(figure.links)) if not np.any(parents[1:] == i)]
+    roots = [int(i) for i in figure.tables.free_links if i not in ends]
+    return [*roots, *ends]
+
+
+def _tips(figure: Figure, path: Path, t: Array, links: list[int]) -> Array:
+    """(3, n, T) [m] the middle of links' masses."""
+    samples = Samples(figure, *path.motion(t))
+    places, _ = samples.links.points(np.array(links), np.array([figure.links[i].centre for i in links]).T)
+    return places
+
+
+class _Look:
+    """One path, measured."""
+
+    def __init__(self, cleaned: Cleaned, path: Path, times: Array) -> None:
+        self.cleaned, self.path, self.times = cleaned, path, times
+
+    @property
+    def ground(self) -> Ground:
+        return self.cleaned.ground
+
+    def _parts(self) -> Iterator[Samples]:
+        for first in range(0, self.times.size, RUN):
+            t = self.times[first : first + RUN]
+            yield Samples(self.ground.figure, *self.path.motion(t), t=t)
+
+    @cached_property
+    def _soles(self) -> tuple[Array, Array]:
+        """Places (3, p, T) and heights (p, T) [m] of the soles' points."""
+        points = self.ground.points
+        if not points or not self.ground.surfaces:
+            return np.zeros((3, 0, self.times.size)), np.zeros((0, self.times.size))
+        places = np.concatenate([places_of(points, samples)[0] for samples in self._parts()], axis=2)
+        return places, height_over(self.ground.surfaces, places, np.array([point.radius for point in points]))[0]
+
+    def _resting(self) -> Iterator[tuple[Array, Array]]:
+        """Places (3, t) and heights (t,) of every stance."""
+        places, heights = self._soles
+        row = {id(point): i for i, point in enumerate(self.ground.points)}
+        for rest in self.cleaned.rests:
+            i = row.get(id(rest.point))
+            during = (self.times >= rest.first) & (self.times <= rest.last)
+            if i is not None and during.any():
+                yield places[:, i, during], heights[i, during]
+
+    @property
+    def depth(self) -> float:
+        return 1000 * max(-float(self._soles[1].min(initial=0.0)), 0.0)
+
+    @property
+    def slip(self) -> float:
+        from_middle = [np.linalg.norm(at - at.mean(axis=1, keepdims=True), axis=0).max() for at, _ in self._resting()]
+        return 1000 * float(max(from_middle, default=0.0))
+
+    @property
+    def hover(self) -> float:
+        return 1000 * float(max((height.max() for _, height in self._resting()), default=0.0))
+
+    @property
+    def range(self) -> float:
+        found = joint_ranges(self.ground.figure)
+        if not found:
+            return 0.0
+        beyond = max(float(JointRange(found).evaluate(samples).max()) for samples in self._parts())
+        return float(np.degrees(np.sqrt(beyond)))
+
+    @property
+    def peak(self) -> float:
+        rows = turning(self.ground.figure)
+        return max(float(turns(samples)[rows].max(initial=0.0)) for samples in self._parts())
+
+    @property
+    def jerk(self) -> float:
+        x = np.concatenate([samples.links.x[:, 1:] for samples in self._parts()], axis=2)
+        return float(np.linalg.norm(np.diff(x, 3, axis=2), axis=0).mean()) * RATE**3 if x.shape[2] > 3 else 0.0
+
+    @property
+    def force(self) -> float:
+        """Of the moments at which it is known what carries the figure; with the forces of its stances."""
+        support = next((p for p, _ in self.cleaned.problem.penalties if isinstance(p, Support)), None)
+        if support is None:
+            return 0.0
+        rest = np.concatenate([support.rest(s)[:3][:, support.known(s.t)] for s in self._parts()], axis=1)
+        return float(np.linalg.norm(rest, axis=0).mean()) if rest.size else 0.0

@@ -1,0 +1,176 @@
+"""Gaps, jumps, samples that come twice or are no numbers, rest poses at the ends: found, told and bridged.
+
+A sample that is not believed is left out; what moves there is found from those before and after it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from dynsplines.solver.array import Array
+from dynsplines.solver.figure.figure import Figure
+
+from ..edit.lead_in import LeadIn, lead_in
+from ..errors import UserError
+
+FEWEST = 5  # samples of a motion
+TWICE = 0.1  # of the usual step: samples so near to each other are one that comes twice
+GAP = 1.5  # usual steps, over which samples are missing
+LONGEST_GAP = 2.0  # [s] that is bridged
+FAR_OFF = 8.0  # times as far as the usual sample of a joint, one that jumps is from the middle of its neighbours
+TURN, WAY = np.radians(10), 0.04  # [rad], [m] and at least so far
+BESIDE = 0.5  # of that, most that the neighbours are apart from each other
+
+
+@dataclass(frozen=True, eq=False)
+class Repaired:
+    """time (T,) [s], rising by equal steps but for what was recorded otherwise; qpos (T, nq); known (T, nq) whether
+    an entry was recorded, and is believed; notes: a line on everything that was found."""
+
+    time: Array
+    qpos: Array
+    known: Array
+    notes: tuple[str, ...]
+
+
+def repaired(figure: Figure, time: Array, qpos: Array, place: str) -> Repaired:
+    """Of samples at times (T,) [s], qpos (T, nq), some entries no numbers; place is how errors call them.
+
+    Raises UserError for too few samples, times that go back, and gaps that nobody can bridge.
+    """
+    notes: list[str] = []
+    if time.size < FEWEST:
+        raise UserError(f"{place}: {time.size} sample{'s' * (time.size != 1)}; a motion to clean has {FEWEST} at least")
+    if np.any(np.diff(time) < 0):
+        i = int(np.argmin(np.diff(time)))
+        raise UserError(f"{place}: times go back: sample {i + 2} is at {time[i + 1]:g} s, after {time[i]:g} s")
+    time, qpos = _once(time, qpos, notes)
+    known = _numbers(figure, qpos, time, notes)
+    time, qpos, known = _without_rest(figure, time, qpos, known, notes)
+    if time.size < FEWEST:
+        raise UserError(f"{place}: {time.size} samples are left; a motion to clean has {FEWEST} at least")
+    time, qpos, known = _filled(figure, time, qpos, known, notes, place)
+    known &= ~_jumps(figure, time, qpos, known, notes)
+    lost = [_name(figure, columns) for columns in groups(figure) if known[:, columns].all(axis=1).sum() < FEWEST]
+    if lost:
+        raise UserError(f"{place}: too few samples of {', '.join(lost)}")
+    return Repaired(time, qpos, known, tuple(notes))
+
+
+def groups(figure: Figure) -> list[Array]:
+    """The columns of qpos that are recorded together: places of roots, quaternions, single joints."""
+    tables = figure.tables
+    whole = [*tables.position_columns.T, *tables.quaternion_columns.T]
+    single = np.setdiff1d(np.arange(figure.width), np.concatenate([*whole, np.zeros(0, np.intp)]))
+    return [*whole, *single[:, None]]
+
+
+def _name(figure: Figure, columns: Array) -> str:
+    """What a group of columns belongs to."""
+    link = next(link for link in reversed(figure.links[1:]) if link.qpos <= columns[0])
+    return f"'{link.name}'"
+
+
+def _once(time: Array, qpos: Array, notes: list[str]) -> tuple[Array, Array]:
+    """Without samples that come twice."""
+    step = float(np.median(np.diff(time)))
+    twice = np.append(False, np.diff(time) <= TWICE * step)
+    if twice.any():
+        first, count = float(time[twice][0]), int(twice.sum())
+        notes.append(f"{count} sample{'s come' if count > 1 else ' comes'} twice, first at {first:.3f} s: left out")
+    return time[~twice], qpos[~twice]
+
+
+def _numbers(figure: Figure, qpos: Array, time: Array, notes: list[str]) -> Array:
+    """(T, nq) which entries are numbers, quaternions whole and of some length; the others become what is at rest."""
+    known = np.isfinite(qpos)
+    for columns in groups(figure):
+        fine = known[:, columns].all(axis=1)
+        if columns.size == 4:
+            fine &= np.linalg.norm(np.where(known[:, columns], qpos[:, columns], 0.0), axis=1) > 1e-6
+        known[:, columns] = fine[:, None]
+    bad = ~known.all(axis=1)
+    if bad.any():
+        joints = [_name(figure, columns) for columns in groups(figure) if not known[:, columns].all()]
+        whose = ", ".join(joints[:3]) + (f" and {len(joints) - 3} more" if len(joints) > 3 else "")
+        notes.append(f"{int(bad.sum())} samples of {whose} hold no numbers, first at {time[bad][0]:.3f} s: bridged")
+    np.copyto(qpos, np.asarray(figure.model.qpos0), where=~known)
+    return known
+
+
+def _without_rest(
+    figure: Figure, time: Array, qpos: Array, known: Array, notes: list[str]
+) -> tuple[Array, Array, Array]:
+    """Without the poses before and after the motion that are none of it."""
+    first, last = 0, time.size
+    if (found := lead_in(figure.model, time, qpos)) is not None:
+        first = found.count
+        notes.append(f"{found.line}: left out")
+    back = lead_in(figure.model, -time[first:][::-1], qpos[first:][::-1])
+    if back is not None:
+        last -= back.count
+        notes.append(f"{_ending(back, time)}: left out")
+    return time[first:last], qpos[first:last], known[first:last]
+
+
+def _ending(back: LeadIn, time: Array) -> str:
+    """A lead-in of the motion played backward, in words."""
+    span = f"{time[-1]:.3f} s" if back.count == 1 else f"{-back.last:.3f} to {time[-1]:.3f} s"
+    return f"the recording ends with {back.what} ({back.count} image{'s' * (back.count > 1)}, {span}), no motion"
+
+
+def _filled(
+    figure: Figure, time: Array, qpos: Array, known: Array, notes: list[str], place: str
+) -> tuple[Array, Array, Array]:
+    """With samples that nobody knows where some are missing."""
+    step = float(np.median(np.diff(time)))
+    missing = np.maximum(np.round(np.diff(time) / step).astype(int) - 1, 0)
+    missing[np.diff(time) < GAP * step] = 0
+    for i in np.flatnonzero(missing):
+        long = float(time[i + 1] - time[i])
+        if long > LONGEST_GAP:
+            raise UserError(
+                f"{place}: nothing is recorded from {time[i]:.3f} to {time[i + 1]:.3f} s, over {LONGEST_GAP:g} s; "
+                "cut the recording there"
+            )
+        notes.append(f"nothing is recorded from {time[i]:.3f} to {time[i + 1]:.3f} s: bridged")
+    if not missing.any():
+        return time, qpos, known
+    row = np.repeat(np.arange(time.size), np.append(missing + 1, 1))
+    inside = np.arange(row.size) - np.searchsorted(row, row)
+    spacing = np.append(np.diff(time) / (missing + 1), 0.0)
+    return time[row] + inside * spacing[row], qpos[row], known[row] & (inside == 0)[:, None]
+
+
+def _jumps(figure: Figure, time: Array, qpos: Array, known: Array, notes: list[str]) -> Array:
+    """(T, nq) which entries are of a single sample that jumps away and back."""
+    out = np.zeros(known.shape, bool)
+    for columns in groups(figure):
+        values = _continuous(qpos[:, columns])
+        bound = WAY if columns[0] in _places(figure) else TURN * (0.5 if columns.size == 4 else 1.0)
+        off = np.linalg.norm(values[1:-1] - 0.5 * (values[:-2] + values[2:]), axis=1)
+        apart = np.linalg.norm(values[2:] - values[:-2], axis=1)
+        far = (off > np.maximum(bound, FAR_OFF * np.median(off))) & (apart < BESIDE * off)
+        far &= known[:-2, columns[0]] & known[1:-1, columns[0]] & known[2:, columns[0]]
+        out[1:-1, columns] = far[:, None]
+    some = out.any(axis=1)
+    if some.any():
+        whose = sorted({_name(figure, columns) for columns in groups(figure) if out[:, columns].any()})
+        told = ", ".join(whose[:3]) + (f" and {len(whose) - 3} more" if len(whose) > 3 else "")
+        notes.append(f"{told}: {int(some.sum())} samples jump, first at {time[some][0]:.3f} s: bridged")
+    return out
+
+
+def _places(figure: Figure) -> set[int]:
+    """The columns that hold metres."""
+    return {*figure.tables.position_columns.ravel().tolist(), *figure.tables.slide_columns.tolist()}
+
+
+def _continuous(values: Array) -> Array:
+    """Quaternions with signs that follow each other; anything else as it is."""
+    if values.shape[1] != 4:
+        return values
+    flips = np.where(np.sum(values[1:] * values[:-1], axis=1) < 0, -1.0, 1.0)
+    return values * np.append(1.0, np.cumprod(flips))[:, None]

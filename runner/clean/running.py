@@ -1,0 +1,190 @@
+"""The command `clean`: from a recording's file to a clean one, and what is said of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.penalty import Rest
+from dynsplines.solver.solution import Improvement
+
+from .. import motion
+from ..clip import load as clips
+from ..clip.followed import Ground
+from ..clip.obstacles import obstacles
+from ..clip.posing.places import Places
+from ..clip.table import ContactTable, SceneTable, SurroundingsTable
+from ..errors import UserError, unknown
+from ..exchange import formats
+from ..exchange.imported import taken
+from ..motion import Saved
+from ..scene.assets import Scene
+from ..scene.compose import Step, compose
+from ..system.output import check_new, check_target
+from ..system.progress import Teller
+from .cleaning import Cleaned, cleaned, ground_of
+from .comparing import Comparison, farthest
+from .repairs import repaired
+
+NAMED = 6  # stances that are listed of a point
+
+
+@dataclass(frozen=True)
+class Source:
+    """A recording's file, and what it does not tell itself.
+
+    figure, kind, fps, scale  as `import` takes them
+    scene     a TOML file with [scene], what it was made in, and [[contact]], its stances
+    contacts  a TOML file with [[contact]], likewise
+    """
+
+    file: Path
+    figure: str | None = None
+    kind: str | None = None
+    fps: float | None = None
+    scale: float | None = None
+    scene: Path | None = None
+    contacts: Path | None = None
+
+
+def run(
+    source: Source, target: Path | None, *, within: float | None = None, overwrite: bool = False, teller: Teller
+) -> Path:
+    """Cleans a recording and writes it; where it is. Raises UserError, before anything long begins if it can."""
+    target = target or _target(source)
+    form = formats.by_ending(target)
+    if form is not None or target.suffix != ".npz":
+        form = formats.chosen(None, target)
+    check_target(target)
+    if target.exists() and source.file.exists() and target.samefile(source.file):
+        raise UserError(f"'{target}' is what is read; give another -o")
+    check_new(target, overwrite=overwrite)
+    around = _around(source)
+    found = _read(source, around, teller)
+    result, saved = _cleaned(found, around, within, teller)
+    if form is None:
+        motion.save(saved, target)
+    else:
+        formats.export(saved, form.name, target, overwrite=overwrite, tell=teller.say)
+    teller.console.print(Comparison(result).table())
+    if within is not None:
+        for line in _missed(result, within):
+            teller.say(line)
+    teller.say(f"wrote {target}")
+    return target
+
+
+@dataclass(frozen=True, eq=False)
+class _Read:
+    """A recording in its scene: time (T,) [s], qpos (T, nq)."""
+
+    name: str
+    scene: Scene
+    time: Array
+    qpos: Array
+    fps: float
+
+
+def _target(source: Source) -> Path:
+    """In this folder, named after what is read, of its format if that can be written."""
+    form = formats.by_ending(source.file)
+    ending = form.ending if form is not None and form.writes else ".npz"
+    return Path(f"{formats.stem(source.file)}.clean{ending}")
+
+
+def _around(source: Source) -> SurroundingsTable:
+    """The scene, and the contacts, of the two files; each may hold either."""
+    tables = [clips.surroundings(path) for path in (source.scene, source.contacts) if path is not None]
+    scenes = [table.scene for table in tables if table.scene.model_fields_set]
+    if len(scenes) > 1:
+        raise UserError(f"'{source.scene}' and '{source.contacts}' both hold a [scene]")
+    contact = [each for table in tables for each in table.contact]
+    return SurroundingsTable(scene=scenes[0] if scenes else SceneTable(), contact=contact)
+
+
+def _read(source: Source, around: SurroundingsTable, teller: Teller) -> _Read:
+    """From a motion's file, or that of another program."""
+    told = source.figure is not None or source.kind is not None
+    if not told and motion.is_motion(str(source.file)) and formats.by_ending(source.file) is None:
+        if around.scene.model_fields_set:
+            raise UserError(f"'{source.file}' is a motion and brings its scene along; --scene is for other files")
+        saved = motion.load(source.file)
+        samples = motion.sampled(saved.figure, saved.timeline, saved.fps)
+        return _Read(saved.name, saved.scene, samples.time, samples.qpos, saved.fps)
+    found = taken(source.file, source.kind, figure=source.figure, fps=source.fps, scale=source.scale, teller=teller)
+    step = around.scene.step
+    scene = compose(found.spec, None if step is None else Step(**step.model_dump()), obstacles(around.scene))
+    return _Read(found.name, scene, found.time, found.qpos, found.fps)
+
+
+def _cleaned(found: _Read, around: SurroundingsTable, within: float | None, teller: Teller) -> tuple[Cleaned, Saved]:
+    figure = clips.figure_of(found.scene, found.name)
+    mended = repaired(figure, found.time, found.qpos, found.name)
+    for note in mended.notes:
+        teller.say(f"note: {note}")
+    ground = ground_of(figure, mended.qpos)
+    given = _given(figure, ground, around.contact, mended.time, found.name) if around.contact else None
+
+    def improved(improvement: Improvement) -> None:
+        teller.step("cleaning", None, f"evaluation {improvement.evaluation}, objective {improvement.value:.4g}")
+
+    result = cleaned(ground, mended, given, within=within, moved=farthest, improved=improved)
+    if not result.rests:
+        teller.say("note: no stance is found in it: nothing is kept from slipping")
+    for line in _stances(result):
+        teller.say(line)
+    return result, _saved(result, found)
+
+
+def _given(figure: Figure, ground: Ground, tables: Sequence[ContactTable], time: Array, place: str) -> tuple[Rest, ...]:
+    """The stances that somebody says."""
+    places, found = Places(figure, ground.points), list[Rest]()
+    own = {point.name: point for point in ground.points}
+    for number, table in enumerate(tables, start=1):
+        point = own.get(table.point) or places.point(table.point)
+        name = f"{place}: contact {number} ('{table.point}')"
+        if point is None:
+            raise UserError(f"{name}: {unknown('site', table.point, places.points_listed)}")
+        if not time[0] <= table.start < table.end <= time[-1]:
+            span = f"{time[0]:g} to {time[-1]:g} s"
+            raise UserError(f"{name}: {table.start:g} to {table.end:g} s is not within the recording, {span}")
+        found.append(Rest(point, table.start, table.end))
+    return tuple(found)
+
+
+def _stances(result: Cleaned) -> Iterator[str]:
+    """A line on the stances of every point."""
+    for point in result.ground.points:
+        spans = [f"{rest.first:.2f}-{rest.last:.2f}" for rest in result.rests if rest.point is point]
+        more = f" and {len(spans) - NAMED} more" if len(spans) > NAMED else ""
+        if spans:
+            yield f"{point.name} stands {', '.join(spans[:NAMED])}{more} s"
+
+
+def _missed(result: Cleaned, within: float) -> Iterator[str]:
+    """A line on everything that is farther off the recording than it should be, and why."""
+    for one in Comparison(result).moved:
+        if one.most <= within:
+            continue
+        held = {rest.point.name for rest in result.rests if rest.first <= one.time <= rest.last}
+        why = f" while {' and '.join(sorted(held))} stand" + ("s" if len(held) == 1 else "") if held else ""
+        yield f"note: {one.name} is {1000 * one.most:.0f} mm off the recording at {one.time:.2f} s{why}"
+
+
+def _saved(result: Cleaned, found: _Read) -> Saved:
+    """The motion with every frame a keyframe; raw is the recording as it was."""
+    figure, timeline = result.figure, result.solution.timeline
+    everything = np.ones(timeline.states.shape, bool)
+    exact = Timeline(tuple(Frame.many(timeline.times, timeline.states, everything)), timeline.end_slope, timeline.ends)
+    times = result.before.spline.times
+    recorded = figure.to_qpos(result.before.at(times))
+    raw = raw_timeline(figure, [Frame.key(t, q) for t, q in zip(times, recorded, strict=True)])
+    search = {"stopped because": "not searched: a recording that was cleaned"}
+    return Saved(found.name, "", found.scene, figure, found.fps, tuple(result.frames), exact, raw, [], {}, search)

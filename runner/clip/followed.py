@@ -1,0 +1,111 @@
+"""What a motion that follows a recording is to keep, beside the recording: contacts, ranges, balance.
+
+Terms are not divided by what the raw spline costs, as those of keyframes are: the recording gives the measure. Its
+differences count as a chi-squared sum does, one for a standard deviation, and a weight here is how many of these a
+square metre, or a square radian, is worth for a second.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.quadrature import Quadrature
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.penalty import (
+    Contact,
+    Footing,
+    JointRange,
+    Near,
+    Penalty,
+    Rest,
+    Resting,
+    SelfContact,
+    Support,
+    UnitMagnitude,
+    joint_ranges,
+)
+from dynsplines.solver.problem import Problem, Settings
+from dynsplines.solver.surface import Surface
+from dynsplines.solver.surface.points import Point, body_points
+
+from .contacts import ROUNDING
+
+WEIGHTS = {
+    "near": 1.0,
+    "unit": 1e4,
+    "contact": 1e8,  # 1 for 0.3 mm of depth
+    "clearance": 1e8,
+    "resting": 1e8,  # 1 for a slide of 2 mm/s
+    "range": 1e5,  # 1 for 0.2°
+    "self": 1e6,
+    "support": 1000.0,  # 1 for a third of the weight
+}
+LONGEST_PANEL, POINTS = 0.05, 3  # [s], of Gauss's rule
+TOLERANCE = 1e-3
+ANKLE = 0.02  # [m] beside a joint's own thickness: what is so near to a sole's link moves with it
+
+
+@dataclass(frozen=True, eq=False)
+class Ground:
+    """What a figure stands with, and on.
+
+    points    of its soles;  surfaces  what it stands on and stays out of
+    apart     its limbs are kept out of each other, too, which takes twice as long
+    """
+
+    figure: Figure
+    points: tuple[Point, ...]
+    surfaces: tuple[Surface, ...]
+    apart: bool = False
+
+    @property
+    def clear(self) -> tuple[Point, ...]:
+        """The points of the body that stay out of things, but for feet and ankles, which the soles speak for."""
+        links = self.figure.links
+        soles = {point.link for point in self.points}
+
+        def is_ankle(point: Point) -> bool:
+            near = [link for link in soles if links[link].parent == point.link]
+            return any(np.linalg.norm(links[k].offset - point.position) <= 2 * point.radius + ANKLE for k in near)
+
+        return tuple(p for p in body_points(self.figure) if p.link not in soles and not is_ankle(p))
+
+
+def problem(near: Near, ground: Ground, rests: Sequence[Rest], times: Array, edits: Sequence[Frame] = ()) -> Problem:
+    """The recording that is near, and all else: frames at times (M,) [s], keyframes that are edits among them."""
+    figure, path = near.recorded.figure, near.recorded.path
+    nothing, everything = np.zeros(figure.width, bool), np.ones(figure.width, bool)
+    given = np.array([edit.time for edit in edits])
+    free = times if not given.size else times[np.abs(times[:, None] - given).min(axis=1) > ROUNDING]
+    frames = [Frame(t, q, nothing, everything) for t, q in zip(free, figure.to_qpos(path.at(free)), strict=True)]
+    keys = sorted([*edits, *frames], key=lambda frame: frame.time)
+    quadrature = Quadrature("gauss", POINTS, LONGEST_PANEL)
+    settings = Settings(variable=0, frames=0, tolerance=TOLERANCE, renormalise=False, quadrature=quadrature)
+    penalties = [(penalty, WEIGHTS[penalty.name]) for penalty in (near, *penalties_of(ground, rests))]
+    return Problem(figure, tuple(keys), tuple(penalties), settings)
+
+
+def penalties_of(ground: Ground, rests: Sequence[Rest]) -> list[Penalty]:
+    """All that is kept beside the recording."""
+    figure, surfaces = ground.figure, ground.surfaces
+    found: list[Penalty] = []
+    if figure.tables.quaternion_columns.size:
+        found.append(UnitMagnitude())
+    if surfaces and ground.points:
+        found.append(Contact(ground.points, surfaces))
+    if surfaces and (body := ground.clear):
+        found.append(Contact(body, surfaces, called="clearance"))
+    if rests:
+        found.append(Resting(tuple(rests), surfaces))
+        footings = [Footing(rest.point, rest.first, rest.last, np.array([0.0, 0, 1])) for rest in rests]
+        if figure.tables.free_links.size:
+            found.append(Support.of(figure, int(figure.tables.free_links[0]), footings, ()))
+    if ranges := joint_ranges(figure):
+        found.append(JointRange(ranges))
+    own = SelfContact.of(figure, 0.0) if ground.apart else None
+    return [*found, own] if own is not None and own.pairs.size else found

@@ -1,0 +1,188 @@
+"""Near: the motion that was recorded, in all that nothing else asks for. Beyond the paper."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+
+from ...array import Array, Index
+from ...curve.frame import Frame, Timeline
+from ...curve.quadrature import gauss_nodes
+from ...curve.spline import natural_spline
+from ...figure.adjoint import Cotangent
+from ...figure.figure import Figure, JointKind, quaternion_columns
+from ...figure.kinematics import Samples
+from ...reading.recorded import Recorded
+from ..curvature import Curvature
+from ..ground.contact import point_gradients
+from ..penalty import Guide, Scale
+
+AWAY, FOR = 0.03, 0.3  # [m], [s]: how far a limb's end may be off by one joint, for so long, as what counts one
+STRAYS, BACK = 0.01, 0.1  # [m], [s]: how far what is filmed strays, and how soon it comes back
+
+MENDED = 3.0  # [1/s³], [m²/s³] least liveliness of what mends a recording, however calm that is
+COARSE, FINEST = 0.2, 1 / 60  # [s] between frames that what was recorded is followed by
+DETAIL = 30.0  # f over a segment, of what may be left out
+NODES = 4
+SHORTEST = 0.05  # [m] of a limb
+
+
+@dataclass(frozen=True, eq=False)
+class Near(Guide):
+    """Σ over the state's entries of w₀ (y − ŷ)² + w₁ (y' − ŷ')² + w₂ (y'' − ŷ'')², ŷ what was recorded."""
+
+    recorded: Recorded
+    _seen: dict[tuple[float, float, int], tuple[Array, Array, Array]] = field(default_factory=dict)
+    _ends_seen: dict[tuple[float, float, int], tuple[Array, Array, Array]] = field(default_factory=dict)
+
+    @property
+    def name(self) -> str:
+        return "near"
+
+    @property
+    def scale(self) -> Scale:
+        return Scale(1.0, is_violation=True)
+
+    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+        off, weights = self._off(samples)
+        if into is not None:
+            for name, part, weight in zip(("y", "y_d", "y_dd"), off, weights, strict=True):
+                into.absorb(name, (2 * np.reshape(scale, (-1, 1))) * weight * part)
+        values = np.einsum("ksn,ksn->s", weights * off, off)
+        for link, arm, away, weight in self._ends_off(samples):
+            values += weight * np.sum(away**2, axis=0)
+            if into is not None:
+                at = link * samples.count + np.arange(samples.count)
+                into.add_forces(at, arm, 2 * scale * weight * away)
+        return values
+
+    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+        _, weights = self._off(samples)
+        for columns in self.recorded.groups:
+            for order in range(3):
+                into.add_squares(columns, order, scale * weights[order][:, columns[0]])
+        at = np.arange(samples.count)
+        for link, arm, _, weight in self._ends_off(samples):
+            for way in np.eye(3):
+                ways = np.repeat(way[:, None], at.size, axis=1)
+                rows = point_gradients(samples, at, np.full(at.size, link), arm, ways)
+                into.add_rows(at, scale * weight, rows[:, None], (0,))
+
+    def led(self, timeline: Timeline, most: int | None) -> Timeline:
+        """What was recorded where variable frames are."""
+        states = self.recorded.path.at(timeline.times)
+        same = self._same(timeline.states, states)
+        frames = [
+            Frame.variable(f.time, np.where(own, s, -s)) if f.is_variable else f
+            for f, s, own in zip(timeline.frames, states, same, strict=True)
+        ]
+        return Timeline(tuple(frames), timeline.end_slope, timeline.ends)
+
+    def times(self, detail: float = DETAIL) -> Array:
+        """(M,) [s] of so few frames that a spline through what was recorded at them holds all of its detail.
+
+        detail  f over a segment that is left out
+        """
+        rec = self.recorded
+        first, last = rec.path.span
+        times = np.linspace(first, last, max(2, round((last - first) / COARSE) + 1))
+        while True:
+            path = natural_spline(times, rec.path.at(times))
+            t, w = gauss_nodes(times, NODES)
+            lost = (w * self.evaluate(Samples(rec.figure, *path.motion(t), t=t))).reshape(-1, NODES).sum(axis=1)
+            split = (lost > detail) & (np.diff(times) > 2 * FINEST)
+            if not split.any():
+                return times
+            times = np.sort(np.append(times, 0.5 * (times[:-1] + times[1:])[split]))
+
+    def _same(self, y: Array, states: Array) -> Array:
+        """(S, N) False for quaternions on the other hemisphere."""
+        same = np.ones(y.shape, bool)
+        for columns in self.recorded.figure.tables.quaternion_columns.T:
+            same[:, columns] = np.sum(y[:, columns] * states[:, columns], axis=1, keepdims=True) >= 0
+        return same
+
+    def _off(self, samples: Samples) -> tuple[Array, Array]:
+        """(3, S, N) y, y', y'' less those recorded; (3, S, N) what their squares weigh."""
+        motion, weights = self._at(samples.t)
+        motion = np.where(self._same(samples.y, motion[0]), motion, -motion)
+        return np.stack([samples.y, samples.y_d, samples.y_dd]) - motion, weights
+
+    @cached_property
+    def ends(self) -> tuple[Index, Array]:
+        """The links that end limbs (n,), and the middle of their masses on them (3, n)."""
+        parents, links = self.recorded.figure.tables.parents, self.recorded.figure.links
+        ends = np.array([i for i in range(1, len(links)) if not np.any(parents[1:] == i)], np.intp)
+        return ends, np.array([links[i].centre for i in ends]).reshape(-1, 3).T
+
+    def _ends_off(self, samples: Samples) -> Iterator[tuple[int, Array, Array, Array]]:
+        """Of every limb's end its link, the arm to it (3, S), how far it is off (3, S), what that weighs (S,)."""
+        links, positions = self.ends
+        places, arms = samples.links.points(links, positions)
+        wanted, trust = self._ends_at(samples.t)
+        for i, link in enumerate(links.tolist()):
+            yield link, arms[:, i], places[:, i] - wanted[:, i], trust[i] / (2 * STRAYS**2 * BACK)
+
+    def _ends_at(self, t: Array) -> tuple[Array, Array]:
+        """Where limbs' ends were recorded at times t (S,), (3, n, S), and how much that is trusted, (n, S)."""
+        key = (float(t[0]), float(t[-1]), t.size)
+        known = self._ends_seen.get(key)
+        if known is not None and np.array_equal(known[0], t):
+            return known[1], known[2]
+        motion, _ = self._at(t)
+        figure, (links, positions) = self.recorded.figure, self.ends
+        places, _ = Samples(figure, *motion).links.points(links, positions)
+        every = self.recorded.trust.min(axis=1)
+        trust = np.repeat(np.interp(t, self.recorded.times, every)[None], links.size, axis=0)
+        self._ends_seen[key] = t, places, trust
+        return places, trust
+
+    @cached_property
+    def _pose(self) -> Array:
+        """(N,) what the square of a difference weighs: noise, and what a skeleton is off that is not the figure's."""
+        rec = self.recorded
+        off = np.full(rec.figure.width, AWAY**2 * FOR)
+        for lever, link in zip(levers(rec.figure), rec.figure.links[1:], strict=True):
+            columns = quaternion_columns(link)
+            if columns is not None:
+                off[columns] *= 0.25 / lever**2
+            elif link.kind is JointKind.HINGE:
+                off[link.qpos] /= lever**2
+        pose = 1 / (rec.noise**2 / rec.rate + off)
+        pose[rec.figure.tables.position_columns] = 1 / (2 * STRAYS**2 * BACK)
+        return pose
+
+    def _at(self, t: Array) -> tuple[Array, Array]:
+        """y, y', y'' (3, S, N) recorded at times t (S,), and what their differences weigh; kept, for a search asks for
+        the same times again and again."""
+        key = (float(t[0]), float(t[-1]), t.size)
+        known = self._seen.get(key)
+        if known is not None and np.array_equal(known[0], t):
+            return known[1], known[2]
+        rec = self.recorded
+        pose = self._pose
+        trust = np.stack([np.interp(t, rec.times, column) for column in rec.trust.T], axis=1)
+        weights = np.empty((3, t.size, pose.size))
+        weights[0] = pose * trust
+        weights[1] = np.where(rec.is_place, trust * BACK / (2 * STRAYS**2), 0)
+        weights[2] = 1 / np.maximum(rec.liveliness, MENDED)
+        motion = rec.path.motion(np.clip(t, *rec.path.span))
+        if len(self._seen) > 200:
+            self._seen.clear()
+        self._seen[key] = t, motion, weights
+        return motion, weights
+
+
+def levers(figure: Figure) -> Array:
+    """(L − 1,) [m] from every link's joint to the farthest end of a limb beyond it, at rest."""
+    rest = figure.to_state(np.asarray(figure.model.qpos0))[None]
+    motion, links = Samples(figure, rest, 0 * rest, 0 * rest).links, figure.links
+    own = np.array([link.anchor for link in links]).T
+    ends = 2 * np.array([link.centre for link in links]).T - own
+    joints, tips = (motion.points(np.arange(len(links)), part)[0][:, :, 0] for part in (own, ends))
+    apart = np.linalg.norm(tips[:, :, None] - joints[:, None, :], axis=0)
+    beyond = np.asarray(figure.tables.path, bool)
+    return np.maximum(np.where(beyond, apart, 0).max(axis=0)[1:], SHORTEST)

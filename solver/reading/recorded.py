@@ -1,0 +1,174 @@
+"""A recording as a curve to be near: smoothed as much as its own noise asks for, bridged where it has gaps.
+
+A sample is the motion and noise, white and of its own size in every joint, which differences of samples tell; the
+motion's acceleration is as large as that of people who move. The curve that is most likely then is a smoothing spline
+(G. Wahba 1978): it minimises Σ trust (d − z)² / σ² + ∫ z''² / A, and E of another curve is E of this one and the same
+sum of its differences from it. So differences are what is to be kept small, and their accelerations; the recording's
+own detail costs nothing. Samples that do not fit to their neighbours are trusted less (P. J. Huber 1964).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .. import quaternion as quat
+from ..array import Array, Index
+from ..curve import banded
+from ..curve.spline import Path, natural_spline
+from ..figure.figure import Figure
+
+LIVELINESS = np.geomspace(0.03, 300, 9)  # A that are tried: 10 is 20 rad/s² of a joint, or 10 m/s², up to 5 Hz
+ORDER, GAIN = 4, np.sqrt(70.0)  # of differences that hold little of a motion, and by what they enlarge white noise
+NORMAL = 1.4826  # a standard deviation by the median of absolute values
+FAINT, FINE = np.radians(0.5), 0.002  # [rad], [m] least noise, of a sample of 120 a second
+ROBUST = 2.5  # noises off, from which a sample is trusted less
+ROUNDS = 4
+
+
+@dataclass(frozen=True, eq=False)
+class Recorded:
+    """A figure's recorded motion.
+
+    times  (T,) [s], rising
+    states (T, N) as they were recorded, quaternions unit and of continuous sign; anything where there is no sample
+    known  (T, N) 1 where there is a sample, 0 in gaps
+    """
+
+    figure: Figure
+    times: Array
+    states: Array
+    known: Array
+
+    @classmethod
+    def of(cls, figure: Figure, times: Array, qpos: Array, known: Array | None = None) -> Recorded:
+        """Of qpos (T, nq) at times (T,) [s]; known (T, N) or (T, 1), all of it if nobody says."""
+        states = np.array(figure.to_state(qpos))
+        for columns in figure.tables.quaternion_columns.T:
+            flips = np.sum(states[1:, columns] * states[:-1, columns], axis=1) < 0
+            states[1:, columns] *= np.where(np.cumsum(flips) % 2, -1.0, 1.0)[:, None]
+        every = np.ones(states.shape)
+        return cls(figure, np.asarray(times, float), states, every if known is None else every * known)
+
+    def moved(self, way: ArrayLike) -> Recorded:
+        """With all free roots moved by (3,) [m]."""
+        states = np.array(self.states)
+        for columns in self.figure.tables.position_columns.T:
+            states[:, columns] += way
+        return replace(self, states=states)
+
+    def turned(self, columns: slice, turn: Array) -> Recorded:
+        """With the link of a quaternion turned by another (4,), in its own axes, at all times."""
+        states = np.array(self.states)
+        states[:, columns] = quat.product(states[:, columns], turn)
+        return replace(self, states=states)
+
+    @cached_property
+    def groups(self) -> list[Index]:
+        """The columns that are recorded together, one after the other: places of roots, quaternions, single joints."""
+        tables = self.figure.tables
+        whole = [*tables.position_columns.T, *tables.quaternion_columns.T]
+        single = np.setdiff1d(np.arange(self.figure.width), np.concatenate([*whole, np.zeros(0, np.intp)]))
+        return [*whole, *single[:, None]]
+
+    @cached_property
+    def is_place(self) -> Array:
+        """(N,) whether a column holds metres: roots' places and slides."""
+        tables = self.figure.tables
+        out = np.zeros(self.figure.width, bool)
+        out[np.concatenate([tables.position_columns.ravel(), tables.slide_columns])] = True
+        return out
+
+    @cached_property
+    def is_half(self) -> Array:
+        """(N,) whether a column is of a quaternion, which changes by half an angle."""
+        out = np.zeros(self.figure.width, bool)
+        out[self.figure.tables.quaternion_columns.ravel()] = True
+        return out
+
+    @cached_property
+    def noise(self) -> Array:
+        """(N,) the standard deviation of a sample's noise, the same for all columns of a group."""
+        out = np.where(self.is_place, FINE, np.where(self.is_half, FAINT / 2, FAINT)) * np.sqrt(self.rate / 120)
+        if self.times.size <= ORDER:
+            return out
+        differences = np.abs(np.diff(self.states, ORDER, axis=0)) / GAIN
+        windows = np.lib.stride_tricks.sliding_window_view(self.known, ORDER + 1, axis=0).min(axis=-1) > 0
+        for columns in self.groups:
+            seen = differences[:, columns][windows[:, columns]]
+            if seen.size:
+                out[columns] = np.maximum(out[columns], NORMAL * np.median(seen))
+        return out
+
+    @cached_property
+    def rate(self) -> float:
+        """[1/s] samples a second."""
+        return float(1 / np.median(np.diff(self.times)))
+
+    @cached_property
+    def path(self) -> Path:
+        """The most likely curve."""
+        return natural_spline(self.times, self._smoothed[0])
+
+    @property
+    def bridged(self) -> Array:
+        """(T, N) the most likely curve at the samples."""
+        return self._smoothed[0]
+
+    @cached_property
+    def trust(self) -> Array:
+        """(T, N) how much every sample is believed, 0 in gaps."""
+        return self._smoothed[1]
+
+    @cached_property
+    def liveliness(self) -> Array:
+        """(N,) A, how large squared accelerations are by frequency: [1/s³] of a quaternion's entries, or [m²/s³]."""
+        return self._smoothed[2]
+
+    @cached_property
+    def _smoothed(self) -> tuple[Array, Array, Array]:
+        """The curve at the samples (T, N), how much these are believed, how lively it is (N,)."""
+        smooth, trust, lively = np.array(self.states), np.array(self.known), np.ones(self.figure.width)
+        for columns in self.groups:
+            noise = float(self.noise[columns[0]])
+            for _ in range(ROUNDS):
+                smooth[:, columns], lively[columns] = self._likeliest(columns, trust[:, columns[0]] / noise**2)
+                off = np.linalg.norm(self.states[:, columns] - smooth[:, columns], axis=1) / noise
+                bound = ROBUST * np.sqrt(columns.size)
+                believed = np.minimum(1.0, bound / np.maximum(off, 1e-12))
+                trust[:, columns] = self.known[:, columns] * believed[:, None]
+                if believed.min() == 1:
+                    break
+        return smooth, trust, lively
+
+    def _likeliest(self, columns: Index, weight: Array) -> tuple[Array, float]:
+        """(T, k) the most likely curve, and its liveliness A."""
+        fitted = [(*self._fitted(columns, weight, float(prior)), float(prior)) for prior in LIVELINESS]
+        smooth, _, prior = max(fitted, key=lambda found: found[1])
+        return smooth, prior
+
+    def _fitted(self, columns: Index, weight: Array, prior: float) -> tuple[Array, float]:
+        """(T, k) the curve of least Σ weight (d − z)² + ∫ z''² / A, and how likely A makes the samples."""
+        count = self.times.size
+        if count < 3:
+            return self.states[:, columns], 0.0
+        h = np.diff(self.times)
+        inner = 0.5 * (h[1:] + h[:-1])
+        rows = np.stack([1 / h[:-1], -1 / h[:-1] - 1 / h[1:], 1 / h[1:]]) / np.sqrt(inner * prior)
+        band = np.zeros((count, 3))
+        band[:, 0] = weight + 1e-9 * max(float(weight.max()), 1.0)
+        for a in range(3):
+            for b in range(a, 3):
+                band[a : count - 2 + a, b - a] += rows[a] * rows[b]
+        samples = np.where(self.known[:, columns] > 0, self.states[:, columns], 0.0)
+        right = weight[:, None] * samples
+        factor = banded.factored(band)
+        if factor is None:
+            raise ValueError("a recording without two samples of a joint")
+        smooth = banded.solved(factor, right)
+        least = float(np.sum(right * (samples - smooth)))
+        size = 2 * float(np.sum(np.log(factor[:, 0]))) + (count - 2) * np.log(prior)
+        return smooth, -0.5 * (least + columns.size * size)

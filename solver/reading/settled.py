@@ -1,0 +1,77 @@
+"""A recording set down: as high as those points say that stand, its soles as level as they are in its stances.
+
+A captured skeleton's ankle is as high over the ground as its maker meant, and a sole that is flat in the figure may be
+on its toes all along. Both are constants of the recording, and no motion.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from .. import quaternion as quat
+from ..array import Array, Mask
+from ..figure.figure import JointKind, quaternion_columns
+from ..figure.kinematics import Samples
+from ..surface import Surface
+from ..surface.heights import height_over
+from ..surface.points import arrays_of
+from .recorded import Recorded
+from .stances import Stood
+
+NOTHING = 0.001  # [m] that is left as it is
+MOST = np.radians(25)  # a sole that is off by more than this stands on its toes
+ENOUGH = 5  # samples in which all of a sole stands
+
+
+def settled(recorded: Recorded, stances: Sequence[Stood], surfaces: Sequence[Surface]) -> Recorded:
+    """With soles level, and raised or lowered as a whole so that what stands is on the ground."""
+    if not stances or not surfaces:
+        return recorded
+    for link in {one.point.link for one in stances}:
+        recorded = _levelled(recorded, [one for one in stances if one.point.link == link], link)
+    points = list({id(one.point): one.point for one in stances}.values())
+    states = recorded.path.at(recorded.times)
+    links, positions, radii = arrays_of(points)
+    places, _ = Samples(recorded.figure, states, 0 * states, 0 * states).links.points(links, positions)
+    height, _ = height_over(surfaces, places, radii)
+    standing = np.array([_during(recorded.times, [one for one in stances if one.point is point]) for point in points])
+    lift = -float(np.median(height[standing])) if standing.any() else 0.0
+    return recorded if abs(lift) < NOTHING else recorded.moved([0, 0, lift])
+
+
+def _levelled(recorded: Recorded, stances: Sequence[Stood], link: int) -> Recorded:
+    """Turned at the link of a sole so that it is level, in the mean, when all of it stands."""
+    figure = recorded.figure
+    columns = quaternion_columns(figure.links[link])
+    points = list({id(one.point): one.point for one in stances}.values())
+    if columns is None or figure.links[link].kind is JointKind.FREE or len(points) < 2:
+        return recorded
+    flat = np.all([_during(recorded.times, [one for one in stances if one.point is point]) for point in points], axis=0)
+    if flat.sum() < ENOUGH:
+        return recorded
+    states = recorded.path.at(recorded.times)[flat]
+    rotation = Samples(figure, states, 0 * states, 0 * states).links.rotation[:, :, link]
+    up = _unit(rotation[2].mean(axis=1))
+    _, positions, radii = arrays_of(points)
+    bottom = (positions - radii * up[:, None]).T
+    if len(points) == 2:
+        along = _unit(bottom[1] - bottom[0])
+        start, end = along, _unit(along - up * (along @ up))
+    else:
+        normal = np.linalg.svd(bottom - bottom.mean(axis=0))[2][2]
+        start, end = normal * np.sign(normal @ up), up
+    if start @ end < np.cos(MOST):
+        return recorded
+    turn = quat.normalised(np.append(1 + start @ end, np.cross(start, end)))
+    return recorded.turned(columns, turn)
+
+
+def _during(times: Array, stances: Sequence[Stood]) -> Mask:
+    """(T,) at which times some of the stances last."""
+    return np.any([(times >= one.first) & (times <= one.last) for one in stances], axis=0)
+
+
+def _unit(vector: Array) -> Array:
+    return vector / np.linalg.norm(vector)

@@ -1,0 +1,111 @@
+"""Which points of the soles stood when, read off a recording: those that were low and stayed where they were.
+
+A stance is a run of samples whose places scatter by no more than the recording's noise and a foot that rolls explain;
+of all ways to cut a recording into stances and what is none, the likeliest is taken (B. Jackson et al. 2005). A sample
+of a stance speaks for it, one that is off its middle or over the ground against it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from ..array import Array
+from ..figure.kinematics import Samples
+from ..surface import Surface
+from ..surface.heights import height_over
+from ..surface.points import Point, places_of
+from .recorded import GAIN, NORMAL, ORDER, Recorded
+
+ROLLS = 0.015  # [m] that a point which stands may be off its middle, by and large
+LOW, NEAR = 0.06, 0.03  # [m] over the ground: so high is a point that may as well stand as not; once it is set down
+LONGEST = 1.0  # [s] of a stance that is looked at at once
+FINEST = 60.0  # [1/s] samples that are told apart
+ONE, NOISY = 1.0, 4.0  # what a stance costs beside what its samples speak for it: of a clean recording, of a noisy one
+SAME = 0.03  # [m] between the middles of neighbouring runs that are one stance
+
+
+class Stood(NamedTuple):
+    """A point that stood from `first` to `last` [s]."""
+
+    point: Point
+    first: float
+    last: float
+
+
+def stood(
+    recorded: Recorded, points: Sequence[Point], surfaces: Sequence[Surface], low: float = LOW
+) -> tuple[Stood, ...]:
+    """The stances of points on surfaces, point after point, in order of time.
+
+    low  [m] how high a point is, in the mean of a stance, that may as well be none; more where samples are noisy
+    """
+    if not points or not surfaces or recorded.times.size < ORDER:
+        return ()
+    step = max(1, round(recorded.rate / FINEST))
+    times, states = recorded.times[::step], recorded.states
+    states = np.where(recorded.known > 0, states, recorded.path.at(recorded.times))[::step]
+    centres, _, _ = places_of(points, Samples(recorded.figure, states, 0 * states, 0 * states))
+    height, _ = height_over(surfaces, centres, np.array([point.radius for point in points]))
+    noise = white(centres, recorded.known.min(axis=1)[::step])
+    found = []
+    for i, point in enumerate(points):
+        runs = _cut(times, centres[:, i], height[i] / np.hypot(low, noise[i]), float(noise[i]))
+        found += [Stood(point, float(times[a]), float(times[b - 1])) for a, b in _joined(runs, centres[:, i])]
+    return tuple(found)
+
+
+def white(places: Array, known: Array) -> Array:
+    """(p,) [m] the noise of places (3, p, T), in every direction, where samples are known (T,)."""
+    if places.shape[-1] <= ORDER:
+        return np.zeros(places.shape[1])
+    windows = np.lib.stride_tricks.sliding_window_view(known, ORDER + 1).min(axis=-1) > 0
+    differences = np.abs(np.diff(places, ORDER, axis=-1))[..., windows] / GAIN
+    return NORMAL * np.median(differences.swapaxes(0, 1).reshape(places.shape[1], -1), axis=1)
+
+
+def _cut(times: Array, place: Array, height: Array, noise: float) -> list[tuple[int, int]]:
+    """The runs [a, b) of samples of a point that stands, at places (3, T) [m], heights (T,) in such as count."""
+    count, size = times.size, noise**2 + ROLLS**2
+    dear = ONE + NOISY * noise**2 / size
+    middle = place - place.mean(axis=1, keepdims=True)
+    sums = [np.concatenate([[0.0], np.cumsum(row)]) for row in (*middle, np.sum(middle**2, axis=0), height)]
+    longest = max(2, int(np.searchsorted(times, times[0] + LONGEST)))
+    best, came = np.zeros(count + 1), np.full(count + 1, -1)
+    for j in range(1, count + 1):
+        a = np.arange(max(0, j - longest), j - 1)
+        best[j] = best[j - 1]
+        if not a.size:
+            continue
+        n = j - a
+        x, y, z, squares, high = (row[j] - row[a] for row in sums)
+        scatter = squares - (x**2 + y**2 + z**2) / n - 3 * (n - 1) * noise**2
+        cost = dear + scatter / size + n * ((high / n) ** 2 - 1)
+        total = best[a] + cost
+        k = int(total.argmin())
+        if total[k] < best[j]:
+            best[j], came[j] = total[k], a[k]
+    runs, j = [], count
+    while j > 0:
+        if came[j] >= 0:
+            runs.append((int(came[j]), j))
+            j = int(came[j])
+        else:
+            j -= 1
+    return runs[::-1]
+
+
+def _joined(runs: list[tuple[int, int]], place: Array) -> list[tuple[int, int]]:
+    """Runs that touch and have the same middle as one."""
+    out: list[tuple[int, int]] = []
+    for a, b in runs:
+        if out and out[-1][1] == a:
+            first = out[-1]
+            apart = place[:, first[0] : a].mean(axis=1) - place[:, a:b].mean(axis=1)
+            if np.linalg.norm(apart) < SAME:
+                out[-1] = (first[0], b)
+                continue
+        out.append((a, b))
+    return out
