@@ -84,16 +84,12 @@ def cleaned(
     figure = ground.figure
     recorded = Recorded.of(figure, repaired.time, repaired.qpos, _by_state(figure, repaired.known))
     before = natural_spline(recorded.times, np.where(recorded.known > 0, recorded.states, recorded.bridged))
-    stances = (
-        stood(recorded, ground.points, ground.surfaces)
-        if given is None
-        else [Stood(one.point, one.first, one.last) for one in given]
-    )
-    recorded = settled(recorded, stances, ground.surfaces)
-    if given is None:
-        stances: Sequence[Stood] = [Stood(one.point, one.first, one.last) for one in given or ()]
+    stances: Sequence[Stood] = [Stood(one.point, one.first, one.last) for one in given or ()]
     if given is None:
         stances = stood(recorded, ground.points, ground.surfaces)
+    recorded = settled(recorded, stances, ground.surfaces)
+    if given is None:
+        stances = stood(recorded, ground.points, ground.surfaces, NEAR)
     rests = tuple(Rest(*stance) for stance in stances)
     near = Near(recorded)
     asked = problem(near, ground, rests, near.times())

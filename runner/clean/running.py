@@ -183,8 +183,7 @@ def _saved(result: Cleaned, found: _Read) -> Saved:
     figure, timeline = result.figure, result.solution.timeline
     everything = np.ones(timeline.states.shape, bool)
     exact = Timeline(tuple(Frame.many(timeline.times, timeline.states, everything)), timeline.end_slope, timeline.ends)
-    times = result.before.spline.times
+    times = np.union1d(result.before.spline.times, timeline.times)
     recorded = figure.to_qpos(result.before.at(times))
     raw = raw_timeline(figure, [Frame.key(t, q) for t, q in zip(times, recorded, strict=True)])
-    search = {"stopped because": "not searched: a recording that was cleaned"}
-    return Saved(found.name, "", found.scene, figure, found.fps, tuple(result.frames), exact, raw, [], {}, search)
+    return Saved(found.name, "", found.scene, figure, found.fps, tuple(result.frames), exact, raw, [], {})
