@@ -44,7 +44,7 @@ def repaired(figure: Figure, time: Array, qpos: Array, place: str) -> Repaired:
     if time.size < FEWEST:
         raise UserError(f"{place}: {time.size} sample{'s' * (time.size != 1)}; a motion to clean has {FEWEST} at least")
     if np.any(np.diff(time) < 0):
-        i = int(np.argmin(np.diff(time)))
+        i = int(np.argmax(np.diff(time) < 0))
         raise UserError(f"{place}: times go back: sample {i + 2} is at {time[i + 1]:g} s, after {time[i]:g} s")
     time, qpos = _once(time, qpos, notes)
     known = _numbers(figure, qpos, time, notes)

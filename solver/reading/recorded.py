@@ -4,7 +4,7 @@ A sample is the motion and noise, white and of its own size in every joint, whic
 motion's acceleration is as large as that of people who move. The curve that is most likely then is a smoothing spline
 (G. Wahba 1978): it minimises Σ trust (d − z)² / σ² + ∫ z''² / A, and E of another curve is E of this one and the same
 sum of its differences from it. So differences are what is to be kept small, and their accelerations; the recording's
-own detail costs nothing. Samples that do not fit to their neighbours are trusted less (P. J. Huber 1964).
+own detail costs nothing. Samples that do not fit to their neighbours are trusted less.
 """
 
 from __future__ import annotations
@@ -26,6 +26,9 @@ ORDER, GAIN = 4, np.sqrt(70.0)  # of differences that hold little of a motion, a
 NORMAL = 1.4826  # a standard deviation by the median of absolute values
 FAINT, FINE = np.radians(0.5), 0.002  # [rad], [m] least noise, of a sample of 120 a second
 ROBUST = 2.5  # noises off, from which a sample is trusted less
+UNLIKE = (
+    8.0  # times as far from the middle of its neighbours as the usual one: a sample that the first curve leaves out
+)
 ROUNDS = 4
 
 
@@ -134,15 +137,27 @@ class Recorded:
         smooth, trust, lively = np.array(self.states), np.array(self.known), np.ones(self.figure.width)
         for columns in self.groups:
             noise = float(self.noise[columns[0]])
+            trust[:, columns] *= self._unlike(columns, noise)[:, None]
             for _ in range(ROUNDS):
                 smooth[:, columns], lively[columns] = self._likeliest(columns, trust[:, columns[0]] / noise**2)
                 off = np.linalg.norm(self.states[:, columns] - smooth[:, columns], axis=1) / noise
                 bound = ROBUST * np.sqrt(columns.size)
-                believed = np.minimum(1.0, bound / np.maximum(off, 1e-12))
+                believed = np.minimum(1.0, bound / np.maximum(off, 1e-12)) ** 2
                 trust[:, columns] = self.known[:, columns] * believed[:, None]
                 if believed.min() == 1:
                     break
         return smooth, trust, lively
+
+    def _unlike(self, columns: Index, noise: float) -> Array:
+        """(T,) nought for samples far from the middle of their neighbours, as no others are; else one."""
+        out, values = np.ones(self.times.size), self.states[:, columns]
+        off = np.linalg.norm(values[1:-1] - 0.5 * (values[:-2] + values[2:]), axis=1)
+        if off.size < ORDER:
+            return out
+        beside = np.maximum(np.append(off[1:], 0), np.append(0, off[:-1]))
+        usual = max(float(np.median(off)), noise)
+        out[1:-1] = (off <= UNLIKE * usual) | (off < beside)
+        return out
 
     def _likeliest(self, columns: Index, weight: Array) -> tuple[Array, float]:
         """(T, k) the most likely curve, and its liveliness A."""

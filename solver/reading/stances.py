@@ -24,6 +24,8 @@ LOW, NEAR = 0.06, 0.03  # [m] over the ground: so high is a point that may as we
 LONGEST = 1.0  # [s] of a stance that is looked at at once
 FINEST = 60.0  # [1/s] samples that are told apart
 ONE, NOISY = 1.0, 4.0  # what a stance costs beside what its samples speak for it: of a clean recording, of a noisy one
+FAST = 0.35  # [m/s] from which on a point does not stand
+SURE = 3.0  # noises that two samples may be apart
 SAME = 0.03  # [m] between the middles of neighbouring runs that are one stance
 
 
@@ -53,7 +55,8 @@ def stood(
     found = []
     for i, point in enumerate(points):
         runs = _cut(times, centres[:, i], height[i] / np.hypot(low, noise[i]), float(noise[i]))
-        found += [Stood(point, float(times[a]), float(times[b - 1])) for a, b in _joined(runs, centres[:, i])]
+        runs = [_trimmed(times, centres[:, i], *run, float(noise[i])) for run in _joined(runs, centres[:, i])]
+        found += [Stood(point, float(times[a]), float(times[b - 1])) for a, b in runs if b - a > 1]
     return tuple(found)
 
 
@@ -109,3 +112,10 @@ def _joined(runs: list[tuple[int, int]], place: Array) -> list[tuple[int, int]]:
                 continue
         out.append((a, b))
     return out
+
+
+def _trimmed(times: Array, place: Array, first: int, last: int, noise: float) -> tuple[int, int]:
+    """A run without the samples at its ends at which the point is faster than what stands."""
+    way = np.linalg.norm(np.diff(place[:, first:last], axis=1), axis=0)
+    slow = np.flatnonzero(way <= FAST * np.diff(times[first:last]) + SURE * noise)
+    return (first + int(slow[0]), first + int(slow[-1]) + 2) if slow.size else (first, first)

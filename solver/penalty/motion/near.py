@@ -155,6 +155,10 @@ class Near(Guide):
         pose[rec.figure.tables.position_columns] = 1 / (2 * STRAYS**2 * BACK)
         return pose
 
+    def weights(self, t: Array) -> Array:
+        """(3, S, N) what the squares of differences of y, y' and y'' weigh at times t (S,)."""
+        return self._at(t)[1]
+
     def _at(self, t: Array) -> tuple[Array, Array]:
         """y, y', y'' (3, S, N) recorded at times t (S,), and what their differences weigh; kept, for a search asks for
         the same times again and again."""

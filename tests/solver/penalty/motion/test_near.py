@@ -1,0 +1,108 @@
+"""Near: its value by SciPy's spline and MuJoCo's places, gradient and curvature, the frames that hold a recording."""
+
+import mujoco
+import numpy as np
+from penalty_slope import penalty_slope
+from random_samples import at_times, random_samples
+from scipy.interpolate import CubicSpline
+
+from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.curve.spline import natural_spline
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.penalty import Near
+from dynsplines.solver.penalty.curvature import Curvature, add_differences
+from dynsplines.solver.penalty.motion.near import BACK, STRAYS
+from dynsplines.solver.reading.recorded import Recorded
+
+TIMES = np.linspace(0, 2, 61)
+
+
+def near(figure: Figure, rng: np.random.Generator) -> Near:
+    states = figure.to_state(figure.model.qpos0 + 0.3 * np.sin(3 * TIMES[:, None] + rng.uniform(0, 6, figure.width)))
+    return Near(Recorded(figure, TIMES, states, np.ones_like(states)))
+
+
+def around(figure: Figure, rng: np.random.Generator, count: int) -> tuple[Near, Samples]:
+    """A recording, and samples at times of it that are not its own."""
+    found = near(figure, rng)
+    return found, at_times(random_samples(figure, rng, count), rng.uniform(0.1, 1.9, count))
+
+
+def test_the_value_is_that_of_differences_from_scipys_spline_and_mujocos_places(figure, rng):
+    found, samples = around(figure, rng, 4)
+    curve = CubicSpline(TIMES, found.recorded.bridged, bc_type="natural")
+    model, data = figure.model, mujoco.MjData(figure.model)
+    weights = found.weights(samples.t)
+    links, _ = found.ends
+
+    def places(state: np.ndarray) -> np.ndarray:
+        data.qpos[:] = figure.to_qpos(state[None])[0]
+        mujoco.mj_kinematics(model, data)
+        bodies = [figure.links[link].body for link in links]
+        own = [np.array(data.xpos[b]) for b in bodies]
+        arms = found.ends[1].T
+        return np.array([x + data.xmat[b].reshape(3, 3) @ arm for x, b, arm in zip(own, bodies, arms, strict=True)])
+
+    for s, t in enumerate(samples.t):
+        target = [curve(t), curve(t, 1), curve(t, 2)]
+        for columns in figure.tables.quaternion_columns.T:
+            if target[0][columns] @ samples.y[s, columns] < 0:
+                for part in target:
+                    part[columns] *= -1
+        off = [part[s] - own for part, own in zip((samples.y, samples.y_d, samples.y_dd), target, strict=True)]
+        value = sum(float(w[s] @ d**2) for w, d in zip(weights, off, strict=True))
+        away = places(samples.y[s]) - places(target[0])
+        value += float(np.sum(away**2)) / (2 * STRAYS**2 * BACK)
+        np.testing.assert_allclose(found.evaluate(samples)[s], value, rtol=1e-7)
+
+
+def test_it_is_nought_along_the_recording_whatever_the_signs(figure, rng):
+    found = near(figure, rng)
+    t = np.linspace(0.05, 1.95, 7)
+    y, y_d, y_dd = found.recorded.path.motion(t)
+    assert found.evaluate(Samples(figure, y, y_d, y_dd, t)).max() < 1e-12
+    for columns in figure.tables.quaternion_columns.T:
+        for part in (y, y_d, y_dd):
+            part[3, columns] *= -1
+    assert found.evaluate(Samples(figure, y, y_d, y_dd, t)).max() < 1e-12
+
+
+def test_the_gradient_has_taylor_slope_two(figure, rng):
+    found, samples = around(figure, rng, 5)
+    assert penalty_slope(found, samples, rng) > 1.95
+
+
+def test_its_curvature_along_the_recording_is_that_of_differences(figure, rng):
+    found, t = near(figure, rng), np.array([0.3, 0.7, 1.2])
+    samples = Samples(figure, *found.recorded.path.motion(t), t=t)
+    scale, phi = rng.uniform(1, 2, 3), rng.normal(size=(3, 3))
+    made, differenced = Curvature(samples), Curvature(samples)
+    found.curvature(samples, made, scale)
+    add_differences(found.evaluate, samples, differenced, scale)
+    wanted = differenced.quadratic(phi, 0, 3)
+    np.testing.assert_allclose(made.quadratic(phi, 0, 3), wanted, atol=1e-3 * np.abs(wanted).max())
+
+
+def test_its_frames_hold_the_detail_that_it_asks_for_and_are_few(figure, rng):
+    found = near(figure, rng)
+    few, many = found.times(1000.0), found.times(0.1)
+    assert few.size < many.size <= 2 * 60 + 1
+    t = np.linspace(0, 2, 400)
+
+    def off(times: np.ndarray) -> float:
+        path = natural_spline(times, found.recorded.path.at(times))
+        return float(np.abs(path.at(t) - found.recorded.path.at(t)).max())
+
+    assert off(many) < 0.01
+    assert off(many) < off(few)
+
+
+def test_it_leads_variable_frames_to_the_recording_and_no_others(figure, rng):
+    found = near(figure, rng)
+    state = figure.to_state(figure.model.qpos0[None])[0]
+    frames = [Frame.key(0.0, state), Frame.variable(1.0, state), Frame.key(2.0, state)]
+    led = found.led(Timeline(tuple(frames), np.zeros((2, figure.width))), None)
+    wanted = found.recorded.path.at(np.array([1.0]))[0]
+    np.testing.assert_allclose(np.abs(led.frames[1].state), np.abs(wanted))
+    assert all(np.array_equal(led.frames[k].state, state) for k in (0, 2))
