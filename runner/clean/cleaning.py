@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -61,6 +62,13 @@ class Cleaned:
         return [Frame.key(frame.time, figure.to_qpos(frame.state)) for frame in timeline.frames]
 
 
+class Verdict(NamedTuple):
+    """How far [m] what is off a recording, at most, and whether nothing slips or sinks."""
+
+    off: float
+    is_sound: bool = True
+
+
 def ground_of(figure: Figure, qpos: Array) -> Ground:
     """What a figure stands with and on, by poses (T, nq)."""
     some = qpos[:: max(1, len(qpos) // LOOKED_AT)]
@@ -73,13 +81,14 @@ def cleaned(
     given: Sequence[Rest] | None = None,
     *,
     within: float | None = None,
-    moved: Callable[[Cleaned], float] = lambda cleaned: 0.0,
+    verdict: Callable[[Cleaned], Verdict] = lambda cleaned: Verdict(0.0),
     improved: Callable[[Improvement], None] | None = None,
 ) -> Cleaned:
     """The motion near a recording that keeps to its stances.
 
     given   the stances, instead of those that are read off the recording
-    within  [m] that nothing should be off it: it counts more until `moved` says that nothing is, or that does not help
+    within  [m] that nothing should be off it: it counts more until nothing is, as long as stances are kept to
+    verdict how far what is off the recording, and whether the motion is sound
     """
     figure = ground.figure
     recorded = Recorded.of(figure, repaired.time, repaired.qpos, _by_state(figure, repaired.known))
@@ -94,14 +103,17 @@ def cleaned(
     near = Near(recorded)
     asked = problem(near, ground, rests, near.times())
     found = Cleaned(ground, before, recorded, rests, asked, inbetween(asked, improved=improved))
-    for _ in range(TRIES if within is not None else 0):
-        off = moved(found)
-        if within is None or off <= within:
+    if within is None:
+        return found
+    for _ in range(TRIES):
+        off = verdict(found).off
+        if off <= within:
             break
         weights = [(p, STRICTER * w if p is near else w) for p, w in asked.penalties]
         asked = replace(asked, penalties=tuple(weights), keys=_from(found))
         closer = replace(found, solution=inbetween(asked, improved=improved))
-        if moved(closer) >= off:
+        told = verdict(closer)
+        if told.off >= off or not told.is_sound:
             break
         found = closer
     return found

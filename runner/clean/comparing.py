@@ -19,10 +19,11 @@ from dynsplines.solver.surface.points import places_of
 
 from ..clip.followed import Ground
 from ..measure.measures import turning, turns
-from .cleaning import Cleaned
+from .cleaning import Cleaned, Verdict
 
 RATE = 120.0  # [1/s]
 RUN = 1000  # samples looked at at once
+SLIP, DEPTH = 5.0, 2.0  # [mm] of what is sound
 
 
 @dataclass(frozen=True)
@@ -105,9 +106,11 @@ class Comparison:
         return out
 
 
-def farthest(cleaned: Cleaned) -> float:
-    """[m] that a pelvis, hand or foot is off the recording, at most."""
-    return max(one.most for one in Comparison(cleaned).moved)
+def verdict(cleaned: Cleaned) -> Verdict:
+    """How far a pelvis, hand or foot is off the recording, at most, and whether nothing slips or sinks."""
+    found = Comparison(cleaned)
+    look = _Look(cleaned, cleaned.after, found.times)
+    return Verdict(max(one.most for one in found.moved), look.slip <= SLIP and look.depth <= DEPTH)
 
 
 def followed(figure: Figure) -> list[int]:

@@ -30,7 +30,7 @@ from ..scene.compose import Step, compose
 from ..system.output import check_new, check_target
 from ..system.progress import Teller
 from .cleaning import Cleaned, cleaned, ground_of
-from .comparing import Comparison, farthest
+from .comparing import Comparison, verdict
 from .repairs import repaired
 
 NAMED = 6  # stances that are listed of a point
@@ -135,7 +135,7 @@ def _cleaned(found: _Read, around: SurroundingsTable, within: float | None, tell
     def improved(improvement: Improvement) -> None:
         teller.step("cleaning", None, f"evaluation {improvement.evaluation}, objective {improvement.value:.4g}")
 
-    result = cleaned(ground, mended, given, within=within, moved=farthest, improved=improved)
+    result = cleaned(ground, mended, given, within=within, verdict=verdict, improved=improved)
     if not result.rests:
         teller.say("note: no stance is found in it: nothing is kept from slipping")
     for line in _stances(result):

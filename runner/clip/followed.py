@@ -46,7 +46,7 @@ WEIGHTS = {
     "support": 1000.0,  # 1 for a third of the weight
 }
 LONGEST_PANEL, POINTS = 0.05, 3  # [s], of Gauss's rule
-TOLERANCE = 1e-3
+TOLERANCE = 1e-2
 ANKLE = 0.02  # [m] beside a joint's own thickness: what is so near to a sole's link moves with it
 
 

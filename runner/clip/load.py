@@ -252,7 +252,7 @@ def _tables(text: str, place: str, kind: type[Tables]) -> Tables:
     try:
         return kind.model_validate(raw)
     except ValidationError as error:
-        raise UserError(f"{place}: {spoken(error, raw)}") from None
+        raise UserError(f"{place}: {spoken(error, raw, root=kind)}") from None
 
 
 def figure_named(text: str) -> str | None:

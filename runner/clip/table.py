@@ -204,10 +204,13 @@ class ClipTable(Table):
     keyframe: list[KeyframeTable]
 
 
-def spoken(error: ValidationError, raw: dict[str, Any], inside: tuple[int | str, ...] = ()) -> str:
+def spoken(
+    error: ValidationError, raw: dict[str, Any], inside: tuple[int | str, ...] = (), root: type[Table] | None = None
+) -> str:
     """The first complaint of a validation, in the clip file's own words.
 
     inside  where in `raw` that stands which was validated
+    root    the whole file's tables, if it is no clip
     """
     complaints = error.errors()
     telling = ("finite_number", "extra_forbidden")
@@ -218,7 +221,7 @@ def spoken(error: ValidationError, raw: dict[str, Any], inside: tuple[int | str,
     kind = first["type"]
     if kind == "extra_forbidden":
         above = f"{'.'.join(names[:-1])}: " if names[:-1] else ""
-        fields = _schema(words, names[:-1]).model_fields
+        fields = _schema(words, names[:-1], root or ClipTable).model_fields
         return place + above + unknown("key", names[-1], [field.alias or name for name, field in fields.items()])
     if kind == "missing" and isinstance(first["loc"][-1], str):
         return f"{place}'{key}' is missing"
@@ -277,13 +280,13 @@ def _role(words: list[str], names: list[str]) -> str:
     return names[-1] if names else ""
 
 
-def _schema(words: list[str], names: list[str]) -> type[Table]:
+def _schema(words: list[str], names: list[str], root: type[Table]) -> type[Table]:
     """The table that an unknown key stands in."""
     if len(names) == 2 and names[0] in _NAMED:
         return _NAMED[names[0]][1]
     if names:
         return _TABLES[names[-1]]
-    return _TABLES[words[0].split()[0]] if words else ClipTable
+    return _TABLES[words[0].split()[0]] if words else root
 
 
 def _shown(value: Any) -> str:

@@ -24,8 +24,10 @@ LOW, NEAR = 0.06, 0.03  # [m] over the ground: so high is a point that may as we
 LONGEST = 1.0  # [s] of a stance that is looked at at once
 FINEST = 60.0  # [1/s] samples that are told apart
 ONE, NOISY = 1.0, 4.0  # what a stance costs beside what its samples speak for it: of a clean recording, of a noisy one
+SUNK = 0.6  # of a height over the ground, as much a depth below it says against a stance
 FAST = 0.35  # [m/s] from which on a point does not stand
 SURE = 3.0  # noises that two samples may be apart
+INTERRUPTED = 0.1  # [s] between runs that may be one stance
 SAME = 0.03  # [m] between the middles of neighbouring runs that are one stance
 
 
@@ -54,8 +56,12 @@ def stood(
     noise = white(centres, recorded.known.min(axis=1)[::step])
     found = []
     for i, point in enumerate(points):
-        runs = _cut(times, centres[:, i], height[i] / np.hypot(low, noise[i]), float(noise[i]))
-        runs = [_trimmed(times, centres[:, i], *run, float(noise[i])) for run in _joined(runs, centres[:, i])]
+        over = height[i] * np.where(height[i] < 0, SUNK, 1.0) / np.hypot(low, noise[i])
+        runs = _cut(times, centres[:, i], over, float(noise[i]))
+        runs = [
+            _trimmed(times, centres[:, i], *run, float(noise[i]))
+            for run in _joined(times, runs, centres[:, i], float(noise[i]))
+        ]
         found += [Stood(point, float(times[a]), float(times[b - 1])) for a, b in runs if b - a > 1]
     return tuple(found)
 
@@ -100,15 +106,15 @@ def _cut(times: Array, place: Array, height: Array, noise: float) -> list[tuple[
     return runs[::-1]
 
 
-def _joined(runs: list[tuple[int, int]], place: Array) -> list[tuple[int, int]]:
-    """Runs that touch and have the same middle as one."""
+def _joined(times: Array, runs: list[tuple[int, int]], place: Array, noise: float) -> list[tuple[int, int]]:
+    """Runs that follow each other at once, with the same middle, as one."""
     out: list[tuple[int, int]] = []
     for a, b in runs:
-        if out and out[-1][1] == a:
-            first = out[-1]
-            apart = place[:, first[0] : a].mean(axis=1) - place[:, a:b].mean(axis=1)
-            if np.linalg.norm(apart) < SAME:
-                out[-1] = (first[0], b)
+        if out and times[a] - times[out[-1][1] - 1] <= INTERRUPTED:
+            first, last = out[-1]
+            apart = place[:, first:last].mean(axis=1) - place[:, a:b].mean(axis=1)
+            if np.linalg.norm(apart) < SAME + SURE * noise / np.sqrt(min(last - first, b - a)):
+                out[-1] = (first, b)
                 continue
         out.append((a, b))
     return out

@@ -147,6 +147,7 @@ STRATA = {
         work
         exchange kept
         edit claims batch
+        clean
         python cli
         start
     """,

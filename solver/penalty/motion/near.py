@@ -89,6 +89,7 @@ class Near(Guide):
         rec = self.recorded
         first, last = rec.path.span
         times = np.linspace(first, last, max(2, round((last - first) / COARSE) + 1))
+        times = np.sort(np.append(times, [first + FINEST, last - FINEST])) if last - first > 4 * FINEST else times
         while True:
             path = natural_spline(times, rec.path.at(times))
             t, w = gauss_nodes(times, NODES)

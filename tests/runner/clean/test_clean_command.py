@@ -1,0 +1,135 @@
+"""`dynsplines clean`: a recording's file in, a clean one of its format or another out, bad input told."""
+
+from pathlib import Path
+
+import mujoco
+import numpy as np
+import pytest
+from command import Command, commanded
+
+from dynsplines import motion
+from dynsplines.clip import load as clips
+from dynsplines.exchange import formats
+from dynsplines.exchange.imported import taken
+from dynsplines.scene.compose import compose, figure_spec
+from dynsplines.system.progress import Teller
+from dynsplines.work import unsolved
+
+TIMES = np.arange(45) / 30
+
+
+@pytest.fixture
+def command(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Command:
+    return commanded(monkeypatch, capsys)
+
+
+@pytest.fixture(scope="module")
+def squats(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with somebody who bobs with soles that sink and slide, in some formats."""
+    folder = tmp_path_factory.mktemp("recordings")
+    scene = compose(figure_spec("human"))
+    model = scene.model()
+    qpos = np.tile(model.qpos0, (TIMES.size, 1))
+    bend = 0.3 + 0.25 * np.sin(4 * TIMES)
+    for joint, share in (("hip", -1.0), ("knee", 2.0), ("ankle", -1.0)):
+        for side in ("left", "right"):
+            at = model.joint(f"{side}_{joint}").qposadr[0]
+            qpos[:, at], qpos[:, at + 2] = np.cos(share * bend / 2), np.sin(share * bend / 2)
+    data, lowest = mujoco.MjData(model), np.zeros(TIMES.size)
+    soles = [i for i in range(model.nsite) if any(word in model.site(i).name for word in ("heel", "toe"))]
+    for i, row in enumerate(qpos):
+        data.qpos[:] = row
+        mujoco.mj_kinematics(model, data)
+        lowest[i] = data.site_xpos[soles, 2].min()
+    qpos[:, 2] += 0.015 * np.sin(3 * TIMES) - lowest
+    qpos[:, 0] += 0.04 * TIMES
+    found = clips.from_qpos("bobs", scene, TIMES, qpos, 30.0, "bobs")
+    saved = unsolved(found).saved(Teller(), with_report=False)
+    motion.save(saved, folder / "bobs.npz")
+    formats.export(saved, "bvh", folder / "bobs.bvh")
+    formats.export(saved, "csv", folder / "bobs.csv")
+    return folder
+
+
+def soles(source: Path) -> np.ndarray:
+    """(T, 3) [m] the left heel, by MuJoCo."""
+    saved = motion.load(source)
+    samples, model = motion.sampled(saved.figure, saved.timeline, 120), saved.figure.model
+    data, out = mujoco.MjData(model), np.zeros((samples.time.size, 3))
+    for i, row in enumerate(samples.qpos):
+        data.qpos[:] = row
+        mujoco.mj_kinematics(model, data)
+        out[i] = data.site("left_heel").xpos
+    return out
+
+
+@pytest.mark.slow
+def test_a_motion_of_feet_that_slide_and_sink_comes_out_clean(command, squats, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    done = command("clean", squats / "bobs.npz", "-o", "clean.npz")
+    assert done.code == 0, done.err
+    assert "left_heel stands" in done.err
+    assert "slip of a stance, most" in done.err
+    assert done.last == "wrote clean.npz"
+    before, after = soles(squats / "bobs.npz"), soles(tmp_path / "clean.npz")
+    assert np.ptp(before[:, 0]) > 0.05
+    assert np.ptp(after, axis=0).max() < 0.005
+    assert before[:, 2].min() < -0.01
+    assert after[:, 2].min() > -0.002
+    saved = motion.load(tmp_path / "clean.npz")
+    np.testing.assert_allclose(saved.raw.times[[0, -1]], TIMES[[0, -1]], atol=1e-9)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("ending", [".bvh", ".csv"])
+def test_what_came_in_a_format_goes_out_in_it_unasked(command, squats, tmp_path, monkeypatch, ending):
+    monkeypatch.chdir(tmp_path)
+    done = command("clean", squats / f"bobs{ending}", "--figure", "human")
+    assert done.code == 0, done.err
+    assert done.last == f"wrote bobs.clean{ending}"
+    found = taken(tmp_path / f"bobs.clean{ending}", figure="human")
+    assert found.time[-1] == pytest.approx(TIMES[-1], abs=0.05)
+    again = command("clean", squats / f"bobs{ending}", "--figure", "human")
+    assert again.code == 2
+    assert "--overwrite" in again.last
+
+
+@pytest.mark.slow
+def test_stances_are_those_of_a_file_and_how_far_what_moved_is_told(command, squats, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "c.toml").write_text('[[contact]]\npoint = "left_heel"\nfrom = 0.2\nto = 1.0\n', encoding="utf-8")
+    done = command("clean", squats / "bobs.npz", "--contacts", "c.toml", "-o", "a.npz", "--within", "1mm")
+    assert done.code == 0, done.err
+    assert "left_heel stands 0.20-1.00 s" in done.err
+    assert "right_heel stands" not in done.err
+    assert "mm off the recording at" in done.err
+    heel = soles(tmp_path / "a.npz")[24:121]
+    assert np.ptp(heel[:, :2], axis=0).max() < 0.01  # what it gives way by for --within
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (["nowhere.bvh"], "no file 'nowhere.bvh'"),
+        (["{f}/bobs.npz", "-o", "{f}/bobs.npz"], "is what is read; give another -o"),
+        (["{f}/bobs.npz", "-o", "x.txt"], "does not tell its format"),
+        (["{f}/bobs.npz", "--within", "3"], "of what? give 3cm"),
+        (["{f}/bobs.npz", "--scene", "s.toml"], "brings its scene along"),
+        (["{f}/bobs.npz", "--contacts", "bad.toml"], "no key 'figure'. Keys: scene, contact"),
+        (["{f}/bobs.npz", "--contacts", "far.toml"], "is not within the recording, 0 to 1.46667 s"),
+        (["{f}/bobs.npz", "--contacts", "odd.toml"], "contact 1 ('left_hel')"),
+        (["{f}/bobs.csv"], "--figure"),
+    ],
+)
+def test_what_cannot_be_cleaned_is_told_and_nothing_is_written(command, squats, tmp_path, monkeypatch, words, told):
+    monkeypatch.chdir(tmp_path)
+    text = '[[contact]]\npoint = "{}"\nfrom = {}\nto = {}\n'
+    (tmp_path / "bad.toml").write_text("[figure]\nname = 1\n", encoding="utf-8")
+    (tmp_path / "s.toml").write_text("[scene.step]\nx = 1.0\nheight = 0.2\n", encoding="utf-8")
+    (tmp_path / "far.toml").write_text(text.format("left_heel", 1, 9), encoding="utf-8")
+    (tmp_path / "odd.toml").write_text(text.format("left_hel", 0, 1), encoding="utf-8")
+    present = sorted(tmp_path.iterdir())
+    done = command("clean", *(word.format(f=squats) for word in words))
+    assert done.code == 2
+    assert told in done.last, done.last
+    assert sorted(tmp_path.iterdir()) == present

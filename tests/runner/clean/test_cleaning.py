@@ -1,0 +1,112 @@
+"""Cleaning a run that ships, made bad: soles stand still on the ground, and the motion is nearer to the true one."""
+
+import numpy as np
+import pytest
+import shipped
+from faulted import Take
+
+from dynsplines.clean.cleaning import Cleaned, cleaned, ground_of
+from dynsplines.clean.comparing import Comparison, verdict
+from dynsplines.clean.repairs import repaired
+from dynsplines.motion import samples_at
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.spline import Path, natural_spline
+from dynsplines.solver.reading.recorded import Recorded
+
+FPS = 60.0
+
+pytestmark = pytest.mark.slow
+
+
+@pytest.fixture(scope="module")
+def take() -> Take:
+    return Take.of(shipped.solved("run_and_step"), FPS)
+
+
+@pytest.fixture(scope="module")
+def bad(take: Take) -> Array:
+    rng = np.random.default_rng(11)
+    return take.shaking(take.sliding(rng), rng, 0.005, np.radians(1.0))
+
+
+@pytest.fixture(scope="module")
+def clean(take: Take, bad: Array) -> Cleaned:
+    return cleaned(ground_of(take.figure, bad), repaired(take.figure, take.time, bad, "bad"))
+
+
+def value(found: Comparison, says: str) -> tuple[float, float]:
+    line = next(line for line in found.lines if line.says.startswith(says))
+    return line.before, line.after
+
+
+def test_soles_stand_still_on_the_ground_and_nothing_shakes(clean):
+    found = Comparison(clean)
+    assert value(found, "deepest sole")[0] > 15
+    assert value(found, "deepest sole")[1] < 2
+    assert value(found, "slip")[0] > 10
+    assert value(found, "slip")[1] < 5
+    assert value(found, "sole at rest")[1] < 5
+    assert value(found, "joint beyond")[1] < 1
+    for says, share in (("joint acceleration", 0.3), ("jerk", 0.1), ("force", 0.4)):
+        before, after = value(found, says)
+        assert after < share * before
+
+
+def test_hands_and_feet_are_nearer_to_the_true_motion(take):
+    rng = np.random.default_rng(3)
+    shaken = take.shaking(take.qpos, rng, 0.01, np.radians(2.0))
+    found = cleaned(ground_of(take.figure, shaken), repaired(take.figure, take.time, shaken, "shaken"))
+    true, before = (
+        natural_spline(take.time, Recorded.of(take.figure, take.time, qpos).states) for qpos in (take.qpos, shaken)
+    )
+    links = found.problem.penalties[0][0].ends[0]
+
+    def off(path: Path) -> float:
+        places = [samples_at(take.figure, p, take.time).links.x[:, links] for p in (true, path)]
+        return float(np.linalg.norm(places[0] - places[1], axis=0).mean())
+
+    assert off(found.after) < 0.6 * off(before)
+
+
+def test_the_steps_of_the_scene_are_stood_on(take, clean):
+    """The run ends on a step: soles that stand there are as high as it is."""
+    heights = [rest.point for rest in clean.rests if rest.last > take.time[-1] - 0.1]
+    assert heights
+    samples = samples_at(take.figure, clean.after, take.time[-1:])
+    links = [point.link for point in heights]
+    assert samples.links.x[2, links].min() > 0.15
+
+
+def test_stances_that_are_given_are_kept_instead(take, bad):
+    ground = ground_of(take.figure, take.qpos)
+    whole = repaired(take.figure, take.time, take.qpos, "true")
+    some = max(cleaned(ground, whole).rests, key=lambda rest: rest.last - rest.first)
+    found = cleaned(ground, whole, [some])
+    assert found.rests == (some,)
+    t = np.linspace(some.first, some.last, 30)
+    links, at = np.array([some.point.link]), some.point.position[:, None]
+    places, _ = samples_at(take.figure, found.after, t).links.points(links, at)
+    assert np.ptp(places[:, 0], axis=1).max() < 0.005
+
+
+def test_what_is_asked_to_stay_near_does(take, bad, clean):
+    within = 0.9 * verdict(clean).off
+    repair = repaired(take.figure, take.time, bad, "bad")
+    near = cleaned(clean.ground, repair, within=within, verdict=verdict)
+    assert verdict(near).off < 0.99 * verdict(clean).off
+    assert verdict(near).is_sound
+
+
+def test_the_same_recording_gives_the_same_motion(take, bad, clean):
+    again = cleaned(ground_of(take.figure, bad), repaired(take.figure, take.time, bad, "bad"))
+    np.testing.assert_array_equal(again.after.rows, clean.after.rows)
+
+
+def test_a_gap_is_bridged(take):
+    keep = np.r_[0:50, 60 : take.time.size]
+    repair = repaired(take.figure, take.time[keep], take.qpos[keep], "holes")
+    found = cleaned(ground_of(take.figure, take.qpos), repair)
+    true = Recorded.of(take.figure, take.time, take.qpos).path
+    t = take.time[50:60]
+    x, wanted = (samples_at(take.figure, path, t).links.x for path in (found.after, true))
+    assert np.linalg.norm(x - wanted, axis=0).max() < 0.12
