@@ -7,7 +7,7 @@ What a keyframe leaves out is free. A [[penalty]] entry changes or adds to the d
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
@@ -23,7 +23,7 @@ from dynsplines.solver.curve.frame import Frame, TimelineError
 from dynsplines.solver.curve.quadrature import Quadrature
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.figure.figure import Figure, FigureError, JointKind, quaternion_columns
-from dynsplines.solver.penalty import Penalty, Placed
+from dynsplines.solver.penalty import Penalty, Placed, Rest
 from dynsplines.solver.posing import entries
 from dynsplines.solver.problem import FEW, Problem, Settings
 from dynsplines.solver.refine.subdivision import CRITERIA
@@ -39,6 +39,7 @@ from ..scene.configuration import first_wrong
 from .constraints import chosen, constraints, posing_bends
 from .contacts import Contacts, rests
 from .context import Context
+from .followed import Ground
 from .holds import asked
 from .obstacles import obstacles
 from .posing.couplings import complaints, follow
@@ -47,6 +48,7 @@ from .posing.places import Places
 from .posing.placing import check_search, wanted, with_pose
 from .posing.rotation import quaternion_of
 from .posing.standing import Stander
+from .recording import Followed, followed
 from .table import (
     ROTATION,
     ClipTable,
@@ -216,11 +218,15 @@ def from_text(
         raise UserError(f"{place}: {error}") from None
     figure = figure_of(scene, place, table.solve.coordinates)
     missed: list[str] = []
-    keys, placed = _keys(figure, lying(table), _stander(figure, table, place), place, missed)
+    recording = followed(table, figure, folder, place)
+    base = None if recording is None else recording.pose
+    keys, placed = _keys(figure, lying(table), _stander(figure, table, place), place, missed, base)
     if missed and unmet is None:
         raise UserError(f"{place}: {'; '.join(missed)}")
     if unmet is not None:
         unmet += missed
+    if recording is not None:
+        return _following(recording, name, text, scene, keys, table, fps)
     return _clip(name, text, scene, figure, fps or table.fps, keys, table, place, placed)
 
 
@@ -359,6 +365,35 @@ def _clip(
     return Clip(name, text, scene, fps, problem, found.context, notes)
 
 
+def _following(
+    recording: Followed, name: str, text: str, scene: Scene, edits: list[Frame], table: ClipTable, fps: float | None
+) -> Clip:
+    """A clip whose keyframes edit a recording."""
+    figure, place = recording.recorded.figure, recording.place
+    poses = figure.to_qpos(recording.recorded.states[::10])
+    ground = Ground(figure, sole_points(figure, poses), tuple(static_surfaces(figure.model)))
+    points = {point.name: point for point in ground.points}
+    places = Places(figure, ground.points)
+    given = list[Rest]()
+    for number, contact in enumerate(table.contact, start=1):
+        point = points.get(contact.point) or places.point(contact.point)
+        if point is None:
+            listed = unknown("site", contact.point, places.points_listed)
+            raise UserError(f"{place}: contact {number} ('{contact.point}'): {listed}")
+        given.append(Rest(point, contact.start, contact.end))
+    problem, rests_ = recording.problem(ground, edits, table.contact, given)
+    said = {entry.kind: entry.said["weight"] for entry in table.penalty if "weight" in entry.said}
+    weighted = tuple((p, w * said.get(p.name, 1.0)) for p, w in problem.penalties)
+    problem = replace(problem, penalties=weighted)
+    try:
+        timeline = problem.raw
+    except (TimelineError, ValueError) as error:
+        raise UserError(f"{place}: {error}") from None
+    contacts_ = Contacts(rests=rests_, given=rests_)
+    context = Context(figure, timeline, ground.surfaces, place, points=ground.points, contacts=contacts_)
+    return Clip(name, text, scene, fps or table.fps, problem, context, ())
+
+
 def _too_many(problem: Problem) -> Iterator[str]:
     """A line on an optimiser that does nothing with so many unknowns."""
     settings = problem.settings
@@ -392,19 +427,20 @@ def _check_filled(raw: dict[str, Any], place: str) -> None:
     """An empty clip is told as one, not by the first key that it lacks."""
     if not raw:
         raise UserError(f"{place}: the clip is empty; it needs a figure and two [[keyframe]] tables")
-    if raw.get("keyframe", []) == []:
+    if raw.get("keyframe", []) == [] and "recording" not in raw:
         raise UserError(f"{place}: no keyframes; a clip needs at least two [[keyframe]] tables")
 
 
 def _check_text(table: ClipTable, place: str) -> None:
     """Raises UserError for what is wrong whatever the figure is, before its meshes are read."""
     times = [row.time for row in table.keyframe]
-    check_times(times, place)
-    try:
-        _settings(table.solve, times)
-    except ValueError as error:
-        raise UserError(f"{place}: {error}") from None
-    chosen(table.penalty, place)
+    check_times(times, place, fewest=2 if table.recording is None else 0)
+    if table.recording is None:
+        try:
+            _settings(table.solve, times)
+        except ValueError as error:
+            raise UserError(f"{place}: {error}") from None
+        chosen(table.penalty, place)
     for number, row in enumerate(table.keyframe, start=1):
         where = f"{place}: {_called(number, row.time)}"
         if isinstance(row.root.rotation, RotationTable):
@@ -429,9 +465,9 @@ def _called(number: int, time: float) -> str:
     return f"keyframe {number} (t = {time:g} s)"
 
 
-def check_times(times: Sequence[float], place: str) -> None:
+def check_times(times: Sequence[float], place: str, fewest: int = 2) -> None:
     """Two keyframes or more, in order, apart but not too unevenly, in a time that a report can look through."""
-    if len(times) < 2:
+    if len(times) < fewest:
         raise UserError(f"{place}: {len(times) or 'no'} keyframe{'s' if not times else ''}; a clip needs at least two")
     for i, (a, b) in enumerate(pairwise(times), 1):
         if not b > a:
@@ -445,7 +481,7 @@ def check_times(times: Sequence[float], place: str) -> None:
                 f"{place}: keyframes {i}, {i + 1} and {i + 2} are {b - a:g} s and {c - b:g} s apart, which is over "
                 f"{UNEVEN:,} : 1; put keyframes in between, the nearer to the short one the closer"
             )
-    if times[-1] - times[0] > LONGEST:
+    if len(times) > 1 and times[-1] - times[0] > LONGEST:
         raise UserError(
             f"{place}: from the first to the last keyframe are {times[-1] - times[0]:g} s, over {LONGEST:g} s"
         )
@@ -481,12 +517,18 @@ def _settings(solve: SolveTable, times: Sequence[float]) -> Settings:
 
 
 def _keys(
-    figure: Figure, rows: list[KeyframeTable], stander: Stander, place: str, missed: list[str]
+    figure: Figure,
+    rows: list[KeyframeTable],
+    stander: Stander,
+    place: str,
+    missed: list[str],
+    base: Callable[[float], Array] | None = None,
 ) -> tuple[list[Frame], tuple[Placed, ...]]:
     """The keyframes, each of which may hold what the one before it says, what they leave free posed where that is
     beyond doubt; and the points that the search is to place.
 
     missed  gets a line for every place that no pose was found for
+    base    what a keyframe leaves out is as qpos (nq,) at its time [s], and may be moved
     """
     places = [f"{place}: {_called(number, row.time)}" for number, row in enumerate(rows, start=1)]
     known = _named(figure, rows, places)
@@ -496,17 +538,34 @@ def _keys(
     for row, where, free in zip(rows, places, loose, strict=True):
         if row.others == "hold" and not keys:
             raise UserError(f"{where}: others = 'hold' has no keyframe before it to hold")
-        keys.append(_key(figure, row, keys[-1] if keys else None, free, where))
+        keys.append(_based(_key(figure, row, keys[-1] if keys else None, free, where), base))
     if any(want.goals for want in wants):
         for k, (row, want, where) in enumerate(zip(rows, wants, places, strict=True)):
-            keys[k] = _key(figure, row, keys[k - 1] if k else None, loose[k], where)  # holds what is solved by now
+            held = _key(figure, row, keys[k - 1] if k else None, loose[k], where)  # holds what is solved by now
+            keys[k] = _based(held, base)
             if want.goals:
-                keys[k], lines = with_pose(figure, keys, k, want.goals, stander, where)
+                among, own = (keys, k) if base is None else ([_later(keys[k], base, by) for by in (-1, 0, 1)], 1)
+                keys[k], lines = with_pose(figure, among, own, want.goals, stander, where)
                 missed += [f"{_called(k + 1, row.time)}: {line}" for line in lines]
+                keys[k] = _based(keys[k], base)
     for key, want, where in zip(keys, wants, places, strict=True):
         check_search(figure, key, want.placed, where)
     left = tuple(point for want in wants for point in want.placed)
+    if base is not None:
+        return keys, left
     return stander.stood(keys, left), left
+
+
+def _based(key: Frame, base: Callable[[float], Array] | None) -> Frame:
+    """A keyframe with what it leaves out as it is in what it edits."""
+    if base is None:
+        return key
+    return Frame(key.time, np.where(key.fixed, key.state, base(key.time)), key.fixed, ~key.fixed)
+
+
+def _later(key: Frame, base: Callable[[float], Array], by: int) -> Frame:
+    """A keyframe, or a second later or earlier what it edits."""
+    return key if not by else Frame.key(key.time + by, base(key.time))
 
 
 def _named(figure: Figure, rows: Sequence[KeyframeTable], places: Sequence[str]) -> Places:

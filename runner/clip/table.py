@@ -184,6 +184,24 @@ class SolveTable(Table):
     samples: Annotated[Whole, Field(ge=1, le=10_000)] | None = None
 
 
+class RecordingTable(Table):
+    """A motion that was recorded, which keyframes edit: what of it, when, and how much it counts.
+
+    start, end  [s] what of it is used;  at  [s] when that begins in the clip;  speed  times as fast
+    times   [s, s] moments of the recording and when they come in the clip, in place of at and speed
+    weight  how much it counts;  blend  [s] before and after every keyframe, outside of which nothing is changed
+    """
+
+    file: str
+    start: Number | None = Field(default=None, alias="from")
+    end: Number | None = Field(default=None, alias="to")
+    at: Number | None = None
+    speed: Annotated[Real, Field(ge=0.05, le=20)] | None = None
+    times: list[tuple[Number, Number]] | None = None
+    weight: Annotated[Real, Field(gt=0, le=1e6)] = 1.0
+    blend: Annotated[Real, Field(gt=0, le=60)] | None = None
+
+
 class SurroundingsTable(Table):
     """What is round a recording: the scene that it was made in, and the contacts in it."""
 
@@ -201,7 +219,8 @@ class ClipTable(Table):
     penalty: list[PenaltyTable] = []
     contact: list[ContactTable] = []
     hold: list[HoldTable] = []
-    keyframe: list[KeyframeTable]
+    recording: RecordingTable | None = None
+    keyframe: list[KeyframeTable] = []
 
 
 def spoken(
@@ -317,6 +336,7 @@ _TABLES: dict[str, type[Table]] = {
     "scene.capsule": BarTable,
     "scene.cylinder": BarTable,
     "solve": SolveTable,
+    "recording": RecordingTable,
     "root": RootTable,
     "rotation": RotationTable,
 }

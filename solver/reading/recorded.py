@@ -39,22 +39,26 @@ class Recorded:
     times  (T,) [s], rising
     states (T, N) as they were recorded, quaternions unit and of continuous sign; anything where there is no sample
     known  (T, N) 1 where there is a sample, 0 in gaps
+    exact  the samples are of a motion that nobody filmed: the curve runs through them
     """
 
     figure: Figure
     times: Array
     states: Array
     known: Array
+    exact: bool = False
 
     @classmethod
-    def of(cls, figure: Figure, times: Array, qpos: Array, known: Array | None = None) -> Recorded:
+    def of(
+        cls, figure: Figure, times: Array, qpos: Array, known: Array | None = None, *, exact: bool = False
+    ) -> Recorded:
         """Of qpos (T, nq) at times (T,) [s]; known (T, N) or (T, 1), all of it if nobody says."""
         states = np.array(figure.to_state(qpos))
         for columns in figure.tables.quaternion_columns.T:
             flips = np.sum(states[1:, columns] * states[:-1, columns], axis=1) < 0
             states[1:, columns] *= np.where(np.cumsum(flips) % 2, -1.0, 1.0)[:, None]
         every = np.ones(states.shape)
-        return cls(figure, np.asarray(times, float), states, every if known is None else every * known)
+        return cls(figure, np.asarray(times, float), states, every if known is None else every * known, exact)
 
     def moved(self, way: ArrayLike) -> Recorded:
         """With all free roots moved by (3,) [m]."""
@@ -135,6 +139,8 @@ class Recorded:
     def _smoothed(self) -> tuple[Array, Array, Array]:
         """The curve at the samples (T, N), how much these are believed, how lively it is (N,)."""
         smooth, trust, lively = np.array(self.states), np.array(self.known), np.ones(self.figure.width)
+        if self.exact:
+            return smooth, trust, lively
         for columns in self.groups:
             noise = float(self.noise[columns[0]])
             trust[:, columns] *= self._unlike(columns, noise)[:, None]

@@ -24,6 +24,7 @@ AWAY, FOR = 0.03, 0.3  # [m], [s]: how far a limb's end may be off by one joint,
 STRAYS, BACK = 0.01, 0.1  # [m], [s]: how far what is filmed strays, and how soon it comes back
 
 MENDED = 3.0  # [1/s³], [m²/s³] least liveliness of what mends a recording, however calm that is
+EASED = 0.01  # of its weight that a pose keeps where a keyframe edits it
 COARSE, FINEST = 0.2, 1 / 60  # [s] between frames that what was recorded is followed by
 DETAIL = 30.0  # f over a segment, of what may be left out
 NODES = 4
@@ -32,9 +33,15 @@ SHORTEST = 0.05  # [m] of a limb
 
 @dataclass(frozen=True, eq=False)
 class Near(Guide):
-    """Σ over the state's entries of w₀ (y − ŷ)² + w₁ (y' − ŷ')² + w₂ (y'' − ŷ'')², ŷ what was recorded."""
+    """Σ over the state's entries of w₀ (y − ŷ)² + w₁ (y' − ŷ')² + w₂ (y'' − ŷ'')², ŷ what was recorded,
+    and of squared distances of limbs' ends from where they were.
+
+    eased  (time, width) [s]: round these times, less and less until so far away, it asks for the recording's velocities
+           and accelerations, and hardly for its poses
+    """
 
     recorded: Recorded
+    eased: tuple[tuple[float, float], ...] = ()
     _seen: dict[tuple[float, float, int], tuple[Array, Array, Array]] = field(default_factory=dict)
     _ends_seen: dict[tuple[float, float, int], tuple[Array, Array, Array]] = field(default_factory=dict)
 
@@ -137,7 +144,7 @@ class Near(Guide):
         figure, (links, positions) = self.recorded.figure, self.ends
         places, _ = Samples(figure, *motion).links.points(links, positions)
         every = self.recorded.trust.min(axis=1)
-        trust = np.repeat(np.interp(t, self.recorded.times, every)[None], links.size, axis=0)
+        trust = np.repeat((np.interp(t, self.recorded.times, every) * self._held(t))[None], links.size, axis=0)
         self._ends_seen[key] = t, places, trust
         return places, trust
 
@@ -156,6 +163,14 @@ class Near(Guide):
         pose[rec.figure.tables.position_columns] = 1 / (2 * STRAYS**2 * BACK)
         return pose
 
+    def _held(self, t: Array) -> Array:
+        """(S,) how much poses count at times t (S,), beside edits less."""
+        out = np.ones(t.size)
+        for time, width in self.eased:
+            away = np.minimum(np.abs(t - time) / width, 1)
+            out = np.minimum(out, EASED + (1 - EASED) * away**2 * (3 - 2 * away))
+        return out
+
     def weights(self, t: Array) -> Array:
         """(3, S, N) what the squares of differences of y, y' and y'' weigh at times t (S,)."""
         return self._at(t)[1]
@@ -171,7 +186,7 @@ class Near(Guide):
         pose = self._pose
         trust = np.stack([np.interp(t, rec.times, column) for column in rec.trust.T], axis=1)
         weights = np.empty((3, t.size, pose.size))
-        weights[0] = pose * trust
+        weights[0] = pose * trust * self._held(t)[:, None]
         weights[1] = np.where(rec.is_place, trust * BACK / (2 * STRAYS**2), 0)
         weights[2] = 1 / np.maximum(rec.liveliness, MENDED)
         motion = rec.path.motion(np.clip(t, *rec.path.span))

@@ -1,0 +1,183 @@
+"""A clip's [recording]: a motion that the clip follows, and that its keyframes edit.
+
+Keyframes are exact. Round each of them, for the time of its blend, the recording's velocities and accelerations are
+followed rather than its poses, so that its detail stays; if the clip says `blend`, all else stays as it is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.penalty import Near, Rest
+from dynsplines.solver.problem import Problem
+from dynsplines.solver.reading.recorded import Recorded
+from dynsplines.solver.reading.stances import NEAR, stood
+from dynsplines.solver.surface.points import Point, placed, places_of
+
+from .. import motion
+from ..errors import UserError
+from ..scene import outside
+from .followed import WEIGHTS, Ground, problem
+from .table import ClipTable, ContactTable, RecordingTable
+
+RATE = 120.0  # [1/s] at which a motion is taken down
+EASE = 0.4  # [s] before and after a keyframe, where a clip does not say
+DETAIL = 0.02  # of f over a segment that may be left out: less than a millimetre
+MOVED = 0.02  # [m] by which a keyframe puts a point that the recording has standing: it stands there no more
+ROUNDING = 1e-9  # [s]
+NONE = ("hold",)  # tables that a clip with a recording cannot have
+
+
+@dataclass(frozen=True, eq=False)
+class Followed:
+    """A recording in a clip's own time.
+
+    pose  qpos (nq,) at a time [s] of the clip
+    """
+
+    recorded: Recorded
+    table: RecordingTable
+    place: str
+
+    def pose(self, time: float) -> Array:
+        """qpos (nq,) at a time [s] of the clip. Raises UserError for one that the recording does not reach."""
+        first, last = self.recorded.path.span
+        if not first - ROUNDING <= time <= last + ROUNDING:
+            raise UserError(
+                f"{self.place}: a keyframe at {time:g} s is outside the recording, which lasts from {first:g} to "
+                f"{last:g} s in the clip"
+            )
+        return self.recorded.figure.to_qpos(self.recorded.path.at(np.array([time])))[0]
+
+    def problem(
+        self, ground: Ground, edits: Sequence[Frame], tables: Sequence[ContactTable], given: Sequence[Rest]
+    ) -> tuple[Problem, tuple[Rest, ...]]:
+        """What is to be solved, and the stances in it: those of the recording, but where a clip speaks of the point, or
+        a keyframe moves it."""
+        width = self.table.blend or EASE
+        near = Near(self.recorded, tuple((edit.time, width) for edit in edits))
+        read = stood(self.recorded, ground.points, ground.surfaces, NEAR)
+        rests = [rest for rest in (Rest(*one) for one in read) if not self._is_void(rest, edits, given, width)]
+        asked = problem(near, ground, [*rests, *given], near.times(DETAIL), edits)
+        weights = [(p, self.table.weight * w if p is near else w) for p, w in asked.penalties]
+        keys = [self._kept(frame, edits) for frame in asked.keys]
+        return Problem(asked.figure, tuple(keys), tuple(weights), asked.settings), (*rests, *given)
+
+    def _kept(self, frame: Frame, edits: Sequence[Frame]) -> Frame:
+        """A frame of the recording that no keyframe reaches by its blend, fixed."""
+        if self.table.blend is None or frame.fixed.any():
+            return frame
+        far = all(abs(frame.time - edit.time) >= self.table.blend for edit in edits)
+        return Frame.key(frame.time, frame.state) if far else frame
+
+    def _is_void(self, rest: Rest, edits: Sequence[Frame], given: Sequence[Rest], width: float) -> bool:
+        """Whether a stance of the recording is none in the clip, or lies where nothing changes."""
+        point = rest.point
+        if self.table.blend is not None and not any(
+            rest.first < edit.time + width and edit.time - width < rest.last for edit in edits
+        ):
+            return True
+        if any(_same(point, o.point) and rest.first < o.last and o.first < rest.last for o in given):
+            return True
+        near = [edit for edit in edits if rest.first - width < edit.time < rest.last + width]
+        return any(self._moves(point, edit) for edit in near)
+
+    def _moves(self, point: Point, edit: Frame) -> bool:
+        """Whether a keyframe puts a point elsewhere than the recording."""
+        figure = self.recorded.figure
+        if not placed(figure, edit.fixed[None], [point])[0, 0]:
+            return False
+        qpos = np.stack([edit.state, self.pose(edit.time)])
+        states = figure.to_state(qpos)
+        places, _, _ = places_of((point,), Samples(figure, states, 0 * states, 0 * states))
+        return float(np.linalg.norm(places[:, 0, 0] - places[:, 0, 1])) > MOVED
+
+
+def followed(table: ClipTable, figure: Figure, folder: Path | None, place: str) -> Followed | None:
+    """The recording that a clip follows, if any; raises UserError for a file that is none of its figure's motions."""
+    said = table.recording
+    if said is None:
+        return None
+    for line in _unfit(table):
+        raise UserError(f"{place}: {line}")
+    where = f"{place}: recording"
+    file = (folder or Path()) / said.file
+    if file.suffix != ".npz":
+        raise UserError(
+            f"{where}: '{said.file}' is no motion file, .npz; `dynsplines clean` or `import` makes one of it"
+        )
+    if not outside.is_allowed() and not outside.lies_in(file, folder or Path()):
+        raise UserError(f"{where}: '{said.file}' lies outside the clip's folder; --allow-outside lets it be read")
+    saved = motion.load(file)
+    joints = [[link.name for link in each.links[1:]] for each in (figure, saved.figure)]
+    if joints[0] != joints[1] or saved.figure.width != figure.width:
+        raise UserError(f"{where}: '{said.file}' is of another figure: {', '.join(joints[1][:6])}, ...")
+    samples = motion.sampled(saved.figure, saved.timeline, max(saved.fps, RATE))
+    time, qpos = _cut(samples.time, samples.qpos, said, where)
+    return Followed(Recorded.of(figure, _clip_time(time, said, where), qpos, exact=True), said, place)
+
+
+def _unfit(table: ClipTable) -> Iterator[str]:
+    """A line on everything that goes with keyframes alone."""
+    for name in NONE:
+        if getattr(table, name):
+            yield f"[[{name}]] is for clips of keyframes; one that follows a recording has none"
+    if table.solve.model_fields_set - {"coordinates"}:
+        yield f"solve.{sorted(table.solve.model_fields_set)[0]} is for clips of keyframes, not for one with [recording]"
+    for entry in table.penalty:
+        if entry.kind not in WEIGHTS or entry.said.keys() - {"weight"}:
+            kinds = ", ".join(kind for kind in WEIGHTS if kind != "near")
+            yield f"penalty '{entry.kind}': beside a recording only weights may be said, of: {kinds}"
+
+
+def _cut(time: Array, qpos: Array, said: RecordingTable, where: str) -> tuple[Array, Array]:
+    """What of the recording is used."""
+    first = time[0] if said.start is None else said.start
+    last = time[-1] if said.end is None else said.end
+    if not time[0] - ROUNDING <= first < last <= time[-1] + ROUNDING:
+        span = f"{time[0]:g} to {time[-1]:g} s"
+        raise UserError(f"{where}: from = {first:g} and to = {last:g} are no part of it; it lasts from {span}")
+    used = (time >= first - ROUNDING) & (time <= last + ROUNDING)
+    if used.sum() < 5:
+        raise UserError(f"{where}: {int(used.sum())} samples are left of it; 5 are the fewest")
+    return time[used], qpos[used]
+
+
+def _clip_time(time: Array, said: RecordingTable, where: str) -> Array:
+    """When samples of the recording come in the clip [s]."""
+    if said.times is None:
+        at = time[0] if said.at is None else said.at
+        return at + (time - time[0]) / (said.speed or 1.0)
+    if said.at is not None or said.speed is not None:
+        raise UserError(f"{where}: give times, or at and speed, not both")
+    own, clip = np.array(said.times, float).reshape(-1, 2).T
+    if own.size < 2 or np.any(np.diff(own) <= 0) or np.any(np.diff(clip) <= 0):
+        raise UserError(f"{where}: times are pairs [of the recording, of the clip], two or more, and both rise")
+    return _warp(own, clip)(time)
+
+
+def _warp(own: Array, clip: Array) -> Callable[[Array], Array]:
+    """A rising, smooth curve through moments, straight on beyond them."""
+    from scipy.interpolate import PchipInterpolator  # only here: it takes a while
+
+    curve = PchipInterpolator(own, clip)
+    slopes = curve(own[[0, -1]], 1)
+
+    def mapped(t: Array) -> Array:
+        inside = curve(np.clip(t, own[0], own[-1]))
+        before, after = np.minimum(t - own[0], 0), np.maximum(t - own[-1], 0)
+        return np.asarray(inside + slopes[0] * before + slopes[1] * after)
+
+    return mapped
+
+
+def _same(one: Point, other: Point) -> bool:
+    return one.link == other.link and np.array_equal(one.position, other.position)
