@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from dynsplines.solver.array import Array
+from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import Path, natural_spline, path_of
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
@@ -129,7 +129,7 @@ def _from(found: Cleaned) -> tuple[Frame, ...]:
     )
 
 
-def _by_state(figure: Figure, known: Array) -> Array:
+def _by_state(figure: Figure, known: Mask) -> Array:
     """(T, N) what is known of states, from what is of qpos: turned in the world, a link takes all above it."""
     out = known.astype(float)
     for link in figure.links[1:]:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from dynsplines.solver.array import Array
+from dynsplines.solver.array import Array, Index, Mask
 from dynsplines.solver.figure.figure import Figure
 
 from ..edit.lead_in import LeadIn, lead_in
@@ -31,7 +31,7 @@ class Repaired:
 
     time: Array
     qpos: Array
-    known: Array
+    known: Mask
     notes: tuple[str, ...]
 
 
@@ -59,7 +59,7 @@ def repaired(figure: Figure, time: Array, qpos: Array, place: str) -> Repaired:
     return Repaired(time, qpos, known, tuple(notes))
 
 
-def groups(figure: Figure) -> list[Array]:
+def groups(figure: Figure) -> list[Index]:
     """The columns of qpos that are recorded together: places of roots, quaternions, single joints."""
     tables = figure.tables
     whole = [*tables.position_columns.T, *tables.quaternion_columns.T]
@@ -67,7 +67,7 @@ def groups(figure: Figure) -> list[Array]:
     return [*whole, *single[:, None]]
 
 
-def _name(figure: Figure, columns: Array) -> str:
+def _name(figure: Figure, columns: Index) -> str:
     """What a group of columns belongs to."""
     link = next(link for link in reversed(figure.links[1:]) if link.qpos <= columns[0])
     return f"'{link.name}'"
@@ -83,7 +83,7 @@ def _once(time: Array, qpos: Array, notes: list[str]) -> tuple[Array, Array]:
     return time[~twice], qpos[~twice]
 
 
-def _numbers(figure: Figure, qpos: Array, time: Array, notes: list[str]) -> Array:
+def _numbers(figure: Figure, qpos: Array, time: Array, notes: list[str]) -> Mask:
     """(T, nq) which entries are numbers, quaternions whole and of some length; the others become what is at rest."""
     known = np.isfinite(qpos)
     for columns in groups(figure):
@@ -100,9 +100,7 @@ def _numbers(figure: Figure, qpos: Array, time: Array, notes: list[str]) -> Arra
     return known
 
 
-def _without_rest(
-    figure: Figure, time: Array, qpos: Array, known: Array, notes: list[str]
-) -> tuple[Array, Array, Array]:
+def _without_rest(figure: Figure, time: Array, qpos: Array, known: Mask, notes: list[str]) -> tuple[Array, Array, Mask]:
     """Without the poses before and after the motion that are none of it."""
     first, last = 0, time.size
     if (found := lead_in(figure.model, time, qpos)) is not None:
@@ -122,8 +120,8 @@ def _ending(back: LeadIn, time: Array) -> str:
 
 
 def _filled(
-    figure: Figure, time: Array, qpos: Array, known: Array, notes: list[str], place: str
-) -> tuple[Array, Array, Array]:
+    figure: Figure, time: Array, qpos: Array, known: Mask, notes: list[str], place: str
+) -> tuple[Array, Array, Mask]:
     """With samples that nobody knows where some are missing."""
     step = float(np.median(np.diff(time)))
     missing = np.maximum(np.round(np.diff(time) / step).astype(int) - 1, 0)
@@ -144,7 +142,7 @@ def _filled(
     return time[row] + inside * spacing[row], qpos[row], known[row] & (inside == 0)[:, None]
 
 
-def _jumps(figure: Figure, time: Array, qpos: Array, known: Array, notes: list[str]) -> Array:
+def _jumps(figure: Figure, time: Array, qpos: Array, known: Mask, notes: list[str]) -> Mask:
     """(T, nq) which entries are of a single sample that jumps away and back."""
     out = np.zeros(known.shape, bool)
     for columns in groups(figure):

@@ -73,8 +73,11 @@ def _shipped(saved: Saved) -> str:
 
 
 def _tells_scene(saved: Saved) -> bool:
-    """Whether the tables alone make the scene that the motion is in."""
-    return clips.from_text(saved.text, name=saved.name).mjcf == saved.mjcf
+    """Whether the tables alone make the scene that the motion is in; what they refer to may be gone."""
+    try:
+        return clips.from_text(saved.text, name=saved.name).mjcf == saved.mjcf
+    except UserError:
+        return False
 
 
 def _ends(saved: Saved) -> dict[str, Any]:

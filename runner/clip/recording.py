@@ -17,6 +17,7 @@ from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Near, Rest
+from dynsplines.solver.penalty.motion.near import FINEST
 from dynsplines.solver.problem import Problem
 from dynsplines.solver.reading.recorded import Recorded
 from dynsplines.solver.reading.stances import NEAR, stood
@@ -28,10 +29,12 @@ from ..scene import outside
 from .followed import WEIGHTS, Ground, problem
 from .table import ClipTable, ContactTable, RecordingTable
 
+CLOSE = 0.004  # [s] between frames at least
 RATE = 120.0  # [1/s] at which a motion is taken down
 EASE = 0.4  # [s] before and after a keyframe, where a clip does not say
 DETAIL = 0.02  # of f over a segment that may be left out: less than a millimetre
 MOVED = 0.02  # [m] by which a keyframe puts a point that the recording has standing: it stands there no more
+INNER, MARGIN = 0.75, 6  # of a blend: frames beyond are fixed, so many to its end, for the spline rings on a little
 ROUNDING = 1e-9  # [s]
 NONE = ("hold",)  # tables that a clip with a recording cannot have
 
@@ -40,10 +43,11 @@ NONE = ("hold",)  # tables that a clip with a recording cannot have
 class Followed:
     """A recording in a clip's own time.
 
-    pose  qpos (nq,) at a time [s] of the clip
+    knots  (M,) [s] of its own frames, at which its spline is itself
     """
 
     recorded: Recorded
+    knots: Array
     table: RecordingTable
     place: str
 
@@ -66,16 +70,31 @@ class Followed:
         near = Near(self.recorded, tuple((edit.time, width) for edit in edits))
         read = stood(self.recorded, ground.points, ground.surfaces, NEAR)
         rests = [rest for rest in (Rest(*one) for one in read) if not self._is_void(rest, edits, given, width)]
-        asked = problem(near, ground, [*rests, *given], near.times(DETAIL), edits)
+        asked = problem(near, ground, [*rests, *given], self._times(near, edits), edits)
         weights = [(p, self.table.weight * w if p is near else w) for p, w in asked.penalties]
         keys = [self._kept(frame, edits) for frame in asked.keys]
         return Problem(asked.figure, tuple(keys), tuple(weights), asked.settings), (*rests, *given)
+
+    def _times(self, near: Near, edits: Sequence[Frame]) -> Array:
+        """(M,) [s] of frames: where nothing changes the recording's own, where something does as many as it takes."""
+        times = near.times(DETAIL)
+        if self.table.blend is None:
+            return times
+        reach = INNER * self.table.blend
+        first, last = self.recorded.path.span
+        margin = np.linspace(reach, self.table.blend, MARGIN)
+        beside = [first + FINEST, last - FINEST, *(e.time + way for e in edits for way in (*margin, *-margin))]
+        own = np.concatenate([self.knots, np.clip(beside, first, last)])
+        far = [np.all([np.abs(t - edit.time) >= reach - ROUNDING for edit in edits], axis=0) for t in (times, own)]
+        found = np.unique(np.concatenate([times[~far[0]], own[far[1]]])) if edits else own
+        found = np.unique(np.clip(np.concatenate([[first], found, [last]]), first, last))
+        return found[np.append(True, np.diff(found) > CLOSE)]
 
     def _kept(self, frame: Frame, edits: Sequence[Frame]) -> Frame:
         """A frame of the recording that no keyframe reaches by its blend, fixed."""
         if self.table.blend is None or frame.fixed.any():
             return frame
-        far = all(abs(frame.time - edit.time) >= self.table.blend for edit in edits)
+        far = all(abs(frame.time - edit.time) >= INNER * self.table.blend for edit in edits)
         return Frame.key(frame.time, frame.state) if far else frame
 
     def _is_void(self, rest: Rest, edits: Sequence[Frame], given: Sequence[Rest], width: float) -> bool:
@@ -122,7 +141,9 @@ def followed(table: ClipTable, figure: Figure, folder: Path | None, place: str) 
         raise UserError(f"{where}: '{said.file}' is of another figure: {', '.join(joints[1][:6])}, ...")
     samples = motion.sampled(saved.figure, saved.timeline, max(saved.fps, RATE))
     time, qpos = _cut(samples.time, samples.qpos, said, where)
-    return Followed(Recorded.of(figure, _clip_time(time, said, where), qpos, exact=True), said, place)
+    recorded = Recorded.of(figure, _clip_time(time, said, where), qpos, exact=True)
+    knots = saved.timeline.times
+    return Followed(recorded, _clip_time(knots, said, where, time[0]), said, place)
 
 
 def _unfit(table: ClipTable) -> Iterator[str]:
@@ -151,11 +172,13 @@ def _cut(time: Array, qpos: Array, said: RecordingTable, where: str) -> tuple[Ar
     return time[used], qpos[used]
 
 
-def _clip_time(time: Array, said: RecordingTable, where: str) -> Array:
-    """When samples of the recording come in the clip [s]."""
+def _clip_time(time: Array, said: RecordingTable, where: str, begin: float | None = None) -> Array:
+    """When moments (T,) [s] of the recording, of which the part that is used begins with the first or at `begin`, come
+    in the clip."""
     if said.times is None:
-        at = time[0] if said.at is None else said.at
-        return at + (time - time[0]) / (said.speed or 1.0)
+        first = float(time[0]) if begin is None else begin
+        at = first if said.at is None else said.at
+        return at + (time - first) / (said.speed or 1.0)
     if said.at is not None or said.speed is not None:
         raise UserError(f"{where}: give times, or at and speed, not both")
     own, clip = np.array(said.times, float).reshape(-1, 2).T

@@ -64,7 +64,7 @@ class Recorded:
         """With all free roots moved by (3,) [m]."""
         states = np.array(self.states)
         for columns in self.figure.tables.position_columns.T:
-            states[:, columns] += way
+            states[:, columns] += np.asarray(way, float)
         return replace(self, states=states)
 
     def turned(self, columns: slice, turn: Array) -> Recorded:

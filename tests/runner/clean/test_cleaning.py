@@ -11,6 +11,7 @@ from dynsplines.clean.repairs import repaired
 from dynsplines.motion import samples_at
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import Path, natural_spline
+from dynsplines.solver.penalty import Near
 from dynsplines.solver.reading.recorded import Recorded
 
 FPS = 60.0
@@ -59,7 +60,9 @@ def test_hands_and_feet_are_nearer_to_the_true_motion(take):
     true, before = (
         natural_spline(take.time, Recorded.of(take.figure, take.time, qpos).states) for qpos in (take.qpos, shaken)
     )
-    links = found.problem.penalties[0][0].ends[0]
+    near = found.problem.penalties[0][0]
+    assert isinstance(near, Near)
+    links = near.ends[0]
 
     def off(path: Path) -> float:
         places = [samples_at(take.figure, p, take.time).links.x[:, links] for p in (true, path)]

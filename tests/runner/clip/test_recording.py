@@ -1,0 +1,139 @@
+"""[recording]: keyframes that edit a motion are exact, the rest stays as it was, and its detail is followed."""
+
+from pathlib import Path
+
+import mujoco
+import numpy as np
+import pytest
+import shipped
+from command import commanded
+
+from dynsplines import motion
+from dynsplines.clip import load as clips
+from dynsplines.errors import UserError
+from dynsplines.motion import Saved
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.inbetween import inbetween
+from dynsplines.solver.penalty import Near
+from dynsplines.system.progress import Teller
+
+REACH = """
+figure = "human"
+[scene]
+step = {{x = 2.90, height = 0.35}}
+[recording]
+file = "run.npz"
+{said}
+[[keyframe]]
+time = {time}
+sites.left_hand = {{position = [3.95, 0.3, 1.75]}}
+"""
+BARE = 'figure = "human"\n[recording]\nfile = "run.npz"\n'
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """With run_and_step solved."""
+    out = tmp_path_factory.mktemp("edits")
+    motion.save(shipped.solved("run_and_step").saved(Teller(), with_report=False), out / "run.npz")
+    return out
+
+
+@pytest.fixture(scope="module")
+def saved(folder: Path) -> Saved:
+    return motion.load(folder / "run.npz")
+
+
+def bodies(saved_figure, path, times: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Places (T, n, 3) [m] of bodies and sites, by MuJoCo, and the bodies' rotations (T, n, 9)."""
+    model = saved_figure.model
+    data, places, turns = mujoco.MjData(model), [], []
+    for qpos in saved_figure.to_qpos(path.at(times)):
+        data.qpos[:] = qpos
+        mujoco.mj_normalizeQuat(model, data.qpos)
+        mujoco.mj_kinematics(model, data)
+        places.append(np.concatenate([data.xpos, data.site_xpos]))
+        turns.append(data.xmat.copy())
+    return np.array(places), np.array(turns)
+
+
+@pytest.mark.slow
+def test_a_reach_is_exact_and_changes_nothing_beyond_its_blend(folder, saved):
+    clip = clips.from_text(REACH.format(said="blend = 0.4", time=1.75), name="reach", folder=folder)
+    found = path_of(inbetween(clip.problem).timeline)
+    times = np.linspace(0, 2.2, 221)
+    (own, turned), (true, turned_before) = (bodies(clip.figure, p, times) for p in (found, path_of(saved.timeline)))
+    away = np.abs(times - 1.75) > 0.4 + 1e-6
+    assert np.linalg.norm(own - true, axis=2)[away].max() < 0.001
+    cosine = (np.einsum("tni,tni->tn", turned, turned_before)[away] - 1) / 2
+    assert np.degrees(np.arccos(np.clip(cosine, -1, 1))).max() < 0.5
+    hand = clip.figure.model.nbody + mujoco.mj_name2id(clip.figure.model, mujoco.mjtObj.mjOBJ_SITE, "left_hand")
+    there, _ = bodies(clip.figure, found, np.array([1.75]))
+    np.testing.assert_allclose(there[0, hand], [3.95, 0.3, 1.75], atol=2e-3)
+    key = next(k for k in clip.keys if k.time == 1.75)
+    own_state = clip.figure.to_qpos(found.at(np.array([1.75])))[0]
+    np.testing.assert_allclose(np.abs(own_state[key.fixed]), np.abs(key.state[key.fixed]), atol=1e-12)
+
+
+@pytest.mark.slow
+def test_without_keyframes_the_motion_is_the_recording(folder, saved):
+    clip = clips.from_text(BARE, name="bare", folder=folder)
+    times = np.linspace(0.05, 2.15, 40)
+    paths = path_of(inbetween(clip.problem).timeline), path_of(saved.timeline)
+    own, true = (bodies(clip.figure, path, times)[0] for path in paths)
+    assert np.median(np.linalg.norm(own - true, axis=2)) < 0.01
+
+
+@pytest.mark.parametrize(
+    ("said", "first", "last", "middle"),
+    [
+        ("", 0.0, 2.2, 1.1),
+        ("from = 0.2\nto = 1.2\nat = 5.0", 5.0, 6.0, 0.7),
+        ("from = 0.2\nto = 1.2\nat = 0\nspeed = 2.0", 0.0, 0.5, 0.7),
+        ("times = [[0.0, 0.0], [1.1, 2.0], [2.2, 3.0]]", 0.0, 3.0, None),
+    ],
+)
+def test_what_of_the_recording_comes_when_is_as_the_clip_says(folder, saved, said, first, last, middle):
+    clip = clips.from_text(f"{BARE}{said}", name="cut", folder=folder)
+    assert [clip.keys[0].time, clip.keys[-1].time] == pytest.approx([first, last], abs=0.01)
+    near, figure = clip.problem.penalties[0][0], clip.figure
+    assert isinstance(near, Near)
+    here, there = (2.0, 1.1) if middle is None else ((first + last) / 2, middle)
+    own, wanted = near.recorded.path.at(np.array([here])), path_of(saved.timeline).at(np.array([there]))
+    np.testing.assert_allclose(np.abs(figure.to_qpos(own)), np.abs(figure.to_qpos(wanted)), atol=2e-3)
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        (BARE.replace("run.npz", "none.npz"), "none.npz"),
+        (BARE.replace("run.npz", "walk.bvh"), "is no motion file, .npz; `dynsplines clean` or `import`"),
+        (BARE.replace("run.npz", "../run.npz"), "lies outside the clip's folder"),
+        (BARE + "from = 1.0\nto = 9.0", "are no part of it; it lasts from 0 to 2.2 s"),
+        (BARE + "times = [[0, 0], [1, 0]]", "both rise"),
+        (BARE + "times = [[0, 0], [1, 1]]\nspeed = 2", "give times, or at and speed"),
+        (BARE + "wieght = 2", "no key 'wieght'; did you mean 'weight'?"),
+        (BARE.replace("human", "spinner"), "is of another figure"),
+        (BARE + "[[keyframe]]\ntime = 7\n", "is outside the recording, which lasts from 0 to 2.2 s"),
+        (BARE + '[solve]\nends = "periodic"\n', "solve.ends is for clips of keyframes"),
+        (BARE + '[[penalty]]\nkind = "cycle"\n', "beside a recording only weights may be said"),
+        (BARE + '[[contact]]\npoint = "left_hel"\nfrom = 0\nto = 1\n', "contact 1 ('left_hel')"),
+    ],
+)
+def test_what_does_not_fit_is_told(folder, text, told):
+    with pytest.raises(UserError) as refused:
+        clips.from_text(text, name="clip", folder=folder)
+    assert told in str(refused.value), str(refused.value)
+
+
+@pytest.mark.slow
+def test_the_commands_take_it_from_its_folder(folder, tmp_path, monkeypatch, capsys):
+    (folder / "reach.toml").write_text(REACH.format(said="blend = 0.4", time=1.75), encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    command = commanded(monkeypatch, capsys)
+    done = command("solve", folder / "reach.toml", "-o", "reach.npz")
+    assert done.code == 0, done.err
+    again = motion.load(tmp_path / "reach.npz")
+    assert again.timeline.times[-1] == pytest.approx(2.2, abs=0.01)
+    assert command("export", "reach.npz", "-o", "reach.bvh").code == 0
+    assert command("thin", "reach.npz", "-o", "thin.npz").code == 0
