@@ -559,6 +559,39 @@ def clean(
         running.run(found, output, within=bound, overwrite=overwrite, teller=teller)
 
 
+@app.command()
+def retarget(
+    source: Annotated[Path, typer.Argument(metavar="RECORDING", help="a skeleton's motion, such as BVH or AMASS")],
+    to: Annotated[str, typer.Option("--to", help="the figure or robot: a shipped one or MJCF")],
+    output: Output = None,
+    map_file: Annotated[Path | None, typer.Option("--map", help="a TOML file that says who is who")] = None,
+    write_map: Annotated[bool, typer.Option("--write-map", help="write what was found to --map")] = False,
+    kind: Annotated[str | None, typer.Option("--from", help="its format, where the ending does not tell it")] = None,
+    fps: Annotated[float | None, typer.Option(help="images a second, where the file does not tell")] = None,
+    scale: Annotated[float | None, typer.Option(help="the file's unit of length in metres")] = None,
+    scene: Annotated[Path | None, typer.Option(help="a TOML file with [scene]: steps and obstacles of it")] = None,
+    contacts: Annotated[Path | None, typer.Option(help="a TOML file with [[contact]]s, if not those found")] = None,
+    within: Annotated[str | None, typer.Option(help="how far hands, feet and pelvis may move, such as 3cm")] = None,
+    overwrite: OverThere = False,
+    allow_outside: Outside = False,
+) -> None:
+    """A skeleton's motion on another figure, cleaned there: its stances, its ranges, its limbs out of each other."""
+    _without_graphics()
+    from .clean import running
+    from .errors import UserError
+    from .exchange.formats import stem
+    from .system.progress import Teller
+    from .system.quantity import length
+
+    if write_map and map_file is None:
+        raise UserError("--write-map: name the file, --map FILE")
+    bound = None if within is None else length(within, "--within")
+    with Teller() as teller:
+        found = running.Source(source, to, kind, fps, scale, scene, contacts, map_file, write_map, True)
+        target = output or Path(f"{stem(source)}.{Path(to).stem}.npz")
+        running.run(found, target, within=bound, overwrite=overwrite, teller=teller)
+
+
 @app.command(name="formats")
 def list_formats() -> None:
     """The formats of other programs that export writes and import reads."""

@@ -16,7 +16,7 @@ from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import Near, Rest
 from dynsplines.solver.problem import Problem
 from dynsplines.solver.reading.recorded import Recorded
-from dynsplines.solver.reading.settled import settled
+from dynsplines.solver.reading.settled import on_the_ground, settled
 from dynsplines.solver.reading.stances import NEAR, Stood, stood
 from dynsplines.solver.solution import Improvement, Solution
 from dynsplines.solver.surface import static_surfaces
@@ -93,6 +93,7 @@ def cleaned(
     figure = ground.figure
     recorded = Recorded.of(figure, repaired.time, repaired.qpos, _by_state(figure, repaired.known))
     before = natural_spline(recorded.times, np.where(recorded.known > 0, recorded.states, recorded.bridged))
+    recorded = on_the_ground(recorded, ground.points, ground.surfaces)
     stances: Sequence[Stood] = [Stood(one.point, one.first, one.last) for one in given or ()]
     if given is None:
         stances = stood(recorded, ground.points, ground.surfaces)

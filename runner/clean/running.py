@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -20,19 +20,22 @@ from ..clip import load as clips
 from ..clip.followed import Ground
 from ..clip.obstacles import obstacles
 from ..clip.posing.places import Places
-from ..clip.table import ContactTable, SceneTable, SurroundingsTable
+from ..clip.table import ContactTable, MapTable, SceneTable, SurroundingsTable
+from ..clip.text import written
 from ..errors import UserError, unknown
 from ..exchange import formats
 from ..exchange.imported import taken
+from ..exchange.skeleton import retarget
 from ..motion import Saved
 from ..scene.assets import Scene
 from ..scene.compose import Step, compose
-from ..system.output import check_new, check_target
+from ..system.output import Replacement, check_new, check_target
 from ..system.progress import Teller
 from .cleaning import Cleaned, cleaned, ground_of
 from .comparing import Comparison, verdict
 from .repairs import repaired
 
+HEADING = '# Who is who, by role: a body of the figure, a joint of the recording; "" for none.\n'
 NAMED = 6  # stances that are listed of a point
 
 
@@ -43,6 +46,8 @@ class Source:
     figure, kind, fps, scale  as `import` takes them
     scene     a TOML file with [scene], what it was made in, and [[contact]], its stances
     contacts  a TOML file with [[contact]], likewise
+    map       a TOML file that says who is who; it is written if it is not there and `writes_map`
+    apart     limbs are kept out of each other, too
     """
 
     file: Path
@@ -52,6 +57,9 @@ class Source:
     scale: float | None = None
     scene: Path | None = None
     contacts: Path | None = None
+    map: Path | None = None
+    writes_map: bool = False
+    apart: bool = False
 
 
 def run(
@@ -68,7 +76,7 @@ def run(
     check_new(target, overwrite=overwrite)
     around = _around(source)
     found = _read(source, around, teller)
-    result, saved = _cleaned(found, around, within, teller)
+    result, saved = _cleaned(found, around, within, teller, apart=source.apart)
     if form is None:
         motion.save(saved, target)
     else:
@@ -101,7 +109,7 @@ def _target(source: Source) -> Path:
 
 def _around(source: Source) -> SurroundingsTable:
     """The scene, and the contacts, of the two files; each may hold either."""
-    tables = [clips.surroundings(path) for path in (source.scene, source.contacts) if path is not None]
+    tables = [clips.file_of(path, SurroundingsTable) for path in (source.scene, source.contacts) if path is not None]
     scenes = [table.scene for table in tables if table.scene.model_fields_set]
     if len(scenes) > 1:
         raise UserError(f"'{source.scene}' and '{source.contacts}' both hold a [scene]")
@@ -118,18 +126,32 @@ def _read(source: Source, around: SurroundingsTable, teller: Teller) -> _Read:
         saved = motion.load(source.file)
         samples = motion.sampled(saved.figure, saved.timeline, saved.fps)
         return _Read(saved.name, saved.scene, samples.time, samples.qpos, saved.fps)
-    found = taken(source.file, source.kind, figure=source.figure, fps=source.fps, scale=source.scale, teller=teller)
+    chosen = retarget.Map()
+    if source.map is not None and not source.writes_map:
+        told_by = clips.file_of(source.map, MapTable)
+        chosen = retarget.Map(told_by.figure, told_by.recording)
+    with retarget.by(chosen) as met:
+        found = taken(source.file, source.kind, figure=source.figure, fps=source.fps, scale=source.scale, teller=teller)
+    if source.map is not None and not met:
+        raise UserError(f"'{source.file}': its format is already one of the figure's joints; a map says nothing of it")
+    if source.map is not None and source.writes_map:
+        with Replacement(source.map) as temporary:
+            said = {"figure": dict(met[0].figure), "recording": dict(met[0].recording)}
+            temporary.write_text(f"{HEADING}{written(said)}", encoding="utf-8")
+        teller.say(f"wrote {source.map}")
     step = around.scene.step
     scene = compose(found.spec, None if step is None else Step(**step.model_dump()), obstacles(around.scene))
     return _Read(found.name, scene, found.time, found.qpos, found.fps)
 
 
-def _cleaned(found: _Read, around: SurroundingsTable, within: float | None, teller: Teller) -> tuple[Cleaned, Saved]:
+def _cleaned(
+    found: _Read, around: SurroundingsTable, within: float | None, teller: Teller, *, apart: bool
+) -> tuple[Cleaned, Saved]:
     figure = clips.figure_of(found.scene, found.name)
     mended = repaired(figure, found.time, found.qpos, found.name)
     for note in mended.notes:
         teller.say(f"note: {note}")
-    ground = ground_of(figure, mended.qpos)
+    ground = replace(ground_of(figure, mended.qpos), apart=apart)
     given = _given(figure, ground, around.contact, mended.time, found.name) if around.contact else None
 
     def improved(improvement: Improvement) -> None:

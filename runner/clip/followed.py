@@ -8,20 +8,21 @@ square metre, or a square radian, is worth for a second.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.quadrature import Quadrature
-from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.penalty import (
     Contact,
     Footing,
     JointRange,
     Near,
     Penalty,
+    Range,
     Rest,
     Resting,
     SelfContact,
@@ -41,12 +42,13 @@ WEIGHTS = {
     "contact": 1e8,  # 1 for 0.3 mm of depth
     "clearance": 1e8,
     "resting": 1e8,  # 1 for a slide of 2 mm/s
-    "range": 1e5,  # 1 for 0.2°
+    "range": 1e7,  # 1 for 0.02°
     "self": 1e6,
     "support": 1000.0,  # 1 for a third of the weight
 }
 LONGEST_PANEL, POINTS = 0.05, 3  # [s], of Gauss's rule
 TOLERANCE = 1e-2
+INSIDE = 0.01  # [rad, m] of a joint's range that is kept as a margin
 ANKLE = 0.02  # [m] beside a joint's own thickness: what is so near to a sole's link moves with it
 
 
@@ -106,6 +108,14 @@ def penalties_of(ground: Ground, rests: Sequence[Rest]) -> list[Penalty]:
         if figure.tables.free_links.size:
             found.append(Support.of(figure, int(figure.tables.free_links[0]), footings, ()))
     if ranges := joint_ranges(figure):
-        found.append(JointRange(ranges))
+        found.append(JointRange(tuple(map(_inside, ranges))))
     own = SelfContact.of(figure, 0.0) if ground.apart else None
     return [*found, own] if own is not None and own.pairs.size else found
+
+
+def _inside(whole: Range) -> Range:
+    """A little less than a range: what is soft gives a little."""
+    margin = min(INSIDE, 0.1 * (whole.high - whole.low))
+    return replace(
+        whole, low=whole.low + margin * (whole.low != 0 or whole.kind is not JointKind.BALL), high=whole.high - margin
+    )

@@ -56,7 +56,6 @@ from .table import (
     RootTable,
     RotationTable,
     SolveTable,
-    SurroundingsTable,
     Table,
     spoken,
 )
@@ -235,13 +234,13 @@ def table_of(text: str, place: str) -> ClipTable:
     return _tables(text, place, ClipTable)
 
 
-def surroundings(source: Path) -> SurroundingsTable:
-    """What a TOML file says of a recording's scene and contacts; raises UserError for what it cannot."""
+def file_of(source: Path, kind: type[Tables]) -> Tables:
+    """A TOML file that is no clip: a recording's scene and contacts, a map. Raises UserError for what it cannot be."""
     try:
         text = source.read_text(encoding="utf-8-sig")
     except UnicodeDecodeError as error:
         raise UserError(f"{source}: not UTF-8 text (byte {error.start + 1})") from None
-    return _tables(text, source.name, SurroundingsTable)
+    return _tables(text, source.name, kind)
 
 
 def _tables(text: str, place: str, kind: type[Tables]) -> Tables:

@@ -209,6 +209,13 @@ class SurroundingsTable(Table):
     contact: list[ContactTable] = []
 
 
+class MapTable(Table):
+    """Who is who, by role: bodies of a figure, joints of a recording; "" for none."""
+
+    figure: dict[str, str] = {}
+    recording: dict[str, str] = {}
+
+
 class ClipTable(Table):
     """All of a clip's file."""
 

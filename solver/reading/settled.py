@@ -16,10 +16,11 @@ from ..figure.figure import JointKind, quaternion_columns
 from ..figure.kinematics import Samples
 from ..surface import Surface
 from ..surface.heights import height_over
-from ..surface.points import arrays_of
+from ..surface.points import Point, arrays_of
 from .recorded import Recorded
 from .stances import Stood
 
+LOWEST, ELSEWHERE = 2.0, 0.05  # per cent of samples that may be deeper; [m] that a floor is elsewhere
 NOTHING = 0.001  # [m] that is left as it is
 MOST = np.radians(25)  # a sole that is off by more than this stands on its toes
 ENOUGH = 5  # samples in which all of a sole stands
@@ -39,6 +40,18 @@ def settled(recorded: Recorded, stances: Sequence[Stood], surfaces: Sequence[Sur
     standing = np.array([_during(recorded.times, [one for one in stances if one.point is point]) for point in points])
     lift = -float(np.median(height[standing])) if standing.any() else 0.0
     return recorded if abs(lift) < NOTHING else recorded.moved([0, 0, lift])
+
+
+def on_the_ground(recorded: Recorded, points: Sequence[Point], surfaces: Sequence[Surface]) -> Recorded:
+    """Raised or lowered as a whole if it is far in the ground or over it all the time: another's floor is elsewhere."""
+    if not points or not surfaces:
+        return recorded
+    states = recorded.bridged
+    links, positions, radii = arrays_of(points)
+    places, _ = Samples(recorded.figure, states, 0 * states, 0 * states).links.points(links, positions)
+    lowest = np.min([surface.height(places) for surface in surfaces], axis=0) - radii[:, None]
+    lift = -float(np.percentile(lowest.min(axis=0), LOWEST))
+    return recorded.moved([0, 0, lift]) if abs(lift) > ELSEWHERE else recorded
 
 
 def _levelled(recorded: Recorded, stances: Sequence[Stood], link: int) -> Recorded:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -12,7 +13,7 @@ from dynsplines.solver.array import Array
 
 from .. import unsaid
 from .bvh_file import Skeleton
-from .roles import roles
+from .roles import as_said, roles
 
 REACH = 1.25  # [m] from an adult's hips along the bones to the fingertips or toes, about
 UNITS = {"metres": 1.0, "centimetres": 0.01, "millimetres": 0.001}
@@ -26,7 +27,7 @@ class Captured:
     """Joints, parents first (-1 for the root), at equal times.
 
     offset (J, 3) [m] from the parent when nothing is turned, ends {joint: (3,)}, position (T, J, 3) and rotation
-    (T, J, 4) in the world, local (T, J, 4) in the parent's axes; notes on what was guessed
+    (T, J, 4) in the world, local (T, J, 4) in the parent's axes; notes on what was guessed; said, names by role
     """
 
     names: list[str]
@@ -37,6 +38,7 @@ class Captured:
     rotation: Array
     local: Array
     notes: tuple[str, ...] = ()
+    said: Mapping[str, str] = field(default_factory=dict)
 
     @classmethod
     def of(cls, skeleton: Skeleton, scale: float | None = None) -> Captured:
@@ -71,7 +73,7 @@ class Captured:
 
     @cached_property
     def roles(self) -> dict[str, int]:
-        return roles(self.names, self.parents)
+        return as_said(roles(self.names, self.parents), self.said, self.names, "recording")
 
     @cached_property
     def at_zero(self) -> Array:

@@ -9,7 +9,10 @@ bend in the motion itself; hips and shoulders give those of pelvis and chest.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
+from dataclasses import dataclass, field, replace
 
 import mujoco
 import numpy as np
@@ -20,7 +23,7 @@ from dynsplines.solver.array import Array
 from ...errors import UserError
 from . import hierarchy
 from .captured import Captured
-from .roles import lineage, roles
+from .roles import as_said, lineage, roles
 
 NEEDED = ("left_thigh", "right_thigh", "left_shin", "right_shin")
 NEXT = {
@@ -70,9 +73,43 @@ class _Standing:
         return quat.rotated(self.turn[body], points[np.argmax(np.linalg.norm(points, axis=1))])
 
 
+@dataclass(frozen=True)
+class Map:
+    """Who is who: the name of a body of the figure, and of a joint of the recording, by role; "" for none."""
+
+    figure: Mapping[str, str] = field(default_factory=dict)
+    recording: Mapping[str, str] = field(default_factory=dict)
+
+
+_map: ContextVar[Map] = ContextVar("map", default=Map())  # noqa: B039 - never changed
+_met: ContextVar[list[Map] | None] = ContextVar("met", default=None)
+
+
+@contextmanager
+def by(chosen: Map) -> Iterator[list[Map]]:
+    """In here recordings come on to figures by a map, where that says anything; gives those that were used."""
+    before, met = _map.set(chosen), list[Map]()
+    noted = _met.set(met)
+    try:
+        yield met
+    finally:
+        _map.reset(before)
+        _met.reset(noted)
+
+
 def onto(captured: Captured, model: mujoco.MjModel, place: str) -> tuple[Array, tuple[str, ...]]:
     """qpos (T, nq) of the figure, and notes; place is how errors call the file."""
-    standing = _Standing.of(model)
+    standing, chosen = _Standing.of(model), _map.get()
+    standing = replace(standing, roles=as_said(standing.roles, chosen.figure, hierarchy.names(model), "figure"))
+    captured = replace(captured, said=chosen.recording)
+    if (met := _met.get()) is not None:
+        names = hierarchy.names(model)
+        met.append(
+            Map(
+                {role: names[body] for role, body in standing.roles.items()},
+                {role: captured.names[joint] for role, joint in captured.roles.items()},
+            )
+        )
     for what, found in (("the figure's bodies", standing.roles), ("the file's joints", captured.roles)):
         missing = [role for role in NEEDED if role not in found]
         if missing:

@@ -6,7 +6,9 @@ Words as in the skeletons of CMU, Mixamo, LAFAN1, SFU, ACCAD, Unreal, 3ds Max' B
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+
+from ...errors import UserError, unknown
 
 SIDES = {"left": "left", "l": "left", "lft": "left", "right": "right", "r": "right", "rgt": "right", "rt": "right"}
 WORDS = {
@@ -31,6 +33,9 @@ EITHER = {
 }
 ONWARD = {"upper_arm": "forearm", "forearm": "hand", "thigh": "shin", "shin": "foot", "foot": "toe"}  # along a limb
 KNOWN = {word for words in WORDS.values() for word in words} | set(EITHER)
+ROLES = ("pelvis", "chest", *MIDDLE, *(f"{side}_{role}" for side in ("left", "right") for role in WORDS))
+AXES = {"pitch", "roll", "yaw"}  # robots have a body for each: hip pitch, hip roll, hip yaw
+FILLING = {"link", "joint", "body", *AXES}
 PREFIX = re.compile(
     r"^(.*[:|])|^(mixamorig\d*|bip\d*|bip\d+|character\d*|b|def|org|skel|bone|jnt)[ _](?=.)", re.IGNORECASE
 )
@@ -43,6 +48,7 @@ def split(name: str) -> tuple[str | None, str]:
     while before != name:
         before, name = name, PREFIX.sub("", name)
     words = [word.lower() for word in SPLIT.findall(name)]
+    words = [word for word in words if word not in FILLING] or words
     for i, word in enumerate(words):
         if word in SIDES and len(words) > 1:
             return SIDES[word], "".join(words[:i] + words[i + 1 :])
@@ -61,6 +67,7 @@ def roles(names: Sequence[str], parents: Sequence[int]) -> dict[str, int]:
     hang beside the skeleton's in some files, "L_Humerus" beside "LeftArm".
     """
     parts = [split(name) for name in names]
+    hinged = [bool(AXES.intersection(word.lower() for word in SPLIT.findall(name))) for name in names]
     found: dict[str, int] = {}
     for side in ("left", "right"):
         on = {role: _going_on(role, side, parts, parents) for role in WORDS}
@@ -77,6 +84,10 @@ def roles(names: Sequence[str], parents: Sequence[int]) -> dict[str, int]:
                     break
     for role, words in MIDDLE.items():
         _first(found, role, [i for i, (side, word) in enumerate(parts) if side is None and word in words])
+    for role, first in found.items():  # of bodies that turn a hip one after the other, the last is the thigh
+        same = [i for i, part in enumerate(parts) if part == parts[first] and hinged[i]]
+        if hinged[first] and all(first in lineage(i, parents) for i in same):
+            found[role] = max(same, key=lambda i: len(lineage(i, parents)))
     for role, limb in (("pelvis", "thigh"), ("chest", "upper_arm")):
         ends = [found[f"{side}_{limb}"] for side in ("left", "right") if f"{side}_{limb}" in found]
         if len(ends) == 2:
@@ -84,6 +95,21 @@ def roles(names: Sequence[str], parents: Sequence[int]) -> dict[str, int]:
             if shared:
                 found[role] = _trunk(role, shared, [word for _, word in parts])
     return found
+
+
+def as_said(found: Mapping[str, int], said: Mapping[str, str], names: Sequence[str], whose: str) -> dict[str, int]:
+    """Indices by role, as a map has them: a name, or "" for none; raises UserError for a name or role that is not
+    there."""
+    out = dict(found)
+    for role, name in said.items():
+        if role not in ROLES:
+            raise UserError(f"map: {whose}: {unknown('role', role, ROLES)}")
+        out.pop(role, None)
+        if name:
+            if name not in names:
+                raise UserError(f"map: {whose}.{role}: {unknown('body', name, names)}")
+            out[role] = list(names).index(name)
+    return out
 
 
 def _trunk(role: str, shared: list[int], words: list[str]) -> int:
