@@ -40,6 +40,7 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "scene": "what stands about",
             "contact": "points that rest",
             "hold": "hands that hold on",
+            "recording": "a motion that is followed; keyframes edit it",
             "penalty": "soft constraints that differ from the defaults",
             "solve": "how the search goes",
         },
@@ -97,6 +98,19 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
     "[[scene.box]]": (table.BoxTable, {"size": "m, all of it, along x, y and z"} | OBSTACLE),
     "[[scene.sphere]]": (table.SphereTable, {"radius": "m"} | OBSTACLE),
     "[[scene.capsule]], [[scene.cylinder]]": (table.BarTable, BAR),
+    "[recording]": (
+        table.RecordingTable,
+        {
+            "file": "a motion, `.npz`, beside the clip",
+            "from": "s of the recording, what is used of it",
+            "to": "s",
+            "at": "s of the clip, when that begins; else as in the recording",
+            "speed": "times as fast",
+            "times": "pairs of moments, s of the recording and of the clip, instead of `at` and `speed`",
+            "weight": "how much the recording counts",
+            "blend": "s before and after every keyframe, beyond which nothing changes",
+        },
+    ),
     "[solve]": (
         table.SolveTable,
         {

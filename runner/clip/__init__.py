@@ -7,6 +7,8 @@ file         a motion as a clip's file again
 mirror       left and right exchanged in a clip's tables, in the words of the file
 constraints  a clip's soft constraints by kind
 contacts     a clip's [[contact]] tables: which point rests from when to when, and where if anybody says so
+recording    a clip's [recording]: a motion that the clip follows, and that its keyframes edit
+followed     what a motion that follows a recording is to keep beside it
 obstacles    the obstacles that a clip's [scene] tables describe
 holds        a clip's [[hold]] tables: which site stays where on which body, from when to when
 things       things of a clip's scene that move, a crate or a ball
