@@ -91,11 +91,11 @@ def _numbers(figure: Figure, qpos: Array, time: Array, notes: list[str]) -> Mask
         if columns.size == 4:
             fine &= np.linalg.norm(np.where(known[:, columns], qpos[:, columns], 0.0), axis=1) > 1e-6
         known[:, columns] = fine[:, None]
-    bad = ~known.all(axis=1)
-    if bad.any():
+    bad = np.flatnonzero(~known.all(axis=1))
+    if bad.size:
         joints = [_name(figure, columns) for columns in groups(figure) if not known[:, columns].all()]
         whose = ", ".join(joints[:3]) + (f" and {len(joints) - 3} more" if len(joints) > 3 else "")
-        notes.append(f"{int(bad.sum())} samples of {whose} hold no numbers, first at {time[bad][0]:.3f} s: bridged")
+        notes.append(f"{bad.size} samples of {whose} hold no numbers, first at {time[bad[0]]:.3f} s: bridged")
     np.copyto(qpos, np.asarray(figure.model.qpos0), where=~known)
     return known
 

@@ -1,0 +1,140 @@
+"""`dynsplines retarget`: a person's walk on a robot of hinges stands, bends, stays in its ranges; maps; bad input."""
+
+from pathlib import Path
+
+import mujoco
+import numpy as np
+import pytest
+import shipped
+from android import ANDROID
+from command import Command, commanded
+
+from dynsplines import motion
+from dynsplines.edit.edits import repeated
+from dynsplines.exchange import formats
+from dynsplines.exchange.skeleton import hierarchy
+from dynsplines.exchange.skeleton.roles import roles
+from dynsplines.motion import Saved
+from dynsplines.system.progress import Teller
+
+
+@pytest.fixture(scope="module")
+def files(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with a walk of two periods as BVH, and the robot."""
+    folder = tmp_path_factory.mktemp("robot")
+    saved = shipped.solved("walk_loop").saved(Teller(), with_report=False)
+    formats.export(repeated(saved, 2), "bvh", folder / "walk.bvh", fps=60)
+    (folder / "android.xml").write_text(ANDROID, encoding="utf-8")
+    return folder
+
+
+@pytest.fixture
+def command(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Command:
+    return commanded(monkeypatch, capsys)
+
+
+@pytest.fixture(scope="module")
+def walked(files: Path) -> Saved:
+    """The walk on the robot."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(files)
+        from dynsplines.clean import running
+
+        source = running.Source(Path("walk.bvh"), "android.xml", apart=True)
+        running.run(source, Path("out.npz"), overwrite=True, teller=Teller())
+        return motion.load(Path("out.npz"))
+
+
+def played(saved: Saved, fps: float = 120.0) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Times, qpos, and the soles' lowest points (T, 8, 3) [m], by MuJoCo."""
+    samples, model = motion.sampled(saved.figure, saved.timeline, fps), saved.figure.model
+    soles = [i for i in range(model.ngeom) if "_sole_" in model.geom(i).name]
+    data, out = mujoco.MjData(model), []
+    for row in samples.qpos:
+        data.qpos[:] = row
+        mujoco.mj_kinematics(model, data)
+        out.append(data.geom_xpos[soles] - [0, 0, 0.01])
+    return samples.time, samples.qpos, np.array(out)
+
+
+def test_bodies_that_turn_one_joint_after_the_other_are_one_limb():
+    model = mujoco.MjModel.from_xml_string(ANDROID)
+    names, parents = hierarchy.names(model)[1:], [int(p) - 1 for p in model.body_parentid[1:]]
+    found = {role: names[body] for role, body in roles(names, parents).items()}
+    assert found["left_thigh"] == "left_hip_yaw_link"
+    assert found["right_shin"] == "right_knee_link"
+    assert found["right_foot"] == "right_ankle_roll_link"
+    assert found["left_upper_arm"] == "left_shoulder_yaw_link"
+    assert found["left_forearm"] == "left_elbow_link"
+    assert found["left_hand"] == "left_wrist_roll_link"
+    assert (found["pelvis"], found["chest"]) == ("pelvis", "torso_link")
+
+
+@pytest.mark.slow
+def test_the_robot_walks_on_the_ground_in_its_ranges(walked):
+    time, qpos, soles = played(walked)
+    model = walked.figure.model
+    assert soles[..., 2].min() > -0.002
+    speed = np.linalg.norm(np.gradient(soles, time, axis=0), axis=2)
+    low = np.sort(soles[..., 2], axis=1)[:, 0]
+    assert np.mean(low < 0.01) > 0.8
+    assert np.median(speed.min(axis=1)) < 0.02
+    for joint in range(1, model.njnt):
+        if model.jnt_limited[joint]:
+            values = qpos[:, model.jnt_qposadr[joint]]
+            first, last = model.jnt_range[joint]
+            assert first - 1e-4 <= values.min() <= values.max() <= last + 1e-4, model.joint(joint).name
+
+
+@pytest.mark.slow
+def test_it_goes_as_far_as_its_legs_are_long(walked, files):
+    source = shipped.solved("walk_loop").motion.timeline
+    far = 2 * (source.states[-1, 0] - source.states[0, 0])
+    _, qpos, _ = played(walked)
+    own = qpos[-1, 0] - qpos[0, 0]
+    assert own == pytest.approx(0.68 / 0.85 * far, rel=0.2)
+    knee = walked.figure.model.joint("left_knee").qposadr[0]
+    assert np.degrees(np.ptp(qpos[:, knee])) > 30
+
+
+@pytest.mark.slow
+def test_a_map_is_written_read_back_and_obeyed(command, files, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    words = ["retarget", files / "walk.bvh", "--to", files / "android.xml"]
+    done = command(*words, "--map", "who.toml", "--write-map", "-o", "a.npz")
+    assert done.code == 0, done.err
+    text = (tmp_path / "who.toml").read_text(encoding="utf-8")
+    assert 'left_thigh = "left_hip_yaw_link"' in text
+    changed = text.replace('left_forearm = "left_elbow_link"', 'left_forearm = ""', 1)
+    (tmp_path / "less.toml").write_text(changed, encoding="utf-8")
+    done = command(*words, "--map", "less.toml", "-o", "b.npz")
+    assert done.code == 0, done.err
+    saved = motion.load(tmp_path / "b.npz")
+    elbow = saved.figure.model.joint("left_elbow").qposadr[0]
+    assert np.degrees(np.ptp(played(saved)[1][:, elbow])) < 6
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ('[figure]\nleft_thigh = "left_hip_yaw"\n', "map: figure.left_thigh: no body 'left_hip_yaw'"),
+        ('[recording]\nleft_thig = "x"\n', "map: recording: no role 'left_thig'; did you mean 'left_thigh'?"),
+        ("[bones]\nx = 1\n", "no key 'bones'. Keys: figure, recording"),
+        ("[figure]\nleft_thigh = 3\n", "who.toml"),
+    ],
+)
+def test_a_map_of_what_is_not_there_is_told(command, files, tmp_path, monkeypatch, text, told):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "who.toml").write_text(text, encoding="utf-8")
+    done = command("retarget", files / "walk.bvh", "--to", files / "android.xml", "--map", "who.toml")
+    assert done.code == 2
+    assert told in done.last, done.last
+    assert not (tmp_path / "walk.android.npz").exists()
+
+
+def test_what_has_no_legs_or_no_skeleton_is_told(command, files, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    done = command("retarget", files / "walk.bvh", "--to", "spinner")
+    assert done.code == 2
+    assert "none is a left thigh" in done.last
+    assert command("retarget", files / "walk.bvh", "--to", "spinner", "--write-map").last.endswith("--map FILE")
