@@ -1,0 +1,245 @@
+"""Recordings with faults added, cleaned: how near the truth comes back, what skates, sinks and hovers, stances found.
+
+The true motions are the people's clips that ship, solved; or, with DYNSPLINES_TRUTH=FOLDER, those of a folder: NAME.npz
+with time (T,) and qpos (T, nq) beside NAME.xml. Faults, all at once and at 30 images a second: the root slides at
+5 cm/s, in a direction that goes round once in four seconds or (a second row) straight on, sinks and hovers by 2 cm for
+a second each, every axis of its place and of every rotation has white noise of 1 cm and 2°, two gaps of ten images, a
+T-pose of half a second in front.
+"""
+
+from __future__ import annotations
+
+import io
+import os
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from bench import Effort, Section, Target, people
+from rich.console import Console
+
+from dynsplines import kept
+from dynsplines.clean.cleaning import Cleaned, cleaned, ground_of
+from dynsplines.clean.repairs import repaired
+from dynsplines.clip import load as clips
+from dynsplines.clip.followed import Ground
+from dynsplines.exchange.skeleton import hierarchy
+from dynsplines.exchange.skeleton.roles import roles
+from dynsplines.measure.measures import turning, turns
+from dynsplines.motion import sampled, samples_at
+from dynsplines.scene.compose import compose, figure_spec
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array, Mask
+from dynsplines.solver.curve.spline import Path as Curve
+from dynsplines.solver.figure.figure import Figure, quaternion_columns
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.penalty import Near
+from dynsplines.solver.reading.recorded import Recorded
+from dynsplines.solver.surface.heights import height_over
+from dynsplines.solver.surface.points import places_of
+from dynsplines.system.progress import Teller
+
+FPS = 30.0
+SLIDE, ROUND_IN = 0.05, 4.0  # [m/s], [s]
+SINK, EVERY = 0.02, 1.0  # [m], [s]
+METRES, DEGREES = 0.01, 2.0  # of noise, an axis
+GAPS, GAP, TPOSE = 2, 10, 15  # how many, of so many images each; images
+STILL, LOW = 0.35, 0.06  # [m/s], [m] of a point that rests, in the truth
+LEAST = 4  # images of a stance that counts
+NEAR, SKATE, DEPTH, HOVER, PEAK, FOUND, FALSE = 0.6, 4.0, 2.0, 5.0, 1.5, 0.9, 0.1
+
+
+@dataclass(frozen=True, eq=False)
+class Truth:
+    """A figure's true motion: time (T,) [s] from 0 on, qpos (T, nq)."""
+
+    name: str
+    figure: Figure
+    time: Array
+    qpos: Array
+
+
+def truths(effort: Effort) -> Iterator[Truth]:
+    """Those of the folder, or those that ship."""
+    folder = os.environ.get("DYNSPLINES_TRUTH")
+    if folder is not None:
+        for file in sorted(Path(folder).glob("*.npz")):
+            scene = compose(figure_spec(str(file.with_suffix(".xml"))))
+            data = np.load(file)
+            yield Truth(file.stem, clips.figure_of(scene, file.stem), data["time"] - data["time"][0], data["qpos"])
+        return
+    for name in people()[: effort.count(20, 2)]:
+        clip = clips.load(name)
+        motion = kept.solved(clip, Teller(Console(file=io.StringIO()))).motion
+        at = sampled(clip.figure, motion.timeline, FPS)
+        yield Truth(name, clip.figure, at.time - at.time[0], at.qpos)
+
+
+def faulty(truth: Truth, rng: np.random.Generator, *, straight: bool) -> tuple[Array, Array]:
+    """Times and qpos of the bad recording, the gaps left out, the T-pose before 0."""
+    qpos, since = truth.qpos.copy(), truth.time
+    angle = 2 * np.pi / ROUND_IN * since + rng.uniform(0, 2 * np.pi)
+    way = (
+        np.stack([np.sin(angle) - np.sin(angle[0]), np.cos(angle[0]) - np.cos(angle)], axis=1) * ROUND_IN / (2 * np.pi)
+    )
+    if straight:
+        way = since[:, None] * np.array([np.cos(angle[0]), np.sin(angle[0])])
+    qpos[:, :2] += SLIDE * way
+    qpos[:, 2] += SINK * np.where(np.floor(since / EVERY) % 2, 1, -1)
+    qpos[:, :3] += rng.normal(0, METRES, (len(qpos), 3))
+    for link in truth.figure.links[1:]:
+        columns = quaternion_columns(link)
+        if columns is not None:
+            noise = quat.from_rotation_vector(rng.normal(0, np.radians(DEGREES), (len(qpos), 3)))
+            qpos[:, columns] = quat.product(qpos[:, columns], noise)
+    keep = np.ones(len(qpos), bool)
+    for k in range(GAPS if len(qpos) > 4 * GAP else 0):
+        first = len(qpos) * (k + 1) // (GAPS + 1)
+        keep[first : first + GAP] = False
+    spread = np.tile(t_pose(truth), (TPOSE, 1))
+    before = (np.arange(TPOSE) - TPOSE) / FPS
+    return np.concatenate([before, since[keep]]), np.vstack([spread, qpos[keep]])
+
+
+def t_pose(truth: Truth) -> Array:
+    """qpos (nq,) at rest, with the arms out."""
+    model, qpos = truth.figure.model, np.array(truth.figure.model.qpos0)
+    qpos[:2] = truth.qpos[0, :2]
+    found = roles(hierarchy.names(model)[1:], [int(p) - 1 for p in model.body_parentid[1:]])
+    for side, turn in (("left", 90.0), ("right", -90.0)):
+        body = 1 + found[f"{side}_upper_arm"]
+        link = truth.figure.links[truth.figure.body_link[body]]
+        columns = quaternion_columns(link)
+        if columns is not None:
+            qpos[columns] = quat.from_rotation_vector(np.radians([turn, 0.0, 0.0]))
+    return qpos
+
+
+def resting(truth: Truth, ground: Ground) -> Mask:
+    """(p, T) which points of the soles truly rest."""
+    states = truth.figure.to_state(truth.qpos)
+    places, height = soles(truth.figure, ground, states)
+    speed = np.linalg.norm(np.gradient(places, truth.time, axis=2), axis=0)
+    return (speed < STILL) & (height < LOW)
+
+
+def soles(figure: Figure, ground: Ground, states: Array) -> tuple[Array, Array]:
+    """Places (3, p, T) and heights (p, T) [m] of the points of the soles."""
+    places, _, _ = places_of(ground.points, Samples(figure, states, 0 * states, 0 * states))
+    return places, height_over(ground.surfaces, places, np.array([point.radius for point in ground.points]))[0]
+
+
+@dataclass(frozen=True)
+class Score:
+    """What came of one recording."""
+
+    before: float
+    after: float
+    skate: float
+    own_skate: float
+    depth: float
+    hover: float
+    peak: float
+    found: tuple[int, int]
+    false: tuple[int, int]
+    speed: float
+
+
+def ends(figure: Figure, states: Array, found: Cleaned) -> Array:
+    """(3, n, T) [m] hands and feet."""
+    near = found.problem.penalties[0][0]
+    assert isinstance(near, Near)
+    links, positions = near.ends
+    return Samples(figure, states, 0 * states, 0 * states).links.points(links, positions)[0]
+
+
+def scored(truth: Truth, rng: np.random.Generator, *, straight: bool) -> Score:
+    figure = truth.figure
+    when, bad = faulty(truth, rng, straight=straight)
+    begin = time.perf_counter()
+    mended = repaired(figure, when, bad.copy(), truth.name)
+    ground = ground_of(figure, mended.qpos)
+    found = cleaned(ground, mended)
+    spent = time.perf_counter() - begin
+    here = (truth.time >= found.before.span[0]) & (truth.time <= found.before.span[1])
+    t = truth.time[here]
+    after, before = found.after.at(t), found.before.at(t)
+    true = figure.to_state(truth.qpos[here])
+    wanted = ends(figure, true, found)
+    off = [float(np.linalg.norm(ends(figure, s, found) - wanted, axis=0).mean()) for s in (before, after)]
+    rests = resting(Truth(truth.name, figure, t, truth.qpos[here]), ground)
+    both = rests[:, 1:] & rests[:, :-1]
+    skates = [
+        float(np.linalg.norm(np.diff(soles(figure, ground, s)[0][:2], axis=2), axis=0)[both].mean() * FPS) if both.any()
+        else 0.0 for s in (after, true)
+    ]  # fmt: skip
+    fine = np.linspace(t[0], t[-1], 4 * t.size)
+    _, heights = soles(figure, ground, found.after.at(fine))
+    stand = np.zeros((len(ground.points), t.size), bool)
+    hover = 0.0
+    for rest in found.rests:
+        row = ground.points.index(rest.point)
+        stand[row] |= (t >= rest.first) & (t <= rest.last)
+        hover = max(hover, float(heights[row, (fine >= rest.first) & (fine <= rest.last)].max(initial=0.0)))
+    peaks = [peak(figure, path, fine) for path in (found.after, Recorded.of(figure, truth.time, truth.qpos).path)]
+    return Score(
+        *off, *skates, max(-float(heights.min(initial=0.0)), 0.0), hover, peaks[0] / peaks[1],
+        _hits(rests, stand, LEAST), _false(rests, stand), float((t[-1] - t[0]) / spent),
+    )  # fmt: skip
+
+
+def peak(figure: Figure, path: Curve, t: Array) -> float:
+    """[rad/s²] the largest acceleration of a joint."""
+    return float(turns(samples_at(figure, path, t))[turning(figure)].max())
+
+
+def _runs(row: Mask) -> list[tuple[int, int]]:
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], row.astype(int), [0]])))
+    return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
+
+
+def _hits(true: Mask, said: Mask, least: int) -> tuple[int, int]:
+    """How many true stances are found for half of their time at least, and how many there are."""
+    every = [(i, a, b) for i, row in enumerate(true) for a, b in _runs(row) if b - a >= least]
+    return sum(said[i, a:b].mean() >= 0.5 for i, a, b in every), len(every)
+
+
+def _false(true: Mask, said: Mask) -> tuple[int, int]:
+    """How many of the stances found are none for half of their time, two images about them let pass; and how many."""
+    every = [(i, a, b) for i, row in enumerate(said) for a, b in _runs(row)]
+    return sum(true[i, max(a - 2, 0) : b + 2].mean() < 0.5 for i, a, b in every), len(every)
+
+
+def measure(effort: Effort) -> Section:
+    section = Section(
+        "Recordings with faults added, cleaned with defaults: beside the truth.",
+        ("clip", "drift", "hands, feet off [cm]", "after | before", "skate [cm/s]", "the body's own", "deepest [mm]",
+         "hover [mm]", "peak | true", "stances found", "false", "× real time"),
+    )  # fmt: skip
+    every: dict[str, list[Score]] = {"round": [], "straight": []}
+    for truth in truths(effort):
+        for drift, scores in every.items():
+            effort.tell(f"{truth.name}, {drift}")
+            s = scored(truth, np.random.default_rng(1), straight=drift == "straight")
+            scores.append(s)
+            section.add(
+                truth.name, drift, f"{100 * s.before:.1f} -> {100 * s.after:.1f}", s.after / s.before, 100 * s.skate,
+                100 * s.own_skate, 1000 * s.depth, 1000 * s.hover, s.peak, f"{s.found[0]} of {s.found[1]}",
+                f"{s.false[0]} of {s.false[1]}", s.speed,
+            )  # fmt: skip
+    for drift, scores in every.items():
+        found, false = (np.sum([getattr(s, of) for s in scores], axis=0) for of in ("found", "false"))
+        section.targets += [
+            Target(f"{drift}: distance of hands and feet, after | before",
+                   float(np.mean([s.after / s.before for s in scores])), NEAR),
+            Target(f"{drift}: skate while truly resting", 100 * float(np.mean([s.skate for s in scores])), SKATE,
+                   unit="cm/s"),
+            Target(f"{drift}: deepest sole", 1000 * max(s.depth for s in scores), DEPTH, unit="mm"),
+            Target(f"{drift}: hover of resting soles", 1000 * max(s.hover for s in scores), HOVER, unit="mm"),
+            Target(f"{drift}: peak joint acceleration | the true one", max(s.peak for s in scores), PEAK),
+            Target(f"{drift}: share of true stances found", float(found[0] / max(found[1], 1)), FOUND, least=True),
+            Target(f"{drift}: share of stances that are none", float(false[0] / max(false[1], 1)), FALSE),
+        ]  # fmt: skip
+    return section
