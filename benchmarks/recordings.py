@@ -24,7 +24,7 @@ from dynsplines import kept
 from dynsplines.clean.cleaning import Cleaned, cleaned, ground_of
 from dynsplines.clean.repairs import repaired
 from dynsplines.clip import load as clips
-from dynsplines.clip.followed import Ground
+from dynsplines.clip.follow.keeping import Ground
 from dynsplines.exchange.skeleton import hierarchy
 from dynsplines.exchange.skeleton.roles import roles
 from dynsplines.measure.measures import turning, turns

@@ -21,7 +21,7 @@ from dynsplines.solver.reading.stances import NEAR, Stood, stood
 from dynsplines.solver.solution import Improvement, Solution
 from dynsplines.solver.surface import static_surfaces
 
-from ..clip.followed import Ground, problem
+from ..clip.follow.keeping import Ground, problem
 from ..clip.posing.feet import sole_points
 from .repairs import Repaired
 

@@ -17,7 +17,7 @@ from dynsplines.solver.penalty import JointRange, Support, joint_ranges
 from dynsplines.solver.surface.heights import height_over
 from dynsplines.solver.surface.points import places_of
 
-from ..clip.followed import Ground
+from ..clip.follow.keeping import Ground
 from ..measure.measures import turning, turns
 from .cleaning import Cleaned, Verdict
 

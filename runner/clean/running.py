@@ -17,7 +17,7 @@ from dynsplines.solver.solution import Improvement
 
 from .. import motion
 from ..clip import load as clips
-from ..clip.followed import Ground
+from ..clip.follow.keeping import Ground
 from ..clip.obstacles import obstacles
 from ..clip.posing.places import Places
 from ..clip.table import ContactTable, MapTable, SceneTable, SurroundingsTable

@@ -7,8 +7,6 @@ file         a motion as a clip's file again
 mirror       left and right exchanged in a clip's tables, in the words of the file
 constraints  a clip's soft constraints by kind
 contacts     a clip's [[contact]] tables: which point rests from when to when, and where if anybody says so
-recording    a clip's [recording]: a motion that the clip follows, and that its keyframes edit
-followed     what a motion that follows a recording is to keep beside it
 obstacles    the obstacles that a clip's [scene] tables describe
 holds        a clip's [[hold]] tables: which site stays where on which body, from when to when
 things       things of a clip's scene that move, a crate or a ball
@@ -19,4 +17,5 @@ standing     what a partial keyframe leaves free is posed before the search: fee
 couplings    equality constraints of a model as a clip keeps them
 rotation     rotations as a clip file writes them
 starter      a clip to begin with, for any model
+follow/      a clip that follows a recording, and whose keyframes edit it
 """

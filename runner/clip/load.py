@@ -39,7 +39,8 @@ from ..scene.configuration import first_wrong
 from .constraints import chosen, constraints, posing_bends
 from .contacts import Contacts, rests
 from .context import Context
-from .followed import Ground
+from .follow.keeping import Ground
+from .follow.recording import Followed, followed
 from .holds import asked
 from .obstacles import obstacles
 from .posing.couplings import complaints, follow
@@ -48,7 +49,6 @@ from .posing.places import Places
 from .posing.placing import check_search, wanted, with_pose
 from .posing.rotation import quaternion_of
 from .posing.standing import Stander
-from .recording import Followed, followed
 from .table import (
     ROTATION,
     ClipTable,

@@ -31,6 +31,8 @@ def mirrored_tables(clip: dict[str, Any], figure: Figure, mirror: Mirror) -> dic
         mirror.states(rest), rest, atol=1e-9
     ):
         raise UserError("the figure's rest is no mirror image of itself: say every joint instead of others = 'rest'")
+    if "recording" in clip:
+        raise UserError("recording: what a clip follows has no mirror image in it; mirror the solved motion instead")
     places = Places(figure, sole_points(figure, np.zeros((0, figure.width))))
     out: dict[str, Any] = clip | {"keyframe": [_keyframe(row, places, mirror) for row in clip["keyframe"]]}
     if "scene" in clip:
@@ -92,9 +94,14 @@ def _body(name: str, table: dict[str, Any], places: Places) -> dict[str, Any]:
     if table.get("position") is not None:
         out["position"] = _signed(table["position"], POLAR)
     if table.get("at") is not None:
-        own, other = (_turn_at_rest(places.figure.model, places.body(which)) for which in (name, _other(name, places)))
-        out["at"] = (other.T @ (POLAR * (own @ np.array(table["at"], float)))).tolist()
+        out["at"] = _on_the_other(name, table["at"], places)
     return out
+
+
+def _on_the_other(name: str, vector: Sequence[float], places: Places) -> list[float]:
+    """A vector in a body's axes as the body on the other side has it."""
+    own, other = (_turn_at_rest(places.figure.model, places.body(which)) for which in (name, _other(name, places)))
+    return (other.T @ (POLAR * (own @ np.array(vector, float)))).tolist()
 
 
 def _turn_at_rest(model: mujoco.MjModel, body: int | None) -> Array:
@@ -105,9 +112,15 @@ def _turn_at_rest(model: mujoco.MjModel, body: int | None) -> Array:
 
 
 def _renamed(entry: dict[str, Any], places: Places) -> dict[str, Any]:
-    """A penalty for the points and joints of the other side."""
-    lists = {key: [_other(name, places) for name in entry[key]] for key in ("points", "joints") if entry.get(key)}
-    return entry | lists
+    """A penalty for the points, joints and bodies of the other side, an axis of these in their own axes there."""
+    sides = ("points", "joints", "bodies")
+    out = entry | {key: [_other(name, places) for name in entry[key]] for key in sides if entry.get(key)}
+    if entry.get("axis") is None or not entry.get("bodies"):
+        return out
+    axes = [_on_the_other(name, entry["axis"], places) for name in entry["bodies"]]
+    if not np.allclose(axes, axes[0], atol=1e-9):
+        raise UserError(f"penalty '{entry['kind']}': bodies that are turned differently share no mirrored axis")
+    return out | {"axis": axes[0]}
 
 
 def _keyframe(row: dict[str, Any], places: Places, mirror: Mirror) -> dict[str, Any]:

@@ -291,8 +291,8 @@ def _walked(location: tuple[int | str, ...], raw: Any) -> tuple[list[str], list[
 
 def _role(words: list[str], names: list[str]) -> str:
     """What kind of entry a key is: joints have names of their own."""
-    if words and words[0].startswith("penalty") and names[:1] in (["joints"], ["bodies"]):
-        return "bent joints" if names[0] == "joints" else "bodies of a penalty"
+    if words and words[0].startswith("penalty") and names and names[0] in _OF_PENALTIES:
+        return _OF_PENALTIES[names[0]]
     if len(names) == 2 and names[0] in _NAMED:
         return _NAMED[names[0]][0]
     if words and words[0].startswith(("contact", "hold")) and names:
@@ -325,6 +325,7 @@ def _shown(value: Any) -> str:
     return text if len(text) <= 60 else text[:57] + "..."
 
 
+_OF_PENALTIES = {"joints": "bent joints", "bodies": "bodies of a penalty", "axis": "axis of a penalty"}
 _NAMED: dict[str, tuple[str, type[Table]]] = {
     "joints": ("joint", RotationTable),
     "roots": ("root", RootTable),
@@ -377,6 +378,7 @@ _EXPECTED = {
     "site": '[x, y, z] in metres, each a number or "free", or {position = [x, y, z], by = "pose" or "search"}',
     "body": f"{{flat = true}} or a rotation, {ROTATION}, or {{position = [x, y, z]}}",
     "at": "[x, y, z] in metres, in the body's own axes",
+    "axis of a penalty": "[x, y, z] in the body's own axes",
     "by": "'pose' or 'search'",
     "flat": "true",
     "rotvec": "three angles [x, y, z] in degrees",

@@ -82,6 +82,8 @@ def retimed(saved: Saved, speed: float) -> Saved:
 
 def retimed_tables(clip: dict[str, Any], speed: float) -> dict[str, Any]:
     """A clip's tables with the times of keyframes, contacts, holds and flights at another speed, from the first on."""
+    if "recording" in clip:
+        raise UserError("recording: say its speed in the clip, or retime the solved motion")
     start = clip["keyframe"][0]["time"]
 
     def later(time: float) -> float:

@@ -47,7 +47,10 @@ def test_every_kind_is_made_or_is_nothing_to_look_at(kind):
         ('kind = "level"\nbodies = "chest"', "penalty 1: bodies must be a list of names, not 'chest'"),
         ('kind = "level"\nbodies = ["chets"]', "no body 'chets'"),
         ('kind = "level"\nbodies = ["chest"]\naxis = [0, 0, 0]', "axis is [0, 0, 0], which points nowhere"),
-        ('kind = "level"\nbodies = ["chest"]\naxis = [0, 1]', "axis"),
+        (
+            'kind = "level"\nbodies = ["chest"]\naxis = [0, 1]',
+            "axis must be [x, y, z] in the body's own axes, not [0, 1]",
+        ),
     ],
 )
 def test_what_is_wrong_names_table_key_and_value(said, told):

@@ -11,6 +11,7 @@ from dynsplines.clip.load import Clip
 from dynsplines.clip.mirror import mirrored_tables
 from dynsplines.clip.posing.feet import sole_points
 from dynsplines.clip.posing.places import Places, posable_sites
+from dynsplines.edit.edits import retimed_tables
 from dynsplines.errors import UserError
 from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.figure.figure import Figure
@@ -142,6 +143,22 @@ def test_feet_and_bodies_change_sides_in_a_mirror():
     assert out["sites"] == {"right_ball": [0.1, -0.2, 0.3]}
     assert out["bodies"]["right_calf"]["position"] == [0.1, -0.2, "free"]
     np.testing.assert_allclose(out["bodies"]["right_calf"]["at"], [0.01, -0.02, 0.03], atol=1e-12)
+
+
+def test_bodies_that_are_kept_level_and_their_axis_change_sides_in_a_mirror():
+    whole, rows = figure(), {"keyframe": [{"time": 0}]}
+    level = {"kind": "level", "bodies": ["left_calf"], "axis": [0.6, 0.8, 0]}
+    (out,) = mirrored_tables(rows | {"penalty": [level]}, whole, Mirror.of(whole))["penalty"]
+    assert out["bodies"] == ["right_calf"]
+    np.testing.assert_allclose(out["axis"], [0.6, -0.8, 0], atol=1e-12)
+
+
+def test_a_clip_that_follows_a_recording_is_mirrored_and_retimed_when_it_is_solved():
+    whole, clip_ = figure(), {"keyframe": [], "recording": {"file": "a.npz"}}
+    with pytest.raises(UserError, match="mirror the solved motion"):
+        mirrored_tables(clip_, whole, Mirror.of(whole))
+    with pytest.raises(UserError, match="retime the solved motion"):
+        retimed_tables(clip_, 2.0)
 
 
 MUSCLES = """<mujoco><worldbody><body name="leg" pos="0 0 1"><freejoint/><geom type="capsule" size=".05 .3"/>

@@ -5,7 +5,7 @@ import pytest
 import shipped
 from faulted import Take
 
-from dynsplines.clip.followed import Ground
+from dynsplines.clip.follow.keeping import Ground
 from dynsplines.clip.posing.feet import sole_points
 from dynsplines.motion import samples_at
 from dynsplines.solver import quaternion as quat

@@ -23,11 +23,11 @@ from dynsplines.solver.reading.recorded import Recorded
 from dynsplines.solver.reading.stances import NEAR, stood
 from dynsplines.solver.surface.points import Point, placed, places_of
 
-from .. import motion
-from ..errors import UserError
-from ..scene import outside
-from .followed import WEIGHTS, Ground, problem
-from .table import ClipTable, ContactTable, RecordingTable
+from ... import motion
+from ...errors import UserError
+from ...scene import outside
+from ..table import ClipTable, ContactTable, RecordingTable
+from .keeping import WEIGHTS, Ground, problem
 
 CLOSE = 0.004  # [s] between frames at least
 RATE = 120.0  # [1/s] at which a motion is taken down

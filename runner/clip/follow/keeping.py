@@ -34,7 +34,7 @@ from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.points import Point, body_points
 
-from .contacts import ROUNDING
+from ..contacts import ROUNDING
 
 WEIGHTS = {
     "near": 1.0,
