@@ -26,7 +26,7 @@ import numpy as np
 
 from dynsplines import solver
 from dynsplines.solver.curve.frame import Frame, Timeline
-from dynsplines.solver.search.optimiser import Stop
+from dynsplines.solver.search.minimum import Stop
 from dynsplines.solver.solution import Solution
 
 from . import work

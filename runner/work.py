@@ -12,7 +12,7 @@ from functools import cached_property
 from typing import Any
 
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.search.optimiser import Stop, StopSearch
+from dynsplines.solver.search.minimum import Stop, StopSearch
 from dynsplines.solver.solution import Improvement, Solution
 
 from .clip.load import Clip

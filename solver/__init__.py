@@ -14,7 +14,7 @@ from .inbetween import inbetween as inbetween
 from .objective import Objective as Objective
 from .problem import Problem as Problem
 from .problem import Settings as Settings
-from .search.optimiser import Stop as Stop
-from .search.optimiser import StopSearch as StopSearch
+from .search.minimum import Stop as Stop
+from .search.minimum import StopSearch as StopSearch
 from .solution import Improvement as Improvement
 from .solution import Solution as Solution

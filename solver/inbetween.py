@@ -27,8 +27,8 @@ from .refine.windows import Assembly, is_long, windows
 from .search.astray import FAR, farthest, is_astray, is_dear, is_violent
 from .search.descent import Descent
 from .search.judgement import best
+from .search.minimum import Stop
 from .search.newton import FIRST_DAMPING
-from .search.optimiser import Stop
 from .solution import Improvement, Solution
 
 NEGLIGIBLE = 1e-3  # of E at the start: what is left of it counts as so much at least where thresholds are shares

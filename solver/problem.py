@@ -19,6 +19,7 @@ from .objective import Objective
 from .penalty import Guide, Penalty
 from .refine.subdivision import CRITERIA
 from .search.descent import NEWTON
+from .search.minimum import Optimiser
 
 FEW, MORE = 2, 3  # variable frames in a segment to begin with: of any clip, of one that is solved window by window
 TINY = 0.05  # of the spacing of frames beside it: a segment so short needs none, and with some E is hard to lower
@@ -36,7 +37,7 @@ class Settings:
     threshold        a segment is split if its criterion exceeds this; weak: share of the mean E between two keyframes;
                      the other criteria have units of their own
     batch            share of the segments that are split in one round, at most
-    method           "newton" (Gauss-Newton steps), or one of NLopt's by name
+    method           "newton" (Gauss-Newton steps), one of NLopt's by name, or an optimiser of one's own
     max_evaluations  budget of evaluations in each round
     tolerance        relative progress at which the last round ends
     renormalise      divide each term by its integral over the raw spline (eq. 7)
@@ -47,7 +48,7 @@ class Settings:
     criterion: str = "weak"
     threshold: float = 1e-3
     batch: float = 1.0
-    method: str = NEWTON
+    method: str | Optimiser = NEWTON
     max_evaluations: int = 250
     tolerance: float = 1e-5
     renormalise: bool = True

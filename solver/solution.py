@@ -14,7 +14,7 @@ from .curve.frame import Timeline
 from .curve.spline import Path, path_of
 from .figure.figure import Figure
 from .objective import Objective
-from .search.optimiser import Stop
+from .search.minimum import Stop
 
 AT_AN_END = 1e-9  # [s] beyond the first and the last keyframe, which rounding takes a time to
 

@@ -28,7 +28,7 @@ from dynsplines.solver.posing import entries
 from dynsplines.solver.problem import FEW, Problem, Settings
 from dynsplines.solver.refine.subdivision import CRITERIA
 from dynsplines.solver.search.descent import check_method
-from dynsplines.solver.search.optimiser import DENSE, copes
+from dynsplines.solver.search.methods import DENSE, copes
 from dynsplines.solver.surface import static_surfaces
 
 from ..errors import UserError, unknown
@@ -399,7 +399,7 @@ def _too_many(problem: Problem) -> Iterator[str]:
     about = (
         settings.beginning(np.array([key.time for key in problem.keys]), in_windows=False).size * problem.figure.width
     )
-    if not copes(settings.method, about):
+    if isinstance(settings.method, str) and not copes(settings.method, about):
         most = DENSE[settings.method.lower()]
         yield (
             f"optimiser '{settings.method}' is dense: with some {about} unknowns, over {most}, "

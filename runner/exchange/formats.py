@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 import mujoco
 
@@ -19,6 +19,23 @@ from .take import Recording, Take, Wishes
 
 SIMULATED = ".simulate.xml"  # the ending of a scene that stands by itself
 WISHES = {"simulate": "a scene to simulate", "columns": "columns of forces or velocities"}
+
+
+class Writer(Protocol):
+    """Writes motions in a format."""
+
+    def write(self, take: Take, path: Path) -> None:
+        """The motion into a file at this path, a temporary one; raises UserError for what the format cannot hold."""
+        ...
+
+
+class Reader(Protocol):
+    """Reads motions in a format."""
+
+    def read(self, path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
+        """The motion of a file, for a figure if one is named, at a rate [1/s] if the file does not tell it; raises
+        UserError for a file that is none."""
+        ...
 
 
 @dataclass(frozen=True)
@@ -193,6 +210,15 @@ def export(
     return target
 
 
+def written_by(own: Writer, saved: Saved, target: Path, *, fps: float | None = None, overwrite: bool = True) -> Path:
+    """`export` by a writer of a program's own."""
+    check_target(target)
+    check_new(target, overwrite=overwrite)
+    with Replacement(target) as temporary:
+        own.write(Take.of(saved, fps), temporary)
+    return target
+
+
 def _beside(module: Any, take: Take, target: Path) -> dict[Path, bytes]:
     """What is to lie beside a motion's file."""
     found = module.beside(take) if hasattr(module, "beside") else {}
@@ -226,6 +252,17 @@ def recording(
     if scale is not None:
         raise UserError(f"{source}: lengths of the format '{form.name}' are metres; a scale is not for it")
     return _module(form).read(source, model, fps)
+
+
+def read_by(own: Reader, source: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
+    """`recording` by a reader of a program's own; raises UserError if what it gives is none, or needs a figure."""
+    _check_file(source)
+    found = own.read(source, model, fps)
+    if not isinstance(found, Recording):
+        raise UserError(f"{source}: a reader's read gives a Recording, not {type(found).__name__}")
+    if found.mjcf is None and model is None:
+        raise UserError(f"{source}: its reader gives no figure; name one, figure=")
+    return found
 
 
 def _write_only(name: str) -> str:

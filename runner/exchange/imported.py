@@ -16,7 +16,7 @@ from ..motion import Saved
 from ..scene.compose import compose, figure_spec
 from ..system.progress import Teller
 from ..work import unsolved
-from .formats import recording, stem
+from .formats import Reader, read_by, recording, stem
 
 
 @dataclass(frozen=True)
@@ -34,7 +34,7 @@ class Taken:
 
 def taken(
     source: Path,
-    kind: str | None = None,
+    kind: str | Reader | None = None,
     *,
     figure: str | None = None,
     fps: float | None = None,
@@ -51,7 +51,11 @@ def taken(
     """
     teller = teller or Teller()
     spec = None if figure is None else figure_spec(figure)
-    told = recording(source, kind, model=None if spec is None else spec.compile(), fps=fps, scale=scale)
+    model = None if spec is None else spec.compile()
+    if kind is None or isinstance(kind, str):
+        told = recording(source, kind, model=model, fps=fps, scale=scale)
+    else:
+        told = read_by(kind, source, model, fps)
     for note in told.notes:
         teller.say(f"note: {note}")
     spec = mujoco.MjSpec.from_string(told.mjcf, assets=dict(told.assets)) if told.mjcf is not None else spec
@@ -62,7 +66,7 @@ def taken(
 
 def imported(
     source: Path,
-    kind: str | None = None,
+    kind: str | Reader | None = None,
     *,
     figure: str | None = None,
     fps: float | None = None,

@@ -32,7 +32,7 @@ from dynsplines.solver.penalty import (
     slipped,
     stances,
 )
-from dynsplines.solver.search.optimiser import Stop
+from dynsplines.solver.search.minimum import Stop
 from dynsplines.solver.surface.points import body_points, places_of
 
 from ..clip import load as clips

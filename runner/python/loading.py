@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from .. import motion as files
 from ..clip import load as clips
@@ -12,6 +13,9 @@ from ..clip.own import Own, with_own
 from ..errors import UserError
 from ..scene import outside
 from .motion import Motion
+
+if TYPE_CHECKING:
+    from ..exchange.formats import Reader
 
 
 def load(
@@ -46,7 +50,7 @@ def import_motion(
     source: str | os.PathLike[str],
     figure: str | os.PathLike[str] | None = None,
     *,
-    format: str | None = None,
+    format: str | Reader | None = None,
     fps: float | None = None,
     scale: float | None = None,
     skip_rest: bool = False,
@@ -55,7 +59,8 @@ def import_motion(
     """A recording of another program; every instant of it is a keyframe, and nothing is searched.
 
     figure  whose motion it is, where the file brings none: the name of a figure that ships, or a path to MJCF
-    format  by name (`dynsplines formats` lists them), where the file's ending does not tell it
+    format  by name (`dynsplines formats` lists them), where the file's ending does not tell it; or a reader of your
+            own, anything with read(path, model, fps)
     fps     images a second, where the file does not tell them
     scale   the file's unit of length [m], where it is guessed
     skip_rest  leave out a T-pose, or the figure's rest pose, that stands before the motion

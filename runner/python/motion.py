@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import mujoco
 import numpy as np
@@ -36,6 +36,9 @@ from ..system.output import check_target
 from ..system.progress import Teller
 from ..system.quantity import length
 from ..work import Solved
+
+if TYPE_CHECKING:
+    from ..exchange.formats import Writer
 
 PLAYER_HEIGHT = 480  # pixels, in a notebook
 
@@ -277,7 +280,7 @@ class Motion:
     def export(
         self,
         path: str | os.PathLike[str],
-        to: str | None = None,
+        to: str | Writer | None = None,
         *,
         fps: float | None = None,
         columns: str | Sequence[str] = (),
@@ -285,6 +288,7 @@ class Motion:
     ) -> Path:
         """Writes it in the format of another program, by the path's ending or by name, and gives the file's path.
 
+        to        a format's name, or a writer of your own: anything with write(take, path)
         columns   of a table: "velocities", "torques", "wrench", "ground", several of them, or "all"
         simulate  of MJCF: a scene that collides, actuators on every joint, and the motion as their targets
         """
@@ -292,6 +296,8 @@ class Motion:
         from ..exchange.take import Wishes
 
         target = Path(path)
+        if to is not None and not isinstance(to, str):
+            return formats.written_by(to, self.saved, target, fps=fps)
         wishes = Wishes(simulate, quantities.named(columns if isinstance(columns, str) else ",".join(columns)))
         return formats.export(self.saved, formats.chosen(to, target).name, target, fps=fps, wishes=wishes)
 

@@ -1,6 +1,8 @@
 """The search: variable frames moved to the nearest minimum of the objective.
 
 descent         steps 3 and 4 of the paper's figure 5 on one timeline
+minimum         what a minimisation is: how it is asked for, what comes out, why it ended
+methods         NLopt's methods by name
 newton          Gauss-Newton steps with Levenberg's damping, each a banded solve
 quadratic       the model that a step minimises: E to second order, one-sided residuals kept one-sided
 refinement      NLopt's methods in variables in which that model is a sphere

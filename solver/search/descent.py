@@ -2,28 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import partial
 
-from ..array import Array
 from ..curve.frame import Timeline
-from ..objective import Discretised, Evaluation, Objective
-from . import optimiser
+from ..objective import Discretised, Objective
+from . import methods
+from .minimum import Improved, Minimum, Optimiser, Stop
 from .newton import FIRST_DAMPING, gauss_newton
-from .optimiser import Minimum, Stop
-from .refinement import refined
 
 NEWTON = "newton"
 METHODS = {
     NEWTON: "Gauss-Newton steps on banded matrices",
-    **{name: text for name, (_, text) in optimiser.METHODS.items()},
+    **{name: text for name, (_, text) in methods.METHODS.items()},
 }
 
 
-def check_method(method: str) -> None:
+def check_method(method: str | Optimiser) -> None:
     """Raises ValueError for a name that is no method."""
-    if method.lower() == NEWTON:
+    if not isinstance(method, str) or method.lower() in METHODS:
         return
+    from . import optimiser  # only here: NLopt knows more names than we do
+
     try:
         optimiser.algorithm(method)
     except ValueError:
@@ -32,7 +31,8 @@ def check_method(method: str) -> None:
 
 
 class Descent:
-    """The minimisation of E over one timeline's unknowns: by Gauss-Newton steps, or with NLopt's refinement of each.
+    """The minimisation of E over one timeline's unknowns: by Gauss-Newton steps, with NLopt's refinement of each, or by
+    an optimiser of one's own.
 
     damping  of the Gauss-Newton steps, to begin with and as it was left
     """
@@ -44,15 +44,14 @@ class Descent:
     def run(
         self,
         *,
-        method: str = NEWTON,
+        method: str | Optimiser = NEWTON,
         max_evaluations: int = 300,
         tolerance: float = 1e-6,
-        improved: Callable[[int, Evaluation, Array], None] | None = None,
+        improved: Improved | None = None,
     ) -> Minimum:
         """The Minimum, its x in the unknowns of the timeline; `improved` gets (evaluation, Evaluation, x)."""
         check_method(method)
-        search = gauss_newton if method.lower() == NEWTON else partial(refined, method=method)
-        found, self.damping = search(
+        found, self.damping = _optimiser(method)(
             self.problem,
             max_evaluations=max_evaluations,
             tolerance=tolerance,
@@ -60,6 +59,17 @@ class Descent:
             improved=improved,
         )
         return found
+
+
+def _optimiser(method: str | Optimiser) -> Optimiser:
+    """The one that a name means; one of a program's own is itself."""
+    if not isinstance(method, str):
+        return method
+    if method.lower() == NEWTON:
+        return gauss_newton
+    from .refinement import refined  # only here: it needs NLopt
+
+    return partial(refined, method=method)
 
 
 def optimised(

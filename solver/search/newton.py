@@ -14,7 +14,7 @@ import numpy as np
 
 from ..array import Array
 from ..objective import Discretised, Evaluation
-from .optimiser import Minimum, Stop, StopSearch
+from .minimum import Improved, Minimum, Stop, StopSearch
 from .quadratic import Layout, Model, Proposal
 
 FIRST_DAMPING = 1.0
@@ -31,7 +31,7 @@ def gauss_newton(
     max_evaluations: int = 100,
     tolerance: float = 1e-6,
     damping: float = FIRST_DAMPING,
-    improved: Callable[[int, Evaluation, Array], None] | None = None,
+    improved: Improved | None = None,
 ) -> tuple[Minimum, float]:
     """The Minimum of E over a timeline's unknowns from where it is, and the last damping, for the next round.
 

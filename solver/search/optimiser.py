@@ -6,23 +6,13 @@ The best x seen is kept whatever happens: a spent budget, a failed line search, 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
-from enum import Enum
 
 import nlopt
 import numpy as np
 
 from ..array import Array
-
-METHODS = {
-    "lbfgs": ("LD_LBFGS", "limited-memory BFGS"),
-    "slsqp": ("LD_SLSQP", "sequential quadratic programming, as in the paper; dense, O(n³) an iteration"),
-    "ccsaq": ("LD_CCSAQ", "conservative convex separable approximations; robust and slower"),
-    "tnewton": ("LD_TNEWTON_PRECOND_RESTART", "truncated Newton, preconditioned, with restarts"),
-    "var2": ("LD_VAR2", "shifted limited-memory variable metric"),
-}
-
-DENSE = {"slsqp": 300}  # unknowns up to which an iteration, O(n³), takes a fifth of a second; 1200 take 15 s
+from .methods import METHODS
+from .minimum import Minimum, Stop, StopSearch
 
 # NLopt's general failure is a class of its own in 2.11 and no RuntimeError
 FAILURES = (nlopt.RoundoffLimited, RuntimeError, getattr(nlopt, "runtime_error", RuntimeError))
@@ -35,29 +25,6 @@ NEGLIGIBLE = 1e-3
 ROUNDING = 1e-12
 
 
-class Stop(Enum):
-    """Why a minimisation ended, and what the caller can do about it."""
-
-    CONVERGED = "progress per evaluation fell below the tolerance"
-    BUDGET = "the evaluation budget is spent; raise max_evaluations (in a clip, solve.evaluations) to go on"
-    ASKED = "stopped as asked; the best path so far is kept"
-    STUCK = "the optimiser found no further descent; the best path so far is kept"
-
-
-@dataclass(frozen=True)
-class Minimum:
-    """The best point seen: x (n,), its value, how many evaluations it took and why the search ended."""
-
-    x: Array
-    value: float
-    evaluations: int
-    stop: Stop
-
-
-class StopSearch(Exception):
-    """Raise inside a callback to end the search and keep the best x."""
-
-
 def algorithm(method: str) -> int:
     """NLopt's number of a method by our name or NLopt's own (with or without LD_)."""
     name = METHODS.get(method.lower(), (method.upper(),))[0]
@@ -65,11 +32,6 @@ def algorithm(method: str) -> int:
     if number is None:
         raise ValueError(f"no optimiser '{method}'; there are: {', '.join(METHODS)} (or any LD_ name of NLopt)")
     return int(number)
-
-
-def copes(method: str, size: int) -> bool:
-    """Whether a method does anything with so many unknowns while one waits; it hears no Ctrl-C meanwhile."""
-    return size <= DENSE.get(method.lower(), size)
 
 
 def minimise(

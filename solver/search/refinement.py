@@ -8,14 +8,14 @@ steps are the model's alone.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 
 from ..array import Array
-from ..objective import Discretised, Evaluation
+from ..objective import Discretised
+from .methods import copes
+from .minimum import Improved, Minimum, Stop, StopSearch
 from .newton import FIRST_DAMPING, Search
-from .optimiser import Minimum, Stop, StopSearch, copes, minimise
+from .optimiser import minimise
 from .preconditioner import Preconditioner
 
 FEW = 6  # evaluations of NLopt with one factor, which costs about ten
@@ -28,7 +28,7 @@ def refined(
     max_evaluations: int = 100,
     tolerance: float = 1e-6,
     damping: float = FIRST_DAMPING,
-    improved: Callable[[int, Evaluation, Array], None] | None = None,
+    improved: Improved | None = None,
 ) -> tuple[Minimum, float]:
     """As `gauss_newton`, by steps of the model and a few evaluations of one of NLopt's methods after each.
 

@@ -28,7 +28,7 @@ from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.search.descent import NEWTON
 from dynsplines.solver.search.judgement import common_grid
-from dynsplines.solver.search.optimiser import METHODS
+from dynsplines.solver.search.methods import METHODS
 from dynsplines.system.progress import Teller
 
 CLIPS = ("sit_down", "walk_loop", "run_loop", "cartwheel", "tumble", "run_and_step", "stairs")

@@ -22,7 +22,7 @@ from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.quadrature import gauss_nodes
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.search.optimiser import Stop, StopSearch
+from dynsplines.solver.search.minimum import Stop, StopSearch
 from dynsplines.solver.solution import Solution
 
 TEXT = models.clip_text("run_and_step")

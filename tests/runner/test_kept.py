@@ -17,7 +17,7 @@ from dynsplines import cli, kept, work
 from dynsplines.clip import load as clip
 from dynsplines.clip.load import Clip
 from dynsplines.measure.report import report
-from dynsplines.solver.search.optimiser import Stop
+from dynsplines.solver.search.minimum import Stop
 from dynsplines.system.progress import Teller
 from dynsplines.work import Solved
 

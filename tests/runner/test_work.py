@@ -13,7 +13,7 @@ from dynsplines import work
 from dynsplines.clip import load as clip
 from dynsplines.clip.load import Clip
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.search.optimiser import Stop
+from dynsplines.solver.search.minimum import Stop
 from dynsplines.system.progress import Teller
 
 

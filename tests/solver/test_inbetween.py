@@ -18,7 +18,7 @@ from dynsplines.solver.penalty import Contact, CovariantAcceleration, UnitMagnit
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.refine.subdivision import CRITERIA
 from dynsplines.solver.search.descent import METHODS
-from dynsplines.solver.search.optimiser import Stop, StopSearch
+from dynsplines.solver.search.minimum import Stop, StopSearch
 from dynsplines.solver.solution import Improvement, Solution
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point

@@ -26,7 +26,7 @@ from dynsplines.motion import sampled
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.search.optimiser import Stop
+from dynsplines.solver.search.minimum import Stop
 from dynsplines.system.progress import Teller
 
 REST = '\n[[keyframe]]\ntime = {}\nothers = "rest"\n'

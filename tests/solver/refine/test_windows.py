@@ -25,7 +25,7 @@ from dynsplines.solver.penalty.curvature import Curvature
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.refine.subdivision import evenly
 from dynsplines.solver.refine.windows import AHEAD, BEHIND, KEPT, LARGEST, Assembly, Window, is_long, windows
-from dynsplines.solver.search.optimiser import Stop, StopSearch
+from dynsplines.solver.search.minimum import Stop, StopSearch
 from dynsplines.solver.solution import Improvement, Solution
 from dynsplines.solver.surface.points import Point
 

@@ -23,7 +23,7 @@ from dynsplines.solver.penalty import Contact, CovariantAcceleration, Penalty, R
 from dynsplines.solver.refine.subdivision import evenly
 from dynsplines.solver.search.astray import DEAR, FAR, LONG, LOOKS, farthest, is_astray, is_dear, is_violent, longest
 from dynsplines.solver.search.judgement import best, common_grid
-from dynsplines.solver.search.optimiser import Stop, StopSearch
+from dynsplines.solver.search.minimum import Stop, StopSearch
 from dynsplines.solver.surface import Plane, Sphere
 from dynsplines.solver.surface.points import Point
 

@@ -22,8 +22,9 @@ from dynsplines.solver.penalty import Contact, Penalty
 from dynsplines.solver.refine.subdivision import evenly
 from dynsplines.solver.search import optimiser
 from dynsplines.solver.search.descent import METHODS, NEWTON, Descent
+from dynsplines.solver.search.minimum import Minimum, Stop, StopSearch
 from dynsplines.solver.search.newton import FIRST_DAMPING, Search, gauss_newton
-from dynsplines.solver.search.optimiser import Minimum, Stop, StopSearch, minimise
+from dynsplines.solver.search.optimiser import minimise
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point
 

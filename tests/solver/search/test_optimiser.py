@@ -1,11 +1,17 @@
 """Every method finds its minimum, and the best x is kept however the search ends."""
 
+from dataclasses import replace
 from typing import NoReturn
 
 import numpy as np
 import pytest
 
-from dynsplines.solver.search.optimiser import METHODS, Minimum, Stop, StopSearch, algorithm, minimise
+from dynsplines import load
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.inbetween import inbetween
+from dynsplines.solver.search.methods import METHODS
+from dynsplines.solver.search.minimum import Minimum, Stop, StopSearch
+from dynsplines.solver.search.optimiser import algorithm, minimise
 
 
 def rosenbrock(x: np.ndarray) -> tuple[float, np.ndarray]:
@@ -168,3 +174,34 @@ def test_a_minimum_is_a_value_and_every_stop_gives_advice():
     assert isinstance(found, Minimum)
     assert found.stop is Stop.CONVERGED
     assert all(len(stop.value) > 20 for stop in Stop)
+
+
+def test_an_optimiser_of_ones_own_is_asked_every_round_and_keeps_the_keyframes():
+    """Steepest descent with halved steps: it lowers E, and whatever it does the keyframes are met."""
+    clip = load("tumble")
+    asked: list[int] = []
+
+    def steepest(problem, *, max_evaluations, tolerance, damping, improved):
+        asked.append(max_evaluations)
+        x = problem.unknowns.start.copy()
+        here = problem(x)
+        step, count = 1e-3 / max(float(np.abs(here.gradient).max()), 1e-12), 1
+        while count < 30:
+            there = problem(x - step * here.gradient)
+            count += 1
+            if there.value < here.value:
+                x, here, step = x - step * here.gradient, there, 1.5 * step
+                if improved is not None:
+                    improved(count, here, x)
+            else:
+                step /= 2
+        return Minimum(x, here.value, count, Stop.CONVERGED), damping
+
+    solved = inbetween(replace(clip.problem, settings=replace(clip.settings, method=steepest)))
+    assert asked
+    assert all(budget == clip.settings.max_evaluations for budget in asked)
+    own, raw = (clip.problem.objective.value(path_of(timeline)) for timeline in (solved.timeline, solved.raw))
+    assert own < raw
+    times = np.array([key.time for key in clip.keys])
+    states = path_of(solved.timeline).at(times)
+    np.testing.assert_allclose(states, path_of(solved.raw).at(times), atol=1e-12)

@@ -17,10 +17,11 @@ from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Discretised, Objective
 from dynsplines.solver.penalty import CovariantAcceleration
 from dynsplines.solver.refine.subdivision import evenly
-from dynsplines.solver.search import optimiser, refinement
+from dynsplines.solver.search import methods, refinement
 from dynsplines.solver.search.descent import NEWTON, Descent
+from dynsplines.solver.search.methods import METHODS
+from dynsplines.solver.search.minimum import Stop, StopSearch
 from dynsplines.solver.search.newton import gauss_newton
-from dynsplines.solver.search.optimiser import METHODS, Stop, StopSearch
 from dynsplines.solver.search.refinement import refined
 from dynsplines.solver.solution import Solution
 
@@ -164,7 +165,7 @@ def test_a_dense_method_is_left_out_of_large_problems(problem, monkeypatch):
     monkeypatch.setattr(refinement, "minimise", never)
     with pytest.raises(AssertionError, match="NLopt was asked"):
         refined(problem, method="slsqp", tolerance=1e-9)
-    monkeypatch.setitem(optimiser.DENSE, "slsqp", problem.unknowns.size - 1)
+    monkeypatch.setitem(methods.DENSE, "slsqp", problem.unknowns.size - 1)
     found, _ = refined(problem, method="SLSQP", tolerance=1e-9)
     expected, _ = gauss_newton(problem, tolerance=1e-9)
     np.testing.assert_allclose(found.value, expected.value, rtol=1e-6)
