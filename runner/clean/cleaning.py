@@ -17,7 +17,7 @@ from dynsplines.solver.penalty import Near, Rest
 from dynsplines.solver.problem import Problem
 from dynsplines.solver.reading.recorded import Recorded
 from dynsplines.solver.reading.settled import on_the_ground, settled
-from dynsplines.solver.reading.stances import NEAR, Stood, stood
+from dynsplines.solver.reading.stances import NEAR, Stood, stood, unsure
 from dynsplines.solver.solution import Improvement, Solution
 from dynsplines.solver.surface import static_surfaces
 
@@ -25,6 +25,7 @@ from ..clip.follow.keeping import Ground, problem
 from ..clip.posing.feet import sole_points
 from .repairs import Repaired
 
+NOISY = 0.008  # [m] of the soles' places, from which on stances are looked for twice
 LOOKED_AT = 50  # poses in which it is looked for what stands on the ground
 STRICTER, TRIES = 2.0, 7  # how much more the recording counts every time that something is too far off it
 
@@ -104,6 +105,9 @@ def cleaned(
     near = Near(recorded)
     asked = problem(near, ground, rests, near.times())
     found = Cleaned(ground, before, recorded, rests, asked, inbetween(asked, improved=improved))
+    if given is None and unsure(recorded, ground.points) > NOISY:
+        found = _second_look(found, near, improved)
+        asked = found.problem
     if within is None:
         return found
     for _ in range(TRIES):
@@ -118,6 +122,15 @@ def cleaned(
             break
         found = closer
     return found
+
+
+def _second_look(found: Cleaned, near: Near, improved: Callable[[Improvement], None] | None) -> Cleaned:
+    """Of a noisy recording more stances are seen once the surest of them are kept: cleaned with those."""
+    ground, recorded = found.ground, found.recorded
+    calm = Recorded.of(ground.figure, recorded.times, ground.figure.to_qpos(found.after.at(recorded.times)))
+    rests = tuple(Rest(*stance) for stance in stood(calm, ground.points, ground.surfaces, NEAR))
+    asked = problem(near, ground, rests, near.times())
+    return replace(found, rests=rests, problem=asked, solution=inbetween(asked, improved=improved))
 
 
 def _from(found: Cleaned) -> tuple[Frame, ...]:

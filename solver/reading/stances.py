@@ -23,7 +23,7 @@ ROLLS = 0.015  # [m] that a point which stands may be off its middle, by and lar
 LOW, NEAR = 0.06, 0.03  # [m] over the ground: so high is a point that may as well stand as not; once it is set down
 LONGEST = 1.0  # [s] of a stance that is looked at at once
 FINEST = 60.0  # [1/s] samples that are told apart
-ONE, NOISY = 1.0, 4.0  # what a stance costs beside what its samples speak for it: of a clean recording, of a noisy one
+ONE, NOISY = 1.0, 8.0  # what a stance costs beside what its samples speak for it: of a clean recording, of a noisy one
 SUNK = 0.6  # of a height over the ground, as much a depth below it says against a stance
 FAST = 0.35  # [m/s] from which on a point does not stand
 SURE = 3.0  # noises that two samples may be apart
@@ -48,12 +48,8 @@ def stood(
     """
     if not points or not surfaces or recorded.times.size < ORDER:
         return ()
-    step = max(1, round(recorded.rate / FINEST))
-    times, states = recorded.times[::step], recorded.states
-    states = np.where(recorded.known > 0, states, recorded.path.at(recorded.times))[::step]
-    centres, _, _ = places_of(points, Samples(recorded.figure, states, 0 * states, 0 * states))
+    times, centres, noise = _seen(recorded, points)
     height, _ = height_over(surfaces, centres, np.array([point.radius for point in points]))
-    noise = white(centres, recorded.known.min(axis=1)[::step])
     found = []
     for i, point in enumerate(points):
         over = height[i] * np.where(height[i] < 0, SUNK, 1.0) / np.hypot(low, noise[i])
@@ -64,6 +60,21 @@ def stood(
         ]
         found += [Stood(point, float(times[a]), float(times[b - 1])) for a, b in runs if b - a > 1]
     return tuple(found)
+
+
+def unsure(recorded: Recorded, points: Sequence[Point]) -> float:
+    """[m] the noise of the place of the point that is known worst."""
+    if not points or recorded.times.size < ORDER:
+        return 0.0
+    return float(_seen(recorded, points)[2].max())
+
+
+def _seen(recorded: Recorded, points: Sequence[Point]) -> tuple[Array, Array, Array]:
+    """Times (T,) that are told apart, places (3, p, T) [m] and the noise of these (p,)."""
+    step = max(1, round(recorded.rate / FINEST))
+    states = np.where(recorded.known > 0, recorded.states, recorded.bridged)[::step]
+    centres, _, _ = places_of(points, Samples(recorded.figure, states, 0 * states, 0 * states))
+    return recorded.times[::step], centres, white(centres, recorded.known.min(axis=1)[::step])
 
 
 def white(places: Array, known: Array) -> Array:
