@@ -185,9 +185,17 @@ def scored(truth: Truth, rng: np.random.Generator, *, straight: bool) -> Score:
         hover = max(hover, float(heights[row, (fine >= rest.first) & (fine <= rest.last)].max(initial=0.0)))
     peaks = [peak(figure, path, fine) for path in (found.after, Recorded.of(figure, truth.time, truth.qpos).path)]
     return Score(
-        *off, *skates, max(-float(heights.min(initial=0.0)), 0.0), hover, peaks[0] / peaks[1],
-        _hits(rests, stand, LEAST), _false(rests, stand), float((t[-1] - t[0]) / spent),
-    )  # fmt: skip
+        before=off[0],
+        after=off[1],
+        skate=skates[0],
+        own_skate=skates[1],
+        depth=max(-float(heights.min(initial=0.0)), 0.0),
+        hover=hover,
+        peak=peaks[0] / peaks[1],
+        found=_hits(rests, stand, LEAST),
+        false=_false(rests, stand),
+        speed=float((t[-1] - t[0]) / spent),
+    )
 
 
 def peak(figure: Figure, path: Curve, t: Array) -> float:

@@ -89,8 +89,8 @@ def _numbers(figure: Figure, qpos: Array, time: Array, notes: list[str]) -> Mask
     for columns in groups(figure):
         fine = known[:, columns].all(axis=1)
         if columns.size == 4:
-            fine &= np.linalg.norm(np.where(known[:, columns], qpos[:, columns], 0.0), axis=1) > 1e-6
-        known[:, columns] = fine[:, None]
+            fine = fine & (np.linalg.norm(np.where(known[:, columns], qpos[:, columns], 0.0), axis=1) > 1e-6)
+        known[:, columns] = np.reshape(fine, (-1, 1))
     bad = np.flatnonzero(~known.all(axis=1))
     if bad.size:
         joints = [_name(figure, columns) for columns in groups(figure) if not known[:, columns].all()]
