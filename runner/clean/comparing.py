@@ -99,7 +99,7 @@ class Comparison:
             out.add_row(line.says, *(f"{value:.3g} {line.unit}" for value in (line.before, line.after)))
         for one in self.moved:
             out.add_row(
-                f"{one.name} off the recording",
+                f"{one.name} moved",
                 f"{100 * one.median:.1f} cm median",
                 f"{100 * one.high:.1f} cm in 95 %, {100 * one.most:.1f} at {one.time:.2f} s",
             )
@@ -164,7 +164,7 @@ class _Look:
 
     @property
     def depth(self) -> float:
-        return 1000 * max(-float(self._soles[1].min(initial=0.0)), 0.0)
+        return 1000 * float(np.maximum(-self._soles[1], 0).max(initial=0.0))
 
     @property
     def slip(self) -> float:

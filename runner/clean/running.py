@@ -89,6 +89,13 @@ def run(
     return target
 
 
+def motion_cleaned(saved: Saved, within: float | None, teller: Teller) -> Saved:
+    """A motion of ours, cleaned; within [m] as `run` takes it."""
+    samples = motion.sampled(saved.figure, saved.timeline, saved.fps)
+    found = _Read(saved.name, saved.scene, samples.time, samples.qpos, saved.fps)
+    return _cleaned(found, SurroundingsTable(), within, teller, apart=False)[1]
+
+
 @dataclass(frozen=True, eq=False)
 class _Read:
     """A recording in its scene: time (T,) [s], qpos (T, nq)."""

@@ -352,6 +352,16 @@ class Motion:
         """It and then another one, moved to where this goes on, with a transition [s] between them."""
         return self._edited(edits.joined(self.saved, other.saved, transition, _silent()))
 
+    def cleaned(self, within: str | float | None = None) -> Motion:
+        """A recording made physical: repaired, smoothed by its own noise, with feet that stay where they stand.
+
+        within  how far hands, feet and pelvis may be moved, where their stances allow it: "3cm", "30mm", or metres
+        """
+        from ..clean.running import motion_cleaned
+
+        bound = None if within is None else length(within, "within")
+        return Motion(motion_cleaned(self.saved, bound, _silent()))
+
     def thinned(self, max_error: float | str = 0.02, *, max_angle: float = 5.0, solve: bool = False) -> Motion:
         """The fewest keyframes found that keep it within a bound of what it is, at every instant looked at.
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from command import Command, commanded
 
-from dynsplines import motion
+from dynsplines import UserError, load_motion, motion
 from dynsplines.clip import load as clips
 from dynsplines.exchange import formats
 from dynsplines.exchange.imported import taken
@@ -133,3 +133,17 @@ def test_what_cannot_be_cleaned_is_told_and_nothing_is_written(command, squats, 
     assert done.code == 2
     assert told in done.last, done.last
     assert sorted(tmp_path.iterdir()) == present
+
+
+@pytest.mark.slow
+def test_from_python_a_motion_is_cleaned_by_a_method(squats):
+    found = load_motion(squats / "bobs.npz").cleaned(within="5cm")
+    model, heel = found.clip.figure.model, []
+    data = mujoco.MjData(model)
+    for t in np.linspace(0, TIMES[-1], 40):
+        data.qpos[:] = found.at(t)
+        mujoco.mj_kinematics(model, data)
+        heel.append(data.site("left_heel").xpos.copy())
+    assert np.ptp(heel, axis=0).max() < 0.01
+    with pytest.raises(UserError, match="within 3: of what"):
+        load_motion(squats / "bobs.npz").cleaned(within="3")
