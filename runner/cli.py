@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 UsageError = cast("type[typer.BadParameter]", typer.BadParameter.__mro__[1])  # typer's own, or click's
 
-MOST_IMAGES = 100_000
+MOST_IMAGES = 100_000  # an hour of film at 30 a second
 WRONG = 3  # the exit code of --strict
 OURS = 4  # that of a mistake in the program
 DEBUG = "DYNSPLINES_DEBUG"

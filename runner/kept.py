@@ -40,7 +40,7 @@ from .system.output import Replacement
 from .system.progress import Teller
 from .work import Solved
 
-FORMAT = 1
+FORMAT = 1  # of the kept file
 MOST_BYTES = 200_000_000  # of all files together; a clip of some seconds takes 50 to 200 kB
 OWN = re.compile(r"[0-9a-f]{40}\.npz|\.[0-9a-f]{40}\.\w+\.partial\.npz")  # a solved clip, or one that was being written
 LIBRARIES = ("mujoco", "numpy", "scipy", "nlopt")

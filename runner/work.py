@@ -21,9 +21,8 @@ from .motion import Saved
 from .system import largest
 from .system.progress import Teller
 
-PAIR = (
-    2000  # [bytes] of a search for every pair of a frame's numbers; short clips of chains of hinges take 1100 to 1500
-)
+# [bytes] of a search for every pair of a frame's numbers; short clips of chains of hinges take 1100 to 1500
+PAIR = 2000
 
 
 @contextmanager

@@ -16,7 +16,7 @@ import numpy as np
 
 from .array import Array, Mask
 
-MOST_STEPS = 60
+MOST_STEPS = 60  # of the active set
 SETTLED = 1e-14  # promised decrease beside |w|² at which a step is the last one
 FAR = 0.5  # of the slope at a step's start, with the other sign, at its end: too far
 SECANTS = 8  # steps after which one that goes too far is shortened by the exact line search

@@ -22,12 +22,13 @@ from .figure.kinematics import Samples
 from .penalty import Penalty
 from .penalty.penalty import instants_of
 
-SMALL_SHARE = 0.01
+SMALL_SHARE = 0.01  # of the clip: a violation of 1 cm over so much of it is the unit of a term that is nearly nought
+# share of the clip, times its mean there, least share: see _typical
 MOST_OF_TIME, VIOLENT, LEAST_TYPICAL = 0.8, 4.0, 0.1
 HEAVY = 10.0  # times what the raw spline costs in a renormalised objective: E beyond it is of something gross
 NODES = 4  # a span, of integrals by segments
 RUN = 400
-RUN_ENTRIES = 8000
+RUN_ENTRIES = 8000  # samples times columns at once, whose arrays stay in cache
 
 
 @dataclass(frozen=True)

@@ -25,9 +25,9 @@ if TYPE_CHECKING:
     from .dispatch import Tally
 
 NEEDS = ("distributed", "dask", "psutil")
-MOST_WORKERS = 1000
-MOST_SECONDS = 1e6
-LEAST_MEGABYTES, MOST_MEGABYTES = 256, 10**7
+MOST_WORKERS = 1000  # more would only be a slip of the keyboard
+MOST_SECONDS = 1e6  # [s] a clip, eleven days
+LEAST_MEGABYTES, MOST_MEGABYTES = 256, 10**7  # [MB] a worker
 
 
 def run(

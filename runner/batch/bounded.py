@@ -29,8 +29,8 @@ if TYPE_CHECKING:
 
 PROGRAM = "import sys; sys.path[:] = {path!r}; from dynsplines.batch.child import serve; serve({handle}, {parent})"
 READY, BEGUN = "ready", "begun"
-START_SECONDS = 120.0
-WATCH_SECONDS = 0.1
+START_SECONDS = 120.0  # [s] that a worker may take to import what it needs
+WATCH_SECONDS = 0.1  # [s] between looks at the clock and at memory
 STARTS = 3  # a process may have gone for want of work just when it gets some
 
 

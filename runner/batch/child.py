@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     Line = Connection[Any, Any]
     Do = Callable[[Any, Path], Product]
 
-IDLE_SECONDS = 120.0
+IDLE_SECONDS = 120.0  # [s] without work, after which a worker that lost its driver ends
 LATER_SECONDS = 5.0  # the parent's clock comes first
 SLACK = 256  # [MB] that a process has asked for and does not use: the kernel counts it
 PR_SET_PDEATHSIG = 1

@@ -24,8 +24,8 @@ from ..system.workers import ctrl_c_blocked
 from .crew import Crew
 
 WITHIN = "inproc://"
-CONNECT_SECONDS = 10
-CLOSE_SECONDS = 10
+CONNECT_SECONDS = 10  # [s] until a cluster that is named is told to be missing
+CLOSE_SECONDS = 10  # [s] that workers have to end by themselves
 CALM = {  # what Dask watches of itself every few milliseconds would cost a tenth of a small clip
     "distributed.worker.profile.enabled": False,
     "distributed.admin.tick.interval": "1s",

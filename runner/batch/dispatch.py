@@ -36,7 +36,7 @@ TRIES = 3  # of a clip whose process or worker goes away, in one run
 AHEAD = 2  # clips handed over for every thread there is
 TICK_SECONDS = 0.5
 GONE = "the Dask scheduler is gone; the same command goes on where it stopped"
-GATHER_SECONDS = 60
+GATHER_SECONDS = 60  # [s] that a result which is there may take to come over
 
 
 @dataclass(frozen=True)

@@ -20,7 +20,7 @@ from ..scene.outside import lies_in
 from ..system.output import Replacement
 
 NAME = "manifest.jsonl"
-VERSION = 1
+VERSION = 1  # of the file's form
 STATES = ("queued", "running", "done", "failed")
 
 State = Literal["queued", "running", "done", "failed"]

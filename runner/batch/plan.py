@@ -13,7 +13,7 @@ from .inputs import Source, files_of, named_apart
 from .manifest import Entry, Manifest
 from .task import NPZ, Files, program
 
-TOLD_EVERY = 500
+TOLD_EVERY = 500  # clips, between lines on how far the plan is
 
 
 @dataclass(frozen=True)

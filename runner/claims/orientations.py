@@ -28,7 +28,7 @@ from dynsplines.solver.solution import Improvement, Solution
 
 from ..system import stopping
 
-KEYFRAMES = 7
+KEYFRAMES = 7  # as many orientations as in the paper's figure 7
 TENTHS = 10  # equal parts of a path, as in figure 10
 REFERENCE_FRAMES = 15  # variable frames a segment that stand for the exact minimum
 NODES = 8  # of Gauss in every part of a span

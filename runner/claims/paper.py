@@ -43,19 +43,19 @@ from .orientations import (
     unit_deviation,
 )
 
-SETS = 20
-SHARE_OF_SETS = 0.9
-UNIT_LIMIT = 0.002
-ENERGY_LIMIT = 1.01
-FOUND_WEIGHT = 10.0
-SPEED_SETS = 3
-STOPS = (1, 3, 10)
-STEPS = (3, 40)
-SOLVER_SECONDS = 20.0
-TOUCH = 0.001
-RUNNER_SECONDS = 60.0
-ROUNDING = 1e-9
-TIE = 1e-3
+SETS = 20  # random sets of keyframes that a claim is tried on
+SHARE_OF_SETS = 0.9  # of them that it has to hold for
+UNIT_LIMIT = 0.002  # deviation from unit length that the paper reports
+ENERGY_LIMIT = 1.01  # times the least energy that is as good as it
+FOUND_WEIGHT = 10.0  # of unit length beside acceleration, at which the paper's 0.2 % are met
+SPEED_SETS = 3  # sets that are timed
+STOPS = (1, 3, 10)  # evaluations after which a search is stopped
+STEPS = (3, 40)  # of the method beside it: from so few, up to so many
+SOLVER_SECONDS = 20.0  # [s] that a solver beside it may take for a set
+TOUCH = 0.001  # [m] of depth that counts as none
+RUNNER_SECONDS = 60.0  # [s] that the runner may take
+ROUNDING = 1e-9  # of what is met exactly
+TIE = 1e-3  # of E: two criteria that differ by less are as good
 EXACT = f"the intrinsic form with {REFERENCE_FRAMES} variable frames a segment stands for the exact minimum"
 
 Row = dict[str, float]

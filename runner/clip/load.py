@@ -63,10 +63,10 @@ from .things import lying
 
 Tables = TypeVar("Tables", bound=Table)
 
-LONGEST_PANEL = 0.05
-POINTS = 3
-TOLERANCE = 1e-3
-FRAME_SECONDS = 0.1
+LONGEST_PANEL = 0.05  # [s] of Gauss's rule
+POINTS = 3  # of Gauss's rule in a panel: exact for fifth powers of time
+TOLERANCE = 1e-3  # relative progress of E at which a search ends
+FRAME_SECONDS = 0.1  # [s] a variable frame at least in the budget of a clip with long segments
 
 AROUND = ("travel", "turn")  # what [solve] says of how a loop comes back
 SHORTEST = 0.001  # [s] between neighbouring keyframes

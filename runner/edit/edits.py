@@ -38,7 +38,7 @@ LASTING = ("contact", "hold")  # tables of a clip that last from one time to ano
 
 FRAME_SECONDS = 0.025  # a variable frame of a transition, about: its ends leave no time to get out of the floor
 LEAST_FRAMES = 6
-TOLERANCE = 1e-5
+TOLERANCE = 1e-5  # of E of a transition
 
 
 @contextmanager

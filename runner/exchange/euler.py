@@ -10,7 +10,7 @@ import numpy as np
 
 from dynsplines.solver.array import Array
 
-LOCKED = 1e-7
+LOCKED = 1e-7  # sine of the distance from where two axes fall together
 
 
 def matrices(q: Array) -> Array:

@@ -15,7 +15,7 @@ from ..errors import UserError
 from ..system import archive as archive_sizes
 from ..system import largest
 
-LARGEST = 1e9
+LARGEST = 1e9  # of any number: its square still is one
 NUMBER = 8  # [bytes]
 
 

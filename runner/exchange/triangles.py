@@ -18,7 +18,7 @@ from dynsplines.solver.array import Array
 
 from ..errors import UserError
 
-HIDDEN_GROUP = 3
+HIDDEN_GROUP = 3  # MuJoCo's viewer shows groups below it
 SAG = 0.0008  # [m] that a round surface may lie off its true place, and so how many triangles it gets
 MESHES = (mujoco.mjtGeom.mjGEOM_MESH, mujoco.mjtGeom.mjGEOM_SDF)
 PLAIN = np.float32(0.5)  # MuJoCo's grey: a geom of this colour takes its material's

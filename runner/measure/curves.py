@@ -15,8 +15,8 @@ from dynsplines.solver.surface.points import places_of
 from ..clip.load import Clip
 from ..motion import samples_at
 
-RATE = 250.0
-TENTHS = 10
+RATE = 250.0  # [1/s]: finer than any chart is wide
+TENTHS = 10  # of the path, as in the paper's figure 10
 
 
 def curves(clip: Clip, motion: Solution) -> dict[str, Any]:

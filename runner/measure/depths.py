@@ -17,7 +17,7 @@ from dynsplines.solver.surface import Box, Surface
 from dynsplines.solver.surface.points import Point
 from dynsplines.solver.surface.surface import UPRIGHT
 
-TINY = 1e-12
+TINY = 1e-12  # [m]: no direction at all
 
 
 @dataclass(frozen=True, eq=False)

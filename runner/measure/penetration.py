@@ -14,7 +14,7 @@ from dynsplines.solver.array import Array, Index
 from dynsplines.solver.figure.naming import geom_name
 from dynsplines.solver.surface import touch
 
-NEAR = 0.02
+NEAR = 0.02  # [m] up to which MuJoCo looks for the distance of two geoms
 
 
 @dataclass(frozen=True)

@@ -56,8 +56,8 @@ from .problems import plain, problems
 from .swings import swings
 from .swings import words as swing_words
 
-RATE = 1000.0
-LOCAL_EVALUATIONS = 25
+RATE = 1000.0  # [1/s], between the samples that the optimiser saw
+LOCAL_EVALUATIONS = 25  # that tell what a segment has left to gain
 LOCAL_TOLERANCE = 1e-4  # of a segment's E; what is left is known to a tenth, in a quarter of the time that 1e-7 takes
 RESTING = 0.01
 LEAST_STANCE = 0.05  # [s]: shorter, and two images of a recording stand next to each other, and no foot

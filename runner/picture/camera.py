@@ -43,8 +43,8 @@ ANGLES: dict[str, tuple[float, float]] = {
     "back": (0.0, -10.0),
 }
 
-SMOOTHING_SECONDS = 0.5
-MARGIN = 1.06
+SMOOTHING_SECONDS = 0.5  # [s] over which a camera follows
+MARGIN = 1.06  # times the figure's extent that a picture shows
 
 
 def plan(

@@ -36,8 +36,8 @@ Item = TypeVar("Item")
 
 MOST_WAITING = 2  # images drawn and not yet encoded
 SHEET_PICTURES = 12
-SHEET_TILE = 480
-SHEET_MARGIN = 8
+SHEET_TILE = 480  # [pixels] of a contact sheet's images
+SHEET_MARGIN = 8  # [pixels] between them
 GIF_FPS = 50  # browsers slow a GIF down when its images are shorter than 0.02 s
 
 _BT709 = 1  # the number that H.273 gives to BT.709, for primaries, transfer and matrix alike

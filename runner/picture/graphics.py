@@ -29,7 +29,7 @@ from ..system.output import Replacement
 Kind = Literal["egl", "osmesa", "display", "rays"]
 
 OVERRIDE = "DYNSPLINES_RENDERER"
-PROBE_SECONDS = 60.0
+PROBE_SECONDS = 60.0  # [s] that a renderer may take to draw a first image
 REMEMBERED = 24 * 3600.0  # [s] that a trial is believed: drivers are renewed while a machine runs
 BOOT = Path("/proc/sys/kernel/random/boot_id")
 

@@ -12,10 +12,10 @@ from PIL import Image, ImageDraw, ImageFont
 Picture = NDArray[np.uint8]
 Place = Literal["top left", "top", "top right", "bottom left", "bottom", "bottom right"]
 
-_PAPER = (250, 251, 252)
-_INK = (24, 30, 38)
-_OPACITY = 0.72
-_SUPERSAMPLING = 4
+_PAPER = (250, 251, 252)  # red, green, blue
+_INK = (24, 30, 38)  # red, green, blue
+_OPACITY = 0.72  # of labels
+_SUPERSAMPLING = 4  # pixels a pixel, in either direction, that round a label's corners
 
 
 def side_by_side(left: Picture, right: Picture) -> Picture:

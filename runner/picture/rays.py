@@ -34,8 +34,8 @@ Ints = NDArray[np.int32]
 Bools = NDArray[np.bool_]
 Indices = NDArray[np.intp]
 
-SCENE = -1
-SKY = -2
+SCENE = -1  # in place of a geom's number: what stands still
+SKY = -2  # in place of a geom's number: nothing
 _HAZE_START, _HAZE_LENGTH = 9.0, 28.0  # [m]
 _BAND = 40_000  # rays at a time: few enough for the processor's cache
 _JUST_SEEN, _SEEN = 0.05, 0.15  # sums of differences in red, green and blue that deserve smoothing

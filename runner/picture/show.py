@@ -22,11 +22,11 @@ from .ghost import Ghost
 from .graphics import Graphics
 from .stage import Picture, Stage
 
-KEY_SECONDS = 0.5
+KEY_SECONDS = 0.5  # [s] that a film stays on a keyframe
 PIXELS_OF_A_PROCESS = 1_000_000  # rays draw so many in the time that a process takes to start, and some more
 SMOOTHING = 2  # times larger than a tile are its pictures drawn: four samples a pixel, as many as multisampling takes
 KEY_SHADE, VARIABLE_SHADE, BETWEEN_SHADE = 0.0, 0.45, 0.75
-KEY_OPACITY, VARIABLE_OPACITY, BETWEEN_OPACITY = 1.0, 0.55, 0.25
+KEY_OPACITY, VARIABLE_OPACITY, BETWEEN_OPACITY = 1.0, 0.55, 0.25  # of ghosts
 BETWEEN_RATE = 15.0  # [1/s] in-betweens of a still
 
 

@@ -9,7 +9,7 @@ from dynsplines.solver.array import Array, Index
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.surface.touch import moves
 
-MOST_POSES = 60
+MOST_POSES = 60  # that a camera's frame is made of
 STANDING = 2.05  # [m] a person with a hand raised over the head
 PEOPLE = (1.3, 2.2)  # [m]
 WIDTH, HEIGHT = 0.8, 1.06  # of the height that a camera is told, how much of a figure it shows about its middle

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from rich.progress import Progress
 
 Item = TypeVar("Item")
-QUIET_SECONDS = 5.0
+QUIET_SECONDS = 5.0  # [s] between lines where no bar can be drawn
 
 
 class Teller:

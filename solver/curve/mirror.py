@@ -17,7 +17,7 @@ from ..array import Array, Index
 from ..figure.figure import Figure, JointKind, Link
 from .frame import Frame, Timeline
 
-POLAR, AXIAL = np.array([1.0, -1, 1]), np.array([-1.0, 1, -1])
+POLAR, AXIAL = np.array([1.0, -1, 1]), np.array([-1.0, 1, -1])  # what a mirror does to places, and to axes of rotation
 TURN = np.array([1.0, -1, 1, -1])
 SAME_ANGLE, MIDDLE = 1e-3, 1e-3  # [rad], [m] how far a figure may be from symmetric
 # a word of its own, or the capital that begins one; or beside the letter for front, rear, hind, back or middle: FL, rh

@@ -14,8 +14,8 @@ import numpy as np
 
 from ..array import Array
 
-LEAST_PER_SPAN = 4
-MOST_SAMPLES = 100_000
+LEAST_PER_SPAN = 4  # samples in the shortest span between frames, of even sampling
+MOST_SAMPLES = 100_000  # of even sampling, for memory's sake
 
 
 @dataclass(frozen=True)

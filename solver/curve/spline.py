@@ -24,10 +24,10 @@ from .frame import Timeline
 if TYPE_CHECKING:
     from scipy.sparse.linalg import SuperLU
 
-DEGREE = 3
-SHORT = 150
+DEGREE = 3  # cubic: the least that is C²
+SHORT = 150  # coefficients up to which a dense inverse is quicker than a sparse solve
 Complex = NDArray[np.complex128]
-TAYLOR = np.arange(2, -1, -1)[:, None] + np.arange(DEGREE + 1)
+TAYLOR = np.arange(2, -1, -1)[:, None] + np.arange(DEGREE + 1)  # powers of (t - knot) in y, y', y'' by coefficient
 
 
 class Spline:

@@ -19,7 +19,7 @@ from ..curve.unknowns import raw_timeline
 from ..figure.figure import Figure, JointKind
 from ..figure.kinematics import Samples
 
-LEAST_FRAMES = 4
+LEAST_FRAMES = 4  # variable ones, so that both ends keep value, slope and curvature
 UPSIDE_DOWN = 1e-9  # of a sine and a cosine, below which nothing is left but a tilt
 OF_TRUNK = 0.25  # least share of the mass that hangs from a link of the trunk: from feet with toes hangs less
 

@@ -17,7 +17,7 @@ from .dynamics import InverseDynamics
 from .figure import Figure
 from .kinematics import Samples
 
-STANDARD_GRAVITY = 9.81
+STANDARD_GRAVITY = 9.81  # [m/s²] where a model has none
 
 
 class RootWrench:

@@ -10,7 +10,7 @@ from ..figure.figure import Figure
 from ..figure.kinematics import Samples
 from .penalty import Penalty
 
-SAMPLES = 5
+SAMPLES = 5  # random ones that a gradient is tried on
 STEPS = np.array([1e-3, 1e-4])
 STEEP = 1.9  # of the Taylor slope: 2 of an exact gradient, 1 of a wrong one
 LINEAR = 1e-10  # of the size of what is compared: remainders as small are rounding, where f_j is linear or flat

@@ -19,8 +19,8 @@ from ..array import Array, Index
 from ..figure.adjoint import Cotangent
 from ..figure.kinematics import Samples
 
-ROWS_AT_ONCE = 400
-DIFFERENCE = 1e-6
+ROWS_AT_ONCE = 400  # copies of samples that an adjoint sweep takes at once: they stay in cache
+DIFFERENCE = 1e-6  # of a state's size, between the gradients of a difference
 
 
 class Curvature:

@@ -29,7 +29,7 @@ ROBUST = 2.5  # noises off, from which a sample is trusted less
 UNLIKE = (
     8.0  # times as far from the middle of its neighbours as the usual one: a sample that the first curve leaves out
 )
-ROUNDS = 4
+ROUNDS = 4  # of trusting samples by how far off they are
 
 
 @dataclass(frozen=True, eq=False)

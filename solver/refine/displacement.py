@@ -19,7 +19,7 @@ from ..objective import Objective
 from ..search.descent import optimised
 from .euler_lagrange import residual
 
-NODES = 6
+NODES = 6  # a span, of Gauss's rule
 
 
 @dataclass(frozen=True)

@@ -20,11 +20,11 @@ from ..curve.spline import Path, Sampling, Spline
 from ..objective import Objective
 from ..penalty.curvature import Curvature
 
-NODES = 8
-GRADIENT_NODES, HESSIAN_NODES = 5, 2
-WINDOW = 60
-REACH = 4
-FAINT = 1e-9
+NODES = 8  # a span, of the strong form's integrals
+GRADIENT_NODES, HESSIAN_NODES = 5, 2  # a span, of the weak form's first and second derivatives
+WINDOW = 60  # spans whose curvature is held in memory at once
+REACH = 4  # spans to either side in which what a frame moves is counted
+FAINT = 1e-9  # of a Hessian's size, added to its diagonal
 
 
 def covariant_residual(path: Path, t: Array, unit_weight: float) -> Array:

@@ -20,8 +20,8 @@ from ..curve.frame import Frame, Timeline
 from ..curve.spline import path_of
 from ..objective import Objective, segment_integrals
 
-KEPT, AHEAD, BEHIND = 40, 4, 3
-FRAMES_A_SEGMENT = 4
+KEPT, AHEAD, BEHIND = 40, 4, 3  # segments of a window, those it looks ahead to and those held behind it
+FRAMES_A_SEGMENT = 4  # that is_long reckons with
 LARGEST = 2_500_000  # entries of a banded matrix
 PINNED = 0.1
 

@@ -17,11 +17,12 @@ from ..objective import Discretised, Evaluation
 from .minimum import Improved, Minimum, Stop, StopSearch
 from .quadratic import Layout, Model, Proposal
 
-FIRST_DAMPING = 1.0
-LEAST_DAMPING, MOST_DAMPING = 1e-6, 1e9
-WELL, BADLY = 0.7, 0.25
-LOWER, RAISE, REJECT = 0.2, 3.0, 8.0
-NEGLIGIBLE = 1e-3
+FIRST_DAMPING = 1.0  # E's own curvature in y'' is one
+LEAST_DAMPING, MOST_DAMPING = 1e-6, 1e9  # between Newton's step and hardly any
+WELL, BADLY = 0.7, 0.25  # of the decrease that a step promised: damp less from here, more below
+LOWER, RAISE, REJECT = 0.2, 3.0, 8.0  # times the damping after a good step, a bad one, one that raised E
+NEGLIGIBLE = 1e-3  # of the first E: less than that counts as so much
+# the decrease that is left, of the last promise: least share by its trend, and by what the model missed
 SUDDEN, SURE, UNSEEN = 0.1, 0.02, 2.0
 
 

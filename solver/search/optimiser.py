@@ -17,12 +17,12 @@ from .minimum import Minimum, Stop, StopSearch
 # NLopt's general failure is a class of its own in 2.11 and no RuntimeError
 FAILURES = (nlopt.RoundoffLimited, RuntimeError, getattr(nlopt, "runtime_error", RuntimeError))
 
-INFINITELY_BAD = 1e300
+INFINITELY_BAD = 1e300  # E where it is no number: NLopt cannot do with infinity
 
 
-DAMPINGS = (1.0, 1e-2, 1e-4)
-NEGLIGIBLE = 1e-3
-ROUNDING = 1e-12
+DAMPINGS = (1.0, 1e-2, 1e-4)  # of the first step, tried in turn
+NEGLIGIBLE = 1e-3  # of the first value: a step that changes less ends a search
+ROUNDING = 1e-12  # of a value that is nought
 
 
 def algorithm(method: str) -> int:

@@ -33,14 +33,14 @@ from ..figure.kinematics import Samples
 from ..objective import Discretised, Term
 from ..penalty.curvature import Curvature
 
-POINTS = 2
-SPANS_AT_ONCE, SPAN_ENTRIES = 32, 2000
-STIFF = 1e6
-FAINT = 1e-9
-SHARE_OF_POSITION = 0.3
-MOST_CHANGES = 15
-SETTLED = 0.05
-LOCAL = DEGREE + 1
+POINTS = 2  # a span: smooth terms' curvature is no E
+SPANS_AT_ONCE, SPAN_ENTRIES = 32, 2000  # least, and by columns: their blocks stay in cache
+STIFF = 1e6  # times the median curvature: what is held moves by a millionth
+FAINT = 1e-9  # of the median curvature, so that Cholesky's factor exists
+SHARE_OF_POSITION = 0.3  # of the flat metric, beside acceleration
+MOST_CHANGES = 15  # of which one-sided residuals count
+SETTLED = 0.05  # of the model's decrease: a change that gains less is the last
+LOCAL = DEGREE + 1  # B-splines that a sample sees
 
 Picked = Index | slice
 

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from ..array import Array
 from .surface import UPRIGHT
 
-SIDEWAYS = 4.0
+SIDEWAYS = 4.0  # κ: a way out through a face that does not look up counts as so much longer
 
 
 @dataclass(frozen=True)

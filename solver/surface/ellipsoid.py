@@ -13,7 +13,7 @@ import numpy as np
 from ..array import Array
 from .solid import Solid, lengths, roots
 
-STEPS = 60
+STEPS = 60  # of Newton, at most
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from ..array import Array, Index
 from .solid import TINY, Solid, lengths
 from .surface import GROUNDED, UPRIGHT
 
-SAME_FACE = 1e-7
+SAME_FACE = 1e-7  # [m] between planes that are one
 AT_ONCE = 200_000  # pairs of a point and an edge
 
 

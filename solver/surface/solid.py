@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ..array import Array, Index
 
-TINY = 1e-12
+TINY = 1e-12  # [m]: no direction at all
 LEAST_RISE = 0.05  # of a normal that one can still speak of standing on
 
 

@@ -212,3 +212,26 @@ def test_tests_lie_as_what_they_test_does(top):
     assert folders
     for folder in folders:
         assert (ROOT / folder.relative_to("tests")).is_dir(), folder
+
+
+def bare_constants(path: Path) -> list[str]:
+    """The numbers that a module names without a word on their unit or why they are as they are."""
+    lines = (ROOT / path).read_text(encoding="utf-8").splitlines()
+    found = []
+    for node in tree(path).body:
+        if not isinstance(node, ast.Assign) or isinstance(node.value, ast.Dict | ast.DictComp | ast.Call):
+            continue
+        parts = [e for t in node.targets for e in (t.elts if isinstance(t, ast.Tuple) else [t])]
+        names = [part.id for part in parts if isinstance(part, ast.Name) and part.id.lstrip("_").isupper()]
+        held = [c.value for c in ast.walk(node.value) if isinstance(c, ast.Constant)]
+        if names and any(isinstance(value, int | float) and not isinstance(value, bool) for value in held):
+            said = (
+                lines[node.lineno - 1] + lines[node.end_lineno - 1 if node.end_lineno else 0] + lines[node.lineno - 2]
+            )
+            found += [] if "#" in said else names
+    return found
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.as_posix())
+def test_a_number_with_a_name_says_its_unit_or_why(path):
+    assert not bare_constants(path)

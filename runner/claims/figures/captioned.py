@@ -16,7 +16,7 @@ from PIL import Image, ImageDraw, ImageFont
 Picture = NDArray[np.uint8]
 Word = tuple[str, ImageFont.FreeTypeFont]
 
-PAPER, INK = (255, 255, 255), (34, 48, 58)
+PAPER, INK = (255, 255, 255), (34, 48, 58)  # red, green, blue
 LETTERS = 70  # a picture is so many letter heights wide: a line holds some 130 letters
 LEAST_LETTERS = 8  # [pixels]
 LEADING = 1.45  # line spacing, in letter heights

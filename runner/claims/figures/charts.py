@@ -27,7 +27,7 @@ from ...measure.chart import INK, style
 from ..orientations import FEW_FRAMES, PAPER, TENTHS, Run, figure_ten, strong_tenths, unit_deviation, weak_tenths
 from .captioned import Picture
 
-DPI = 120
+DPI = 120  # dots an inch
 RATE = 500  # [1/s] points of a curve
 SHOWN_STEPS = 3  # dashed paths, the raw spline among them: the next ones lie on the solid one
 PAPERS_LIMIT = 0.002  # deviation from unit length that the paper reports

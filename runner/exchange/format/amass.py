@@ -31,7 +31,7 @@ from ..skeleton.person import Person
 from ..take import Recording
 
 NAME = "amass"
-PARENT = (-1, 0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 9, 9, 12, 13, 14, 16, 17, 18, 19)
+PARENT = (-1, 0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 9, 9, 12, 13, 14, 16, 17, 18, 19)  # of SMPL's joints, by index
 JOINT = {
     "spine": 9, "left_hip": 1, "right_hip": 2, "left_knee": 4, "right_knee": 5, "left_ankle": 7, "right_ankle": 8,
     "left_shoulder": 16, "right_shoulder": 17, "left_elbow": 18, "right_elbow": 19,

@@ -22,7 +22,7 @@ from ..skeleton.bvh_file import Joint, Skeleton, written
 from ..skeleton.captured import Captured
 from ..take import Recording, Take
 
-CENTIMETRES = 100.0
+CENTIMETRES = 100.0  # a metre
 FIXED = 1e-7  # [m]: less is no movement
 LIFTED = 0.002  # [m] worth a note
 PLACES = ("Xposition", "Yposition", "Zposition")

@@ -34,10 +34,11 @@ from ..skeleton.person import Person
 from ..take import Recording, Take
 
 NAME = "deepmimic"
-LIMB = (("hip", 4), ("knee", 1), ("ankle", 4), ("shoulder", 4), ("elbow", 1))
+LIMB = (("hip", 4), ("knee", 1), ("ankle", 4), ("shoulder", 4), ("elbow", 1))  # numbers a joint: quaternion or angle
+# in the order of its frames
 JOINTS = (("chest", 4), ("neck", 4), *((f"{side}_{part}", n) for side in ("right", "left") for part, n in LIMB))
 OURS = {"chest": "spine"}
-WIDTH = 8 + sum(width for _, width in JOINTS)
+WIDTH = 8 + sum(width for _, width in JOINTS)  # numbers a frame: duration, root's place and rotation, joints
 HIPS = 0.421546 + 0.409870 + 0.0225 + 0.0275  # above the soles: thigh, shin, and the box of the foot [m]
 LOST = np.radians(1)  # beside the axis of a knee or elbow, from which on it is told
 

@@ -29,7 +29,7 @@ from ..robot import FREE, needs_figure
 from ..skeleton.hinged import BALL, Layout, angles, rotation_of
 from ..take import Recording, Take
 
-CLAMP, WRAP = 0, 1
+CLAMP, WRAP = 0, 1  # its codes for what plays once and what repeats
 HINGE = int(mujoco.mjtJoint.mjJNT_HINGE)
 CHARACTER = "xyz"  # order of the hinges in their character files
 

@@ -17,8 +17,8 @@ from .pickle_program import Makers, Refused, Unfinished
 
 FIXED = re.compile(r"b1|[iu][1248]|f[248]|[SU][1-9][0-9]{0,5}|O8?")
 ORDERS: dict[str, Literal["<", ">", "|"]] = {"<": "<", ">": ">", "|": "|"}
-MOST_AXES = 32
-LAST_CHARACTER = 0x10FFFF
+MOST_AXES = 32  # of NumPy's arrays
+LAST_CHARACTER = 0x10FFFF  # of Unicode
 
 
 @dataclass(frozen=True)

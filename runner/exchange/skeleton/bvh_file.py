@@ -22,7 +22,7 @@ from ...errors import UserError
 
 AXES = "XYZ"
 KINDS = tuple(f"{axis}{kind}" for kind in ("position", "rotation") for axis in AXES)
-MOST_JOINTS = 2000
+MOST_JOINTS = 2000  # of a skeleton: more is a mangled file
 
 
 @dataclass(frozen=True)

@@ -23,8 +23,8 @@ from ..curvature import Curvature
 from ..penalty import Penalty, Scale
 from .contact import point_gradients
 
-NEAR_SURFACE = 0.012
-SAME_SPOT = 0.05
+NEAR_SURFACE = 0.012  # [m] by which a sole that stands may be off its surface in a keyframe
+SAME_SPOT = 0.05  # [m] that keyframes may put a standing point apart
 SAME_PLACE = 0.001  # [m] by which keyframes may put a thing that lies differently: it has no reason to drift
 ARM = 0.2  # [m] from a thing's origin to the points that tell how it lies: about half of what a person carries
 HELD = 10.0  # times as much a stance weighs that a posed keyframe tells: nothing exact holds the point at its end

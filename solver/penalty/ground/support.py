@@ -26,7 +26,7 @@ from ..penalty import Penalty, Scale
 from .flight import A_TENTH, rows_of_wrench, within
 from .footing import Footing, Interval
 
-EDGES = 4
+EDGES = 4  # of the pyramid that stands for a friction cone
 
 
 class _Found(NamedTuple):

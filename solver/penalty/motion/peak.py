@@ -19,7 +19,7 @@ from ...figure.kinematics import Samples
 from ..curvature import Curvature
 from ..penalty import Penalty, Scale
 
-POWER = 4
+POWER = 4  # of squared accelerations: eighth powers of accelerations
 NEGLIGIBLE = 1e-3  # of the largest residual's gradient
 
 
