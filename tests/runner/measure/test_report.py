@@ -14,7 +14,8 @@ from tiny import FIGURE, written
 
 from dynsplines import work
 from dynsplines.clip import load as clip
-from dynsplines.measure.report import Grid, _far_from_trouble, report, tables
+from dynsplines.measure.grid import Grid
+from dynsplines.measure.report import _far_from_trouble, report, tables
 from dynsplines.motion import sampled
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.refine.subdivision import evenly
