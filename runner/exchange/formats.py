@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Protocol
 
 import mujoco
 
@@ -74,8 +74,7 @@ class Format:
         """Raises UserError unless a file of that name can be one of this format: .mjlab.npz may be short, .npz."""
         endings = dict.fromkeys((*self.told_by, *self.also, Path(f"_{self.ending}").suffix))
         if not target.name.lower().endswith(tuple(endings)):
-            article = "an" if self.name.startswith(("a", "h", "npz", "mj")) else "a"
-            raise UserError(f"'{target}': {article} {self.name} file's name ends in {' or '.join(endings)}")
+            raise UserError(f"'{target}': the name of a file of the format {self.name} ends in {' or '.join(endings)}")
 
 
 FORMATS = (
@@ -219,9 +218,9 @@ def written_by(own: Writer, saved: Saved, target: Path, *, fps: float | None = N
     return target
 
 
-def _beside(module: Any, take: Take, target: Path) -> dict[Path, bytes]:
+def _beside(module: Module, take: Take, target: Path) -> dict[Path, bytes]:
     """What is to lie beside a motion's file."""
-    found = module.beside(take) if hasattr(module, "beside") else {}
+    found = {} if module.beside is None else module.beside(take)
     return {
         target.with_suffix(name) if name.startswith(".") else target.parent / name: (
             content if isinstance(content, bytes) else content.encode()
@@ -286,20 +285,32 @@ def _told(source: Path) -> Format:
     sharing = [each for each in known if name.endswith(("." + each.ending.rpartition(".")[2], *each.also))]
     if sharing:
         _check_file(source)
-    fitting = [each for each in sharing if not hasattr(_module(each), "recognises") or _module(each).recognises(source)]
+    known_by = [(each, _module(each).recognises) for each in sharing]
+    fitting = [each for each, recognises in known_by if recognises is None or recognises(source)]
     if len(fitting) != 1:
         names = ", ".join(each.name for each in fitting or sharing or known)
         raise UserError(f"'{source}': its ending does not tell its format; {unsaid.FORMAT}, one of: {names}")
     return fitting[0]
 
 
-def _module(form: Format) -> Any:
+@dataclass(frozen=True)
+class Module:
+    """What a format's module has: see `Format`."""
+
+    write: Callable[[Take, Path], None]
+    read: Callable[..., Recording]
+    beside: Callable[[Take], Mapping[str, str | bytes]] | None
+    recognises: Callable[[Path], bool] | None
+
+
+def _module(form: Format) -> Module:
     """A format's module; raises UserError that says how to install what it needs."""
     try:
-        return import_module(f".format.{form.module}", __package__)
+        found = import_module(f".format.{form.module}", __package__)
     except ModuleNotFoundError as error:
         if form.extra is None:
             raise
         raise UserError(
             f"the format '{form.name}' needs '{error.name}'; install it: pip install 'dynamic-splines[{form.extra}]'"
         ) from None
+    return Module(*(getattr(found, name, None) for name in ("write", "read", "beside", "recognises")))  # type: ignore

@@ -168,10 +168,13 @@ def test_export_needs_no_format_where_the_ending_tells_it(run, tmp_path):
 @pytest.mark.parametrize(
     ("words", "told"),
     [
-        (["--to", "bvh", "-o", "a.csv"], "'a.csv': a bvh file's name ends in .bvh"),
-        (["--to", "bvh", "-o", "a"], "'a': a bvh file's name ends in .bvh"),
-        (["--to", "html", "-o", ".html.gz"], "'.html.gz': an html file's name ends in .html"),
-        (["--to", "mjlab", "-o", "a.csv"], "'a.csv': an mjlab file's name ends in .mjlab.npz or .npz"),
+        (["--to", "bvh", "-o", "a.csv"], "'a.csv': the name of a file of the format bvh ends in .bvh"),
+        (["--to", "bvh", "-o", "a"], "'a': the name of a file of the format bvh ends in .bvh"),
+        (["--to", "html", "-o", ".html.gz"], "'.html.gz': the name of a file of the format html ends in .html"),
+        (
+            ["--to", "mjlab", "-o", "a.csv"],
+            "'a.csv': the name of a file of the format mjlab ends in .mjlab.npz or .npz",
+        ),
         (["-o", "a.amass.npz"], "the format 'amass' is read only"),
         (["-o", "a.foo"], "'a.foo': its ending does not tell its format; give --to"),
         ([], "name the format, --to, or a file with its ending, -o; formats: csv"),

@@ -90,6 +90,6 @@ def test_openusds_own_validators_find_nothing(stage):
 
 
 def test_another_ending_is_told(take, tmp_path):
-    with pytest.raises(UserError, match=r"a usd file's name ends in \.usdc or \.usd or \.usda"):
+    with pytest.raises(UserError, match=r"the name of a file of the format usd ends in \.usdc or \.usd or \.usda"):
         formats.export(take.saved, "usd", tmp_path / "a.usdz")
     assert list(tmp_path.iterdir()) == []

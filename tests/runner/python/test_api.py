@@ -342,7 +342,7 @@ def test_edits_give_new_motions(motion, loop):
         (lambda m: m.thinned(0.02, max_angle=0), "max_angle = 0"),
         (lambda m: m.save("m.txt"), r"\.npz, or as a clip, \.toml"),
         (lambda m: m.export("m.txt"), "its ending does not tell its format"),
-        (lambda m: m.export("m.csv", "bvh"), r"'m\.csv': a bvh file's name ends in \.bvh"),
+        (lambda m: m.export("m.csv", "bvh"), r"'m\.csv': the name of a file of the format bvh ends in \.bvh"),
         (lambda m: m.export("m.csv", "cvs"), "no format 'cvs'; did you mean 'csv'"),
         (lambda m: m.render("m.mp4", camera="sde"), "no camera 'sde'; did you mean 'side'"),
         (lambda m: m.render("m.mp4", only="middle"), "not one of before, after, keys"),
