@@ -67,6 +67,7 @@ def build(
     holds: Sequence[Table] = (),
     penalties: Mapping[str, float | Table] | None = None,
     solve: Table | None = None,
+    recording: Table | None = None,
     own: Own = (),
     allow_outside: bool = False,
 ) -> Clip:
@@ -78,6 +79,7 @@ def build(
     holds      as [[hold]]: {"hand": "left_hand", "body": "crate", "from": 1.2, "to": 2.8}
     penalties  what differs from the defaults: {"torque": 0.1, "clearance": {"weight": 100, "margin": 0.002}}
     solve      as [solve]: {"ends": "periodic", "variable": 3}
+    recording  as [recording]: {"file": "walk.npz", "blend": 0.4}, from this folder; keyframes edit it
     own        soft constraints of your own with their weights: [(Calm(), 0.1)]; no file holds them
     allow_outside  let the figure's model read files that lie outside the model's own folder
 
@@ -87,7 +89,9 @@ def build(
         spec, called = _spec(figure)
         posed = _figure(spec, called) if any(key.qpos is not None for key in keyframes) else None
         raw: dict[str, Any] = {"figure": called, "fps": float(fps)}
-        raw |= {key: _plain(value) for key, value in (("scene", scene), ("solve", solve)) if value}
+        raw |= {
+            key: _plain(value) for key, value in (("scene", scene), ("solve", solve), ("recording", recording)) if value
+        }
         raw |= {"contact": [_plain(row) for row in contacts]} if contacts else {}
         raw |= {"hold": [_plain(row) for row in holds]} if holds else {}
         raw |= {"penalty": [_penalty(*entry) for entry in penalties.items()]} if penalties else {}

@@ -235,13 +235,26 @@ def test_the_option_counts_for_its_command_alone(run: Run, tmp_path: Path):
 
 
 def test_every_command_that_reads_models_has_the_option():
-    reading = {"render", "solve", "report", "plot", "new", "mirror", "retime", "trim", "join", "thin", "export"}
+    reading = {
+        "render",
+        "solve",
+        "report",
+        "plot",
+        "new",
+        "mirror",
+        "retime",
+        "trim",
+        "join",
+        "thin",
+        "export",
+        "clean",
+    }
     having = {
         command.name or command.callback.__name__
         for command in cli.app.registered_commands
         if command.callback is not None and "allow_outside" in command.callback.__annotations__
     }
-    assert having == reading | {"import", "batch"}
+    assert having == reading | {"import", "batch", "retarget"}
 
 
 @POSIX

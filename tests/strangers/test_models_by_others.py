@@ -23,7 +23,7 @@ from dynsplines import motion, work
 from dynsplines.clip import load as clip
 from dynsplines.clip.posing.feet import sole_points
 from dynsplines.clip.starter import starter
-from dynsplines.measure import report
+from dynsplines.measure.exactness import keyframe_error
 from dynsplines.picture.show import Look, images
 from dynsplines.scene import outside
 from dynsplines.scene.compose import compose, figure_spec
@@ -92,7 +92,7 @@ def test_a_model_by_others_becomes_a_clip_that_is_solved_and_drawn_without_an_ed
     assert found.motion.trace[-1][2] <= found.motion.trace[0][2]
     small = problem.figure.width <= SMALL
     saved = found.saved(Teller(Console(file=io.StringIO())), with_report=small)
-    error = saved.report["after"]["keyframe error"] if small else report.keyframe_error(problem, found.motion.timeline)
+    error = saved.report["after"]["keyframe error"] if small else keyframe_error(problem, found.motion.timeline)
     assert error <= 1e-12
     motion.save(saved, tmp_path / "its.npz")
     again = motion.load(tmp_path / "its.npz")

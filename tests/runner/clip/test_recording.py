@@ -8,7 +8,7 @@ import pytest
 import shipped
 from command import commanded
 
-from dynsplines import motion
+from dynsplines import Keyframe, build, motion
 from dynsplines.clip import load as clips
 from dynsplines.errors import UserError
 from dynsplines.motion import Saved
@@ -137,3 +137,14 @@ def test_the_commands_take_it_from_its_folder(folder, tmp_path, monkeypatch, cap
     assert again.timeline.times[-1] == pytest.approx(2.2, abs=0.01)
     assert command("export", "reach.npz", "-o", "reach.bvh").code == 0
     assert command("thin", "reach.npz", "-o", "thin.npz").code == 0
+
+
+@pytest.mark.slow
+def test_from_python_a_recording_is_built_upon(folder, monkeypatch):
+    monkeypatch.chdir(folder)
+    bent = {"left_elbow": {"rotvec": [0, -90, 0]}}
+    clip = build("human", [Keyframe(1.9, joints=bent)], recording={"file": "run.npz", "blend": 0.3})
+    found = path_of(inbetween(clip.problem).timeline)
+    at = clip.figure.model.joint("left_elbow").qposadr[0]
+    qpos = clip.figure.to_qpos(found.at(np.array([1.9])))[0]
+    np.testing.assert_allclose(qpos[at : at + 4], [np.sqrt(0.5), 0, -np.sqrt(0.5), 0], atol=1e-9)

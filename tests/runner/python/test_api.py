@@ -191,7 +191,8 @@ others = "hold"
 
 def test_keyframes_say_all_that_a_file_can():
     assert {*KeyframeTable.model_fields, "qpos"} == set(Keyframe.__dataclass_fields__)
-    assert set(ClipTable.model_fields) == {"figure", "fps", "scene", "contact", "hold", "penalty", "solve", "keyframe"}
+    tables = {"figure", "fps", "scene", "contact", "hold", "penalty", "solve", "recording", "keyframe"}
+    assert set(ClipTable.model_fields) == tables
 
 
 def test_scipys_rotations_and_whole_configurations_are_keyframes(motion):
