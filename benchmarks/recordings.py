@@ -21,10 +21,10 @@ from bench import Effort, Section, Target, people
 from rich.console import Console
 
 from dynsplines import kept
-from dynsplines.clean.cleaning import Cleaned, cleaned, ground_of
+from dynsplines.clean.cleaning import Cleaned, cleaned
 from dynsplines.clean.repairs import repaired
 from dynsplines.clip import load as clips
-from dynsplines.clip.follow.keeping import Ground
+from dynsplines.clip.follow.keeping import Ground, ground_of
 from dynsplines.exchange.skeleton import hierarchy
 from dynsplines.exchange.skeleton.roles import roles
 from dynsplines.measure.measures import turning, turns

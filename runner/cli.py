@@ -71,6 +71,12 @@ Outside = Annotated[
         "--allow-outside", callback=_let_outside, help="let a model read files that lie outside its own folder"
     ),
 ]
+Kind = Annotated[str | None, typer.Option("--from", help="its format, where the ending does not tell it")]
+Fps = Annotated[float | None, typer.Option(help="images a second, where the file does not tell")]
+Scale = Annotated[float | None, typer.Option(help="the file's unit of length in metres, where it is guessed")]
+SceneFile = Annotated[Path | None, typer.Option(help="a TOML file with [scene]: steps and obstacles of it")]
+ContactsFile = Annotated[Path | None, typer.Option(help="a TOML file with [[contact]]s, if not those found")]
+Within = Annotated[str | None, typer.Option(help="how far hands, feet and pelvis may move, such as 3cm")]
 AsJson = Annotated[bool, typer.Option("--json", help="print JSON")]
 
 
@@ -496,11 +502,9 @@ def export(
 def import_motion(
     source: Annotated[Path, typer.Argument(metavar="FILE", help="a recorded motion of another program")],
     figure: Annotated[str | None, typer.Option(help="the figure it is for: a shipped one or MJCF")] = None,
-    kind: Annotated[str | None, typer.Option("--from", help="its format, where the ending does not tell it")] = None,
-    fps: Annotated[float | None, typer.Option(help="images a second, where the file does not tell")] = None,
-    scale: Annotated[
-        float | None, typer.Option(help="the file's unit of length in metres, where it is guessed")
-    ] = None,
+    kind: Kind = None,
+    fps: Fps = None,
+    scale: Scale = None,
     skip_rest: SkipRest = False,
     output: Output = None,
     overwrite: OverThere = False,
@@ -538,12 +542,12 @@ def clean(
     source: Annotated[Path, typer.Argument(metavar="RECORDING", help="a motion, or a file that `import` reads")],
     output: Output = None,
     figure: Annotated[str | None, typer.Option(help="the figure it is for: a shipped one or MJCF")] = None,
-    kind: Annotated[str | None, typer.Option("--from", help="its format, where the ending does not tell it")] = None,
-    fps: Annotated[float | None, typer.Option(help="images a second, where the file does not tell")] = None,
-    scale: Annotated[float | None, typer.Option(help="the file's unit of length in metres")] = None,
-    scene: Annotated[Path | None, typer.Option(help="a TOML file with [scene]: steps and obstacles of it")] = None,
-    contacts: Annotated[Path | None, typer.Option(help="a TOML file with [[contact]]s, if not those found")] = None,
-    within: Annotated[str | None, typer.Option(help="how far hands, feet and pelvis may move, such as 3cm")] = None,
+    kind: Kind = None,
+    fps: Fps = None,
+    scale: Scale = None,
+    scene: SceneFile = None,
+    contacts: ContactsFile = None,
+    within: Within = None,
     overwrite: OverThere = False,
     allow_outside: Outside = False,
 ) -> None:
@@ -566,12 +570,12 @@ def retarget(
     output: Output = None,
     map_file: Annotated[Path | None, typer.Option("--map", help="a TOML file that says who is who")] = None,
     write_map: Annotated[bool, typer.Option("--write-map", help="write what was found to --map")] = False,
-    kind: Annotated[str | None, typer.Option("--from", help="its format, where the ending does not tell it")] = None,
-    fps: Annotated[float | None, typer.Option(help="images a second, where the file does not tell")] = None,
-    scale: Annotated[float | None, typer.Option(help="the file's unit of length in metres")] = None,
-    scene: Annotated[Path | None, typer.Option(help="a TOML file with [scene]: steps and obstacles of it")] = None,
-    contacts: Annotated[Path | None, typer.Option(help="a TOML file with [[contact]]s, if not those found")] = None,
-    within: Annotated[str | None, typer.Option(help="how far hands, feet and pelvis may move, such as 3cm")] = None,
+    kind: Kind = None,
+    fps: Fps = None,
+    scale: Scale = None,
+    scene: SceneFile = None,
+    contacts: ContactsFile = None,
+    within: Within = None,
     overwrite: OverThere = False,
     allow_outside: Outside = False,
 ) -> None:

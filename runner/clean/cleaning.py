@@ -19,14 +19,11 @@ from dynsplines.solver.reading.recorded import Recorded
 from dynsplines.solver.reading.settled import on_the_ground, settled
 from dynsplines.solver.reading.stances import NEAR, Stood, stood, unsure
 from dynsplines.solver.solution import Improvement, Solution
-from dynsplines.solver.surface import static_surfaces
 
 from ..clip.follow.keeping import Ground, problem
-from ..clip.posing.feet import sole_points
 from .repairs import Repaired
 
 NOISY = 0.008  # [m] of the soles' places, from which on stances are looked for twice
-LOOKED_AT = 50  # poses in which it is looked for what stands on the ground
 STRICTER, TRIES = 2.0, 7  # how much more the recording counts every time that something is too far off it
 
 
@@ -68,12 +65,6 @@ class Verdict(NamedTuple):
 
     off: float
     is_sound: bool = True
-
-
-def ground_of(figure: Figure, qpos: Array) -> Ground:
-    """What a figure stands with and on, by poses (T, nq)."""
-    some = qpos[:: max(1, len(qpos) // LOOKED_AT)]
-    return Ground(figure, sole_points(figure, some), tuple(static_surfaces(figure.model)))
 
 
 def cleaned(

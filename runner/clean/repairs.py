@@ -9,8 +9,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index, Mask
 from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.reading.recorded import groups, places
 
 from ..edit.lead_in import LeadIn, lead_in
 from ..errors import UserError
@@ -57,14 +59,6 @@ def repaired(figure: Figure, time: Array, qpos: Array, place: str) -> Repaired:
     if lost:
         raise UserError(f"{place}: too few samples of {', '.join(lost)}")
     return Repaired(time, qpos, known, tuple(notes))
-
-
-def groups(figure: Figure) -> list[Index]:
-    """The columns of qpos that are recorded together: places of roots, quaternions, single joints."""
-    tables = figure.tables
-    whole = [*tables.position_columns.T, *tables.quaternion_columns.T]
-    single = np.setdiff1d(np.arange(figure.width), np.concatenate([*whole, np.zeros(0, np.intp)]))
-    return [*whole, *single[:, None]]
 
 
 def _name(figure: Figure, columns: Index) -> str:
@@ -144,10 +138,10 @@ def _filled(
 
 def _jumps(figure: Figure, time: Array, qpos: Array, known: Mask, notes: list[str]) -> Mask:
     """(T, nq) which entries are of a single sample that jumps away and back."""
-    out = np.zeros(known.shape, bool)
+    out, metres = np.zeros(known.shape, bool), places(figure)
     for columns in groups(figure):
-        values = _continuous(qpos[:, columns])
-        bound = WAY if columns[0] in _places(figure) else TURN * (0.5 if columns.size == 4 else 1.0)
+        values = quat.aligned(qpos[:, columns]) if columns.size == 4 else qpos[:, columns]
+        bound = WAY if metres[columns[0]] else TURN * (0.5 if columns.size == 4 else 1.0)
         off = np.linalg.norm(values[1:-1] - 0.5 * (values[:-2] + values[2:]), axis=1)
         apart = np.linalg.norm(values[2:] - values[:-2], axis=1)
         far = (off > np.maximum(bound, FAR_OFF * np.median(off))) & (apart < BESIDE * off)
@@ -159,16 +153,3 @@ def _jumps(figure: Figure, time: Array, qpos: Array, known: Mask, notes: list[st
         told = ", ".join(whose[:3]) + (f" and {len(whose) - 3} more" if len(whose) > 3 else "")
         notes.append(f"{told}: {int(some.sum())} samples jump, first at {time[some][0]:.3f} s: bridged")
     return out
-
-
-def _places(figure: Figure) -> set[int]:
-    """The columns that hold metres."""
-    return {*figure.tables.position_columns.ravel().tolist(), *figure.tables.slide_columns.tolist()}
-
-
-def _continuous(values: Array) -> Array:
-    """Quaternions with signs that follow each other; anything else as it is."""
-    if values.shape[1] != 4:
-        return values
-    flips = np.where(np.sum(values[1:] * values[:-1], axis=1) < 0, -1.0, 1.0)
-    return values * np.append(1.0, np.cumprod(flips))[:, None]

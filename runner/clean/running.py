@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -11,18 +11,15 @@ import numpy as np
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.unknowns import raw_timeline
-from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.penalty import Rest
 from dynsplines.solver.solution import Improvement
 
 from .. import motion
 from ..clip import load as clips
-from ..clip.follow.keeping import Ground
+from ..clip.follow.keeping import ground_of, rests_of
 from ..clip.obstacles import obstacles
-from ..clip.posing.places import Places
-from ..clip.table import ContactTable, MapTable, SceneTable, SurroundingsTable
+from ..clip.table import MapTable, SceneTable, SurroundingsTable
 from ..clip.text import written
-from ..errors import UserError, unknown
+from ..errors import UserError
 from ..exchange import formats
 from ..exchange.imported import taken
 from ..exchange.skeleton import retarget
@@ -31,7 +28,7 @@ from ..scene.assets import Scene
 from ..scene.compose import Step, compose
 from ..system.output import Replacement, check_new, check_target
 from ..system.progress import Teller
-from .cleaning import Cleaned, cleaned, ground_of
+from .cleaning import Cleaned, cleaned
 from .comparing import Comparison, verdict
 from .repairs import repaired
 
@@ -91,9 +88,7 @@ def run(
 
 def motion_cleaned(saved: Saved, within: float | None, teller: Teller) -> Saved:
     """A motion of ours, cleaned; within [m] as `run` takes it."""
-    samples = motion.sampled(saved.figure, saved.timeline, saved.fps)
-    found = _Read(saved.name, saved.scene, samples.time, samples.qpos, saved.fps)
-    return _cleaned(found, SurroundingsTable(), within, teller, apart=False)[1]
+    return _cleaned(_Read.of(saved), SurroundingsTable(), within, teller, apart=False)[1]
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,6 +100,12 @@ class _Read:
     time: Array
     qpos: Array
     fps: float
+
+    @classmethod
+    def of(cls, saved: Saved) -> _Read:
+        """A motion of ours at its own rate."""
+        samples = motion.sampled(saved.figure, saved.timeline, saved.fps)
+        return cls(saved.name, saved.scene, samples.time, samples.qpos, saved.fps)
 
 
 def _target(source: Source) -> Path:
@@ -130,9 +131,7 @@ def _read(source: Source, around: SurroundingsTable, teller: Teller) -> _Read:
     if not told and motion.is_motion(str(source.file)) and formats.by_ending(source.file) is None:
         if around.scene.model_fields_set:
             raise UserError(f"'{source.file}' is a motion and brings its scene along; --scene is for other files")
-        saved = motion.load(source.file)
-        samples = motion.sampled(saved.figure, saved.timeline, saved.fps)
-        return _Read(saved.name, saved.scene, samples.time, samples.qpos, saved.fps)
+        return _Read.of(motion.load(source.file))
     chosen = retarget.Map()
     if source.map is not None and not source.writes_map:
         told_by = clips.file_of(source.map, MapTable)
@@ -159,7 +158,8 @@ def _cleaned(
     for note in mended.notes:
         teller.say(f"note: {note}")
     ground = replace(ground_of(figure, mended.qpos), apart=apart)
-    given = _given(figure, ground, around.contact, mended.time, found.name) if around.contact else None
+    span = float(mended.time[0]), float(mended.time[-1])
+    given = rests_of(ground, around.contact, span, found.name) if around.contact else None
 
     def improved(improvement: Improvement) -> None:
         teller.step("cleaning", None, f"evaluation {improvement.evaluation}, objective {improvement.value:.4g}")
@@ -170,22 +170,6 @@ def _cleaned(
     for line in _stances(result):
         teller.say(line)
     return result, _saved(result, found)
-
-
-def _given(figure: Figure, ground: Ground, tables: Sequence[ContactTable], time: Array, place: str) -> tuple[Rest, ...]:
-    """The stances that somebody says."""
-    places, found = Places(figure, ground.points), list[Rest]()
-    own = {point.name: point for point in ground.points}
-    for number, table in enumerate(tables, start=1):
-        point = own.get(table.point) or places.point(table.point)
-        name = f"{place}: contact {number} ('{table.point}')"
-        if point is None:
-            raise UserError(f"{name}: {unknown('site', table.point, places.points_listed)}")
-        if not time[0] <= table.start < table.end <= time[-1]:
-            span = f"{time[0]:g} to {time[-1]:g} s"
-            raise UserError(f"{name}: {table.start:g} to {table.end:g} s is not within the recording, {span}")
-        found.append(Rest(point, table.start, table.end))
-    return tuple(found)
 
 
 def _stances(result: Cleaned) -> Iterator[str]:

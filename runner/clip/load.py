@@ -23,7 +23,7 @@ from dynsplines.solver.curve.frame import Frame, TimelineError
 from dynsplines.solver.curve.quadrature import Quadrature
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.figure.figure import Figure, FigureError, JointKind, quaternion_columns
-from dynsplines.solver.penalty import Penalty, Placed, Rest
+from dynsplines.solver.penalty import Penalty, Placed
 from dynsplines.solver.posing import entries
 from dynsplines.solver.problem import FEW, Problem, Settings
 from dynsplines.solver.refine.subdivision import CRITERIA
@@ -39,7 +39,7 @@ from ..scene.configuration import first_wrong
 from .constraints import chosen, constraints, posing_bends
 from .contacts import Contacts, rests
 from .context import Context
-from .follow.keeping import Ground
+from .follow.keeping import ground_of, rests_of
 from .follow.recording import Followed, followed
 from .holds import asked
 from .obstacles import obstacles
@@ -369,18 +369,9 @@ def _following(
 ) -> Clip:
     """A clip whose keyframes edit a recording."""
     figure, place = recording.recorded.figure, recording.place
-    poses = figure.to_qpos(recording.recorded.states[::10])
-    ground = Ground(figure, sole_points(figure, poses), tuple(static_surfaces(figure.model)))
-    points = {point.name: point for point in ground.points}
-    places = Places(figure, ground.points)
-    given = list[Rest]()
-    for number, contact in enumerate(table.contact, start=1):
-        point = points.get(contact.point) or places.point(contact.point)
-        if point is None:
-            listed = unknown("site", contact.point, places.points_listed)
-            raise UserError(f"{place}: contact {number} ('{contact.point}'): {listed}")
-        given.append(Rest(point, contact.start, contact.end))
-    problem, rests_ = recording.problem(ground, edits, table.contact, given)
+    ground = ground_of(figure, figure.to_qpos(recording.recorded.states))
+    given = rests_of(ground, table.contact, recording.recorded.path.span, place)
+    problem, kept = recording.problem(ground, edits, given)
     said = {entry.kind: entry.said["weight"] for entry in table.penalty if "weight" in entry.said}
     weighted = tuple((p, w * said.get(p.name, 1.0)) for p, w in problem.penalties)
     problem = replace(problem, penalties=weighted)
@@ -388,8 +379,8 @@ def _following(
         timeline = problem.raw
     except (TimelineError, ValueError) as error:
         raise UserError(f"{place}: {error}") from None
-    contacts_ = Contacts(rests=rests_, given=rests_)
-    context = Context(figure, timeline, ground.surfaces, place, points=ground.points, contacts=contacts_)
+    contacts = Contacts(rests=kept, given=kept)
+    context = Context(figure, timeline, ground.surfaces, place, points=ground.points, contacts=contacts)
     return Clip(name, text, scene, fps or table.fps, problem, context, ())
 
 

@@ -197,6 +197,7 @@ def export(
             raise UserError(f"'{target}' is the name of a file of the figure, too; give another -o")
         if not (other.is_file() and other.read_bytes() == content):
             check_new(other, overwrite=overwrite)
+    assert module.write is not None, "a format that is written"
     with Replacement(target) as temporary:
         module.write(take, temporary)
     for other, content in others.items():
@@ -246,11 +247,13 @@ def recording(
         raise UserError(_write_only(kind) if kind in writers() else unknown("format", kind, known))
     form = known[kind] if kind is not None else _told(source)
     _check_file(source)
+    read = _module(form).read
+    assert read is not None, "a format that is read"
     if form.scales:
-        return _module(form).read(source, model, fps, scale=scale)
+        return read(source, model, fps, scale=scale)
     if scale is not None:
         raise UserError(f"{source}: lengths of the format '{form.name}' are metres; a scale is not for it")
-    return _module(form).read(source, model, fps)
+    return read(source, model, fps)
 
 
 def read_by(own: Reader, source: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
@@ -297,8 +300,8 @@ def _told(source: Path) -> Format:
 class Module:
     """What a format's module has: see `Format`."""
 
-    write: Callable[[Take, Path], None]
-    read: Callable[..., Recording]
+    write: Callable[[Take, Path], None] | None
+    read: Callable[..., Recording] | None
     beside: Callable[[Take], Mapping[str, str | bytes]] | None
     recognises: Callable[[Path], bool] | None
 
@@ -313,4 +316,5 @@ def _module(form: Format) -> Module:
         raise UserError(
             f"the format '{form.name}' needs '{error.name}'; install it: pip install 'dynamic-splines[{form.extra}]'"
         ) from None
-    return Module(*(getattr(found, name, None) for name in ("write", "read", "beside", "recognises")))  # type: ignore
+    write, read, beside, recognises = (getattr(found, name, None) for name in ("write", "read", "beside", "recognises"))
+    return Module(write, read, beside, recognises)

@@ -75,9 +75,7 @@ def imported(
 ) -> Saved:
     """The motion in a file of another program, as the spline through all that was recorded.
 
-    figure  a shipped figure's name or a path to MJCF, for files that bring none
-    fps, scale  [1/s], [m] the file's rate and unit of length, where it does not tell them
-    teller  hears how the file was read
+    All that is said of the file is as for `taken`.
 
     Raises UserError. What loops in the file is a loop, if its last pose is its first, moved on.
     """

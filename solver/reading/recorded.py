@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import quaternion as quat
-from ..array import Array, Index
+from ..array import Array, Index, Mask
 from ..curve import banded
 from ..curve.spline import Path, natural_spline
 from ..figure.figure import Figure
@@ -26,10 +26,23 @@ ORDER, GAIN = 4, np.sqrt(70.0)  # of differences that hold little of a motion, a
 NORMAL = 1.4826  # a standard deviation by the median of absolute values
 FAINT, FINE = np.radians(0.5), 0.002  # [rad], [m] least noise, of a sample of 120 a second
 ROBUST = 2.5  # noises off, from which a sample is trusted less
-UNLIKE = (
-    8.0  # times as far from the middle of its neighbours as the usual one: a sample that the first curve leaves out
-)
+UNLIKE = 8.0  # times as far from its neighbours' middle as the usual sample: one that the first curve leaves out
 ROUNDS = 4  # of trusting samples by how far off they are
+
+
+def groups(figure: Figure) -> list[Index]:
+    """The columns of a state, or of qpos, that are recorded together: places of roots, quaternions, single joints."""
+    tables = figure.tables
+    whole = [*tables.position_columns.T, *tables.quaternion_columns.T]
+    single = np.setdiff1d(np.arange(figure.width), np.concatenate([*whole, np.zeros(0, np.intp)]))
+    return [*whole, *single[:, None]]
+
+
+def places(figure: Figure) -> Mask:
+    """(N,) whether a column of a state, or of qpos, holds metres: roots' places and slides."""
+    out = np.zeros(figure.width, bool)
+    out[np.concatenate([figure.tables.position_columns.ravel(), figure.tables.slide_columns])] = True
+    return out
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,8 +68,7 @@ class Recorded:
         """Of qpos (T, nq) at times (T,) [s]; known (T, N) or (T, 1), all of it if nobody says."""
         states = np.array(figure.to_state(qpos))
         for columns in figure.tables.quaternion_columns.T:
-            flips = np.sum(states[1:, columns] * states[:-1, columns], axis=1) < 0
-            states[1:, columns] *= np.where(np.cumsum(flips) % 2, -1.0, 1.0)[:, None]
+            states[:, columns] = quat.aligned(states[:, columns])
         every = np.ones(states.shape)
         return cls(figure, np.asarray(times, float), states, every if known is None else every * known, exact)
 
@@ -75,22 +87,16 @@ class Recorded:
 
     @cached_property
     def groups(self) -> list[Index]:
-        """The columns that are recorded together, one after the other: places of roots, quaternions, single joints."""
-        tables = self.figure.tables
-        whole = [*tables.position_columns.T, *tables.quaternion_columns.T]
-        single = np.setdiff1d(np.arange(self.figure.width), np.concatenate([*whole, np.zeros(0, np.intp)]))
-        return [*whole, *single[:, None]]
+        """The columns that are recorded together."""
+        return groups(self.figure)
 
     @cached_property
-    def is_place(self) -> Array:
-        """(N,) whether a column holds metres: roots' places and slides."""
-        tables = self.figure.tables
-        out = np.zeros(self.figure.width, bool)
-        out[np.concatenate([tables.position_columns.ravel(), tables.slide_columns])] = True
-        return out
+    def is_place(self) -> Mask:
+        """(N,) whether a column holds metres."""
+        return places(self.figure)
 
     @cached_property
-    def is_half(self) -> Array:
+    def is_half(self) -> Mask:
         """(N,) whether a column is of a quaternion, which changes by half an angle."""
         out = np.zeros(self.figure.width, bool)
         out[self.figure.tables.quaternion_columns.ravel()] = True

@@ -16,7 +16,7 @@ from ..figure.figure import JointKind, quaternion_columns
 from ..figure.kinematics import Samples
 from ..surface import Surface
 from ..surface.heights import height_over
-from ..surface.points import Point, arrays_of
+from ..surface.points import Point, arrays_of, places_of
 from .recorded import Recorded
 from .stances import Stood
 
@@ -32,11 +32,10 @@ def settled(recorded: Recorded, stances: Sequence[Stood], surfaces: Sequence[Sur
         return recorded
     for link in {one.point.link for one in stances}:
         recorded = _levelled(recorded, [one for one in stances if one.point.link == link], link)
-    points = list({id(one.point): one.point for one in stances}.values())
+    points = _points(stances)
     states = recorded.path.at(recorded.times)
-    links, positions, radii = arrays_of(points)
-    places, _ = Samples(recorded.figure, states, 0 * states, 0 * states).links.points(links, positions)
-    height, _ = height_over(surfaces, places, radii)
+    places, _, _ = places_of(points, Samples(recorded.figure, states, 0 * states, 0 * states))
+    height, _ = height_over(surfaces, places, np.array([point.radius for point in points]))
     standing = np.array([_during(recorded.times, [one for one in stances if one.point is point]) for point in points])
     lift = -float(np.median(height[standing])) if standing.any() else 0.0
     return recorded if abs(lift) < NOTHING else recorded.moved([0, 0, lift])
@@ -47,9 +46,9 @@ def on_the_ground(recorded: Recorded, points: Sequence[Point], surfaces: Sequenc
     if not points or not surfaces:
         return recorded
     states = recorded.bridged
-    links, positions, radii = arrays_of(points)
-    places, _ = Samples(recorded.figure, states, 0 * states, 0 * states).links.points(links, positions)
-    lowest = np.min([surface.height(places) for surface in surfaces], axis=0) - radii[:, None]
+    places, _, _ = places_of(points, Samples(recorded.figure, states, 0 * states, 0 * states))
+    radii = np.array([[point.radius] for point in points])
+    lowest = np.min([surface.height(places) for surface in surfaces], axis=0) - radii
     lift = -float(np.percentile(lowest.min(axis=0), LOWEST))
     return recorded.moved([0, 0, lift]) if abs(lift) > ELSEWHERE else recorded
 
@@ -58,7 +57,7 @@ def _levelled(recorded: Recorded, stances: Sequence[Stood], link: int) -> Record
     """Turned at the link of a sole so that it is level, in the mean, when all of it stands."""
     figure = recorded.figure
     columns = quaternion_columns(figure.links[link])
-    points = list({id(one.point): one.point for one in stances}.values())
+    points = _points(stances)
     if columns is None or figure.links[link].kind is JointKind.FREE or len(points) < 2:
         return recorded
     flat = np.all([_during(recorded.times, [one for one in stances if one.point is point]) for point in points], axis=0)
@@ -79,6 +78,11 @@ def _levelled(recorded: Recorded, stances: Sequence[Stood], link: int) -> Record
         return recorded
     turn = quat.normalised(np.append(1 + start @ end, np.cross(start, end)))
     return recorded.turned(columns, turn)
+
+
+def _points(stances: Sequence[Stood]) -> list[Point]:
+    """The points that stand, each once."""
+    return list({id(one.point): one.point for one in stances}.values())
 
 
 def _during(times: Array, stances: Sequence[Stood]) -> Mask:

@@ -52,12 +52,10 @@ def stood(
     height, _ = height_over(surfaces, centres, np.array([point.radius for point in points]))
     found = []
     for i, point in enumerate(points):
-        over = height[i] * np.where(height[i] < 0, SUNK, 1.0) / np.hypot(low, noise[i])
-        runs = _cut(times, centres[:, i], over, float(noise[i]))
-        runs = [
-            _trimmed(times, centres[:, i], *run, float(noise[i]))
-            for run in _joined(times, runs, centres[:, i], float(noise[i]))
-        ]
+        place, own = centres[:, i], float(noise[i])
+        over = height[i] * np.where(height[i] < 0, SUNK, 1.0) / np.hypot(low, own)
+        joined = _joined(times, _cut(times, place, over, own), place, own)
+        runs = [_trimmed(times, place, *run, own) for run in joined]
         found += [Stood(point, float(times[a]), float(times[b - 1])) for a, b in runs if b - a > 1]
     return tuple(found)
 

@@ -31,24 +31,29 @@ from dynsplines.solver.penalty import (
     joint_ranges,
 )
 from dynsplines.solver.problem import Problem, Settings
-from dynsplines.solver.surface import Surface
+from dynsplines.solver.surface import Surface, static_surfaces
 from dynsplines.solver.surface.points import Point, body_points
 
+from ...errors import UserError, unknown
 from ..contacts import ROUNDING
+from ..posing.feet import sole_points
+from ..posing.places import Places
+from ..table import ContactTable
 
 WEIGHTS = {
     "near": 1.0,
     "unit": 1e4,
-    "contact": 1e8,  # 1 for 0.3 mm of depth
+    "contact": 1e8,  # 1 for 0.1 mm of depth
     "clearance": 1e8,
     "resting": 1e8,  # 1 for a slide of 2 mm/s
     "range": 1e7,  # 1 for 0.02°
     "self": 1e6,
-    "support": 1000.0,  # 1 for a third of the weight
+    "support": 1000.0,  # 1 for a thirtieth of the weight
 }
 LONGEST_PANEL, POINTS = 0.05, 3  # [s], of Gauss's rule
-TOLERANCE = 1e-2
+TOLERANCE = 1e-2  # relative progress of E at which a search ends
 INSIDE = 0.01  # [rad, m] of a joint's range that is kept as a margin
+LOOKED_AT = 50  # poses in which it is looked for what stands on the ground
 ANKLE = 0.02  # [m] beside a joint's own thickness: what is so near to a sole's link moves with it
 
 
@@ -76,6 +81,29 @@ class Ground:
             return any(np.linalg.norm(links[k].offset - point.position) <= 2 * point.radius + ANKLE for k in near)
 
         return tuple(p for p in body_points(self.figure) if p.link not in soles and not is_ankle(p))
+
+
+def ground_of(figure: Figure, qpos: Array) -> Ground:
+    """What a figure stands with and on, by poses (T, nq)."""
+    some = qpos[:: max(1, len(qpos) // LOOKED_AT)]
+    return Ground(figure, sole_points(figure, some), tuple(static_surfaces(figure.model)))
+
+
+def rests_of(ground: Ground, tables: Sequence[ContactTable], span: tuple[float, float], place: str) -> tuple[Rest, ...]:
+    """The stances that [[contact]] tables say, of a recording over a span [s]; place is how errors call it."""
+    places, found = Places(ground.figure, ground.points), list[Rest]()
+    own = {point.name: point for point in ground.points}
+    for number, table in enumerate(tables, start=1):
+        name = f"{place}: contact {number} ('{table.point}')"
+        point = own.get(table.point) or places.point(table.point)
+        if point is None:
+            raise UserError(f"{name}: {unknown('site', table.point, places.points_listed)}")
+        if not span[0] - ROUNDING <= table.start < table.end <= span[1] + ROUNDING:
+            raise UserError(
+                f"{name}: {table.start:g} to {table.end:g} s is not within the recording, {span[0]:g} to {span[1]:g} s"
+            )
+        found.append(Rest(point, table.start, table.end))
+    return tuple(found)
 
 
 def problem(near: Near, ground: Ground, rests: Sequence[Rest], times: Array, edits: Sequence[Frame] = ()) -> Problem:

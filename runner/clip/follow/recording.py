@@ -7,7 +7,7 @@ followed rather than its poses, so that its detail stays; if the clip says `blen
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -26,7 +26,7 @@ from dynsplines.solver.surface.points import Point, placed, places_of
 from ... import motion
 from ...errors import UserError
 from ...scene import outside
-from ..table import ClipTable, ContactTable, RecordingTable
+from ..table import ClipTable, RecordingTable
 from .keeping import WEIGHTS, Ground, problem
 
 CLOSE = 0.004  # [s] between frames at least
@@ -62,7 +62,7 @@ class Followed:
         return self.recorded.figure.to_qpos(self.recorded.path.at(np.array([time])))[0]
 
     def problem(
-        self, ground: Ground, edits: Sequence[Frame], tables: Sequence[ContactTable], given: Sequence[Rest]
+        self, ground: Ground, edits: Sequence[Frame], given: Sequence[Rest]
     ) -> tuple[Problem, tuple[Rest, ...]]:
         """What is to be solved, and the stances in it: those of the recording, but where a clip speaks of the point, or
         a keyframe moves it."""
@@ -73,7 +73,7 @@ class Followed:
         asked = problem(near, ground, [*rests, *given], self._times(near, edits), edits)
         weights = [(p, self.table.weight * w if p is near else w) for p, w in asked.penalties]
         keys = [self._kept(frame, edits) for frame in asked.keys]
-        return Problem(asked.figure, tuple(keys), tuple(weights), asked.settings), (*rests, *given)
+        return replace(asked, keys=tuple(keys), penalties=tuple(weights)), (*rests, *given)
 
     def _times(self, near: Near, edits: Sequence[Frame]) -> Array:
         """(M,) [s] of frames: where nothing changes the recording's own, where something does as many as it takes."""

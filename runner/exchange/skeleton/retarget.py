@@ -81,35 +81,32 @@ class Map:
     recording: Mapping[str, str] = field(default_factory=dict)
 
 
-_map: ContextVar[Map] = ContextVar("map", default=Map())  # noqa: B039 - never changed
-_met: ContextVar[list[Map] | None] = ContextVar("met", default=None)
+_mapping: ContextVar[tuple[Map, list[Map]] | None] = ContextVar("mapping", default=None)
 
 
 @contextmanager
 def by(chosen: Map) -> Iterator[list[Map]]:
     """In here recordings come on to figures by a map, where that says anything; gives those that were used."""
-    before, met = _map.set(chosen), list[Map]()
-    noted = _met.set(met)
+    used = list[Map]()
+    before = _mapping.set((chosen, used))
     try:
-        yield met
+        yield used
     finally:
-        _map.reset(before)
-        _met.reset(noted)
+        _mapping.reset(before)
 
 
 def onto(captured: Captured, model: mujoco.MjModel, place: str) -> tuple[Array, tuple[str, ...]]:
     """qpos (T, nq) of the figure, and notes; place is how errors call the file."""
-    standing, chosen = _Standing.of(model), _map.get()
-    standing = replace(standing, roles=as_said(standing.roles, chosen.figure, hierarchy.names(model), "figure"))
+    standing, (chosen, used) = _Standing.of(model), _mapping.get() or (Map(), [])
+    names = hierarchy.names(model)
+    standing = replace(standing, roles=as_said(standing.roles, chosen.figure, names, "figure"))
     captured = replace(captured, said=chosen.recording)
-    if (met := _met.get()) is not None:
-        names = hierarchy.names(model)
-        met.append(
-            Map(
-                {role: names[body] for role, body in standing.roles.items()},
-                {role: captured.names[joint] for role, joint in captured.roles.items()},
-            )
+    used.append(
+        Map(
+            {role: names[body] for role, body in standing.roles.items()},
+            {role: captured.names[joint] for role, joint in captured.roles.items()},
         )
+    )
     for what, found in (("the figure's bodies", standing.roles), ("the file's joints", captured.roles)):
         missing = [role for role in NEEDED if role not in found]
         if missing:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
@@ -22,13 +23,24 @@ from ..penalty import Guide, Scale
 
 AWAY, FOR = 0.03, 0.3  # [m], [s]: how far a limb's end may be off by one joint, for so long, as what counts one
 STRAYS, BACK = 0.01, 0.1  # [m], [s]: how far what is filmed strays, and how soon it comes back
-
 MENDED = 3.0  # [1/s³], [m²/s³] least liveliness of what mends a recording, however calm that is
 EASED = 0.01  # of its weight that a pose keeps where a keyframe edits it
 COARSE, FINEST = 0.2, 1 / 60  # [s] between frames that what was recorded is followed by
 DETAIL = 30.0  # f over a segment, of what may be left out
-NODES = 4
+NODES = 4  # a span, of Gauss's rule
+REMEMBERED = 200  # sets of times: a long recording's windows have a few each
 SHORTEST = 0.05  # [m] of a limb
+
+
+class _Target(NamedTuple):
+    """What was recorded at times t (S,): y, y', y'' (3, S, N) and what their differences weigh (3, S, N); where limbs'
+    ends were (3, n, S), and what their distances weigh (S,)."""
+
+    t: Array
+    motion: Array
+    weights: Array
+    ends: Array
+    end_weight: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,8 +54,7 @@ class Near(Guide):
 
     recorded: Recorded
     eased: tuple[tuple[float, float], ...] = ()
-    _seen: dict[tuple[float, float, int], tuple[Array, Array, Array]] = field(default_factory=dict)
-    _ends_seen: dict[tuple[float, float, int], tuple[Array, Array, Array]] = field(default_factory=dict)
+    _seen: dict[tuple[float, float, int], _Target] = field(default_factory=dict)
 
     @property
     def name(self) -> str:
@@ -115,9 +126,9 @@ class Near(Guide):
 
     def _off(self, samples: Samples) -> tuple[Array, Array]:
         """(3, S, N) y, y', y'' less those recorded; (3, S, N) what their squares weigh."""
-        motion, weights = self._at(samples.t)
-        motion = np.where(self._same(samples.y, motion[0]), motion, -motion)
-        return np.stack([samples.y, samples.y_d, samples.y_dd]) - motion, weights
+        target = self._at(samples.t)
+        motion = np.where(self._same(samples.y, target.motion[0]), target.motion, -target.motion)
+        return np.stack([samples.y, samples.y_d, samples.y_dd]) - motion, target.weights
 
     @cached_property
     def ends(self) -> tuple[Index, Array]:
@@ -130,23 +141,9 @@ class Near(Guide):
         """Of every limb's end its link, the arm to it (3, S), how far it is off (3, S), what that weighs (S,)."""
         links, positions = self.ends
         places, arms = samples.links.points(links, positions)
-        wanted, trust = self._ends_at(samples.t)
+        target = self._at(samples.t)
         for i, link in enumerate(links.tolist()):
-            yield link, arms[:, i], places[:, i] - wanted[:, i], trust[i] / (2 * STRAYS**2 * BACK)
-
-    def _ends_at(self, t: Array) -> tuple[Array, Array]:
-        """Where limbs' ends were recorded at times t (S,), (3, n, S), and how much that is trusted, (n, S)."""
-        key = (float(t[0]), float(t[-1]), t.size)
-        known = self._ends_seen.get(key)
-        if known is not None and np.array_equal(known[0], t):
-            return known[1], known[2]
-        motion, _ = self._at(t)
-        figure, (links, positions) = self.recorded.figure, self.ends
-        places, _ = Samples(figure, *motion).links.points(links, positions)
-        every = self.recorded.trust.min(axis=1)
-        trust = np.repeat((np.interp(t, self.recorded.times, every) * self._held(t))[None], links.size, axis=0)
-        self._ends_seen[key] = t, places, trust
-        return places, trust
+            yield link, arms[:, i], places[:, i] - target.ends[:, i], target.end_weight
 
     @cached_property
     def _pose(self) -> Array:
@@ -173,27 +170,27 @@ class Near(Guide):
 
     def weights(self, t: Array) -> Array:
         """(3, S, N) what the squares of differences of y, y' and y'' weigh at times t (S,)."""
-        return self._at(t)[1]
+        return self._at(t).weights
 
-    def _at(self, t: Array) -> tuple[Array, Array]:
-        """y, y', y'' (3, S, N) recorded at times t (S,), and what their differences weigh; kept, for a search asks for
-        the same times again and again."""
+    def _at(self, t: Array) -> _Target:
+        """What was recorded at times t (S,); kept, for a search asks for the same times again and again."""
         key = (float(t[0]), float(t[-1]), t.size)
         known = self._seen.get(key)
-        if known is not None and np.array_equal(known[0], t):
-            return known[1], known[2]
-        rec = self.recorded
-        pose = self._pose
+        if known is not None and np.array_equal(known.t, t):
+            return known
+        rec, held = self.recorded, self._held(t)
         trust = np.stack([np.interp(t, rec.times, column) for column in rec.trust.T], axis=1)
-        weights = np.empty((3, t.size, pose.size))
-        weights[0] = pose * trust * self._held(t)[:, None]
+        weights = np.empty((3, t.size, rec.figure.width))
+        weights[0] = self._pose * trust * held[:, None]
         weights[1] = np.where(rec.is_place, trust * BACK / (2 * STRAYS**2), 0)
         weights[2] = 1 / np.maximum(rec.liveliness, MENDED)
         motion = rec.path.motion(np.clip(t, *rec.path.span))
-        if len(self._seen) > 200:
+        ends, _ = Samples(rec.figure, *motion).links.points(*self.ends)
+        whole = np.interp(t, rec.times, rec.trust.min(axis=1))
+        if len(self._seen) > REMEMBERED:
             self._seen.clear()
-        self._seen[key] = t, motion, weights
-        return motion, weights
+        self._seen[key] = _Target(t, motion, weights, ends, whole * held / (2 * STRAYS**2 * BACK))
+        return self._seen[key]
 
 
 def levers(figure: Figure) -> Array:

@@ -5,9 +5,10 @@ import pytest
 import shipped
 from faulted import Take
 
-from dynsplines.clean.cleaning import Cleaned, cleaned, ground_of
+from dynsplines.clean.cleaning import Cleaned, cleaned
 from dynsplines.clean.comparing import Comparison, verdict
 from dynsplines.clean.repairs import repaired
+from dynsplines.clip.follow.keeping import ground_of
 from dynsplines.motion import samples_at
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import Path, natural_spline
