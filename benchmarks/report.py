@@ -36,19 +36,19 @@ def section_text(name: str, result: Mapping[str, Any]) -> str:
 
 def table(columns: Any, rows: Any) -> list[str]:
     """A markdown table's lines."""
-    lines = [f"| {' | '.join(columns)} |", "|" + "---|" * len(columns)]
+    lines = [f"| {' | '.join(cell(column) for column in columns)} |", "|" + "---|" * len(columns)]
     return lines + [f"| {' | '.join(cell(value) for value in row)} |" for row in rows]
 
 
 def cell(value: Any) -> str:
-    """A number with four digits, a text as it is."""
+    """A number with four digits; a text as it is, but for bars, which would split it in two."""
     if value is None:
         return "–"
     if isinstance(value, (bool, np.bool_)):
         return "yes" if value else "no"
     if isinstance(value, (float, np.floating)):
         return "–" if math.isnan(value) else f"{value:.4g}"
-    return str(value)
+    return str(value).replace("|", r"\|")
 
 
 def _target_cells(target: Mapping[str, Any]) -> tuple[str, str, str, str]:
