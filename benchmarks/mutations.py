@@ -4,6 +4,8 @@
     python benchmarks/mutations.py --only solver/search/descent.py     those of some files alone
     python benchmarks/mutations.py --only solver/search/descent.py:49  every mutation of some lines
 
+Constants that a module begins with are left alone: they are choices, each with its reason beside it.
+
 A mutation is a float times 1.001, an integer one up or down, a comparison, a sign or a product turned round, `and` for
 `or`. No file is touched: a process of its own compiles the mutated source under the module's name and runs pytest in
 itself, in a time that is bounded; first the tests that are named after the module, then those that import it or use its
@@ -35,6 +37,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 TESTS = ROOT / "tests"
+MIRRORS = ("solver", "runner", "models")  # folders of tests that mirror those of the product
 SLIGHTLY = 1.001
 SECONDS = 60.0  # of a core, for one file of tests; several times what its fast ones take
 PATIENCE = 10.0  # times as long, on a machine that others use
@@ -116,7 +119,11 @@ def mutants_of(path: Path) -> dict[int, list[tuple[int, int]]]:
 
 
 def _told(tree: ast.AST) -> Iterator[ast.AST]:
-    """Parts that change nothing when they change: annotations, messages of errors."""
+    """Parts that change nothing when they change, annotations and messages of errors; and constants of a module, which
+    are choices: others would do as well."""
+    for node in tree.body if isinstance(tree, ast.Module) else ():
+        if isinstance(node, (ast.Assign, ast.AnnAssign)):
+            yield from ast.walk(node)
     for node in ast.walk(tree):
         if isinstance(node, ast.Raise):
             yield from ast.walk(node)
@@ -157,24 +164,30 @@ def _all_of(path: str, line: str) -> list[Mutant]:
 
 
 def module_name(path: str) -> str:
-    return path.removesuffix(".py").replace("/", ".").removesuffix(".__init__")
+    return "dynsplines." + path.removesuffix(".py").replace("/", ".").removesuffix(".__init__")
 
 
 def tests_of(path: str) -> list[str]:
-    """Files of tests for a file of the solver: those named after it, then those that use most of its names."""
+    """Files of tests for a file of the solver: its mirror and what is named after it, then those that use its names."""
     stem, package = Path(path).stem, Path(path).parent.name
     tree = ast.parse((ROOT / path).read_text(encoding="utf-8"))
     public = {n.name for n in tree.body if isinstance(n, (ast.FunctionDef, ast.ClassDef)) and n.name[0] != "_"}
     public |= {t.id for n in tree.body if isinstance(n, ast.Assign) for t in n.targets if isinstance(t, ast.Name)}
-    named = [f"test_{package}_{stem}.py", f"test_{stem}.py"]
-    first, ranked = [name for name in named if (TESTS / name).exists()], []
-    for file in sorted(TESTS.glob("test_*.py")):
-        if file.name not in first:
+    named = (f"test_{stem}.py", f"test_{package}_{stem}.py")
+    files = sorted(file for folder in MIRRORS for file in (TESTS / folder).rglob("test_*.py"))
+    first, ranked = [file for file in files if file.name in named], []
+    for file in files:
+        if file not in first:
             words = Counter(n.id for n in ast.walk(_parsed(file)) if isinstance(n, ast.Name))
             words.update(n.attr for n in ast.walk(_parsed(file)) if isinstance(n, ast.Attribute))
             used = sum(words[name] for name in public) + 20 * (module_name(path) in _imports(file))
-            ranked.append((-used, file.name))
-    return first + [name for used, name in sorted(ranked)[:IMPORTERS] if used]
+            near = 5 * (file.parent.name == package)
+            ranked.append((-(used + near) if used else 0, file))
+    return [_told_from(file) for file in first + [file for used, file in sorted(ranked)[:IMPORTERS] if used]]
+
+
+def _told_from(file: Path) -> str:
+    return file.relative_to(TESTS).as_posix()
 
 
 _trees: dict[Path, ast.Module] = {}
@@ -318,7 +331,7 @@ def main() -> None:
     )
     parser.add_argument("--json", type=Path, help="a file to which a line each is added")
     asked = parser.parse_args()
-    sys.path.insert(0, str(TESTS))
+    sys.path[:0] = [str(TESTS), str(TESTS / "support")]
     for name in HEAVY:
         importlib.import_module(name)
     _without_shrinking()
