@@ -12,6 +12,7 @@ from functools import cached_property
 from typing import Any
 
 from dynsplines.solver.inbetween import inbetween
+from dynsplines.solver.search.descent import WIDEST
 from dynsplines.solver.search.minimum import Stop, StopSearch
 from dynsplines.solver.solution import Improvement, Solution
 
@@ -23,6 +24,7 @@ from .system.progress import Teller
 
 # [bytes] of a search for every pair of a frame's numbers; short clips of chains of hinges take 1100 to 1500
 PAIR = 2000
+NUMBER = 500_000  # [bytes] of one without matrices for every number; 380,000 where all of a chain is in the floor
 
 
 @contextmanager
@@ -96,9 +98,12 @@ class Solved:
 
 
 def _check_size(clip: Clip) -> None:
-    """Raises UserError for a figure of so many joints that the curvature, of all with all, has no room."""
+    """Raises UserError for a figure of so many joints that there is no room for its search."""
     width = clip.figure.width
-    largest.check(clip.name, PAIR * width**2, f"the search with {width} numbers a frame, all with all,")
+    if width > WIDEST:
+        largest.check(clip.name, NUMBER * width, f"the search with {width} numbers a frame")
+    else:
+        largest.check(clip.name, PAIR * width**2, f"the search with {width} numbers a frame, all with all,")
 
 
 def solve(clip: Clip, teller: Teller, *, stop_after: int | None = None) -> Solved:

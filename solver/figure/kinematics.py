@@ -315,7 +315,7 @@ def _world_quaternions(states: States) -> Array:
     tables = states.figure.tables
     out = from_parents(states).swapaxes(0, 1)
     for level in tables.levels:
-        a, c = out[:, _OF_BASE][:, :, tables.parents[level]], out[:, _OF_OWN][:, :, level]
+        a, c = out[:, :, tables.parents[level]][:, _OF_BASE], out[:, :, level][:, _OF_OWN]
         parts = hamilton(a, c)
         out[:, 0, level] = parts[:, 0]
         out[:, 1, level] = parts[:, 1] + parts[:, 2]

@@ -22,7 +22,7 @@ from ..penalty.curvature import Curvature
 
 NODES = 8  # a span, of the strong form's integrals
 GRADIENT_NODES, HESSIAN_NODES = 5, 2  # a span, of the weak form's first and second derivatives
-WINDOW = 60  # spans whose curvature is held in memory at once
+WINDOW, ENTRIES = 60, 200_000  # spans whose curvature is held in memory at once, at most, and by N² for wide figures
 REACH = 4  # spans to either side in which what a frame moves is counted
 FAINT = 1e-9  # of a Hessian's size, added to its diagonal
 
@@ -136,8 +136,9 @@ class WeakForm:
         """(C, N, N): ∫ Σ φ⁽ᵃ⁾φ⁽ᵇ⁾ ∂²f/∂y⁽ᵃ⁾∂y⁽ᵇ⁾ dt of the frames' cardinal functions φ, window by window."""
         times = np.asarray(spline.times)
         out = np.zeros((place.size, self.path.rows.shape[1], self.path.rows.shape[1]))
-        for first in range(0, times.size - 1, WINDOW):
-            last = min(first + WINDOW, times.size - 1)
+        spans = max(1, min(WINDOW, ENTRIES // self.path.rows.shape[1] ** 2))
+        for first in range(0, times.size - 1, spans):
+            last = min(first + spans, times.size - 1)
             near = np.flatnonzero((place + REACH > first) & (place - REACH < last))
             if not near.size:
                 continue

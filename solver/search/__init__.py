@@ -7,6 +7,7 @@ newton          Gauss-Newton steps with Levenberg's damping, each a banded solve
 quadratic       the model that a step minimises: E to second order, one-sided residuals kept one-sided
 refinement      NLopt's methods in variables in which that model is a sphere
 preconditioner  the change to those variables
+matrix_free     the same for figures of so many joints that Newton's matrices would fill the memory
 optimiser       minimise(fun, x0): the only file that knows NLopt
 astray          whether a search ended in a heap
 judgement       which of several timelines of one clip is best

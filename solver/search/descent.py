@@ -10,6 +10,8 @@ from . import methods
 from .minimum import Improved, Minimum, Optimiser, Stop
 from .newton import FIRST_DAMPING, gauss_newton
 
+WIDEST = 150  # columns of the state for which a step of Newton's is worth its matrices, squares of these
+
 NEWTON = "newton"
 METHODS = {
     NEWTON: "Gauss-Newton steps on banded matrices",
@@ -51,7 +53,7 @@ class Descent:
     ) -> Minimum:
         """The Minimum, its x in the unknowns of the timeline; `improved` gets (evaluation, Evaluation, x)."""
         check_method(method)
-        found, self.damping = _optimiser(method)(
+        found, self.damping = _optimiser(method, self.problem)(
             self.problem,
             max_evaluations=max_evaluations,
             tolerance=tolerance,
@@ -61,10 +63,14 @@ class Descent:
         return found
 
 
-def _optimiser(method: str | Optimiser) -> Optimiser:
-    """The one that a name means; one of a program's own is itself."""
+def _optimiser(method: str | Optimiser, problem: Discretised) -> Optimiser:
+    """The one that a name means, for problems of this size; one of a program's own is itself."""
     if not isinstance(method, str):
         return method
+    if problem.timeline.width > WIDEST:
+        from .matrix_free import matrix_free
+
+        return matrix_free
     if method.lower() == NEWTON:
         return gauss_newton
     from .refinement import refined  # only here: it needs NLopt

@@ -40,6 +40,7 @@ FAINT = 1e-9  # of the median curvature, so that Cholesky's factor exists
 SHARE_OF_POSITION = 0.3  # of the flat metric, beside acceleration
 MOST_CHANGES = 15  # of which one-sided residuals count
 SETTLED = 0.05  # of the model's decrease: a change that gains less is the last
+ENTRIES_AT_ONCE = 2_000_000  # of rows over four coefficients, 16 MB
 LOCAL = DEGREE + 1  # B-splines that a sample sees
 
 Picked = Index | slice
@@ -76,8 +77,22 @@ class Layout:
             for (a, b), (c, d) in zip(pairwise(edges), pairwise(own.tolist()), strict=True)
         ]
         self.sided = problem.objective.terms
-        self.springs = self._springs()
         self.flat = self._flat(sampling.values)
+
+    @cached_property
+    def springs(self) -> Array:
+        """The springs' matrix on what is fixed, of about unit size."""
+        return self._springs()
+
+    def springs_by_column(self) -> Array:
+        """(M + 2, K + 1, N): the springs that hold entries of single columns, those of ties and seams left out."""
+        free = np.zeros((self.count, self.width))
+        free.reshape(-1)[self.place] = 1.0
+        room = np.zeros((self.count, self.blocks + 1, self.width))
+        first, weights = self.problem.spline.rows_by_coefficients()
+        column, apart, values = self._column_springs(first, weights, 1 - free)
+        np.add.at(room, (column, apart), values)
+        return room
 
     def empty(self) -> Array:
         """Room for a matrix's blocks: (M + 2, N, K + 1, N), [j, c, k, r] its entry at row (j + k, r), column (j, c)."""
@@ -125,19 +140,20 @@ class Layout:
 
     def add_squared(self, room: Array, spans: Index, rows: Array) -> None:
         """Adds Σ rowᵀrow of rows (P, 4 N) over the coefficients of their spans (P,), rising."""
-        width = self.width
         edges = np.flatnonzero(np.diff(spans)) + 1
         for first, last in zip(np.append(0, edges), np.append(edges, spans.size), strict=True):
-            if first == last:
-                continue
-            upper = banded.squared(rows[first:last])
-            span = int(spans[first])
-            if self.is_loop:
-                self._add_folded(room, span, upper + np.triu(upper, 1).T)
-                continue
-            for b in range(LOCAL):
-                slab = upper[b * width : (b + 1) * width, b * width :]
-                room[span + b, :, : LOCAL - b] += slab.reshape(width, LOCAL - b, width)
+            if first < last:
+                self.add_square(room, int(spans[first]), rows[first:last])
+
+    def add_square(self, room: Array, span: int, rows: Array) -> None:
+        """Adds Σ rowᵀrow of rows (P, 4 N) over the coefficients of one span."""
+        width, upper = self.width, banded.squared(rows)
+        if self.is_loop:
+            self._add_folded(room, span, upper + np.triu(upper, 1).T)
+            return
+        for b in range(LOCAL):
+            slab = upper[b * width : (b + 1) * width, b * width :]
+            room[span + b, :, : LOCAL - b] += slab.reshape(width, LOCAL - b, width)
 
     def _add_folded(self, room: Array, span: int, local: Array) -> None:
         """Adds a symmetric matrix (4 N, 4 N) over the coefficients of one span of a loop."""
@@ -180,7 +196,6 @@ class Layout:
         return self.problem.spline.states_and_slopes_transposed(rows.reshape(self.count, self.width))
 
     def _springs(self) -> Array:
-        """The springs' matrix, of about unit size."""
         spline, unknowns = self.problem.spline, self.problem.unknowns
         room = self.empty()
         free = np.zeros((self.count, self.width))
@@ -207,15 +222,19 @@ class Layout:
 
     def _hold_columns(self, room: Array, first: Index, weights: Array, hold: Array) -> None:
         """For each of some rows, springs on the columns of hold (R, N) of the sum of 3 coefficients, weights (R, 3)."""
+        column, apart, values = self._column_springs(first, weights, hold)
+        index = np.arange(self.width)
+        place = (column[:, None], index, apart[:, None], index)
+        flat = np.ravel_multi_index(np.broadcast_arrays(*place), room.shape)
+        np.add.at(room.reshape(-1), flat.ravel(), values.ravel())
+
+    def _column_springs(self, first: Index, weights: Array, hold: Array) -> tuple[Index, Index, Array]:
+        """Of such springs: the matrix's columns (S,), how far below each (S,), and their entries (S, N)."""
         weights = weights / np.sqrt(np.sum(weights**2, axis=1, keepdims=True))
         rank = self.rank[first[:, None] + np.arange(DEGREE)]
         apart = rank[:, :, None] - rank[:, None, :]
         row, a, b = np.nonzero(apart >= 0)
-        index = np.arange(self.width)
-        place = (rank[row, b][:, None], index, apart[row, a, b][:, None], index)
-        flat = np.ravel_multi_index(np.broadcast_arrays(*place), room.shape)
-        values = (weights[row, a] * weights[row, b])[:, None] * hold[row]
-        np.add.at(room.reshape(-1), flat.ravel(), values.ravel())
+        return rank[row, b], apart[row, a, b], (weights[row, a] * weights[row, b])[:, None] * hold[row]
 
     def _tie_seam(self, room: Array, spline: Spline, order: int) -> None:
         """y, y' or y'' of a step at the end equal to that at the start, as it comes back after a period.
@@ -351,13 +370,21 @@ class OneSided:
             gathered[at[first]] = np.add.reduceat(forces[some, None] * self.rows[some], first)
         return self.sampling.bases[0].T @ gathered
 
-    def local(self, some: Mask, factor: Array) -> tuple[Index, Array]:
-        """Of some (P,) residuals, each times its factor: their spans (A,), and their rows over these' coefficients
-        (A, 4 N)."""
-        at = self.at[some]
-        bases = self.sampling.values[at, 0] * factor[some, None]
-        rows = bases[:, :, None] * self.rows[some, None, :]
-        return self.sampling.first[at], rows.reshape(at.size, LOCAL * self.rows.shape[1])
+    def spans(self, some: Mask, factor: Array) -> Iterator[tuple[int, Array]]:
+        """Of some (P,) residuals, each times its factor: a span, and rows (A, 4 N) over its coefficients.
+
+        A few at a time: those of all spans together would be four times the memory of `rows`.
+        """
+        chosen = np.flatnonzero(some)
+        span = self.sampling.first[self.at[chosen]]
+        width = LOCAL * self.rows.shape[1]
+        few = max(1, ENTRIES_AT_ONCE // width)
+        edges = [0, *(np.flatnonzero(np.diff(span)) + 1).tolist(), chosen.size]
+        for a, b in pairwise(edges):
+            for first in range(a, b, few):
+                own = chosen[first : min(first + few, b)]
+                bases = self.sampling.values[self.at[own], 0] * factor[own, None]
+                yield int(span[first]), (bases[:, :, None] * self.rows[own, None, :]).reshape(own.size, width)
 
 
 class Proposal(NamedTuple):
@@ -443,7 +470,8 @@ class Model:
         for _ in range(MOST_CHANGES):
             active = over > 0
             np.copyto(room, held)
-            layout.add_squared(room, *sided.local(active, root))
+            for span, rows in sided.spans(active, root):
+                layout.add_square(room, span, rows)
             factor = layout.factor(room)
             if factor is None:
                 break

@@ -1,0 +1,130 @@
+"""The search without matrices: nearly as low as Gauss-Newton, stopped as asked, in memory linear in the joints."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from small_problems import problem_of
+
+from dynsplines.solver.objective import Discretised
+from dynsplines.solver.search import descent
+from dynsplines.solver.search.descent import Descent
+from dynsplines.solver.search.matrix_free import FlatMetric, matrix_free
+from dynsplines.solver.search.minimum import Stop, StopSearch
+from dynsplines.solver.search.newton import Search, gauss_newton
+
+
+@pytest.fixture
+def problem(rng: np.random.Generator) -> Discretised:
+    return problem_of(rng)
+
+
+@pytest.mark.parametrize("ends", ["free", "clamped", "periodic"])
+def test_it_ends_nearly_as_low_as_gauss_newton(rng: np.random.Generator, ends: str) -> None:
+    problem = problem_of(rng, ends)
+    found, damping = matrix_free(problem, max_evaluations=500, tolerance=1e-8, damping=3.0)
+    lowest, _ = gauss_newton(problem, tolerance=1e-9)
+    assert found.stop is Stop.CONVERGED
+    assert damping == 3.0
+    assert found.value <= 1.01 * lowest.value
+    assert problem(found.x).value == found.value
+
+
+def test_at_the_minimum_two_evaluations_see_that_there_is_nothing_to_gain(problem: Discretised) -> None:
+    lowest, _ = gauss_newton(problem, tolerance=1e-12)
+
+    class There:
+        def __getattr__(self, name: str) -> object:
+            return lowest.x if name == "start" else getattr(problem.unknowns, name)
+
+    class Begun:
+        unknowns = There()
+
+        def __getattr__(self, name: str) -> object:
+            return getattr(problem, name)
+
+        def __call__(self, x: np.ndarray) -> object:
+            return problem(x)
+
+    found, _ = matrix_free(Begun(), tolerance=1e-4, damping=1.0)  # type: ignore[arg-type]
+    assert (found.stop, found.evaluations) == (Stop.CONVERGED, 2)
+
+
+@pytest.mark.parametrize("ends", ["free", "periodic"])
+def test_the_change_of_variables_is_its_gradients_transpose(rng: np.random.Generator, ends: str) -> None:
+    problem = problem_of(rng, ends)
+    metric = FlatMetric(Search(problem, 9, 1.0, None).layout)
+    metric.unit = 7.0
+    z, g = rng.normal(size=metric.size), rng.normal(size=problem.unknowns.start.size)
+    np.testing.assert_allclose(metric.to_x(z) @ g, z @ metric.gradient(g), rtol=1e-10)
+
+
+@pytest.mark.parametrize("error", [StopSearch, KeyboardInterrupt])
+@pytest.mark.parametrize("at", [1, 3])
+def test_a_stop_asked_for_keeps_the_best_point(problem: Discretised, error: type[BaseException], at: int) -> None:
+    told: list[float] = []
+
+    def improved(_count: int, evaluation, _x: np.ndarray) -> None:
+        told.append(evaluation.value)
+        if len(told) == at:
+            raise error
+
+    found, _ = matrix_free(problem, tolerance=1e-12, damping=1.0, improved=improved)
+    assert (found.stop, found.value) == (Stop.ASKED, told[-1])
+
+
+@pytest.mark.parametrize("budget", [1, 2, 6])
+def test_the_budget_holds(problem: Discretised, budget: int) -> None:
+    found, _ = matrix_free(problem, max_evaluations=budget, tolerance=1e-15, damping=1.0)
+    assert (found.stop, found.evaluations) == (Stop.BUDGET, budget)
+
+
+def test_figures_of_many_joints_are_searched_like_that(
+    problem: Discretised, rng: np.random.Generator, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    free = problem_of(rng)
+    own = Descent(free.objective, free.timeline).run(max_evaluations=4)
+    monkeypatch.setattr(descent, "WIDEST", 1)
+    found = Descent(free.objective, free.timeline).run(max_evaluations=4)
+    wanted, _ = matrix_free(free, max_evaluations=4, damping=1.0)
+    assert found.value == wanted.value != own.value
+
+
+CHAIN = """
+import resource, sys
+from dynsplines import inbetween, load
+
+def arm(count):
+    links = "".join(
+        f'<body pos="0 0 -.1"><joint name="{letter}{i}" axis="{i % 2} {1 - i % 2} 0" range="-90 90"/>'
+        '<geom type="capsule" size=".02" fromto="0 0 0 0 0 -.1"/>' for i in range(count))
+    return links + "</body>" * count
+
+arms = []
+for letter in "abcdefgh"[: int(sys.argv[1])]:
+    arms.append(f'<body pos="{ord(letter)} 0 0">{arm(100)}</body>')
+open("chain.xml", "w").write(
+    '<mujoco><compiler autolimits="true"/><worldbody><geom type="plane" size="1 1 .1"/>'
+    f'<body pos="0 0 12"><freejoint/><geom size=".1"/>{"".join(arms)}</body></worldbody></mujoco>')
+open("chain.toml", "w").write('figure = "chain.xml"\\n' + "".join(
+    f'[[keyframe]]\\ntime = {time}\\nothers = "rest"\\njoints.a3 = {10 * time}\\n' for time in (0, 0.5, 1)))
+clip = load("chain.toml")
+before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+inbetween(clip)
+print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss, before)
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(sys.platform != "linux", reason="asks Linux for the most memory it took, in kB")
+def test_eight_hundred_joints_take_little_memory_and_about_twice_that_of_four_hundred(tmp_path) -> None:
+    most = []
+    for arms in (4, 8):
+        words = [sys.executable, "-c", CHAIN, str(arms)]
+        out = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, check=True)
+        most.append(int(out.stdout.split()[0]) / 1000)
+    assert most[1] < 450  # [MB]; the program itself is 100, what MuJoCo takes to read it 130
+    assert most[1] - most[0] < 2.5 * (most[0] - 100)
