@@ -34,6 +34,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", strange.KINDS)
 def test_a_file_that_is_whole_is_read_and_one_that_was_changed_is_read_or_refused(name: str, folder: Path):
     kind = strange.KINDS[name]
@@ -84,6 +85,7 @@ driver.main()
     monkeypatch.setattr(driver, "PROGRAM", ["-c", program])
 
 
+@pytest.mark.slow
 @LINUX
 @pytest.mark.parametrize(
     ("deed", "told"),

@@ -106,6 +106,7 @@ def left(folder: Path) -> list[str]:
 # signals, in every phase of every command
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("command", COMMANDS)
 def test_a_signal_at_any_moment_leaves_the_older_file_or_the_whole_new_one(command: str, tried: Tried, tmp_path: Path):
     words = COMMANDS[command]

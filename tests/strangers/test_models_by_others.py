@@ -81,6 +81,7 @@ def model_file(path: str) -> Path:
     return file
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", FEET)
 def test_a_model_by_others_becomes_a_clip_that_is_solved_and_drawn_without_an_edit(path, tmp_path):
     source, target = model_file(path), tmp_path / "its.toml"

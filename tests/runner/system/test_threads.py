@@ -53,6 +53,7 @@ print(json.dumps([before, seen, threads()]))
 """
 
 
+@pytest.mark.slow
 def test_a_search_in_a_program_of_ones_own_has_one_thread_and_gives_the_others_back() -> None:
     environment = {name: value for name, value in os.environ.items() if name not in threads.THREADS}
     environment["OPENBLAS_NUM_THREADS"] = "2"
