@@ -611,7 +611,8 @@ def batch(
     sources: Annotated[
         list[str] | None,
         typer.Argument(
-            metavar="CLIPS...", help="shipped clips, .toml or .xml files, folders (every .toml below), patterns"
+            metavar="CLIPS...",
+            help="shipped clips, .toml or .xml files, folders (every .toml below), patterns; or recordings",
         ),
     ] = None,
     output: Annotated[
@@ -638,12 +639,26 @@ def batch(
     strict: Annotated[
         bool, typer.Option("--strict", help="exit with code 3 if anything is wrong with a motion")
     ] = False,
+    clean_all: Annotated[bool, typer.Option("--clean", help="they are recordings: clean each")] = False,
+    onto: Annotated[
+        str | None, typer.Option("--retarget", metavar="MODEL", help="they are recordings: bring each on to a figure")
+    ] = None,
+    figure: Annotated[str | None, typer.Option(help="with --clean: the figure they are for")] = None,
+    map_file: Annotated[Path | None, typer.Option("--map", help="with --retarget: who is who")] = None,
+    kind: Kind = None,
+    scene: SceneFile = None,
+    within: Within = None,
     allow_outside: Outside = False,
 ) -> None:
     """Solve many clips, on every core or on a Dask cluster; the same command again goes on where it stopped."""
     _without_graphics()
     from . import batch as batches
+    from .batch import recordings
     from .system.progress import Teller
+
+    cleaning = recordings.asked(
+        clean=clean_all, onto=onto, figure=figure, map_file=map_file, kind=kind, scene=scene, within=within
+    )
 
     with Teller() as teller:
         tally = batches.run(
@@ -659,8 +674,11 @@ def batch(
             megabytes=limit_memory,
             report=measure,
             retry_failed=retry_failed,
+            cleaning=cleaning,
         )
-        for line in [*tally.problems, *tally.failures()]:
+        if cleaning is not None:
+            recordings.tell(tally, teller)
+        for line in [*([] if cleaning is not None else tally.problems), *tally.failures()]:
             teller.say(line)
         teller.say(f"{output}: {tally.line}")
     if tally.failed:

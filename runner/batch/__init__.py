@@ -9,6 +9,7 @@ bounded.py    the other end of that process: it is ended when it takes too long 
 crew.py       such processes at every Dask worker
 cluster.py    the Dask workers, here or elsewhere
 plan.py       what a command asks for, and what of it is left to do
+recordings.py  a batch of recordings: what is asked of it, and what it came to
 dispatch.py   the verb: few clips under way at a time, each done once
 """
 
@@ -23,6 +24,7 @@ from ..system.workers import cores
 if TYPE_CHECKING:
     from ..system.progress import Teller
     from .dispatch import Tally
+    from .task import Cleaning
 
 NEEDS = ("distributed", "dask", "psutil")
 MOST_WORKERS = 1000  # more would only be a slip of the keyboard
@@ -44,6 +46,7 @@ def run(
     megabytes: float | None = None,
     report: bool = False,
     retry_failed: bool = False,
+    cleaning: Cleaning | None = None,
 ) -> Tally:
     """Solves every clip that the words name into a folder; plan.Options says what the rest means.
 
@@ -59,6 +62,8 @@ def run(
         raise UserError(
             f"--limit-memory {megabytes:g}: give MB, {LEAST_MEGABYTES} to {MOST_MEGABYTES}; an idle process has 200"
         )
+    if report and cleaning is not None:
+        raise UserError("--report is for clips; a recording is measured before and after as it is")
     if fps is not None and not 0.01 <= fps <= 100_000:
         raise UserError(f"--fps {fps:g}: give a number of samples a second, 0.01 to 100000")
     try:
@@ -69,5 +74,5 @@ def run(
         raise UserError(
             f"dynsplines batch needs '{error.name}'; install it: pip install 'dynamic-splines[batch]'"
         ) from None
-    options = dispatch.Options(listed, workers or cores(), scheduler, to, fps, report, retry_failed)
+    options = dispatch.Options(listed, workers or cores(), scheduler, to, fps, report, retry_failed, cleaning)
     return dispatch.run(words, folder, options, dispatch.Bounds(seconds, megabytes), teller)

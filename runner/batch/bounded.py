@@ -8,8 +8,9 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Mapping
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from multiprocessing import Pipe
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -19,7 +20,7 @@ import psutil
 from ..system.threads import THREADS
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Mapping
     from multiprocessing.connection import Connection
 
     from .task import Product
@@ -50,7 +51,7 @@ class Outcome:
     """What became of a clip: the bytes of its output, or why there are none.
 
     seconds  that it took; cause "", "error", "time", "memory" or "lost"; bound: the one that it came up against
-    problems  what is wrong with the motion, as in the manifest
+    problems, figures  what is wrong with the motion and what was measured of it, as in the manifest
     """
 
     seconds: float
@@ -59,6 +60,7 @@ class Outcome:
     error: str = ""
     bound: float | None = None
     problems: tuple[dict[str, Any], ...] = ()
+    figures: Mapping[str, tuple[float, float]] = field(default_factory=dict)
 
 
 class _Gone(Exception):
@@ -128,7 +130,7 @@ class Bounded:
                     kind, what = line.recv()
                     spent = time.monotonic() - begin
                     if kind == "done":
-                        return Outcome(spent, data=what.data, problems=what.problems)
+                        return Outcome(spent, data=what.data, problems=what.problems, figures=what.figures)
                     if kind == "memory":
                         return Outcome(spent, None, kind, _too_much(bounds.megabytes, what), bounds.megabytes)
                     return Outcome(spent, None, kind, what)

@@ -17,7 +17,7 @@ from distributed.comm.core import CommClosedError
 
 from ..errors import UserError, one_line
 from ..exchange import formats
-from ..scene.outside import is_allowed
+from ..scene.outside import is_allowed, lies_in
 from ..system.output import Replacement, clear_below
 from ..system.progress import Teller
 from .bounded import Bounds, Outcome
@@ -44,12 +44,14 @@ class Tally:
     """How a batch ended: clips solved now, clips that were already, and those that failed, now or before.
 
     wrong  those of the solved ones, now or before, with problems, the worst first
+    good   all solved ones, now or before
     """
 
     solved: int
     kept: int
     failed: tuple[Entry, ...]
     wrong: tuple[Entry, ...] = ()
+    good: tuple[Entry, ...] = ()
 
     @property
     def line(self) -> str:
@@ -81,7 +83,9 @@ def run(words: list[str], folder: Path, options: Options, bounds: Bounds, teller
     """
     if options.to != NPZ:
         formats.writer(options.to)
-    found = sources(words, options.listed)
+    found = sources(words, options.listed, recordings=options.cleaning is not None)
+    if options.cleaning is not None:  # what was made of recordings is none
+        found = [source for source in found if source.path is None or not lies_in(source.path, folder)]
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
@@ -107,7 +111,7 @@ def run(words: list[str], folder: Path, options: Options, bounds: Bounds, teller
         good = [manifest.entries[name] for name in names if manifest.entries[name].state == "done"]
         wrong = sorted((entry for entry in good if entry.problems), key=_severity, reverse=True)
         failed = tuple(sorted(failed, key=lambda entry: entry.clip))
-        return Tally(done, len(names) - len(failed) - done, failed, tuple(wrong))
+        return Tally(done, len(names) - len(failed) - done, failed, tuple(wrong), tuple(good))
 
 
 def _severity(entry: Entry) -> tuple[float, str]:
@@ -168,7 +172,7 @@ class _Dispatch:
     def _submit(self, clip: Clip) -> None:
         try:
             check_below(self.folder, f"{clip.name}{self.options.ending}")
-            files = files_of(clip.source, self.plan.figures)
+            files = files_of(clip.source, self.plan.figures, self.options.cleaning)
         except UserError as error:
             self._failed(clip, Outcome(0.0, cause="error", error=one_line(error)))
             return
@@ -180,7 +184,7 @@ class _Dispatch:
         entry = self.manifest.entries[clip.name]
         digest = options.digest(files)
         self.manifest.entries[clip.name] = replace(entry, input=digest)  # it may have changed since it was queued
-        task = Task(files, options.to, options.fps, options.report, program(), is_allowed())
+        task = Task(files, options.to, options.fps, options.report, program(), is_allowed(), options.cleaning)
         self.tries[clip.name] = self.tries.get(clip.name, 0) + 1
         key = f"{self.batch}-{clip.name}-{self.tries[clip.name]}"
         self._submitted += 1
@@ -247,6 +251,7 @@ class _Dispatch:
             size=len(data),
             sha256=digest_of(data),
             problems=found,
+            figures=outcome.figures,
         )
         self.manifest.record([done])
         self.solved += 1

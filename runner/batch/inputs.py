@@ -14,16 +14,17 @@ from dynsplines import models
 
 from ..clip import load as clip
 from ..errors import UserError, unknown
+from ..exchange import formats
 from ..scene import outside
 from ..scene.model_files import FOLDERS, elements, is_there
-from .task import Files
+from .task import Cleaning, Files
 
 ENDINGS = (".toml", ".xml")
 
 
 @dataclass(frozen=True)
 class Source:
-    """A clip to solve.
+    """A clip to solve, or a recording to clean.
 
     path   its file; None for a shipped clip
     name   what its output is to be called, without an ending: its path below the folder that was named, or its stem
@@ -42,16 +43,19 @@ class Source:
             return self.path.as_posix()
 
 
-def sources(words: Iterable[str], listed: str | None = None) -> list[Source]:
+def sources(words: Iterable[str], listed: str | None = None, *, recordings: bool = False) -> list[Source]:
     """Clips by name, files, folders (every .toml below) and patterns; none of them twice, in the order given.
 
-    listed  a file of such words, one a line; "-" is the standard input. Raises UserError for what is not there.
+    listed      a file of such words, one a line; "-" is the standard input. Raises UserError for what is not there.
+    recordings  the words name recordings: files of any name; in folders, those whose endings tell that they are some
     """
     found: dict[object, Source] = {}
     for word in (*words, *(_lines(listed) if listed else ())):
-        for source in _named(word):
+        for source in _recordings(word) if recordings else _named(word):
             _check_written(source)
             found.setdefault(source.path or source.name, source)
+    if not found and recordings:
+        raise UserError("no recordings; give files, folders, patterns, or --list FILE")
     if not found:
         raise UserError("no clips; give names, .toml or .xml files, folders, patterns, or --list FILE")
     return list(found.values())
@@ -95,10 +99,11 @@ def named_apart(fresh: list[Source], taken: Collection[str]) -> list[Source]:
     return out
 
 
-def files_of(source: Source, figures: dict[Path, dict[Path, bytes]]) -> Files:
+def files_of(source: Source, figures: dict[Path, dict[Path, bytes]], cleaning: Cleaning | None = None) -> Files:
     """Reads a clip and all that it refers to; what is missing is left to whoever loads it.
 
-    figures  those that have been read before, by their path
+    figures   those that have been read before, by their path
+    cleaning  what is to be done to it if it is a recording
 
     Raises OSError, and UserError for a model that reads files outside its folder.
     """
@@ -107,6 +112,8 @@ def files_of(source: Source, figures: dict[Path, dict[Path, bytes]]) -> Files:
         return Files(name, {f"{name}.toml": models.clip_text(name).encode()})
     path = source.path
     data = path.read_bytes()
+    if cleaning is not None:
+        return _with_recording(path, data, cleaning, figures)
     if path.suffix.lower() == ".xml":
         return _packed(path, _model_files(path, figures))
     named = clip.figure_named(data.decode("utf-8", errors="replace"))
@@ -115,6 +122,21 @@ def files_of(source: Source, figures: dict[Path, dict[Path, bytes]]) -> Files:
         return Files(path.name, {path.name: data})
     absolute = named is not None and Path(named).is_absolute()
     return _packed(path, {path: data, **_model_files(figure, figures)}, figure if absolute else None)
+
+
+def _with_recording(path: Path, data: bytes, cleaning: Cleaning, figures: dict[Path, dict[Path, bytes]]) -> Files:
+    """A recording and what was asked for with it: the figure with its files, the scene, the map."""
+    files, others = {path: data}, dict[str, Path]()
+    if cleaning.figure is not None and cleaning.figure not in models.figures():
+        others["figure"] = _absolute(Path(cleaning.figure))
+        files |= _model_files(others["figure"], figures)
+    for word, name in (("scene", cleaning.scene), ("map", cleaning.map)):
+        if name is not None:
+            others[word] = _absolute(Path(name))
+            files[others[word]] = others[word].read_bytes()
+    packed = _packed(path, files)
+    root = Path(os.path.commonpath([file.parent for file in files]))
+    return replace(packed, others={word: place.relative_to(root).as_posix() for word, place in others.items()})
 
 
 def _lines(listed: str) -> list[str]:
@@ -154,6 +176,32 @@ def _named(word: str) -> Iterator[Source]:
     if path.suffix:
         raise UserError(f"no file '{word}'")
     raise UserError(unknown("clip", word, models.clips()))
+
+
+def _recordings(word: str) -> Iterator[Source]:
+    """Files; in folders and by patterns, those whose endings tell that they are motions or some format that is read."""
+    path = Path(word)
+    if path.is_file():
+        yield Source(_absolute(path), PurePosixPath(formats.stem(path)))
+        return
+    if path.is_dir():
+        called, root = path.rglob("*"), path
+    elif glob.has_magic(word):
+        called, root = Path(path.anchor).glob(str(path.relative_to(path.anchor))), None
+    else:
+        raise UserError(f"no file '{word}'")
+    found = sorted(file for file in called if file.is_file() and _tells(file))
+    if not found:
+        raise UserError(f"'{word}': no recording's ending is there; `dynsplines formats` lists them")
+    for file in found:
+        name = PurePosixPath(file.name if root is None else file.relative_to(root))
+        yield Source(_absolute(file), name.with_name(formats.stem(file)))
+
+
+def _tells(file: Path) -> bool:
+    """Whether a file's ending says that it is a motion, or of a format that is read."""
+    form = formats.by_ending(file)
+    return form.reads if form is not None else file.suffix.lower() == ".npz"
 
 
 def _absolute(path: Path) -> Path:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path, PurePosixPath, PureWindowsPath
 from typing import Any, Literal
@@ -39,6 +39,7 @@ class Entry:
     cause     of a failure: "error", "time", "memory" or "lost" (its process or its worker went away)
     bound     that a failure by time [s] or memory [MB] came up against
     problems  what is wrong with the motion, worst first: `Flaw`s as tables
+    figures   of a recording: what was measured, before and after, by what it says and its unit
     """
 
     clip: str
@@ -55,10 +56,12 @@ class Entry:
     bound: float | None = None
     error: str = ""
     problems: tuple[dict[str, Any], ...] = ()
+    figures: Mapping[str, tuple[float, float]] = field(default_factory=dict)
 
     def line(self) -> str:
         """As JSON, without what there is nothing to say about."""
-        return json.dumps({key: value for key, value in asdict(self).items() if value not in ("", None, 0, ())}) + "\n"
+        told = {key: value for key, value in asdict(self).items() if value not in ("", None, 0, (), {})}
+        return json.dumps(told) + "\n"
 
     @classmethod
     def of(cls, data: dict[str, Any]) -> Entry:
@@ -66,6 +69,8 @@ class Entry:
         entry = cls(**data)
         if not isinstance(entry.problems, list | tuple) or not all(map(_is_problem, entry.problems)):
             raise TypeError(f"'problems' is {entry.problems!r}")
+        if not isinstance(entry.figures, dict) or not all(map(_is_pair, entry.figures.values())):
+            raise TypeError(f"'figures' is {entry.figures!r}")
         entry = replace(entry, problems=tuple(entry.problems))
         if entry.state not in STATES:
             raise ValueError(f"no state '{entry.state}'; states: {', '.join(STATES)}")
@@ -120,6 +125,10 @@ def check_below(folder: Path, name: str) -> None:
 def _is_problem(told: Any) -> bool:
     """Whether a batch can say and compare it."""
     return isinstance(told, dict) and isinstance(told.get("text"), str) and _is_above(told, "amount", "bound")
+
+
+def _is_pair(told: Any) -> bool:
+    return isinstance(told, list | tuple) and len(told) == 2 and all(isinstance(value, int | float) for value in told)
 
 
 def _is_above(told: dict[str, Any], *names: str) -> bool:

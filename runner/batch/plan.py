@@ -11,7 +11,7 @@ from ..system.progress import Teller
 from .bounded import Bounds
 from .inputs import Source, files_of, named_apart
 from .manifest import Entry, Manifest
-from .task import NPZ, Files, program
+from .task import NPZ, Cleaning, Files, program
 
 TOLD_EVERY = 500  # clips, between lines on how far the plan is
 
@@ -25,6 +25,7 @@ class Options:
     to, fps       the kind of file to make, and samples a second if not the clip's
     report        measure every motion at length, too
     retry_failed  solve again what failed for a reason of its own and has not changed since
+    cleaning      what to do to recordings, which the sources are then; None for clips
     """
 
     listed: str | None = None
@@ -34,6 +35,7 @@ class Options:
     fps: float | None = None
     report: bool = False
     retry_failed: bool = False
+    cleaning: Cleaning | None = None
 
     @property
     def ending(self) -> str:
@@ -41,7 +43,8 @@ class Options:
 
     def digest(self, files: Files) -> str:
         """Of everything that a clip's output depends on."""
-        return files.digest(program(), self.to, self.fps, self.report)
+        done = () if self.cleaning is None else (self.cleaning,)
+        return files.digest(program(), self.to, self.fps, self.report, *done)
 
 
 @dataclass(frozen=True)
@@ -80,7 +83,7 @@ def planned(found: list[Source], manifest: Manifest, options: Options, bounds: B
         elif before.holds(folder) if before.state == "done" else _final(before, options, bounds):
             continue
         else:
-            now = replace(before, state="queued", error="", cause="", bound=None, problems=())
+            now = replace(before, state="queued", error="", cause="", bound=None, problems=(), figures={})
         queued.append(now)
         left.append(clip)
     if queued:
@@ -91,7 +94,7 @@ def planned(found: list[Source], manifest: Manifest, options: Options, bounds: B
 def _digest(source: Source, figures: dict[Path, dict[Path, bytes]], options: Options) -> str:
     """Empty for what cannot be read, which is told when it is its turn."""
     try:
-        files = files_of(source, figures)
+        files = files_of(source, figures, options.cleaning)
     except (OSError, UserError):
         return ""
     return options.digest(files)

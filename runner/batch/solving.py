@@ -4,9 +4,13 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from ..errors import UserError
-from .task import NPZ, Product, Task, program
+from .task import NPZ, Cleaning, Product, Task, program
+
+if TYPE_CHECKING:
+    from ..motion import Saved
 
 
 def prepared() -> None:
@@ -21,9 +25,8 @@ def solved(task: Task, folder: Path) -> Product:
     """
     from rich.console import Console
 
-    from .. import motion, work
+    from .. import work
     from ..clip import load as clip
-    from ..exchange import formats
     from ..measure.problems import plain
     from ..scene import outside
     from ..system.progress import Teller
@@ -34,6 +37,8 @@ def solved(task: Task, folder: Path) -> Product:
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_bytes(data)
+    if task.cleaning is not None:
+        return _cleaned(task, task.cleaning, folder)
     source, figure = task.files.clip, task.files.figure
     where = str(folder / source) if Path(source).suffix else source
     with outside.allowed(task.allow_outside):
@@ -42,9 +47,43 @@ def solved(task: Task, folder: Path) -> Product:
         teller = Teller(Console(file=nowhere))
         result = work.solve(problem, teller)
         saved = result.saved(teller, with_report=task.report)
+    return Product(_written(saved, task, folder, task.fps), tuple(plain(result.problems)))
+
+
+def _cleaned(task: Task, cleaning: Cleaning, folder: Path) -> Product:
+    """The file of a recording's clean motion, what is wrong with it, and what was measured before and after."""
+    from rich.console import Console
+
+    from ..clean import running
+    from ..clean.comparing import Comparison
+    from ..scene import outside
+    from ..system.progress import Teller
+
+    there = {word: folder / place for word, place in task.files.others.items()}
+    figure = str(there["figure"]) if "figure" in there else cleaning.figure
+    source = running.Source(
+        folder / task.files.clip,
+        figure,
+        cleaning.kind,
+        task.fps,
+        scene=there.get("scene"),
+        map=there.get("map"),
+        apart=cleaning.apart,
+    )
+    with Path(os.devnull).open("w") as nowhere, outside.allowed(task.allow_outside):
+        result, saved = running.made(source, cleaning.within, Teller(Console(file=nowhere)))
+    found = Comparison(result)
+    return Product(_written(saved, task, folder, None), tuple(found.problems), found.figures)
+
+
+def _written(saved: Saved, task: Task, folder: Path, fps: float | None) -> bytes:
+    """A motion as a file of the kind that is asked for."""
+    from .. import motion
+    from ..exchange import formats
+
     target = folder / f".result{'.npz' if task.to == NPZ else formats.writer(task.to).ending}"
     if task.to == NPZ:
         motion.save(saved, target)
     else:
-        formats.export(saved, task.to, target, fps=task.fps)
-    return Product(target.read_bytes(), tuple(plain(result.problems)))
+        formats.export(saved, task.to, target, fps=fps)
+    return target.read_bytes()

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from rich.table import Table
@@ -23,17 +24,19 @@ from .cleaning import Cleaned, Verdict
 
 RATE = 120.0  # [1/s]
 RUN = 1000  # samples looked at at once
-SLIP, DEPTH = 5.0, 2.0  # [mm] of what is sound
+SLIP, DEPTH, HOVER = 5.0, 2.0, 5.0  # [mm] of what is sound
+RANGE = 0.5  # [°] beyond a joint's range, likewise
 
 
 @dataclass(frozen=True)
 class Line:
-    """One thing that was measured, before and after; in a unit."""
+    """One thing that was measured, before and after, in a unit; bound: of what is sound, where anything is not."""
 
     says: str
     unit: str
     before: float
     after: float
+    bound: float | None = None
 
 
 @dataclass(frozen=True)
@@ -58,15 +61,30 @@ class Comparison:
         """What was wrong before, and what of it is left."""
         before, after = (_Look(self.cleaned, path, self.times) for path in (self.cleaned.before, self.cleaned.after))
         rows = [
-            ("deepest sole", "mm", "depth"),
-            ("slip of a stance, most", "mm", "slip"),
-            ("sole at rest, off the ground", "mm", "hover"),
-            ("joint beyond its range", "°", "range"),
-            ("joint acceleration, most", "rad/s²", "peak"),
-            ("jerk of bodies, mean", "m/s³", "jerk"),
-            ("force nothing supplies, mean", "weight", "force"),
+            ("deepest sole", "mm", "depth", DEPTH),
+            ("slip of a stance, most", "mm", "slip", SLIP),
+            ("sole at rest, off the ground", "mm", "hover", HOVER),
+            ("joint beyond its range", "°", "range", RANGE),
+            ("joint acceleration, most", "rad/s²", "peak", None),
+            ("jerk of bodies, mean", "m/s³", "jerk", None),
+            ("force nothing supplies, mean", "weight", "force", None),
         ]
-        return tuple(Line(says, unit, getattr(before, of), getattr(after, of)) for says, unit, of in rows)
+        return tuple(Line(says, unit, getattr(before, of), getattr(after, of), bound) for says, unit, of, bound in rows)
+
+    @property
+    def problems(self) -> list[dict[str, Any]]:
+        """What is not sound after it, the worst first, as a batch's manifest has it."""
+        found = [
+            {"text": f"{line.says}: {line.after:.3g} {line.unit}", "amount": line.after, "bound": line.bound}
+            for line in self.lines
+            if line.bound is not None and line.after > line.bound
+        ]
+        return sorted(found, key=lambda one: -one["amount"] / one["bound"])
+
+    @property
+    def figures(self) -> dict[str, tuple[float, float]]:
+        """What was measured, before and after, by what it says and its unit."""
+        return {f"{line.says} [{line.unit}]": (round(line.before, 6), round(line.after, 6)) for line in self.lines}
 
     @cached_property
     def times(self) -> Array:

@@ -71,9 +71,7 @@ def run(
     if target.exists() and source.file.exists() and target.samefile(source.file):
         raise UserError(f"'{target}' is what is read; give another -o")
     check_new(target, overwrite=overwrite)
-    around = _around(source)
-    found = _read(source, around, teller)
-    result, saved = _cleaned(found, around, within, teller, apart=source.apart)
+    result, saved = made(source, within, teller)
     if form is None:
         motion.save(saved, target)
     else:
@@ -84,6 +82,13 @@ def run(
             teller.say(line)
     teller.say(f"wrote {target}")
     return target
+
+
+def made(source: Source, within: float | None, teller: Teller) -> tuple[Cleaned, Saved]:
+    """A recording cleaned, and its motion; within [m] as `run` takes it. Raises UserError."""
+    around = _around(source)
+    found = _read(source, around, teller)
+    return _cleaned(found, around, within, teller, apart=source.apart)
 
 
 def motion_cleaned(saved: Saved, within: float | None, teller: Teller) -> Saved:

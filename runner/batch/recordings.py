@@ -1,0 +1,88 @@
+"""A batch of recordings: what is asked of it, and what it came to, before and after, with the worst of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from rich.table import Table
+from rich.text import Text
+
+from dynsplines import models
+
+from ..errors import UserError, unknown
+from ..system.progress import Teller
+from ..system.quantity import length
+from .manifest import Entry
+from .task import Cleaning
+
+if TYPE_CHECKING:
+    from .dispatch import Tally
+
+WORST = 10  # recordings that are named
+
+
+def asked(
+    *,
+    clean: bool,
+    onto: str | None,
+    figure: str | None,
+    map_file: Path | None,
+    kind: str | None,
+    scene: Path | None,
+    within: str | None,
+) -> Cleaning | None:
+    """What the options of the command mean; None for clips. Raises UserError for those that do not go together."""
+    if clean and onto is not None:
+        raise UserError("--clean and --retarget: give one of them; what is brought on to a figure is cleaned there")
+    more = {"--figure": figure, "--map": map_file, "--from": kind, "--scene": scene, "--within": within}
+    given = [name for name, value in more.items() if value is not None]
+    if not clean and onto is None:
+        if given:
+            raise UserError(f"{' and '.join(given)}: of recordings; give --clean or --retarget MODEL, too")
+        return None
+    if onto is not None and figure is not None:
+        raise UserError(f"--figure {figure}: the figure is the one to --retarget to, '{onto}'")
+    if clean and map_file is not None:
+        raise UserError("--map: who is who is asked where recordings are brought on to a figure: --retarget MODEL")
+    model = onto if onto is not None else figure
+    if model is not None and model not in models.figures() and not Path(model).is_file():
+        raise UserError(f"no file '{model}'" if Path(model).suffix else unknown("figure", model, models.figures()))
+    for word, place in (("--scene", scene), ("--map", map_file)):
+        if place is not None and not place.is_file():
+            raise UserError(f"{word}: no file '{place}'")
+    bound = None if within is None else length(within, "--within")
+    files = (None if place is None else str(place) for place in (scene, map_file))
+    return Cleaning(model, *files, kind, bound, onto is not None)
+
+
+def tell(tally: Tally, teller: Teller) -> None:
+    """What all of them came to, and the worst ten."""
+    if any(entry.figures for entry in tally.good):
+        teller.console.print(table(tally.good))
+    for line in worst(tally.wrong):
+        teller.say(line)
+
+
+def table(good: Iterable[Entry]) -> Table:
+    """The median recording and the worst, before and after, of everything that was measured."""
+    kept = [entry for entry in good if entry.figures]
+    out = Table(box=None, pad_edge=False)
+    for heading in (f"{len(kept)} recordings", "median before", "after", "worst before", "after"):
+        out.add_column(heading, justify="right" if out.columns else "left")
+    for says in dict.fromkeys(name for entry in kept for name in entry.figures):
+        pairs = np.array([entry.figures[says] for entry in kept if says in entry.figures], float)
+        shown = [*np.median(pairs, axis=0), *pairs.max(axis=0)]
+        out.add_row(Text(says), *(f"{value:.3g}" for value in shown))
+    return out
+
+
+def worst(wrong: Iterable[Entry]) -> Iterator[str]:
+    """A line each on the recordings with problems, which are given with the worst first: ten of them."""
+    wrong = list(wrong)
+    for entry in wrong[:WORST]:
+        yield f"{entry.clip}: {'; '.join(problem['text'] for problem in entry.problems)}"
+    if len(wrong) > WORST:
+        yield f"... and {len(wrong) - WORST} more with problems; the manifest has them all"

@@ -1,0 +1,136 @@
+"""A batch of recordings: each cleaned or brought on to a figure, measured, and the worst named."""
+
+from __future__ import annotations
+
+import io
+import shutil
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+import shipped
+from rich.console import Console
+
+pytest.importorskip("distributed")
+
+from dynsplines import UserError, cli, load_motion
+from dynsplines.batch import recordings
+from dynsplines.batch.bounded import Bounds
+from dynsplines.batch.dispatch import Tally, run
+from dynsplines.batch.inputs import files_of, sources
+from dynsplines.batch.manifest import Entry, Manifest
+from dynsplines.batch.plan import Options
+from dynsplines.batch.task import Cleaning
+from dynsplines.exchange import formats
+from dynsplines.system.progress import Teller
+
+
+def quiet() -> Teller:
+    return Teller(Console(file=io.StringIO()))
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Two recordings, one below the other's folder, one that is none, and files of other kinds."""
+    folder = tmp_path_factory.mktemp("recordings")
+    (folder / "more").mkdir()
+    walk = shipped.solved("walk_loop").saved(Teller(), with_report=False)
+    formats.export(walk, "bvh", folder / "walk.bvh", fps=30)
+    formats.export(walk, "csv", folder / "more" / "turn.csv", fps=40)
+    (folder / "torn.bvh").write_text("HIERARCHY\nROOT", encoding="utf-8")
+    (folder / "notes.txt").write_text("nothing", encoding="utf-8")
+    return folder
+
+
+def test_a_folder_gives_what_its_endings_tell_by_the_path_below_it(folder: Path) -> None:
+    assert [str(source.name) for source in sources([str(folder)], recordings=True)] == ["more/turn", "torn", "walk"]
+    assert [str(source.name) for source in sources([str(folder / "w*")], recordings=True)] == ["walk"]
+    assert [str(source.name) for source in sources([str(folder / "notes.txt")], recordings=True)] == ["notes"]
+    with pytest.raises(UserError, match=r"no recording's ending is there; `dynsplines formats` lists them"):
+        sources([str(folder / "*.txt")], recordings=True)
+    with pytest.raises(UserError, match=r"no file .*absent\.bvh"):
+        sources([str(folder / "absent.bvh")], recordings=True)
+
+
+def test_all_that_was_asked_for_goes_along_and_counts(folder: Path, tmp_path: Path) -> None:
+    scene = tmp_path / "scene.toml"
+    scene.write_text("[scene]\n", encoding="utf-8")
+    (source,) = sources([str(folder / "walk.bvh")], recordings=True)
+    asked = Cleaning("human", scene=str(scene))
+    files = files_of(source, {}, asked)
+    assert files.others.keys() == {"scene"}
+    assert files.files[files.others["scene"]] == scene.read_bytes()
+    assert files.files[files.clip] == (folder / "walk.bvh").read_bytes()
+    before = Options(cleaning=asked).digest(files)
+    assert before == Options(cleaning=asked).digest(files_of(source, {}, asked))
+    assert before != Options(cleaning=Cleaning("human", scene=str(scene), within=0.02)).digest(files)
+    scene.write_text("[scene]\n# another\n", encoding="utf-8")
+    assert before != Options(cleaning=asked).digest(files_of(source, {}, asked))
+
+
+@pytest.mark.slow
+def test_each_is_cleaned_once_and_one_that_is_torn_stops_nothing(folder: Path, tmp_path: Path) -> None:
+    shutil.copytree(folder, tmp_path / "in")
+    options = Options(workers=1, cleaning=Cleaning("human"))
+    into = tmp_path / "in" / "out"  # below what is read, which it is no part of
+    tally = run([str(tmp_path / "in")], into, options, Bounds(), quiet())
+    assert (tally.solved, [entry.clip for entry in tally.failed]) == (2, ["torn"])
+    entries = Manifest.of(into).entries
+    for name in ("walk", "more/turn"):
+        motion, figures = load_motion(into / f"{name}.npz"), entries[name].figures
+        assert motion.duration > 0.5
+        before, after = figures["deepest sole [mm]"]
+        assert np.isfinite(before)
+        assert after <= 2
+    again = run([str(tmp_path / "in")], into, options, Bounds(), quiet())
+    assert (again.solved, len(again.good), len(again.failed)) == (0, 2, 1)
+    assert again.good[0].figures == entries[again.good[0].clip].figures
+
+
+def entry(name: str, slip: float, problem: float | None = None) -> Entry:
+    found = () if problem is None else ({"text": f"slip: {problem} mm", "amount": problem, "bound": 5.0},)
+    return Entry(name, f"{name}.bvh", "done", problems=found, figures={"slip [mm]": (40.0, slip)})
+
+
+def test_the_table_has_median_and_worst_and_ten_are_named() -> None:
+    good = tuple(entry(f"r{i}", float(i), 5.0 + i if i > 2 else None) for i in range(15))
+    wrong = tuple(sorted((one for one in good if one.problems), key=lambda one: -one.problems[0]["amount"]))
+    out = io.StringIO()
+    recordings.tell(Tally(15, 0, (), wrong, good), Teller(Console(file=out, width=100)))
+    lines = out.getvalue().splitlines()
+    assert lines[0].split() == ["15", "recordings", "median", "before", "after", "worst", "before", "after"]
+    assert lines[1].split() == ["slip", "[mm]", "40", "7", "40", "14"]
+    assert [line.split(":")[0] for line in lines[2:12]] == [f"r{i}" for i in range(14, 4, -1)]
+    assert lines[12] == "... and 2 more with problems; the manifest has them all"
+
+
+@pytest.mark.parametrize(
+    ("words", "line"),
+    [
+        (("--clean", "--retarget", "human"), "--clean and --retarget: give one of them"),
+        (("--figure", "human", "--within", "2cm"), "--figure and --within: of recordings; give --clean"),
+        (
+            ("--retarget", "human", "--figure", "human"),
+            "--figure human: the figure is the one to --retarget to",
+        ),
+        (("--clean", "--map", "map.toml"), "--map: who is who is asked where recordings are brought on to a figure"),
+        (("--retarget", "absent.xml"), "no file 'absent.xml'"),
+        (("--retarget", "humann"), "did you mean 'human'"),
+        (("--clean", "--scene", "absent.toml"), "--scene: no file 'absent.toml'"),
+        (("--clean", "--report"), "--report is for clips; a recording is measured before and after as it is"),
+        (("--clean", "--within", "-1cm"), "--within"),
+    ],
+)
+def test_what_does_not_go_together_is_told(
+    folder: Path, words: tuple[str, ...], line: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(folder)
+    monkeypatch.setenv("MUJOCO_GL", "disable")
+    monkeypatch.setattr(sys, "argv", ["dynsplines", "batch", "walk.bvh", *words])
+    with pytest.raises(SystemExit) as ended:
+        cli.main()
+    assert ended.value.code == 2
+    said = capsys.readouterr().err.splitlines()
+    assert len(said) == 1
+    assert line in said[0]
