@@ -159,9 +159,20 @@ def _end(code: int, line: str) -> NoReturn:
     sys.exit(code)
 
 
+def _tell_version(asked: bool) -> None:
+    if asked:
+        from importlib.metadata import version  # only here: it takes a moment
+
+        print(f"dynsplines {version('dynamic-splines')}, MuJoCo {version('mujoco')}")
+        raise typer.Exit
+
+
 @app.callback()
 def _whatever(
     debug: Annotated[bool, typer.Option("--debug", help="show where in the program a mistake of its own is")] = False,
+    version: Annotated[
+        bool, typer.Option("--version", is_eager=True, callback=_tell_version, help="print the version")
+    ] = False,
 ) -> None:
     if debug:
         os.environ[DEBUG] = "1"

@@ -20,7 +20,7 @@ from ..clip.obstacles import obstacles
 from ..clip.table import MapTable, SceneTable, SurroundingsTable
 from ..clip.text import written
 from ..errors import UserError
-from ..exchange import formats
+from ..exchange import formats, gaps
 from ..exchange.imported import taken
 from ..exchange.skeleton import retarget
 from ..motion import Saved
@@ -141,7 +141,7 @@ def _read(source: Source, around: SurroundingsTable, teller: Teller) -> _Read:
     if source.map is not None and not source.writes_map:
         told_by = clips.file_of(source.map, MapTable)
         chosen = retarget.Map(told_by.figure, told_by.recording)
-    with retarget.by(chosen) as met:
+    with retarget.by(chosen) as met, gaps.allowed():
         found = taken(source.file, source.kind, figure=source.figure, fps=source.fps, scale=source.scale, teller=teller)
     if source.map is not None and not met:
         raise UserError(f"'{source.file}': its format is already one of the figure's joints; a map says nothing of it")

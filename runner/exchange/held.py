@@ -14,6 +14,7 @@ from dynsplines.solver.array import Array
 from ..errors import UserError
 from ..system import archive as archive_sizes
 from ..system import largest
+from .gaps import bridged
 
 LARGEST = 1e9  # of any number: its square still is one
 NUMBER = 8  # [bytes]
@@ -51,6 +52,8 @@ class Held:
             raise UserError(f"{self.place}: '{name}' has the shape {array.shape}, not ({told})")
         self.sizes |= {size: n for size, n in zip(shape, array.shape, strict=True) if isinstance(size, str)}
         array = array.astype(float)
+        if not np.all(np.isfinite(array)) and (mended := bridged(array)) is not None:
+            array = mended
         if not np.all(np.abs(array) <= LARGEST):
             what = "is too large" if np.all(np.isfinite(array)) else "is not a finite number"
             raise UserError(f"{self.place}: '{name}': an entry {what}")

@@ -16,6 +16,7 @@ from ..motion import Saved
 from ..scene.compose import compose, figure_spec
 from ..system.progress import Teller
 from ..work import unsolved
+from . import gaps
 from .formats import Reader, read_by, recording, stem
 
 
@@ -56,6 +57,7 @@ def taken(
         told = recording(source, kind, model=model, fps=fps, scale=scale)
     else:
         told = read_by(kind, source, model, fps)
+    told = gaps.left_out(told, source)
     for note in told.notes:
         teller.say(f"note: {note}")
     spec = mujoco.MjSpec.from_string(told.mjcf, assets=dict(told.assets)) if told.mjcf is not None else spec

@@ -146,8 +146,9 @@ STRATA = {
         measure picture
         work
         exchange kept
-        edit claims batch
+        edit claims
         clean
+        batch
         python cli
         start
     """,

@@ -68,6 +68,12 @@ def assert_refused(done: Done, *words: str) -> None:
     assert not re.search(r"\bframe\b", line), "a user has keyframes"
 
 
+def test_the_version_is_told_and_that_of_mujoco(run: Command) -> None:
+    done = run("--version")
+    assert done.code == 0
+    assert re.fullmatch(r"dynsplines \d+\.\d+\.\d+, MuJoCo \d+\.\d+\.\d+\n", done.out)
+
+
 def told_last(done: Done) -> str:
     """The last line but for what is wrong with the motion."""
     return [line for line in done.err.splitlines() if not line.startswith("problem: ")][-1]

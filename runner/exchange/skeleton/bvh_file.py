@@ -19,6 +19,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
 from ...errors import UserError
+from ..gaps import bridged
 
 AXES = "XYZ"
 KINDS = tuple(f"{axis}{kind}" for kind in ("position", "rotation") for axis in AXES)
@@ -239,7 +240,7 @@ def _heading(lines: _Lines) -> tuple[int, float, float]:
 
 def _values(lines: _Lines, count: int, width: int) -> Array:
     """(count, width) the rest of the file."""
-    rows = []
+    rows, first = [], None
     for number, line in lines.rest():
         lines.number = number
         row = np.array(line.split())
@@ -251,11 +252,17 @@ def _values(lines: _Lines, count: int, width: int) -> Array:
             raise lines.wrong(f"'{shown(next(w for w in row.tolist() if not _is_number(w)))}' is no number") from None
         if len(row) != width:
             raise lines.wrong(f"{len(row)} numbers for the {width} channels of the joints")
-        if not np.all(np.isfinite(rows[-1])):
-            raise lines.wrong("a number that is not finite")
+        if first is None and not np.all(np.isfinite(rows[-1])):
+            first = number
     if len(rows) < count or not rows:
         raise lines.wrong(f"the file ends after {len(rows)} images; 'Frames:' says {count}")
-    return np.array(rows)
+    values = np.array(rows)
+    if first is not None and (mended := bridged(values)) is not None:
+        return mended
+    if first is not None:
+        lines.number = first
+        raise lines.wrong("a number that is not finite")
+    return values
 
 
 def written(skeleton: Skeleton) -> str:

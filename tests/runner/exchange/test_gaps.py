@@ -1,0 +1,92 @@
+"""Samples without numbers: refused by `import`, left out and bridged where a recording is cleaned."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+import shipped
+
+from dynsplines import UserError, load_motion
+from dynsplines.clean import running
+from dynsplines.exchange import formats, gaps
+from dynsplines.exchange.imported import imported, taken
+from dynsplines.system.progress import Teller
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A walk of 30 images a second, the third to fifth of which hold no numbers, in several formats."""
+    folder = tmp_path_factory.mktemp("gaps")
+    walk = shipped.solved("walk_loop").saved(Teller(), with_report=False)
+    formats.export(walk, "bvh", folder / "whole.bvh", fps=30)
+    head, rows = (folder / "whole.bvh").read_text(encoding="utf-8").split("Frame Time")
+    lines = rows.splitlines()
+    for i in (3, 4, 5):
+        words = lines[i].split()
+        lines[i] = " ".join(["nan", *words[1:4], "inf", *words[5:]])
+    (folder / "torn.bvh").write_text(f"{head}Frame Time{chr(10).join(lines)}\n", encoding="utf-8")
+    formats.export(walk, "csv", folder / "whole.csv", fps=30)
+    table = (folder / "whole.csv").read_text(encoding="utf-8").splitlines()
+    for i in (3, 4, 5):
+        words = table[i].split(",")
+        table[i] = ",".join([words[0], "nan", *words[2:]])
+    (folder / "torn.csv").write_text("\n".join(table) + "\n", encoding="utf-8")
+    formats.export(walk, "npz", folder / "whole.qpos.npz", fps=30)
+    with np.load(folder / "whole.qpos.npz") as file:
+        arrays = dict(file)
+    arrays["qpos"][2:5, 7] = np.nan
+    np.savez(folder / "torn.qpos.npz", **arrays)
+    return folder
+
+
+FILES = ["bvh", "qpos.npz"]
+
+
+@pytest.mark.parametrize("ending", [*FILES, "csv"])
+def test_import_refuses_them(folder: Path, ending: str) -> None:
+    with pytest.raises(UserError, match=r"finite"):
+        imported(folder / f"torn.{ending}", figure="human")
+
+
+@pytest.mark.parametrize("ending", FILES)
+def test_they_are_left_out_and_the_others_are_as_they_were(folder: Path, ending: str) -> None:
+    whole = taken(folder / f"whole.{ending}", figure="human")
+    with gaps.allowed():
+        torn = taken(folder / f"torn.{ending}", figure="human")
+    kept = np.delete(np.arange(whole.time.size), [2, 3, 4])
+    np.testing.assert_allclose(torn.time, whole.time[kept], atol=1e-9)
+    np.testing.assert_allclose(np.abs(torn.qpos), np.abs(whole.qpos[kept]), atol=1e-6)
+
+
+def test_a_file_of_nothing_else_is_refused_all_the_same(folder: Path, tmp_path: Path) -> None:
+    with np.load(folder / "whole.qpos.npz") as file:
+        arrays = dict(file)
+    arrays["qpos"][:, 7] = np.nan
+    np.savez(tmp_path / "none.qpos.npz", **arrays)
+    with gaps.allowed(), pytest.raises(UserError, match="'qpos': an entry is not a finite number"):
+        taken(tmp_path / "none.qpos.npz")
+
+
+@pytest.mark.parametrize("index", [0, 5])
+def test_the_sample_before_stands_in_or_the_first_good_one(index: int) -> None:
+    array = np.arange(12.0).reshape(6, 2)
+    array[index, 1] = np.nan
+    found = gaps.Gaps()
+    bridged = found.bridged(array)
+    assert bridged is not None
+    np.testing.assert_array_equal(bridged[index], array[1 if index == 0 else 4])
+    assert found.missing is not None
+    assert np.flatnonzero(found.missing).tolist() == [index]
+    assert found.bridged(np.full((4, 2), np.nan)) is None
+    assert found.bridged(array[:3]) is None
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("ending", ["bvh", "csv"])
+def test_clean_bridges_them(folder: Path, tmp_path: Path, ending: str) -> None:
+    target = running.run(running.Source(folder / f"torn.{ending}", "human"), tmp_path / "clean.npz", teller=Teller())
+    whole = taken(folder / "whole.bvh", figure="human")
+    found = load_motion(target)
+    assert abs(found.duration - (whole.time[-1] - whole.time[0])) < 1e-6
