@@ -59,7 +59,7 @@ class Comparison:
     @cached_property
     def lines(self) -> tuple[Line, ...]:
         """What was wrong before, and what of it is left."""
-        before, after = (_Look(self.cleaned, path, self.times) for path in (self.cleaned.before, self.cleaned.after))
+        before, after = (Look(self.cleaned, path, self.times) for path in (self.cleaned.before, self.cleaned.after))
         rows = [
             ("deepest sole", "mm", "depth", DEPTH),
             ("slip of a stance, most", "mm", "slip", SLIP),
@@ -127,7 +127,7 @@ class Comparison:
 def verdict(cleaned: Cleaned) -> Verdict:
     """How far a pelvis, hand or foot is off the recording, at most, and whether nothing slips or sinks."""
     found = Comparison(cleaned)
-    look = _Look(cleaned, cleaned.after, found.times)
+    look = Look(cleaned, cleaned.after, found.times)
     return Verdict(max(one.most for one in found.moved), look.slip <= SLIP and look.depth <= DEPTH)
 
 
@@ -146,7 +146,7 @@ def _tips(figure: Figure, path: Path, t: Array, links: list[int]) -> Array:
     return places
 
 
-class _Look:
+class Look:
     """One path, measured."""
 
     def __init__(self, cleaned: Cleaned, path: Path, times: Array) -> None:
