@@ -141,7 +141,7 @@ class Recorded:
         sign = np.where(np.einsum("cls,cls->ls", turned, own_turned) < 0, -1.0, 1.0)
         chord = turned - sign * own_turned
         half = np.sqrt(np.einsum("cls,cls->ls", chord, chord)) / 2
-        return np.sqrt(np.einsum("cns,cns->ns", apart, apart)), 4 * np.arcsin(np.minimum(half, 1.0))
+        return np.sqrt(np.einsum("cns,cns->ns", apart, apart)), 4 * np.arcsin(half)
 
     def excess(self, timeline: Timeline) -> Array:
         """(S,) the largest miss at every instant, as a multiple of the bound."""

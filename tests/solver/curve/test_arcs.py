@@ -106,6 +106,15 @@ def test_a_body_in_a_spin_goes_the_longer_way_round_where_its_signs_say_so():
     assert np.degrees(quat.angle_between(backwards, wanted)[15]) == pytest.approx(180, abs=1e-6)
 
 
+def test_between_two_keyframes_there_is_one_straight_way(figure, rng):
+    first = evenly(raw_timeline(figure, random_keys(figure, rng)[:2], "clamped", rng.normal(size=(2, figure.width))), 3)
+    ends = first.times[[0, -1]]
+    found = figure.to_qpos(straightened(figure, first).states)
+    expected = by_scipy(figure, ends, figure.to_qpos(first.states[[0, -1]]), first.times)
+    assert apart(figure, found, expected) < 1e-12
+    assert apart(figure, figure.to_qpos(first.states), expected) > 0.01
+
+
 def test_what_keyframes_say_nothing_about_stays_where_it_is(figure, rng):
     keys = random_keys(figure, rng)
     nothing = Frame.variable(-0.5, np.array(keys[0].state))

@@ -144,6 +144,17 @@ def test_the_root_goes_on_in_its_heading_and_at_the_mean_of_both_velocities(rng)
     np.testing.assert_allclose(start[:2] - end[:2], LENGTH * np.mean(velocities, axis=0)[0, :2], atol=1e-9)
 
 
+def test_a_motion_that_follows_keeps_its_heights(rng):
+    figure = figure_of(TINY)
+    up = np.eye(figure.width)[2]
+    low, high = ([Frame.key(key.time, key.state + z * up) for key in random_keys(figure, rng)] for z in (0.0, 2.0))
+    before, after = raw_timeline(figure, low), raw_timeline(figure, high)
+    place = following(figure, before, after, LENGTH)
+    assert place.shift[2] == 0
+    assert np.abs(place.shift[:2]).min() > 0.01
+    np.testing.assert_allclose(place.timeline(figure, after).states[:, 2], after.states[:, 2], rtol=1e-12)
+
+
 def test_heading_is_the_turn_about_z_under_any_tilt(rng):
     for angle in (0.0, 1.0, -2.5, 3.0):
         turn = quat.from_rotation_vector([0, 0, angle])

@@ -208,6 +208,38 @@ def test_a_loop_stays_a_loop():
     np.testing.assert_allclose(start, end, atol=1e-9)
 
 
+def swinging(ends: str, way: int = 1) -> Recorded:
+    """A loop that swings every joint in two harmonics, forward or backward in time, to be kept closely."""
+    figure, rng = of("ball tree, world"), np.random.default_rng(0)
+    times = np.linspace(0, 1, 33)
+    qpos = np.tile(figure.model.qpos0, (33, 1))
+    sizes = 0.2 * rng.normal(size=(4, figure.model.nv))
+    waves = np.array([wave(2 * np.pi * k * times) for k in (1, 2) for wave in (np.sin, np.cos)]).T
+    for row, move in zip(qpos, waves @ sizes, strict=True):
+        mujoco.mj_integratePos(figure.model, row, move, 1.0)
+    return Recorded(figure, times, qpos[::way], Bound(0.02, np.radians(3)), ends)
+
+
+@pytest.mark.parametrize(("ends", "near"), [("free", 1e-6), ("clamped", 1e-6), ("periodic", 0.02)])
+def test_a_trial_of_few_keyframes_sees_all_that_breaks_the_bound(ends, near):
+    """Of a loop nearly: a trial's spline has ends, three keyframes beyond the one turn that it looks at."""
+    recorded = swinging(ends)
+    sets = [(0, 8, 16, 24, 32), (0, 7, 16, 24, 32)]
+    over = [recorded.excess(recorded.spline(recorded.frames(kept))) - 1 for kept in sets]
+    expected = [np.sum(np.maximum(each, 0) ** 2) for each in over]
+    assert min(expected) > 1
+    for at in (1, 2, 3):
+        np.testing.assert_allclose(recorded.breaches(sets, at), expected, rtol=near)
+
+
+def test_a_trial_of_a_loop_looks_as_far_ahead_as_back():
+    """So that the same loop, run backward, breaks the bound by the same."""
+    for at in (1, 2, 3):
+        ahead = swinging("periodic").breaches([(0, 7, 16, 24, 32)], at)
+        back = swinging("periodic", -1).breaches([(0, 8, 16, 25, 32)], 4 - at)
+        np.testing.assert_allclose(ahead, back, rtol=1e-9)
+
+
 def test_figures_without_names_are_told_by_number():
     figure = Figure(mujoco.MjModel.from_xml_string(EVERY_JOINT.replace('name="tip"', "")), "joint")
     recorded = Recorded(figure, *recording(figure, 0), WIDE)
