@@ -331,12 +331,9 @@ def _link_gradients(
     x += _joined(_before(relations), at_anchor)
     x_dd = _joined(relations.from_beyond, acceleration)
     related = relations.related[0]
-    parent, is_free = tables.parents[related], np.isin(related, tables.free_links)
-    x[:, is_free] = 0
-    carried = x_dd.copy()
-    carried[:, is_free] = 0
+    parent = tables.parents[related]
     rates = (links.omega[:, parent, None], links.alpha[:, parent, None])
-    handed = _attached(rates, links.step[:, related, None], x, carried)
+    handed = _attached(rates, links.step[:, related, None], x, x_dd)
     gradients = [
         _joined(relations.placed, part) + _joined(relations.to_parent, more)
         for part, more in zip(own, handed, strict=True)

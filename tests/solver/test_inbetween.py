@@ -137,6 +137,18 @@ def test_the_budget_of_variable_frames_is_respected(figure, rng, frames):
     assert motion.raw.variable_count == 0
 
 
+@pytest.mark.parametrize("frames", [4, 5, 6])
+def test_the_segments_that_need_it_most_are_split_first(monkeypatch, frames):
+    needs = np.array([0.1, 0.6, 0.3, 0.5, 0.2, 0.4])  # of the halves of three segments
+    monkeypatch.setitem(CRITERIA, "resolution", lambda objective, timeline: needs)
+    settings = Settings(variable=1, frames=frames, criterion="resolution", threshold=0.0)
+    motion = inbetween(Problem(hinged(), hinge_keys(), [(CovariantAcceleration(), 1.0)], settings))
+    halves = np.array([0.0, 0.25, 0.5, 0.95, 1.4, 1.7, 2.0])
+    middles = (halves[1:] + halves[:-1]) / 2
+    expected = np.sort(np.append(halves, middles[np.argsort(-needs)[: frames - 3]]))
+    np.testing.assert_allclose(motion.timeline.times, expected)
+
+
 def test_evaluations_are_bounded_in_every_round(figure, rng):
     settings = Settings(variable=1, max_evaluations=2, frames=6, threshold=0.0)
     motion = inbetween(Problem(figure, random_keys(figure, rng), PENALTIES, settings))

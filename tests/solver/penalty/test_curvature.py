@@ -184,6 +184,15 @@ def test_a_penalty_that_says_nothing_gets_its_second_derivatives_with_all_signs_
     assert penalty.sides(samples) is None
 
 
+def test_more_samples_than_are_taken_at_once_change_nothing_in_differences_of_a_penalty(figure, rng, monkeypatch):
+    samples, scale = random_samples(figure, rng, 5), rng.uniform(0.5, 2, 5)
+    penalty, phi = Plain(np.diag(rng.normal(size=3 * figure.width))), rng.normal(size=(5, 3, 2))
+    whole = assembled(curvature_of(penalty, samples, scale), phi)
+    for few in (4, 12):
+        monkeypatch.setattr("dynsplines.solver.penalty.curvature.ROWS_AT_ONCE", few)
+        assert_near(assembled(curvature_of(penalty, samples, scale), phi), whole, 1e-12)
+
+
 def test_differences_of_a_penalty_find_what_it_knows_where_its_residuals_are_zero(figure, rng):
     class Forgetful(CovariantAcceleration):
         curvature = Penalty.curvature

@@ -6,8 +6,10 @@ import pytest
 from figures import LEG
 from ground import FLOOR, SLOPE, some_points
 from penalty_slope import penalty_slope, scaled_like
+from random_keys import random_keys
 from random_samples import random_samples
 
+from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
@@ -48,6 +50,13 @@ def test_it_is_the_sum_of_squared_depths_of_points_placed_by_mujoco(figure, rng)
         expected.append(total)
     np.testing.assert_allclose(Contact(points, (FLOOR,), margin=0.05).evaluate(samples), expected, rtol=1e-10)
     assert np.count_nonzero(expected) > 4
+
+
+def test_without_points_or_surfaces_there_is_nothing_to_let_pass(figure, rng):
+    keys = raw_timeline(figure, random_keys(figure, rng))
+    for nothing in (Contact((), (FLOOR,)), Contact(some_points(figure, rng), ()), Contact((), ())):
+        assert nothing.allowing(figure, keys) is nothing
+        assert not nothing.evaluate(random_samples(figure, rng)).any()
 
 
 def test_surfaces_and_points_add_up_one_by_one(figure, rng):

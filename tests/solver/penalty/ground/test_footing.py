@@ -3,6 +3,7 @@
 import mujoco
 import numpy as np
 import pytest
+from scipy.spatial import ConvexHull
 
 from dynsplines.clip import load as clips
 from dynsplines.solver.curve.frame import Frame, Timeline
@@ -48,6 +49,19 @@ def toes(time: float, x: float, raised: tuple[bool, bool]) -> Frame:
     """A keyframe on one foot's toe, tilted forward, the other leg drawn in."""
     turn = np.array([np.cos(0.15), 0, np.sin(0.15), 0])
     return Frame.key(time, [x, 0, np.cos(0.3), *turn, *(0.3 * np.array(raised))])
+
+
+def test_a_foot_pushes_with_the_corners_of_its_outline_and_none_of_the_points_inside(rng):
+    angle = np.pi / 4 * np.arange(8) + rng.uniform(-0.1, 0.1, 8)
+    sole = np.concatenate([0.1 * np.array([np.cos(angle), np.sin(angle)]).T, rng.uniform(-0.03, 0.03, (6, 2))])
+    points = tuple(Point(f"p{i}", 2, np.array([x, y, -1.0])) for i, (x, y) in enumerate(sole))
+    keys = raw_timeline(FIGURE, [key(0, 0, STAND), key(1, 0, STAND)])
+    found = footings(FIGURE, keys, points, (FLOOR,), stances(FIGURE, keys, points, (FLOOR,)))
+    outline = {f"p{i}" for i in ConvexHull(sole).vertices}
+    assert len(outline) == 8
+    assert {footing.point.name for footing in found} == outline
+    places = [points[int(footing.point.name[1:])].position for footing in found]
+    np.testing.assert_allclose([footing.point.position for footing in found], places, atol=1e-12)
 
 
 def test_a_run_flies_from_the_toe_of_one_foot_to_the_other_foot():

@@ -3,15 +3,18 @@
 import mujoco
 import numpy as np
 import pytest
+from figures import BALL, figure_of
 from ground import stance_of
 from penalty_slope import penalty_slope, scaled_like
 from random_samples import at_times, random_samples
 
-from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.penalty import Planted, Stance, stances
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.penalty import Planted, Stance, lying, stances
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point
 
@@ -36,6 +39,14 @@ def test_it_is_the_squared_distance_from_the_drifting_spot_while_the_stance_last
     expected = np.where((t >= 0.5) & (t <= 1.0), np.sum(away**2, axis=0), 0)
     np.testing.assert_allclose(Planted((stance,)).evaluate(samples), expected, rtol=1e-12)
     assert np.count_nonzero(expected) == 3
+
+
+def test_it_is_measured_by_a_point_that_is_a_centimetre_off():
+    figure = figure_of(BALL)
+    y = figure.to_state(np.array([0.01, 0, 0.6, 1, 0, 0, 0]))[None]
+    stance = Stance(FOOT, -1.0, 1.0, np.array([0, 0, 0.1]), np.array([0, 0, 0.1]))
+    planted = Planted((stance,))
+    assert planted.evaluate(Samples(figure, y, 0 * y, 0 * y))[0] == pytest.approx(planted.scale.reference, rel=1e-9)
 
 
 def test_it_does_not_feel_the_quaternions_length(figure, rng):
@@ -86,6 +97,30 @@ def test_no_points_or_no_surfaces_plant_nothing(figure, rng):
     timeline = raw_timeline(figure, keys)
     assert stances(figure, timeline, (), (FLOOR,)) == ()
     assert stances(figure, timeline, (FOOT,), ()) == ()
+
+
+BOX = """<mujoco><worldbody><body name="box"><freejoint name="box"/><geom type="box" size=".1 .2 .3"/></body>
+</worldbody></mujoco>"""
+
+
+def box_keys(figure: Figure, places: list[list[float]], told: list[bool]) -> Timeline:
+    """Keyframes a second apart of a box at places, turned alike; those that are not told leave its place free."""
+    masks = [np.array([each] * 3 + [True] * 4) for each in told]
+    turned = quat.from_rotation_vector([0.3, 0.2, 0.1])
+    keys = [
+        Frame.key(float(i), [*place, *turned], mask) for i, (place, mask) in enumerate(zip(places, masks, strict=True))
+    ]
+    return raw_timeline(figure, keys)
+
+
+def test_a_thing_lies_still_between_keyframes_that_both_say_the_same_of_it():
+    figure = Figure(mujoco.MjModel.from_xml_string(BOX))
+    here, there = [0.0, 0, 0.3], [0.01, 0, 0.3]
+    found = lying(figure, box_keys(figure, [here, here, there, there], [True] * 4), [1])
+    assert [(stance.first, stance.last) for stance in found] == [(0.0, 1.0)] * 3 + [(2.0, 3.0)] * 3
+    for told in ([True, False], [False, True], [False, False]):
+        assert lying(figure, box_keys(figure, [here, here], told), [1]) == ()
+    assert lying(figure, box_keys(figure, [here, here], [True, True]), []) == ()
 
 
 def test_many_stances_at_samples_in_any_order_add_up_one_by_one(figure, rng):

@@ -70,6 +70,15 @@ def test_inside_the_limits_it_is_exactly_zero_without_gradient_and_outside_the_s
     np.testing.assert_array_equal(gradient > 0, [False, True, True, True, True, True, False])
 
 
+def test_unless_told_otherwise_ten_degrees_are_let_pass_sideways_and_in_twist(rng):
+    plain = BendLimits(limits(KNEE).joints)
+    degrees = np.array([[20, 9.99, 0], [20, -9.99, 0], [0.01, 0, 9.99], [0.01, 0, -9.99]])
+    assert not plain.evaluate(bent(limb(), KNEE, np.radians(degrees), rng)).any()
+    degrees = np.array([[20, 10.5, 0], [20, -10.5, 0], [20, 0, 10.5], [20, 0, -10.5], [-0.5, 0, 0]])
+    over = plain.evaluate(bent(limb(), KNEE, np.radians(degrees), rng))
+    np.testing.assert_allclose(np.degrees(np.sqrt(over)), 0.5, atol=1e-9)
+
+
 def test_the_least_flexion_may_be_moved(rng):
     samples = bent(limb(), KNEE, np.array([[0.1, 0, 0], [0.3, 0, 0]]), rng)
     np.testing.assert_allclose(limits(KNEE, least=0.2).evaluate(samples), [0.01, 0], atol=1e-12)

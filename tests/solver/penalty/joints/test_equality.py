@@ -90,6 +90,13 @@ def test_points_of_closed_loops_are_those_of_mujoco(rng):
     assert len(closures(figure)) == 4
 
 
+def test_a_closure_is_called_by_its_name_or_else_by_its_bodies_or_the_world():
+    names = [closure.name for closure in closures(Figure(mujoco.MjModel.from_xml_string(FOUR_BAR)))]
+    assert names == ["rod and rocker", *["lid and world"] * 3]
+    named = FOUR_BAR.replace("<connect body1", '<connect name="joint of rod" body1')
+    assert closures(Figure(mujoco.MjModel.from_xml_string(named)))[0].name == "joint of rod"
+
+
 def test_a_weld_without_torque_leaves_rotations_alone():
     weld = '<weld name="pin" body1="one" body2="two" torquescale="{}"/>'
     bodies = "".join(f'<body name="{name}"><joint type="ball"/><geom size=".1"/></body>' for name in ("one", "two"))

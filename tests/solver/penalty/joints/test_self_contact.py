@@ -94,6 +94,50 @@ def test_the_sides_add_up_to_the_penalty_look_ahead_and_have_gradients_for_rows(
     assert not curvature_of(penalty, samples, np.ones(60)).quadratic(np.ones((60, 3)), 0, 60).any()
 
 
+OUTER = """<mujoco><worldbody><body name="trunk"><freejoint/>
+  <geom name="trunk" type="capsule" size=".1" fromto="0 0 -.2 0 0 .2"/>
+  <geom name="other" type="capsule" size=".{size}" fromto="{ends}"/></body></worldbody></mujoco>"""
+
+
+@pytest.mark.parametrize(
+    ("ends", "size", "kept"),
+    [
+        ("0 0 -.2 0 0 .2", "09", False),
+        ("0 0 -.2 0 0 .22", "09", False),  # by a centimetre
+        ("0 0 -.2 0 0 .23", "09", True),  # by two
+        ("0 0 -.23 0 0 .2", "09", True),
+        ("0 0 .2 0 0 -.23", "09", True),
+        (".02 0 -.2 .02 0 .2", "09", False),
+        (".03 0 -.2 .03 0 .2", "09", True),
+        ("0 0 0 .3 0 0", "05", True),
+        (".3 0 0 0 0 0", "05", True),
+    ],
+)
+def test_what_sticks_out_of_a_thicker_shape_of_its_link_by_less_than_15_millimetres_is_left_out(ends, size, kept):
+    figure = Figure(mujoco.MjModel.from_xml_string(OUTER.format(ends=ends, size=size)))
+    names = {figure.model.geom(bar.geom).name for bar in SelfContact.of(figure).bars}
+    assert names == ({"trunk", "other"} if kept else {"trunk"})
+
+
+GIANT = """<mujoco><worldbody>
+<body name="one"><freejoint name="one"/>
+  <geom name="elbow" size=".3" pos="0 0 3"/><geom name="toe" size=".3" pos="0 0 -1"/></body>
+<body name="two"><freejoint name="two"/>
+  <geom name="knee" size=".3" pos=".2 0 3"/><geom name="heel" size=".3" pos="1 0 -1"/></body>
+</worldbody></mujoco>"""
+
+
+def test_shapes_that_overlap_at_rest_are_left_out_though_they_lie_far_from_their_links_origins():
+    figure = Figure(mujoco.MjModel.from_xml_string(GIANT))
+    penalty, rest = SelfContact.of(figure), figure.model.qpos0
+    pairs = {tuple(sorted(figure.model.geom(g).name for g in pair)) for pair in penalty.geom_pairs.T}
+    assert pairs == {("elbow", "heel"), ("knee", "toe"), ("heel", "toe")}
+    shifted = np.array(rest)
+    shifted[0] = 0.5  # the toe comes within 0.5 m of the heel, and elbow and knee go on overlapping
+    y = figure.to_state(np.array([rest, shifted]))
+    np.testing.assert_allclose(penalty.evaluate(Samples(figure, y, 0 * y, 0 * y)), [0, 0.1**2], atol=1e-12)
+
+
 numbers = st.floats(-1, 1)
 vectors = st.tuples(numbers, numbers, numbers).filter(lambda v: np.linalg.norm(v) > 0.1)
 
