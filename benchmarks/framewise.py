@@ -3,9 +3,10 @@
     DYNSPLINES_RECORDINGS=FOLDER_OF_BVH DYNSPLINES_ROBOT=g1.xml python benchmarks/run.py --only framewise
 
 Without the first, walks and runs of ours are written as BVH and read again; without the second they go to the human.
-mink gets the same map: of every sample of the recording, brought on to the figure, the places of pelvis, hands and feet
-and the rotations of all bodies that the map knows, weighed about as GMR weighs them, in the joints' ranges, from where
-the sample before ended. Both are measured by the same functions, on the same stances.
+mink gets the same map: of every sample the places of hands and feet about shoulders and hips, scaled by the lengths of
+arms and legs, that of the pelvis, and the rotations of all bodies that the map knows, weighed about as GMR weighs them,
+in the joints' ranges, from where the sample before ended. Both are measured by the same functions, on the same stances.
+How far hands and feet are off is told beside these places; mink is after them, `retarget` after the limbs' directions.
 """
 
 from __future__ import annotations
@@ -14,7 +15,9 @@ import io
 import os
 import tempfile
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -26,22 +29,26 @@ from rich.console import Console
 from dynsplines import kept
 from dynsplines.clean import running
 from dynsplines.clean.cleaning import Cleaned
-from dynsplines.clean.comparing import Comparison, Look, followed
+from dynsplines.clean.comparing import Comparison, Look
 from dynsplines.clip import load as clips
 from dynsplines.exchange import formats
-from dynsplines.exchange.skeleton import hierarchy
+from dynsplines.exchange.skeleton import bvh_file, hierarchy
+from dynsplines.exchange.skeleton.captured import Captured
 from dynsplines.exchange.skeleton.roles import roles
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import Path as Curve
-from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.reading.recorded import Recorded
 from dynsplines.system.progress import Teller
 
 STEPS, ROUNDS = 0.02, 10  # [s] of mink's integration, and how many for each sample
 DAMPING, POSTURE = 1e-3, 1e-2
 PLACE, TURN = 50.0, 10.0  # weights of hands' and feet's places, and of all rotations
-FIRM = ("foot", "hand", "pelvis")
+LEG, ARM = ("thigh", "shin"), ("upper_arm", "forearm")
+ENDS = {
+    f"{side}_{end}": (f"{side}_{first}", f"{side}_{middle}")
+    for side in ("left", "right")
+    for end, (first, middle) in (("foot", LEG), ("hand", ARM))
+}
 
 
 def quiet() -> Teller:
@@ -59,48 +66,101 @@ def recordings(effort: Effort, folder: Path) -> Iterator[Path]:
         yield folder / f"{name}.bvh"
 
 
-def framewise(mink: Any, figure: Figure, wanted: Array) -> Array:
-    """(T, nq) by mink, near the poses that are wanted (T, nq), which may leave the joints' ranges."""
-    model = figure.model
-    found = roles(hierarchy.names(model)[1:], [int(parent) - 1 for parent in model.body_parentid[1:]])
-    bodies = {role: model.body(1 + body).name for role, body in found.items() if model.body(1 + body).name}
-    tasks = [
-        mink.FrameTask(name, "body", position_cost=PLACE if role.endswith(FIRM) else 0.0, orientation_cost=TURN)
-        for role, name in bodies.items()
-    ]
-    posture = mink.PostureTask(model, cost=POSTURE)
-    at, goal = mink.Configuration(model), mujoco.MjData(model)
+@dataclass(frozen=True, eq=False)
+class Goal:
+    """What both are to come near: places of the recording's hands and feet, scaled by the length of the legs.
+
+    bodies  of the figure by role; place {role: (T, 3)} [m], turn {role: (T, 4)} at the times t (T,) of the samples
+    """
+
+    model: mujoco.MjModel
+    t: Array
+    bodies: dict[str, int]
+    place: dict[str, Array]
+    turn: dict[str, Array]
+
+    @classmethod
+    def of(cls, file: Path, found: Cleaned) -> Goal:
+        model, t = found.figure.model, found.recorded.times
+        skeleton, rate = bvh_file.read(file)
+        captured = Captured.of(skeleton)
+        at = np.minimum(np.round(t * rate).astype(int), len(captured.position) - 1)
+        bodies = {r: 1 + i for r, i in roles(hierarchy.names(model)[1:], list(model.body_parentid[1:] - 1)).items()}
+        seen, turned = poses(model, found.figure.to_qpos(found.before.at(t)))
+        rest, _ = poses(model, np.array(model.qpos0)[None])
+        seat = {role: hung(model, body, set(bodies.values())) for role, body in bodies.items()}
+        joints, theirs = {role: rest[0, seat[role]] for role in bodies}, captured.roles
+        other = {role: captured.at_zero[joint] for role, joint in theirs.items()}
+        place = {}
+        for role, (first, middle) in ENDS.items():
+            if all(part in bodies and part in theirs for part in (role, first, middle)):
+                scale = length(joints, (first, middle, role)) / length(other, (first, middle, role))
+                about = captured.position[at][:, theirs[role]] - captured.position[at][:, theirs[first]]
+                place[role] = seen[:, seat[first]] + scale * about
+        place["pelvis"] = seen[:, bodies["pelvis"]]
+        return cls(model, t, bodies, place, {role: turned[:, body] for role, body in bodies.items()})
+
+    def off(self, qpos: Array) -> tuple[float, float]:
+        """[cm] by which hands and feet of a motion (T, nq) are off: of the worst of them median and 95 %."""
+        seen, _ = poses(self.model, qpos)
+        apart = [100 * np.linalg.norm(seen[:, self.bodies[role]] - self.place[role], axis=1) for role in ENDS
+                 if role in self.place]  # fmt: skip
+        return max(float(np.median(row)) for row in apart), max(float(np.percentile(row, 95)) for row in apart)
+
+
+def hung(model: mujoco.MjModel, body: int, others: set[int]) -> int:
+    """The first body of a part of a limb: robots have one for every hinge."""
+    while int(model.body_parentid[body]) not in {0, *others}:
+        body = int(model.body_parentid[body])
+    return body
+
+
+def length(joints: Mapping[str, Array], chain: Sequence[str]) -> float:
+    """[m] from joint to joint."""
+    return float(sum(np.linalg.norm(joints[one] - joints[other]) for one, other in pairwise(chain)))
+
+
+def poses(model: mujoco.MjModel, qpos: Array) -> tuple[Array, Array]:
+    """Places (T, B, 3) [m] and quaternions (T, B, 4) of all bodies."""
+    data = mujoco.MjData(model)
+    place, turn = np.empty((len(qpos), model.nbody, 3)), np.empty((len(qpos), model.nbody, 4))
+    for i, row in enumerate(qpos):
+        data.qpos[:] = row
+        mujoco.mj_kinematics(model, data)
+        place[i], turn[i] = data.xpos, data.xquat
+    return place, turn
+
+
+def framewise(mink: Any, goal: Goal) -> Array:
+    """(T, nq) by mink, one sample after the other."""
+    model = goal.model
+    tasks = {
+        role: mink.FrameTask(
+            model.body(body).name, "body", position_cost=PLACE if role in goal.place else 0.0, orientation_cost=TURN
+        )
+        for role, body in goal.bodies.items()
+        if model.body(body).name
+    }
+    posture, at = mink.PostureTask(model, cost=POSTURE), mink.Configuration(model)
     at.update(model.qpos0)
     posture.set_target_from_configuration(at)
-    limits, out = [mink.ConfigurationLimit(model)], np.empty(wanted.shape)
-    for i, row in enumerate(wanted):
-        goal.qpos[:] = row
-        mujoco.mj_kinematics(model, goal)
-        for task in tasks:
-            body = goal.body(task.frame_name)
-            task.set_target(mink.SE3(np.concatenate([body.xquat, body.xpos])))
+    limits, out = [mink.ConfigurationLimit(model)], np.empty((goal.t.size, model.nq))
+    for i in range(goal.t.size):
+        for role, task in tasks.items():
+            place = goal.place[role][i] if role in goal.place else np.zeros(3)
+            task.set_target(mink.SE3(np.concatenate([goal.turn[role][i], place])))
         for _ in range(ROUNDS if i else 20 * ROUNDS):
-            velocity = mink.solve_ik(at, [*tasks, posture], STEPS, "daqp", damping=DAMPING, limits=limits)
+            velocity = mink.solve_ik(at, [*tasks.values(), posture], STEPS, "daqp", damping=DAMPING, limits=limits)
             at.integrate_inplace(velocity, STEPS)
         out[i] = at.q
     return out
 
 
-def off(figure: Figure, one: Curve, other: Curve, t: Array) -> Array:
-    """[cm] by which hands, feet and pelvis are apart: of the worst of them the median and what 95 % stay below."""
-    links = np.array(followed(figure))
-    centres = np.array([figure.links[i].centre for i in links]).T
-    places = [Samples(figure, *path.motion(t)).links.points(links, centres)[0] for path in (one, other)]
-    apart = 100 * np.linalg.norm(places[0] - places[1], axis=0)
-    return np.array([np.median(apart, axis=1).max(), np.percentile(apart, 95, axis=1).max()])
-
-
-def measured(found: Cleaned, path: Curve) -> tuple[float, ...]:
-    """Depth [mm], slip [mm], off the recording in the median and 95 % [cm], beyond ranges [°], jerk, force."""
-    times = Comparison(found).times
-    look = Look(found, path, times)
-    median, high = off(found.figure, found.recorded.path, path, times)
-    return look.depth, look.slip, float(median), float(high), look.range, look.jerk, look.force
+def measured(found: Cleaned, path: Curve, goal: Goal) -> tuple[float, ...]:
+    """Depth [mm], slip [mm], off the scaled recording in the median and 95 % [cm], beyond ranges [°], jerk, force."""
+    look = Look(found, path, Comparison(found).times)
+    median, high = goal.off(found.figure.to_qpos(path.at(goal.t)))
+    return look.depth, look.slip, median, high, look.range, look.jerk, look.force
 
 
 def measure(effort: Effort) -> Section:
@@ -121,21 +181,19 @@ def measure(effort: Effort) -> Section:
             begin = time.perf_counter()
             found, _ = running.made(running.Source(file, robot, apart=True), None, quiet())
             first, last = found.before.span
-            row = measured(found, found.after)
-            begin = time.perf_counter() - begin
+            spent = time.perf_counter() - begin
+            goal = Goal.of(file, found)
+            row = measured(found, found.after, goal)
             ours.append(np.array(row))
-            section.add(file.stem, "ours", *row, (last - first) / begin)
+            section.add(file.stem, "ours", *row, (last - first) / spent)
             if mink is None:
                 continue
-            t = found.recorded.times
-            wanted = found.figure.to_qpos(found.before.at(t))
             begin = time.perf_counter()
-            qpos = framewise(mink, found.figure, wanted)
-            begin = time.perf_counter() - begin
-            path = Recorded.of(found.figure, t, qpos).path
-            row = measured(found, path)
+            qpos = framewise(mink, goal)
+            spent = time.perf_counter() - begin
+            row = measured(found, Recorded.of(found.figure, goal.t, qpos).path, goal)
             theirs.append(np.array(row))
-            section.add(file.stem, "mink", *row, (last - first) / begin)
+            section.add(file.stem, "mink", *row, (last - first) / spent)
     most, mine = np.max(ours, axis=0), np.array(ours)
     section.targets = [
         Target("deepest sole", most[0], 2.0, unit="mm"),

@@ -13,12 +13,13 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 import mujoco
 import numpy as np
 
 from dynsplines.solver import quaternion as quat
-from dynsplines.solver.array import Array
+from dynsplines.solver.array import Array, Index
 
 from ...errors import UserError
 from . import hierarchy
@@ -59,6 +60,22 @@ class _Standing:
         parents = [int(p) - 1 for p in model.body_parentid[1:]]
         found = roles(hierarchy.names(model)[1:], parents)
         return cls(model, rest.position[0], rest.rotation[0], {role: 1 + body for role, body in found.items()})
+
+    def joint_of(self, role: str) -> Array:
+        """(3,) where a part of a limb is hung up: a robot's hip is a body for each hinge, which lie apart."""
+        body, others = self.roles[role], {0, *self.roles.values()}
+        while int(self.model.body_parentid[body]) not in others:
+            body = int(self.model.body_parentid[body])
+        return self.place[body]
+
+    @cached_property
+    def feet(self) -> Index:
+        """The geoms of the feet: those that touch something, if any do."""
+        tops = [self.roles[role] for role in ("left_foot", "right_foot") if role in self.roles]
+        bodies = [body for body in range(1, self.model.nbody) if any(_is_above(self.model, top, body) for top in tops)]
+        geoms = np.flatnonzero(np.isin(self.model.geom_bodyid, bodies))
+        touching = geoms[(self.model.geom_contype[geoms] | self.model.geom_conaffinity[geoms]) > 0]
+        return touching if touching.size else geoms
 
     def bone(self, role: str) -> Array:
         """(3,) from a body to where its limb goes on, or to its farthest site or geom."""
@@ -130,11 +147,11 @@ def onto(captured: Captured, model: mujoco.MjModel, place: str) -> tuple[Array, 
         for role in shared
     }
     qpos = _angles(model, turns)
-    leg = float(np.mean([_leg(p, captured.roles) for p in captured.position]))
+    leg = float(np.mean([_leg({role: p[i] for role, i in captured.roles.items()}) for p in captured.position]))
     if not leg > 0:
         raise UserError(f"{place}: its legs are without length, which would tell how large it is")
-    scale = _leg(standing.place, standing.roles) / leg
-    qpos, lift = _on_ground(model, _placed(captured, standing, qpos, scale))
+    scale = _leg({role: standing.joint_of(role) for role in standing.roles}) / leg
+    qpos, lift = _on_ground(standing, _placed(captured, standing, qpos, scale))
     notes = [f"scaled by {scale:.3f}, the ratio of the legs"]
     notes += [f"raised by {lift:+.3f} m, so that soles meet the ground"] if lift else []
     toes_of_feet = [role for role in ("left_toe", "right_toe") if role in captured.roles]
@@ -192,12 +209,19 @@ def _root(standing: _Standing) -> int:
     return body
 
 
-def _leg(place: Array, found: dict[str, int]) -> float:
-    """Mean length [m] of both legs, to the ankle where there is one."""
+def _is_above(model: mujoco.MjModel, top: int, body: int) -> bool:
+    """Whether a body is another or hangs on it."""
+    while body > top:
+        body = int(model.body_parentid[body])
+    return body == top
+
+
+def _leg(place: Mapping[str, Array]) -> float:
+    """Mean length [m] of both legs, to the ankle where there is one, by the places of the joints."""
     total = 0.0
     for side in ("left", "right"):
-        chain = [found[f"{side}_{part}"] for part in ("thigh", "shin", "foot") if f"{side}_{part}" in found]
-        total += 0.5 * float(np.linalg.norm(np.diff(place[chain], axis=0), axis=1).sum())
+        chain = [place[f"{side}_{part}"] for part in ("thigh", "shin", "foot") if f"{side}_{part}" in place]
+        total += 0.5 * float(np.linalg.norm(np.diff(chain, axis=0), axis=1).sum())
     return total
 
 
@@ -470,26 +494,35 @@ def _placed(captured: Captured, standing: _Standing, qpos: Array, scale: float) 
     """The root where the middle of the hips comes to the captured one's, scaled about the world's origin."""
     model, out = standing.model, qpos.copy()
     hips = captured.position[:, [captured.roles["left_thigh"], captured.roles["right_thigh"]]].mean(axis=1)
+    middle = 0.5 * (standing.joint_of("left_thigh") + standing.joint_of("right_thigh"))
+    pelvis = standing.roles["pelvis"]
+    own = quat.rotated(quat.conjugate(standing.turn[pelvis]), middle - standing.place[pelvis])
     out[:, :3] = 0
     data = mujoco.MjData(model)
     for i, row in enumerate(out):
         data.qpos = row
         mujoco.mj_kinematics(model, data)
-        own = 0.5 * (data.xpos[standing.roles["left_thigh"]] + data.xpos[standing.roles["right_thigh"]])
-        out[i, :3] = scale * hips[i] - own
+        out[i, :3] = scale * hips[i] - data.xpos[pelvis] - quat.rotated(data.xquat[pelvis], own)
     return out
 
 
-def _on_ground(model: mujoco.MjModel, qpos: Array) -> tuple[Array, float]:
-    """Raised or lowered as a whole so that the soles are nearly never in the ground; and by how much [m]."""
+def _on_ground(standing: _Standing, qpos: Array) -> tuple[Array, float]:
+    """Raised or lowered as a whole so that the soles are nearly never in the ground; and by how much [m].
+
+    Soles are sites called heels or toes, or else the boxes about the geoms of the feet.
+    """
+    model, feet = standing.model, standing.feet
     soles = [i for i in range(model.nsite) if any(word in model.site(i).name.lower() for word in ("heel", "toe"))]
-    if not soles:
+    if not soles and not feet.size:
         return qpos, 0.0
+    middle, half = model.geom_aabb[feet, :3], model.geom_aabb[feet, 3:]
     data, lowest = mujoco.MjData(model), np.zeros(len(qpos))
     for i, row in enumerate(qpos):
         data.qpos = row
         mujoco.mj_kinematics(model, data)
-        lowest[i] = data.site_xpos[soles, 2].min()
+        up = data.geom_xmat[feet, 6:]
+        heights = data.geom_xpos[feet, 2] + np.sum(up * middle - np.abs(up) * half, axis=1)
+        lowest[i] = (data.site_xpos[soles, 2] if soles else heights).min()
     lift = -float(np.percentile(lowest, LOWEST))
     if abs(lift) < LEVEL:
         return qpos, 0.0
