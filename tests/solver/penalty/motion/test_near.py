@@ -2,6 +2,7 @@
 
 import mujoco
 import numpy as np
+import pytest
 from penalty_slope import penalty_slope
 from random_samples import at_times, random_samples
 from scipy.interpolate import CubicSpline
@@ -12,7 +13,7 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Near
 from dynsplines.solver.penalty.curvature import Curvature, add_differences
-from dynsplines.solver.penalty.motion.near import BACK, STRAYS
+from dynsplines.solver.penalty.motion.near import BACK, EASED, STRAYS
 from dynsplines.solver.reading.recorded import Recorded
 
 TIMES = np.linspace(0, 2, 61)
@@ -82,6 +83,48 @@ def test_its_curvature_along_the_recording_is_that_of_differences(figure, rng):
     add_differences(found.evaluate, samples, differenced, scale)
     wanted = differenced.quadratic(phi, 0, 3)
     np.testing.assert_allclose(made.quadratic(phi, 0, 3), wanted, atol=1e-3 * np.abs(wanted).max())
+
+
+@pytest.mark.parametrize("order", range(3))
+def test_its_curvature_in_every_derivative_is_that_of_differences(figure, rng, order):
+    """One at a time: accelerations weigh a thousandth of what places do, and would be lost beside them."""
+    found, t = near(figure, rng), np.array([0.3, 0.7, 1.2])
+    samples = Samples(figure, *found.recorded.path.motion(t), t=t)
+    scale, phi = rng.uniform(1, 2, 3), np.zeros((3, 3))
+    phi[:, order] = rng.normal(size=3)
+    made, differenced = Curvature(samples), Curvature(samples)
+    found.curvature(samples, made, scale)
+    add_differences(found.evaluate, samples, differenced, scale)
+    wanted = differenced.quadratic(phi, 0, 3)
+    assert wanted.any()
+    np.testing.assert_allclose(made.quadratic(phi, 0, 3), wanted, atol=1e-3 * np.abs(wanted).max())
+
+
+def test_a_root_that_strays_and_comes_back_as_fast_as_it_may_costs_a_half_and_any_other_way_back_more(figure, rng):
+    """∫ w₀ z² + w₁ z'² along z = s e^(−t/τ) is (w₀ τ + w₁ / τ) s² / 2: least, half a squared deviation, at τ = BACK."""
+    weights = near(figure, rng).weights(np.array([0.4, 1.1]))
+    for columns in figure.tables.position_columns.T:
+        pose, speed = (weights[order][:, columns] for order in (0, 1))
+        np.testing.assert_allclose((pose * BACK + speed / BACK) * STRAYS**2 / 2, 0.5, rtol=1e-3)
+        np.testing.assert_allclose(np.sqrt(speed / pose), BACK, rtol=1e-3)
+    np.testing.assert_array_equal(weights[1][:, figure.tables.quaternion_columns], 0)
+
+
+def test_beside_an_edit_poses_hardly_count_and_smoothly_more_until_its_width_where_all_of_them_does(figure, rng):
+    plain = near(figure, rng)
+    eased = Near(plain.recorded, ((1.0, 0.4),))
+    t = np.linspace(0.5, 1.5, 101)
+    whole, held = plain.weights(t), eased.weights(t)
+    share = held[0] / whole[0]
+    np.testing.assert_allclose(share, np.repeat(share[:, :1], figure.width, axis=1))
+    share = share[:, 0]
+    at = dict(zip(np.round(t, 2).tolist(), share.tolist(), strict=True))
+    assert at[1.0] == pytest.approx(EASED)
+    assert at[0.8] == pytest.approx(at[1.2]) == pytest.approx((1 + EASED) / 2)
+    np.testing.assert_allclose(share[np.abs(t - 1) > 0.4 - 1e-9], 1)
+    assert np.all(np.diff(share[t >= 1]) >= -1e-12)
+    assert np.abs(np.diff(share)).max() < 1.6 * 0.01 / 0.4  # no jumps: half as steep again as a straight line
+    np.testing.assert_array_equal(held[1:], whole[1:])
 
 
 def test_its_frames_hold_the_detail_that_it_asks_for_and_are_few(figure, rng):
