@@ -1,4 +1,4 @@
-"""A sum of squares from residuals and their pull-back alone: value, gradient and curvature by differences of residuals."""
+"""A sum of squares, of residuals and their pull-back: its value, gradient and curvature by differences of residuals."""
 
 from dataclasses import dataclass
 
@@ -15,7 +15,7 @@ from dynsplines.solver.penalty.curvature import Curvature
 
 @dataclass(frozen=True)
 class Going(SumOfSquares):
-    """The squared speeds of all bodies' origins, and their squared heights."""
+    """The velocities of all bodies' origins, and their heights."""
 
     @property
     def name(self) -> str:

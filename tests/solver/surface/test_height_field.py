@@ -208,6 +208,23 @@ def test_under_a_height_field_the_nearest_triangle_or_wall_is_the_way_out(rng):
     assert not GROUND.inside(points)[~below].any()
 
 
+@pytest.mark.parametrize("along", [0, 1])
+def test_over_a_slope_of_uneven_cells_a_sphere_is_deep_as_soon_as_it_reaches_the_plane(along, rng):
+    """Cells are 2 m by 0.2 m, and the ground rises 1 m a cell along either: by hand a plane of slope 1/2, or 5."""
+    rise, slope = (np.arange(4.0)[:, None], 5.0) if along else (np.arange(5.0), 0.5)
+    field = HeightField("slope", np.zeros(3), np.eye(3), np.array([4.0, 0.3]), np.broadcast_to(rise, (4, 5)))
+    foot = rng.uniform(-0.6, 0.6, (2, 40)) * field.half[:, None]
+    ground = np.array([*foot, rise.max() / 2 + slope * foot[along]])
+    normal = np.array([*(-slope * np.eye(2)[along]), 1.0]) / np.hypot(1, slope)
+    away = rng.uniform(0.01, 0.1, 40)
+    points = (ground + away * normal[:, None])[:, :, None]
+    depth, gradient = field.depth(points, away + 0.001)
+    np.testing.assert_allclose(depth, 0.001, atol=1e-9)
+    np.testing.assert_allclose(gradient[:, :, 0], np.repeat(-normal[:, None], 40, axis=1), atol=1e-9)
+    assert field.near(points, (away + 0.001)[:, None]).all()
+    assert not field.depth(points, away - 0.001)[0].any()
+
+
 @pytest.mark.slow
 def test_the_depth_of_a_sphere_is_continuous_wherever_it_goes_through_a_height_field(rng):
     for _ in range(20):

@@ -156,6 +156,25 @@ def test_body_points_stay_inside_cylinders_and_ellipsoids_and_leave_out_what_nev
         np.testing.assert_array_less(np.sum((out / [0.1, 0.2, 0.3]) ** 2), 1 + 1e-9)
 
 
+@pytest.mark.parametrize("size", [(0.1, 0.2, 0.3), (0.3, 0.1, 0.1), (0.2, 0.2, 0.2)])
+def test_body_points_of_an_ellipsoid_on_any_of_its_tips_are_as_high_over_a_plane_as_mujoco_has_it(size):
+    text = " ".join(map(str, size))
+    model = mujoco.MjModel.from_xml_string(
+        '<mujoco><worldbody><geom name="floor" type="plane" size="1 1 1"/><body pos="0 0 1"><freejoint/>'
+        f'<geom name="egg" type="ellipsoid" size="{text}"/></body></worldbody></mujoco>'
+    )
+    figure, data, turn = Figure(model), mujoco.MjData(model), np.sqrt(0.5)
+    points = body_points(figure)
+    radii = np.array([point.radius for point in points])
+    for rotation in ([1, 0, 0, 0], [0, 1, 0, 0], [turn, turn, 0, 0], [turn, -turn, 0, 0], [turn, 0, turn, 0]):
+        data.qpos[:] = [0, 0, 1, *rotation]
+        mujoco.mj_kinematics(model, data)
+        height = mujoco.mj_geomDistance(model, data, 0, 1, 10.0, None)
+        state = figure.to_state(data.qpos[None])
+        centres, _, _ = Contact(points, (FLOOR,)).centres(Samples(figure, state, 0 * state, 0 * state))
+        assert (centres[2, :, 0] - radii).min() == pytest.approx(height, abs=1e-9)
+
+
 def test_a_capsule_across_the_edge_of_a_box_is_noticed():
     model = mujoco.MjModel.from_xml_string(
         '<mujoco><worldbody><body><freejoint/><geom type="capsule" size=".024" fromto="-.2 0 0 .2 0 0"/></body>'
