@@ -11,6 +11,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.frame import Frame, TimelineError
 from dynsplines.solver.curve.quadrature import Quadrature
 from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Objective
@@ -59,6 +60,17 @@ def test_e_falls_strictly_and_every_callback_meets_the_keyframes(figure, rng, en
     qpos = motion.at(np.linspace(0, 1.3, 7))
     np.testing.assert_allclose(figure.to_qpos(figure.to_state(qpos)), qpos, atol=1e-12)
     assert motion.at(0.3).shape == (1, figure.width)
+
+
+@pytest.mark.parametrize("outside", [-0.01, 2.01])
+def test_a_time_before_the_first_keyframe_or_after_the_last_is_refused_and_their_own_are_not(outside):
+    figure, keys = hinged(), hinge_keys()
+    raw = raw_timeline(figure, keys)
+    motion = Solution(figure, Objective.of(figure, PENALTIES), raw, raw)
+    for times in (outside, [0.5, outside]):
+        with pytest.raises(ValueError, match=r"^the motion runs from 0 to 2 s; there is nothing to see outside$"):
+            motion.at(times)
+    np.testing.assert_allclose(motion.at([-1e-10, 2 + 1e-10]), [keys[0].state, keys[-1].state], atol=1e-8)
 
 
 @pytest.mark.parametrize("error", [StopSearch, KeyboardInterrupt])
@@ -147,6 +159,17 @@ def test_the_segments_that_need_it_most_are_split_first(monkeypatch, frames):
     middles = (halves[1:] + halves[:-1]) / 2
     expected = np.sort(np.append(halves, middles[np.argsort(-needs)[: frames - 3]]))
     np.testing.assert_allclose(motion.timeline.times, expected)
+
+
+@pytest.mark.parametrize(("tiny", "frames"), [(0.0099, 0), (0.0101, 2)])
+def test_a_segment_shorter_than_a_twentieth_of_the_spacing_of_frames_beside_it_begins_with_none(tiny, frames):
+    """Two frames in 0.6 s are 0.2 s apart: a hundredth of a second is the bound, before and after."""
+    for spans in ([0.6, tiny], [tiny, 0.6], [0.05, tiny, 0.6]):
+        times = np.cumsum([0.0, *spans])
+        found = Settings().beginning(times, in_windows=False)
+        counts = np.histogram(found, times)[0].tolist()
+        assert counts == [frames if span == tiny else 2 for span in spans]
+    np.testing.assert_allclose(Settings().beginning(np.array([0, 0.6]), in_windows=False), [0.2, 0.4])
 
 
 def test_evaluations_are_bounded_in_every_round(figure, rng):

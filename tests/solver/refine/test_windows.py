@@ -138,6 +138,14 @@ def test_windows_begin_with_their_whole_budget_up_to_three_frames_a_segment_unle
     assert Settings(variable=1, frames=100).in_each(9, in_windows=True) == 1
 
 
+def test_a_window_has_its_share_of_the_budget_or_what_the_other_segments_leave_of_it():
+    """Two frames in each of the twenty segments; segments 6 to 16, ten of them, hold twenty of these forty."""
+    raw = raw_timeline(FIGURE, long_keys())
+    assembly = Assembly(Objective.of(FIGURE, penalties()[:1]), raw, evenly(raw, 2))
+    window = Window(held=3, first=6, kept=12, last=16)
+    assert [assembly.room(window, budget) for budget in (100, 40, 30)] == [50, 20, 10]
+
+
 @pytest.mark.slow
 def test_what_is_told_while_it_goes_on_is_the_whole_clip_and_about_its_e(short):
     keys, told = long_keys(), []

@@ -6,7 +6,7 @@ import mujoco
 import numpy as np
 import pytest
 from bends import KNEE, limb, limits
-from figures import BALL_TREE
+from figures import BALL_TREE, ONE_BALL
 from hinged import PENALTIES, hinge_keys, hinged
 from oracles import by_scipy
 from random_keys import distance_from_key, random_keys
@@ -117,6 +117,14 @@ def test_a_limb_turned_round_is_far_and_a_figure_that_is_carried_off_is_not():
     assert farthest(LIMB, carried.with_rows(rows)) < 1e-12
     alone = raw_timeline(figure, [Frame.variable(0.0, np.zeros(2)), keys[1]])
     assert farthest(figure, alone) == 0
+
+
+def test_a_figure_of_a_single_joint_has_no_limb_that_could_be_far():
+    figure = Figure(mujoco.MjModel.from_xml_string(ONE_BALL))
+    raw = evenly(raw_timeline(figure, [Frame.key(t, [1.0, 0, 0, 0]) for t in (0, 1)]), 1)
+    rows = np.array(raw.rows)
+    rows[1] = [0, 1, 0, 0]
+    assert farthest(figure, raw.with_rows(rows)) == 0
 
 
 def test_constraints_that_cost_more_than_all_motion_does_are_violent_and_less_are_not():

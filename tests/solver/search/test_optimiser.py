@@ -1,5 +1,6 @@
 """Every method finds its minimum, and the best x is kept however the search ends."""
 
+from collections.abc import Callable
 from dataclasses import replace
 from typing import NoReturn
 
@@ -11,7 +12,7 @@ from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.search.methods import METHODS
 from dynsplines.solver.search.minimum import Minimum, Stop, StopSearch
-from dynsplines.solver.search.optimiser import algorithm, minimise
+from dynsplines.solver.search.optimiser import DAMPINGS, algorithm, minimise
 
 
 def rosenbrock(x: np.ndarray) -> tuple[float, np.ndarray]:
@@ -174,6 +175,35 @@ def test_a_minimum_is_a_value_and_every_stop_gives_advice():
     assert isinstance(found, Minimum)
     assert found.stop is Stop.CONVERGED
     assert all(len(stop.value) > 20 for stop in Stop)
+
+
+def asked_of(fun: Callable, method: str) -> tuple[Minimum, list[np.ndarray]]:
+    """What comes out from START, and all points that were asked for."""
+    asked: list[np.ndarray] = []
+
+    def watched(x: np.ndarray) -> tuple[float, np.ndarray]:
+        asked.append(x.copy())
+        return fun(x)
+
+    return minimise(watched, START, method=method, max_evaluations=500), asked
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_search_that_ended_in_a_minimum_is_not_begun_again_from_there(method):
+    found, asked = asked_of(rosenbrock, method)
+    assert found.stop is Stop.CONVERGED
+    assert sum(np.array_equal(x, found.x) for x in asked) == 1
+
+
+@pytest.mark.parametrize("method", ["lbfgs", "tnewton", "var2"])
+def test_a_search_that_is_stuck_begins_again_with_a_shorter_first_step_until_these_are_spent(method):
+    """Up a gradient that is wrong by its sign; the first step is the gradient over the value, then less."""
+    found, asked = asked_of(lambda x: (float(x @ x), -2 * x), method)
+    assert found.stop is Stop.STUCK
+    np.testing.assert_array_equal(found.x, START)
+    begun = [k for k, x in enumerate(asked) if np.array_equal(x, START)]
+    steps = [np.linalg.norm(asked[k + 1] - START) for k in begun]
+    np.testing.assert_allclose(steps, np.array(DAMPINGS) * 2 / np.linalg.norm(START), rtol=1e-6)
 
 
 def test_an_optimiser_of_ones_own_is_asked_every_round_and_keeps_the_keyframes():
