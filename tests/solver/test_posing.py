@@ -10,6 +10,7 @@ import pytest
 import walkers
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy.optimize import minimize
 
 from dynsplines import models
 from dynsplines.clip.constraints import posing_bends
@@ -22,7 +23,19 @@ from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_column
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Bend, BendLimits
 from dynsplines.solver.penalty.joints.bend import bent
-from dynsplines.solver.posing import MET, STARTS, BodyGoal, Goal, PointGoal, Posed, SiteGoal, chain, entries, posed
+from dynsplines.solver.posing import (
+    MET,
+    STARTS,
+    BodyGoal,
+    Goal,
+    HoldGoal,
+    PointGoal,
+    Posed,
+    SiteGoal,
+    chain,
+    entries,
+    posed,
+)
 from dynsplines.solver.surface.points import Point, site_points
 
 HUMAN = {c: Figure(mujoco.MjModel.from_xml_string(models.figure_text("human")), c) for c in ("world", "joint")}
@@ -254,6 +267,76 @@ def test_of_all_poses_that_meet_the_goals_it_is_a_nearest_one(seed):
     pull = (found.qpos - home) * np.array([1.0, 1, 1, 5]) ** 2
     left = pull - rows.T @ np.linalg.lstsq(rows.T, pull, rcond=None)[0]
     assert np.linalg.norm(left) < 1e-3 * np.linalg.norm(pull)
+
+
+@pytest.mark.parametrize("reach", [2.6, 2.8])
+@pytest.mark.parametrize("side", [-1, 1])
+def test_with_joints_at_their_ranges_it_is_as_near_as_scipys_and_its_goals_weigh_no_more_for_it(
+    reach, side, monkeypatch
+):
+    """The multipliers of ranges do what else only ever larger weights could."""
+    figure = figure_of(ARM.replace("-150 150", "-10 10").replace("-.1 .2", "-.02 .01"))
+    home, weights, weighed = np.array([0.3 * side, 0, 0.1, 0]), np.array([1.0, 1, 1, 5]), []
+    target = np.array([0.0, 0, 1]) + reach * np.array([np.cos(0.3), 0, -side * np.sin(0.3)])
+    levenberg = posing._Search._levenberg
+
+    def watched(self: posing._Search, qpos: Array, weight: float, *more: object) -> tuple[Array, float]:
+        weighed.append(weight)
+        return levenberg(self, qpos, weight, *more)  # type: ignore[arg-type]
+
+    def cost(qpos: Array) -> float:
+        return float(np.sum((weights * (qpos - home)) ** 2))
+
+    monkeypatch.setattr(posing._Search, "_levenberg", watched)
+    found = posed(figure, home, np.ones(4, bool), [SiteGoal("tip", target)])
+    assert found.is_met
+    assert max(weighed) == posing.FIRM
+    hinge, low, high = np.radians(10) - posing.INSIDE, -0.02 + posing.INSIDE, 0.01 - posing.INSIDE
+    np.testing.assert_allclose([abs(found.qpos[1]), found.qpos[3]], [hinge, low], atol=1e-8)
+    best = minimize(
+        cost,
+        found.qpos,
+        method="SLSQP",
+        bounds=[(None, None), (-hinge, hinge), (None, None), (low, high)],
+        constraints={"type": "eq", "fun": lambda qpos: (seen(figure, qpos).site("tip").xpos - target)[[0, 2]]},
+        options={"ftol": 1e-14},
+    )
+    assert cost(found.qpos) == pytest.approx(best.fun, rel=1e-6)
+
+
+HOLDING = """
+<mujoco><worldbody>
+  <body name="box" pos="1 .2 .3" quat=".9 .1 .2 -.1"><freejoint/><geom size=".1"/><site name="grip" pos=".1 -.2 .05"/></body>
+  <body name="arm" pos="0 0 1" quat=".8 .1 -.3 .2"><joint type="ball"/><geom size=".1" pos=".2 0 0"/>
+    <body name="hand" pos=".5 0 0"><joint type="hinge" axis="0 1 1"/><geom size=".1"/><site name="palm" pos=".1 .02 0"/>
+    </body></body>
+</worldbody></mujoco>"""  # noqa: E501
+
+
+def test_a_hold_misses_what_mujoco_has_between_its_places_and_changes_as_both_bodies_move(rng):
+    figure = figure_of(HOLDING)
+    palm, grip = site_points(figure, ["palm", "grip"])
+    goal = HoldGoal.of(figure, palm, grip.link, grip.position)
+    qpos = np.array(figure.model.qpos0)
+    mujoco.mj_integratePos(figure.model, qpos, rng.normal(size=figure.model.nv), 1.0)
+
+    def missed(qpos: Array) -> Array:
+        data = seen(figure, qpos)
+        return data.site("palm").xpos - data.site("grip").xpos
+
+    data = seen(figure, qpos)
+    mujoco.mj_comPos(figure.model, data)
+    np.testing.assert_allclose(goal.missed(figure.model, data), missed(qpos), atol=1e-12)
+    rows, h = np.empty((3, figure.model.nv)), 1e-6
+    for k, way in enumerate(np.eye(figure.model.nv)):
+        ends = np.array(qpos), np.array(qpos)
+        for end, side in zip(ends, (h, -h), strict=True):
+            mujoco.mj_integratePos(figure.model, end, way, side)
+        rows[:, k] = (missed(ends[0]) - missed(ends[1])) / (2 * h)
+    np.testing.assert_allclose(goal.rows(figure.model, data), rows, atol=1e-8)
+    found = posed(figure, qpos, everything(figure), [goal])
+    assert found.is_met
+    np.testing.assert_allclose(missed(found.qpos), 0, atol=MET)
 
 
 def test_what_is_out_of_reach_is_missed_by_the_gap():
