@@ -1,5 +1,6 @@
 """Stances read off a recording: of a shipped run they are where soles rest; noise and a slow swing make none."""
 
+import mujoco
 import numpy as np
 import pytest
 import shipped
@@ -9,12 +10,13 @@ from dynsplines.clip.follow.keeping import Ground
 from dynsplines.clip.posing.feet import sole_points
 from dynsplines.motion import samples_at
 from dynsplines.solver import quaternion as quat
+from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.reading.recorded import Recorded
 from dynsplines.solver.reading.settled import settled
-from dynsplines.solver.reading.stances import Stood, stood
-from dynsplines.solver.surface import static_surfaces
+from dynsplines.solver.reading.stances import LOW, NOISY, ONE, ROLLS, SUNK, Stood, _cut, stood
+from dynsplines.solver.surface import Plane, static_surfaces
 from dynsplines.solver.surface.heights import height_over
-from dynsplines.solver.surface.points import places_of
+from dynsplines.solver.surface.points import Point, places_of
 
 FPS = 60.0
 
@@ -86,6 +88,66 @@ def test_what_is_set_down_is_as_high_and_as_level_as_its_stances_say(take):
 
 def _columns(figure, link: int) -> slice:
     return slice(figure.links[link].qpos, figure.links[link].qpos + 4)
+
+
+SLED = Figure(
+    mujoco.MjModel.from_xml_string(
+        """<mujoco><worldbody><body><joint type="slide" axis="1 0 0"/><geom size=".1"/>
+        <body><joint type="slide" axis="0 0 1"/><geom size=".1"/></body></body></worldbody></mujoco>"""
+    )
+)
+RUNNER = Point("runner", 2, np.array([0.0, 0, -0.1]), 0.05)
+FLOOR = Plane("floor", np.zeros(3), np.array([0.0, 0, 1]))
+
+
+def stances_of(times: np.ndarray, x: np.ndarray, over: np.ndarray) -> tuple[Stood, ...]:
+    """Of a sphere at places along a line, its lowest spot so high over the floor."""
+    return stood(Recorded.of(SLED, times, np.column_stack([x, over + 0.15]), exact=True), [RUNNER], [FLOOR])
+
+
+@pytest.mark.parametrize("below", [False, True])
+@pytest.mark.parametrize("count", [6, 31])
+def test_what_hovers_still_stands_as_long_as_its_samples_outweigh_what_a_stance_costs(count, below):
+    """n samples at a height h, in such as count, speak n (1 − h²) for it: that is one at h = √(1 − 1/n)."""
+    times = np.arange(count) / FPS
+    bound = np.sqrt(1 - ONE / count) * (-LOW / SUNK if below else LOW)
+    for share, stands in ((0.9996, True), (1.0004, False)):
+        found = stances_of(times, 0 * times, np.full(count, share * bound))
+        assert found == ((Stood(RUNNER, times[0], times[-1]),) if stands else ())
+
+
+@pytest.mark.parametrize("before", [12, 30])
+def test_a_stance_lasts_from_when_the_point_has_come_to_rest_until_it_leaves(before):
+    """It slides in and on at 0.4 m/s, slowly enough to be of the run, too fast to stand."""
+    k = np.arange(before + 80)
+    found = stances_of(k / FPS, 0.4 / FPS * (k - np.clip(k - before, 0, 40)), 0 * k)
+    assert found == (Stood(RUNNER, before / FPS, (before + 40) / FPS),)
+
+
+def test_of_all_ways_to_cut_a_recording_into_stances_the_likeliest_is_taken(rng):
+    """All ways, one by one. White noise scatters the places of n samples about their middle by 3 (n − 1) variances."""
+    count = 9
+    pairs = [(a, b) for a in range(count) for b in range(a + 2, count + 1)]
+
+    def ways(first: int) -> list[list[tuple[int, int]]]:
+        return [[], *([(a, b), *rest] for a, b in pairs if a >= first for rest in ways(b))]
+
+    every, seen = ways(0), set()
+    for _ in range(40):
+        noise, steps = rng.uniform(0, 0.02), rng.normal(size=(3, count)) * rng.choice([0.002, 0.04], count)
+        place, height = np.cumsum(steps, axis=1) + rng.normal(0, noise, (3, count)), rng.uniform(0, 1.2, count)
+        variance = noise**2 + ROLLS**2
+
+        def cost(a: int, b: int, place=place, height=height, noise=noise, variance=variance) -> float:
+            scatter = (b - a) * np.var(place[:, a:b], axis=1).sum() - 3 * (b - a - 1) * noise**2
+            own = scatter / variance + (b - a) * (np.mean(height[a:b]) ** 2 - 1)
+            return ONE + NOISY * noise**2 / variance + own
+
+        costs = {pair: cost(*pair) for pair in pairs}
+        least = min(every, key=lambda runs, costs=costs: sum(costs[run] for run in runs))
+        assert _cut(np.arange(count) / FPS, place, height, noise) == least
+        seen.add(len(least))
+    assert seen >= {0, 1, 2}
 
 
 def test_nothing_stands_where_there_is_no_ground_or_no_sole(figure, rng):

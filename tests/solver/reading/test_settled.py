@@ -1,0 +1,96 @@
+"""A recording set down: soles level and on the ground as far as they stood, and nothing else of it touched."""
+
+import mujoco
+import numpy as np
+import pytest
+
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.reading.recorded import Recorded
+from dynsplines.solver.reading.settled import on_the_ground, settled
+from dynsplines.solver.reading.stances import Stood
+from dynsplines.solver.surface import Plane
+from dynsplines.solver.surface.points import Point, places_of
+
+FIGURE = Figure(
+    mujoco.MjModel.from_xml_string(
+        """<mujoco><worldbody><body name="trunk"><freejoint/><geom size=".1"/>
+        <body name="foot" pos="0 0 -.5"><joint type="ball"/><geom size=".05"/></body></body></worldbody></mujoco>"""
+    )
+)
+FOOT = 2
+FLOOR = Plane("floor", np.zeros(3), np.array([0.0, 0, 1]))
+TIMES = np.linspace(0, 1, 31)
+CORNERS = np.array([[-0.05, -0.04, -0.1], [-0.05, 0.04, -0.1], [0.15, -0.05, -0.1], [0.15, 0.05, -0.1]])
+
+
+def sole(*radii: float) -> tuple[Point, ...]:
+    """Spheres at corners of a sole that is flat, if they all are as large."""
+    return tuple(Point(f"{i}", FOOT, CORNERS[i], radius) for i, radius in enumerate(radii))
+
+
+def recorded(height: float, turn: Array) -> Recorded:
+    """Walking along a line, the trunk turned about the vertical, the foot turned (3,) [rad] all the time."""
+    qpos = np.zeros((TIMES.size, 11))
+    qpos[:, 0], qpos[:, 1], qpos[:, 2] = TIMES, 0.3, height
+    qpos[:, 3:7] = quat.from_rotation_vector([0, 0, 0.7])
+    qpos[:, 7:] = quat.from_rotation_vector(turn)
+    return Recorded.of(FIGURE, TIMES, qpos, exact=True)
+
+
+def bottoms(found: Recorded, points: tuple[Point, ...]) -> Array:
+    """(p, T) [m] how high the lowest spots of points are."""
+    samples = Samples(FIGURE, found.states, 0 * found.states, 0 * found.states)
+    return places_of(points, samples)[0][2] - np.array([[point.radius] for point in points])
+
+
+def standing(points: tuple[Point, ...]) -> list[Stood]:
+    return [Stood(point, TIMES[0], TIMES[-1]) for point in points]
+
+
+@pytest.mark.parametrize(
+    ("radii", "degrees", "within"),
+    [
+        ((0.02, 0.02, 0.02, 0.02), [0, 12, 0], 1e-9),
+        ((0.02, 0.02, 0.02, 0.02), [-9, 0, 0], 1e-9),
+        ((0.0, 0.0, 0.0, 0.0), [8, -14, 5], 1e-9),
+        ((0.03, 0.03), [7, 0, 0], 1e-9),
+        ((0.02, 0.02, 0.04, 0.04), [4, 5, 0], 2e-4),  # what a sphere of 2 cm more gains by a turn of 6 degrees
+        ((0.02, 0.04), [4, 5, 0], 2e-4),
+    ],
+)
+def test_a_sole_that_stood_tilted_is_level_and_on_the_ground_and_nothing_else_moves(radii, degrees, within):
+    points, before = sole(*radii), recorded(0.64, np.radians(degrees))
+    assert np.ptp(bottoms(before, points)[:, 0]) > 0.005
+    found = settled(before, standing(points), [FLOOR])
+    np.testing.assert_allclose(bottoms(found, points), 0, atol=within)
+    np.testing.assert_array_equal(found.states[:, [0, 1, *range(3, 7)]], before.states[:, [0, 1, *range(3, 7)]])
+
+
+def test_a_sole_that_stood_on_its_toes_is_set_down_as_it_is_in_the_middle_of_its_heights():
+    points, before = sole(0.02, 0.02, 0.02, 0.02), recorded(0.9, np.radians([0, 40, 0]))
+    found = settled(before, standing(points), [FLOOR])
+    np.testing.assert_array_equal(found.states[:, 7:], before.states[:, 7:])
+    assert np.median(bottoms(found, points)) == pytest.approx(0, abs=1e-9)
+    np.testing.assert_array_equal(found.states[:, :2], before.states[:, :2])
+
+
+def test_only_what_stands_says_how_high_the_ground_is():
+    """The heel stands in the first half, 3 cm up; what it does later, and the toes, say nothing."""
+    points, before = sole(0.02, 0.02, 0.02, 0.02), recorded(0.65, np.zeros(3))
+    before.states[TIMES > 0.5, 2] += 0.2
+    found = settled(before, [Stood(point, 0.0, 0.5) for point in points[:2]], [FLOOR])
+    np.testing.assert_allclose(bottoms(found, points)[:, TIMES <= 0.5], 0, atol=1e-9)
+    np.testing.assert_allclose(found.states[:, 2] - before.states[:, 2], -0.03, atol=1e-9)
+
+
+@pytest.mark.parametrize(("over", "moves"), [(0.3, True), (-0.3, True), (0.06, True), (0.04, False), (-0.04, False)])
+def test_a_recording_of_another_floor_comes_down_or_up_to_this_one_straight_and_one_that_is_near_stays(over, moves):
+    points = sole(0.02, 0.02, 0.04, 0.04)
+    before = recorded(0.64 + over, np.zeros(3))
+    found = on_the_ground(before, points, [FLOOR])
+    way = np.zeros(FIGURE.width)
+    way[2] = -over if moves else 0
+    np.testing.assert_allclose(found.states, before.states + way, atol=1e-9)
