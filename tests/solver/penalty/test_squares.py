@@ -8,6 +8,7 @@ from random_samples import random_samples
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.adjoint import Cotangent
+from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Scale, SumOfSquares
 from dynsplines.solver.penalty.curvature import Curvature
@@ -35,13 +36,15 @@ class Going(SumOfSquares):
         into.buffer("x")[2, 1:] += heights
 
 
-def test_its_value_is_the_sum_of_squares_and_its_gradient_has_taylor_slope_two(figure, rng):
+def test_its_value_is_the_sum_of_squares_and_its_gradient_has_taylor_slope_two(
+    figure: Figure, rng: np.random.Generator
+) -> None:
     samples = random_samples(figure, rng, 4)
     np.testing.assert_allclose(Going().evaluate(samples), np.sum(Going().residuals(samples) ** 2, axis=0))
     assert penalty_slope(Going(), samples, rng) > 1.95
 
 
-def test_its_curvature_is_twice_the_jacobians_product_with_itself(figure, rng):
+def test_its_curvature_is_twice_the_jacobians_product_with_itself(figure: Figure, rng: np.random.Generator) -> None:
     """J by differences, along a function of time for every entry of the state."""
     samples, h = random_samples(figure, rng, 3), 1e-6
     scale, phi, made = rng.uniform(1, 2, 3), rng.normal(size=(3, 3)), Curvature(samples)

@@ -61,7 +61,9 @@ def standing(points: tuple[Point, ...]) -> list[Stood]:
         ((0.02, 0.04), [4, 5, 0], 2e-4),
     ],
 )
-def test_a_sole_that_stood_tilted_is_level_and_on_the_ground_and_nothing_else_moves(radii, degrees, within):
+def test_a_sole_that_stood_tilted_is_level_and_on_the_ground_and_nothing_else_moves(
+    radii: tuple[float, ...], degrees: list[float], within: float
+) -> None:
     points, before = sole(*radii), recorded(0.64, np.radians(degrees))
     assert np.ptp(bottoms(before, points)[:, 0]) > 0.005
     found = settled(before, standing(points), [FLOOR])
@@ -69,7 +71,7 @@ def test_a_sole_that_stood_tilted_is_level_and_on_the_ground_and_nothing_else_mo
     np.testing.assert_array_equal(found.states[:, [0, 1, *range(3, 7)]], before.states[:, [0, 1, *range(3, 7)]])
 
 
-def test_a_sole_that_stood_on_its_toes_is_set_down_as_it_is_in_the_middle_of_its_heights():
+def test_a_sole_that_stood_on_its_toes_is_set_down_as_it_is_in_the_middle_of_its_heights() -> None:
     points, before = sole(0.02, 0.02, 0.02, 0.02), recorded(0.9, np.radians([0, 40, 0]))
     found = settled(before, standing(points), [FLOOR])
     np.testing.assert_array_equal(found.states[:, 7:], before.states[:, 7:])
@@ -77,7 +79,7 @@ def test_a_sole_that_stood_on_its_toes_is_set_down_as_it_is_in_the_middle_of_its
     np.testing.assert_array_equal(found.states[:, :2], before.states[:, :2])
 
 
-def test_only_what_stands_says_how_high_the_ground_is():
+def test_only_what_stands_says_how_high_the_ground_is() -> None:
     """The heel stands in the first half, 3 cm up; what it does later, and the toes, say nothing."""
     points, before = sole(0.02, 0.02, 0.02, 0.02), recorded(0.65, np.zeros(3))
     before.states[TIMES > 0.5, 2] += 0.2
@@ -87,7 +89,9 @@ def test_only_what_stands_says_how_high_the_ground_is():
 
 
 @pytest.mark.parametrize(("over", "moves"), [(0.3, True), (-0.3, True), (0.06, True), (0.04, False), (-0.04, False)])
-def test_a_recording_of_another_floor_comes_down_or_up_to_this_one_straight_and_one_that_is_near_stays(over, moves):
+def test_a_recording_of_another_floor_comes_down_or_up_to_this_one_straight_and_one_that_is_near_stays(
+    over: float, moves: bool
+) -> None:
     points = sole(0.02, 0.02, 0.04, 0.04)
     before = recorded(0.64 + over, np.zeros(3))
     found = on_the_ground(before, points, [FLOOR])
