@@ -37,8 +37,8 @@ from dynsplines.solver.penalty import (
     RootAcceleration,
     SelfContact,
     Skate,
+    Sum,
     Support,
-    Together,
     Torque,
     UnitMagnitude,
     Upright,
@@ -185,9 +185,9 @@ def _clearance(context: Context, chosen: Margin) -> Penalty:
     others = tuple(s for s in context.surfaces if all(s is not g for g in ground))
     clear = _apart(context, body_points(figure), ground, margin)
     if not others and not context.carried:
-        return clear[0] if len(clear) == 1 else Together(clear, called="clearance")
+        return clear[0] if len(clear) == 1 else Sum(clear, called="clearance")
     skin = _apart(context, covering_points(figure), others, margin) if others else ()
-    return Together((*clear, *skin, *_beside(context, margin)), called="clearance")
+    return Sum((*clear, *skin, *_beside(context, margin)), called="clearance")
 
 
 def _beside(context: Context, margin: float) -> tuple[Contact, ...]:
@@ -238,7 +238,7 @@ def _planted(context: Context, chosen: Options) -> Penalty | None:
 def _resting(context: Context, chosen: Options) -> Penalty | None:
     given = context.contacts
     parts = Planted(given.stances), Resting(given.rests, context.surfaces)
-    return Together(parts, called="resting") if given.given else None
+    return Sum(parts, called="resting") if given.given else None
 
 
 def _skate(context: Context, chosen: Reach) -> Penalty | None:

@@ -81,8 +81,8 @@ def depth(surface: Surface, centres: Array, radii: Array) -> Array:
     """(p, k) [m] how deep spheres are in a surface, at most 0 outside: centres (3, p, k), radii (p,)."""
     if isinstance(surface, Box):
         return radii[:, None] - _from_box(surface, centres)
-    deep, way = surface.depth(centres, radii)
-    return deep / np.maximum(np.linalg.norm(way, axis=0), TINY)
+    deep, direction = surface.depth(centres, radii)
+    return deep / np.maximum(np.linalg.norm(direction, axis=0), TINY)
 
 
 def _from_box(box: Box, points: Array) -> Array:

@@ -28,7 +28,7 @@ from dynsplines.solver.penalty import (
     Resting,
     SelfContact,
     Stance,
-    Together,
+    Sum,
     slipped,
     stances,
 )
@@ -205,7 +205,7 @@ def _measures(clip: Clip, raw_peak: float) -> Iterator[Measure]:
 def _parts(clip: Clip) -> Iterator[Penalty]:
     """The soft constraints, those that stand together one by one."""
     for penalty, _ in clip.penalties:
-        yield from penalty.parts if isinstance(penalty, Together) else (penalty,)
+        yield from penalty.parts if isinstance(penalty, Sum) else (penalty,)
 
 
 def _kept_out(clip: Clip, parts: Sequence[Penalty]) -> tuple[Contact, ...]:

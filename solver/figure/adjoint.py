@@ -108,18 +108,18 @@ class Cotangent:
         links = (len(samples.figure.links), samples.count)
         return (3, 3, *links) if name == "swing" else (3, *links)
 
-    def add_forces(self, flat: Index, arm: Array, force: Array) -> None:
-        """Gradients (3, p) with respect to points at `arm` (3, p) from the origins of links.
+    def add_forces(self, flat: Index, offset: Array, force: Array) -> None:
+        """Gradients (3, p) with respect to points at `offset` (3, p) from the origins of links.
 
         flat  (p,) link · S + sample; the same may come up more than once
         """
-        self._forces.append((flat, arm, force))
+        self._forces.append((flat, offset, force))
 
     def _settle_forces(self) -> None:
         """Adds all forces on points to x and turn."""
-        flat, arm, force = (np.concatenate(parts, axis=-1) for parts in zip(*self._forces, strict=True))
+        flat, offset, force = (np.concatenate(parts, axis=-1) for parts in zip(*self._forces, strict=True))
         size = len(self.samples.figure.links) * self.samples.count
-        rows = np.concatenate([force, cross(arm, force)])
+        rows = np.concatenate([force, cross(offset, force)])
         places = flat + size * np.arange(6)[:, None]
         total = np.bincount(places.ravel(), rows.ravel(), 6 * size).reshape(2, 3, -1, self.samples.count)
         self.absorb("x", total[0])

@@ -101,9 +101,9 @@ def _free(links: LinkMotion) -> Iterator[Axes]:
     """Positions of free links."""
     tables, count = links.figure.tables, links.x.shape[2]
     for free, columns in zip(tables.free_links, tables.position_columns.T, strict=True):
-        way = np.zeros((3, 3, 3, count))
-        way[0] = np.eye(3)[:, :, None]
-        yield Axes(None, way, np.repeat(tables.beyond[[free]], 3, axis=0), columns)
+        direction = np.zeros((3, 3, 3, count))
+        direction[0] = np.eye(3)[:, :, None]
+        yield Axes(None, direction, np.repeat(tables.beyond[[free]], 3, axis=0), columns)
 
 
 def _quaternions(links: LinkMotion) -> Iterator[Axes]:
@@ -170,8 +170,8 @@ def followers(figure: Figure) -> Index:
     path, tables = figure.tables.path > 0, figure.tables
     out = np.zeros(path.shape, np.intp)
     for link in range(len(path)):
-        way = [i for i in tables.quaternion_links if path[link, i] and tables.in_world[i]]
-        out[link, way[:-1]] = way[1:]
+        direction = [i for i in tables.quaternion_links if path[link, i] and tables.in_world[i]]
+        out[link, direction[:-1]] = direction[1:]
     return out
 
 

@@ -41,9 +41,9 @@ class InverseDynamics:
     def __init__(self, links: LinkMotion) -> None:
         self.links = links
         tables = links.figure.tables
-        self.arm = links.fixed(tables.arms)
-        self.centre = links.x + self.arm
-        self.net_force = applied(links.swing, self.arm)
+        self.offset = links.fixed(tables.arms)
+        self.centre = links.x + self.offset
+        self.net_force = applied(links.swing, self.offset)
         self.net_force += links.x_dd
         self.net_force -= links.figure.gravity[:, None, None]
         self.net_force *= tables.mass[:, None]
@@ -95,7 +95,7 @@ class InverseDynamics:
         into.absorb("turn", cross_sum(self.momenta, pair))
         into.absorb("turn", cross_sum(inertia_pair, links.spins))
         f_bar *= tables.mass[:, None]
-        attached_pulled_back(into, self.arm, (centre_bar, None, f_bar))
+        attached_pulled_back(into, self.offset, (centre_bar, None, f_bar))
         if links.hang is not None:
             into.absorb("turn", cross(links.hang, anchor_bar))
         anchor_bar += centre_bar

@@ -32,46 +32,46 @@ def has_moment_rows(figure: Figure) -> bool:
     return has_point_rows(figure) and not np.any(figure.tables.armature[balls])
 
 
-def point_rows(samples: Samples, at: Index, link: Index, arm: Array, way: Array) -> Array:
-    """(P, N): the gradient of way · p with respect to y, for points p at `arm` (3, P) from their links' origins [m].
+def point_rows(samples: Samples, at: Index, link: Index, offset: Array, direction: Array) -> Array:
+    """(P, N): the gradient of direction · p with respect to y, for points p at an offset (3, P) [m] on their links.
 
     at    (P,) sample of each point;  link  (P,) the link it is fixed on
-    way   (3, P) a direction in the world
+    direction  (3, P) in the world
     """
     links = samples.links
-    carrier, lever = _levers(samples, at, link, arm)
-    turn = cross(lever, way[:, None, :]) * (carrier > 0)
+    carrier, lever = _levers(samples, at, link, offset)
+    turn = cross(lever, direction[:, None, :]) * (carrier > 0)
     per_length = (2 / links.length_squared)[carrier, at]
     gradient = pure_product(turn, links.Q[:, carrier, at] * per_length)
     out = _by_columns(samples, carrier, gradient)
-    _add_positions(out, samples.figure, carrier, way)
+    _add_positions(out, samples.figure, carrier, direction)
     return out
 
 
-def velocity_rows(samples: Samples, at: Index, link: Index, arm: Array, way: Array) -> Array:
-    """(P, 2, N): the gradients of way · v with respect to y and y', for the velocities v of points as `point_rows`'s.
+def velocity_rows(samples: Samples, at: Index, link: Index, offset: Array, direction: Array) -> Array:
+    """(P, 2, N): the gradients of direction · v with respect to y and y', v the velocities of points as `point_rows`'s.
 
     v = (∂p/∂y) y', so that the second is the row of the point itself, and the first that row's rate of change.
     """
     links = samples.links
-    carrier, lever = _levers(samples, at, link, arm)
-    turn = cross(lever, way[:, None, :]) * (carrier > 0)
-    turn_d = cross(cross(links.omega[:, carrier, at], lever), way[:, None, :]) * (carrier > 0)
+    carrier, lever = _levers(samples, at, link, offset)
+    turn = cross(lever, direction[:, None, :]) * (carrier > 0)
+    turn_d = cross(cross(links.omega[:, carrier, at], lever), direction[:, None, :]) * (carrier > 0)
     scale, rate = links.scale[carrier, at], links.rates[0][carrier, at]
     own = links.Q[:, carrier, at] * scale
     own_d = (links.Q_d[:, carrier, at] - rate * links.Q[:, carrier, at]) * scale
     first = _by_columns(samples, carrier, pure_product(turn, own_d) + pure_product(turn_d, own))
     second = _by_columns(samples, carrier, pure_product(turn, own))
-    _add_positions(second, samples.figure, carrier, way)
+    _add_positions(second, samples.figure, carrier, direction)
     return np.stack([first, second], axis=1)
 
 
-def _levers(samples: Samples, at: Index, link: Index, arm: Array) -> tuple[Index, Array]:
+def _levers(samples: Samples, at: Index, link: Index, offset: Array) -> tuple[Index, Array]:
     """The links on the way to each point, (depth, P), 0 where there are fewer, and the part of the way that turns with
     each, (3, depth, P)."""
     chain, following = _chains(samples.figure)
     onward = following[:, link]
-    return chain[:, link], np.where(onward > 0, samples.links.step[:, onward, at], arm[:, None, :])
+    return chain[:, link], np.where(onward > 0, samples.links.step[:, onward, at], offset[:, None, :])
 
 
 def _by_columns(samples: Samples, carrier: Index, gradient: Array) -> Array:
@@ -85,11 +85,11 @@ def _by_columns(samples: Samples, carrier: Index, gradient: Array) -> Array:
     return out
 
 
-def _add_positions(out: Array, figure: Figure, carrier: Index, way: Array) -> None:
+def _add_positions(out: Array, figure: Figure, carrier: Index, direction: Array) -> None:
     """The columns of free roots' positions."""
     for free, position in zip(figure.tables.free_links, figure.tables.position_columns.T, strict=True):
         carried = np.flatnonzero((carrier == free).any(axis=0))
-        out[carried[:, None], position] = way[:, carried].T
+        out[carried[:, None], position] = direction[:, carried].T
 
 
 def _chains(figure: Figure) -> tuple[Index, Index]:
@@ -177,12 +177,12 @@ def moment_rows(samples: Samples) -> Array:
 
 @dataclass(frozen=True)
 class Pushes:
-    """Forces that points of the figure get from outside: at samples `at` (P,), on links `link` (P,), at `arm` (3, P)
+    """Forces that points of the figure get from outside: at samples `at` (P,), on links `link` (P,), at `offset` (3, P)
     from the links' origins [m], force (3, P) [N]."""
 
     at: Index
     link: Index
-    arm: Array
+    offset: Array
     force: Array
 
     def by_link(self, vectors: Array, like: Array) -> Array:
@@ -193,7 +193,7 @@ class Pushes:
     def pull_back(self, wrench: RootWrench, into: Cotangent, force_bar: Array, moment_bar: Array) -> None:
         """Adds the gradient of a scalar of force and moment, the moments of these pushes, which are held, taken off."""
         pull = cross(moment_bar[:, self.at], self.force)
-        into.add_forces(self.link * into.samples.count + self.at, self.arm, pull)
+        into.add_forces(self.link * into.samples.count + self.at, self.offset, pull)
         by_centre = np.array([np.bincount(self.at, -part, into.samples.count) for part in pull], float)
         wrench.pull_back(into, force_bar, moment_bar, by_centre)
 
@@ -215,7 +215,7 @@ def wrench_rows(wrench: RootWrench, pushes: Pushes | None = None) -> Array:
         hold = hold + wrench.share[:, None] * pushed.sum(axis=1)[:, None]
         beyond_hold = hold - pushed
     shape = (3, mass.size, 6, count)
-    arms = _attached_wrench((links.omega, links.alpha), inverse.arm, mass, hold, away)
+    arms = _attached_wrench((links.omega, links.alpha), inverse.offset, mass, hold, away)
     beyond = (tables.beyond @ mass, gathered(tables.beyond, beyond_hold), gathered(tables.beyond, away))
     parents = tables.parents
     steps = _attached_wrench((links.omega[:, parents], links.alpha[:, parents]), links.step, *beyond)
@@ -226,16 +226,16 @@ def wrench_rows(wrench: RootWrench, pushes: Pushes | None = None) -> Array:
     )
     for axis, e in enumerate(np.eye(3)):
         own = tables.path[:, root, None] * np.ones(count)
-        way = e[:, None, None] * own
-        tilt = cross(way, links.omega)
-        turned, tilted = applied(inverse.inertia, way), applied(inverse.inertia, tilt)
+        direction = e[:, None, None] * own
+        tilt = cross(direction, links.omega)
+        turned, tilted = applied(inverse.inertia, direction), applied(inverse.inertia, tilt)
         spin, spin_rate = inverse.momenta
-        turn[:, :, 3 + axis] += cross(spin_rate, way) + cross(turned, links.alpha)
+        turn[:, :, 3 + axis] += cross(spin_rate, direction) + cross(turned, links.alpha)
         turn[:, :, 3 + axis] += cross(spin, tilt) + cross(tilted, links.omega)
-        omega[:, :, 3 + axis] += cross(spin, way) + tilted
+        omega[:, :, 3 + axis] += cross(spin, direction) + tilted
         alpha[:, :, 3 + axis] += turned
         if pushes is not None:
-            pull = cross(pushes.arm, cross(e[:, None], pushes.force))
+            pull = cross(pushes.offset, cross(e[:, None], pushes.force))
             turn[:, :, 3 + axis] += pushes.by_link(pull, hold)
     gradients = _quaternion_gradients(_Chosen(links, np.arange(mass.size)), turn, omega, alpha)
     out = np.zeros((count, 6, 3, samples.y.shape[1]))
@@ -248,10 +248,10 @@ def wrench_rows(wrench: RootWrench, pushes: Pushes | None = None) -> Array:
     return out
 
 
-def relative_spin_rows(samples: Samples, at: Index, link: Index, way: Array) -> Array:
-    """(P, 3, N): gradients of way · (ω' − ω'_parent) with respect to y, y', y'', for figures in world coordinates.
+def relative_spin_rows(samples: Samples, at: Index, link: Index, direction: Array) -> Array:
+    """(P, 3, N): gradients of direction · (ω' − ω'_parent) in y, y', y'', for figures in world coordinates.
 
-    at, link  (P,) sample and link of each;  way  (3, P) a direction in the world, held
+    at, link  (P,) sample and link of each;  direction  (3, P) in the world, held
     """
     tables = samples.figure.tables
     block = np.full(len(samples.figure.links), -1)
@@ -262,7 +262,7 @@ def relative_spin_rows(samples: Samples, at: Index, link: Index, way: Array) -> 
         nothing = np.zeros((3, some.size))
         here = _Picked(samples.links, owner[some], at[some])
         columns = tables.quaternion_columns[:, block[owner[some]]]
-        for order, gradient in enumerate(_quaternion_gradients(here, nothing, nothing, sign * way[:, some])):
+        for order, gradient in enumerate(_quaternion_gradients(here, nothing, nothing, sign * direction[:, some])):
             out[some, order, columns] = gradient
     return out
 
@@ -324,8 +324,8 @@ def _link_gradients(
     tilt = cross(axes, omega)
     turned, tilted = inverse.inertia[:, :, link].swapaxes(1, 2), inertia_times(tilt)
     turn = cross(spin_rate, axes) + cross(turned, alpha) + cross(spin, tilt) + cross(tilted, omega)
-    arm = _attached((omega, alpha), each(inverse.arm), centre, acceleration)
-    own = (turn + arm[0], cross(spin, axes) + tilted + arm[1], turned + arm[2])
+    offset = _attached((omega, alpha), each(inverse.offset), centre, acceleration)
+    own = (turn + offset[0], cross(spin, axes) + tilted + offset[1], turned + offset[2])
     at_anchor = cross(axes, inverse.force[:, relations.joints, None])
     x = _joined(relations.from_beyond, centre)
     x += _joined(_before(relations), at_anchor)

@@ -18,33 +18,33 @@ from .kinematics import Samples
 AT_ONCE = 150_000  # pairs of a point and a link
 
 
-def any_point_rows(samples: Samples, at: Index, link: Index, arm: Array, way: Array) -> Array:
-    """(P, N): the gradient of way · p with respect to y. Arguments as in `rows.point_rows`."""
-    return _in_parts(samples, at, link, arm, way, rates=False)[:, 0]
+def any_point_rows(samples: Samples, at: Index, link: Index, offset: Array, direction: Array) -> Array:
+    """(P, N): the gradient of direction · p with respect to y. Arguments as in `rows.point_rows`."""
+    return _in_parts(samples, at, link, offset, direction, rates=False)[:, 0]
 
 
-def any_velocity_rows(samples: Samples, at: Index, link: Index, arm: Array, way: Array) -> Array:
-    """(P, 2, N): the gradients of way · v with respect to y and y', as in `rows.velocity_rows`."""
-    return _in_parts(samples, at, link, arm, way, rates=True)[:, ::-1]
+def any_velocity_rows(samples: Samples, at: Index, link: Index, offset: Array, direction: Array) -> Array:
+    """(P, 2, N): the gradients of direction · v with respect to y and y', as in `rows.velocity_rows`."""
+    return _in_parts(samples, at, link, offset, direction, rates=True)[:, ::-1]
 
 
-def _in_parts(samples: Samples, at: Index, link: Index, arm: Array, way: Array, *, rates: bool) -> Array:
-    """(P, 1 or 2, N): rows, and with `rates` how fast they change, way held."""
+def _in_parts(samples: Samples, at: Index, link: Index, offset: Array, direction: Array, *, rates: bool) -> Array:
+    """(P, 1 or 2, N): rows, and with `rates` how fast they change, direction held."""
     out = np.zeros((at.size, 2 if rates else 1, samples.y.shape[1]))
     few = max(1, AT_ONCE // len(samples.figure.links))
     for first in range(0, at.size, few):
         some = slice(first, first + few)
-        _Points(samples, at[some], link[some], arm[:, some], way[:, some]).add_to(out[some], rates=rates)
+        _Points(samples, at[some], link[some], offset[:, some], direction[:, some]).add_to(out[some], rates=rates)
     return out
 
 
 class _Points:
     """Points of links at samples, with what their rows are made of."""
 
-    def __init__(self, samples: Samples, at: Index, link: Index, arm: Array, way: Array) -> None:
+    def __init__(self, samples: Samples, at: Index, link: Index, offset: Array, direction: Array) -> None:
         self.samples, self.figure, self.tables = samples, samples.figure, samples.figure.tables
-        self.motion, self.at, self.link, self.arm, self.way = samples.links, at, link, arm, way
-        self.place = self.motion.x[:, link, at] + arm
+        self.motion, self.at, self.link, self.offset, self.direction = samples.links, at, link, offset, direction
+        self.place = self.motion.x[:, link, at] + offset
         self.on = self.tables.path[link].T > 0  # (L, P)
 
     def add_to(self, out: Array, *, rates: bool) -> None:
@@ -55,12 +55,12 @@ class _Points:
 
     def _free(self, out: Array) -> None:
         for free, columns in zip(self.tables.free_links, self.tables.position_columns.T, strict=True):
-            out[:, 0, columns] = (self.way * self.on[free]).T
+            out[:, 0, columns] = (self.direction * self.on[free]).T
 
     def _axes(self, out: Array, *, rates: bool) -> None:
         """Hinges and slides."""
         tables, motion, at = self.tables, self.motion, self.at
-        way = self.way[:, None]
+        direction = self.direction[:, None]
         for hinge, links, columns in (
             (True, tables.hinge_links, tables.hinge_columns),
             (False, tables.slide_links, tables.slide_columns),
@@ -70,12 +70,12 @@ class _Points:
             axis = turned(motion.rotation[:, :, links], tables.axis[:, links])
             e, on = axis[:, :, at], self.on[links]
             lever = self.place[:, None] - motion.anchor[:, links][:, :, at]
-            out[:, 0, columns] = (dot(way, cross(e, lever) if hinge else e) * on).T
+            out[:, 0, columns] = (dot(direction, cross(e, lever) if hinge else e) * on).T
             if rates:
                 e_d = cross(motion.omega[:, links], axis)[:, :, at]
                 if hinge:
                     e_d = cross(e_d, lever) + cross(e, self._velocity[:, None] - self._anchor_velocity(links))
-                out[:, 1, columns] = (dot(way, e_d) * on).T
+                out[:, 1, columns] = (dot(direction, e_d) * on).T
 
     def _quaternions(self, out: Array, *, rates: bool) -> None:
         tables, motion, at = self.tables, self.motion, self.at
@@ -84,12 +84,12 @@ class _Points:
             return
         after = followers(self.figure)[self.link][:, links].T  # (n, P)
         ends = np.where(after > 0, motion.anchor[:, after, at], self.place[:, None])
-        way, on = self.way[:, None], self.on[links]
-        torque = cross(ends - motion.anchor[:, links][:, :, at], way) * on
+        direction, on = self.direction[:, None], self.on[links]
+        torque = cross(ends - motion.anchor[:, links][:, :, at], direction) * on
         torque_d = torque
         if rates:
             fast = np.where(after > 0, self._anchor_velocities[:, after, at], self._velocity[:, None])
-            torque_d = cross(fast - self._anchor_velocity(links), way) * on
+            torque_d = cross(fast - self._anchor_velocity(links), direction) * on
         loose = np.flatnonzero(~tables.in_world[links])
         if loose.size:
             base, parents = self._base(links[loose]), tables.parents[links[loose]]
@@ -116,7 +116,7 @@ class _Points:
     def _velocity(self) -> Array:
         """(3, P) of the points."""
         motion = self.motion
-        return motion.x_d[:, self.link, self.at] + cross(motion.omega[:, self.link, self.at], self.arm)
+        return motion.x_d[:, self.link, self.at] + cross(motion.omega[:, self.link, self.at], self.offset)
 
     @property
     def _anchor_velocities(self) -> Array:

@@ -16,19 +16,19 @@ from .kinematics import Samples
 AT_ONCE = 100_000  # pairs of a joint and an axis: few enough that their vectors stay in cache
 
 
-def any_relative_spin_rows(samples: Samples, at: Index, link: Index, way: Array) -> Array:
-    """(P, 3, N): gradients of way · (ω' − ω'_parent), as `rows.relative_spin_rows`."""
+def any_relative_spin_rows(samples: Samples, at: Index, link: Index, direction: Array) -> Array:
+    """(P, 3, N): gradients of direction · (ω' − ω'_parent), as `rows.relative_spin_rows`."""
     out = np.zeros((at.size, 3, samples.y.shape[1]))
     every = [axes for axes in axes_of(samples.links) if axes.turn is not None]
     few = max(1, AT_ONCE // max(1, sum(axes.column.size for axes in every)))
     for first in range(0, at.size, few):
         some = slice(first, first + few)
         for axes in every:
-            _add(axes.taken(at[some]), samples, at[some], link[some], way[:, some], out[some])
+            _add(axes.taken(at[some]), samples, at[some], link[some], direction[:, some], out[some])
     return out
 
 
-def _add(axes: Axes, samples: Samples, at: Index, link: Index, way: Array, out: Array) -> None:
+def _add(axes: Axes, samples: Samples, at: Index, link: Index, direction: Array, out: Array) -> None:
     """Adds what some axes do, each as it is at the samples `at`."""
     assert axes.turn is not None
     links, parent = samples.links, samples.figure.tables.parents[link]
@@ -38,10 +38,10 @@ def _add(axes: Axes, samples: Samples, at: Index, link: Index, way: Array, out: 
         for vectors in (links.omega, links.alpha)
     )
     w, w_d, w_dd = axes.turn
-    apart, way = turns - turns_parent, way[:, None]
+    apart, direction = turns - turns_parent, direction[:, None]
     rows = (
-        dot(way, w_dd) * apart + dot(way, cross(w_d, omega) + cross(w, alpha)),
-        2 * dot(way, w_d) * apart + dot(way, cross(w, omega)),
-        dot(way, w) * apart,
+        dot(direction, w_dd) * apart + dot(direction, cross(w_d, omega) + cross(w, alpha)),
+        2 * dot(direction, w_d) * apart + dot(direction, cross(w, omega)),
+        dot(direction, w) * apart,
     )
     axes.add(np.array(rows)[:, None], out[:, None])

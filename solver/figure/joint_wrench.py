@@ -29,7 +29,7 @@ def any_wrench_rows(wrench: RootWrench, pushes: Pushes | None = None) -> Array:
     samples = wrench.samples
     out = np.zeros((samples.count, 6, 3, samples.y.shape[1]))
     links = samples.links
-    velocity = np.einsum("l,ils->is", wrench.share, links.x_d + cross(links.omega, wrench.inverse.arm))
+    velocity = np.einsum("l,ils->is", wrench.share, links.x_d + cross(links.omega, wrench.inverse.offset))
     parts = _Parts.of_links(wrench, velocity, pushes)
     whole = parts.of(np.ones((1, len(samples.figure.links))))
     origin = np.zeros((3, 3, 1, samples.count))
@@ -78,12 +78,12 @@ class _Parts:
         tree = figure.tables.path[:, wrench.root, None]
         mass = (wrench.mass * wrench.share)[:, None]
         r = inverse.centre - wrench.centre[:, None]
-        v = links.x_d + cross(links.omega, inverse.arm) - velocity[:, None]
+        v = links.x_d + cross(links.omega, inverse.offset) - velocity[:, None]
         force = (inverse.net_force + figure.gravity[:, None, None] * mass) * tree
         spun = cross(links.omega[:, None], inverse.inertia)
         pushed, lever = np.zeros((3, *r.shape[1:])), np.zeros((3, 3, *r.shape[1:]))
         if pushes is not None:
-            place = links.x[:, pushes.link, pushes.at] + pushes.arm - wrench.centre[:, pushes.at]
+            place = links.x[:, pushes.link, pushes.at] + pushes.offset - wrench.centre[:, pushes.at]
             pushed = pushes.by_link(pushes.force, r)
             lever = np.array([pushes.by_link(part * pushes.force, r) for part in place])
         return cls(

@@ -226,8 +226,8 @@ class LinkMotion:
 
     def points(self, links: Index, positions: Array) -> tuple[Array, Array]:
         """Points fixed on links (n,) at positions (3, n): where they are and their arms from the origins, (3, n, S)."""
-        arm = self.fixed(on_links(positions, links, len(self.figure.links)))
-        return self.x.take(links, axis=1) + arm, arm
+        offset = self.fixed(on_links(positions, links, len(self.figure.links)))
+        return self.x.take(links, axis=1) + offset, offset
 
     def poses(self, flat: Index) -> tuple[Array, Array]:
         """Origins (3, p) and rotations (3, 3, p) of pairs of a link and a sample: flat = link · S + sample."""

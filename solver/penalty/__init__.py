@@ -1,7 +1,7 @@
 """The soft constraints, one a file.
 
 penalty    what one is                       squares   one that gives residuals has all the rest from there
-curvature  what they say of E's second derivatives     together  some as one
+curvature  what they say of E's second derivatives     sum      some as one
 check      is one what it says?
 allowance  what keyframes violate is let pass
 motion, ground, joints  the soft constraints themselves
@@ -63,4 +63,4 @@ from .penalty import Momentary as Momentary
 from .penalty import Penalty as Penalty
 from .penalty import Scale as Scale
 from .squares import SumOfSquares as SumOfSquares
-from .together import Together as Together
+from .sum import Sum as Sum

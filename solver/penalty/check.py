@@ -45,13 +45,13 @@ def _random(figure: Figure, rng: np.random.Generator) -> Samples:
 def _taylor_slope(penalty: Penalty, samples: Samples, scale: Array, gradient: Array, rng: np.random.Generator) -> float:
     """Of log remainder over log step; 2 where there is nothing but rounding."""
     point = np.stack([samples.y, samples.y_d, samples.y_dd])
-    way = rng.normal(size=point.shape)
-    way /= np.linalg.norm(way)
+    direction = rng.normal(size=point.shape)
+    direction /= np.linalg.norm(direction)
 
     def value(step: float) -> float:
-        return float(scale @ penalty.evaluate(Samples(samples.figure, *(point + step * way), t=samples.t)))
+        return float(scale @ penalty.evaluate(Samples(samples.figure, *(point + step * direction), t=samples.t)))
 
-    first, rise = value(0.0), float(np.sum(gradient * way))
+    first, rise = value(0.0), float(np.sum(gradient * direction))
     remainders = np.array([abs(value(step) - first - step * rise) for step in STEPS])
     if np.all(remainders < LINEAR * max(abs(first), abs(rise), 1.0)):
         return 2.0

@@ -60,7 +60,7 @@ class Curvature:
         if columns.size:
             self._squares.append((columns, order, 2 * scale))
 
-    def add_sides(self, sides: Sides, scale: Array) -> None:
+    def add_sides(self, sides: OneSided, scale: Array) -> None:
         """One-sided residuals, those of them that count."""
         active = np.flatnonzero(sides.value > 0)
         active = active[np.argsort(sides.at[active], kind="stable")]
@@ -130,7 +130,7 @@ def _apart(shape: tuple[int, ...]) -> tuple[int, int, int, int]:
 
 
 @dataclass(frozen=True)
-class Sides:
+class OneSided:
     """Residuals that count on one side only: each adds max(0, value + row · δy)² when the state moves by δy.
 
     at     (P,) sample of each
@@ -143,11 +143,11 @@ class Sides:
     rows: Array
 
     @classmethod
-    def none(cls, samples: Samples) -> Sides:
+    def none(cls, samples: Samples) -> OneSided:
         return cls(np.zeros(0, np.intp), np.zeros(0), np.zeros((0, samples.y.shape[1])))
 
     @classmethod
-    def joined(cls, parts: Sequence[Sides]) -> Sides:
+    def joined(cls, parts: Sequence[OneSided]) -> OneSided:
         return cls(*(np.concatenate([getattr(part, name) for part in parts]) for name in ("at", "value", "rows")))
 
 

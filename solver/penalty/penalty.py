@@ -15,7 +15,7 @@ from ..array import Array, Index
 from ..curve.frame import Timeline
 from ..figure.adjoint import Cotangent
 from ..figure.kinematics import Samples
-from .curvature import Curvature, Sides, add_differences
+from .curvature import Curvature, OneSided, add_differences
 
 
 @dataclass(frozen=True)
@@ -64,7 +64,7 @@ class Penalty(ABC):
         """
         add_differences(self.evaluate, samples, into, scale)
 
-    def sides(self, samples: Samples) -> Sides | None:
+    def sides(self, samples: Samples) -> OneSided | None:
         """The part of f_j that is a sum of squares max(0, d)²: those that count or soon may. None: it has none ever."""
         return None
 

@@ -72,13 +72,13 @@ def _promised(search: Search, metric: FlatMetric) -> float:
     """How far E would fall along its gradient, by how that changes on a small part of the way; sets the unit."""
     x, value, gradient = search.x, search.value, search.gradient
     metric.unit = 1.0
-    way = metric.gradient(gradient)
-    steep = float(way @ way)
+    direction = metric.gradient(gradient)
+    steep = float(direction @ direction)
     if steep <= 0 or value <= 0:
         return 0.0
     step = SMALL * value / steep
-    there = search.evaluated(x - metric.to_x(step * way))
-    curvature = float(way @ (way - metric.gradient(there.gradient))) / (step * steep)
+    there = search.evaluated(x - metric.to_x(step * direction))
+    curvature = float(direction @ (direction - metric.gradient(there.gradient))) / (step * steep)
     metric.unit = steep / value  # the first step of a search brings E half-way to nought, by the metric
     return 0.5 * steep / curvature if np.isfinite(curvature) and curvature > 0 else value
 

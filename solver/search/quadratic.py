@@ -317,7 +317,7 @@ def middle(values: Array) -> float:
 
 
 @dataclass(frozen=True, eq=False)
-class OneSided:
+class OneSidedTerms:
     """The one-sided residuals of all terms: each adds weight max(0, value + row · δy)², δy the step at its sample.
 
     value, weight  (P,);  rows  (P, N);  at  (P,) the sample of each, rising
@@ -330,7 +330,7 @@ class OneSided:
     sampling: Sampling
 
     @classmethod
-    def of(cls, layout: Layout, path: Path) -> OneSided | None:
+    def of(cls, layout: Layout, path: Path) -> OneSidedTerms | None:
         if not layout.sided:
             return None
         problem = layout.problem
@@ -410,7 +410,7 @@ class Model:
         path = layout.problem.path(x)
         self.held = layout.springs.copy()
         self.scale = self._add_smooth(path, scale)
-        self.sided = OneSided.of(layout, path)
+        self.sided = OneSidedTerms.of(layout, path)
         self.gradient = layout.from_x(gradient)
         if self.sided is not None:
             pull = 2 * self.sided.weight * np.maximum(self.sided.value, 0)
@@ -460,7 +460,7 @@ class Model:
             return Proposal(layout.to_x(step), -0.5 * float(np.sum(step * self.gradient)), factor)
         return self._one_sided(held, sided)
 
-    def _one_sided(self, held: Array, sided: OneSided) -> Proposal:
+    def _one_sided(self, held: Array, sided: OneSidedTerms) -> Proposal:
         """Newton on the residuals that count, changing them until they settle."""
         layout, last = self.layout, None
         step, pull = np.zeros_like(self.gradient), np.zeros_like(self.gradient)  # δ and H δ

@@ -48,7 +48,7 @@ class Hull(Solid):
             low = np.array([*low[:2], [-np.inf]])
         least = np.max(np.maximum(low - points, points - high), axis=0)
         close = np.flatnonzero(least < self._size)
-        least[close] = np.max(normals @ points[:, close] - offsets[:, None], axis=0)
+        least[close] = np.maximum(least[close], np.max(normals @ points[:, close] - offsets[:, None], axis=0))
         return least
 
     def span(self, points: Array) -> tuple[Array, Array]:

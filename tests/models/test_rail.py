@@ -22,8 +22,8 @@ from dynsplines.motion import sampled
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import Contact, Together, UnitMagnitude
-from dynsplines.solver.penalty.curvature import Curvature, Sides
+from dynsplines.solver.penalty import Contact, Sum, UnitMagnitude
+from dynsplines.solver.penalty.curvature import Curvature, OneSided
 from dynsplines.solver.surface import Capsule, Ellipsoid, Sphere
 from dynsplines.solver.surface.cover import covering_points
 from dynsplines.system.progress import Teller
@@ -77,16 +77,16 @@ def test_together_is_the_sum_of_its_parts(figure, rng):
     samples = random_samples(figure, rng, 8)
     samples.y[:, 2] = 0
     parts = (Contact(some_points(figure, rng), (FLOOR,)), Contact(some_points(figure, rng), (RAIL,), 0.05))
-    both = Together(parts, "both")
+    both = Sum(parts, "both")
     np.testing.assert_allclose(both.evaluate(samples), sum(part.evaluate(samples) for part in parts))
     assert penalty_slope(both, samples, rng) > 1.9
     counts = [len(sides.at) for part in parts if (sides := part.sides(samples)) is not None]
     sides = both.sides(samples)
-    assert isinstance(sides, Sides)
+    assert isinstance(sides, OneSided)
     assert len(sides.at) == sum(counts) > max(counts)
-    assert Together((UnitMagnitude(),), "unit").sides(samples) is None
+    assert Sum((UnitMagnitude(),), "unit").sides(samples) is None
     mine, its = Curvature(samples), Curvature(samples)
-    Together((UnitMagnitude(), UnitMagnitude()), "units").curvature(samples, mine, np.ones(8))
+    Sum((UnitMagnitude(), UnitMagnitude()), "units").curvature(samples, mine, np.ones(8))
     UnitMagnitude().curvature(samples, its, np.full(8, 2.0))
     phi = rng.normal(size=(8, 3))
     np.testing.assert_allclose(mine.quadratic(phi, 0, 8), its.quadratic(phi, 0, 8))

@@ -21,7 +21,7 @@ from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.objective import SMALL_SHARE
-from dynsplines.solver.penalty import BendLimits, Planted, SelfContact, Stance, Together
+from dynsplines.solver.penalty import BendLimits, Planted, SelfContact, Stance, Sum
 from dynsplines.solver.reading.stride import Gait
 from dynsplines.solver.search.astray import is_astray
 from dynsplines.solver.solution import Solution
@@ -83,7 +83,7 @@ class Found:
 
     def stances(self) -> tuple[Stance, ...]:
         penalties = [penalty for penalty, _ in self.clip.penalties]
-        parts = [p for penalty in penalties for p in (penalty.parts if isinstance(penalty, Together) else (penalty,))]
+        parts = [p for penalty in penalties for p in (penalty.parts if isinstance(penalty, Sum) else (penalty,))]
         return tuple(stance for part in parts if isinstance(part, Planted) for stance in part.stances)
 
     def away(self, stance: Stance) -> Array:

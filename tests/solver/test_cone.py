@@ -66,7 +66,7 @@ def test_the_rest_and_the_shares_are_the_gradient(rng):
 
 def test_the_projection_is_how_the_rest_moves_with_the_vector(rng):
     edges, w, h = pyramids(rng, 2, 20), rng.normal(size=(6, 20)), 1e-6
-    found, way = unsupplied(w, edges, 1e-3), rng.normal(size=(6, 20))
-    after, before = (unsupplied(w + sign * h * way, edges, 1e-3).rest for sign in (1, -1))
-    moved = np.einsum("sij,js->is", projection(found, edges, 1e-3), way)
+    found, direction = unsupplied(w, edges, 1e-3), rng.normal(size=(6, 20))
+    after, before = (unsupplied(w + sign * h * direction, edges, 1e-3).rest for sign in (1, -1))
+    moved = np.einsum("sij,js->is", projection(found, edges, 1e-3), direction)
     np.testing.assert_allclose((after - before) / (2 * h), moved, atol=1e-6)

@@ -20,7 +20,7 @@ from dynsplines.solver.penalty import (
     Torque,
     UnitMagnitude,
 )
-from dynsplines.solver.penalty.curvature import Curvature, Sides
+from dynsplines.solver.penalty.curvature import Curvature, OneSided
 from dynsplines.solver.surface.points import places_of
 
 STEP_SIZE = 1e-5
@@ -145,7 +145,7 @@ def low_samples(figure: Figure, rng: np.random.Generator, count: int = 40) -> Sa
     return samples
 
 
-def sides_of(penalty: Penalty, samples: Samples) -> Sides:
+def sides_of(penalty: Penalty, samples: Samples) -> OneSided:
     sides = penalty.sides(samples)
     assert sides is not None
     assert sides.at.shape == sides.value.shape == sides.rows.shape[:1]
@@ -157,10 +157,10 @@ def assert_gradients(penalty: Penalty, figure: Figure, rng: np.random.Generator)
     samples, h = low_samples(figure, rng), 1e-7
     sides = sides_of(penalty, samples)
     for _ in range(3):
-        way = rng.normal(size=samples.y.shape)
-        by = h * np.stack([way, 0 * way, 0 * way])
+        direction = rng.normal(size=samples.y.shape)
+        by = h * np.stack([direction, 0 * direction, 0 * direction])
         after, before = sides_of(penalty, shifted(samples, by)), sides_of(penalty, shifted(samples, -by))
         np.testing.assert_array_equal(after.at, sides.at)
         np.testing.assert_array_equal(before.at, sides.at)
-        slope = np.einsum("pn,pn->p", sides.rows, way[sides.at])
+        slope = np.einsum("pn,pn->p", sides.rows, direction[sides.at])
         np.testing.assert_allclose((after.value - before.value) / (2 * h), slope, rtol=1e-4, atol=1e-5)

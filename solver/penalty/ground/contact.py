@@ -20,7 +20,7 @@ from ...figure.kinematics import Samples
 from ...surface import Surface
 from ...surface.points import Point, arrays_of, placed, places_of
 from ..allowance import Allowance
-from ..curvature import Curvature, Sides
+from ..curvature import Curvature, OneSided
 from ..penalty import Penalty, Scale
 
 NEAR = 0.03  # [m] within which a point may touch after one step of the search
@@ -203,7 +203,7 @@ class Contact(Penalty):
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
         """Nothing: depths count on one side only."""
 
-    def sides(self, samples: Samples) -> Sides | None:
+    def sides(self, samples: Samples) -> OneSided | None:
         if not self.points or not self.surfaces:
             return None
         carriers, middles, reach = self._bounds
@@ -216,20 +216,20 @@ class Contact(Penalty):
             flat, arms, centres, radii = self._near(samples, near)
             about, way_about = surface.depth(centres, radii + NEAR)
             kept = np.flatnonzero(about > 0)
-            depth, way = surface.depth(centres[:, kept], radii[kept])
+            depth, direction = surface.depth(centres[:, kept], radii[kept])
             inside = depth[:, 0] > 0
-            # a depth grows by |way| a metre, through a box's sides by more than 1
+            # a depth grows by |direction| a metre, through a box's sides by more than 1
             way_about = way_about[:, kept, 0]
             beyond = about[kept, 0] - NEAR * np.sqrt(dot(way_about, way_about))
             depth = np.where(inside, depth[:, 0], np.minimum(beyond, 0))
-            way = np.where(inside, way[..., 0], way_about)
+            direction = np.where(inside, direction[..., 0], way_about)
             link, at = np.divmod(flat[kept % flat.size], samples.count)
-            way, leg = self._in_world(samples, at, way, centres[:, kept, 0])
-            rows = point_gradients(samples, at, link, arms[:, kept], way)
+            direction, leg = self._in_world(samples, at, direction, centres[:, kept, 0])
+            rows = point_gradients(samples, at, link, arms[:, kept], direction)
             if self.carrier:
-                rows -= point_gradients(samples, at, np.full(at.size, self.carrier), leg, way)
-            parts.append(Sides(at, depth, rows))
-        return Sides.joined(parts) if parts else Sides.none(samples)
+                rows -= point_gradients(samples, at, np.full(at.size, self.carrier), leg, direction)
+            parts.append(OneSided(at, depth, rows))
+        return OneSided.joined(parts) if parts else OneSided.none(samples)
 
 
 def neighbours(positions: Array, some: Index) -> list[Index]:
@@ -242,22 +242,22 @@ def neighbours(positions: Array, some: Index) -> list[Index]:
     return [*neighbours(positions, order[:half]), *neighbours(positions, order[half:])]
 
 
-def point_gradients(samples: Samples, at: Index, link: Index, arm: Array, way: Array) -> Array:
-    """(P, N): the gradient of way · p for points p at `arm` (3, P) from their links' origins, at samples `at` (P,)."""
+def point_gradients(samples: Samples, at: Index, link: Index, offset: Array, direction: Array) -> Array:
+    """(P, N): the gradient of direction · p for points p at an offset (3, P) on their links, at samples `at` (P,)."""
     rows = point_rows if has_point_rows(samples.figure) else any_point_rows
-    return rows(samples, at, link, arm, way)
+    return rows(samples, at, link, offset, direction)
 
 
-def velocity_gradients(samples: Samples, at: Index, link: Index, arm: Array, way: Array) -> Array:
-    """(P, 2, N): the gradients of way · v with respect to y and y', v the velocities of points as in
+def velocity_gradients(samples: Samples, at: Index, link: Index, offset: Array, direction: Array) -> Array:
+    """(P, 2, N): the gradients of direction · v with respect to y and y', v the velocities of points as in
     `point_gradients`."""
     rows = velocity_rows if has_point_rows(samples.figure) else any_velocity_rows
-    return rows(samples, at, link, arm, way)
+    return rows(samples, at, link, offset, direction)
 
 
-def add_by_velocity(into: Cotangent, link: int, at: Index, arm: Array, gradient: Array) -> None:
-    """Adds gradients (3, P) with respect to the velocities of points at `arm` (3, P) on a link, at samples `at`."""
+def add_by_velocity(into: Cotangent, link: int, at: Index, offset: Array, gradient: Array) -> None:
+    """Adds gradients (3, P) with respect to the velocities of points at `offset` (3, P) on a link, at samples `at`."""
     gradients, arms = np.zeros((2, 3, 1, into.samples.count))
-    gradients[:, 0, at], arms[:, 0, at] = gradient, arm
+    gradients[:, 0, at], arms[:, 0, at] = gradient, offset
     into.buffer("x_d")[:, link] += gradients[:, 0]
     attached_pulled_back(into, arms, (None, gradients, None), np.array([link]))

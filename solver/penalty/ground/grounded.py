@@ -70,8 +70,8 @@ class Grounded(Penalty):
         values[at] = self.reach**2 * (1 - fading)
         if into is not None and lowest.any():
             pull = 2 * (scale + np.zeros(samples.count))[at] * lowest * fading
-            which, pair, share, arm, up = seen()
-            into.add_forces(self._arrays[0][which] * samples.count + at[pair], arm, share * pull[pair] * up)
+            which, pair, share, offset, up = seen()
+            into.add_forces(self._arrays[0][which] * samples.count + at[pair], offset, share * pull[pair] * up)
         return values
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
@@ -80,10 +80,10 @@ class Grounded(Penalty):
         if not at.size:
             return
         lowest, seen = self._seen(samples, at)
-        which, pair, share, arm, up = seen()
+        which, pair, share, offset, up = seen()
         if not pair.size:
             return
-        gradients = point_gradients(samples, at[pair], self._arrays[0][which], arm, up * share)
+        gradients = point_gradients(samples, at[pair], self._arrays[0][which], offset, up * share)
         rows = np.zeros((at.size, gradients.shape[1]))
         np.add.at(rows, pair, gradients)
         some = np.flatnonzero(lowest > 0)
@@ -101,9 +101,9 @@ class Grounded(Penalty):
     def _seen(self, samples: Samples, at: Index) -> tuple[Array, Callable[[], _Shares]]:
         """m (P,) at samples `at` (P,), and the points that have a share in it where it is not zero."""
         links, positions, radius = self._arrays
-        centre, arm = samples.links.points(links, positions)
+        centre, offset = samples.links.points(links, positions)
         if at.size < samples.count:
-            centre, arm = centre[:, :, at], arm[:, :, at]
+            centre, offset = centre[:, :, at], offset[:, :, at]
         height, nearest = heights(self.surfaces, centre, radius)
         least = height.min(axis=0)
         near = height < least + self.blend * np.log(1 / NEGLIGIBLE)
@@ -116,7 +116,7 @@ class Grounded(Penalty):
             high = np.flatnonzero(lowest[pair] > 0)
             i, k = which[high], pair[high]
             up = ways_up(self.surfaces, nearest[i, k], centre[:, i, k])
-            return i, k, part[high] / total[k], arm[:, i, k], up
+            return i, k, part[high] / total[k], offset[:, i, k], up
 
         return lowest, shares
 

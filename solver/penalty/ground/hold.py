@@ -118,26 +118,26 @@ class Holding(Penalty):
             if spot is None:
                 values[at] += self._slide(samples, hold, at, into, scale)
                 continue
-            arm, own, away = _apart(samples, hold, at, spot)
+            offset, own, away = _apart(samples, hold, at, spot)
             away = away * _counted(hold, samples.t[at], away)
             values[at] += dot(away, away)
             if into is not None:
-                into.add_forces(hold.point.link * samples.count + at, arm, scale[at] * away)
+                into.add_forces(hold.point.link * samples.count + at, offset, scale[at] * away)
                 into.add_forces(hold.link * samples.count + at, own, -scale[at] * away)
         return values
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
         for hold, at in self._during(samples.t):
             spot = hold.spot(samples.t[at])
-            arm, own, away = _apart(samples, hold, at, spot)
+            offset, own, away = _apart(samples, hold, at, spot)
             for ways in _residual_ways(away, 1.0 if spot is None else _counted(hold, samples.t[at], away)):
-                rows = _apart_rows(samples, hold, at, arm, own, ways)
+                rows = _apart_rows(samples, hold, at, offset, own, ways)
                 if spot is not None:
                     into.add_rows(at, scale[at], rows[:, None], (0,))
                     continue
-                sliding = _velocity_rows(samples, hold, at, arm, own, ways)
+                sliding = _velocity_rows(samples, hold, at, offset, own, ways)
                 spin = samples.links.omega[:, hold.link, at]
-                sliding[:, 0] -= _apart_rows(samples, hold, at, arm, own, cross(ways, spin))
+                sliding[:, 0] -= _apart_rows(samples, hold, at, offset, own, cross(ways, spin))
                 into.add_rows(at, SETTLING**2 * scale[at], sliding, (0, 1))
 
     def _during(self, t: Array) -> Iterator[tuple[Hold, Index]]:
@@ -150,16 +150,16 @@ class Holding(Penalty):
     def _slide(self, samples: Samples, hold: Hold, at: Index, into: Cotangent | None, scale: Array) -> Array:
         """(P,) (0.05 s)² |u|² at samples `at`."""
         links = samples.links
-        arm, own, _ = _apart(samples, hold, at, None)
+        offset, own, _ = _apart(samples, hold, at, None)
         spin = links.omega[:, hold.link, at]
-        speed = links.x_d[:, hold.point.link, at] + cross(links.omega[:, hold.point.link, at], arm)
+        speed = links.x_d[:, hold.point.link, at] + cross(links.omega[:, hold.point.link, at], offset)
         slide = speed - links.x_d[:, hold.link, at] - cross(spin, own)
         if into is not None:
             by_slide = SETTLING**2 * scale[at] * slide
-            for link, arms, force in ((hold.point.link, arm, by_slide), (hold.link, own, -by_slide)):
+            for link, arms, force in ((hold.point.link, offset, by_slide), (hold.link, own, -by_slide)):
                 add_by_velocity(into, link, at, arms, force)
             by_place = cross(spin, by_slide)  # the matter under the point is other matter when the point moves
-            into.add_forces(hold.point.link * samples.count + at, arm, by_place)
+            into.add_forces(hold.point.link * samples.count + at, offset, by_place)
             into.add_forces(hold.link * samples.count + at, own, -by_place)
         return SETTLING**2 * dot(slide, slide)
 
@@ -172,13 +172,13 @@ def slipped(samples: Samples, hold: Hold) -> Array:
 
 
 def _apart(samples: Samples, hold: Hold, at: Index, spot: Array | None) -> tuple[Array, Array, Array]:
-    """Of a hold at samples `at` (P,): the arm to the point on its link, that to the spot (3, P) on the other, or to
+    """Of a hold at samples `at` (P,): the offset of the point on its link, that to the spot (3, P) on the other, or to
     where the point is if there is none, and the way from there to the point, (3, P) each."""
     links = samples.links
-    arm = np.einsum("ijp,j->ip", links.rotation[:, :, hold.point.link, at], hold.point.position)
-    between = links.x[:, hold.point.link, at] + arm - links.x[:, hold.link, at]
+    offset = np.einsum("ijp,j->ip", links.rotation[:, :, hold.point.link, at], hold.point.position)
+    between = links.x[:, hold.point.link, at] + offset - links.x[:, hold.link, at]
     own = between if spot is None else applied(links.rotation[:, :, hold.link, at], spot)
-    return arm, own, between - own
+    return offset, own, between - own
 
 
 def _counted(hold: Hold, t: Array, away: Array) -> Array:
@@ -194,13 +194,15 @@ def _residual_ways(away: Array, counted: Array | float) -> Iterator[Array]:
         yield counted * unit[:, None] + within * along[axis] * along
 
 
-def _apart_rows(samples: Samples, hold: Hold, at: Index, arm: Array, own: Array, way: Array) -> Array:
-    """(P, N) the gradient of way · (point − spot), both fixed on their links."""
+def _apart_rows(samples: Samples, hold: Hold, at: Index, offset: Array, own: Array, direction: Array) -> Array:
+    """(P, N) the gradient of direction · (point − spot), both fixed on their links."""
     one, two = (np.full(at.size, link) for link in (hold.point.link, hold.link))
-    return point_gradients(samples, at, one, arm, way) - point_gradients(samples, at, two, own, way)
+    return point_gradients(samples, at, one, offset, direction) - point_gradients(samples, at, two, own, direction)
 
 
-def _velocity_rows(samples: Samples, hold: Hold, at: Index, arm: Array, own: Array, way: Array) -> Array:
-    """(P, 2, N) the gradients of way · (velocity of the point − that of the spot), both fixed on their links."""
+def _velocity_rows(samples: Samples, hold: Hold, at: Index, offset: Array, own: Array, direction: Array) -> Array:
+    """(P, 2, N) the gradients of direction · (velocity of the point − that of the spot), both fixed on their links."""
     one, two = (np.full(at.size, link) for link in (hold.point.link, hold.link))
-    return velocity_gradients(samples, at, one, arm, way) - velocity_gradients(samples, at, two, own, way)
+    return velocity_gradients(samples, at, one, offset, direction) - velocity_gradients(
+        samples, at, two, own, direction
+    )

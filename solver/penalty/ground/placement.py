@@ -56,9 +56,9 @@ class Placement(Momentary):
         which, at = self.pairs(samples)
         if not which.size:
             return np.zeros(samples.count)
-        flat, arm, away = self._seen(samples, which, at)
+        flat, offset, away = self._seen(samples, which, at)
         if into is not None:
-            into.add_forces(flat, arm, (2 * scale + np.zeros(samples.count))[at] * away)
+            into.add_forces(flat, offset, (2 * scale + np.zeros(samples.count))[at] * away)
         return np.bincount(at, dot(away, away), samples.count).astype(float)
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
@@ -66,11 +66,11 @@ class Placement(Momentary):
         if not which.size:
             return
         links, _, _, given = self._arrays
-        _, arm, _ = self._seen(samples, which, at)
-        for axis, way in zip(given, np.eye(3), strict=True):
+        _, offset, _ = self._seen(samples, which, at)
+        for axis, direction in zip(given, np.eye(3), strict=True):
             some = np.flatnonzero(axis[which])
-            ways = np.repeat(way[:, None], some.size, axis=1)
-            rows = point_gradients(samples, at[some], links[which[some]], arm[:, some], ways)
+            ways = np.repeat(direction[:, None], some.size, axis=1)
+            rows = point_gradients(samples, at[some], links[which[some]], offset[:, some], ways)
             into.add_rows(at[some], scale[at[some]], rows[:, None], (0,))
 
     def _seen(self, samples: Samples, which: Index, at: Index) -> tuple[Index, Array, Array]:
@@ -78,8 +78,8 @@ class Placement(Momentary):
         links, positions, targets, given = self._arrays
         flat = links[which] * samples.count + at
         x, rotation = samples.links.poses(flat)
-        arm = applied(rotation, positions[:, which])
-        return flat, arm, (x + arm - targets[:, which]) * given[:, which]
+        offset = applied(rotation, positions[:, which])
+        return flat, offset, (x + offset - targets[:, which]) * given[:, which]
 
     @cached_property
     def _times(self) -> Array:

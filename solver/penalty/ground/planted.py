@@ -72,14 +72,14 @@ class Planted(Penalty):
         links, positions, spots, drifts = self._arrays
         flat = links.take(stance) * samples.count + at
         x, rotation = samples.links.poses(flat)
-        arm = applied(rotation, positions.take(stance, axis=1))
+        offset = applied(rotation, positions.take(stance, axis=1))
         first, _ = self._times
-        away = x + arm
+        away = x + offset
         away -= spots.take(stance, axis=1)
         away -= drifts.take(stance, axis=1) * (samples.t.take(at) - first.take(stance))
         if into is not None:
             force = (2 * scale + np.zeros(samples.count)).take(at) * self._weights.take(stance)
-            into.add_forces(flat, arm, force * away)
+            into.add_forces(flat, offset, force * away)
         values += np.bincount(at, self._weights.take(stance) * dot(away, away), samples.count)
         return values
 
@@ -91,11 +91,11 @@ class Planted(Penalty):
         stance, at = stance[order], at[order]
         links, positions, _, _ = self._arrays
         link = links[stance]
-        arm = applied(samples.links.rotation[:, :, link, at], positions[:, stance])
-        for way in np.eye(3):
-            ways = np.repeat(way[:, None], at.size, axis=1)
+        offset = applied(samples.links.rotation[:, :, link, at], positions[:, stance])
+        for direction in np.eye(3):
+            ways = np.repeat(direction[:, None], at.size, axis=1)
             into.add_rows(
-                at, scale[at] * self._weights[stance], point_gradients(samples, at, link, arm, ways)[:, None], (0,)
+                at, scale[at] * self._weights[stance], point_gradients(samples, at, link, offset, ways)[:, None], (0,)
             )
 
     def _during(self, t: Array) -> tuple[Index, Index]:

@@ -51,22 +51,22 @@ class Resting(Penalty):
         values = np.zeros(samples.count)
         scale = scale + values
         for rest, at in self._during(samples.t):
-            height, up, arm, velocity = self._seen(samples, rest.point, at)
+            height, up, offset, velocity = self._seen(samples, rest.point, at)
             values[at] += SETTLING**2 * dot(velocity, velocity) + height**2
             if into is None:
                 continue
-            add_by_velocity(into, rest.point.link, at, arm, 2 * SETTLING**2 * scale[at] * velocity)
-            into.add_forces(rest.point.link * samples.count + at, arm, 2 * scale[at] * height * up)
+            add_by_velocity(into, rest.point.link, at, offset, 2 * SETTLING**2 * scale[at] * velocity)
+            into.add_forces(rest.point.link * samples.count + at, offset, 2 * scale[at] * height * up)
         return values
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
         for rest, at in self._during(samples.t):
-            _, up, arm, _ = self._seen(samples, rest.point, at)
+            _, up, offset, _ = self._seen(samples, rest.point, at)
             links = np.full(at.size, rest.point.link)
-            into.add_rows(at, scale[at], point_gradients(samples, at, links, arm, up)[:, None], (0,))
-            for way in np.eye(3):
-                ways = np.repeat(way[:, None], at.size, axis=1)
-                rows = velocity_gradients(samples, at, links, arm, ways)
+            into.add_rows(at, scale[at], point_gradients(samples, at, links, offset, up)[:, None], (0,))
+            for direction in np.eye(3):
+                ways = np.repeat(direction[:, None], at.size, axis=1)
+                rows = velocity_gradients(samples, at, links, offset, ways)
                 into.add_rows(at, SETTLING**2 * scale[at], rows, (0, 1))
 
     def _during(self, t: Array) -> list[tuple[Rest, Index]]:
@@ -75,9 +75,11 @@ class Resting(Penalty):
         return [(rest, at) for rest, at in during if at.size]
 
     def _seen(self, samples: Samples, point: Point, at: Index) -> tuple[Array, Array, Array, Array]:
-        """Height (P,), its gradient, the arm and the velocity (3, P) of a point at samples `at` (P,)."""
+        """Height (P,), its gradient, the offset and the velocity (3, P) of a point at samples `at` (P,)."""
         links = samples.links
-        arm = np.einsum("ijp,j->ip", links.rotation[:, :, point.link, at], point.position)
-        height, up = height_over(self.surfaces, (links.x[:, point.link, at] + arm)[:, None], np.array([point.radius]))
-        velocity = links.x_d[:, point.link, at] + cross(links.omega[:, point.link, at], arm)
-        return height[0], up[:, 0], arm, velocity
+        offset = np.einsum("ijp,j->ip", links.rotation[:, :, point.link, at], point.position)
+        height, up = height_over(
+            self.surfaces, (links.x[:, point.link, at] + offset)[:, None], np.array([point.radius])
+        )
+        velocity = links.x_d[:, point.link, at] + cross(links.omega[:, point.link, at], offset)
+        return height[0], up[:, 0], offset, velocity

@@ -93,10 +93,10 @@ class Skate(Penalty):
             return np.zeros(samples.count)
         links, positions, radius = self._arrays
         motion = samples.links
-        at, arm = motion.points(links, positions)
+        at, offset = motion.points(links, positions)
         height, up = height_over(self.surfaces, at, radius)
         np.maximum(height, 0, out=height)
-        velocity = motion.x_d.take(links, axis=1) + cross(motion.omega.take(links, axis=1), arm)
+        velocity = motion.x_d.take(links, axis=1) + cross(motion.omega.take(links, axis=1), offset)
         weight = self._weight(height, samples.t)
         energy = weight * dot(velocity, velocity)
         if into is not None:
@@ -104,10 +104,10 @@ class Skate(Penalty):
             buffer = into.buffer("x_d")
             for i, link in enumerate(links):
                 buffer[:, link] += by_velocity[:, i]
-            attached_pulled_back(into, arm, (None, by_velocity, None), links)
+            attached_pulled_back(into, offset, (None, by_velocity, None), links)
             force = (-2 * scale * energy * height / self.reach**2) * up
             flat = links[:, None] * samples.count + np.arange(samples.count)
-            into.add_forces(flat.ravel(), arm.reshape(3, -1), force.reshape(3, -1))
+            into.add_forces(flat.ravel(), offset.reshape(3, -1), force.reshape(3, -1))
         return energy.sum(axis=0)
 
     def _weight(self, height: Array, t: Array) -> Array:
@@ -124,7 +124,7 @@ class Skate(Penalty):
         height, _ = height_over(self.surfaces, where, radius)
         weight = self._weight(np.maximum(height, 0), samples.t)
         at, which = np.nonzero(weight.T > NEGLIGIBLE)
-        arm, share = arms[:, which, at], scale[at] * weight[which, at]
-        for way in np.eye(3):
-            ways = np.repeat(way[:, None], at.size, axis=1)
-            into.add_rows(at, share, velocity_gradients(samples, at, links[which], arm, ways), (0, 1))
+        offset, share = arms[:, which, at], scale[at] * weight[which, at]
+        for direction in np.eye(3):
+            ways = np.repeat(direction[:, None], at.size, axis=1)
+            into.add_rows(at, share, velocity_gradients(samples, at, links[which], offset, ways), (0, 1))

@@ -113,7 +113,7 @@ class Support(Penalty):
             return Reactions(none, none, np.zeros((3, 0)), np.zeros((3, 0)))
         pushes = self._found(samples, known).pushes
         x, _ = samples.links.poses(pushes.link * samples.count + pushes.at)
-        return Reactions(pushes.at, which, x + pushes.arm, pushes.force)
+        return Reactions(pushes.at, which, x + pushes.offset, pushes.force)
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         values, at = np.zeros(samples.count), np.flatnonzero(self.known(samples.t))
@@ -149,9 +149,9 @@ class Support(Penalty):
         links, positions, edges = self._arrays
         link, sample = links[which], known[at]
         x, rotation = samples.links.poses(link * samples.count + sample)
-        arm = applied(rotation, positions[:, which])
+        offset = applied(rotation, positions[:, which])
         ways = edges[:, which]
-        lever = (x + arm - wrench.centre[:, sample]) / self.length
+        lever = (x + offset - wrench.centre[:, sample]) / self.length
         pyramid = np.zeros((6, max(int(slot.max(initial=-1)) + 1, 1), EDGES, known.size))
         pyramid[:3, slot, :, at] = ways.transpose(1, 0, 2)
         pyramid[3:, slot, :, at] = cross(lever[:, :, None], ways).transpose(1, 0, 2)
@@ -159,7 +159,7 @@ class Support(Penalty):
         left = unsupplied(w, pyramid, self.softness)
         shares = left.shares.reshape(-1, EDGES, known.size)[slot, :, at]
         force = self.unit * np.einsum("ipe,pe->ip", ways, shares)
-        return _Found(wrench, left, Pushes(sample, link, arm, force), pyramid)
+        return _Found(wrench, left, Pushes(sample, link, offset, force), pyramid)
 
     def _active(self, t: Array) -> Mask:
         """(n, S) whether a footing holds at times t (S,)."""

@@ -21,7 +21,7 @@ from ...figure.algebra import cross, gathered
 from ...figure.figure import Figure, on_links, quaternion_columns
 from ...figure.kinematics import Samples
 from ..allowance import Allowance
-from ..curvature import Curvature, Sides, jacobian
+from ..curvature import Curvature, OneSided, jacobian
 from ..penalty import Penalty, Scale
 
 NEAR = np.radians(4)  # within which a bound may be passed after one step of the search
@@ -141,7 +141,7 @@ class BendLimits(Penalty):
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
         """Nothing: angles count beyond their bounds only."""
 
-    def sides(self, samples: Samples) -> Sides | None:
+    def sides(self, samples: Samples) -> OneSided | None:
         if not self.joints:
             return None
         excess = self._excess(self._seen(samples)[0])
@@ -155,7 +155,7 @@ class BendLimits(Penalty):
             seeds[angle[rows], joint[rows], np.arange(rows.size)] = sign[rows]
             self._pull_back(copies, cotangent, self._seen(copies)[1], seeds)
 
-        return Sides(at, excess[side, joint, at], jacobian(samples, at, seeded)[:, 0])
+        return OneSided(at, excess[side, joint, at], jacobian(samples, at, seeded)[:, 0])
 
     def _pull_back(self, samples: Samples, into: Cotangent, seen: Seen, gradient: Array) -> None:
         world, frame, (x, z, _), v, planar, p = seen

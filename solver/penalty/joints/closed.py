@@ -77,13 +77,13 @@ class Closed(Penalty):
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
         at = np.repeat(np.arange(samples.count), len(self.closures))
-        for way in np.eye(3):
-            ways = np.repeat(way[:, None], at.size, axis=1)
+        for direction in np.eye(3):
+            ways = np.repeat(direction[:, None], at.size, axis=1)
             rows = np.zeros((at.size, samples.y.shape[1]))
             for (links, positions), sign in zip(self._sides, (1.0, -1.0), strict=True):
                 link, place = np.tile(links, samples.count), np.tile(positions, samples.count)
-                arm = applied(samples.links.rotation[:, :, link, at], place)
-                rows += sign * point_gradients(samples, at, link, arm, ways)
+                offset = applied(samples.links.rotation[:, :, link, at], place)
+                rows += sign * point_gradients(samples, at, link, offset, ways)
             into.add_rows(at, scale[at], rows[:, None], (0,))
 
 

@@ -19,7 +19,7 @@ from ...figure.algebra import add_at, dot, hamilton, vector_product
 from ...figure.figure import Figure, JointKind, quaternion_columns
 from ...figure.kinematics import Samples
 from ..allowance import Allowance
-from ..curvature import Curvature, Sides, jacobian
+from ..curvature import Curvature, OneSided, jacobian
 from ..penalty import Penalty, Scale
 
 NEAR = {JointKind.BALL: np.radians(4), JointKind.HINGE: np.radians(4), JointKind.SLIDE: 0.03}
@@ -106,12 +106,12 @@ class JointRange(Penalty):
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
         """Nothing: ranges count on one side only."""
 
-    def sides(self, samples: Samples) -> Sides | None:
+    def sides(self, samples: Samples) -> OneSided | None:
         if not self.joints:
             return None
-        return Sides.joined([*self._plain_sides(samples), self._ball_sides(samples)])
+        return OneSided.joined([*self._plain_sides(samples), self._ball_sides(samples)])
 
-    def _plain_sides(self, samples: Samples) -> list[Sides]:
+    def _plain_sides(self, samples: Samples) -> list[OneSided]:
         plain, _ = self._which
         if not plain.size:
             return []
@@ -123,24 +123,24 @@ class JointRange(Penalty):
             joint, at = np.nonzero(over > -near)
             rows = np.zeros((at.size, samples.y.shape[1]))
             rows[np.arange(at.size), columns[joint]] = sign
-            parts.append(Sides(at, over[joint, at], rows))
+            parts.append(OneSided(at, over[joint, at], rows))
         return parts
 
-    def _ball_sides(self, samples: Samples) -> Sides:
+    def _ball_sides(self, samples: Samples) -> OneSided:
         _, balls = self._which
         if not balls.size:
-            return Sides.none(samples)
+            return OneSided.none(samples)
         _, angle, rate, axis = self._turned(samples)
         over = angle - self._limits(samples.t, balls)[1]
         joint, at = np.nonzero(over > -NEAR[JointKind.BALL])
-        way = (rate * axis)[:, joint, at]
+        direction = (rate * axis)[:, joint, at]
 
         def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
             seeds = np.zeros((3, balls.size, rows.size))
-            seeds[:, joint[rows], np.arange(rows.size)] = way[:, rows]
+            seeds[:, joint[rows], np.arange(rows.size)] = direction[:, rows]
             self._pull_back(copies, cotangent, seeds)
 
-        return Sides(at, over[joint, at], jacobian(samples, at, seeded)[:, 0])
+        return OneSided(at, over[joint, at], jacobian(samples, at, seeded)[:, 0])
 
     @cached_property
     def _which(self) -> tuple[Index, Index]:

@@ -24,7 +24,7 @@ from ...figure.figure import Figure
 from ...figure.kinematics import Samples
 from ...surface.cover import filling_spheres
 from ...surface.touch import movers
-from ..curvature import Curvature, Sides
+from ..curvature import Curvature, OneSided
 from ..ground.contact import point_gradients
 from ..penalty import Penalty, Scale
 
@@ -117,15 +117,15 @@ class SelfContact(Penalty):
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
         """Nothing: depths count on one side only."""
 
-    def sides(self, samples: Samples) -> Sides | None:
+    def sides(self, samples: Samples) -> OneSided | None:
         if not self.pairs.size:
             return None
         met = self.meetings(samples, NEAR)
         if met is None:
-            return Sides.none(samples)
+            return OneSided.none(samples)
         rows = point_gradients(samples, met.at, met.first, met.first_arm, -met.apart)
         rows += point_gradients(samples, met.at, met.last, met.last_arm, met.apart)
-        return Sides(met.at, met.depth, rows)
+        return OneSided(met.at, met.depth, rows)
 
     def meetings(self, samples: Samples, near: float) -> Meeting | None:
         """The pairs of capsules less than `near` [m] apart, or None."""
@@ -197,9 +197,9 @@ class SelfContact(Penalty):
         apart = d + s * u - t * v
         gap = np.sqrt(dot(apart, apart))
         depth = radii[a[i]] + radii[b[j]] + self.margin - gap
-        way = np.where(gap > 1e-12, apart / np.maximum(gap, 1e-12), np.array([[0.0], [0], [1]]))
+        direction = np.where(gap > 1e-12, apart / np.maximum(gap, 1e-12), np.array([[0.0], [0], [1]]))
         arms = a_arm[:, i, k] + s * u, b_arm[:, j, k] + t * v
-        return Meeting(at[k], np.full(k.size, first), np.full(k.size, last), *arms, depth, way)
+        return Meeting(at[k], np.full(k.size, first), np.full(k.size, last), *arms, depth, direction)
 
 
 def nearest_on_segments(d: Array, u: Array, v: Array, h: Array, g: Array) -> tuple[Array, Array]:

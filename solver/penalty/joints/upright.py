@@ -25,17 +25,17 @@ from ..penalty import Momentary, Scale
 
 @dataclass(frozen=True, eq=False)
 class Lean:
-    """An axis (3,) of a link, a unit vector, that is to point somewhere, way (3,), at a time [s]."""
+    """An axis (3,) of a link, a unit vector, that is to point in a direction (3,) at a time [s]."""
 
     link: int
     time: float
     axis: Array
-    way: Array
+    direction: Array
 
 
 @dataclass(frozen=True)
 class Upright(Momentary):
-    """Σ over leans of |R axis − way|², nearly the squared angle [rad²] between them."""
+    """Σ over leans of |R axis − direction|², nearly the squared angle [rad²] between them."""
 
     leans: tuple[Lean, ...]
 
@@ -55,11 +55,11 @@ class Upright(Momentary):
         which, at = self.pairs(samples)
         if not which.size:
             return np.zeros(samples.count)
-        flat, arm, away = self._seen(samples, which, at)
+        flat, offset, away = self._seen(samples, which, at)
         if into is not None:
             force = (2 * scale + np.zeros(samples.count))[at] * away
-            into.add_forces(flat, arm, force)
-            into.add_forces(flat, 0 * arm, -force)  # the axis alone counts, wherever its link is
+            into.add_forces(flat, offset, force)
+            into.add_forces(flat, 0 * offset, -force)  # the axis alone counts, wherever its link is
         return np.bincount(at, dot(away, away), samples.count).astype(float)
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
@@ -67,10 +67,12 @@ class Upright(Momentary):
         if not which.size:
             return
         links = self._arrays[0][which]
-        _, arm, _ = self._seen(samples, which, at)
-        for way in np.eye(3):
-            ways = np.repeat(way[:, None], at.size, axis=1)
-            rows = point_gradients(samples, at, links, arm, ways) - point_gradients(samples, at, links, 0 * arm, ways)
+        _, offset, _ = self._seen(samples, which, at)
+        for direction in np.eye(3):
+            ways = np.repeat(direction[:, None], at.size, axis=1)
+            rows = point_gradients(samples, at, links, offset, ways) - point_gradients(
+                samples, at, links, 0 * offset, ways
+            )
             into.add_rows(at, scale[at], rows[:, None], (0,))
 
     def _seen(self, samples: Samples, which: Index, at: Index) -> tuple[Index, Array, Array]:
@@ -89,7 +91,7 @@ class Upright(Momentary):
     def _arrays(self) -> tuple[Index, Array, Array]:
         """Links (n,), axes and ways (3, n)."""
         axes, ways = (
-            np.array([getattr(lean, part) for lean in self.leans]).reshape(-1, 3).T for part in ("axis", "way")
+            np.array([getattr(lean, part) for lean in self.leans]).reshape(-1, 3).T for part in ("axis", "direction")
         )
         return np.array([lean.link for lean in self.leans], np.intp), axes, ways
 

@@ -167,11 +167,14 @@ class Cycle(Guide):
         child, parent = _joints(samples.figure)
         moved = _moved(*off, samples.links.rotation[:, :, child])
         at = np.repeat(np.arange(samples.count), 3 * child.size)
-        joint, way = np.tile(np.repeat(np.arange(child.size), 3), samples.count), np.tile(np.arange(3), at.size // 3)
+        joint, direction = (
+            np.tile(np.repeat(np.arange(child.size), 3), samples.count),
+            np.tile(np.arange(3), at.size // 3),
+        )
 
         def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
             buffer, here = cotangent.buffer("turn"), np.arange(rows.size)
-            seeds = moved[way[rows], :, joint[rows], at[rows]].T
+            seeds = moved[direction[rows], :, joint[rows], at[rows]].T
             buffer[:, child[joint[rows]], here] += seeds
             buffer[:, parent[joint[rows]], here] -= seeds
 

@@ -70,11 +70,11 @@ class Near(Guide):
             for name, part, weight in zip(("y", "y_d", "y_dd"), off, weights, strict=True):
                 into.absorb(name, (2 * np.reshape(scale, (-1, 1))) * weight * part)
         values = np.einsum("ksn,ksn->s", weights * off, off)
-        for link, arm, away, weight in self._ends_off(samples):
+        for link, offset, away, weight in self._ends_off(samples):
             values += weight * np.sum(away**2, axis=0)
             if into is not None:
                 at = link * samples.count + np.arange(samples.count)
-                into.add_forces(at, arm, 2 * scale * weight * away)
+                into.add_forces(at, offset, 2 * scale * weight * away)
         return values
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
@@ -83,10 +83,10 @@ class Near(Guide):
             for order in range(3):
                 into.add_squares(columns, order, scale * weights[order][:, columns[0]])
         at = np.arange(samples.count)
-        for link, arm, _, weight in self._ends_off(samples):
-            for way in np.eye(3):
-                ways = np.repeat(way[:, None], at.size, axis=1)
-                rows = point_gradients(samples, at, np.full(at.size, link), arm, ways)
+        for link, offset, _, weight in self._ends_off(samples):
+            for direction in np.eye(3):
+                ways = np.repeat(direction[:, None], at.size, axis=1)
+                rows = point_gradients(samples, at, np.full(at.size, link), offset, ways)
                 into.add_rows(at, scale * weight, rows[:, None], (0,))
 
     def led(self, timeline: Timeline, most: int | None) -> Timeline:
@@ -138,7 +138,7 @@ class Near(Guide):
         return ends, np.array([links[i].centre for i in ends]).reshape(-1, 3).T
 
     def _ends_off(self, samples: Samples) -> Iterator[tuple[int, Array, Array, Array]]:
-        """Of every limb's end its link, the arm to it (3, S), how far it is off (3, S), what that weighs (S,)."""
+        """Of every limb's end its link, the offset to it (3, S), how far it is off (3, S), what that weighs (S,)."""
         links, positions = self.ends
         places, arms = samples.links.points(links, positions)
         target = self._at(samples.t)

@@ -105,11 +105,11 @@ def _add_by_adjoint(samples: Samples, into: Curvature, scale: Array) -> None:
     """The rows of joint coordinates, by the adjoint sweep."""
     child, parent = _joints(samples.figure)
     at = np.repeat(np.arange(samples.count), 3 * child.size)
-    joint, way = np.tile(np.repeat(np.arange(child.size), 3), samples.count), np.tile(np.arange(3), at.size // 3)
+    joint, direction = np.tile(np.repeat(np.arange(child.size), 3), samples.count), np.tile(np.arange(3), at.size // 3)
 
     def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
         buffer, here = cotangent.buffer("omega"), np.arange(rows.size)
-        buffer[way[rows], child[joint[rows]], here] += 1
-        buffer[way[rows], parent[joint[rows]], here] -= 1
+        buffer[direction[rows], child[joint[rows]], here] += 1
+        buffer[direction[rows], parent[joint[rows]], here] -= 1
 
     into.add_rows(at, scale[at], jacobian(samples, at, seeded)[:, :2], (0, 1))

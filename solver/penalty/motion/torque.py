@@ -99,10 +99,10 @@ def _one_effort(samples: Samples, into: Cotangent, link: Index, axis: Index) -> 
         if not at.size:
             continue
         own = link[at]
-        way = (links.rotation[:, :, own, at] * tables.axis[None, :, own]).sum(axis=1)
-        target[:, own, at] = way
+        direction = (links.rotation[:, :, own, at] * tables.axis[None, :, own]).sum(axis=1)
+        target[:, own, at] = direction
         into.buffer("y_dd")[at, [samples.figure.links[i].qpos for i in own]] += tables.armature[own]
-        into.buffer("turn")[:, own, at] += cross(way, source[:, own, at])
+        into.buffer("turn")[:, own, at] += cross(direction, source[:, own, at])
     inverse.pull_back(into, moment_bar, force_bar if tables.slide_links.size else None)
 
 

@@ -20,7 +20,7 @@ from dynsplines.measure.problems import problems
 from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.spline import path_of as path
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.penalty import Contact, Hold, Holding, Planted, Together
+from dynsplines.solver.penalty import Contact, Hold, Holding, Planted, Sum
 from dynsplines.system.progress import Teller
 
 SCENE = """
@@ -86,7 +86,7 @@ def spot_of(hold: Hold, *times: float) -> np.ndarray:
 
 def parts(clip: clips.Clip, name: str) -> list:
     found = [penalty for penalty, _ in clip.penalties if penalty.name == name]
-    return [part for penalty in found for part in (penalty.parts if isinstance(penalty, Together) else (penalty,))]
+    return [part for penalty in found for part in (penalty.parts if isinstance(penalty, Sum) else (penalty,))]
 
 
 def test_boxes_that_name_a_body_are_parts_of_one_that_moves_freely():

@@ -46,11 +46,11 @@ def test_bodies_are_where_mujoco_has_them_and_its_forces_are_found(seed, coordin
         spin = np.zeros(6)
         for body in range(1, figure.model.nbody):
             link, place = figure.point_on_link(body, np.zeros(3))
-            where, arm = samples.links.points(np.array([link]), place[:, None])
+            where, offset = samples.links.points(np.array([link]), place[:, None])
             np.testing.assert_allclose(where[:, 0, i], data.xpos[body], atol=1e-11)
             mujoco.mj_objectVelocity(figure.model, data, mujoco.mjtObj.mjOBJ_XBODY, body, spin, 0)
             np.testing.assert_allclose(samples.links.omega[:, link, i], spin[:3], atol=1e-9)
-            velocity = samples.links.x_d[:, link, i] + np.cross(spin[:3], arm[:, 0, i])
+            velocity = samples.links.x_d[:, link, i] + np.cross(spin[:3], offset[:, 0, i])
             np.testing.assert_allclose(velocity, spin[3:], atol=1e-8)
     expected = mujoco_forces(samples)
     np.testing.assert_allclose(generalised_forces(samples), expected, atol=1e-9 * np.abs(expected).max())

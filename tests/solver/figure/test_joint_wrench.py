@@ -45,18 +45,18 @@ def swept(samples: Samples, root: int, pushes: Pushes | None) -> Array:
             wrench.pull_back(cotangent, bars[0], bars[1])
             return
         push, copy = np.nonzero(pushes.at[:, None] == at[rows])  # every row's own copy gets its sample's
-        own = Pushes(copy, pushes.link[push], pushes.arm[:, push], pushes.force[:, push])
+        own = Pushes(copy, pushes.link[push], pushes.offset[:, push], pushes.force[:, push])
         own.pull_back(wrench, cotangent, bars[0], bars[1])
 
     return jacobian(samples, at, seeded).reshape(samples.count, 6, 3, -1)
 
 
-def spins_swept(samples: Samples, at: Index, link: Index, way: Array) -> Array:
-    """Rows of way · (ω' − ω'_parent) by one adjoint sweep each, (P, 3, N)."""
+def spins_swept(samples: Samples, at: Index, link: Index, direction: Array) -> Array:
+    """Rows of direction · (ω' − ω'_parent) by one adjoint sweep each, (P, 3, N)."""
 
     def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
         seeds = np.zeros((3, len(copies.figure.links), rows.size))
-        seeds[:, link[rows], np.arange(rows.size)] = way[:, rows]
+        seeds[:, link[rows], np.arange(rows.size)] = direction[:, rows]
         buffer = cotangent.buffer("alpha")
         buffer += seeds
         add_at(buffer, copies.figure.tables.parents, -seeds)
@@ -76,8 +76,8 @@ def check_wrench(figure: Figure, rng: np.random.Generator) -> int:
 def check_spins(figure: Figure, rng: np.random.Generator) -> None:
     samples = random_samples(figure, rng)
     at, link = rng.integers(0, samples.count, 40), rng.integers(1, len(figure.links), 40)
-    way = rng.normal(size=(3, 40))
-    assert_near(any_relative_spin_rows(samples, at, link, way), spins_swept(samples, at, link, way), 1e-10)
+    direction = rng.normal(size=(3, 40))
+    assert_near(any_relative_spin_rows(samples, at, link, direction), spins_swept(samples, at, link, direction), 1e-10)
 
 
 def test_rows_are_those_of_the_adjoint_sweep(figure, rng):
@@ -102,7 +102,9 @@ def test_so_they_are_where_quaternions_in_the_world_follow_each_other(rng):
 def test_many_joints_are_taken_in_parts(figure, rng, monkeypatch):
     samples = random_samples(figure, rng)
     at, link = rng.integers(0, samples.count, 200), rng.integers(1, len(figure.links), 200)
-    way = rng.normal(size=(3, 200))
-    whole = any_relative_spin_rows(samples, at, link, way)
+    direction = rng.normal(size=(3, 200))
+    whole = any_relative_spin_rows(samples, at, link, direction)
     monkeypatch.setattr(joint_spin, "AT_ONCE", 60)
-    np.testing.assert_allclose(any_relative_spin_rows(samples, at, link, way), whole, atol=1e-12 * np.abs(whole).max())
+    np.testing.assert_allclose(
+        any_relative_spin_rows(samples, at, link, direction), whole, atol=1e-12 * np.abs(whole).max()
+    )

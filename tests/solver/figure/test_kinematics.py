@@ -78,8 +78,8 @@ def test_the_adjoint_of_rotations_has_taylor_slope_two(figure, rng):
     assert taylor_slope(value, np.stack([samples.y, samples.y_d, samples.y_dd]), np.stack(gradients), rng) > 1.95
 
 
-@pytest.mark.parametrize("way", ["accumulate", "absorb", "buffer"])
-def test_a_gradient_with_respect_to_nothing_that_there_is_is_refused(figure, rng, way):
+@pytest.mark.parametrize("direction", ["accumulate", "absorb", "buffer"])
+def test_a_gradient_with_respect_to_nothing_that_there_is_is_refused(figure, rng, direction):
     cotangent = Cotangent(random_samples(figure, rng))
     with pytest.raises(ValueError, match=r"'spin'; there are: y, y_d, .*omega"):
-        getattr(cotangent, way)("spin", *([] if way == "buffer" else [np.zeros(3)]))
+        getattr(cotangent, direction)("spin", *([] if direction == "buffer" else [np.zeros(3)]))

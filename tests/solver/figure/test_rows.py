@@ -25,29 +25,29 @@ def closed(request: pytest.FixtureRequest) -> Figure:
 
 def test_rows_of_points_are_those_of_the_adjoint_sweep(closed, rng):
     samples = random_samples(closed, rng)
-    at, link, arm, way = some_points(closed, samples, rng)
+    at, link, offset, direction = some_points(closed, samples, rng)
 
     def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
         here = np.arange(rows.size)
-        cotangent.buffer("x")[:, link[rows], here] = way[:, rows]
-        cotangent.buffer("turn")[:, link[rows], here] = cross(arm[:, rows], way[:, rows])
+        cotangent.buffer("x")[:, link[rows], here] = direction[:, rows]
+        cotangent.buffer("turn")[:, link[rows], here] = cross(offset[:, rows], direction[:, rows])
 
     expected = jacobian(samples, at, seeded)
     assert not expected[:, 1:].any()
-    assert_near(point_rows(samples, at, link, arm, way), expected[:, 0], 1e-12)
+    assert_near(point_rows(samples, at, link, offset, direction), expected[:, 0], 1e-12)
 
 
 def test_rows_of_points_are_the_differences_of_where_the_points_are(closed, rng):
     samples, h = random_samples(closed, rng), 1e-6
-    at, link, arm, way = some_points(closed, samples, rng)
-    local = np.einsum("ijp,ip->jp", samples.links.rotation[:, :, link, at], arm)
+    at, link, offset, direction = some_points(closed, samples, rng)
+    local = np.einsum("ijp,ip->jp", samples.links.rotation[:, :, link, at], offset)
 
     def heights(y: Array) -> Array:
         links = Samples(closed, y, 0 * y, 0 * y).links
         places = links.x[:, link, at] + np.einsum("ijp,jp->ip", links.rotation[:, :, link, at], local)
-        return np.sum(way * places, axis=0)
+        return np.sum(direction * places, axis=0)
 
-    found = point_rows(samples, at, link, arm, way)
+    found = point_rows(samples, at, link, offset, direction)
     expected = np.zeros_like(found)
     for column in range(closed.width):
         by = h * np.eye(closed.width)[column]

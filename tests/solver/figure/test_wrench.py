@@ -78,13 +78,13 @@ def test_its_rows_are_its_differences_pushes_taken_off(rng, kind, pushed):
             moment = wrench.moment - np.array([np.bincount(at, part, seen.count) for part in turning], float)
             return np.concatenate([wrench.force, moment])
 
-        arm = np.einsum("ijp,jp->ip", samples.links.rotation[:, :, link, at], position)
-        pushes = Pushes(at, link, arm, force) if pushed else None
+        offset = np.einsum("ijp,jp->ip", samples.links.rotation[:, :, link, at], position)
+        pushes = Pushes(at, link, offset, force) if pushed else None
         rows = wrench_rows(RootWrench(samples, int(root)), pushes)
         point, h = np.stack([samples.y, samples.y_d, samples.y_dd]), 1e-6
-        way = rng.normal(size=point.shape)
-        slope = (total(point + h * way) - total(point - h * way)) / (2 * h)
-        found = np.einsum("scon,osn->cs", rows, way)
+        direction = rng.normal(size=point.shape)
+        slope = (total(point + h * direction) - total(point - h * direction)) / (2 * h)
+        found = np.einsum("scon,osn->cs", rows, direction)
         np.testing.assert_allclose(found, slope, atol=1e-7 * np.abs(slope).max())
 
 

@@ -114,10 +114,10 @@ def test_where_the_residuals_are_zero_the_curvature_is_the_second_derivative(fig
         assert not penalty.evaluate(samples).max() > 1e-25
         phi = rng.normal(size=(3, 3))
         for _ in range(4):
-            way = rng.normal(size=figure.width)
-            by[:] = 1e-4 * phi.T[:, :, None] * way
+            direction = rng.normal(size=figure.width)
+            by[:] = 1e-4 * phi.T[:, :, None] * direction
             bent = (penalty.evaluate(shifted(samples, by)) + penalty.evaluate(shifted(samples, -by))) / 1e-8
-            expected = way @ curvature_of(penalty, samples, np.ones(3)).quadratic(phi, 0, 3) @ way
+            expected = direction @ curvature_of(penalty, samples, np.ones(3)).quadratic(phi, 0, 3) @ direction
             np.testing.assert_allclose(bent.sum(), expected, rtol=1e-5)
 
 

@@ -50,8 +50,8 @@ def test_its_curvature_is_twice_the_jacobians_product_with_itself(figure: Figure
     scale, phi, made = rng.uniform(1, 2, 3), rng.normal(size=(3, 3)), Curvature(samples)
     Going().curvature(samples, made, scale)
 
-    def moved(way: Array) -> Array:
-        steps = (way * phi[:, order, None] for order in range(3))
+    def moved(direction: Array) -> Array:
+        steps = (direction * phi[:, order, None] for order in range(3))
         parts = (samples.y, samples.y_d, samples.y_dd)
         return Going().residuals(Samples(figure, *(part + step for part, step in zip(parts, steps, strict=True))))
 

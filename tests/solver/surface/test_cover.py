@@ -60,10 +60,10 @@ def on_ball(rng: np.random.Generator, count: int) -> Array:
     return ways / np.linalg.norm(ways, axis=1, keepdims=True)
 
 
-def past(start: Array, way: Array, centres: Array) -> Array:
+def past(start: Array, direction: Array, centres: Array) -> Array:
     """Distances of centres (n, 3) from the line through a place along a direction of length 1, (n,)."""
     away = centres - start
-    return np.linalg.norm(away - (away @ way)[:, None] * way, axis=1)
+    return np.linalg.norm(away - (away @ direction)[:, None] * direction, axis=1)
 
 
 def test_a_sphere_is_itself():
@@ -133,9 +133,9 @@ def test_no_line_across_the_middle_of_a_flat_cylinder_slips_in_deeper_than_the_g
     centres, radii = spheres("cylinder", radius, flat)
     rng = np.random.default_rng(seed)
     for angle, aside in zip(rng.uniform(0, np.pi, 20), rng.uniform(-0.5, 0.5, 20) * radius, strict=True):
-        way, beside = np.array([np.cos(angle), np.sin(angle), 0]), np.array([-np.sin(angle), np.cos(angle), 0])
+        direction, beside = np.array([np.cos(angle), np.sin(angle), 0]), np.array([-np.sin(angle), np.cos(angle), 0])
         start = aside * beside + [0, 0, flat - 1.1 * min(cover.GAP, flat)]
-        assert np.any(past(start, way, centres) < radii)
+        assert np.any(past(start, direction, centres) < radii)
 
 
 @settings(deadline=None, max_examples=25)
@@ -167,9 +167,9 @@ def test_no_line_over_a_wide_face_of_a_box_slips_in_deeper_than_the_gap(thin, se
     centres, radii = spheres("box", *half)
     rng = np.random.default_rng(seed)
     for angle, aside in zip(rng.uniform(0, np.pi, 20), rng.uniform(-0.1, 0.1, 20), strict=True):
-        way, beside = np.array([np.cos(angle), np.sin(angle), 0]), np.array([-np.sin(angle), np.cos(angle), 0])
+        direction, beside = np.array([np.cos(angle), np.sin(angle), 0]), np.array([-np.sin(angle), np.cos(angle), 0])
         start = aside * beside + [0, 0, thin - 1.01 * cover.GAP]
-        assert np.any(past(start, way, centres) < radii)
+        assert np.any(past(start, direction, centres) < radii)
 
 
 EGGS = [(0.1, 0.5, 0.2), (0.3, 0.3, 0.02), (0.2, 0.2, 0.2), (0.05, 0.06, 0.4), (0.5, 0.1, 0.11)]

@@ -147,9 +147,13 @@ def test_the_way_up_is_the_gradient_of_the_height(name, rng):
         return surface.height(moved[:, :, None])[:, 0]
 
     ways = np.eye(3)[:, :, None]
-    points = points[:, np.all([np.isfinite(height(points + 1e-3 * way)) for way in (*ways, *-ways)], axis=0)]
+    points = points[
+        :, np.all([np.isfinite(height(points + 1e-3 * direction)) for direction in (*ways, *-ways)], axis=0)
+    ]
     slopes, wider = (
-        np.array([(height(points + step * way) - height(points - step * way)) / (2 * step) for way in ways])
+        np.array(
+            [(height(points + step * direction) - height(points - step * direction)) / (2 * step) for direction in ways]
+        )
         for step in (h, 100 * h)
     )
     smooth = np.all(np.abs(slopes - wider) < 1e-3, axis=0) & (np.linalg.norm(slopes, axis=0) < 5)
@@ -158,22 +162,22 @@ def test_the_way_up_is_the_gradient_of_the_height(name, rng):
 
 
 def _ray(data: mujoco.MjData, geom: int, start: Array, side: float) -> float:
-    way = np.array([0, 0, side])
+    direction = np.array([0, 0, side])
     kind = MODEL.geom_type[geom]
     if kind == mujoco.mjtGeom.mjGEOM_HFIELD:
-        return mujoco.mj_rayHfield(MODEL, data, geom, start, way)
+        return mujoco.mj_rayHfield(MODEL, data, geom, start, direction)
     if kind == mujoco.mjtGeom.mjGEOM_MESH:
-        return _ray_hull(SURFACES[MODEL.geom(geom).name], start, way)
-    return mujoco.mju_rayGeom(data.geom_xpos[geom], data.geom_xmat[geom], MODEL.geom_size[geom], start, way, kind)
+        return _ray_hull(SURFACES[MODEL.geom(geom).name], start, direction)
+    return mujoco.mju_rayGeom(data.geom_xpos[geom], data.geom_xmat[geom], MODEL.geom_size[geom], start, direction, kind)
 
 
-def _ray_hull(hull: Surface, start: Array, way: Array) -> float:
+def _ray_hull(hull: Surface, start: Array, direction: Array) -> float:
     """The ray against every triangle of the hull, one by one; −1 for none."""
     assert isinstance(hull, Hull)
     found = []
     for face in hull.faces:
         a, b, c = hull.corners[:, face].T
-        system = np.column_stack([b - a, c - a, -way])
+        system = np.column_stack([b - a, c - a, -direction])
         if abs(np.linalg.det(system)) > 1e-12:
             u, v, t = np.linalg.solve(system, start - a)
             if u >= 0 and v >= 0 and u + v <= 1 and t > 0:

@@ -84,15 +84,15 @@ def test_shallow_depth_in_a_box_is_mujocos_up_to_the_faces_factor_and_zero_outsi
         depth, gradient = box.depth(outside[:, None, None], np.array([0.15]))
         assert not depth.any()
         assert not gradient.any()
-    for way in (1e-6, 1e-3, 0.01):
-        inside = face + (0.15 - way) * normal
+    for direction in (1e-6, 1e-3, 0.01):
+        inside = face + (0.15 - direction) * normal
         depth, gradient = box.depth(inside[:, None, None], np.array([0.15]))
         if box.buried and normal[2] < -0.7:
             assert depth[0, 0] > 0.1  # no way out through the floor
             assert gradient[:, 0, 0] @ normal > 0
             continue
         by_mujoco = mujoco_depth(model, name, inside)
-        np.testing.assert_allclose(by_mujoco, way, atol=1e-6)
+        np.testing.assert_allclose(by_mujoco, direction, atol=1e-6)
         np.testing.assert_allclose(depth[0, 0], factor * by_mujoco, rtol=0.01, atol=5e-6)
         np.testing.assert_allclose(gradient[:, 0, 0], -factor * normal, atol=0.05 * factor)
 

@@ -33,8 +33,8 @@ def test_it_is_the_squared_distance_from_the_drifting_spot_while_the_stance_last
     t = np.array([0.0, 0.49, 0.5, 0.75, 1.0, 1.01])
     samples = at_times(random_samples(figure, rng, 6), t)
     stance = stance_of(1, 0.5, 1.0)
-    arm = np.einsum("ijs,j->is", samples.links.rotation[:, :, 1], stance.point.position)
-    away = samples.links.x[:, 1] + arm - np.array([0.1, 0.2, 0])[:, None]
+    offset = np.einsum("ijs,j->is", samples.links.rotation[:, :, 1], stance.point.position)
+    away = samples.links.x[:, 1] + offset - np.array([0.1, 0.2, 0])[:, None]
     away -= np.array([0.03, 0, 0.01])[:, None] * (t - 0.5) / 0.5
     expected = np.where((t >= 0.5) & (t <= 1.0), np.sum(away**2, axis=0), 0)
     np.testing.assert_allclose(Planted((stance,)).evaluate(samples), expected, rtol=1e-12)

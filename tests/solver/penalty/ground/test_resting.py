@@ -33,9 +33,9 @@ def test_the_value_by_hand(figure, rng):
     expected = np.zeros(6)
     for rest in resting.rests:
         links = samples.links
-        arm = np.einsum("ijs,j->is", links.rotation[:, :, rest.point.link], rest.point.position)
-        velocity = links.x_d[:, rest.point.link] + np.cross(links.omega[:, rest.point.link].T, arm.T).T
-        height = (links.x[:, rest.point.link] + arm)[2] + 50 - rest.point.radius
+        offset = np.einsum("ijs,j->is", links.rotation[:, :, rest.point.link], rest.point.position)
+        velocity = links.x_d[:, rest.point.link] + np.cross(links.omega[:, rest.point.link].T, offset.T).T
+        height = (links.x[:, rest.point.link] + offset)[2] + 50 - rest.point.radius
         during = (samples.t >= rest.first) & (samples.t <= rest.last)
         expected += during * (height**2 + SETTLING**2 * np.sum(velocity**2, axis=0))
     np.testing.assert_allclose(resting.evaluate(samples), expected, rtol=1e-9)
@@ -54,11 +54,11 @@ def test_its_curvature_is_that_of_height_and_velocity(figure, rng):
     for rest in resting.rests:
         at = np.flatnonzero((samples.t >= rest.first) & (samples.t <= rest.last))
         link = np.full(at.size, rest.point.link)
-        arm = np.einsum("ijs,j->is", samples.links.rotation[:, :, rest.point.link, at], rest.point.position)
-        ways = [np.repeat(way[:, None], at.size, axis=1) for way in np.eye(3)]
-        moved = [phi[at, :1] * point_gradients(samples, at, link, arm, ways[2])]
-        for way in ways:
-            rows = velocity_gradients(samples, at, link, arm, way)
+        offset = np.einsum("ijs,j->is", samples.links.rotation[:, :, rest.point.link, at], rest.point.position)
+        ways = [np.repeat(direction[:, None], at.size, axis=1) for direction in np.eye(3)]
+        moved = [phi[at, :1] * point_gradients(samples, at, link, offset, ways[2])]
+        for direction in ways:
+            rows = velocity_gradients(samples, at, link, offset, direction)
             moved.append(SETTLING * np.einsum("po,pon->pn", phi[at, :2], rows))
         for part in moved:
             expected = expected + 2 * np.einsum("p,pm,pn->mn", scale[at], part, part)
@@ -75,11 +75,11 @@ def test_a_foot_rests_where_nobody_said_that_it_should():
     keys = [Frame.key(float(i), [x, 0, 0.3, 1, 0, 0, 0]) for i, x in enumerate([0.0, 1.0])]
     penalties = [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0), (UnitMagnitude(), 1.0)]
 
-    def way(weight: float) -> float:
+    def direction(weight: float) -> float:
         resting = Resting((Rest(foot, 0.4, 0.6),), (floor,))
         motion = inbetween(Problem(figure, keys, [*penalties, (resting, weight)], Settings(tolerance=1e-4)))
         qpos = motion.at(np.linspace(0.4, 0.6, 100))
         return float(np.ptp(qpos[:, 0]) + np.abs(qpos[:, 2] - 0.1).max())
 
-    assert way(0.0) > 0.3
-    assert way(3000.0) < 0.01
+    assert direction(0.0) > 0.3
+    assert direction(3000.0) < 0.01

@@ -66,15 +66,17 @@ def test_it_does_not_feel_the_quaternions_length(figure, rng):
 
 def test_velocity_rows_are_differences_of_the_velocity(figure, rng):
     samples, h = random_samples(figure, rng, 4), 1e-6
-    point, way = some_points(samples)[1], rng.normal(size=(3, 4))
+    point, direction = some_points(samples)[1], rng.normal(size=(3, 4))
 
     def velocity(y: np.ndarray, y_d: np.ndarray) -> np.ndarray:
         links = Samples(figure, y, y_d, samples.y_dd).links
-        arm = np.einsum("ijs,j->is", links.rotation[:, :, point.link], point.position)
-        return np.sum(way * (links.x_d[:, point.link] + np.cross(links.omega[:, point.link].T, arm.T).T), axis=0)
+        offset = np.einsum("ijs,j->is", links.rotation[:, :, point.link], point.position)
+        return np.sum(
+            direction * (links.x_d[:, point.link] + np.cross(links.omega[:, point.link].T, offset.T).T), axis=0
+        )
 
-    arm = np.einsum("ijs,j->is", samples.links.rotation[:, :, point.link], point.position)
-    rows = velocity_gradients(samples, np.arange(4), np.full(4, point.link), arm, way)
+    offset = np.einsum("ijs,j->is", samples.links.rotation[:, :, point.link], point.position)
+    rows = velocity_gradients(samples, np.arange(4), np.full(4, point.link), offset, direction)
     step = rng.normal(size=samples.y.shape)
     for order, (by_y, by_y_d) in enumerate(((step, 0 * step), (0 * step, step))):
         up, down = (velocity(samples.y + s * h * by_y, samples.y_d + s * h * by_y_d) for s in (1, -1))
@@ -93,8 +95,8 @@ def test_its_curvature_is_that_of_the_weighted_velocities(figure, rng):
     weight = np.exp(-(height**2))
     expected = 0
     for i, link in enumerate(links):
-        for way in np.eye(3):
-            ways = np.repeat(way[:, None], 3, axis=1)
+        for direction in np.eye(3):
+            ways = np.repeat(direction[:, None], 3, axis=1)
             rows = velocity_gradients(samples, np.arange(3), np.full(3, link), arms[:, i], ways)
             moved = np.einsum("so,son->sn", phi[:, :2], rows)
             expected = expected + 2 * np.einsum("s,sm,sn->mn", scale * weight[i], moved, moved)

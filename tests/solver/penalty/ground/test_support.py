@@ -60,8 +60,8 @@ def test_it_is_what_the_best_forces_in_the_friction_pyramids_leave(figure, rng):
         for footing in support.footings:
             link = footing.point.link
             if names is not None and footing.point.name in names:
-                arm = samples.links.rotation[:, :, link, s] @ footing.point.position
-                lever = samples.links.x[:, link, s] + arm - wrench.centre[:, s]
+                offset = samples.links.rotation[:, :, link, s] @ footing.point.position
+                lever = samples.links.x[:, link, s] + offset - wrench.centre[:, s]
                 for edge in friction_edges(footing.normal, 0.8).T:
                     columns.append(np.append(edge, np.cross(lever, edge) / support.length))
         w = np.append(wrench.force[:, s], wrench.moment[:, s] / support.length) / support.unit
@@ -143,8 +143,8 @@ def test_the_curvature_is_the_second_derivative_the_wrench_itself_taken_as_linea
     phi = rng.normal(size=(3, 3, 1))
     found = assembled(curvature_of(support, samples, scale), phi)
     shares = support._found(samples, np.arange(samples.count))
-    way = rng.normal(size=figure.width)
-    by = np.einsum("so,n->osn", phi[:, :, 0], way)
+    direction = rng.normal(size=figure.width)
+    by = np.einsum("so,n->osn", phi[:, :, 0], direction)
 
     def residual(seen: Samples) -> np.ndarray:
         """w − G λ with the forces at the points held, (6, S)."""
@@ -161,4 +161,4 @@ def test_the_curvature_is_the_second_derivative_the_wrench_itself_taken_as_linea
     expected = (
         2 * scale * np.einsum("is,sij,js->s", slope, projection(shares.left, shares.edges, support.softness), slope)
     )
-    np.testing.assert_allclose(np.einsum("n,snm,m->s", way, found, way), expected, rtol=1e-5)
+    np.testing.assert_allclose(np.einsum("n,snm,m->s", direction, found, direction), expected, rtol=1e-5)

@@ -101,11 +101,11 @@ def test_the_sides_add_up_to_the_penalty_and_their_rows_are_gradients(figure, rn
     total = np.bincount(sides.at, np.maximum(sides.value, 0) ** 2, samples.count)
     np.testing.assert_allclose(total, penalty.evaluate(samples), rtol=1e-10)
     assert np.count_nonzero(sides.value < 0) > 0
-    way = rng.normal(size=samples.y.shape)
-    by = h * np.stack([way, 0 * way, 0 * way])
+    direction = rng.normal(size=samples.y.shape)
+    by = h * np.stack([direction, 0 * direction, 0 * direction])
     after, before = sides_of(penalty, shifted(samples, by)), sides_of(penalty, shifted(samples, -by))
     np.testing.assert_array_equal(after.at, before.at)
-    slope = np.einsum("pn,pn->p", sides.rows, way[sides.at])
+    slope = np.einsum("pn,pn->p", sides.rows, direction[sides.at])
     np.testing.assert_allclose((after.value - before.value) / (2 * h), slope, rtol=1e-4, atol=1e-5)
     nothing = curvature_of(penalty, samples, np.ones(samples.count))
     assert not nothing.quadratic(np.ones((30, 3)), 0, 30).any()
@@ -147,11 +147,11 @@ def test_half_a_turn_is_smooth_and_no_turn_too(off, rng):
     assert np.all(np.isfinite(gradient))
     h = 1e-6
     for s in range(4):
-        way = rng.normal(size=4)
+        direction = rng.normal(size=4)
         by = np.zeros((3, 4, 4))
-        by[0, s] = h * way
+        by[0, s] = h * direction
         change = penalty.evaluate(shifted(samples, by)) - penalty.evaluate(shifted(samples, -by))
-        np.testing.assert_allclose(change[s] / (2 * h), gradient[s] @ way, atol=2e-4)
+        np.testing.assert_allclose(change[s] / (2 * h), gradient[s] @ direction, atol=2e-4)
 
 
 def test_only_limited_joints_that_can_pass_their_range_count():

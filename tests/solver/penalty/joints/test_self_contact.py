@@ -85,11 +85,11 @@ def test_the_sides_add_up_to_the_penalty_look_ahead_and_have_gradients_for_rows(
     np.testing.assert_allclose(total, penalty.evaluate(samples), rtol=1e-10, atol=1e-15)
     assert np.all(sides.value > -NEAR)
     assert np.count_nonzero(sides.value < 0) > 3
-    way = rng.normal(size=samples.y.shape)
-    by = h * np.stack([way, 0 * way, 0 * way])
+    direction = rng.normal(size=samples.y.shape)
+    by = h * np.stack([direction, 0 * direction, 0 * direction])
     after, before = sides_of(penalty, shifted(samples, by)), sides_of(penalty, shifted(samples, -by))
     np.testing.assert_array_equal(after.at, before.at)
-    slope = np.einsum("pn,pn->p", sides.rows, way[sides.at])
+    slope = np.einsum("pn,pn->p", sides.rows, direction[sides.at])
     np.testing.assert_allclose((after.value - before.value) / (2 * h), slope, rtol=1e-4, atol=1e-5)
     assert not curvature_of(penalty, samples, np.ones(60)).quadratic(np.ones((60, 3)), 0, 60).any()
 

@@ -64,7 +64,7 @@ def test_the_curvature_is_twice_the_square_of_the_residuals_jacobian(figure, rng
         out = np.zeros((there.count, len(upright.leans), 3))
         for k, lean in enumerate(upright.leans):
             axis = np.einsum("ijs,j->si", there.links.rotation[:, :, lean.link], lean.axis)
-            out[:, k] = (axis - lean.way) * (there.t == lean.time)[:, None]
+            out[:, k] = (axis - lean.direction) * (there.t == lean.time)[:, None]
         return out.reshape(there.count, -1)
 
     np.testing.assert_allclose(np.sum(away(samples) ** 2, axis=1), upright.evaluate(samples), rtol=1e-9)

@@ -43,7 +43,9 @@ def test_the_value_is_that_of_differences_from_scipys_spline_and_mujocos_places(
         bodies = [figure.links[link].body for link in links]
         own = [np.array(data.xpos[b]) for b in bodies]
         arms = found.ends[1].T
-        return np.array([x + data.xmat[b].reshape(3, 3) @ arm for x, b, arm in zip(own, bodies, arms, strict=True)])
+        return np.array(
+            [x + data.xmat[b].reshape(3, 3) @ offset for x, b, offset in zip(own, bodies, arms, strict=True)]
+        )
 
     for s, t in enumerate(samples.t):
         target = [curve(t), curve(t, 1), curve(t, 2)]

@@ -9,12 +9,12 @@ import numpy as np
 from ..array import Array
 from ..figure.adjoint import Cotangent
 from ..figure.kinematics import Samples
-from .curvature import Curvature, Sides
+from .curvature import Curvature, OneSided
 from .penalty import Penalty, Scale
 
 
 @dataclass(frozen=True)
-class Together(Penalty):
+class Sum(Penalty):
     """Σ of soft constraints of the same unit; at least one."""
 
     parts: tuple[Penalty, ...]
@@ -35,6 +35,6 @@ class Together(Penalty):
         for part in self.parts:
             part.curvature(samples, into, scale)
 
-    def sides(self, samples: Samples) -> Sides | None:
+    def sides(self, samples: Samples) -> OneSided | None:
         found = [sides for part in self.parts if (sides := part.sides(samples)) is not None]
-        return Sides.joined(found) if found else None
+        return OneSided.joined(found) if found else None
