@@ -38,7 +38,7 @@ from dynsplines.exchange.skeleton.roles import roles
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import Path as Curve
 from dynsplines.solver.reading.recorded import Recorded
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 
 STEPS, ROUNDS = 0.02, 10  # [s] of mink's integration, and how many for each sample
 DAMPING, POSTURE = 1e-3, 1e-2
@@ -51,8 +51,8 @@ ENDS = {
 }
 
 
-def quiet() -> Teller:
-    return Teller(Console(file=io.StringIO()))
+def quiet() -> Progress:
+    return Progress(Console(file=io.StringIO()))
 
 
 def recordings(effort: Effort, folder: Path) -> Iterator[Path]:

@@ -39,7 +39,7 @@ from dynsplines.solver.penalty import Near
 from dynsplines.solver.reading.recorded import Recorded
 from dynsplines.solver.surface.heights import height_over
 from dynsplines.solver.surface.points import places_of
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 
 FPS = 30.0
 SLIDE, ROUND_IN = 0.05, 4.0  # [m/s], [s]
@@ -72,7 +72,7 @@ def truths(effort: Effort) -> Iterator[Truth]:
         return
     for name in people()[: effort.count(20, 2)]:
         clip = clips.load(name)
-        motion = kept.solved(clip, Teller(Console(file=io.StringIO()))).motion
+        motion = kept.solved(clip, Progress(Console(file=io.StringIO()))).motion
         at = sampled(clip.figure, motion.timeline, FPS)
         yield Truth(name, clip.figure, at.time - at.time[0], at.qpos)
 

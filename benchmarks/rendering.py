@@ -38,11 +38,11 @@ def opengl(images: int, repeats: int, size: str) -> dict[str, Any]:
     from dynsplines import work
     from dynsplines.clip import load as clips
     from dynsplines.picture import film, show
-    from dynsplines.system.progress import Teller
+    from dynsplines.system.progress import Progress
 
     width, height = map(int, size.split("x"))
-    teller = Teller(Console(file=io.StringIO()))
-    saved = work.unsolved(clips.load(CLIP)).saved(teller, with_report=False)
+    progress = Progress(Console(file=io.StringIO()))
+    saved = work.unsolved(clips.load(CLIP)).saved(progress, with_report=False)
     look = show.Look(width, height, float(FPS))
     with tempfile.TemporaryDirectory() as folder:
 

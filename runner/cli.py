@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from .motion import Saved
     from .picture.graphics import Graphics
     from .picture.show import Look
-    from .system.progress import Teller
+    from .system.progress import Progress
 
 UsageError = cast("type[typer.BadParameter]", typer.BadParameter.__mro__[1])  # typer's own, or click's
 
@@ -221,22 +221,22 @@ def render(
     graphics = _graphics()
     from .picture.rendering import draw
     from .picture.show import Look
-    from .system.progress import Teller
+    from .system.progress import Progress
 
-    with Teller() as teller:
+    with Progress() as progress:
         unmet: list[str] | None = [] if only == "keys" else None
         found = _found(source, model, keys, unmet=unmet)
         for line in unmet or ():
-            teller.say(f"note: {line}; drawn as near as it comes")
+            progress.say(f"note: {line}; drawn as near as it comes")
         _check_repeat(found, repeat)
         _check_camera(found, camera)
         _check_at(found, at, repeat)
         look = Look(width, height, fps or found.fps, only, ghosts, camera, slow, at)
         _check_length(found, look, repeat)
-        teller.say(graphics.line)
-        result = _result(found, teller, repeat, solve=only not in ("keys", "before"), fresh=fresh)
-        draw(result.saved, look, graphics, target, workers, teller)
-        _tell(teller, target, result.problems, source)
+        progress.say(graphics.line)
+        result = _result(found, progress, repeat, solve=only not in ("keys", "before"), fresh=fresh)
+        draw(result.saved, look, graphics, target, workers, progress)
+        _tell(progress, target, result.problems, source)
     _judge(result.problems, strict)
 
 
@@ -258,7 +258,7 @@ def solve(
     from . import motion
     from .errors import UserError
     from .system.output import check_target
-    from .system.progress import Teller
+    from .system.progress import Progress
 
     target = output or Path(f"{_name(source, model, keys)}.npz")
     if target.suffix != ".npz":
@@ -266,15 +266,15 @@ def solve(
     if fps is not None and not 0.01 <= fps <= 100_000:
         raise UserError(f"--fps {fps:g}: give a number of samples a second, 0.01 to 100000")
     check_target(target)
-    with Teller() as teller:
+    with Progress() as progress:
         found = _found(source, model, keys, fps)
         if isinstance(found, motion.Saved):
             raise UserError(f"{source}: a motion is solved already; report, plot and render take it")
         _check_repeat(found, repeat)
         motion.sample_count((found.keys[-1].time - found.keys[0].time) * (repeat or 1), found.fps)
-        result = _result(found, teller, repeat, fresh=fresh)
+        result = _result(found, progress, repeat, fresh=fresh)
         motion.save(result.saved, target)
-        _tell(teller, target, result.problems, target)
+        _tell(progress, target, result.problems, target)
     if as_json:
         from .measure.summary import summary
 
@@ -297,11 +297,11 @@ def report(
     from rich.console import Console
 
     from .measure.report import tables
-    from .system.progress import Teller
+    from .system.progress import Progress
 
     _name(source, model, keys)
-    with Teller() as teller:
-        measured = _measured(_found(source, model, keys), teller, fresh=fresh).report
+    with Progress() as progress:
+        measured = _measured(_found(source, model, keys), progress, fresh=fresh).report
     if as_json:
         print(json.dumps(_plain(measured), indent=2))
     else:
@@ -326,16 +326,16 @@ def plot(
 
     from .measure import chart
     from .system.output import check_target
-    from .system.progress import Teller
+    from .system.progress import Progress
 
     target = output or Path(f"{_name(source, model, keys)}.png")
     chart.check_target(target)
     check_target(target)
-    with Teller() as teller:
-        saved = _measured(_found(source, model, keys), teller, fresh=fresh)
+    with Progress() as progress:
+        saved = _measured(_found(source, model, keys), progress, fresh=fresh)
         with _whole(source):
             chart.draw(saved.name, saved.report, saved.trace, np.array([key.time for key in saved.keys]), target)
-        teller.say(f"wrote {target}")
+        progress.say(f"wrote {target}")
 
 
 @app.command(name="new")
@@ -457,12 +457,12 @@ def thin(
     """The fewest keyframes that keep a motion within a bound, as a clip (.toml) or a motion (.npz)."""
     _without_graphics()
     from .edit import thin_files
-    from .system.progress import Teller
+    from .system.progress import Progress
 
     recording = thin_files.Recording(source, figure, kind, fps, fresh, skip_rest)
     bound = thin_files.bound(max_error, max_angle)
-    with Teller() as teller:
-        thin_files.run(recording, bound, output, solve=solve, exact=exact, overwrite=overwrite, teller=teller)
+    with Progress() as progress:
+        thin_files.run(recording, bound, output, solve=solve, exact=exact, overwrite=overwrite, progress=progress)
 
 
 @app.command()
@@ -491,7 +491,7 @@ def export(
     from .exchange import formats, quantities
     from .exchange.take import Wishes
     from .system.output import check_new, check_target
-    from .system.progress import Teller
+    from .system.progress import Progress
 
     form = formats.chosen(to, output)
     wishes = Wishes(simulate, quantities.named(columns))
@@ -501,12 +501,12 @@ def export(
     target = output or formats.target_of(_exported_name(source), form, wishes)
     check_target(target)
     check_new(target, overwrite=overwrite)
-    with Teller() as teller:
+    with Progress() as progress:
         found = _found(source, None, None)
         _check_repeat(found, repeat)
-        result = _result(found, teller, repeat, fresh=fresh)
-        formats.export(result.saved, form.name, target, fps=fps, wishes=wishes, overwrite=overwrite, tell=teller.say)
-        _tell(teller, target, result.problems, source)
+        result = _result(found, progress, repeat, fresh=fresh)
+        formats.export(result.saved, form.name, target, fps=fps, wishes=wishes, overwrite=overwrite, tell=progress.say)
+        _tell(progress, target, result.problems, source)
 
 
 @app.command(name="import")
@@ -529,7 +529,7 @@ def import_motion(
     from .exchange.formats import stem
     from .exchange.imported import imported
     from .system.output import check_new, check_target
-    from .system.progress import Teller
+    from .system.progress import Progress
 
     if fps is not None and not 0.01 <= fps <= 1000:
         raise UserError(f"--fps {fps:g}: give a number of images a second, 0.01 to 1000")
@@ -542,10 +542,10 @@ def import_motion(
     if target.exists() and source.exists() and target.samefile(source):
         raise UserError(f"'{target}' is what is read; give another -o")
     check_new(target, overwrite=overwrite)
-    with Teller() as teller:
-        found = imported(source, kind, figure=figure, fps=fps, scale=scale, teller=teller)
-        motion.save(lead_in.told(found, teller, skip=skip_rest), target)
-        teller.say(f"wrote {target}")
+    with Progress() as progress:
+        found = imported(source, kind, figure=figure, fps=fps, scale=scale, progress=progress)
+        motion.save(lead_in.told(found, progress, skip=skip_rest), target)
+        progress.say(f"wrote {target}")
 
 
 @app.command()
@@ -565,13 +565,13 @@ def clean(
     """A recording made physical: feet stay where they stand, nothing sinks, jumps or floats; the motion is kept."""
     _without_graphics()
     from .clean import running
-    from .system.progress import Teller
+    from .system.progress import Progress
     from .system.quantity import length
 
     bound = None if within is None else length(within, "--within")
-    with Teller() as teller:
+    with Progress() as progress:
         found = running.Source(source, figure, kind, fps, scale, scene, contacts)
-        running.run(found, output, within=bound, overwrite=overwrite, teller=teller)
+        running.run(found, output, within=bound, overwrite=overwrite, progress=progress)
 
 
 @app.command()
@@ -595,16 +595,16 @@ def retarget(
     from .clean import running
     from .errors import UserError
     from .exchange.formats import stem
-    from .system.progress import Teller
+    from .system.progress import Progress
     from .system.quantity import length
 
     if write_map and map_file is None:
         raise UserError("--write-map: name the file, --map FILE")
     bound = None if within is None else length(within, "--within")
-    with Teller() as teller:
+    with Progress() as progress:
         found = running.Source(source, to, kind, fps, scale, scene, contacts, map_file, write_map, True)
         target = output or Path(f"{stem(source)}.{Path(to).stem}.npz")
-        running.run(found, target, within=bound, overwrite=overwrite, teller=teller)
+        running.run(found, target, within=bound, overwrite=overwrite, progress=progress)
 
 
 @app.command(name="formats")
@@ -665,17 +665,17 @@ def batch(
     _without_graphics()
     from . import batch as batches
     from .batch import recordings
-    from .system.progress import Teller
+    from .system.progress import Progress
 
     cleaning = recordings.asked(
         clean=clean_all, onto=onto, figure=figure, map_file=map_file, kind=kind, scene=scene, within=within
     )
 
-    with Teller() as teller:
+    with Progress() as progress:
         tally = batches.run(
             sources or [],
             output,
-            teller,
+            progress,
             listed=listed,
             workers=workers,
             scheduler=scheduler,
@@ -688,10 +688,10 @@ def batch(
             cleaning=cleaning,
         )
         if cleaning is not None:
-            recordings.tell(tally, teller)
+            recordings.tell(tally, progress)
         for line in [*([] if cleaning is not None else tally.problems), *tally.failures()]:
-            teller.say(line)
-        teller.say(f"{output}: {tally.line}")
+            progress.say(line)
+        progress.say(f"{output}: {tally.line}")
     if tally.failed:
         raise typer.Exit(1)
     _judge(tally.wrong, strict)
@@ -717,11 +717,11 @@ def paper(
     from .claims import paper as study
     from .clip import load as clip
     from .measure.report import report as measured
-    from .system.progress import Teller
+    from .system.progress import Progress
 
-    with Teller() as teller:
-        claims = study.run(seeds or study.SETS, teller)
-        solved = work.solve(clip.load("run_and_step"), teller)
+    with Progress() as progress:
+        claims = study.run(seeds or study.SETS, progress)
+        solved = work.solve(clip.load("run_and_step"), progress)
         claims += study.clip_claims(measured(solved.clip, solved.motion, solved.seconds))
     if as_json:
         print(json.dumps(claim.as_json(claims), indent=2))
@@ -737,14 +737,14 @@ def _paper_figures(folder: Path, seeds: int | None, *, as_json: bool) -> None:
         raise UserError("--seeds: figures are of the clips run_and_step and tumble, not of sets; leave it out")
     graphics = _graphics()
     from .claims.figures import drawing
-    from .system.progress import Teller
+    from .system.progress import Progress
 
     drawing.check_folder(folder)
-    with Teller() as teller:
-        teller.say(graphics.line)
-        drawn = drawing.draw(folder, graphics, teller)
+    with Progress() as progress:
+        progress.say(graphics.line)
+        drawn = drawing.draw(folder, graphics, progress)
         for each in drawn:
-            teller.say(f"wrote {each.file}")
+            progress.say(f"wrote {each.file}")
     if as_json:
         print(json.dumps([each.as_json for each in drawn], indent=2))
 
@@ -796,11 +796,11 @@ def list_models() -> None:
 def _edited(sources: list[str], edit: Edit, output: Path | None, *, overwrite: bool, fresh: bool) -> None:
     """An edit of files, told as it goes."""
     from .edit.files import run
-    from .system.progress import Teller
+    from .system.progress import Progress
 
-    with Teller() as teller:
-        target, found = run(sources, edit, output, overwrite=overwrite, fresh=fresh, teller=teller)
-        _tell(teller, target, found, target)
+    with Progress() as progress:
+        target, found = run(sources, edit, output, overwrite=overwrite, fresh=fresh, progress=progress)
+        _tell(progress, target, found, target)
 
 
 def _name(source: str, model: str | None, keys: str | None) -> str:
@@ -900,7 +900,7 @@ class _Result:
 
 
 def _result(
-    found: Clip | Saved, teller: Teller, repeat: int | None = None, *, solve: bool = True, fresh: bool = False
+    found: Clip | Saved, progress: Progress, repeat: int | None = None, *, solve: bool = True, fresh: bool = False
 ) -> _Result:
     """A saved motion as it is, or a clip solved, played so many times; nothing is wrong with what is not solved.
 
@@ -910,41 +910,41 @@ def _result(
     from .measure import problems
 
     if not solve:
-        saved = found if isinstance(found, motion.Saved) else work.unsolved(found).saved(teller, with_report=False)
+        saved = found if isinstance(found, motion.Saved) else work.unsolved(found).saved(progress, with_report=False)
         return _Result(_repeated(saved, repeat), ())
     if isinstance(found, motion.Saved):
         saved = _repeated(found, repeat)
         return _Result(saved, () if problems.is_recording(saved) else problems.of_motion(saved))
-    solved = kept.solved(found, teller, fresh=fresh)
-    saved = solved.saved(teller, with_report=False)
+    solved = kept.solved(found, progress, fresh=fresh)
+    saved = solved.saved(progress, with_report=False)
     if repeat is None:
         return _Result(saved, solved.problems)
     saved = _repeated(saved, repeat)
     return _Result(saved, problems.of_motion(saved))
 
 
-def _measured(found: Clip | Saved, teller: Teller, *, fresh: bool) -> Saved:
+def _measured(found: Clip | Saved, progress: Progress, *, fresh: bool) -> Saved:
     """A motion with its report, made now unless its file has one; `fresh` as for `_result`."""
     from . import kept, motion
     from .edit.edits import measured
     from .measure import problems
 
     if not isinstance(found, motion.Saved):
-        return kept.solved(found, teller, fresh=fresh).saved(teller)
+        return kept.solved(found, progress, fresh=fresh).saved(progress)
     if not found.report:
-        return measured(found, teller, "not searched: imported")
+        return measured(found, progress, "not searched: imported")
     if "problems" in found.report:
         return found
     return replace(found, report={"problems": problems.plain(problems.of_motion(found)), **found.report})
 
 
-def _tell(teller: Teller, target: Path, found: Sequence[Flaw], file: object) -> None:
+def _tell(progress: Progress, target: Path, found: Sequence[Flaw], file: object) -> None:
     """What was written, and what is wrong with it; `file` is what a report of all of it takes."""
     from .measure.problems import lines
 
-    teller.say(f"wrote {target}")
+    progress.say(f"wrote {target}")
     for line in lines(found, file):
-        teller.say(line)
+        progress.say(line)
 
 
 def _judge(found: Sequence[object], strict: bool) -> None:

@@ -37,7 +37,7 @@ from .measure.exactness import keyframe_error
 from .motion import read_arrays
 from .system.cache_folder import place
 from .system.output import Replacement
-from .system.progress import Teller
+from .system.progress import Progress
 from .work import Solved
 
 FORMAT = 1  # of the kept file
@@ -49,23 +49,23 @@ SMALLEST = 1e-6  # length of a quaternion that can still be normalised
 APART = ("figure", "fps")  # keys of a clip on which its solution does not depend: the scene holds the figure
 
 
-def solved(clip: Clip, teller: Teller, *, fresh: bool = False) -> Solved:
+def solved(clip: Clip, progress: Progress, *, fresh: bool = False) -> Solved:
     """A clip solved, or as it was solved before if nothing that it depends on has changed since.
 
     fresh  solve it whatever is kept
     """
     folder = place()
     if folder is None:
-        return work.solve(clip, teller)
+        return work.solve(clip, progress)
     file = folder / f"{key_of(clip)}.npz"
     found = None if fresh else read(file, clip)
     if found is None:
-        found = work.solve(clip, teller)
+        found = work.solve(clip, progress)
         if found.motion.stop is not Stop.ASKED:
             write(found, file)
         return found
-    work.tell_notes(clip, teller)
-    teller.say(f"solved before: {work.course(found.motion) or 'nothing to search'}; --fresh solves it again")
+    work.tell_notes(clip, progress)
+    progress.say(f"solved before: {work.course(found.motion) or 'nothing to search'}; --fresh solves it again")
     return found
 
 

@@ -20,7 +20,7 @@ from .clip.load import Clip
 from .measure.problems import Flaw, problems
 from .motion import Saved
 from .system import largest
-from .system.progress import Teller
+from .system.progress import Progress
 
 # [bytes] of a search for every pair of a frame's numbers; short clips of chains of hinges take 1100 to 1500
 PAIR = 2000
@@ -68,18 +68,18 @@ class Solved:
             **({"own penalties": [penalty.name for penalty, _ in self.clip.own]} if self.clip.own else {}),
         }
 
-    def saved(self, teller: Teller, with_report: bool = True) -> Saved:
+    def saved(self, progress: Progress, with_report: bool = True) -> Saved:
         """What goes into a motion file; the report takes some seconds, and Ctrl-C only cuts it short."""
         clip, motion = self.clip, self.motion
         data = {}
         with _unhurried() as asked:
             if motion.stop is Stop.ASKED:
-                teller.say("stopped; the best path so far is kept")
+                progress.say("stopped; the best path so far is kept")
             if with_report:
-                teller.step("measuring", 0.0, force=True)
+                progress.step("measuring", 0.0, force=True)
 
                 def told(i: int, count: int) -> None:
-                    teller.step("measuring", i / count, f"segment {i} of {count}")
+                    progress.step("measuring", i / count, f"segment {i} of {count}")
                     if asked.is_set():
                         raise KeyboardInterrupt
 
@@ -89,7 +89,7 @@ class Solved:
                 drawn = curves(clip, motion)
                 data = report(clip, motion, self.seconds, told)
                 data["curves"] = drawn
-                teller.step("measuring", 1.0, force=True)
+                progress.step("measuring", 1.0, force=True)
         trace = [list(entry) for entry in motion.trace]
         timelines = motion.timeline, motion.raw
         return Saved(
@@ -106,17 +106,17 @@ def _check_size(clip: Clip) -> None:
         largest.check(clip.name, PAIR * width**2, f"the search with {width} numbers a frame, all with all,")
 
 
-def solve(clip: Clip, teller: Teller, *, stop_after: int | None = None) -> Solved:
+def solve(clip: Clip, progress: Progress, *, stop_after: int | None = None) -> Solved:
     """Solves a clip, telling every improvement. Ctrl-C stops and keeps the best path.
 
     stop_after  evaluations after which to stop and keep the best path
     """
-    tell_notes(clip, teller)
+    tell_notes(clip, progress)
     _check_size(clip)
 
     def improved(improvement: Improvement) -> None:
         note = f"evaluation {improvement.evaluation}, objective {improvement.value:.4g}"
-        teller.step("solving", None, note)
+        progress.step("solving", None, note)
         if stop_after is not None and improvement.evaluation >= stop_after:
             raise StopSearch
 
@@ -124,14 +124,14 @@ def solve(clip: Clip, teller: Teller, *, stop_after: int | None = None) -> Solve
     found = inbetween(clip.problem, improved=improved)
     seconds = time.perf_counter() - begin
     if found.trace:
-        teller.step("solving", 1.0, course(found), force=True)
+        progress.step("solving", 1.0, course(found), force=True)
     return Solved(clip, found, seconds)
 
 
-def tell_notes(clip: Clip, teller: Teller) -> None:
+def tell_notes(clip: Clip, progress: Progress) -> None:
     """What was looked for in a clip and not found."""
     for note in clip.notes:
-        teller.say(f"note: {note}")
+        progress.say(f"note: {note}")
 
 
 def course(motion: Solution) -> str:

@@ -24,7 +24,7 @@ from dynsplines.clip import load as clip
 from dynsplines.motion import Saved
 from dynsplines.picture.graphics import Graphics
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 from dynsplines.work import Solved
 
 os.environ["DYNSPLINES_CACHE"] = "off"  # a test solves what it asks for, and leaves nothing in a user's folder
@@ -57,13 +57,13 @@ def rng() -> np.random.Generator:
 def solved(tmp_path_factory: pytest.TempPathFactory) -> Solved:
     """The tiny clip, solved."""
     path = tiny.written(tmp_path_factory.mktemp("tiny"))
-    return work.solve(clip.load(str(path)), Teller(Console(file=io.StringIO())))
+    return work.solve(clip.load(str(path)), Progress(Console(file=io.StringIO())))
 
 
 @pytest.fixture(scope="session")
 def saved(solved: Solved) -> Saved:
     """What goes into a motion file of it, report and all."""
-    return solved.saved(Teller(Console(file=io.StringIO())))
+    return solved.saved(Progress(Console(file=io.StringIO())))
 
 
 @pytest.fixture(scope="session")

@@ -22,7 +22,7 @@ from ..errors import UserError
 from ..system.workers import cores
 
 if TYPE_CHECKING:
-    from ..system.progress import Teller
+    from ..system.progress import Progress
     from .dispatch import Tally
     from .task import Cleaning
 
@@ -35,7 +35,7 @@ LEAST_MEGABYTES, MOST_MEGABYTES = 256, 10**7  # [MB] a worker
 def run(
     words: list[str],
     folder: Path,
-    teller: Teller,
+    progress: Progress,
     *,
     listed: str | None = None,
     workers: int | None = None,
@@ -75,4 +75,4 @@ def run(
             f"dynsplines batch needs '{error.name}'; install it: pip install 'dynamic-splines[batch]'"
         ) from None
     options = dispatch.Options(listed, workers or cores(), scheduler, to, fps, report, retry_failed, cleaning)
-    return dispatch.run(words, folder, options, dispatch.Bounds(seconds, megabytes), teller)
+    return dispatch.run(words, folder, options, dispatch.Bounds(seconds, megabytes), progress)

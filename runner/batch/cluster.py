@@ -19,7 +19,7 @@ from distributed.system import MEMORY_LIMIT
 from distributed.utils import silence_logging_cmgr
 
 from ..errors import UserError, one_line
-from ..system.progress import Teller
+from ..system.progress import Progress
 from ..system.workers import ctrl_c_blocked
 from .crew import Crew
 
@@ -35,7 +35,7 @@ CALM = {  # what Dask watches of itself every few milliseconds would cost a tent
 
 
 @contextmanager
-def opened(batch: str, workers: int, scheduler: str | None, teller: Teller) -> Iterator[Client]:
+def opened(batch: str, workers: int, scheduler: str | None, progress: Progress) -> Iterator[Client]:
     """A client whose workers have a crew for the batch.
 
     workers    clips at a time here
@@ -49,7 +49,7 @@ def opened(batch: str, workers: int, scheduler: str | None, teller: Teller) -> I
             client = _connected(address)
             stack.callback(client.close, timeout=CLOSE_SECONDS)
         if scheduler is not None:
-            teller.say(f"Dask: {address}, {len(threads(client))} workers{_dashboard(client)}")
+            progress.say(f"Dask: {address}, {len(threads(client))} workers{_dashboard(client)}")
         try:
             client.register_plugin(Crew(batch))
         except Exception as error:

@@ -19,7 +19,7 @@ from ..errors import UserError, one_line
 from ..exchange import formats
 from ..scene.outside import is_allowed, lies_in
 from ..system.output import Replacement, clear_below
-from ..system.progress import Teller
+from ..system.progress import Progress
 from .bounded import Bounds, Outcome
 from .cluster import opened, threads
 from .crew import work
@@ -75,7 +75,9 @@ class Tally:
         return [*lines, f"... and {more} more; the manifest has them all"] if more > 0 else lines
 
 
-def run(words: list[str], folder: Path, options: Options, bounds: Bounds, teller: Teller, *, do: Do = solved) -> Tally:
+def run(
+    words: list[str], folder: Path, options: Options, bounds: Bounds, progress: Progress, *, do: Do = solved
+) -> Tally:
     """Solves every clip that the words name, one file each in the folder, and goes on where it once stopped.
 
     A clip that fails is written down and stops nothing. Ctrl-C stops; nothing is half done. Raises UserError for words
@@ -94,13 +96,13 @@ def run(words: list[str], folder: Path, options: Options, bounds: Bounds, teller
     with Lock(folder):
         clear_below(folder)
         manifest = Manifest.of(folder)
-        plan = planned(found, manifest, options, bounds, teller)
+        plan = planned(found, manifest, options, bounds, progress)
         names = {clip.name for clip in plan.all}
         try:
             if plan.left:
                 batch = f"dynsplines-{uuid.uuid4().hex[:12]}"
-                with opened(batch, options.workers, options.scheduler, teller) as client:
-                    _Dispatch(client, batch, manifest, plan, options, bounds, teller, do).all()
+                with opened(batch, options.workers, options.scheduler, progress) as client:
+                    _Dispatch(client, batch, manifest, plan, options, bounds, progress, do).all()
         finally:
             stopped = [entry for entry in manifest.entries.values() if entry.state == "running"]
             manifest.entries |= {entry.clip: replace(entry, state="queued") for entry in stopped}
@@ -134,11 +136,11 @@ class _Dispatch:
         plan: Plan,
         options: Options,
         bounds: Bounds,
-        teller: Teller,
+        progress: Progress,
         do: Do,
     ) -> None:
         self.client, self.batch, self.manifest, self.plan = client, batch, manifest, plan
-        self.options, self.bounds, self.teller, self.do = options, bounds, teller, do
+        self.options, self.bounds, self.progress, self.do = options, bounds, progress, do
         self.folder = manifest.path.parent
         self.waiting = deque(plan.left)
         self.flying: dict[str, tuple[Clip, Future]] = {}
@@ -296,4 +298,4 @@ class _Dispatch:
             note += f", {pace}, {left // 3600}:{left // 60 % 60:02}:{left % 60:02} left"
         elif not self._threads:
             note += ", no workers yet"
-        self.teller.step("batch", over / total, note, force=force)
+        self.progress.step("batch", over / total, note, force=force)

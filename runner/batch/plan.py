@@ -7,7 +7,7 @@ from pathlib import Path
 
 from ..errors import UserError
 from ..exchange import formats
-from ..system.progress import Teller
+from ..system.progress import Progress
 from .bounded import Bounds
 from .inputs import Source, files_of, named_apart
 from .manifest import Entry, Manifest
@@ -64,7 +64,7 @@ class Plan:
     figures: dict[Path, dict[Path, bytes]]
 
 
-def planned(found: list[Source], manifest: Manifest, options: Options, bounds: Bounds, teller: Teller) -> Plan:
+def planned(found: list[Source], manifest: Manifest, options: Options, bounds: Bounds, progress: Progress) -> Plan:
     """Whatever has changed, has not been done, or is not there any more is queued."""
     folder = manifest.path.parent
     known = {entry.source: entry.clip for entry in manifest.entries.values()}
@@ -75,7 +75,7 @@ def planned(found: list[Source], manifest: Manifest, options: Options, bounds: B
     left, queued = [], []
     for number, clip in enumerate(clips, 1):
         if number % TOLD_EVERY == 0:
-            teller.step("reading", number / len(clips), f"{number} of {len(clips)} clips")
+            progress.step("reading", number / len(clips), f"{number} of {len(clips)} clips")
         before = manifest.entries.get(clip.name)
         digest = _digest(clip.source, figures, options)
         if before is None or before.input != digest:

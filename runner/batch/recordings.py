@@ -13,7 +13,7 @@ from rich.text import Text
 from dynsplines import models
 
 from ..errors import UserError, unknown
-from ..system.progress import Teller
+from ..system.progress import Progress
 from ..system.quantity import length
 from .manifest import Entry
 from .task import Cleaning
@@ -58,12 +58,12 @@ def asked(
     return Cleaning(model, *files, kind, bound, onto is not None)
 
 
-def tell(tally: Tally, teller: Teller) -> None:
+def tell(tally: Tally, progress: Progress) -> None:
     """What all of them came to, and the worst ten."""
     if any(entry.figures for entry in tally.good):
-        teller.console.print(table(tally.good))
+        progress.console.print(table(tally.good))
     for line in worst(tally.wrong):
-        teller.say(line)
+        progress.say(line)
 
 
 def table(good: Iterable[Entry]) -> Table:

@@ -29,7 +29,7 @@ def solved(task: Task, folder: Path) -> Product:
     from ..clip import load as clip
     from ..measure.problems import plain
     from ..scene import outside
-    from ..system.progress import Teller
+    from ..system.progress import Progress
 
     if task.program != program():
         raise UserError(f"the worker has dynamic-splines {program()}, not {task.program}; install the same")
@@ -44,9 +44,9 @@ def solved(task: Task, folder: Path) -> Product:
     with outside.allowed(task.allow_outside):
         problem = clip.load(where, figure_file=figure and str(folder / figure), fps=task.fps)
     with Path(os.devnull).open("w") as nowhere:
-        teller = Teller(Console(file=nowhere))
-        result = work.solve(problem, teller)
-        saved = result.saved(teller, with_report=task.report)
+        progress = Progress(Console(file=nowhere))
+        result = work.solve(problem, progress)
+        saved = result.saved(progress, with_report=task.report)
     return Product(_written(saved, task, folder, task.fps), tuple(plain(result.problems)))
 
 
@@ -57,7 +57,7 @@ def _cleaned(task: Task, cleaning: Cleaning, folder: Path) -> Product:
     from ..clean import running
     from ..clean.comparing import Comparison
     from ..scene import outside
-    from ..system.progress import Teller
+    from ..system.progress import Progress
 
     there = {word: folder / place for word, place in task.files.others.items()}
     figure = str(there["figure"]) if "figure" in there else cleaning.figure
@@ -71,7 +71,7 @@ def _cleaned(task: Task, cleaning: Cleaning, folder: Path) -> Product:
         apart=cleaning.apart,
     )
     with Path(os.devnull).open("w") as nowhere, outside.allowed(task.allow_outside):
-        result, saved = running.made(source, cleaning.within, Teller(Console(file=nowhere)))
+        result, saved = running.made(source, cleaning.within, Progress(Console(file=nowhere)))
     found = Comparison(result)
     return Product(_written(saved, task, folder, None), tuple(found.problems), found.figures)
 

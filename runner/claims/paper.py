@@ -23,7 +23,7 @@ from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.refine.displacement import displacement
 from dynsplines.solver.solution import Improvement
 
-from ..system.progress import Teller
+from ..system.progress import Progress
 from .barr import Discrete
 from .claim import Claim
 from .orientations import (
@@ -74,20 +74,20 @@ class Study:
     limit: int | None = None
 
 
-def run(seeds: int = SETS, teller: Teller | None = None) -> list[Claim]:
-    """All claims about rotations, measured on the sets 0 … seeds − 1; `teller` hears how far the work has come."""
+def run(seeds: int = SETS, progress: Progress | None = None) -> list[Claim]:
+    """All claims about rotations, measured on the sets 0 … seeds − 1; `progress` hears how far the work has come."""
     if seeds < 1:
         raise ValueError(f"seeds = {seeds}: at least one set of keyframes is needed")
     plan = [(study, seed) for seed in range(seeds) for study in STUDIES if seed < (study.limit or seeds)]
     rows: dict[str, list[Row]] = {study.name: [] for study in STUDIES}
     case = Case(0)
     for done, (study, seed) in enumerate(plan):
-        if teller is not None:
-            teller.step("measuring", done / len(plan), f"set {seed + 1} of {seeds}: {study.name}")
+        if progress is not None:
+            progress.step("measuring", done / len(plan), f"set {seed + 1} of {seeds}: {study.name}")
         case = case if case.seed == seed else Case(seed)
         rows[study.name].append(study.measure(case))
-    if teller is not None:
-        teller.step("measuring", 1.0, f"{seeds} sets", force=True)
+    if progress is not None:
+        progress.step("measuring", 1.0, f"{seeds} sets", force=True)
     return [claim for study in STUDIES for claim in study.judge(rows[study.name])]
 
 

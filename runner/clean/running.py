@@ -27,7 +27,7 @@ from ..motion import Saved
 from ..scene.assets import Scene
 from ..scene.compose import Step, compose
 from ..system.output import Replacement, check_new, check_target
-from ..system.progress import Teller
+from ..system.progress import Progress
 from .cleaning import Cleaned, cleaned
 from .comparing import Comparison, verdict
 from .repairs import repaired
@@ -60,7 +60,7 @@ class Source:
 
 
 def run(
-    source: Source, target: Path | None, *, within: float | None = None, overwrite: bool = False, teller: Teller
+    source: Source, target: Path | None, *, within: float | None = None, overwrite: bool = False, progress: Progress
 ) -> Path:
     """Cleans a recording and writes it; where it is. Raises UserError, before anything long begins if it can."""
     target = target or _target(source)
@@ -71,29 +71,29 @@ def run(
     if target.exists() and source.file.exists() and target.samefile(source.file):
         raise UserError(f"'{target}' is what is read; give another -o")
     check_new(target, overwrite=overwrite)
-    result, saved = made(source, within, teller)
+    result, saved = made(source, within, progress)
     if form is None:
         motion.save(saved, target)
     else:
-        formats.export(saved, form.name, target, overwrite=overwrite, tell=teller.say)
-    teller.console.print(Comparison(result).table())
+        formats.export(saved, form.name, target, overwrite=overwrite, tell=progress.say)
+    progress.console.print(Comparison(result).table())
     if within is not None:
         for line in _missed(result, within):
-            teller.say(line)
-    teller.say(f"wrote {target}")
+            progress.say(line)
+    progress.say(f"wrote {target}")
     return target
 
 
-def made(source: Source, within: float | None, teller: Teller) -> tuple[Cleaned, Saved]:
+def made(source: Source, within: float | None, progress: Progress) -> tuple[Cleaned, Saved]:
     """A recording cleaned, and its motion; within [m] as `run` takes it. Raises UserError."""
     around = _around(source)
-    found = _read(source, around, teller)
-    return _cleaned(found, around, within, teller, apart=source.apart)
+    found = _read(source, around, progress)
+    return _cleaned(found, around, within, progress, apart=source.apart)
 
 
-def motion_cleaned(saved: Saved, within: float | None, teller: Teller) -> Saved:
+def motion_cleaned(saved: Saved, within: float | None, progress: Progress) -> Saved:
     """A motion of ours, cleaned; within [m] as `run` takes it."""
-    return _cleaned(_Read.of(saved), SurroundingsTable(), within, teller, apart=False)[1]
+    return _cleaned(_Read.of(saved), SurroundingsTable(), within, progress, apart=False)[1]
 
 
 @dataclass(frozen=True, eq=False)
@@ -130,7 +130,7 @@ def _around(source: Source) -> SurroundingsTable:
     return SurroundingsTable(scene=scenes[0] if scenes else SceneTable(), contact=contact)
 
 
-def _read(source: Source, around: SurroundingsTable, teller: Teller) -> _Read:
+def _read(source: Source, around: SurroundingsTable, progress: Progress) -> _Read:
     """From a motion's file, or that of another program."""
     told = source.figure is not None or source.kind is not None
     if not told and motion.is_motion(str(source.file)) and formats.by_ending(source.file) is None:
@@ -142,38 +142,40 @@ def _read(source: Source, around: SurroundingsTable, teller: Teller) -> _Read:
         told_by = clips.file_of(source.map, MapTable)
         chosen = retarget.Map(told_by.figure, told_by.recording)
     with retarget.by(chosen) as met, gaps.allowed():
-        found = taken(source.file, source.kind, figure=source.figure, fps=source.fps, scale=source.scale, teller=teller)
+        found = taken(
+            source.file, source.kind, figure=source.figure, fps=source.fps, scale=source.scale, progress=progress
+        )
     if source.map is not None and not met:
         raise UserError(f"'{source.file}': its format is already one of the figure's joints; a map says nothing of it")
     if source.map is not None and source.writes_map:
         with Replacement(source.map) as temporary:
             said = {"figure": dict(met[0].figure), "recording": dict(met[0].recording)}
             temporary.write_text(f"{HEADING}{written(said)}", encoding="utf-8")
-        teller.say(f"wrote {source.map}")
+        progress.say(f"wrote {source.map}")
     step = around.scene.step
     scene = compose(found.spec, None if step is None else Step(**step.model_dump()), obstacles(around.scene))
     return _Read(found.name, scene, found.time, found.qpos, found.fps)
 
 
 def _cleaned(
-    found: _Read, around: SurroundingsTable, within: float | None, teller: Teller, *, apart: bool
+    found: _Read, around: SurroundingsTable, within: float | None, progress: Progress, *, apart: bool
 ) -> tuple[Cleaned, Saved]:
     figure = clips.figure_of(found.scene, found.name)
     mended = repaired(figure, found.time, found.qpos, found.name)
     for note in mended.notes:
-        teller.say(f"note: {note}")
+        progress.say(f"note: {note}")
     ground = replace(ground_of(figure, mended.qpos), apart=apart)
     span = float(mended.time[0]), float(mended.time[-1])
     given = rests_of(ground, around.contact, span, found.name) if around.contact else None
 
     def improved(improvement: Improvement) -> None:
-        teller.step("cleaning", None, f"evaluation {improvement.evaluation}, objective {improvement.value:.4g}")
+        progress.step("cleaning", None, f"evaluation {improvement.evaluation}, objective {improvement.value:.4g}")
 
     result = cleaned(ground, mended, given, within=within, verdict=verdict, improved=improved)
     if not result.rests:
-        teller.say("note: no stance is found in it: nothing is kept from slipping")
+        progress.say("note: no stance is found in it: nothing is kept from slipping")
     for line in _stances(result):
-        teller.say(line)
+        progress.say(line)
     return result, _saved(result, found)
 
 

@@ -28,7 +28,7 @@ from ..clip.text import keyframe_tables, tables, written
 from ..errors import UserError
 from ..measure.problems import stop_of
 from ..motion import Saved
-from ..system.progress import Teller
+from ..system.progress import Progress
 from ..work import Solved
 
 Rows = Sequence[dict[str, Any]]
@@ -147,7 +147,7 @@ def _around(solve: dict[str, Any], around: dict[str, Any]) -> dict[str, Any]:
     return solve | {name: around.get(name, 0.0) for name in clips.AROUND if solve.get(name) is not None}
 
 
-def joined(before: Saved, after: Saved, transition: float, teller: Teller) -> Saved:
+def joined(before: Saved, after: Saved, transition: float, progress: Progress) -> Saved:
     """The second motion from where the first ends, after a transition [s] that is solved as an in-between."""
     check_transition(transition)
     check_alike(before, after)
@@ -159,7 +159,7 @@ def joined(before: Saved, after: Saved, transition: float, teller: Teller) -> Sa
     two = Timeline(tuple(replace(frame, time=frame.time + shift) for frame in two.frames), two.end_slope)
     moved = [replace(k, time=k.time + shift, state=place.states(figure, k.state, "joint")) for k in after.keys]
     ends = _key_on(figure, one, -1), _key_on(figure, two, 0)
-    between = _transition(before, one, two, ends, teller)
+    between = _transition(before, one, two, ends, progress)
     keys = (*before.keys[:-1], *ends, *moved[1:])
     with _told("join"):
         clips.check_times([key.time for key in keys], "join")
@@ -177,13 +177,13 @@ def check_transition(transition: float) -> None:
         raise UserError(f"a transition lasts {clips.SHORTEST:g} to {clips.LONGEST:g} s, not {transition:g}")
 
 
-def _transition(saved: Saved, one: Timeline, two: Timeline, ends: tuple[Frame, Frame], teller: Teller) -> Timeline:
+def _transition(saved: Saved, one: Timeline, two: Timeline, ends: tuple[Frame, Frame], progress: Progress) -> Timeline:
     """The in-between from the end of one timeline to the start of the other, weighed as in the first motion."""
     count = max(LEAST_FRAMES, round((ends[1].time - ends[0].time) / FRAME_SECONDS))
     begin = join.bridge(saved.figure, one, two, variable=count)
     clip = clips.of_motion(replace(saved, keys=ends, timeline=one))
     objective = renormalised(clip.problem.plain_objective, saved.raw)
-    teller.step("solving the transition", 0.0, force=True)
+    progress.step("solving the transition", 0.0, force=True)
     return optimised(objective, begin, tolerance=TOLERANCE)
 
 
@@ -209,13 +209,13 @@ def check_alike(before: Clip | Saved, after: Clip | Saved) -> None:
             raise UserError(f"'{before.name}' and '{after.name}' are of different figures; they differ at '{a.name}'")
 
 
-def measured(saved: Saved, teller: Teller, edit: str) -> Saved:
+def measured(saved: Saved, progress: Progress, edit: str) -> Saved:
     """A motion with the report that belongs to it; `edit` says why no search stopped, where none did."""
     clip = clips.answered(saved)
     objective = renormalised(clip.problem.plain_objective, saved.raw)
     evaluations = saved.search.get("evaluations", 0)
     found = Solution(saved.figure, objective, saved.timeline, saved.raw, (), evaluations, stop_of(saved))
-    again = Solved(clip, found, saved.search.get("seconds")).saved(teller)
+    again = Solved(clip, found, saved.search.get("seconds")).saved(progress)
     return replace(saved, report=again.report | {"stopped because": saved.search.get("stopped because", edit)})
 
 

@@ -20,7 +20,7 @@ from ..measure import problems
 from ..measure.problems import Flaw
 from ..motion import Saved
 from ..system.output import Replacement, check_target
-from ..system.progress import Teller
+from ..system.progress import Progress
 from . import edits
 
 Problems = tuple[Flaw, ...]
@@ -34,13 +34,13 @@ class Edit:
     """
 
     word: str
-    motions: Callable[[Sequence[Saved], Teller], Saved]
+    motions: Callable[[Sequence[Saved], Progress], Saved]
     clip: Callable[[dict[str, Any], Clip], dict[str, Any]] | None = None
     check: Callable[[Sequence[Clip | Saved]], object] = lambda found: None
 
 
 def run(
-    sources: list[str], edit: Edit, target: Path | None, *, overwrite: bool, fresh: bool = False, teller: Teller
+    sources: list[str], edit: Edit, target: Path | None, *, overwrite: bool, fresh: bool = False, progress: Progress
 ) -> tuple[Path, Problems]:
     """Does an edit; where its result lies, a motion or by the ending .toml a clip, and what is wrong with a motion.
 
@@ -55,23 +55,23 @@ def run(
     if target.suffix == ".toml":
         one = found[0]
         text = _clip_text(one, sources[0], edit, target) if direct and isinstance(one, Clip) else ""
-        text = text or edit.motions([_solved(each, teller, fresh) for each in found], teller).text
+        text = text or edit.motions([_solved(each, progress, fresh) for each in found], progress).text
         if not text:
             raise UserError(f"{target}: '{sources[0]}' came from no clip file, so there is none to edit; write an .npz")
         with Replacement(target) as temporary:
             temporary.write_text(text, encoding="utf-8")
         return target, ()
-    saved = edit.motions([_solved(each, teller, fresh) for each in found], teller)
+    saved = edit.motions([_solved(each, progress, fresh) for each in found], progress)
     search = {"stopped because": f"not searched: {edit.word}"}
     saved = replace(saved, name=target.stem, trace=[], report={}, search=search)
     motion.save(saved, target)
     return target, problems.of_motion(saved)
 
 
-def _solved(found: Clip | Saved, teller: Teller, fresh: bool) -> Saved:
+def _solved(found: Clip | Saved, progress: Progress, fresh: bool) -> Saved:
     if isinstance(found, Saved):
         return found
-    return kept.solved(found, teller, fresh=fresh).saved(teller, with_report=False)
+    return kept.solved(found, progress, fresh=fresh).saved(progress, with_report=False)
 
 
 def _check_target(target: Path, sources: list[str], overwrite: bool) -> None:
@@ -144,10 +144,10 @@ def joined(transition: float) -> Edit:
     """One after the other."""
     edits.check_transition(transition)
 
-    def both(saved: Sequence[Saved], teller: Teller) -> Saved:
+    def both(saved: Sequence[Saved], progress: Progress) -> Saved:
         before, after = saved
         if before.scene != after.scene:
-            teller.say(f"note: the scene is that of '{before.name}'")
-        return edits.joined(before, after, transition, teller)
+            progress.say(f"note: the scene is that of '{before.name}'")
+        return edits.joined(before, after, transition, progress)
 
     return Edit("joined", both, check=lambda found: edits.check_alike(*found))

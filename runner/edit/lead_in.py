@@ -18,7 +18,7 @@ from ..exchange.skeleton import hierarchy
 from ..exchange.skeleton.roles import roles
 from ..measure.problems import is_recording
 from ..motion import Saved
-from ..system.progress import Teller
+from ..system.progress import Progress
 
 OUT = 0.94  # cosine, 20°: so near to straight out are the arms of a T-pose
 UPRIGHT = 0.8  # cosine, 37°: and so upright its trunk and legs, which stand apart in some
@@ -78,13 +78,13 @@ def without(saved: Saved) -> Saved:
     return replace(saved, keys=keys, timeline=raw, raw=raw, trace=[], report={})
 
 
-def told(saved: Saved, teller: Teller, *, skip: bool) -> Saved:
+def told(saved: Saved, progress: Progress, *, skip: bool) -> Saved:
     """A recording's lead-in is said, and left out if asked for; any other motion stays as it is."""
     found = of_motion(saved)
     if found is not None:
-        teller.say(f"note: {found.line}: {'left out' if skip else '--skip-rest leaves it out'}")
+        progress.say(f"note: {found.line}: {'left out' if skip else '--skip-rest leaves it out'}")
     elif skip:
-        teller.say("note: --skip-rest: no T-pose or rest pose stands before the motion; nothing is left out")
+        progress.say("note: --skip-rest: no T-pose or rest pose stands before the motion; nothing is left out")
     return without(saved) if skip else saved
 
 

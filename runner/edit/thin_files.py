@@ -16,7 +16,7 @@ from ..exchange.formats import stem
 from ..exchange.imported import imported
 from ..motion import Saved
 from ..system.output import check_new
-from ..system.progress import Teller
+from ..system.progress import Progress
 from ..system.quantity import length
 from . import lead_in, thinning
 from .thinning import Thinned
@@ -39,18 +39,18 @@ class Recording:
     fresh: bool = False
     skip_rest: bool = False
 
-    def read(self, teller: Teller) -> Saved:
+    def read(self, progress: Progress) -> Saved:
         """A saved motion as it is, a clip solved, any other file imported."""
-        return lead_in.told(self._read(teller), teller, skip=self.skip_rest)
+        return lead_in.told(self._read(progress), progress, skip=self.skip_rest)
 
-    def _read(self, teller: Teller) -> Saved:
+    def _read(self, progress: Progress) -> Saved:
         told = self.figure is not None or self.kind is not None
         path = Path(self.source)
         if not told and motion.is_motion(self.source):
             return motion.load(path)
         if not told and (self.source in models.clips() or path.suffix.lower() == ".toml"):
-            return kept.solved(clips.load(self.source), teller, fresh=self.fresh).saved(teller, with_report=False)
-        return imported(path, self.kind, figure=self.figure, fps=self.fps, teller=teller)
+            return kept.solved(clips.load(self.source), progress, fresh=self.fresh).saved(progress, with_report=False)
+        return imported(path, self.kind, figure=self.figure, fps=self.fps, progress=progress)
 
 
 def bound(error: str, angle: float) -> tuple[float, float]:
@@ -68,7 +68,7 @@ def run(
     solve: bool = False,
     exact: bool = False,
     overwrite: bool,
-    teller: Teller,
+    progress: Progress,
 ) -> Path:
     """Thins a motion and writes what is left; a clip's file is read and solved again, and its misses are told.
 
@@ -83,18 +83,18 @@ def run(
     if target.exists() and source.exists() and target.samefile(source) and not overwrite:
         raise UserError(f"'{target}' is what is read; give another -o, or --overwrite")
     check_new(target, overwrite=overwrite)
-    saved = recording.read(teller)
-    found = thinning.thinned(saved, *bound, solve=solve, teller=teller)
+    saved = recording.read(progress)
+    found = thinning.thinned(saved, *bound, solve=solve, progress=progress)
     written = thinning.write(found, target, exact=exact, overwrite=overwrite)
     told = [found.line]
     if target.suffix == ".toml":
-        solved = kept.solved(clips.load(str(target)), teller, fresh=recording.fresh).motion.timeline
+        solved = kept.solved(clips.load(str(target)), progress, fresh=recording.fresh).motion.timeline
         after = thinning.measured(thinning.recorded_of(saved, *bound), replace(found.motion, timeline=solved))
         told = [after.line] if solve or exact else [f"{found.line}: the spline", _as_solved(after)]
         thinning.write(found, target, exact=exact, note="; ".join(told), overwrite=True)
     for line in told:
-        teller.say(line)
-    teller.say(f"wrote {' and '.join(map(str, written))}")
+        progress.say(line)
+    progress.say(f"wrote {' and '.join(map(str, written))}")
     return target
 
 

@@ -26,7 +26,7 @@ from ..clip.text import keyframe_tables, tables, written
 from ..errors import UserError
 from ..motion import Saved, save
 from ..system.output import check_target
-from ..system.progress import Teller
+from ..system.progress import Progress
 
 RATE = 100.0  # instants a second, at least, that a motion between keyframes is looked at
 LOOSE = 4.0  # times the bound: what the spline keeps through keyframes of which the search is to make the rest
@@ -66,24 +66,24 @@ class Thinned:
 
 
 def thinned(
-    saved: Saved, distance: float, angle: float, *, solve: bool = False, teller: Teller | None = None
+    saved: Saved, distance: float, angle: float, *, solve: bool = False, progress: Progress | None = None
 ) -> Thinned:
     """A motion with the fewest keyframes found that keep it within `distance` [m] and `angle` [rad] of what it was.
 
     solve  the dynamic spline through the keyframes has to, and not only the raw one
     """
-    teller = teller or Teller()
+    progress = progress or Progress()
     recorded = recorded_of(saved, distance, angle)
     text = _Text(saved)
 
     def told(note: str) -> None:
-        teller.step("thinning", None, note)
+        progress.step("thinning", None, note)
 
     def problem(keys: Sequence[Frame]) -> clips.Clip:
         return clips.of_motion(replace(saved, text=text.of(keys), keys=tuple(keys)), contacts=True)
 
     def solved(keys: Sequence[Frame]) -> Timeline:
-        return work.solve(problem(keys), teller).motion.timeline
+        return work.solve(problem(keys), progress).motion.timeline
 
     loosely = replace(recorded, bound=Bound(LOOSE * distance, LOOSE * angle))
     found = refined(recorded, thin(loosely, told).kept, solved, told) if solve else thin(recorded, told)

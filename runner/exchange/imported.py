@@ -14,7 +14,7 @@ from dynsplines.solver.curve.frame import TimelineError
 from ..clip import load as clips
 from ..motion import Saved
 from ..scene.compose import compose, figure_spec
-from ..system.progress import Teller
+from ..system.progress import Progress
 from ..work import unsolved
 from . import gaps
 from .formats import Reader, read_by, recording, stem
@@ -40,17 +40,17 @@ def taken(
     figure: str | None = None,
     fps: float | None = None,
     scale: float | None = None,
-    teller: Teller | None = None,
+    progress: Progress | None = None,
 ) -> Taken:
     """Reads a file of another program.
 
     figure  a shipped figure's name or a path to MJCF, for files that bring none
     fps, scale  [1/s], [m] the file's rate and unit of length, where it does not tell them
-    teller  hears how the file was read
+    progress  hears how the file was read
 
     Raises UserError.
     """
-    teller = teller or Teller()
+    progress = progress or Progress()
     spec = None if figure is None else figure_spec(figure)
     model = None if spec is None else spec.compile()
     if kind is None or isinstance(kind, str):
@@ -59,7 +59,7 @@ def taken(
         told = read_by(kind, source, model, fps)
     told = gaps.left_out(told, source)
     for note in told.notes:
-        teller.say(f"note: {note}")
+        progress.say(f"note: {note}")
     spec = mujoco.MjSpec.from_string(told.mjcf, assets=dict(told.assets)) if told.mjcf is not None else spec
     assert spec is not None, "a reader gives a figure or asks for one"
     rate = told.fps or (float(np.round(1 / np.median(np.diff(told.time)), 6)) if told.time.size > 1 else 30.0)
@@ -73,7 +73,7 @@ def imported(
     figure: str | None = None,
     fps: float | None = None,
     scale: float | None = None,
-    teller: Teller | None = None,
+    progress: Progress | None = None,
 ) -> Saved:
     """The motion in a file of another program, as the spline through all that was recorded.
 
@@ -81,12 +81,12 @@ def imported(
 
     Raises UserError. What loops in the file is a loop, if its last pose is its first, moved on.
     """
-    teller = teller or Teller()
-    told = taken(source, kind, figure=figure, fps=fps, scale=scale, teller=teller)
+    progress = progress or Progress()
+    told = taken(source, kind, figure=figure, fps=fps, scale=scale, progress=progress)
     found = clips.from_qpos(told.name, compose(told.spec), told.time, told.qpos, told.fps, source.name)
     if told.loops:
         try:
-            return unsolved(found.asking(ends="periodic")).saved(teller, with_report=False)
+            return unsolved(found.asking(ends="periodic")).saved(progress, with_report=False)
         except TimelineError:
-            teller.say("note: the file says that it loops, but its last pose is not its first; it is read as it is")
-    return unsolved(found).saved(teller, with_report=False)
+            progress.say("note: the file says that it loops, but its last pose is not its first; it is read as it is")
+    return unsolved(found).saved(progress, with_report=False)

@@ -7,14 +7,14 @@ from pathlib import Path
 
 from ..errors import UserError
 from ..motion import Saved
-from ..system.progress import Teller
+from ..system.progress import Progress
 from ..system.workers import MOST_WORKERS, cores
 from . import film, show
 from .graphics import Graphics
 from .show import Look
 
 
-def draw(saved: Saved, look: Look, graphics: Graphics, target: Path, asked: int | None, teller: Teller) -> None:
+def draw(saved: Saved, look: Look, graphics: Graphics, target: Path, asked: int | None, progress: Progress) -> None:
     """Writes .mp4, .webm, .gif or .png; `asked` is how many processes may draw, None: one, or with rays one a core."""
     still = target.suffix.lower() == ".png"
     workers = asked or (min(cores(), MOST_WORKERS) if graphics.kind == "rays" else 1)
@@ -30,7 +30,7 @@ def draw(saved: Saved, look: Look, graphics: Graphics, target: Path, asked: int 
             look = show.for_tiles(look, film.SHEET_TILE, graphics)
         drawn = show.images(saved, look, graphics, still_keys=still, workers=workers, picks=picks)
         with contextlib.closing(drawn) as images:
-            film.write(target, teller.over(images, "rendering", count), look.fps, count=count)
+            film.write(target, progress.over(images, "rendering", count), look.fps, count=count)
     except (film.FilmError, ValueError) as error:
         raise UserError(str(error)) from None
     except OSError as error:

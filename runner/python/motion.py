@@ -33,7 +33,7 @@ from ..measure.problems import Flaw
 from ..measure.report import tables
 from ..motion import Sampled, Saved
 from ..system.output import check_target
-from ..system.progress import Teller
+from ..system.progress import Progress
 from ..system.quantity import length
 from ..work import Solved
 
@@ -54,9 +54,9 @@ def inbetween(clip: Clip | str | os.PathLike[str], *, progress: bool = False) ->
     """
     from .loading import load  # only here: it gives motions too
 
-    teller = Teller() if progress else _silent()
-    solved = work.solve(clip if isinstance(clip, Clip) else load(clip), teller)
-    return Motion(solved.saved(teller, with_report=False), solved)
+    heard = Progress() if progress else _silent()
+    solved = work.solve(clip if isinstance(clip, Clip) else load(clip), heard)
+    return Motion(solved.saved(heard, with_report=False), solved)
 
 
 class Report(dict[str, Any]):
@@ -263,7 +263,7 @@ class Motion:
         except GraphicsError as error:
             raise UserError(str(error)) from None
         look = Look(*size, fps or self.fps, only, ghosts, camera, slow, at)
-        draw(self.saved, look, graphics, target, workers or 1, Teller() if progress else _silent())
+        draw(self.saved, look, graphics, target, workers or 1, Progress() if progress else _silent())
         return target
 
     def _check_look(self, only: str, camera: str, at: float | None) -> None:
@@ -373,7 +373,7 @@ class Motion:
         if not 0 < max_angle <= 180:
             raise UserError(f"max_angle = {max_angle:g}: give degrees, above 0 and up to 180")
         bound = length(max_error, "max_error ="), float(np.radians(max_angle))
-        return self._edited(thinning.thinned(self.saved, *bound, solve=solve, teller=_silent()).motion)
+        return self._edited(thinning.thinned(self.saved, *bound, solve=solve, progress=_silent()).motion)
 
     def _edited(self, saved: Saved) -> Motion:
         return Motion(replace(saved, trace=[], report={}, search={}))
@@ -388,5 +388,5 @@ class Motion:
         return f'<iframe title="{html.escape(self.name)}" style="{style}" srcdoc="{inside}"></iframe>'
 
 
-def _silent() -> Teller:
-    return Teller(Console(quiet=True))
+def _silent() -> Progress:
+    return Progress(Console(quiet=True))

@@ -10,16 +10,16 @@ from typing import TYPE_CHECKING, Self, TypeVar
 from rich.console import Console
 
 if TYPE_CHECKING:
-    from rich.progress import Progress
+    from rich.progress import Progress as Bars
 
 Item = TypeVar("Item")
 QUIET_SECONDS = 5.0  # [s] between lines where no bar can be drawn
 
 
-class Teller:
+class Progress:
     """Says how far work has come.
 
-    with Teller() as tell:
+    with Progress() as tell:
         tell.say("renderer: EGL")
         tell.step("solving", 0.3, "E 2.41")
         for image in tell.over(images, "rendering", 80): ...
@@ -27,16 +27,17 @@ class Teller:
 
     def __init__(self, console: Console | None = None) -> None:
         self.console = console or Console(stderr=True, highlight=False)
-        self._bars: Progress | None = None
+        self._bars: Bars | None = None
         self._tasks: dict[str, object] = {}
         self._last = 0.0
 
     def __enter__(self) -> Self:
         if self.console.is_terminal:
-            from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn  # only here: for bars
+            from rich.progress import BarColumn, TextColumn, TimeElapsedColumn  # only here: for bars
+            from rich.progress import Progress as Bars
 
             columns = (TextColumn("{task.description}"), BarColumn(), TextColumn("{task.fields[note]}"))
-            self._bars = Progress(*columns, TimeElapsedColumn(), console=self.console)
+            self._bars = Bars(*columns, TimeElapsedColumn(), console=self.console)
             self._bars.start()
         return self
 

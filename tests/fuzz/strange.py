@@ -34,7 +34,7 @@ from dynsplines.measure import problems
 from dynsplines.measure.exactness import keyframe_error
 from dynsplines.motion import Saved
 from dynsplines.scene.compose import figure_spec
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 
 Make = Callable[[Rng], bytes]
 Read = Callable[[Path], object]
@@ -69,8 +69,8 @@ FIGURES = (
 )  # fmt: skip
 
 
-def told() -> Teller:
-    return Teller(Console(file=io.StringIO()))
+def told() -> Progress:
+    return Progress(Console(file=io.StringIO()))
 
 
 @cache
@@ -212,7 +212,7 @@ def _import(kind: str, figure: str | None, path: Path) -> object:
     if crc32(path.read_bytes()) % WHOLE_OF:
         model = None if figure is None else _model(figure)
         return formats.recording(path, kind, model=model, fps=30.0 if kind == "mjlab-csv" else None)
-    return imported(path, kind, figure=figure, fps=30.0 if kind == "mjlab-csv" else None, teller=told())
+    return imported(path, kind, figure=figure, fps=30.0 if kind == "mjlab-csv" else None, progress=told())
 
 
 @cache

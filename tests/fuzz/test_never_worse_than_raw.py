@@ -29,7 +29,7 @@ from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.search.descent import NEWTON
 from dynsplines.solver.search.judgement import common_grid
 from dynsplines.solver.search.methods import METHODS
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 
 CLIPS = ("sit_down", "walk_loop", "run_loop", "cartwheel", "tumble", "run_and_step", "stairs")
 EVALUATIONS = (1, 2, 5, 20, 60)
@@ -111,7 +111,7 @@ def test_a_quaternion_that_passes_nought_between_two_samples_is_no_gain(seed):
 
 def assert_no_worse(clip: Clip) -> None:
     """Searched, and held against its raw spline on a grid of its own."""
-    motion = work.solve(clip, Teller(Console(file=io.StringIO()))).motion
+    motion = work.solve(clip, Progress(Console(file=io.StringIO()))).motion
     assert np.isfinite(motion.timeline.rows).all()
     assert keyframe_error(clip, motion.timeline) <= EXACT
     edges = common_grid([motion.timeline, motion.raw])

@@ -162,7 +162,7 @@ def test_a_set_that_stands_out_is_named_with_what_its_motion_costs(benchmark):
 
 @pytest.mark.slow
 def test_solving_is_what_the_command_does(benchmark, run):
-    from dynsplines.system.progress import Teller
+    from dynsplines.system.progress import Progress
 
-    done = work.solve(clips.load("run_loop"), Teller())
+    done = work.solve(clips.load("run_loop"), Progress())
     np.testing.assert_array_equal(done.motion.timeline.rows, run.timeline.rows)

@@ -26,12 +26,12 @@ from dynsplines.solver.penalty import Contact, Sum, UnitMagnitude
 from dynsplines.solver.penalty.curvature import Curvature, OneSided
 from dynsplines.solver.surface import Capsule, Ellipsoid, Sphere
 from dynsplines.solver.surface.cover import covering_points
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 
 
 def deepest(path: str) -> float:
     """Deepest penetration [m] of a clip's solved motion at 1 kHz."""
-    solved = work.solve(clip.load(path), Teller(Console(file=io.StringIO())))
+    solved = work.solve(clip.load(path), Progress(Console(file=io.StringIO())))
     run = sampled(solved.clip.figure, solved.motion.timeline, 1000.0)
     return penetration(solved.clip.figure.model, run.time, run.qpos).deepest
 

@@ -14,13 +14,13 @@ from dynsplines.claims.orientations import INTRINSIC, KEYFRAMES, Run, energy
 from dynsplines.clip import load as clip
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import Path, path_of
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 from dynsplines.work import Solved
 
 
 @pytest.fixture(scope="module")
 def tumble() -> Solved:
-    return work.solve(clip.load("tumble"), Teller(Console(file=io.StringIO())))
+    return work.solve(clip.load("tumble"), Progress(Console(file=io.StringIO())))
 
 
 def turning(path: Path) -> Path:

@@ -231,7 +231,7 @@ def test_without_a_word_rays_are_drawn_by_a_process_a_core(run, motion_file, mon
 def test_render_of_a_clip_solves_it_unless_only_the_keyframes_are_wanted(run, monkeypatch):
     solved: list[str] = []
     solve = work.solve
-    monkeypatch.setattr(work, "solve", lambda clip, teller: solved.append(clip.name) or solve(clip, teller))
+    monkeypatch.setattr(work, "solve", lambda clip, progress: solved.append(clip.name) or solve(clip, progress))
     for only in ("keys", "before"):
         assert run("render", "tiny.toml", *SMALL, "--only", only, "--fps", 5).code == 0
     assert solved == []

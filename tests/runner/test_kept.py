@@ -18,7 +18,7 @@ from dynsplines.clip import load as clip
 from dynsplines.clip.load import Clip
 from dynsplines.measure.report import report
 from dynsplines.solver.search.minimum import Stop
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 from dynsplines.work import Solved
 
 TETRAHEDRON = "v 0 0 0\nv .1 0 0\nv 0 .1 0\nv 0 0 {}\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"
@@ -41,16 +41,16 @@ def counted(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     done: list[str] = []
     solve = work.solve
 
-    def watched(clip: Clip, teller: Teller) -> Solved:
+    def watched(clip: Clip, progress: Progress) -> Solved:
         done.append(clip.name)
-        return solve(clip, teller)
+        return solve(clip, progress)
 
     monkeypatch.setattr(work, "solve", watched)
     return done
 
 
-def teller() -> Teller:
-    return Teller(Console(file=io.StringIO()))
+def progress() -> Progress:
+    return Progress(Console(file=io.StringIO()))
 
 
 def tiny(folder: Path, text: str = CLIP) -> Clip:
@@ -86,8 +86,8 @@ def assert_same(one: Solved, other: Solved) -> None:
 
 
 def test_an_unchanged_clip_is_not_solved_again_and_is_the_same(tmp_path, cache, counted):
-    first = kept.solved(tiny(tmp_path / "a"), teller())
-    again = kept.solved(tiny(tmp_path / "a"), teller())
+    first = kept.solved(tiny(tmp_path / "a"), progress())
+    again = kept.solved(tiny(tmp_path / "a"), progress())
     assert counted == ["tiny"]
     assert_same(first, again)
     assert len(names(cache)) == 1
@@ -95,20 +95,20 @@ def test_an_unchanged_clip_is_not_solved_again_and_is_the_same(tmp_path, cache, 
 
 @pytest.mark.slow
 def test_its_report_is_the_same(tmp_path, cache):
-    one, two = (kept.solved(tiny(tmp_path / "a"), teller()) for _ in range(2))
+    one, two = (kept.solved(tiny(tmp_path / "a"), progress()) for _ in range(2))
     assert report(one.clip, one.motion, one.seconds) == report(two.clip, two.motion, two.seconds)
 
 
 def test_fresh_solves_it_all_the_same(tmp_path, cache, counted):
     for _ in range(2):
-        kept.solved(tiny(tmp_path / "a"), teller(), fresh=True)
+        kept.solved(tiny(tmp_path / "a"), progress(), fresh=True)
     assert counted == ["tiny", "tiny"]
 
 
 def test_a_clip_that_is_only_written_otherwise_or_lies_elsewhere_is_not_solved_again(tmp_path, cache, counted):
-    kept.solved(tiny(tmp_path / "a"), teller())
-    kept.solved(tiny(tmp_path / "b", "# Other words.\n" + changed("fps = 20", "fps = 25")), teller())
-    kept.solved(tiny(tmp_path / "c", changed("time = 0\n", "time    =   0\n")), teller())
+    kept.solved(tiny(tmp_path / "a"), progress())
+    kept.solved(tiny(tmp_path / "b", "# Other words.\n" + changed("fps = 20", "fps = 25")), progress())
+    kept.solved(tiny(tmp_path / "c", changed("time = 0\n", "time    =   0\n")), progress())
     assert counted == ["tiny"]
 
 
@@ -207,10 +207,10 @@ DAMAGE = {
 
 @pytest.mark.parametrize("damage", DAMAGE)
 def test_a_damaged_file_is_as_good_as_none_and_is_replaced(tmp_path, cache, counted, damage):
-    first = kept.solved(tiny(tmp_path / "a"), teller())
+    first = kept.solved(tiny(tmp_path / "a"), progress())
     DAMAGE[damage](only(cache))
     assert kept.read(only(cache), first.clip) is None
-    again = kept.solved(tiny(tmp_path / "a"), teller())
+    again = kept.solved(tiny(tmp_path / "a"), progress())
     assert counted == ["tiny", "tiny"]
     np.testing.assert_array_equal(again.motion.timeline.rows, first.motion.timeline.rows)
     assert kept.read(only(cache), first.clip) is not None
@@ -221,12 +221,12 @@ def test_old_ones_make_room_and_nothing_else_is_touched(tmp_path, cache, monkeyp
     texts = [changed("rotvec = [0, 40, 0]", f"rotvec = [0, {angle}, 0]") for angle in (40, 41, 42, 43)]
     problems = [tiny(tmp_path / f"{i}", text) for i, text in enumerate(texts)]
     for age, problem in enumerate(problems[:3]):
-        kept.solved(problem, teller())
+        kept.solved(problem, progress())
         os.utime(cache / f"{kept.key_of(problem)}.npz", (1e9 + age, 1e9 + age))
     (cache / "mine.npz").write_bytes(bytes(10_000))
-    kept.solved(problems[0], teller())  # used: now it is the youngest
+    kept.solved(problems[0], progress())  # used: now it is the youngest
     monkeypatch.setattr(kept, "MOST_BYTES", 2.5 * (cache / f"{kept.key_of(problems[0])}.npz").stat().st_size)
-    kept.solved(problems[3], teller())
+    kept.solved(problems[3], progress())
     assert names(cache) == sorted([f"{kept.key_of(problems[i])}.npz" for i in (0, 3)] + ["mine.npz"])
 
 
@@ -234,7 +234,7 @@ def test_old_ones_make_room_and_nothing_else_is_touched(tmp_path, cache, monkeyp
 def test_where_nothing_can_be_kept_it_is_solved(tmp_path, cache, counted):
     cache.write_text("no folder", encoding="utf-8")
     for _ in range(2):
-        kept.solved(tiny(tmp_path / "a"), teller())
+        kept.solved(tiny(tmp_path / "a"), progress())
     assert counted == ["tiny", "tiny"]
     assert cache.read_text(encoding="utf-8") == "no folder"
 
@@ -244,7 +244,7 @@ def test_where_nothing_can_be_kept_it_is_solved(tmp_path, cache, counted):
 def test_nothing_is_kept_if_nothing_is_to_be(tmp_path, cache, counted, monkeypatch, word):
     monkeypatch.setenv("DYNSPLINES_CACHE", word)
     for _ in range(2):
-        kept.solved(tiny(tmp_path / "a"), teller())
+        kept.solved(tiny(tmp_path / "a"), progress())
     assert counted == ["tiny", "tiny"]
     assert not cache.exists()
 
@@ -262,7 +262,7 @@ def test_unless_told_otherwise_it_is_the_users_folder_for_such_things(monkeypatc
 def test_a_search_that_was_stopped_is_not_kept(tmp_path, cache, monkeypatch, solved):
     stopped = replace(solved, motion=replace(solved.motion, stop=Stop.ASKED))
     monkeypatch.setattr(work, "solve", lambda *_: stopped)
-    kept.solved(tiny(tmp_path / "a"), teller())
+    kept.solved(tiny(tmp_path / "a"), progress())
     assert not cache.exists()
 
 

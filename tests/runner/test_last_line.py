@@ -146,7 +146,7 @@ def test_names_in_a_table_are_no_formulas_and_come_back(tmp_path: Path):
     from dynsplines.clip.load import from_qpos
     from dynsplines.exchange import formats
     from dynsplines.scene.compose import compose, figure_spec
-    from dynsplines.system.progress import Teller
+    from dynsplines.system.progress import Progress
     from dynsplines.work import unsolved
 
     names = ["=cmd|' /C calc'!A0", "+1", "-1", "@SUM(1)", "'=quoted", "'plain", "plain"]
@@ -156,7 +156,7 @@ def test_names_in_a_table_are_no_formulas_and_come_back(tmp_path: Path):
     (tmp_path / "m.xml").write_text(f"<mujoco><worldbody>{hinges}</worldbody></mujoco>", encoding="utf-8")
     scene = compose(figure_spec(str(tmp_path / "m.xml")))
     qpos = np.arange(2.0 * len(names)).reshape(2, -1) / 100
-    saved = unsolved(from_qpos("m", scene, np.array([0, 1.0]), qpos, 10.0, "m")).saved(Teller(), with_report=False)
+    saved = unsolved(from_qpos("m", scene, np.array([0, 1.0]), qpos, 10.0, "m")).saved(Progress(), with_report=False)
     target = formats.export(saved, "csv", tmp_path / "m.csv")
     with target.open(newline="", encoding="utf-8") as stream:
         heading = next(csv.reader(stream))

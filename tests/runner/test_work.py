@@ -14,7 +14,7 @@ from dynsplines.clip import load as clip
 from dynsplines.clip.load import Clip
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.search.minimum import Stop
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 
 
 @pytest.fixture
@@ -22,7 +22,7 @@ def problem(tmp_path) -> Clip:
     return clip.load(str(written(tmp_path, changed("evaluations = 8", "evaluations = 40"))))
 
 
-class Listening(Teller):
+class Listening(Progress):
     """Keeps every step, and can press Ctrl-C at one."""
 
     def __init__(self, interrupt_at: int = 0) -> None:
@@ -42,10 +42,10 @@ def value(solved: work.Solved) -> float:
 
 
 def test_every_improvement_is_told_and_the_last_line_sums_up(problem):
-    teller = Listening()
-    solved = work.solve(problem, teller)
-    assert len(teller.steps) == len(solved.motion.trace) + 1
-    assert "->" in teller.steps[-1]
+    progress = Listening()
+    solved = work.solve(problem, progress)
+    assert len(progress.steps) == len(solved.motion.trace) + 1
+    assert "->" in progress.steps[-1]
     assert (solved.seconds or 0) > 0
     values = [entry[2] for entry in solved.motion.trace]
     assert values == sorted(values, reverse=True)
@@ -57,20 +57,20 @@ def test_what_was_not_found_is_told_first(tmp_path):
     assert figure.notes == ()
     text = (tmp_path / "tiny.xml").read_text(encoding="utf-8").replace("left_toe", "tip")
     (tmp_path / "tiny.xml").write_text(text, encoding="utf-8")
-    teller = Listening()
-    work.solve(clip.load(str(tmp_path / "tiny.toml")), teller)
-    assert teller.out.getvalue().splitlines() == [
+    progress = Listening()
+    work.solve(clip.load(str(tmp_path / "tiny.toml")), progress)
+    assert progress.out.getvalue().splitlines() == [
         "note: no feet found, nor a site named heel or toe: no contact points"
     ]
 
 
 def test_an_interrupted_solve_keeps_the_best_path(problem):
-    teller = Listening(interrupt_at=4)
-    solved = work.solve(problem, teller)
+    progress = Listening(interrupt_at=4)
+    solved = work.solve(problem, progress)
     assert solved.motion.stop is Stop.ASKED
     assert len(solved.motion.trace) == 4
-    solved.saved(teller, with_report=False)
-    assert "the best path so far is kept" in teller.out.getvalue()
+    solved.saved(progress, with_report=False)
+    assert "the best path so far is kept" in progress.out.getvalue()
     assert value(solved) == pytest.approx(solved.motion.trace[-1][2], rel=1e-9)
     assert value(solved) < solved.motion.objective.value(path_of(solved.motion.raw))
 
@@ -85,7 +85,7 @@ def test_unsolved_is_the_raw_spline_through_the_keyframes(problem):
     solved = work.unsolved(problem)
     assert solved.motion.timeline is solved.motion.raw
     assert solved.motion.evaluations == 0
-    kept = solved.saved(Teller(Console(file=io.StringIO())), with_report=False)
+    kept = solved.saved(Progress(Console(file=io.StringIO())), with_report=False)
     assert kept.report == {}
     assert kept.timeline.times.tolist() == [0, 0.2, 0.41]
 

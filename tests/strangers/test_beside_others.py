@@ -22,7 +22,7 @@ from dynsplines.clip import load as clip
 from dynsplines.exchange import formats
 from dynsplines.exchange.skeleton.hinged import Hinged
 from dynsplines.motion import Saved
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 
 SQUAT = """
 figure = "{file}"
@@ -42,7 +42,7 @@ others = "rest"
 
 
 def motion_of(text: str) -> Saved:
-    quiet = Teller(Console(file=io.StringIO()))
+    quiet = Progress(Console(file=io.StringIO()))
     return work.solve(clip.from_text(text, name="squat"), quiet).saved(quiet, with_report=False)
 
 

@@ -30,7 +30,7 @@ from dynsplines.motion import Saved
 from dynsplines.scene import outside
 from dynsplines.scene.assets import Scene
 from dynsplines.scene.compose import compose, figure_spec
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 
 POSIX = pytest.mark.skipif(os.name == "nt", reason="links are another matter there")
 MODEL = """<mujoco><compiler meshdir="{folder}"/>{more}<asset>{asset}</asset><worldbody>
@@ -56,8 +56,8 @@ def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureF
     return run
 
 
-def told() -> Teller:
-    return Teller(Console(file=io.StringIO()))
+def told() -> Progress:
+    return Progress(Console(file=io.StringIO()))
 
 
 def model(folder: Path, *, asset: str = BONE, more: str = "", meshes: str = "meshes") -> Path:

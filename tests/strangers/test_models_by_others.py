@@ -29,7 +29,7 @@ from dynsplines.scene import outside
 from dynsplines.scene.compose import compose, figure_spec
 from dynsplines.scene.lighting import is_well_lit
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 
 SUITE, GYM = "dm_control/suite/", "gymnasium/envs/mujoco/assets/"
 ROBOTICS, SUITE_OF_ROBOTS = "gymnasium_robotics/envs/assets/", "robosuite/models/assets/"
@@ -89,10 +89,10 @@ def test_a_model_by_others_becomes_a_clip_that_is_solved_and_drawn_without_an_ed
     problem = clip.load(str(target))
     assert len(problem.context.points) == FEET[path]
     settings = replace(problem.settings, max_evaluations=EVALUATIONS, frames=FRAMES)
-    found = work.solve(problem.asking(settings=settings), Teller(Console(file=io.StringIO())))
+    found = work.solve(problem.asking(settings=settings), Progress(Console(file=io.StringIO())))
     assert found.motion.trace[-1][2] <= found.motion.trace[0][2]
     small = problem.figure.width <= SMALL
-    saved = found.saved(Teller(Console(file=io.StringIO())), with_report=small)
+    saved = found.saved(Progress(Console(file=io.StringIO())), with_report=small)
     error = saved.report["after"]["keyframe error"] if small else keyframe_error(problem, found.motion.timeline)
     assert error <= 1e-12
     motion.save(saved, tmp_path / "its.npz")

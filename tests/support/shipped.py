@@ -15,7 +15,7 @@ from rich.console import Console
 
 from dynsplines import kept, work
 from dynsplines.clip import load as clip
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 from dynsplines.work import Solved
 
 PLACE = "DYNSPLINES_TESTS_SOLVED"  # the folder of this run's solved clips; its other processes inherit it
@@ -39,7 +39,7 @@ def solved(name: str) -> Solved:
     with _alone(file.with_suffix(".lock")):
         found = kept.read(file, problem)
         if found is None:
-            found = work.solve(problem, Teller(Console(file=io.StringIO())))
+            found = work.solve(problem, Progress(Console(file=io.StringIO())))
             kept.write(found, file)
     return found
 

@@ -19,7 +19,7 @@ from dynsplines.solver.figure.figure import JointKind
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import BendLimits, JointRange, joint_ranges
 from dynsplines.solver.surface.points import places_of
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 
 RATE = 1000.0  # [Hz]
 
@@ -44,7 +44,7 @@ class Measured:
 
 def solved(problem: Clip, **settings: int) -> work.Solved:
     problem = problem.asking(settings=replace(problem.settings, **settings))
-    return work.solve(problem, Teller(Console(file=io.StringIO())))
+    return work.solve(problem, Progress(Console(file=io.StringIO())))
 
 
 def squat(height: float, *, contacts: bool, figure: str = "human") -> Clip:

@@ -24,7 +24,7 @@ from ...motion import Saved
 from ...picture.graphics import Graphics
 from ...system import stopping
 from ...system.output import Replacement
-from ...system.progress import Teller
+from ...system.progress import Progress
 from ...system.workers import MOST_WORKERS, cores
 from . import charts, scenes
 from .captioned import Picture, captioned
@@ -56,13 +56,13 @@ def check_folder(folder: Path) -> None:
         raise UserError(f"--figures {folder}: the folder '{there}' is not writable")
 
 
-def draw(folder: Path, graphics: Graphics, teller: Teller) -> list[Drawn]:
+def draw(folder: Path, graphics: Graphics, progress: Progress) -> list[Drawn]:
     """figure_6.png to figure_12.png in a folder, which is made if it is not there."""
     check_folder(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    results, done = Results(graphics, teller), []
+    results, done = Results(graphics, progress), []
     for i, (number, figure) in enumerate(FIGURES.items()):
-        teller.step("drawing", i / len(FIGURES), f"figure {number}", force=True)
+        progress.step("drawing", i / len(FIGURES), f"figure {number}", force=True)
         picture, caption = figure(results)
         target = folder / f"figure_{number}.png"
         with Replacement(target) as temporary:
@@ -70,15 +70,15 @@ def draw(folder: Path, graphics: Graphics, teller: Teller) -> list[Drawn]:
                 temporary, format="PNG", optimize=True
             )
         done.append(Drawn(number, target, caption))
-    teller.step("drawing", 1.0, f"{len(done)} figures", force=True)
+    progress.step("drawing", 1.0, f"{len(done)} figures", force=True)
     return done
 
 
 class Results:
     """The two clips, solved once each, and what several figures know of them."""
 
-    def __init__(self, graphics: Graphics, teller: Teller) -> None:
-        self.graphics, self.teller = graphics, teller
+    def __init__(self, graphics: Graphics, progress: Progress) -> None:
+        self.graphics, self.progress = graphics, progress
         self.threads = min(cores(), MOST_WORKERS)
 
     @cached_property
@@ -102,10 +102,10 @@ class Results:
         return Dip.of(self.runner, self.runner.raw)
 
     def _solved(self, name: str) -> Saved:
-        found = work.solve(clip.load(name), self.teller)
+        found = work.solve(clip.load(name), self.progress)
         if stopping.was_asked():  # a search that is cut short is no result
             raise KeyboardInterrupt
-        return found.saved(self.teller, with_report=False)
+        return found.saved(self.progress, with_report=False)
 
 
 Figure = tuple[Picture, str]

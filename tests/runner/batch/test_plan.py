@@ -17,7 +17,7 @@ from dynsplines.batch.bounded import Bounds
 from dynsplines.batch.inputs import sources
 from dynsplines.batch.manifest import Entry, Manifest, digest_of
 from dynsplines.batch.plan import Options, Plan, planned
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 
 Planned = Callable[..., Plan]
 
@@ -36,7 +36,7 @@ def left(manifest: Manifest, options: Options = Options(), bounds: Bounds = Boun
     manifest = Manifest.of(manifest.path.parent)
     folder = manifest.path.parent.parent
     found = sources([str(folder / "tiny.toml"), str(folder / "other.toml")])
-    plan = planned(found, manifest, options, bounds, Teller(Console(file=io.StringIO())))
+    plan = planned(found, manifest, options, bounds, Progress(Console(file=io.StringIO())))
     assert [clip.name for clip in plan.all] == ["tiny", "other"]
     return [clip.name for clip in plan.left]
 
@@ -121,6 +121,6 @@ def test_a_clip_that_cannot_be_read_waits_for_its_turn(manifest: Manifest, monke
 
     monkeypatch.setattr(Path, "read_bytes", gone)
     found = sources([str(manifest.path.parent.parent / "tiny.toml")])
-    plan = planned(found, manifest, Options(), Bounds(), Teller(Console(file=io.StringIO())))
+    plan = planned(found, manifest, Options(), Bounds(), Progress(Console(file=io.StringIO())))
     assert [clip.name for clip in plan.left] == ["tiny"]
     assert manifest.entries["tiny"].input == ""

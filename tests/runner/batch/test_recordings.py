@@ -23,11 +23,11 @@ from dynsplines.batch.manifest import Entry, Manifest
 from dynsplines.batch.plan import Options
 from dynsplines.batch.task import Cleaning
 from dynsplines.exchange import formats
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 
 
-def quiet() -> Teller:
-    return Teller(Console(file=io.StringIO()))
+def quiet() -> Progress:
+    return Progress(Console(file=io.StringIO()))
 
 
 @pytest.fixture(scope="module")
@@ -35,7 +35,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Two recordings, one below the other's folder, one that is none, and files of other kinds."""
     folder = tmp_path_factory.mktemp("recordings")
     (folder / "more").mkdir()
-    walk = shipped.solved("walk_loop").saved(Teller(), with_report=False)
+    walk = shipped.solved("walk_loop").saved(Progress(), with_report=False)
     formats.export(walk, "bvh", folder / "walk.bvh", fps=30)
     formats.export(walk, "csv", folder / "more" / "turn.csv", fps=40)
     (folder / "torn.bvh").write_text("HIERARCHY\nROOT", encoding="utf-8")
@@ -97,7 +97,7 @@ def test_the_table_has_median_and_worst_and_ten_are_named() -> None:
     good = tuple(entry(f"r{i}", float(i), 5.0 + i if i > 2 else None) for i in range(15))
     wrong = tuple(sorted((one for one in good if one.problems), key=lambda one: -one.problems[0]["amount"]))
     out = io.StringIO()
-    recordings.tell(Tally(15, 0, (), wrong, good), Teller(Console(file=out, width=100)))
+    recordings.tell(Tally(15, 0, (), wrong, good), Progress(Console(file=out, width=100)))
     lines = out.getvalue().splitlines()
     assert lines[0].split() == ["15", "recordings", "median", "before", "after", "worst", "before", "after"]
     assert lines[1].split() == ["slip", "[mm]", "40", "7", "40", "14"]

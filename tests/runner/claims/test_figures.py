@@ -28,7 +28,7 @@ from dynsplines.errors import UserError
 from dynsplines.motion import Saved
 from dynsplines.picture.graphics import Graphics
 from dynsplines.solver.refine.euler_lagrange import covariant_residual
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 
 RAYS = Graphics("rays", "renderer: rays")
 STEP_UP = """
@@ -45,8 +45,8 @@ others = "rest"
 """
 
 
-def quiet() -> Teller:
-    return Teller(Console(file=io.StringIO()))
+def quiet() -> Progress:
+    return Progress(Console(file=io.StringIO()))
 
 
 @pytest.fixture(scope="module")

@@ -15,7 +15,7 @@ from dynsplines.claims.barr import Discrete
 from dynsplines.claims.claim import Claim, as_json, table
 from dynsplines.claims.paper import Case, clip_claims, run
 from dynsplines.solver.quaternion import angle_between
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 
 
 @pytest.fixture(scope="module")
@@ -96,9 +96,9 @@ def test_without_a_set_there_is_nothing_to_measure() -> None:
 def test_the_work_tells_how_far_it_has_come(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(paper, "STUDIES", paper.STUDIES[:1])
     steps: list[tuple[float | None, str]] = []
-    teller = Teller(Console(file=StringIO()))
-    monkeypatch.setattr(teller, "step", lambda _work, share, note="", **_: steps.append((share, note)))
-    assert len(run(2, teller)) == 4
+    progress = Progress(Console(file=StringIO()))
+    monkeypatch.setattr(progress, "step", lambda _work, share, note="", **_: steps.append((share, note)))
+    assert len(run(2, progress)) == 4
     assert steps == [(0.0, "set 1 of 2: iterates"), (0.5, "set 2 of 2: iterates"), (1.0, "2 sets")]
 
 

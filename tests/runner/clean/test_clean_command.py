@@ -12,7 +12,7 @@ from dynsplines.clip import load as clips
 from dynsplines.exchange import formats
 from dynsplines.exchange.imported import taken
 from dynsplines.scene.compose import compose, figure_spec
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 from dynsplines.work import unsolved
 
 TIMES = np.arange(45) / 30
@@ -44,7 +44,7 @@ def squats(tmp_path_factory: pytest.TempPathFactory) -> Path:
     qpos[:, 2] += 0.015 * np.sin(3 * TIMES) - lowest
     qpos[:, 0] += 0.04 * TIMES
     found = clips.from_qpos("bobs", scene, TIMES, qpos, 30.0, "bobs")
-    saved = unsolved(found).saved(Teller(), with_report=False)
+    saved = unsolved(found).saved(Progress(), with_report=False)
     motion.save(saved, folder / "bobs.npz")
     formats.export(saved, "bvh", folder / "bobs.bvh")
     formats.export(saved, "csv", folder / "bobs.csv")

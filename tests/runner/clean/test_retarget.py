@@ -15,14 +15,14 @@ from dynsplines.exchange import formats
 from dynsplines.exchange.skeleton import hierarchy
 from dynsplines.exchange.skeleton.roles import roles
 from dynsplines.motion import Saved
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 
 
 @pytest.fixture(scope="module")
 def files(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with a walk of two periods as BVH, and the robot."""
     folder = tmp_path_factory.mktemp("robot")
-    saved = shipped.solved("walk_loop").saved(Teller(), with_report=False)
+    saved = shipped.solved("walk_loop").saved(Progress(), with_report=False)
     formats.export(repeated(saved, 2), "bvh", folder / "walk.bvh", fps=60)
     (folder / "android.xml").write_text(ANDROID, encoding="utf-8")
     return folder
@@ -41,7 +41,7 @@ def walked(files: Path) -> Saved:
         from dynsplines.clean import running
 
         source = running.Source(Path("walk.bvh"), "android.xml", apart=True)
-        running.run(source, Path("out.npz"), overwrite=True, teller=Teller())
+        running.run(source, Path("out.npz"), overwrite=True, progress=Progress())
         return motion.load(Path("out.npz"))
 
 

@@ -21,7 +21,7 @@ from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.spline import path_of as path
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import Contact, Hold, Holding, Planted, Sum
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 
 SCENE = """
 figure = "human"
@@ -267,7 +267,7 @@ def test_at_another_speed_and_in_a_part_of_the_clip_holds_keep_their_place(solve
     clip, _ = solved
     fast = retimed_tables(tables(clips.table_of(clip.text, "lift")), 2.0)
     assert [(row["from"], row["to"]) for row in fast["hold"]] == [(0.3, 0.75)] * 2
-    part = trimmed(work.unsolved(clip).saved(Teller(Console(file=io.StringIO())), with_report=False), 0.8, 1.3)
+    part = trimmed(work.unsolved(clip).saved(Progress(Console(file=io.StringIO())), with_report=False), 0.8, 1.3)
     (left, right) = clips.answered(part).context.holds
     assert (left.first, left.last, right.last) == (0.8, 1.3, 1.3)
     assert [penalty.name for penalty, _ in clips.answered(part).penalties].count("hold") == 1

@@ -12,7 +12,7 @@ from tiny import CLIP, FIGURE, HINGE, changed, written
 from dynsplines import work
 from dynsplines.clip import load as clip
 from dynsplines.measure.report import report, tables
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 
 LIMITED = FIGURE.replace('name="left_knee" type="ball"', 'name="left_knee" type="ball" limited="true" range="0 42"')
 SWING = """figure = "hinge.xml"
@@ -36,7 +36,7 @@ def kinds(problem: clip.Clip) -> set[str]:
 
 
 def solved(problem: clip.Clip) -> dict:
-    found = work.solve(problem, Teller(Console(file=io.StringIO())))
+    found = work.solve(problem, Progress(Console(file=io.StringIO())))
     return report(found.clip, found.motion, 0.0)
 
 

@@ -22,7 +22,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.penalty import Placement
 from dynsplines.solver.posing import MET
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 
 HEAD = 'figure = "human"\n'
 REST = HEAD + '[[keyframe]]\ntime = 0.0\nothers = "rest"\n'
@@ -178,8 +178,8 @@ def test_hinges_and_slides_are_solved_too(tmp_path):
     np.testing.assert_allclose(seen(problem, problem.keys[1].state).site("tip").xpos, [0.5, 0, 0.6], atol=MET)
 
 
-def quiet() -> Teller:
-    return Teller(Console(file=io.StringIO()))
+def quiet() -> Progress:
+    return Progress(Console(file=io.StringIO()))
 
 
 @pytest.mark.slow

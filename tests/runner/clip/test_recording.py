@@ -15,7 +15,7 @@ from dynsplines.motion import Saved
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import Near
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 
 REACH = """
 figure = "human"
@@ -35,7 +35,7 @@ BARE = 'figure = "human"\n[recording]\nfile = "run.npz"\n'
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """With run_and_step solved."""
     out = tmp_path_factory.mktemp("edits")
-    motion.save(shipped.solved("run_and_step").saved(Teller(), with_report=False), out / "run.npz")
+    motion.save(shipped.solved("run_and_step").saved(Progress(), with_report=False), out / "run.npz")
     return out
 
 

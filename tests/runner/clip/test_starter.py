@@ -15,7 +15,7 @@ from dynsplines.clip import load as clip
 from dynsplines.clip.starter import starter
 from dynsplines.clip.text import keyframe_tables
 from dynsplines.errors import UserError
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 
 BODY = '<body name="b" pos="0 0 1">{}<geom type="capsule" size=".05" fromto="0 0 0 .3 0 0"/>{}</body>'
 ARM = BODY.format('<joint name="swing" axis="0 1 0" {}/>', "")
@@ -58,8 +58,8 @@ def written(text: str, folder: Path) -> clip.Clip:
 def test_a_model_of_any_joint_gets_a_clip_that_moves_within_its_ranges(kind, tmp_path):
     problem = written(f"<mujoco><worldbody>{KINDS[kind]}</worldbody></mujoco>", tmp_path)
     assert len(problem.keys) == 3
-    solved = work.solve(problem, Teller(Console(file=io.StringIO())))
-    saved = solved.saved(Teller(Console(file=io.StringIO())))
+    solved = work.solve(problem, Progress(Console(file=io.StringIO())))
+    saved = solved.saved(Progress(Console(file=io.StringIO())))
     assert saved.report["after"]["keyframe error"] <= 1e-12
     assert saved.report["after"]["beyond joint range"].get("most", 0) < 0.5
     first, second, third = (key.state for key in problem.keys)

@@ -25,17 +25,17 @@ from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.surface import Box
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 
 FPS = 97.0
 
 
-def teller() -> Teller:
-    return Teller(Console(file=io.StringIO()))
+def progress() -> Progress:
+    return Progress(Console(file=io.StringIO()))
 
 
 def solved(text: str, name: str) -> Saved:
-    return work.solve(clip.from_text(text, name=name), teller()).saved(teller(), with_report=False)
+    return work.solve(clip.from_text(text, name=name), progress()).saved(progress(), with_report=False)
 
 
 @pytest.fixture(scope="module")
@@ -134,7 +134,7 @@ def test_a_repeated_loop_is_sampled_without_a_doubled_image(cycle, fps):
 @pytest.mark.slow
 def test_a_joined_motion_goes_on_where_the_first_ends_and_as_the_second_is(steps):
     after = edits.trimmed(steps, 0.2, 0.55)
-    whole = edits.joined(steps, after, 0.25, teller())
+    whole = edits.joined(steps, after, 0.25, progress())
     figure, path = steps.figure, path_of(whole.timeline)
     end = steps.timeline.times[-1]
     t = np.linspace(0, end, 80)
@@ -156,7 +156,7 @@ def test_a_joined_motion_goes_on_where_the_first_ends_and_as_the_second_is(steps
 
 
 def test_an_edited_motion_is_measured_saved_and_read_again(saved, tmp_path):
-    part = edits.measured(replace(edits.trimmed(saved, 0.1, 0.3), name="part"), teller(), "not searched: trimmed")
+    part = edits.measured(replace(edits.trimmed(saved, 0.1, 0.3), name="part"), progress(), "not searched: trimmed")
     assert part.report["keyframes"] == 3
     assert part.report["stopped because"] == "not searched: trimmed"
     assert part.report["after"]["keyframe error"] < 1e-9
@@ -175,9 +175,9 @@ LOOP = tiny.changed("frames = 2", 'frames = 2\nends = "periodic"\ntravel = [0.3,
 @pytest.mark.slow
 def test_an_edited_loop_is_still_measured_as_one(tmp_path):
     found = clip.load(str(tiny.written(tmp_path, LOOP)))
-    saved = work.solve(found, teller()).saved(teller(), with_report=False)
+    saved = work.solve(found, progress()).saved(progress(), with_report=False)
     for edited in (saved, edits.retimed(saved, 2.0), edits.repeated(saved, 2)):
-        report = edits.measured(edited, teller(), "edited").report
+        report = edits.measured(edited, progress(), "edited").report
         count = len(edited.keys) // 2
         for side in ("before", "after"):
             seam = report[side]["seam"]
@@ -209,9 +209,9 @@ def test_edits_that_make_no_motion_are_refused(steps, cycle, saved):
         edits.repeated(cycle, 1000)
     for transition in (0.0, -1.0, np.nan, np.inf):
         with pytest.raises(UserError, match=r"a transition lasts 0\.001 to 600 s"):
-            edits.joined(steps, steps, transition, teller())
+            edits.joined(steps, steps, transition, progress())
     with pytest.raises(UserError, match="of different figures; they differ in: left_ankle, left_elbow"):
-        edits.joined(steps, saved, 0.4, teller())
+        edits.joined(steps, saved, 0.4, progress())
     with pytest.raises(UserError, match="tiny: no partner on the other side for: 'left_knee'"):
         edits.mirrored(saved)
 
@@ -219,9 +219,9 @@ def test_edits_that_make_no_motion_are_refused(steps, cycle, saved):
 @pytest.mark.slow
 def test_motions_in_different_coordinates_are_not_joined(steps):
     text = steps.text.replace("[solve]", '[solve]\ncoordinates = "joint"')
-    other = work.unsolved(clip.from_text(text, name="other")).saved(teller(), with_report=False)
+    other = work.unsolved(clip.from_text(text, name="other")).saved(progress(), with_report=False)
     with pytest.raises(UserError, match="'steps' is in world coordinates, 'other' in joint coordinates"):
-        edits.joined(steps, other, 0.4, teller())
+        edits.joined(steps, other, 0.4, progress())
 
 
 # clips' files
@@ -282,7 +282,7 @@ def test_a_mirrored_clip_is_the_clip_of_the_mirrored_keyframes(tmp_path):
     source.write_text(text, encoding="utf-8")
     target = tmp_path / "deeper" / "mirrored.toml"
     target.parent.mkdir()
-    edit_files.run([str(source)], edit_files.mirrored(), target, overwrite=False, teller=teller())
+    edit_files.run([str(source)], edit_files.mirrored(), target, overwrite=False, progress=progress())
     before, after = clip.load(str(source)), clip.load(str(target))
     mirror = Mirror.of(before.figure)
     for a, b in zip(after.keys, map(mirror.frame, before.keys), strict=True):
@@ -291,7 +291,7 @@ def test_a_mirrored_clip_is_the_clip_of_the_mirrored_keyframes(tmp_path):
     assert [bend.name for bend in after.context.bends] == ["right_knee", "left_elbow"]
     steps = [next(each for each in found.context.surfaces if isinstance(each, Box)) for found in (before, after)]
     assert [step.centre[1] for step in steps] == [0.2, -0.2]
-    edit_files.run([str(target)], edit_files.mirrored(), tmp_path / "again.toml", overwrite=False, teller=teller())
+    edit_files.run([str(target)], edit_files.mirrored(), tmp_path / "again.toml", overwrite=False, progress=progress())
     twice = clip.load(str(tmp_path / "again.toml"))
     for a, b in zip(twice.keys, before.keys, strict=True):
         np.testing.assert_array_equal(a.state, b.state)
@@ -330,7 +330,7 @@ def test_places_contacts_and_obstacles_change_sides_with_a_clip(tmp_path):
     (tmp_path / "one.toml").write_text(ROUND, encoding="utf-8")
     for name, target in (("one", "two"), ("two", "three")):
         paths = tmp_path / f"{name}.toml", tmp_path / f"{target}.toml"
-        edit_files.run([str(paths[0])], edit_files.mirrored(), paths[1], overwrite=False, teller=teller())
+        edit_files.run([str(paths[0])], edit_files.mirrored(), paths[1], overwrite=False, progress=progress())
     one, two, three = (clip.load(str(tmp_path / f"{name}.toml")) for name in ("one", "two", "three"))
     mirror = Mirror.of(one.figure)
     for a, b in zip(two.keys, map(mirror.frame, one.keys), strict=True):
@@ -351,7 +351,7 @@ def test_contacts_and_flights_are_retimed_with_the_keyframes(tmp_path):
     (tmp_path / "one.toml").write_text(ROUND, encoding="utf-8")
     target = tmp_path / "fast.toml"
     edit_files.run(
-        [str(tmp_path / "one.toml")], edit_files.retimed(2.0, None), target, overwrite=False, teller=teller()
+        [str(tmp_path / "one.toml")], edit_files.retimed(2.0, None), target, overwrite=False, progress=progress()
     )
     said = clip.table_of(target.read_text(encoding="utf-8"), "fast")
     assert (said.contact[0].start, said.contact[0].end) == (0.3, 0.5)
@@ -369,13 +369,13 @@ def test_a_retimed_clip_has_other_times_and_nothing_else(tmp_path):
     path = tiny.written(tmp_path)
     (tmp_path / "sub").mkdir()
     target = tmp_path / "sub" / "fast.toml"
-    edit_files.run([str(path)], edit_files.retimed(2.0, None), target, overwrite=False, teller=teller())
+    edit_files.run([str(path)], edit_files.retimed(2.0, None), target, overwrite=False, progress=progress())
     before, after = clip.load(str(path)), clip.load(str(target))
     assert [key.time for key in after.keys] == pytest.approx([key.time / 2 for key in before.keys])
     for a, b in zip(after.keys, before.keys, strict=True):
         np.testing.assert_array_equal(a.state, b.state)
     assert after.settings == before.settings
-    edit_files.run([str(path)], edit_files.retimed(None, 3.0), target, overwrite=False, teller=teller())
+    edit_files.run([str(path)], edit_files.retimed(None, 3.0), target, overwrite=False, progress=progress())
     assert clip.load(str(target)).keys[-1].time == pytest.approx(3)
 
 
@@ -385,17 +385,17 @@ def test_nothing_is_written_over_what_is_edited_unasked(tmp_path, saved):
     was = source.read_bytes()
     edit = edit_files.trimmed(0.1, None)
     with pytest.raises(UserError, match="is what is edited; give another -o, or --overwrite"):
-        edit_files.run([str(source)], edit, source, overwrite=False, teller=teller())
+        edit_files.run([str(source)], edit, source, overwrite=False, progress=progress())
     with pytest.raises(UserError, match=r"as a motion, \.npz, or as a clip, \.toml"):
-        edit_files.run([str(source)], edit, tmp_path / "out.mp4", overwrite=False, teller=teller())
+        edit_files.run([str(source)], edit, tmp_path / "out.mp4", overwrite=False, progress=progress())
     with pytest.raises(UserError, match="not inside"):
-        edit_files.run([str(source)], edit_files.trimmed(-7, None), source, overwrite=True, teller=teller())
+        edit_files.run([str(source)], edit_files.trimmed(-7, None), source, overwrite=True, progress=progress())
     assert source.read_bytes() == was
     assert tiny.names(tmp_path) == ["tiny.npz"]
-    edit_files.run([str(source)], edit, source, overwrite=True, teller=teller())
+    edit_files.run([str(source)], edit, source, overwrite=True, progress=progress())
     assert motion.load(source).keys[0].time == 0.1
     edit_files.run(
-        [str(source)], edit_files.trimmed(None, 0.3), tmp_path / "cut.toml", overwrite=False, teller=teller()
+        [str(source)], edit_files.trimmed(None, 0.3), tmp_path / "cut.toml", overwrite=False, progress=progress()
     )
     tiny.written(tmp_path)
     assert [key.time for key in clip.load(str(tmp_path / "cut.toml")).keys] == [0.1, 0.2, 0.3]

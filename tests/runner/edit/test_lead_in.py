@@ -12,14 +12,14 @@ from dynsplines.edit import lead_in, thin_files
 from dynsplines.scene.compose import compose, figure_spec
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 
 RATE = 60.0
 HUMAN = mujoco.MjModel.from_xml_string(models.figure_text("human"))
 LOW_ARMS = np.radians(15)
 
 
-class Ear(Teller):
+class Ear(Progress):
     def __init__(self):
         super().__init__()
         self.heard = []
@@ -104,7 +104,7 @@ def test_figures_without_arms_begin_at_once():
 
 def spline(qpos):
     found = clip.from_qpos("walk", compose(figure_spec("human")), np.arange(len(qpos)) / RATE, qpos, RATE, "walk.csv")
-    return work.unsolved(found).saved(Teller(), with_report=False)
+    return work.unsolved(found).saved(Progress(), with_report=False)
 
 
 @pytest.fixture
@@ -144,7 +144,7 @@ def test_leaving_out_what_is_not_there_is_told(recording):
 
 @pytest.mark.slow
 def test_a_clip_is_no_recording():
-    saved = work.unsolved(clip.load("sit_down")).saved(Teller(), with_report=False)
+    saved = work.unsolved(clip.load("sit_down")).saved(Progress(), with_report=False)
     ear = Ear()
     assert lead_in.told(saved, ear, skip=True) is saved
     assert "nothing is left out" in ear.heard[0]

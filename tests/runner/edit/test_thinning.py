@@ -18,7 +18,7 @@ from dynsplines.errors import UserError
 from dynsplines.exchange import formats
 from dynsplines.motion import Saved
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 from dynsplines.system.quantity import length
 
 BOUND = (0.02, np.radians(5))
@@ -27,7 +27,7 @@ BOUND = (0.02, np.radians(5))
 @pytest.fixture(scope="module")
 def walk() -> Saved:
     """The loop as its raw spline, which is quick to have."""
-    return work.unsolved(clip.load("walk_loop")).saved(Teller(), with_report=False)
+    return work.unsolved(clip.load("walk_loop")).saved(Progress(), with_report=False)
 
 
 @pytest.fixture(scope="module")
@@ -45,7 +45,7 @@ def run(
     **told,
 ) -> Path:
     recording = thin_files.Recording(str(source), **told)
-    return thin_files.run(recording, BOUND, target, solve=solve, exact=exact, overwrite=overwrite, teller=Teller())
+    return thin_files.run(recording, BOUND, target, solve=solve, exact=exact, overwrite=overwrite, progress=Progress())
 
 
 def apart(one: Saved, other: Saved) -> float:
@@ -84,7 +84,7 @@ def test_solving_an_exact_clip_gives_the_motion_that_was_measured(straight, tmp_
     source, target = tmp_path / "step.npz", tmp_path / "step.toml"
     motion.save(straight, source)
     run(source, target, exact=True)
-    again = work.solve(clip.load(str(target)), Teller()).saved(Teller(), with_report=False)
+    again = work.solve(clip.load(str(target)), Progress()).saved(Progress(), with_report=False)
     said = re.search(r"(\d+) keyframes of (\d+); at most ([\d.]+) cm at ([\d.]+) s \((\w+)\)", capsys.readouterr().err)
     assert said
     assert int(said[1]) == len(again.keys) < 15
@@ -103,7 +103,7 @@ def test_a_clip_is_solved_as_ever_and_both_motions_are_told(straight, tmp_path, 
     run(source, target)
     found = clip.load(str(target))
     assert found.settings.max_evaluations > 1 and found.settings.variable != 0
-    again = work.solve(found, Teller()).saved(Teller(), with_report=False)
+    again = work.solve(found, Progress()).saved(Progress(), with_report=False)
     assert again.timeline.variable_count > 0
     spline, solved = (
         float(number) for number in re.findall(r"at most ([\d.]+) cm", "".join(capsys.readouterr().err.splitlines()))
@@ -123,7 +123,7 @@ def test_thinning_an_exact_clip_gives_one_that_is_searched(straight, tmp_path):
     run(source, target, exact=True)
     solve = clip.table_of(target.read_text(), "step").solve
     assert solve is not None and (solve.variable, solve.frames, solve.evaluations) == (0, 0, 1)
-    exact = work.solve(clip.load(str(target)), Teller()).saved(Teller(), with_report=False)
+    exact = work.solve(clip.load(str(target)), Progress()).saved(Progress(), with_report=False)
     solve = clip.table_of(thinned(exact, *BOUND).motion.text, "again").solve
     assert solve is None or (solve.variable, solve.frames, solve.evaluations) == (None, None, None)
 
@@ -153,7 +153,7 @@ def test_the_solved_motion_keeps_the_bound_where_that_is_asked(straight, tmp_pat
     motion.save(straight, source)
     run(source, target, solve=True)
     found = clip.load(str(target))
-    again = work.solve(found, Teller()).saved(Teller(), with_report=False)
+    again = work.solve(found, Progress()).saved(Progress(), with_report=False)
     assert again.timeline.variable_count > 0
     assert apart(straight, again) <= 0.02 * (1 + 1e-6)
 

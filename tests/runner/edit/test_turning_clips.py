@@ -28,7 +28,7 @@ from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.edit.thin import thin
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 
 ENDS = 'frames = 2\nends = "periodic"\n'
 LAST = "root.position = [0.3, 0, 1]\nroot.rotation = {rotvec = [0, 10, 170]}"
@@ -38,12 +38,12 @@ GIVEN = tiny.changed("frames = 2\n", ENDS + "travel = [0.3, 0.1, 0]\nturn = 45\n
 LEFT = Rotation.from_euler("z", 30, degrees=True)
 
 
-def teller() -> Teller:
-    return Teller(Console(file=io.StringIO()))
+def progress() -> Progress:
+    return Progress(Console(file=io.StringIO()))
 
 
 def solved(folder: Path, text: str) -> Saved:
-    return work.solve(clips.load(str(tiny.written(folder, text))), teller()).saved(teller(), with_report=False)
+    return work.solve(clips.load(str(tiny.written(folder, text))), progress()).saved(progress(), with_report=False)
 
 
 @pytest.fixture(scope="module", params=[TOLD, GIVEN], ids=["told", "given"])
@@ -126,7 +126,7 @@ def test_a_loop_comes_back_turned_and_smooth_and_its_report_says_so(circle):
     np.testing.assert_allclose(seam.travel[:3], [0.3, 0.1, 0], atol=1e-12)
     assert seam.apart(path_of(circle.timeline)).max() < 1e-9
     for side in ("before", "after"):
-        found = edits.measured(circle, teller(), "edited").report[side]["seam"]
+        found = edits.measured(circle, progress(), "edited").report[side]["seam"]
         assert found["turn, degrees"] == pytest.approx(45)
         assert max(found[name] for name in ("state", "first derivative", "second derivative")) < 1e-9
 
@@ -149,7 +149,7 @@ def test_a_turning_loop_played_on_goes_round_and_its_text_makes_the_same_keyfram
         np.testing.assert_array_equal(one.fixed, two.fixed)
         np.testing.assert_allclose(own[0][one.fixed], own[1][one.fixed], atol=1e-9)
     assert clips.of_motion(many).ends == "periodic"
-    assert edits.measured(many, teller(), "edited").report["after"]["seam"]["second derivative"] < 1e-8
+    assert edits.measured(many, progress(), "edited").report["after"]["seam"]["second derivative"] < 1e-8
 
 
 def _with_figure(folder: Path) -> Path:

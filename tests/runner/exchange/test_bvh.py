@@ -26,19 +26,19 @@ from dynsplines.exchange.skeleton.roles import roles
 from dynsplines.exchange.take import Bodies, Take
 from dynsplines.scene.mujoco_versions import remove
 from dynsplines.solver import quaternion as quat
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 
 TENTH = 1e-4  # [m]
 
 
 @pytest.fixture(scope="module")
 def cartwheel():
-    return Take.of(work.unsolved(clip.load("cartwheel")).saved(Teller(), with_report=False))
+    return Take.of(work.unsolved(clip.load("cartwheel")).saved(Progress(), with_report=False))
 
 
 @pytest.fixture(scope="module")
 def rail():
-    return Take.of(work.unsolved(clip.load("hand_on_rail")).saved(Teller(), with_report=False), 24.0)
+    return Take.of(work.unsolved(clip.load("hand_on_rail")).saved(Progress(), with_report=False), 24.0)
 
 
 def y_up(take):
@@ -468,11 +468,11 @@ def test_the_unit_is_guessed_told_and_may_be_said(tmp_path, cartwheel):
     path = Path(written(cartwheel, tmp_path))
     said = []
 
-    class Ear(Teller):
+    class Ear(Progress):
         def say(self, line):
             said.append(line)
 
-    imported(path, teller=Ear())
+    imported(path, progress=Ear())
     assert any("taken for centimetres" in text for text in said)
     small = Take.of(imported(path, scale=0.001))
     np.testing.assert_allclose(np.ptp(small.qpos[:, 0]), 0.1 * np.ptp(cartwheel.qpos[:, 0]), atol=1e-6)

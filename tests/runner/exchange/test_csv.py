@@ -12,12 +12,12 @@ from dynsplines.errors import UserError
 from dynsplines.exchange import formats
 from dynsplines.exchange.format import csv_table
 from dynsplines.exchange.imported import imported
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 
 
 @pytest.fixture(scope="module")
 def saved():
-    return work.unsolved(clip.load("sit_down")).saved(Teller(), with_report=False)
+    return work.unsolved(clip.load("sit_down")).saved(Progress(), with_report=False)
 
 
 @pytest.mark.slow

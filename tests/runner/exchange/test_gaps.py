@@ -12,14 +12,14 @@ from dynsplines import UserError, load_motion
 from dynsplines.clean import running
 from dynsplines.exchange import formats, gaps
 from dynsplines.exchange.imported import imported, taken
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A walk of 30 images a second, the third to fifth of which hold no numbers, in several formats."""
     folder = tmp_path_factory.mktemp("gaps")
-    walk = shipped.solved("walk_loop").saved(Teller(), with_report=False)
+    walk = shipped.solved("walk_loop").saved(Progress(), with_report=False)
     formats.export(walk, "bvh", folder / "whole.bvh", fps=30)
     head, rows = (folder / "whole.bvh").read_text(encoding="utf-8").split("Frame Time")
     lines = rows.splitlines()
@@ -86,7 +86,9 @@ def test_the_sample_before_stands_in_or_the_first_good_one(index: int) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("ending", ["bvh", "csv"])
 def test_clean_bridges_them(folder: Path, tmp_path: Path, ending: str) -> None:
-    target = running.run(running.Source(folder / f"torn.{ending}", "human"), tmp_path / "clean.npz", teller=Teller())
+    target = running.run(
+        running.Source(folder / f"torn.{ending}", "human"), tmp_path / "clean.npz", progress=Progress()
+    )
     whole = taken(folder / "whole.bvh", figure="human")
     found = load_motion(target)
     assert abs(found.duration - (whole.time[-1] - whole.time[0])) < 1e-6

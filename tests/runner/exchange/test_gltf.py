@@ -17,7 +17,7 @@ from dynsplines.clip import load as clip
 from dynsplines.exchange import formats
 from dynsplines.exchange.skeleton import hierarchy
 from dynsplines.exchange.take import Take
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 
 pygltflib = pytest.importorskip("pygltflib")
 trimesh = pytest.importorskip("trimesh")
@@ -32,7 +32,7 @@ require('gltf-validator').validateBytes(new Uint8Array(require('fs').readFileSyn
 def take(request):
     if request.param == "puppet":
         return Take.of(puppet.moved(), 48.0)
-    return Take.of(work.unsolved(clip.load(request.param)).saved(Teller(), with_report=False))
+    return Take.of(work.unsolved(clip.load(request.param)).saved(Progress(), with_report=False))
 
 
 @pytest.fixture(scope="module")

@@ -12,7 +12,7 @@ from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
 from dynsplines.exchange.take import Wishes
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 
 LASTS = 1.0  # [s] of simulation
 FALLEN = 0.03  # [m]
@@ -48,7 +48,7 @@ others = "rest"
 
 
 def quiet():
-    return Teller(Console(file=io.StringIO()))
+    return Progress(Console(file=io.StringIO()))
 
 
 @pytest.fixture(scope="module", params=WITHIN)

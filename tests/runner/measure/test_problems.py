@@ -27,7 +27,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.search.minimum import Stop
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 
 REST = '\n[[keyframe]]\ntime = {}\nothers = "rest"\n'
 HIGH = REST + "root.position = [0, 0, 3]\n"  # above all floors
@@ -51,8 +51,8 @@ TRUNK = """<mujoco><compiler angle="degree"/><worldbody><body name="trunk" pos="
 </body></worldbody></mujoco>"""
 
 
-def quiet() -> Teller:
-    return Teller(Console(file=io.StringIO()))
+def quiet() -> Progress:
+    return Progress(Console(file=io.StringIO()))
 
 
 def read(text: str, figure: str = "", folder: Path | None = None) -> Clip:

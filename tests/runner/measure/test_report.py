@@ -20,7 +20,7 @@ from dynsplines.motion import sampled
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.refine.subdivision import evenly
 from dynsplines.solver.search.descent import optimised
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 from dynsplines.work import Solved
 
 FOOT = """
@@ -257,8 +257,8 @@ def test_figures_without_feet_or_quaternions_have_a_report_too(tmp_path, figure)
     else:
         path = written(tmp_path)
         (tmp_path / "tiny.xml").write_text(FIGURE.replace("left_toe", "tip"), encoding="utf-8")
-    solved = work.solve(clip.load(str(path)), Teller(Console(file=io.StringIO())))
-    data = solved.saved(Teller(Console(file=io.StringIO()))).report
+    solved = work.solve(clip.load(str(path)), Progress(Console(file=io.StringIO())))
+    data = solved.saved(Progress(Console(file=io.StringIO()))).report
     json.dumps(data, allow_nan=False)
     assert data["after"]["skate"] == {}
     assert data["after"]["stances"] == []

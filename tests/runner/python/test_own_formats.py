@@ -10,7 +10,7 @@ import shipped
 from dynsplines import UserError, import_motion
 from dynsplines.exchange.take import Recording, Take
 from dynsplines.python.motion import Motion
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 
 
 class Plain:
@@ -37,7 +37,7 @@ class Broken:
 
 @pytest.fixture(scope="module")
 def tumble() -> Motion:
-    return Motion(shipped.solved("tumble").saved(Teller(), with_report=False))
+    return Motion(shipped.solved("tumble").saved(Progress(), with_report=False))
 
 
 def test_a_motion_goes_out_and_comes_back(tumble, tmp_path):

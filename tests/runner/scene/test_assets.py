@@ -19,7 +19,7 @@ from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
 from dynsplines.picture.show import Look, images
 from dynsplines.scene.compose import compose, figure_spec
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 
 MODEL = """
 <mujoco><compiler meshdir="parts/mesh" texturedir="parts"/>
@@ -63,8 +63,8 @@ def model(tmp_path: Path, rng: np.random.Generator) -> Path:
     return home / "it.xml"
 
 
-def told() -> Teller:
-    return Teller(Console(file=io.StringIO()))
+def told() -> Progress:
+    return Progress(Console(file=io.StringIO()))
 
 
 def test_all_files_come_along_once_and_files_of_one_name_stay_apart(model):

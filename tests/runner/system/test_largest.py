@@ -19,7 +19,7 @@ from dynsplines.scene import mjcf_size
 from dynsplines.scene.assets import Scene, taken_along
 from dynsplines.scene.compose import compose, figure_spec
 from dynsplines.system import largest
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 from dynsplines.work import solve
 
 
@@ -152,7 +152,7 @@ def test_a_figure_of_so_many_joints_that_no_search_has_room_is_refused_before_on
     with pytest.raises(
         UserError, match=r"run_and_step: the search with 51 numbers a frame, all with all, comes to 5 MB"
     ):
-        solve(problem, Teller())
+        solve(problem, Progress())
 
 
 def test_keyframes_too_unevenly_apart_for_a_spline_are_refused() -> None:

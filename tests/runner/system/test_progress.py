@@ -8,7 +8,7 @@ import pytest
 from rich.console import Console
 
 from dynsplines.system import progress
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 
 
 @pytest.fixture
@@ -24,7 +24,7 @@ def clock(monkeypatch: pytest.MonkeyPatch) -> list[float]:
 
 
 def test_without_a_terminal_progress_is_plain_lines(out, clock):
-    with Teller(Console(file=out)) as teller:
+    with Progress(Console(file=out)) as teller:
         teller.step("solving", 0.25, "E 2.4")
         clock[0] += 10
         teller.step("solving", None, "E 2.3")
@@ -32,7 +32,7 @@ def test_without_a_terminal_progress_is_plain_lines(out, clock):
 
 
 def test_lines_come_no_faster_than_anybody_reads_them_but_for_the_last(out, clock):
-    with Teller(Console(file=out)) as teller:
+    with Progress(Console(file=out)) as teller:
         for i in range(100):
             clock[0] += 0.1
             teller.step("solving", None, str(i))
@@ -43,13 +43,13 @@ def test_lines_come_no_faster_than_anybody_reads_them_but_for_the_last(out, cloc
 
 
 def test_items_come_through_untouched_and_counted(out, clock):
-    with Teller(Console(file=out)) as teller:
+    with Progress(Console(file=out)) as teller:
         assert list(teller.over(iter("abc"), "rendering", 3)) == ["a", "b", "c"]
     assert out.getvalue().splitlines() == ["rendering  33% 1 of 3", "rendering 100% 3 of 3"]
 
 
 def test_an_item_is_told_only_once_it_has_been_used(out, clock):
-    items = Teller(Console(file=out)).over(iter("ab"), "rendering", 2)
+    items = Progress(Console(file=out)).over(iter("ab"), "rendering", 2)
     next(items)
     assert out.getvalue() == ""
     next(items)
@@ -58,12 +58,12 @@ def test_an_item_is_told_only_once_it_has_been_used(out, clock):
 
 def test_long_lines_are_not_broken_and_brackets_are_no_markup(out):
     line = "note: [red]" + "words " * 40 + "[/red] end"
-    Teller(Console(file=out, width=40)).say(line)
+    Progress(Console(file=out, width=40)).say(line)
     assert out.getvalue() == line + "\n"
 
 
 def test_on_a_terminal_there_is_a_bar(out):
-    with Teller(Console(file=out, force_terminal=True, width=100)) as teller:
+    with Progress(Console(file=out, force_terminal=True, width=100)) as teller:
         teller.step("solving", 0.5, "E 2.4")
         teller.step("solving", 1.0, "E 2.0")
         teller.step("counting", None, "x")
@@ -76,5 +76,5 @@ def test_on_a_terminal_there_is_a_bar(out):
 
 
 def test_progress_goes_to_stderr(capsys):
-    Teller().say("hello")
+    Progress().say("hello")
     assert capsys.readouterr() == ("", "hello\n")

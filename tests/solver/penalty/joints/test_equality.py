@@ -19,7 +19,7 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Closed, Coupled, closures, couplings
 from dynsplines.solver.penalty.curvature import Curvature
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 
 GRIPPER = """
 <mujoco><compiler angle="degree"/><worldbody>
@@ -57,11 +57,11 @@ FOUR_BAR = """
 def solved(text: str, keys: str, folder: Path) -> work.Solved:
     (folder / "it.xml").write_text(text, encoding="utf-8")
     problem = clip.from_text('figure = "it.xml"\n' + keys, name="it", folder=folder)
-    return work.solve(problem, Teller(Console(file=io.StringIO())))
+    return work.solve(problem, Progress(Console(file=io.StringIO())))
 
 
 def measured(found: work.Solved) -> dict:
-    return found.saved(Teller(Console(file=io.StringIO()))).report["after"]["equality constraints"]
+    return found.saved(Progress(Console(file=io.StringIO()))).report["after"]["equality constraints"]
 
 
 def test_couplings_are_those_of_mujoco(rng):

@@ -24,7 +24,7 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import SelfContact
 from dynsplines.solver.penalty.joints.self_contact import NEAR, nearest_on_segments
-from dynsplines.system.progress import Teller
+from dynsplines.system.progress import Progress
 
 SPIDER = """
 <mujoco><worldbody><body name="trunk" pos="0 0 1"><freejoint name="root"/>
@@ -211,7 +211,7 @@ def test_an_arm_goes_through_the_trunk_without_the_penalty_and_at_most_two_milli
     deepest = {}
     for asked in ("", "[[penalty]]\nkind = 'self'\nweight = 30\nmargin = 0.002\n"):
         (tmp_path / "arms.toml").write_text(SWING + asked, encoding="utf-8")
-        solved = work.solve(clip.load(str(tmp_path / "arms.toml")), Teller(Console(file=io.StringIO())))
+        solved = work.solve(clip.load(str(tmp_path / "arms.toml")), Progress(Console(file=io.StringIO())))
         data = report(solved.clip, solved.motion, 0.0)
         out = io.StringIO()
         Console(file=out, width=160).print(tables(data))
