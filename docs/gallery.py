@@ -1,5 +1,6 @@
-"""The README's picture of the clips that ship: python docs/gallery.py [-o renders/gallery.png]
+"""The clips that ship, as the README's picture and as small films: python docs/gallery.py [-o renders/gallery.png]
 
+--films draws docs/gallery.md's, renders/films/NAME.webp, instead: pictures that move, which every browser shows.
 A tile for every clip, four in a row, each drawn by `dynsplines render`. A clip that TILES does not know is shown in the
 middle of its time; a body that tumbles along its whole way, in a tile twice as wide.
 """
@@ -13,6 +14,7 @@ import tempfile
 import tomllib
 from pathlib import Path
 
+import imageio.v3 as iio
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
@@ -38,6 +40,8 @@ TILES: dict[str, tuple[float, str]] = {  # clips in their order: the time that i
     "hand_on_rail": (1.0, CAMERA),
     "carry_box": (5.4, CAMERA),
 }
+FILM = (384, 216)  # [pixels]
+FPS, QUALITY = 15, 55  # of films
 ALONG = ("tumble",)  # shown along their whole way
 
 
@@ -51,6 +55,18 @@ def tile(name: str, folder: Path) -> Picture:
         words = ["--only", "after", "--at", f"{time:g}", "--camera", camera, "--size", f"{WIDTH}x{HEIGHT}"]
     subprocess.run([sys.executable, "-c", COMMAND, "render", name, *words, "-o", str(target)], cwd=ROOT, check=True)
     return np.asarray(Image.open(target).convert("RGB"))
+
+
+def film(name: str, folder: Path, target: Path) -> None:
+    """A clip as a small animated picture, seen from where its tile is."""
+    drawn, size = folder / f"{name}.mp4", f"{FILM[0]}x{FILM[1]}"
+    words = ["--only", "after", "--size", size, "--fps", str(FPS), "--camera", TILES.get(name, (0, CAMERA))[1]]
+    subprocess.run([sys.executable, "-c", COMMAND, "render", name, *words, "-o", str(drawn)], cwd=ROOT, check=True)
+    first, *others = [Image.fromarray(image) for image in iio.imiter(drawn)]
+    target.parent.mkdir(parents=True, exist_ok=True)
+    first.save(
+        target, save_all=True, append_images=others, duration=round(1000 / FPS), loop=0, quality=QUALITY, method=6
+    )
 
 
 def middle(name: str) -> float:
@@ -85,7 +101,14 @@ def sheet(tiles: list[Picture]) -> Picture:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("-o", "--output", type=Path, default=ROOT / "renders" / "gallery.png")
-    target = parser.parse_args().output
+    parser.add_argument("--films", action="store_true", help="the small films instead")
+    asked = parser.parse_args()
+    target = asked.output
+    if asked.films:
+        with tempfile.TemporaryDirectory() as folder:
+            for name in models.clips():
+                film(name, Path(folder), target.parent / "films" / f"{name}.webp")
+        return
     others = [name for name in models.clips() if name not in (*TILES, *ALONG)]
     with tempfile.TemporaryDirectory() as folder:
         tiles = [tile(name, Path(folder)) for name in (*TILES, *others, *ALONG)]

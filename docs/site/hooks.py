@@ -13,7 +13,7 @@ RENDERS = Path(__file__).parents[2] / "renders"
 
 def on_files(files: Files, config: Any) -> Files:
     """Pictures lie beside docs/, for the README has them too."""
-    for picture in sorted(RENDERS.rglob("*.png")):
+    for picture in sorted(file for file in RENDERS.rglob("*") if file.suffix in (".png", ".webp")):
         place = picture.relative_to(RENDERS.parent).as_posix()
         files.append(File.generated(config, place, abs_src_path=str(picture)))
     return files

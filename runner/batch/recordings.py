@@ -54,8 +54,8 @@ def asked(
         if place is not None and not place.is_file():
             raise UserError(f"{word}: no file '{place}'")
     bound = None if within is None else length(within, "--within")
-    files = (None if place is None else str(place) for place in (scene, map_file))
-    return Cleaning(model, *files, kind, bound, onto is not None)
+    of_scene, of_map = (None if place is None else str(place) for place in (scene, map_file))
+    return Cleaning(model, of_scene, of_map, kind, bound, onto is not None)
 
 
 def tell(tally: Tally, progress: Progress) -> None:

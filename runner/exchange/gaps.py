@@ -29,10 +29,10 @@ class Gaps:
 
         None for one that has no good sample, or is of another count of samples than the arrays before.
         """
-        bad = ~np.isfinite(array.reshape(len(array), -1)).all(axis=1)
+        bad = np.asarray(~np.isfinite(array.reshape(len(array), -1)).all(axis=1))
         if bad.all() or (self.missing is not None and self.missing.size != bad.size):
             return None
-        self.missing = bad if self.missing is None else self.missing | bad
+        self.missing = bad if self.missing is None else np.asarray(self.missing | bad)
         good = np.flatnonzero(~bad)
         return array[good[np.maximum(np.searchsorted(good, np.arange(bad.size), side="right") - 1, 0)]]
 
