@@ -17,6 +17,11 @@ def scipy_rotation(q: np.ndarray) -> Rotation:
     return Rotation.from_quat(np.roll(q, -1, axis=-1))
 
 
+def test_matrices_are_scipys_at_any_length(rng):
+    q = rng.normal(size=(5, 4)) * np.array([[0.01], [0.3], [1.0], [7.0], [200.0]])
+    np.testing.assert_allclose(quat.matrices(q), scipy_rotation(q).as_matrix(), atol=1e-12)
+
+
 @pytest.mark.slow
 @given(quaternions, quaternions, quaternions)
 def test_the_product_is_associative(p, q, r):

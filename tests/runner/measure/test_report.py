@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import json
 import math
+from dataclasses import replace
 
 import mujoco
 import numpy as np
@@ -199,6 +200,7 @@ def test_a_recording_is_measured_as_what_was_searched_is(solved: Solved):
     """The raw spline of a clip: once as a recording, and once beside what the search made of it."""
     raw = work.unsolved(solved.clip)
     assert raw.motion.is_raw and not solved.motion.is_raw
+    assert not replace(raw.motion, evaluations=1).is_raw
     alone, beside = report(raw.clip, raw.motion, 0.0)["after"], report(solved.clip, solved.motion, 0.0)["before"]
     for name in ("penetration, m", "bends, degrees", "torque, N m", "skate", "angular acceleration, rad/s²"):
         assert alone[name] == beside[name], name

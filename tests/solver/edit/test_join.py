@@ -200,6 +200,11 @@ def test_a_transition_that_is_none_is_refused(rng):
     before, after = sides(figure, rng)
     with pytest.raises(TimelineError, match="takes time"):
         bridge(figure, before, before)
+    now = replace(
+        after, frames=tuple(replace(f, time=f.time - after.times[0] + before.times[-1]) for f in after.frames)
+    )
+    with pytest.raises(TimelineError, match="takes time"):
+        bridge(figure, before, now)
     with pytest.raises(TimelineError, match="at least 4 variable frames, not 2"):
         bridge(figure, before, after, variable=2)
     begin = bridge(figure, before, after)

@@ -47,6 +47,7 @@ from dynsplines.solver.penalty import (
 from dynsplines.solver.penalty.curvature import Curvature
 from dynsplines.solver.penalty.ground.contact import NEAR as NEAR_DEPTH
 from dynsplines.solver.penalty.joints.bend import NEAR as NEAR_ANGLE
+from dynsplines.solver.refine import euler_lagrange
 from dynsplines.solver.refine.euler_lagrange import WeakForm
 from dynsplines.solver.refine.subdivision import evenly, midpoints, split
 from dynsplines.solver.search.descent import optimised
@@ -315,6 +316,16 @@ def test_the_weak_form_never_promises_that_e_rises(figure, rng, ends):
     assert np.all(decrements >= 0)
     assert np.all(np.isfinite(decrements))
     assert decrements.max() > 0
+
+
+@pytest.mark.parametrize("entries", [0, 3000, 12_000])
+def test_the_weak_form_of_a_few_spans_at_a_time_is_that_of_all(figure, rng, entries, monkeypatch):
+    timeline = evenly(clip(figure, rng, "free"), 2)
+    objective = Objective.of(figure, every_penalty(figure)).renormalised(path_of(timeline))
+    form = WeakForm.of(objective, path_of(timeline))
+    whole = form.decrements(midpoints(timeline))
+    monkeypatch.setattr(euler_lagrange, "ENTRIES", entries)
+    np.testing.assert_allclose(form.decrements(midpoints(timeline)), whole, rtol=1e-9)
 
 
 @pytest.mark.parametrize("chosen", [slice(2, 3), slice(None)], ids=["one frame", "frames everywhere"])

@@ -102,6 +102,15 @@ def test_so_it_does_with_residuals_on_one_side(rng, kind):
     assert found.evaluations < 0.5 * other.evaluations
 
 
+def test_one_evaluation_sees_that_there_is_nothing_to_search():
+    """Whole keyframes and given slopes at the ends leave nothing open."""
+    figure = figure_of(TINY)
+    keys = [Frame.key(time, figure.model.qpos0) for time in (0.0, 1.0)]
+    timeline = raw_timeline(figure, keys, "clamped", np.zeros((2, figure.width)))
+    found, _ = gauss_newton(Objective.of(figure, TERMS).on(timeline))
+    assert (found.x.size, found.evaluations, found.stop) == (0, 1, Stop.CONVERGED)
+
+
 @pytest.mark.parametrize("variable", [1, 4])
 def test_a_flat_problem_takes_three_evaluations_at_most(variable):
     problem = slider(np.array([0.0, 0.3, 1.0, 2.5]), variable)
