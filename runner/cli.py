@@ -459,7 +459,7 @@ def thin(
     from .edit import thin_files
     from .system.progress import Progress
 
-    recording = thin_files.Recording(source, figure, kind, fps, fresh, skip_rest)
+    recording = thin_files.ToThin(source, figure, kind, fps, fresh, skip_rest)
     bound = thin_files.bound(max_error, max_angle)
     with Progress() as progress:
         thin_files.run(recording, bound, output, solve=solve, exact=exact, overwrite=overwrite, progress=progress)

@@ -255,13 +255,13 @@ def posed(
     free, there = np.asarray(free, bool), np.array(qpos, float)
     fixed, missed, tried = np.zeros(figure.width, bool), np.zeros(len(goals)), 0
     for some in _apart(figure, free, goals):
-        found = _posed(_Search(figure, there, free, tuple(goals[i] for i in some), bends, beyond), starts)
+        found = _posed(_PoseSearch(figure, there, free, tuple(goals[i] for i in some), bends, beyond), starts)
         there, fixed, tried = found.qpos, fixed | found.fixed, max(tried, found.starts)
         missed[some] = found.missed
     return Posed(there, fixed, missed, tried)
 
 
-def _posed(search: _Search, starts: int) -> Posed:
+def _posed(search: _PoseSearch, starts: int) -> Posed:
     """The pose for goals that depend on one another."""
     best = search.result(search.home)
     if best.is_met or not search.dofs.size:
@@ -342,7 +342,7 @@ def _at_rest(model: mujoco.MjModel, body: int) -> Array:
     return quat.normalised(turn)
 
 
-class _Search:
+class _PoseSearch:
     """Least squares over the free degrees of freedom that the goals depend on."""
 
     def __init__(

@@ -19,13 +19,13 @@ from ..system.output import check_new
 from ..system.progress import Progress
 from ..system.quantity import length
 from . import lead_in, thinning
-from .thinning import Thinned
+from .thinning import ThinnedMotion
 
 ROUNDING = 1e-6  # of the bound, what a file's digits may add
 
 
 @dataclass(frozen=True)
-class Recording:
+class ToThin:
     """A motion's file, and what a file of another program may not tell: figure, format, images a second.
 
     fresh      a clip is solved now, and not as it may have been before
@@ -61,7 +61,7 @@ def bound(error: str, angle: float) -> tuple[float, float]:
 
 
 def run(
-    recording: Recording,
+    recording: ToThin,
     bound: tuple[float, float],
     target: Path | None,
     *,
@@ -98,7 +98,7 @@ def run(
     return target
 
 
-def _as_solved(found: Thinned) -> str:
+def _as_solved(found: ThinnedMotion) -> str:
     """How far the motion is off that the clip's own settings make."""
     beyond = "; more than was asked for: --solve keeps to it, --exact leaves the spline as it is"
     return f"solved as the clip says: {found.misses}{beyond if found.excess > 1 + ROUNDING else ''}"

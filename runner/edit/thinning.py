@@ -33,7 +33,7 @@ LOOSE = 4.0  # times the bound: what the spline keeps through keyframes of which
 
 
 @dataclass(frozen=True)
-class Thinned:
+class ThinnedMotion:
     """What thinning gave: the motion through the keyframes left, and how far it is off at the instants looked at.
 
     instants         how many there were
@@ -67,7 +67,7 @@ class Thinned:
 
 def thinned(
     saved: Saved, distance: float, angle: float, *, solve: bool = False, progress: Progress | None = None
-) -> Thinned:
+) -> ThinnedMotion:
     """A motion with the fewest keyframes found that keep it within `distance` [m] and `angle` [rad] of what it was.
 
     solve  the dynamic spline through the keyframes has to, and not only the raw one
@@ -93,12 +93,12 @@ def thinned(
     return measured(recorded, left)
 
 
-def measured(recorded: Recorded, motion: Saved) -> Thinned:
+def measured(recorded: Recorded, motion: Saved) -> ThinnedMotion:
     """How far a motion is off what was recorded."""
     worst = recorded.worst(motion.timeline)
     times = float(recorded.times[worst[0].instant]), float(recorded.times[worst[1].instant])
     slipped, excess = recorded.slipped(motion.timeline), float(recorded.excess(motion.timeline).max())
-    return Thinned(motion, recorded.times.size, *worst, times, slipped, excess)
+    return ThinnedMotion(motion, recorded.times.size, *worst, times, slipped, excess)
 
 
 def recorded_of(saved: Saved, distance: float, angle: float) -> Recorded:
@@ -153,7 +153,9 @@ def _with_keys(said: dict[str, Any], saved: Saved, keys: Sequence[Frame]) -> dic
     return out
 
 
-def write(found: Thinned, target: Path, *, exact: bool = False, note: str = "", overwrite: bool = False) -> list[Path]:
+def write(
+    found: ThinnedMotion, target: Path, *, exact: bool = False, note: str = "", overwrite: bool = False
+) -> list[Path]:
     """Writes a thinned motion as a clip, .toml, or as a motion, .npz; gives the files written.
 
     exact  the clip's [solve] leaves the spline as it is

@@ -12,7 +12,7 @@ from dynsplines.solver.array import Array
 
 from ..errors import UserError
 from . import unsaid
-from .skeleton.hinged import Layout
+from .skeleton.hinged import HingeLayout
 
 FREE, BALL = int(mujoco.mjtJoint.mjJNT_FREE), int(mujoco.mjtJoint.mjJNT_BALL)
 
@@ -83,7 +83,7 @@ def configurations(
     position (T, 3), rotation (T, 4) wxyz of the root; joints (T, n) [rad, m], of the names, or in the figure's order if
     there are none: three hinges for a ball joint, as `hinged` names and orders them. place: how errors call the file.
     """
-    layout = Layout(model)
+    layout = HingeLayout(model)
     kinds = model.jnt_type.tolist()
     if kinds.count(FREE) != 1:
         raise UserError(f"{place}: the format '{form}' is for a figure with one free joint, its root")

@@ -51,7 +51,7 @@ def minimise(
 
     KeyboardInterrupt ends the search like StopSearch. Values that are not finite count as infinitely bad.
     """
-    search = _Search(fun, np.array(x0, float), max_evaluations, improved)
+    search = _NloptSearch(fun, np.array(x0, float), max_evaluations, improved)
     if search.best_x.size == 0:
         try:
             search.evaluate(search.best_x)
@@ -70,7 +70,7 @@ def minimise(
     return search.minimum(stop)
 
 
-def _attempt(search: _Search, number: int, tolerance: float, damping: float) -> Stop:
+def _attempt(search: _NloptSearch, number: int, tolerance: float, damping: float) -> Stop:
     """One run of NLopt from the best point, on the objective divided by its value there and multiplied by `damping`.
 
     Some of NLopt's line searches give up where a first step of the gradient's length overshoots; a smaller one passes.
@@ -99,7 +99,7 @@ def _attempt(search: _Search, number: int, tolerance: float, damping: float) -> 
     return search.forced or stop
 
 
-class _Search:
+class _NloptSearch:
     """The objective as NLopt calls it, with the best point kept beside it."""
 
     def __init__(self, fun: Callable, x0: Array, budget: int, improved: Callable | None) -> None:

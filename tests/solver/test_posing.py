@@ -278,16 +278,16 @@ def test_with_joints_at_their_ranges_it_is_as_near_as_scipys_and_its_goals_weigh
     figure = figure_of(ARM.replace("-150 150", "-10 10").replace("-.1 .2", "-.02 .01"))
     home, weights, weighed = np.array([0.3 * side, 0, 0.1, 0]), np.array([1.0, 1, 1, 5]), []
     target = np.array([0.0, 0, 1]) + reach * np.array([np.cos(0.3), 0, -side * np.sin(0.3)])
-    levenberg = posing._Search._levenberg
+    levenberg = posing._PoseSearch._levenberg
 
-    def watched(self: posing._Search, qpos: Array, weight: float, *more: object) -> tuple[Array, float]:
+    def watched(self: posing._PoseSearch, qpos: Array, weight: float, *more: object) -> tuple[Array, float]:
         weighed.append(weight)
         return levenberg(self, qpos, weight, *more)  # type: ignore[arg-type]
 
     def cost(qpos: Array) -> float:
         return float(np.sum((weights * (qpos - home)) ** 2))
 
-    monkeypatch.setattr(posing._Search, "_levenberg", watched)
+    monkeypatch.setattr(posing._PoseSearch, "_levenberg", watched)
     found = posed(figure, home, np.ones(4, bool), [SiteGoal("tip", target)])
     assert found.is_met
     assert max(weighed) == posing.FIRM

@@ -26,7 +26,7 @@ from ...errors import UserError
 from ..held import times
 from ..pickles import plain_pickle
 from ..robot import FREE, needs_figure
-from ..skeleton.hinged import BALL, Layout, angles, rotation_of
+from ..skeleton.hinged import BALL, HingeLayout, angles, rotation_of
 from ..take import Recording, Take
 
 CLAMP, WRAP = 0, 1  # its codes for what plays once and what repeats
@@ -114,7 +114,7 @@ def write(take: Take, path: Path) -> None:
 
 def beside(take: Take) -> dict[str, str | bytes]:
     """The character file and what it refers to, if the figure has ball joints."""
-    layout = Layout(take.model, CHARACTER)
+    layout = HingeLayout(take.model, CHARACTER)
     return {".character.xml": layout.mjcf(take.saved.mjcf), **take.saved.scene.assets} if layout.balls else {}
 
 

@@ -108,7 +108,7 @@ def rates(angle: Array, spin: Array, order: str = ORDER) -> Array:
 
 
 @dataclass(frozen=True, eq=False)
-class Layout:
+class HingeLayout:
     """Where the joints of a model lie in qpos and qvel, and where in those of its variant of hinges.
 
     joints   (joint of the model, its name or three names) in the model's order
@@ -237,7 +237,7 @@ def _drop_references(root: ElementTree.Element, balls: set[str]) -> None:
 class Hinged:
     """A motion of hinges only: qpos (T, nq), qvel (T, nv) of the model, which mjcf gives in full."""
 
-    layout: Layout
+    layout: HingeLayout
     mjcf: str
     model: mujoco.MjModel
     qpos: Array
@@ -246,7 +246,7 @@ class Hinged:
     @classmethod
     def of(cls, model: mujoco.MjModel, scene: Scene, qpos: Array, qvel: Array) -> Hinged:
         """The variant of a model, which the scene gives in full, and its motion; without ball joints all stays."""
-        layout, mjcf = Layout(model), scene.mjcf
+        layout, mjcf = HingeLayout(model), scene.mjcf
         hinges = layout.qpos(qpos)
         if not layout.balls:
             return cls(layout, mjcf, model, hinges, qvel)

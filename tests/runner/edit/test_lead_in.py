@@ -115,7 +115,7 @@ def recording(walk, tmp_path):
 
 def read(path, *, skip_rest):
     ear = Ear()
-    return thin_files.Recording(str(path), skip_rest=skip_rest).read(ear), ear.heard
+    return thin_files.ToThin(str(path), skip_rest=skip_rest).read(ear), ear.heard
 
 
 @pytest.mark.slow

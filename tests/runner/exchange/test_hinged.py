@@ -10,7 +10,7 @@ from figures import BALL_TREE
 from scipy.spatial.transform import Rotation
 
 from dynsplines.errors import UserError
-from dynsplines.exchange.skeleton.hinged import Hinged, Layout, angles, rates, rotation_of
+from dynsplines.exchange.skeleton.hinged import Hinged, HingeLayout, angles, rates, rotation_of
 from dynsplines.exchange.take import Take
 from dynsplines.scene.assets import Scene
 from dynsplines.solver import quaternion as quat
@@ -99,7 +99,7 @@ def test_configurations_come_back(take):
 def test_a_joint_near_the_lock_is_told_and_one_far_off_is_not():
     model = mujoco.MjModel.from_xml_string(BALL_TREE)
     qpos = np.tile(model.qpos0, (3, 1))
-    layout = Layout(model)
+    layout = HingeLayout(model)
     at = int(model.jnt_qposadr[model.joint("elbow").id])
     qpos[1, at : at + 4] = quat.from_rotation_vector(np.radians([0, 0, 85]))
     found = Hinged.of(model, Scene(BALL_TREE), qpos, np.zeros((3, model.nv))).warning(np.array([0, 0.5, 1]))
@@ -116,7 +116,7 @@ def test_what_acts_on_ball_joints_goes_and_anchors_and_damping_stay():
         'objname="leg"/></sensor><keyframe><key time="1"/></keyframe></mujoco>',
     )
     model = mujoco.MjModel.from_xml_string(text)
-    variant = mujoco.MjModel.from_xml_string(Layout(model).mjcf(text))
+    variant = mujoco.MjModel.from_xml_string(HingeLayout(model).mjcf(text))
     assert (variant.nu, variant.nsensor, variant.nkey) == (0, 1, 0)
     hips = [variant.joint(f"hip_{axis}") for axis in "xzy"]
     assert all(joint.damping[0] == 0.5 and not variant.jnt_limited[joint.id] for joint in hips)
@@ -131,4 +131,4 @@ def test_a_figure_of_hinges_stays_as_it_is_and_a_name_twice_is_refused(tmp_path)
     text = BALL_TREE.replace('name="elbow"', 'name="hip_x" type="hinge"/><joint name="elbow"')
     model = mujoco.MjModel.from_xml_string(text)
     with pytest.raises(UserError, match="two joints 'hip_x'"):
-        _ = Layout(model).names
+        _ = HingeLayout(model).names
