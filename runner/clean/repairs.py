@@ -37,27 +37,27 @@ class Repaired:
     notes: tuple[str, ...]
 
 
-def repaired(figure: Figure, time: Array, qpos: Array, place: str) -> Repaired:
-    """Of samples at times (T,) [s], qpos (T, nq), some entries no numbers; place is how errors call them.
+def repaired(figure: Figure, time: Array, qpos: Array, where: str) -> Repaired:
+    """Of samples at times (T,) [s], qpos (T, nq), some entries no numbers; where is how errors call them.
 
     Raises UserError for too few samples, times that go back, and gaps that nobody can bridge.
     """
     notes: list[str] = []
     if time.size < FEWEST:
-        raise UserError(f"{place}: {time.size} sample{'s' * (time.size != 1)}; a motion to clean has {FEWEST} at least")
+        raise UserError(f"{where}: {time.size} sample{'s' * (time.size != 1)}; a motion to clean has {FEWEST} at least")
     if np.any(np.diff(time) < 0):
         i = int(np.argmax(np.diff(time) < 0))
-        raise UserError(f"{place}: times go back: sample {i + 2} is at {time[i + 1]:g} s, after {time[i]:g} s")
+        raise UserError(f"{where}: times go back: sample {i + 2} is at {time[i + 1]:g} s, after {time[i]:g} s")
     time, qpos = _once(time, qpos, notes)
     known = _numbers(figure, qpos, time, notes)
     time, qpos, known = _without_rest(figure, time, qpos, known, notes)
     if time.size < FEWEST:
-        raise UserError(f"{place}: {time.size} samples are left; a motion to clean has {FEWEST} at least")
-    time, qpos, known = _filled(figure, time, qpos, known, notes, place)
+        raise UserError(f"{where}: {time.size} samples are left; a motion to clean has {FEWEST} at least")
+    time, qpos, known = _filled(figure, time, qpos, known, notes, where)
     known &= ~_jumps(figure, time, qpos, known, notes)
     lost = [_name(figure, columns) for columns in groups(figure) if known[:, columns].all(axis=1).sum() < FEWEST]
     if lost:
-        raise UserError(f"{place}: too few samples of {', '.join(lost)}")
+        raise UserError(f"{where}: too few samples of {', '.join(lost)}")
     return Repaired(time, qpos, known, tuple(notes))
 
 
@@ -114,7 +114,7 @@ def _ending(back: LeadIn, time: Array) -> str:
 
 
 def _filled(
-    figure: Figure, time: Array, qpos: Array, known: Mask, notes: list[str], place: str
+    figure: Figure, time: Array, qpos: Array, known: Mask, notes: list[str], where: str
 ) -> tuple[Array, Array, Mask]:
     """With samples that nobody knows where some are missing."""
     step = float(np.median(np.diff(time)))
@@ -124,7 +124,7 @@ def _filled(
         long = float(time[i + 1] - time[i])
         if long > LONGEST_GAP:
             raise UserError(
-                f"{place}: nothing is recorded from {time[i]:.3f} to {time[i + 1]:.3f} s, over {LONGEST_GAP:g} s; "
+                f"{where}: nothing is recorded from {time[i]:.3f} to {time[i + 1]:.3f} s, over {LONGEST_GAP:g} s; "
                 "cut the recording there"
             )
         notes.append(f"nothing is recorded from {time[i]:.3f} to {time[i + 1]:.3f} s: bridged")

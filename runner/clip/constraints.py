@@ -24,13 +24,13 @@ NO_CYCLE = "no cycle: that takes three keyframes that fix every joint, not all a
 DEEP = 0.02  # [m] of a sole point in something, by a keyframe, from which on the user is told
 
 
-def chosen(entries: Sequence[PenaltyTable], place: str) -> dict[str, Options]:
+def chosen(entries: Sequence[PenaltyTable], where: str) -> dict[str, Options]:
     """What the tables say by kind; raises UserError for kinds and options that are not there, wrong or given twice."""
     given: dict[str, int] = {}
     found: dict[str, Options] = {}
     raw = {"penalty": [{"kind": entry.kind, **entry.said} for entry in entries]}
     for i, entry in enumerate(entries, 1):
-        here = f"{place}: penalty {i}"
+        here = f"{where}: penalty {i}"
         if entry.kind not in KINDS:
             raise UserError(f"{here}: {unknown('penalty', entry.kind, KINDS)}")
         if entry.kind in given:
@@ -44,7 +44,7 @@ def chosen(entries: Sequence[PenaltyTable], place: str) -> dict[str, Options]:
         try:
             found[entry.kind] = options.model_validate(entry.said)
         except ValidationError as error:
-            raise UserError(f"{place}: {spoken(error, raw, ('penalty', i - 1))}") from None
+            raise UserError(f"{where}: {spoken(error, raw, ('penalty', i - 1))}") from None
         given[entry.kind] = i
     return found
 
@@ -60,7 +60,7 @@ class Constraints:
 
 def constraints(context: Context, entries: Sequence[PenaltyTable]) -> Constraints:
     """What a clip's keyframes and tables make; raises UserError for what does not fit the figure."""
-    said = chosen(entries, context.place)
+    said = chosen(entries, context.where)
     default = {kind.name: kind.options(weight=kind.weight) for kind in KINDS.values() if kind.weight is not None}
     every = default | said
     notes = context.lacking
@@ -85,7 +85,7 @@ def _made(context: Context, kind: str, options: Options) -> Penalty | None:
     except UserError:
         raise
     except ValueError as error:
-        raise UserError(f"{context.place}: penalty '{kind}': {error}") from None
+        raise UserError(f"{context.where}: penalty '{kind}': {error}") from None
 
 
 def _asked(context: Context, every: Mapping[str, Options], said: Mapping[str, Options]) -> Context:

@@ -54,7 +54,7 @@ def contacts(
     figure: Figure,
     keys: Timeline,
     tables: Sequence[ContactTable],
-    place: str,
+    where: str,
     soles: Sequence[Point] = (),
     surfaces: Sequence[Surface] = (),
 ) -> Contacts:
@@ -64,7 +64,7 @@ def contacts(
     """
     places = Places(figure, soles)
     points = {table.point: places.point(table.point) for table in tables}
-    names = [f"{place}: contact {i} ('{table.point}')" for i, table in enumerate(tables, start=1)]
+    names = [f"{where}: contact {i} ('{table.point}')" for i, table in enumerate(tables, start=1)]
     for table, name in zip(tables, names, strict=True):
         if points[table.point] is None:
             raise UserError(f"{name}: {unknown('site', table.point, places.points_listed)}")
@@ -84,7 +84,7 @@ def contacts(
             stances += [Stance(point, *stretch) for stretch in stretches(spots, table.start, table.end)]
         else:
             rests.append(given[-1])
-    _check_bodies(stances, place)
+    _check_bodies(stances, where)
     return Contacts(tuple(stances), tuple(rests), tuple(given))
 
 
@@ -185,7 +185,7 @@ def stretches(
             yield start, end, spot, landed
 
 
-def _check_bodies(stances: Sequence[Stance], place: str) -> None:
+def _check_bodies(stances: Sequence[Stance], where: str) -> None:
     """Two points of one body cannot rest farther apart, or nearer, than they are on it."""
     for i, one in enumerate(stances):
         for other in stances[:i]:
@@ -196,6 +196,6 @@ def _check_bodies(stances: Sequence[Stance], place: str) -> None:
             own = float(np.linalg.norm(one.point.position - other.point.position))
             if abs(apart - own) > STRETCH:
                 raise UserError(
-                    f"{place}: contacts of '{other.point.name}' and '{one.point.name}' contradict each other from "
+                    f"{where}: contacts of '{other.point.name}' and '{one.point.name}' contradict each other from "
                     f"{start:g} to {end:g} s: they are {apart:.3f} m apart there, but {own:.3f} m on their body"
                 )

@@ -45,7 +45,7 @@ KNEES, ELBOWS = ("knee", "shin"), ("elbow", "forearm", "farm")
 class Context:
     """What there is to make soft constraints of.
 
-    place     how errors call the clip
+    where     how errors call the clip
     points    of the soles, or the sites that the clip names for `contact`
     bends     knees and elbows on ball joints, or those that the clip names for `bend`
     contacts  that the clip gives;  holds, too;  placed, the points that it leaves to the search to place
@@ -56,7 +56,7 @@ class Context:
     figure: Figure
     keys: Timeline
     surfaces: tuple[Surface, ...]
-    place: str
+    where: str
     points: tuple[Point, ...] = ()
     bends: tuple[Bend, ...] = ()
     contacts: Contacts = Contacts()  # noqa: RUF009 - never changed
@@ -71,7 +71,7 @@ class Context:
         figure: Figure,
         keys: Timeline,
         surfaces: tuple[Surface, ...],
-        place: str,
+        where: str,
         placed: tuple[Placed, ...] = (),
         tables: Sequence[ContactTable] = (),
         held: Sequence[HoldTable] = (),
@@ -79,10 +79,10 @@ class Context:
         """What keyframes and tables say, before anything is asked of it by [[penalty]] tables."""
         whole = [figure.to_qpos(frame.state) for frame in keys.frames if frame.fixed.all()]
         points = sole_points(figure, np.reshape(whole, (-1, figure.width)))
-        given = contacts(figure, keys, tables, place, points, surfaces)
+        given = contacts(figure, keys, tables, where, points, surfaces)
         bends = tuple(knees_and_elbows(figure))
         return cls(
-            figure, keys, surfaces, place, points, bends, given, holds(figure, keys, held, place, points), placed
+            figure, keys, surfaces, where, points, bends, given, holds(figure, keys, held, where, points), placed
         )
 
     @property
@@ -151,7 +151,7 @@ class Context:
             if not keys.times[0] <= first < last <= keys.times[-1]:
                 given, span = f"[{first:g}, {last:g}]", f"{keys.times[0]:g} to {keys.times[-1]:g} s"
                 raise UserError(
-                    f"{self.place}: penalty 'flight': {given} is no interval of the clip, which runs from {span}"
+                    f"{self.where}: penalty 'flight': {given} is no interval of the clip, which runs from {span}"
                 )
         return Support.of(figure, int(root), carriers, aloft)
 
@@ -172,7 +172,7 @@ class Context:
         for name in names:
             point = places.point(name)
             if point is None:
-                raise UserError(f"{self.place}: penalty 'contact': {unknown('site', name, places.points_listed)}")
+                raise UserError(f"{self.where}: penalty 'contact': {unknown('site', name, places.points_listed)}")
             found.append(point)
         return tuple(found)
 
@@ -181,7 +181,7 @@ class Context:
         known = {bend.name: bend for bend in self.bends}
         for name in names:
             if name not in known:
-                raise UserError(f"{self.place}: penalty 'bend': {unknown('joint', name, known)}")
+                raise UserError(f"{self.where}: penalty 'bend': {unknown('joint', name, known)}")
         return tuple(known[name] for name in names)
 
 

@@ -40,13 +40,13 @@ class _Row:
 
 
 def holds(
-    figure: Figure, keys: Timeline, tables: Sequence[HoldTable], place: str, soles: Sequence[Point] = ()
+    figure: Figure, keys: Timeline, tables: Sequence[HoldTable], where: str, soles: Sequence[Point] = ()
 ) -> tuple[Hold, ...]:
     """The holds of a clip's tables. Raises UserError that names the table and what is wrong with it."""
     places, bodies = Places(figure, soles), moving_bodies(figure)
     rows: list[_Row] = []
     for number, table in enumerate(tables, start=1):
-        name = f"{place}: hold {number} ('{table.hand}' on '{table.body}')"
+        name = f"{where}: hold {number} ('{table.hand}' on '{table.body}')"
         point = places.point(table.hand)
         if point is None:
             raise UserError(f"{name}: {unknown('site', table.hand, places.points_listed)}")

@@ -270,7 +270,7 @@ def _support(context: Context, chosen: SupportOptions) -> Penalty:
 
 def _supported(context: Context, kind: str) -> Support:
     if context.support is None:
-        raise UserError(f"{context.place}: penalty '{kind}' needs a figure with a free joint; there is none")
+        raise UserError(f"{context.where}: penalty '{kind}' needs a figure with a free joint; there is none")
     return context.support
 
 
@@ -278,7 +278,7 @@ def _level(context: Context, chosen: LevelOptions) -> Penalty | None:
     known, found = moving_bodies(context.figure), list[int]()
     for name in chosen.bodies:
         if name not in known:
-            raise UserError(f"{context.place}: penalty 'level': {unknown('body', name, known)}")
+            raise UserError(f"{context.where}: penalty 'level': {unknown('body', name, known)}")
         found.append(known[name])
     return _some(lambda bodies: Level.of(context.figure, bodies, chosen.axis), found)
 

@@ -181,7 +181,7 @@ def load(
     except OSError as error:
         raise UserError(f"{source}: cannot be read: {error.strerror}") from None
     return from_text(
-        text, name=path.stem, place=path.name, folder=path.parent, figure_file=figure_file, fps=fps, unmet=unmet
+        text, name=path.stem, where=path.name, folder=path.parent, figure_file=figure_file, fps=fps, unmet=unmet
     )
 
 
@@ -189,49 +189,49 @@ def from_text(
     text: str,
     *,
     name: str,
-    place: str | None = None,
+    where: str | None = None,
     folder: Path | None = None,
     figure_file: str | None = None,
     fps: float | None = None,
     spec: mujoco.MjSpec | None = None,
     unmet: list[str] | None = None,
 ) -> Clip:
-    """A clip from TOML text; `place` is how errors call it, `folder` where the figure's path starts.
+    """A clip from TOML text; `where` is how errors call it, `folder` where the figure's path starts.
 
     figure_file  where the figure is now, if not where the text says
     spec         the figure itself, whatever the text calls it
     unmet        gets a line for every place that no pose was found for; the keyframe comes as near as it can
     """
-    place = place or f"{name}.toml"
-    table = table_of(text, place)
-    _check_text(table, place)
+    where = where or f"{name}.toml"
+    table = table_of(text, where)
+    _check_text(table, where)
     step = table.scene.step
     try:
         spec = figure_spec(figure_file or table.figure, folder) if spec is None else spec
     except UserError as error:
-        raise UserError(f"{place}: {error}") from None
-    _check_joints(table.keyframe, spec, place)
+        raise UserError(f"{where}: {error}") from None
+    _check_joints(table.keyframe, spec, where)
     try:
         scene = compose(spec, None if step is None else Step(**step.model_dump()), obstacles(table.scene))
     except UserError as error:
-        raise UserError(f"{place}: {error}") from None
-    figure = figure_of(scene, place, table.solve.coordinates)
+        raise UserError(f"{where}: {error}") from None
+    figure = figure_of(scene, where, table.solve.coordinates)
     missed: list[str] = []
-    recording = followed(table, figure, folder, place)
+    recording = followed(table, figure, folder, where)
     base = None if recording is None else recording.pose
-    keys, placed = _keys(figure, lying(table), _stander(figure, table, place), place, missed, base)
+    keys, placed = _keys(figure, lying(table), _stander(figure, table, where), where, missed, base)
     if missed and unmet is None:
-        raise UserError(f"{place}: {'; '.join(missed)}")
+        raise UserError(f"{where}: {'; '.join(missed)}")
     if unmet is not None:
         unmet += missed
     if recording is not None:
         return _following(recording, name, text, scene, keys, table, fps)
-    return _clip(name, text, scene, figure, fps or table.fps, keys, table, place, placed)
+    return _clip(name, text, scene, figure, fps or table.fps, keys, table, where, placed)
 
 
-def table_of(text: str, place: str) -> ClipTable:
+def table_of(text: str, where: str) -> ClipTable:
     """The tables of a clip's TOML text; raises UserError for what they cannot hold."""
-    return _tables(text, place, ClipTable)
+    return _tables(text, where, ClipTable)
 
 
 def file_of(source: Path, kind: type[Tables]) -> Tables:
@@ -243,21 +243,21 @@ def file_of(source: Path, kind: type[Tables]) -> Tables:
     return _tables(text, source.name, kind)
 
 
-def _tables(text: str, place: str, kind: type[Tables]) -> Tables:
+def _tables(text: str, where: str, kind: type[Tables]) -> Tables:
     try:
         raw = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
-        raise UserError(f"{place}: not valid TOML: {error}") from None
+        raise UserError(f"{where}: not valid TOML: {error}") from None
     except RecursionError:
-        raise UserError(f"{place}: not valid TOML: nested too deeply") from None
+        raise UserError(f"{where}: not valid TOML: nested too deeply") from None
     except ValueError:  # what Python calls too many digits for an integer
-        raise UserError(f"{place}: not valid TOML: a number of thousands of digits") from None
+        raise UserError(f"{where}: not valid TOML: a number of thousands of digits") from None
     if kind is ClipTable:
-        _check_filled(raw, place)
+        _check_filled(raw, where)
     try:
         return kind.model_validate(raw)
     except ValidationError as error:
-        raise UserError(f"{place}: {spoken(error, raw, root=kind)}") from None
+        raise UserError(f"{where}: {spoken(error, raw, root=kind)}") from None
 
 
 def figure_named(text: str) -> str | None:
@@ -332,9 +332,9 @@ def with_keys(clip: Clip, keys: Sequence[Frame]) -> Clip:
     return replace(found.asking(penalties=(*found.penalties, *clip.own)), own=clip.own)
 
 
-def _stander(figure: Figure, table: ClipTable, place: str) -> Stander:
+def _stander(figure: Figure, table: ClipTable, where: str) -> Stander:
     bends, surfaces = posing_bends(figure, table.penalty), static_surfaces(figure.model)
-    return Stander(figure, surfaces, table.contact, bends, table.solve, place, held=table.hold)
+    return Stander(figure, surfaces, table.contact, bends, table.solve, where, held=table.hold)
 
 
 def _clip(
@@ -345,7 +345,7 @@ def _clip(
     fps: float,
     keys: list[Frame],
     table: ClipTable | None,
-    place: str,
+    where: str,
     placed: tuple[Placed, ...] = (),
     solve: SolveTable | None = None,
 ) -> Clip:
@@ -354,11 +354,11 @@ def _clip(
         problem = _problem(figure, keys, solve)
         timeline = problem.raw
     except (TimelineError, ValueError) as error:
-        raise UserError(f"{place}: {error}") from None
+        raise UserError(f"{where}: {error}") from None
     surfaces = static_surfaces(figure.model)
     complained = complaints(figure, timeline, keys)
     contact, held, penalty = ([], [], []) if table is None else (table.contact, table.hold, table.penalty)
-    found = constraints(Context.of(figure, timeline, surfaces, place, placed, contact, held), penalty)
+    found = constraints(Context.of(figure, timeline, surfaces, where, placed, contact, held), penalty)
     problem = replace(problem, penalties=found.penalties)
     notes = (*complained, *found.notes, *_too_many(problem))
     return Clip(name, text, scene, fps, problem, found.context, notes)
@@ -368,9 +368,9 @@ def _following(
     recording: Followed, name: str, text: str, scene: Scene, edits: list[Frame], table: ClipTable, fps: float | None
 ) -> Clip:
     """A clip whose keyframes edit a recording."""
-    figure, place = recording.recorded.figure, recording.place
+    figure, where = recording.recorded.figure, recording.where
     ground = ground_of(figure, figure.to_qpos(recording.recorded.states))
-    given = rests_of(ground, table.contact, recording.recorded.path.span, place)
+    given = rests_of(ground, table.contact, recording.recorded.path.span, where)
     problem, kept = recording.problem(ground, edits, given)
     said = {entry.kind: entry.said["weight"] for entry in table.penalty if "weight" in entry.said}
     weighted = tuple((p, w * said.get(p.name, 1.0)) for p, w in problem.penalties)
@@ -378,9 +378,9 @@ def _following(
     try:
         timeline = problem.raw
     except (TimelineError, ValueError) as error:
-        raise UserError(f"{place}: {error}") from None
+        raise UserError(f"{where}: {error}") from None
     contacts = Contacts(rests=kept, given=kept)
-    context = Context(figure, timeline, ground.surfaces, place, points=ground.points, contacts=contacts)
+    context = Context(figure, timeline, ground.surfaces, where, points=ground.points, contacts=contacts)
     return Clip(name, text, scene, fps or table.fps, problem, context, ())
 
 
@@ -405,42 +405,42 @@ def _problem(figure: Figure, keys: Sequence[Frame], solve: SolveTable) -> Proble
     return Problem(figure, tuple(keys), (), settings, solve.ends, slope, solve.travel, radians(solve.turn))
 
 
-def figure_of(scene: Scene, place: str, coordinates: str = "auto") -> Figure:
-    """The figure of a scene; raises UserError, place first, for one that the solver cannot move."""
+def figure_of(scene: Scene, where: str, coordinates: str = "auto") -> Figure:
+    """The figure of a scene; raises UserError, where first, for one that the solver cannot move."""
     try:
         return Figure(scene.model(), coordinates)
     except (FigureError, ValueError) as error:
-        raise UserError(f"{place}: {error}") from None
+        raise UserError(f"{where}: {error}") from None
 
 
-def _check_filled(raw: dict[str, Any], place: str) -> None:
+def _check_filled(raw: dict[str, Any], where: str) -> None:
     """An empty clip is told as one, not by the first key that it lacks."""
     if not raw:
-        raise UserError(f"{place}: the clip is empty; it needs a figure and two [[keyframe]] tables")
+        raise UserError(f"{where}: the clip is empty; it needs a figure and two [[keyframe]] tables")
     if raw.get("keyframe", []) == [] and "recording" not in raw:
-        raise UserError(f"{place}: no keyframes; a clip needs at least two [[keyframe]] tables")
+        raise UserError(f"{where}: no keyframes; a clip needs at least two [[keyframe]] tables")
 
 
-def _check_text(table: ClipTable, place: str) -> None:
+def _check_text(table: ClipTable, where: str) -> None:
     """Raises UserError for what is wrong whatever the figure is, before its meshes are read."""
     times = [row.time for row in table.keyframe]
-    check_times(times, place, fewest=2 if table.recording is None else 0)
+    check_times(times, where, fewest=2 if table.recording is None else 0)
     if table.recording is None:
         try:
             _settings(table.solve, times)
         except ValueError as error:
-            raise UserError(f"{place}: {error}") from None
-        chosen(table.penalty, place)
+            raise UserError(f"{where}: {error}") from None
+        chosen(table.penalty, where)
     for number, row in enumerate(table.keyframe, start=1):
-        where = f"{place}: {_called(number, row.time)}"
+        here = f"{where}: {_called(number, row.time)}"
         if isinstance(row.root.rotation, RotationTable):
-            quaternion_of(row.root.rotation, f"{where}: root.rotation")
+            quaternion_of(row.root.rotation, f"{here}: root.rotation")
         for name, value in row.joints.items():
             if isinstance(value, RotationTable):
-                quaternion_of(value, f"{where}: joints.{name}")
+                quaternion_of(value, f"{here}: joints.{name}")
 
 
-def _check_joints(rows: Sequence[KeyframeTable], spec: mujoco.MjSpec, place: str) -> None:
+def _check_joints(rows: Sequence[KeyframeTable], spec: mujoco.MjSpec, where: str) -> None:
     """Raises UserError for a joint that the figure does not have, before its meshes are read, if it has any."""
     if not (spec.meshes or spec.hfields or spec.skins):
         return  # it is compiled in a moment
@@ -448,32 +448,32 @@ def _check_joints(rows: Sequence[KeyframeTable], spec: mujoco.MjSpec, place: str
     for number, row in enumerate(rows, start=1):
         for name in row.joints:
             if name not in names:
-                raise UserError(f"{place}: {_called(number, row.time)}: {unknown('joint', name, names)}")
+                raise UserError(f"{where}: {_called(number, row.time)}: {unknown('joint', name, names)}")
 
 
 def _called(number: int, time: float) -> str:
     return f"keyframe {number} (t = {time:g} s)"
 
 
-def check_times(times: Sequence[float], place: str, fewest: int = 2) -> None:
+def check_times(times: Sequence[float], where: str, fewest: int = 2) -> None:
     """Two keyframes or more, in order, apart but not too unevenly, in a time that a report can look through."""
     if len(times) < fewest:
-        raise UserError(f"{place}: {len(times) or 'no'} keyframe{'s' if not times else ''}; a clip needs at least two")
+        raise UserError(f"{where}: {len(times) or 'no'} keyframe{'s' if not times else ''}; a clip needs at least two")
     for i, (a, b) in enumerate(pairwise(times), 1):
         if not b > a:
-            raise UserError(f"{place}: {_called(i + 1, b)} is not after {_called(i, a)}; times must rise")
+            raise UserError(f"{where}: {_called(i + 1, b)} is not after {_called(i, a)}; times must rise")
         if b - a < SHORTEST:
-            raise UserError(f"{place}: {_called(i + 1, b)} is less than {SHORTEST:g} s after keyframe {i}")
+            raise UserError(f"{where}: {_called(i + 1, b)} is less than {SHORTEST:g} s after keyframe {i}")
     for i, (a, b, c) in enumerate(zip(times, times[1:], times[2:], strict=False), 1):
         short, long = sorted((b - a, c - b))
         if long > UNEVEN * short * (1 + 1e-9):
             raise UserError(
-                f"{place}: keyframes {i}, {i + 1} and {i + 2} are {b - a:g} s and {c - b:g} s apart, which is over "
+                f"{where}: keyframes {i}, {i + 1} and {i + 2} are {b - a:g} s and {c - b:g} s apart, which is over "
                 f"{UNEVEN:,} : 1; put keyframes in between, the nearer to the short one the closer"
             )
     if len(times) > 1 and times[-1] - times[0] > LONGEST:
         raise UserError(
-            f"{place}: from the first to the last keyframe are {times[-1] - times[0]:g} s, over {LONGEST:g} s"
+            f"{where}: from the first to the last keyframe are {times[-1] - times[0]:g} s, over {LONGEST:g} s"
         )
 
 
@@ -510,7 +510,7 @@ def _keys(
     figure: Figure,
     rows: list[KeyframeTable],
     stander: Stander,
-    place: str,
+    where: str,
     missed: list[str],
     base: Callable[[float], Array] | None = None,
 ) -> tuple[list[Frame], tuple[Placed, ...]]:
@@ -520,26 +520,26 @@ def _keys(
     missed  gets a line for every place that no pose was found for
     base    what a keyframe leaves out is as qpos (nq,) at its time [s], and may be moved
     """
-    places = [f"{place}: {_called(number, row.time)}" for number, row in enumerate(rows, start=1)]
+    places = [f"{where}: {_called(number, row.time)}" for number, row in enumerate(rows, start=1)]
     known = _named(figure, rows, places)
-    wants = [wanted(known, row, where) for row, where in zip(rows, places, strict=True)]
+    wants = [wanted(known, row, here) for row, here in zip(rows, places, strict=True)]
     loose = [want.loose(figure, row) for want, row in zip(wants, rows, strict=True)]
     keys: list[Frame] = []
-    for row, where, free in zip(rows, places, loose, strict=True):
+    for row, here, free in zip(rows, places, loose, strict=True):
         if row.others == "hold" and not keys:
-            raise UserError(f"{where}: others = 'hold' has no keyframe before it to hold")
-        keys.append(_based(_key(figure, row, keys[-1] if keys else None, free, where), base))
+            raise UserError(f"{here}: others = 'hold' has no keyframe before it to hold")
+        keys.append(_based(_key(figure, row, keys[-1] if keys else None, free, here), base))
     if any(want.goals for want in wants):
-        for k, (row, want, where) in enumerate(zip(rows, wants, places, strict=True)):
-            held = _key(figure, row, keys[k - 1] if k else None, loose[k], where)  # holds what is solved by now
+        for k, (row, want, here) in enumerate(zip(rows, wants, places, strict=True)):
+            held = _key(figure, row, keys[k - 1] if k else None, loose[k], here)  # holds what is solved by now
             keys[k] = _based(held, base)
             if want.goals:
                 among, own = (keys, k) if base is None else ([_later(keys[k], base, by) for by in (-1, 0, 1)], 1)
-                keys[k], lines = with_pose(figure, among, own, want.goals, stander, where)
+                keys[k], lines = with_pose(figure, among, own, want.goals, stander, here)
                 missed += [f"{_called(k + 1, row.time)}: {line}" for line in lines]
                 keys[k] = _based(keys[k], base)
-    for key, want, where in zip(keys, wants, places, strict=True):
-        check_search(figure, key, want.placed, where)
+    for key, want, here in zip(keys, wants, places, strict=True):
+        check_search(figure, key, want.placed, here)
     left = tuple(point for want in wants for point in want.placed)
     if base is not None:
         return keys, left
@@ -569,7 +569,7 @@ def _named(figure: Figure, rows: Sequence[KeyframeTable], places: Sequence[str])
     return Places(figure, sole_points(figure, np.reshape(whole, (-1, figure.width))))
 
 
-def _key(figure: Figure, row: KeyframeTable, before: Frame | None, loose: Sequence[int], place: str) -> Frame:
+def _key(figure: Figure, row: KeyframeTable, before: Frame | None, loose: Sequence[int], where: str) -> Frame:
     """A keyframe's qpos and mask; what it leaves out is free, at rest, or as in the keyframe before.
 
     loose  links whose joints are free whatever `others` says
@@ -584,25 +584,25 @@ def _key(figure: Figure, row: KeyframeTable, before: Frame | None, loose: Sequen
     named = {link.name: link for link in figure.links[1:]}
     if row.root.model_fields_set:
         if not roots:
-            raise UserError(f"{place}: the figure has no free joint, so no root to place")
-        _set_root(qpos, fixed, roots[0].qpos, row.root, f"{place}: root")
+            raise UserError(f"{where}: the figure has no free joint, so no root to place")
+        _set_root(qpos, fixed, roots[0].qpos, row.root, f"{where}: root")
     others = {link.name: link for link in roots}
     for name, table in row.roots.items():
         if name not in others:
-            raise UserError(f"{place}: roots: {unknown('free joint', name, others)}")
-        _set_root(qpos, fixed, others[name].qpos, table, f"{place}: roots.{name}")
+            raise UserError(f"{where}: roots: {unknown('free joint', name, others)}")
+        _set_root(qpos, fixed, others[name].qpos, table, f"{where}: roots.{name}")
     for name, value in row.joints.items():
         if name not in named:
-            raise UserError(f"{place}: {unknown('joint', name, named)}")
+            raise UserError(f"{where}: {unknown('joint', name, named)}")
         if value == "free":
             fixed[quaternion_columns(named[name]) or named[name].qpos] = False
         else:
-            _set_joint(qpos, fixed, named[name], value, f"{place}: joints.{name}")
+            _set_joint(qpos, fixed, named[name], value, f"{where}: joints.{name}")
     follow(figure, qpos, fixed, lambda name: name in row.joints)
     return Frame.key(row.time, qpos, fixed)
 
 
-def _set_root(qpos: Array, fixed: Mask, start: int, root: RootTable, place: str) -> None:
+def _set_root(qpos: Array, fixed: Mask, start: int, root: RootTable, where: str) -> None:
     """What the root's table says about its position, axis by axis, and its rotation."""
     if "position" in root.model_fields_set:
         axes = ("free",) * 3 if root.position == "free" else root.position
@@ -613,25 +613,25 @@ def _set_root(qpos: Array, fixed: Mask, start: int, root: RootTable, place: str)
     if "rotation" in root.model_fields_set:
         fixed[start + 3 : start + 7] = root.rotation != "free"
         if root.rotation != "free":
-            qpos[start + 3 : start + 7] = quaternion_of(root.rotation, f"{place}.rotation")
+            qpos[start + 3 : start + 7] = quaternion_of(root.rotation, f"{where}.rotation")
 
 
-def _set_joint(qpos: Array, fixed: Mask, link: Any, value: RotationTable | float, place: str) -> None:
+def _set_joint(qpos: Array, fixed: Mask, link: Any, value: RotationTable | float, where: str) -> None:
     columns = quaternion_columns(link)
     if columns is None:
         if isinstance(value, RotationTable):
             unit = "degrees" if link.kind is JointKind.HINGE else "metres"
-            raise UserError(f"{place}: a {link.kind.name.lower()} joint takes a number ({unit}), not a rotation")
+            raise UserError(f"{where}: a {link.kind.name.lower()} joint takes a number ({unit}), not a rotation")
         qpos[link.qpos] = np.radians(value) if link.kind is JointKind.HINGE else value
         fixed[link.qpos] = True
         return
     if link.kind is JointKind.FREE:
-        raise UserError(f"{place}: a free joint is placed by root.position and root.rotation, or by roots.{link.name}")
+        raise UserError(f"{where}: a free joint is placed by root.position and root.rotation, or by roots.{link.name}")
     if not isinstance(value, RotationTable):
-        raise UserError(f"{place}: a ball joint takes a rotation, {ROTATION}, not a number")
+        raise UserError(f"{where}: a ball joint takes a rotation, {ROTATION}, not a number")
     if value.heading is not None:
-        raise UserError(f"{place}: a heading is of the root, of bodies and of obstacles; a joint turns in its parent")
-    qpos[columns] = quaternion_of(value, place)
+        raise UserError(f"{where}: a heading is of the root, of bodies and of obstacles; a joint turns in its parent")
+    qpos[columns] = quaternion_of(value, where)
     fixed[columns] = True
 
 
@@ -671,31 +671,31 @@ def _from_arrays(model: str, keys: Path, fps: float | None) -> Clip:
     return from_qpos(keys.stem, _composed(model, model), time, qpos, fps, keys.name)
 
 
-def _composed(figure: str, place: str) -> Scene:
+def _composed(figure: str, where: str) -> Scene:
     try:
         return compose(figure_spec(figure))
     except UserError as error:
-        raise UserError(_placed(error, place)) from None
+        raise UserError(_placed(error, where)) from None
 
 
-def _placed(error: UserError, place: str) -> str:
+def _placed(error: UserError, where: str) -> str:
     """An error that names its place, once."""
-    return str(error) if place in str(error) else f"{place}: {error}"
+    return str(error) if where in str(error) else f"{where}: {error}"
 
 
-def from_qpos(name: str, scene: Scene, time: Array, qpos: Array, fps: float | None, place: str) -> Clip:
+def from_qpos(name: str, scene: Scene, time: Array, qpos: Array, fps: float | None, where: str) -> Clip:
     """Whole keyframes from arrays, time (K,) [s] and qpos (K, nq), everything else by default.
 
-    scene  figure and stage, complete; place is how errors call it. Raises UserError for what does not fit.
+    scene  figure and stage, complete; where is how errors call it. Raises UserError for what does not fit.
     """
-    figure = figure_of(scene, place)
+    figure = figure_of(scene, where)
     if time.ndim != 1 or qpos.shape != (time.size, figure.width):
         raise UserError(
-            f"{place}: time {time.shape} and qpos {qpos.shape} do not fit the figure: "
+            f"{where}: time {time.shape} and qpos {qpos.shape} do not fit the figure: "
             f"they should be (K,) and (K, {figure.width})"
         )
     if wrong := first_wrong(figure.model, time, qpos):
-        raise UserError(f"{place}: {_called(wrong[0] + 1, time[wrong[0]])}: {wrong[1]}")
-    check_times(time.tolist(), place)
+        raise UserError(f"{where}: {_called(wrong[0] + 1, time[wrong[0]])}: {wrong[1]}")
+    check_times(time.tolist(), where)
     keys = [Frame.key(t, q) for t, q in zip(time, qpos, strict=True)]
-    return _clip(name, "", scene, figure, fps or 30.0, keys, None, place)
+    return _clip(name, "", scene, figure, fps or 30.0, keys, None, where)

@@ -22,15 +22,15 @@ def with_own(clip: Clip, own: Own) -> Clip:
     Raises UserError for one that is none, has no weight, or is called as another.
     """
     taken = {penalty.name for penalty, _ in clip.penalties} | KINDS.keys()
-    place = f"{clip.name}: own"
+    where = f"{clip.name}: own"
     for entry in own:
         if not (isinstance(entry, tuple) and len(entry) == 2 and isinstance(entry[0], Penalty)):
-            raise UserError(f"{place}: every entry is (penalty, weight), a soft constraint and a number, not {entry!r}")
+            raise UserError(f"{where}: every entry is (penalty, weight), a soft constraint and a number, not {entry!r}")
         penalty, weight = entry
         if isinstance(weight, bool) or not isinstance(weight, int | float) or not 0 <= weight < np.inf:
-            raise UserError(f"{place}: the weight of '{penalty.name}' is a number from 0 on, not {weight!r}")
+            raise UserError(f"{where}: the weight of '{penalty.name}' is a number from 0 on, not {weight!r}")
         if penalty.name in taken:
-            raise UserError(f"{place}: a soft constraint called '{penalty.name}' is there already; call it otherwise")
+            raise UserError(f"{where}: a soft constraint called '{penalty.name}' is there already; call it otherwise")
         taken.add(penalty.name)
     more = tuple((penalty, float(weight)) for penalty, weight in own if weight > 0)
     return replace(clip, own=(*clip.own, *more), problem=replace(clip.problem, penalties=(*clip.penalties, *more)))

@@ -97,7 +97,7 @@ def starter(source: str, target: Path) -> str:
     return "\n\n".join(blocks) + "\n"
 
 
-def model_keys(spec: mujoco.MjSpec, place: str) -> tuple[Array, Array]:
+def model_keys(spec: mujoco.MjSpec, where: str) -> tuple[Array, Array]:
     """Times (K,) [s] and qpos (K, nq) of a model's own <keyframe> elements, K = 0 without any.
 
     Where the times do not rise they are half a second apart.
@@ -107,16 +107,16 @@ def model_keys(spec: mujoco.MjSpec, place: str) -> tuple[Array, Array]:
         with quietly():
             model = spec.compile()
     except ValueError as error:
-        raise UserError(f"{place}: MuJoCo cannot compile it: {first_line(error)}") from None
+        raise UserError(f"{where}: MuJoCo cannot compile it: {first_line(error)}") from None
     if not model.njnt:
-        raise UserError(f"{place}: the model has no joints: nothing can move")
+        raise UserError(f"{where}: the model has no joints: nothing can move")
     poses = np.array(model.key_qpos).reshape(-1, model.nq)[: len(own)]  # <size nkey> may ask for more than there are
     for pose, said in zip(poses, own, strict=True):
         if said.size == model.nq:
             pose[:] = said
     times = np.array(model.key_time)[: len(own)]
     if wrong := first_wrong(model, times, poses):
-        raise UserError(f"{place}: keyframe {wrong[0] + 1}: {wrong[1]}")
+        raise UserError(f"{where}: keyframe {wrong[0] + 1}: {wrong[1]}")
     if times.size and not np.all(np.diff(times) >= 1e-3):
         times = np.array([APART * k for k in range(times.size)])
     return times, poses

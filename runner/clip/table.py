@@ -242,24 +242,24 @@ def spoken(
     telling = ("finite_number", "extra_forbidden")
     first = next((c for kind in telling for c in complaints if c["type"] == kind), complaints[0])
     names, words, given = _walked((*inside, *first["loc"]), raw)
-    place = "".join(f"{word}: " for word in words)
+    where = "".join(f"{word}: " for word in words)
     key = ".".join(names)
     kind = first["type"]
     if kind == "extra_forbidden":
         above = f"{'.'.join(names[:-1])}: " if names[:-1] else ""
         fields = _schema(words, names[:-1], root or ClipTable).model_fields
-        return place + above + unknown("key", names[-1], [field.alias or name for name, field in fields.items()])
+        return where + above + unknown("key", names[-1], [field.alias or name for name, field in fields.items()])
     if kind == "missing" and isinstance(first["loc"][-1], str):
-        return f"{place}'{key}' is missing"
+        return f"{where}'{key}' is missing"
     if kind == "finite_number":
-        return f"{place}{key or 'number'} must be a finite number, not {given}"
+        return f"{where}{key or 'number'} must be a finite number, not {given}"
     for start, bound in (("greater_than_equal", "at least"), ("greater_than", "above"), ("less_than", "at most")):
         if kind.startswith(start):
             limit = next(iter(first.get("ctx", {}).values()))
-            return f"{place}{key} must be {bound} {limit:g}, not {given}"
+            return f"{where}{key} must be {bound} {limit:g}, not {given}"
     plain = "a table" if kind.endswith(("model_type", "dict_type")) else first["msg"].removeprefix("Input should be ")
     expected = _EXPECTED.get(_role(words, names), plain)
-    return f"{place}{key + ' ' if key else ''}must be {expected}, not {_shown(given)}"
+    return f"{where}{key + ' ' if key else ''}must be {expected}, not {_shown(given)}"
 
 
 def _walked(location: tuple[int | str, ...], raw: Any) -> tuple[list[str], list[str], Any]:

@@ -92,7 +92,7 @@ def _clip_text(found: Clip, source: str, edit: Edit, target: Path) -> str:
         figure = Path(source).parent / said["figure"]
         said["figure"] = Path(os.path.relpath(figure, target.parent)).as_posix()
     text = written(said)
-    clips.from_text(text, name=target.stem, place=str(target), folder=target.parent)
+    clips.from_text(text, name=target.stem, where=str(target), folder=target.parent)
     return text
 
 

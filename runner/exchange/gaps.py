@@ -36,12 +36,12 @@ class Gaps:
         good = np.flatnonzero(~bad)
         return array[good[np.maximum(np.searchsorted(good, np.arange(bad.size), side="right") - 1, 0)]]
 
-    def left_out(self, found: Recording, place: object) -> Recording:
+    def left_out(self, found: Recording, where: object) -> Recording:
         """A recording without the samples that were noted."""
         if self.missing is None or not self.missing.any():
             return found
         if self.missing.size != found.time.size:
-            raise UserError(f"{place}: some of its numbers are not finite, and they are of no samples")
+            raise UserError(f"{where}: some of its numbers are not finite, and they are of no samples")
         count, first = int(self.missing.sum()), float(found.time[self.missing][0])
         many = "samples hold" if count > 1 else "sample holds"
         note = f"{count} {many} no numbers, first at {first:.3f} s: left out"
@@ -68,7 +68,7 @@ def bridged(array: Array) -> Array | None:
     return None if gaps is None or array.ndim == 0 or not len(array) else gaps.bridged(array)
 
 
-def left_out(found: Recording, place: object) -> Recording:
+def left_out(found: Recording, where: object) -> Recording:
     """As `Gaps.left_out` where gaps are allowed."""
     gaps = _now.get()
-    return found if gaps is None else gaps.left_out(found, place)
+    return found if gaps is None else gaps.left_out(found, where)

@@ -23,11 +23,11 @@ NUMBER = 8  # [bytes]
 class Held:
     """What a file holds, by name; errors say which file, what is missing, and what is there instead.
 
-    place   how errors call the file
+    where   how errors call the file
     """
 
-    def __init__(self, place: object, entries: Mapping[str, Any]) -> None:
-        self.place, self.entries = place, entries
+    def __init__(self, where: object, entries: Mapping[str, Any]) -> None:
+        self.where, self.entries = where, entries
         self.sizes: dict[str, int] = {}
 
     def __contains__(self, name: str) -> bool:
@@ -37,26 +37,26 @@ class Held:
         """An entry as it is; raises UserError if there is none."""
         if name not in self:
             there = ", ".join(map(str, self.entries)) or "nothing"
-            raise UserError(f"{self.place}: no '{name}'; it holds: {there}")
+            raise UserError(f"{self.where}: no '{name}'; it holds: {there}")
         return self.entries[name]
 
     def numbers(self, name: str, *shape: int | str) -> Array:
         """An array of finite numbers; letters in its shape are sizes that it shares with others, any at first."""
         array = self._array(name, len(shape))
         if array.dtype.kind not in "fiu":
-            raise UserError(f"{self.place}: '{name}' holds {array.dtype.name}, not numbers")
+            raise UserError(f"{self.where}: '{name}' holds {array.dtype.name}, not numbers")
         wanted = [self.sizes.get(size, size) if isinstance(size, str) else size for size in shape]
         fits = array.ndim == len(shape)
         if not fits or any(isinstance(w, int) and w != n for w, n in zip(wanted, array.shape, strict=True)):
             told = ", ".join(map(str, wanted)) + ("," if len(wanted) == 1 else "")
-            raise UserError(f"{self.place}: '{name}' has the shape {array.shape}, not ({told})")
+            raise UserError(f"{self.where}: '{name}' has the shape {array.shape}, not ({told})")
         self.sizes |= {size: n for size, n in zip(shape, array.shape, strict=True) if isinstance(size, str)}
         array = array.astype(float)
         if not np.all(np.isfinite(array)) and (mended := bridged(array)) is not None:
             array = mended
         if not np.all(np.abs(array) <= LARGEST):
             what = "is too large" if np.all(np.isfinite(array)) else "is not a finite number"
-            raise UserError(f"{self.place}: '{name}': an entry {what}")
+            raise UserError(f"{self.where}: '{name}': an entry {what}")
         return array
 
     def quaternions(self, name: str, *shape: int | str, scalar_last: bool = False) -> Array:
@@ -65,7 +65,7 @@ class Held:
         length = np.linalg.norm(array, axis=-1, keepdims=True)
         if np.any(np.abs(length - 1) > 0.01):
             raise UserError(
-                f"{self.place}: '{name}': a quaternion of length {length.flat[np.argmax(abs(length - 1))]:.3g}"
+                f"{self.where}: '{name}': a quaternion of length {length.flat[np.argmax(abs(length - 1))]:.3g}"
             )
         array = array / length
         return np.roll(array, 1, -1) if scalar_last else array
@@ -74,38 +74,38 @@ class Held:
         """Samples a second, a number or an array of one."""
         array = self._array(name, 1)
         if array.dtype.kind not in "fiu" or array.size != 1 or not 0.01 <= float(array.reshape(())) <= 100_000:
-            raise UserError(f"{self.place}: '{name}' is not a number of samples a second from 0.01 to 100000")
+            raise UserError(f"{self.where}: '{name}' is not a number of samples a second from 0.01 to 100000")
         return float(array.reshape(()))
 
     def whole(self, name: str) -> int:
         """A whole number, or an array of one."""
         array = self._array(name, 1)
         if array.dtype.kind not in "iub" or array.size != 1:
-            raise UserError(f"{self.place}: '{name}' is not a whole number")
+            raise UserError(f"{self.where}: '{name}' is not a whole number")
         return int(array.reshape(()))
 
     def texts(self, name: str) -> list[str]:
         """A list of names."""
         array = self._array(name, 1)
         if array.ndim != 1 or array.dtype.kind not in "UO" or not all(isinstance(each, str) for each in array.tolist()):
-            raise UserError(f"{self.place}: '{name}' is not a list of names")
+            raise UserError(f"{self.where}: '{name}' is not a list of names")
         return array.tolist()
 
     def _array(self, name: str, axes: int) -> Any:
         """An entry as an array; raises UserError for lists that are nested deeper or not of equal lengths."""
         found = self.of(name)
-        largest.check(self.place, NUMBER * self._items(name, found, axes), f"'{name}'")
+        largest.check(self.where, NUMBER * self._items(name, found, axes), f"'{name}'")
         try:
             return np.asarray(found)
         except ValueError:
-            raise UserError(f"{self.place}: '{name}' has rows of different lengths") from None
+            raise UserError(f"{self.where}: '{name}' has rows of different lengths") from None
 
     def _items(self, name: str, found: object, axes: int) -> int:
         """How many items lists would have, written out: a short pickle may name one list a million times."""
         if not isinstance(found, list | tuple):
             return found.size if isinstance(found, np.ndarray) else 1
         if axes == 0:
-            raise UserError(f"{self.place}: '{name}' has lists in lists, deeper than it should")
+            raise UserError(f"{self.where}: '{name}' has lists in lists, deeper than it should")
         if axes == 1 and not any(isinstance(each, list | tuple | np.ndarray) for each in found):
             return len(found)
         total, most = 0, largest.bound() // NUMBER

@@ -72,7 +72,7 @@ class Robot:
 def configurations(
     model: mujoco.MjModel,
     form: str,
-    place: object,
+    where: object,
     position: Array,
     rotation: Array,
     joints: Array,
@@ -81,38 +81,38 @@ def configurations(
     """qpos (T, nq) of a figure, of ball joints too, from what robotics records of it.
 
     position (T, 3), rotation (T, 4) wxyz of the root; joints (T, n) [rad, m], of the names, or in the figure's order if
-    there are none: three hinges for a ball joint, as `hinged` names and orders them. place: how errors call the file.
+    there are none: three hinges for a ball joint, as `hinged` names and orders them. where: how errors call the file.
     """
     layout = HingeLayout(model)
     kinds = model.jnt_type.tolist()
     if kinds.count(FREE) != 1:
-        raise UserError(f"{place}: the format '{form}' is for a figure with one free joint, its root")
+        raise UserError(f"{where}: the format '{form}' is for a figure with one free joint, its root")
     free = kinds.index(FREE)
     wanted = [name for joint, own in layout.joints if joint != free for name in own]
     if names is None and joints.shape[1] != len(wanted):
-        raise UserError(f"{place}: {joints.shape[1]} joints; the figure has {len(wanted)}: {', '.join(wanted)}")
-    order = list(range(len(wanted))) if names is None else _order(list(names), wanted, place)
+        raise UserError(f"{where}: {joints.shape[1]} joints; the figure has {len(wanted)}: {', '.join(wanted)}")
+    order = list(range(len(wanted))) if names is None else _order(list(names), wanted, where)
     sorted_joints = joints[:, order]
     before = sum(len(own) for joint, own in layout.joints if joint < free)
     hinges = [sorted_joints[:, :before], position, rotation, sorted_joints[:, before:]]
     return layout.back(np.concatenate(hinges, 1))
 
 
-def _order(names: list[str], wanted: list[str], place: object) -> list[int]:
+def _order(names: list[str], wanted: list[str], where: object) -> list[int]:
     """Where the file has the figure's joints; raises UserError unless they are the same."""
     missing = [name for name in wanted if name not in names]
     if missing:
         raise UserError(
-            f"{place}: no joint '{missing[0]}'; it has: {', '.join(names)}; the figure: {', '.join(wanted)}"
+            f"{where}: no joint '{missing[0]}'; it has: {', '.join(names)}; the figure: {', '.join(wanted)}"
         )
     foreign = [name for name in names if name not in wanted]
     if foreign:
-        raise UserError(f"{place}: the figure has no joint '{foreign[0]}'; it has: {', '.join(wanted)}")
+        raise UserError(f"{where}: the figure has no joint '{foreign[0]}'; it has: {', '.join(wanted)}")
     return [names.index(name) for name in wanted]
 
 
-def needs_figure(model: mujoco.MjModel | None, place: object) -> mujoco.MjModel:
+def needs_figure(model: mujoco.MjModel | None, where: object) -> mujoco.MjModel:
     """The figure that a file is for; raises UserError if the user named none."""
     if model is None:
-        raise UserError(f"{place}: it is for a figure, which it does not hold; {unsaid.FIGURE}")
+        raise UserError(f"{where}: it is for a figure, which it does not hold; {unsaid.FIGURE}")
     return model

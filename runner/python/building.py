@@ -96,7 +96,7 @@ def build(
         raw |= {"hold": [_plain(row) for row in holds]} if holds else {}
         raw |= {"penalty": [_penalty(*entry) for entry in penalties.items()]} if penalties else {}
         raw |= {"keyframe": [_table(key, posed) for key in keyframes]}
-        return with_own(clips.from_text(written(raw), name=name, place=name, spec=spec), own)
+        return with_own(clips.from_text(written(raw), name=name, where=name, spec=spec), own)
 
 
 def _spec(figure: str | os.PathLike[str] | mujoco.MjSpec) -> tuple[mujoco.MjSpec, str]:

@@ -34,7 +34,7 @@ def load(
     source = os.fspath(source)
     if "\n" in source:
         with outside.allowed(allow_outside):
-            return with_own(clips.from_text(source, name="clip", place="clip", fps=fps), own)
+            return with_own(clips.from_text(source, name="clip", where="clip", fps=fps), own)
     if files.is_motion(source):
         raise UserError(f"'{source}' is a motion, solved already; load_motion opens it")
     with outside.allowed(allow_outside):

@@ -31,11 +31,11 @@ LEADING = re.compile(r"\s*([-+]?[0-9]*\.?[0-9]*(?:[eE][-+]?[0-9]{1,3})?)\s*([KMG
 UNITS = {"": 0, "K": 10, "M": 20, "G": 30, "T": 40, "P": 50, "E": 60}
 
 
-def check(text: str, place: object, folder: Path | None = None, assets: Mapping[str, bytes] | None = None) -> None:
+def check(text: str, where: object, folder: Path | None = None, assets: Mapping[str, bytes] | None = None) -> None:
     """Raises UserError for a model that would be too large; folder and assets as MuJoCo would look for files."""
     counted = _Count(folder, assets or {})
     size = counted.model(text, "")
-    largest.check(place, size + counted.keys * NUMBER * KEY_NUMBERS * size / ELEMENT, "the model that it describes")
+    largest.check(where, size + counted.keys * NUMBER * KEY_NUMBERS * size / ELEMENT, "the model that it describes")
 
 
 def check_file(path: Path) -> None:

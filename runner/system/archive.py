@@ -15,19 +15,19 @@ from . import largest
 HEADS = {(1, 0): np.lib.format.read_array_header_1_0, (2, 0): np.lib.format.read_array_header_2_0}
 
 
-def check(stream: IO[bytes], place: Path) -> None:
+def check(stream: IO[bytes], where: Path) -> None:
     """Raises UserError for arrays that are too large together, or larger than what the archive has of them.
 
     Raises nearly anything for a damaged archive. The stream is left at its begin.
     """
     with zipfile.ZipFile(stream) as archive:
         members = archive.infolist()
-        largest.check(place, sum(member.file_size for member in members), "what it holds")
+        largest.check(where, sum(member.file_size for member in members), "what it holds")
         for member in members:
             with archive.open(member) as content:
                 claimed = _claimed(content)
             if claimed > member.file_size:
-                raise UserError(f"{place}: '{member.filename}' is not as large as it says")
+                raise UserError(f"{where}: '{member.filename}' is not as large as it says")
     stream.seek(0)
 
 

@@ -21,11 +21,11 @@ def bound() -> int:
     return int(said) * MEGABYTE
 
 
-def check(place: object, size: float, what: str) -> None:
+def check(where: object, size: float, what: str) -> None:
     """Raises UserError for what would come to more bytes than the bound; `what` says what it is that is so large."""
     most = bound()
     if size > most:
         raise UserError(
-            f"{place}: {what} comes to {size / MEGABYTE:,.0f} MB in memory, over {most // MEGABYTE:,} MB; "
+            f"{where}: {what} comes to {size / MEGABYTE:,.0f} MB in memory, over {most // MEGABYTE:,} MB; "
             f"if you trust it, set {VARIABLE} to more MB"
         )

@@ -89,12 +89,12 @@ def ground_of(figure: Figure, qpos: Array) -> Ground:
     return Ground(figure, sole_points(figure, some), tuple(static_surfaces(figure.model)))
 
 
-def rests_of(ground: Ground, tables: Sequence[ContactTable], span: tuple[float, float], place: str) -> tuple[Rest, ...]:
-    """The stances that [[contact]] tables say, of a recording over a span [s]; place is how errors call it."""
+def rests_of(ground: Ground, tables: Sequence[ContactTable], span: tuple[float, float], where: str) -> tuple[Rest, ...]:
+    """The stances that [[contact]] tables say, of a recording over a span [s]; where is how errors call it."""
     places, found = Places(ground.figure, ground.points), list[Rest]()
     own = {point.name: point for point in ground.points}
     for number, table in enumerate(tables, start=1):
-        name = f"{place}: contact {number} ('{table.point}')"
+        name = f"{where}: contact {number} ('{table.point}')"
         point = own.get(table.point) or places.point(table.point)
         if point is None:
             raise UserError(f"{name}: {unknown('site', table.point, places.points_listed)}")

@@ -49,14 +49,14 @@ class Followed:
     recorded: Recorded
     knots: Array
     table: RecordingTable
-    place: str
+    where: str
 
     def pose(self, time: float) -> Array:
         """qpos (nq,) at a time [s] of the clip. Raises UserError for one that the recording does not reach."""
         first, last = self.recorded.path.span
         if not first - ROUNDING <= time <= last + ROUNDING:
             raise UserError(
-                f"{self.place}: a keyframe at {time:g} s is outside the recording, which lasts from {first:g} to "
+                f"{self.where}: a keyframe at {time:g} s is outside the recording, which lasts from {first:g} to "
                 f"{last:g} s in the clip"
             )
         return self.recorded.figure.to_qpos(self.recorded.path.at(np.array([time])))[0]
@@ -120,30 +120,30 @@ class Followed:
         return float(np.linalg.norm(places[:, 0, 0] - places[:, 0, 1])) > MOVED
 
 
-def followed(table: ClipTable, figure: Figure, folder: Path | None, place: str) -> Followed | None:
+def followed(table: ClipTable, figure: Figure, folder: Path | None, where: str) -> Followed | None:
     """The recording that a clip follows, if any; raises UserError for a file that is none of its figure's motions."""
     said = table.recording
     if said is None:
         return None
     for line in _unfit(table):
-        raise UserError(f"{place}: {line}")
-    where = f"{place}: recording"
+        raise UserError(f"{where}: {line}")
+    here = f"{where}: recording"
     file = (folder or Path()) / said.file
     if file.suffix != ".npz":
         raise UserError(
-            f"{where}: '{said.file}' is no motion file, .npz; `dynsplines clean` or `import` makes one of it"
+            f"{here}: '{said.file}' is no motion file, .npz; `dynsplines clean` or `import` makes one of it"
         )
     if not outside.is_allowed() and not outside.lies_in(file, folder or Path()):
-        raise UserError(f"{where}: '{said.file}' lies outside the clip's folder; --allow-outside lets it be read")
+        raise UserError(f"{here}: '{said.file}' lies outside the clip's folder; --allow-outside lets it be read")
     saved = motion.load(file)
     joints = [[link.name for link in each.links[1:]] for each in (figure, saved.figure)]
     if joints[0] != joints[1] or saved.figure.width != figure.width:
-        raise UserError(f"{where}: '{said.file}' is of another figure: {', '.join(joints[1][:6])}, ...")
+        raise UserError(f"{here}: '{said.file}' is of another figure: {', '.join(joints[1][:6])}, ...")
     samples = motion.sampled(saved.figure, saved.timeline, max(saved.fps, RATE))
-    time, qpos = _cut(samples.time, samples.qpos, said, where)
-    recorded = Recorded.of(figure, _clip_time(time, said, where), qpos, exact=True)
+    time, qpos = _cut(samples.time, samples.qpos, said, here)
+    recorded = Recorded.of(figure, _clip_time(time, said, here), qpos, exact=True)
     knots = saved.timeline.times
-    return Followed(recorded, _clip_time(knots, said, where, time[0]), said, place)
+    return Followed(recorded, _clip_time(knots, said, here, time[0]), said, where)
 
 
 def _unfit(table: ClipTable) -> Iterator[str]:

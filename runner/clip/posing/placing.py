@@ -63,7 +63,7 @@ class Wanted:
         return sorted(link for link in limbs if figure.links[link].name not in named)
 
 
-def wanted(places: Places, row: KeyframeTable, place: str) -> Wanted:
+def wanted(places: Places, row: KeyframeTable, where: str) -> Wanted:
     """What a keyframe's sites and bodies say; raises UserError for names that are not there and for contradictions."""
     figure = places.figure
     goals: list[Goal] = []
@@ -72,11 +72,11 @@ def wanted(places: Places, row: KeyframeTable, place: str) -> Wanted:
     for name, table in row.sites.items():
         point = places.point(name)
         if point is None:
-            raise UserError(f"{place}: {unknown('site', name, places.points_listed)}")
+            raise UserError(f"{where}: {unknown('site', name, places.points_listed)}")
         table = table if isinstance(table, SiteTable) else SiteTable(position=table)
-        target = _target(table.position, f"{place}: sites.{name}", "the site")
+        target = _target(table.position, f"{where}: sites.{name}", "the site")
         goal = PointGoal.of(figure, point, target)
-        _check_moves(figure, goal, f"{place}: site '{name}'")
+        _check_moves(figure, goal, f"{where}: site '{name}'")
         if table.by == "pose":
             goals.append(goal)
             points.append((point, target))
@@ -85,24 +85,24 @@ def wanted(places: Places, row: KeyframeTable, place: str) -> Wanted:
     for name, table in row.bodies.items():
         body = places.body(name)
         if body is None:
-            raise UserError(f"{place}: {unknown('body', name, places.bodies_listed)}")
-        own = _body_goals(figure, name, body, table, f"{place}: bodies.{name}")
-        _check_moves(figure, own[0], f"{place}: body '{name}'")
+            raise UserError(f"{where}: {unknown('body', name, places.bodies_listed)}")
+        own = _body_goals(figure, name, body, table, f"{where}: bodies.{name}")
+        _check_moves(figure, own[0], f"{where}: body '{name}'")
         goals += own
         points += [
             (Point(name, *figure.point_on_link(body, goal.offset)), goal.position)
             for goal in own
             if isinstance(goal, PointGoal)
         ]
-    _check_apart(figure, points, place)
+    _check_apart(figure, points, where)
     return Wanted(tuple(goals), tuple(placed))
 
 
-def _target(position: Sequence[float | str], place: str, what: str) -> Array:
+def _target(position: Sequence[float | str], where: str, what: str) -> Array:
     """(3,) [m] a place as a table says it, NaN along the axes that are free."""
     target = np.array([np.nan if axis == "free" else float(axis) for axis in position])
     if np.all(np.isnan(target)):
-        raise UserError(f"{place}: every axis is free; leave {what} out, or give it a place")
+        raise UserError(f"{where}: every axis is free; leave {what} out, or give it a where")
     return target
 
 
@@ -112,7 +112,7 @@ def with_pose(
     k: int,
     goals: Sequence[Goal],
     stander: Stander,
-    place: str,
+    where: str,
 ) -> tuple[Frame, list[str]]:
     """Keyframe k of some with the joints that its goals depend on fixed where they meet them, or come nearest to them;
     and what of the goals no pose was found for, a line each.
@@ -123,7 +123,7 @@ def with_pose(
     try:
         path = stander.timeline(keys, "periodic") if stander.ends == "periodic" else raw_timeline(figure, list(keys))
     except TimelineError as error:
-        raise UserError(f"{place}: {error}") from None
+        raise UserError(f"{where}: {error}") from None
     key = keys[k]
     home = np.where(key.fixed, key.state, figure.to_qpos(path.states[k]))
     for columns in figure.tables.quaternion_columns.T:
@@ -136,29 +136,29 @@ def with_pose(
     return posed_key, [] if found.is_met else _complaints(figure, key, goals, found)
 
 
-def check_search(figure: Figure, key: Frame, placed: Sequence[Placed], place: str) -> None:
+def check_search(figure: Figure, key: Frame, placed: Sequence[Placed], where: str) -> None:
     """Raises UserError for a point left to the search that nothing free can move."""
     for point in placed:
         body = figure.links[point.point.link].body
         if not _free_joints(figure, key, body):
-            raise UserError(f"{place}: site '{point.point.name}' {_held(figure, body)}")
+            raise UserError(f"{where}: site '{point.point.name}' {_held(figure, body)}")
 
 
-def _body_goals(figure: Figure, name: str, body: int, table: BodyTable, place: str) -> list[Goal]:
+def _body_goals(figure: Figure, name: str, body: int, table: BodyTable, where: str) -> list[Goal]:
     """Where a body's origin, or a point in its axes, is to be, and how it is to be turned: at least one of the two."""
     given = table.model_fields_set & {"rotvec", "euler", "quat", "order", "heading"}
     goals: list[Goal] = []
     if table.at is not None and table.position is None:
-        raise UserError(f"{place}: 'at' is a point of the body; say where it is to be by position = [x, y, z]")
+        raise UserError(f"{where}: 'at' is a point of the body; say where it is to be by position = [x, y, z]")
     if table.position is not None:
-        target = _target(table.position, place, "the position")
+        target = _target(table.position, where, "the position")
         goals.append(PointGoal(name, body, np.array(table.at or (0.0, 0, 0)), target))
     if table.flat is not None and given:
-        raise UserError(f"{place}: give flat or a rotation, not both")
+        raise UserError(f"{where}: give flat or a rotation, not both")
     if table.flat is None and (given or not goals):
-        goals.append(BodyGoal(name, quaternion_of(table, place), body))
+        goals.append(BodyGoal(name, quaternion_of(table, where), body))
     if table.flat is False:
-        raise UserError(f"{place}: flat = false says nothing; give flat = true or a rotation, {ROTATION}")
+        raise UserError(f"{where}: flat = false says nothing; give flat = true or a rotation, {ROTATION}")
     if table.flat:
         goals.append(BodyGoal(name, index=body))
     return goals
@@ -169,7 +169,7 @@ def _check_moves(figure: Figure, goal: Goal, what: str) -> None:
         raise UserError(f"{what} is no part of the figure: no joint moves it")
 
 
-def _check_apart(figure: Figure, points: Sequence[tuple[Point, Array]], place: str) -> None:
+def _check_apart(figure: Figure, points: Sequence[tuple[Point, Array]], where: str) -> None:
     """Raises UserError for two points that move together and are given places at another distance than they have."""
     for (a, to), (b, there) in itertools.combinations(points, 2):
         if a.link != b.link or np.isnan([to, there]).any():
@@ -179,7 +179,7 @@ def _check_apart(figure: Figure, points: Sequence[tuple[Point, Array]], place: s
         if abs(given - real) > MET:
             body = figure.model.body(figure.links[a.link].body).name
             raise UserError(
-                f"{place}: sites '{a.name}' and '{b.name}' are {_metres(real)} apart on the figure, not "
+                f"{where}: sites '{a.name}' and '{b.name}' are {_metres(real)} apart on the figure, not "
                 f'{_metres(given)}; give one of them a "free" axis, or one site and bodies.{body}'
             )
 

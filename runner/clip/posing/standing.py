@@ -75,7 +75,7 @@ def fitted(own: Array, seen: Array, turn: Array) -> Array:
 class Stander:
     """Finds where feet stand in partial keyframes, and poses them.
 
-    tables  the clip's contacts;  held  its holds;  place  how errors call the clip
+    tables  the clip's contacts;  held  its holds;  where  how errors call the clip
     """
 
     def __init__(
@@ -85,11 +85,11 @@ class Stander:
         tables: Sequence[ContactTable],
         bends: BendLimits | None,
         solve: SolveTable,
-        place: str,
+        where: str,
         held: Sequence[HoldTable] = (),
     ) -> None:
         self.figure, self.surfaces, self.tables, self.bends = figure, surfaces, tables, bends
-        self.solve, self.place, self.held = solve, place, held
+        self.solve, self.where, self.held = solve, where, held
 
     @property
     def ends(self) -> str:
@@ -146,8 +146,8 @@ class Stander:
             return None
         whole = [self.figure.to_qpos(frame.state) for frame in timeline.frames if frame.is_key]
         soles = sole_points(self.figure, np.reshape(whole, (-1, self.figure.width)))
-        found = contacts(self.figure, timeline, self.tables, self.place, soles, self.surfaces)
-        held = holds(self.figure, timeline, self.held, self.place, soles)
+        found = contacts(self.figure, timeline, self.tables, self.where, soles, self.surfaces)
+        held = holds(self.figure, timeline, self.held, self.where, soles)
         return _Seen(self.figure, timeline, soles, self.surfaces, found, held)
 
     def _upright(self, home: Array, free: Mask, goals: Sequence[Goal]) -> Posed:

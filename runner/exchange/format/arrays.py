@@ -78,7 +78,7 @@ def _time(found: Held, count: int, fps: float | None) -> Array:
     if "time" in found:
         return found.numbers("time", "samples")
     if fps is None:
-        raise UserError(f"{found.place}: it has neither 'time' nor 'fps'; {unsaid.RATE}")
+        raise UserError(f"{found.where}: it has neither 'time' nor 'fps'; {unsaid.RATE}")
     return times(count, fps)
 
 

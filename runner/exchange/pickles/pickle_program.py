@@ -64,7 +64,7 @@ class Machine:
         self._below: list[list[Any]] = []  # stacks that a mark has put aside
         self._memo: dict[int, Any] = {}
 
-    def run(self, data: bytes, place: object) -> Any:
+    def run(self, data: bytes, where: object) -> Any:
         """What the pickle holds. Raises Refused, UserError for too much of it, or nearly anything for a damaged one."""
         size, most = len(data), largest.bound()
         for step, argument, _ in pickletools.genops(data):
@@ -72,7 +72,7 @@ class Machine:
                 break
             size += STEP_BYTES
             if size > most:
-                largest.check(place, size, "what it holds")
+                largest.check(where, size, "what it holds")
             self._do(step.name, argument)
         return self._stack.pop()
 

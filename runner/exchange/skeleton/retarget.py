@@ -112,8 +112,8 @@ def by(chosen: Map) -> Iterator[list[Map]]:
         _mapping.reset(before)
 
 
-def onto(captured: Captured, model: mujoco.MjModel, place: str) -> tuple[Array, tuple[str, ...]]:
-    """qpos (T, nq) of the figure, and notes; place is how errors call the file."""
+def onto(captured: Captured, model: mujoco.MjModel, where: str) -> tuple[Array, tuple[str, ...]]:
+    """qpos (T, nq) of the figure, and notes; where is how errors call the file."""
     standing, (chosen, used) = _Standing.of(model), _mapping.get() or (Map(), [])
     names = hierarchy.names(model)
     standing = replace(standing, roles=as_said(standing.roles, chosen.figure, names, "figure"))
@@ -129,10 +129,10 @@ def onto(captured: Captured, model: mujoco.MjModel, place: str) -> tuple[Array, 
         if missing:
             listed = captured.names if found is captured.roles else hierarchy.names(model)[1:]
             raise UserError(
-                f"{place}: among {what} none is a {missing[0].replace('_', ' ')} by its name: {_some(listed)}"
+                f"{where}: among {what} none is a {missing[0].replace('_', ' ')} by its name: {_some(listed)}"
             )
     if model.jnt_type[0] != mujoco.mjtJoint.mjJNT_FREE or model.jnt_bodyid[0] != _root(standing):
-        raise UserError(f"{place}: the figure's root, '{model.body(_root(standing)).name}', needs a free joint")
+        raise UserError(f"{where}: the figure's root, '{model.body(_root(standing)).name}', needs a free joint")
     shared = [role for role in standing.roles if role in captured.roles]
     upright = _stands(captured)
     alignment = _upright(captured, standing, shared) if upright else _by_bends(captured, standing, shared)
@@ -149,7 +149,7 @@ def onto(captured: Captured, model: mujoco.MjModel, place: str) -> tuple[Array, 
     qpos = _angles(model, turns)
     leg = float(np.mean([_leg({role: p[i] for role, i in captured.roles.items()}) for p in captured.position]))
     if not leg > 0:
-        raise UserError(f"{place}: its legs are without length, which would tell how large it is")
+        raise UserError(f"{where}: its legs are without length, which would tell how large it is")
     scale = _leg({role: standing.joint_of(role) for role in standing.roles}) / leg
     qpos, lift = _on_ground(standing, _placed(captured, standing, qpos, scale))
     notes = [f"scaled by {scale:.3f}, the ratio of the legs"]
