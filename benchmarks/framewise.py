@@ -6,7 +6,8 @@ Without the first, walks and runs of ours are written as BVH and read again; wit
 mink gets the same map: of every sample the places of hands and feet about shoulders and hips, scaled by the lengths of
 arms and legs, that of the pelvis, and the rotations of all bodies that the map knows, weighed about as GMR weighs them,
 in the joints' ranges, from where the sample before ended. Both are measured by the same functions, on the same stances.
-How far hands and feet are off is told beside these places; mink is after them, `retarget` after the limbs' directions.
+Both stand on the floor that `retarget` finds; mink's
+samples are joined by a spline. How far hands and feet are off is told beside these places.
 """
 
 from __future__ import annotations
@@ -37,6 +38,7 @@ from dynsplines.exchange.skeleton.captured import Captured
 from dynsplines.exchange.skeleton.roles import roles
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import Path as Curve
+from dynsplines.solver.curve.spline import natural_spline
 from dynsplines.solver.reading.recorded import Recorded
 from dynsplines.system.progress import Progress
 
@@ -87,9 +89,12 @@ class Goal:
         at = np.minimum(np.round(t * rate).astype(int), len(captured.position) - 1)
         bodies = {r: 1 + i for r, i in roles(hierarchy.names(model)[1:], list(model.body_parentid[1:] - 1)).items()}
         seen, turned = poses(model, found.figure.to_qpos(found.before.at(t)))
+        raised = np.array([0, 0, np.median((found.recorded.path.at(t) - found.before.at(t))[:, 2])])  # to its floor
+        seen = seen + raised
         rest, _ = poses(model, np.array(model.qpos0)[None])
         seat = {role: hung(model, body, set(bodies.values())) for role, body in bodies.items()}
-        joints, theirs = {role: rest[0, seat[role]] for role in bodies}, captured.roles
+        joints = {role: rest[0, body if role in ENDS else seat[role]] for role, body in bodies.items()}
+        theirs = captured.roles
         other = {role: captured.at_zero[joint] for role, joint in theirs.items()}
         place = {}
         for role, (first, middle) in ENDS.items():
@@ -191,7 +196,7 @@ def measure(effort: Effort) -> Section:
             begin = time.perf_counter()
             qpos = framewise(mink, goal)
             spent = time.perf_counter() - begin
-            row = measured(found, Recorded.of(found.figure, goal.t, qpos).path, goal)
+            row = measured(found, natural_spline(goal.t, Recorded.of(found.figure, goal.t, qpos).states), goal)
             theirs.append(np.array(row))
             section.add(file.stem, "mink", *row, (last - first) / spent)
     most, mine = np.max(ours, axis=0), np.array(ours)

@@ -30,6 +30,8 @@ THICK = 0.02  # the same of the points of a foot above its lowest
 SUNK = 0.005  # of the height of a figure with muscles, how far above its lowest point a site named as a sole may be
 LEVEL = 0.002  # [m] by which what carries toes may be above them
 STEEP = 0.5  # of a slide's way, how much of it goes up
+UPRIGHT = 0.8  # of the tallest pose, one that is looked at, too
+SAME = 1e-3  # [m] poses as tall as each other
 CORNERS = 4  # points a foot, at most
 
 
@@ -100,7 +102,8 @@ def _only_child(figure: Figure, link: int) -> int | None:
 
 
 def _feet(figure: Figure, root: int, points: Sequence[Point], qpos: Array) -> list[Point]:
-    """The lowest points of a tree's lowest ends, in the pose in which it stands tallest."""
+    """The lowest points of a tree's lowest ends, in the pose in which it stands tallest; what moves freely stands on
+    two at least, so that of a kick the next tallest pose tells both."""
     poses = np.vstack([figure.model.qpos0, qpos])
     states = figure.to_state(poses)
     links, positions, radii = arrays_of(points)
@@ -108,8 +111,18 @@ def _feet(figure: Figure, root: int, points: Sequence[Point], qpos: Array) -> li
     places, _ = samples.links.points(links, positions)
     bottom = places[2] - radii[:, None]
     tall = samples.links.x[2, root] - bottom.min(axis=0)
-    best = int(np.argmax(tall > tall.max() - 1e-3))
-    bottom, places = bottom[:, best], places[:, :, best]
+    order = np.argsort(-np.where(tall > tall.max() - SAME, np.inf, tall), kind="stable")
+    fewest = 2 if figure.links[root].kind is JointKind.FREE else 1
+    for pose in order[tall[order] >= UPRIGHT * tall.max()]:
+        found = _feet_in(figure, root, points, places[:, :, pose], radii)
+        if len({point.link for point in found}) >= fewest:
+            return found
+    return []
+
+
+def _feet_in(figure: Figure, root: int, points: Sequence[Point], places: Array, radii: Array) -> list[Point]:
+    """Those of one pose, where points are at places (3, n) [m]; none if what carries the figure is as low."""
+    links, bottom = arrays_of(points)[0], places[2] - radii
     height = float((places[2] + radii).max() - bottom.min())
     found: list[Point] = []
     for foot in np.unique(links):
@@ -121,8 +134,7 @@ def _feet(figure: Figure, root: int, points: Sequence[Point], qpos: Array) -> li
             if foot == root:
                 return []
             found += _corners(figure, points, own[bottom[own] <= bottom[own].min() + THICK * height], places)
-    hangs = figure.links[root].kind is JointKind.FREE and len({point.link for point in found}) < 2
-    return [] if hangs else found
+    return found
 
 
 def _corners(figure: Figure, points: Sequence[Point], some: Index, places: Array) -> list[Point]:

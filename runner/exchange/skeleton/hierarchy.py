@@ -44,3 +44,11 @@ def rest(model: mujoco.MjModel) -> Bodies:
 def xyzw(q: Array) -> Array:
     """Quaternions (..., 4) with the scalar last."""
     return np.roll(q, -1, axis=-1)
+
+
+def above(model: mujoco.MjModel, body: int, *, itself: bool = False) -> list[int]:
+    """The bodies that carry a body, the root first."""
+    chain = [body] if itself else []
+    while body := int(model.body_parentid[body]):
+        chain.insert(0, body)
+    return chain

@@ -1,19 +1,21 @@
-"""A captured skeleton's motion on another figure: directions of limbs coincide, the root is scaled by the legs' length.
+"""A captured skeleton's motion on another figure: parts turn alike, hands and feet are where they are, to scale.
 
 Every body that has a counterpart by its role turns with it: R_body(t) = R_joint(t) A, A constant; feet without toes
 turn with the line from the ankle to the end of the skeleton's. Where the captured skeleton stands upright when nothing
 is turned, as in a T-pose, A takes the figure's bones at rest to the skeleton's there by the shortest way. Where it does
 not (LAFAN1's bones all lie along x), A is made of two directions: the bone's, and the axis about which knee and elbow
-bend in the motion itself; hips and shoulders give those of pelvis and chest.
+bend in the motion itself; hips and shoulders give those of pelvis and chest. Robots rest with bent elbows: for A limbs are straightened first.
+Arms and legs are then bent until hands and feet are, about shoulder and hip, where the skeleton has them, to scale.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from itertools import product
 
 import mujoco
 import numpy as np
@@ -24,6 +26,7 @@ from dynsplines.solver.array import Array, Index
 from ...errors import UserError
 from . import hierarchy
 from .captured import Captured
+from .limbs import Limb, bend
 from .roles import as_said, lineage, roles
 
 NEEDED = ("left_thigh", "right_thigh", "left_shin", "right_shin")
@@ -40,7 +43,11 @@ BENT = 0.15  # mean sine of an elbow's or knee's bend that tells its axis
 LOWEST = 2.0  # per cent of the images whose soles may be in the ground
 LEVEL = 0.001  # [m] that soles may be off the ground and be left there
 LISTED = 12
-STEPS = 40  # of Gauss-Newton on hinges
+LEG, ARM = ("thigh", "shin", "foot"), ("upper_arm", "forearm", "hand")
+ENDS = ("foot", "hand")
+HANGS_ON = {"forearm": "upper_arm", "shin": "thigh"}
+SHORTEST = 1e-9  # [m] of a limb
+STEPS, STILL = 40, 1e-6  # of Gauss-Newton on hinges, at most; [rad] a step that is none
 STUCK = 0.02  # [rad] more than this off, it is tried again
 RETRIES = 4
 
@@ -63,10 +70,25 @@ class _Standing:
 
     def joint_of(self, role: str) -> Array:
         """(3,) where a part of a limb is hung up: a robot's hip is a body for each hinge, which lie apart."""
+        return self.place[self.first_of(role)]
+
+    def straightened(self, role: str) -> Array:
+        """(4,) that turns forearm or shin into the line of upper arm or thigh: robots rest with bent elbows."""
+        above = f"{role.partition('_')[0]}_{HANGS_ON.get(role.partition('_')[2], '')}"
+        if above not in self.roles:
+            return np.array([1.0, 0, 0, 0])
+        return swing(self.bone(role), self.bone(above), np.array([0.0, 1, 0]))
+
+    def along_limb(self, role: str) -> Array:
+        """(3,) where a limb goes through: hung up at hip and knee, and ends where hand and foot themselves are."""
+        return self.place[self.roles[role]] if role.endswith(ENDS) else self.joint_of(role)
+
+    def first_of(self, role: str) -> int:
+        """The body by which a part of a limb is hung up."""
         body, others = self.roles[role], {0, *self.roles.values()}
         while int(self.model.body_parentid[body]) not in others:
             body = int(self.model.body_parentid[body])
-        return self.place[body]
+        return body
 
     @cached_property
     def feet(self) -> Index:
@@ -150,7 +172,10 @@ def onto(captured: Captured, model: mujoco.MjModel, where: str) -> tuple[Array, 
     leg = float(np.mean([_leg({role: p[i] for role, i in captured.roles.items()}) for p in captured.position]))
     if not leg > 0:
         raise UserError(f"{where}: its legs are without length, which would tell how large it is")
-    scale = _leg({role: standing.joint_of(role) for role in standing.roles}) / leg
+    scale = _leg({role: standing.along_limb(role) for role in standing.roles}) / leg
+    for limb in _limbs(captured, standing, turns, scale):
+        above = hierarchy.above(model, limb.bodies[0])
+        qpos = bend(model, qpos, limb, _forward(model, qpos, above, np.tile([1.0, 0, 0, 0], (len(qpos), 1))))
     qpos, lift = _on_ground(standing, _placed(captured, standing, qpos, scale))
     notes = [f"scaled by {scale:.3f}, the ratio of the legs"]
     notes += [f"raised by {lift:+.3f} m, so that soles meet the ground"] if lift else []
@@ -165,6 +190,26 @@ def onto(captured: Captured, model: mujoco.MjModel, where: str) -> tuple[Array, 
     notes += [f"without a counterpart in the figure: {_some(lost)}"] if lost else []
     notes += [f"without a counterpart in the file, kept at rest: {_some(still)}"] if still else []
     return qpos, tuple(notes)
+
+
+def _limbs(captured: Captured, standing: _Standing, turns: Mapping[int, Array], scale: float) -> Iterator[Limb]:
+    """Arms and legs, with where their hands and feet are about shoulder and hip; scale: of legs."""
+    for side, parts in product(("left", "right"), (LEG, ARM)):
+        chain = [f"{side}_{part}" for part in parts]
+        if not all(role in standing.roles and role in captured.roles for role in chain):
+            continue
+        first, last = standing.first_of(chain[0]), standing.roles[chain[-1]]
+        bodies = [body for body in hierarchy.above(standing.model, last, itself=True) if body >= first]
+        joints = [captured.roles[role] for role in chain]
+        theirs = max(_length(captured.at_zero[joints]), SHORTEST)
+        size = scale if parts is LEG else _length([standing.along_limb(role) for role in chain]) / theirs
+        about = captured.position[:, joints[-1]] - captured.position[:, joints[0]]
+        yield Limb(bodies, size * about, {body: turns[body] for body in bodies if body in turns})
+
+
+def _length(places: Sequence[Array] | Array) -> float:
+    """[m] along points."""
+    return float(np.linalg.norm(np.diff(places, axis=0), axis=1).sum())
 
 
 def _has_toes(captured: Captured, side: str) -> bool:
@@ -221,7 +266,7 @@ def _leg(place: Mapping[str, Array]) -> float:
     total = 0.0
     for side in ("left", "right"):
         chain = [place[f"{side}_{part}"] for part in ("thigh", "shin", "foot") if f"{side}_{part}" in place]
-        total += 0.5 * float(np.linalg.norm(np.diff(chain, axis=0), axis=1).sum())
+        total += 0.5 * _length(chain)
     return total
 
 
@@ -281,11 +326,15 @@ def _upright(captured: Captured, standing: _Standing, shared: list[str]) -> dict
         out[role] = facing
         if part not in NEXT:
             continue
-        mine, theirs = quat.rotated(facing, standing.bone(role)), _bone(captured, role)
+        straight = quat.product(facing, standing.straightened(role))
+        mine, theirs = quat.rotated(straight, standing.bone(role)), _bone(captured, role)
         if part == "foot":  # soles are level in either; only where they point may differ
             mine, theirs = mine * [1, 1, 0], theirs * [1, 1, 0]
         if min(np.linalg.norm(mine), np.linalg.norm(theirs)) > 1e-3:
-            out[role] = quat.product(swing(mine, theirs, quat.rotated(facing, np.array([1.0, 0, 0]))), facing)
+            out[role] = quat.product(swing(mine, theirs, quat.rotated(facing, np.array([1.0, 0, 0]))), straight)
+    for side in ("left", "right"):  # in line with the forearm in either
+        if {f"{side}_hand", f"{side}_forearm"} <= out.keys():
+            out[f"{side}_hand"] = out[f"{side}_forearm"]
     return out
 
 
@@ -473,7 +522,10 @@ def _descend(
         axes = np.stack([_axis(model, qpos, chain, start, joint) for joint in hinges], axis=-1)
         normal = np.swapaxes(axes, 1, 2) @ axes + 1e-6 * np.eye(len(hinges))
         step = np.linalg.solve(normal, np.swapaxes(axes, 1, 2) @ short[..., None])[..., 0]
-        qpos[:, columns] = np.clip(qpos[:, columns] + np.clip(step, -0.5, 0.5), low, high)
+        before = qpos[:, columns]
+        qpos[:, columns] = np.clip(before + np.clip(step, -0.5, 0.5), low, high)
+        if np.abs(qpos[:, columns] - before).max(initial=0.0) < STILL:
+            break
     return quat.rotation_vector(quat.product(wanted, quat.conjugate(_forward(model, qpos, chain, start))))
 
 

@@ -1,5 +1,6 @@
 """`dynsplines retarget`: a person's walk on a robot of hinges stands, bends, stays in its ranges; maps; bad input."""
 
+import re
 from pathlib import Path
 
 import mujoco
@@ -12,9 +13,12 @@ from command import Command, commanded
 from dynsplines import motion
 from dynsplines.edit.edits import repeated
 from dynsplines.exchange import formats
-from dynsplines.exchange.skeleton import hierarchy
+from dynsplines.exchange.skeleton import bvh_file, hierarchy, retarget
+from dynsplines.exchange.skeleton.captured import Captured
 from dynsplines.exchange.skeleton.roles import roles
+from dynsplines.exchange.take import Bodies
 from dynsplines.motion import Saved
+from dynsplines.solver import quaternion as quat
 from dynsplines.system.progress import Progress
 
 
@@ -138,3 +142,24 @@ def test_what_has_no_legs_or_no_skeleton_is_told(command, files, tmp_path, monke
     assert done.code == 2
     assert "none is a left thigh" in done.last
     assert command("retarget", files / "walk.bvh", "--to", "spinner", "--write-map").last.endswith("--map FILE")
+
+
+@pytest.mark.slow
+def test_a_robot_that_rests_with_bent_elbows_holds_its_hands_as_one_with_straight_ones(files):
+    """Forearms are straightened in mind before directions are compared; hands are in line with them."""
+    captured = Captured.of(bvh_file.read(files / "walk.bvh")[0])
+    bent = re.sub(
+        r'(name="(?:left|right)_elbow_link" pos="0 0 -.22")(><joint name="\w+" axis="0 1 0" range=)"-130 2"',
+        r'\1 euler="0 -90 0"\2"-40 92"',
+        ANDROID,
+    )
+    assert bent != ANDROID
+    seen = []
+    for text in (ANDROID, bent):
+        model = mujoco.MjModel.from_xml_string(text)
+        qpos, _ = retarget.onto(captured, model, "walk.bvh")
+        found = Bodies.of(model, qpos, np.zeros((len(qpos), model.nv)))
+        wrists = [model.body(f"{side}_wrist_roll_link").id for side in ("left", "right")]
+        seen.append((found.position[:, wrists] - found.position[:, :2][:, 1:], found.rotation[:, wrists]))
+    np.testing.assert_allclose(seen[0][0], seen[1][0], atol=0.01)
+    assert np.degrees(quat.angle_between(seen[0][1], seen[1][1])).max() < 5

@@ -120,3 +120,12 @@ def test_feet_without_a_name_are_called_after_their_bodies():
 
 def test_a_mark_on_top_of_a_toe_is_no_sole():
     assert soles(figure_of(TWO, SPHERE + '<site name="{name}_toe" pos="0 0 -.2"/>')) == ["l_foot", "r_foot"]
+
+
+def test_of_a_kick_the_feet_are_found_in_a_pose_that_stands_on_both():
+    """The tallest pose is on the toes of one leg, the other one held out: both feet are told all the same."""
+    figure = figure_of(TWO, BOX)
+    kick = np.array(figure.model.qpos0)
+    kick[[9, 10]] = [0.6, -1.4]
+    found = sole_points(figure, kick[None])
+    assert {point.name.split()[0] for point in found} == {"l_sole", "r_sole"}

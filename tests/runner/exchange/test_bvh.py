@@ -253,15 +253,24 @@ def test_hinges_turn_as_near_as_they_can(cartwheel):
 
 
 @pytest.mark.slow
-def test_bones_of_other_lengths_keep_their_directions_and_the_feet_the_ground(cartwheel):
+def test_bones_of_other_lengths_bring_hands_and_feet_to_scaled_places_and_the_feet_to_the_ground(cartwheel):
+    """Feet about hips, by the legs' ratio, 1.147; hands about shoulders as they were; the trunk is turned as it was."""
     spec = mujoco.MjSpec.from_string(models.figure_text("human"))
     for name in ("left_shin", "right_shin"):
         spec.body(name).pos *= 1.3
     model = spec.compile()
     qpos, notes = retarget.onto(Captured.of(bvh.skeleton(cartwheel)), model, "a.bvh")
     back = Bodies.of(model, qpos, np.zeros((len(qpos), model.nv)))
-    assert quat.angle_between(back.rotation[:, 1:], cartwheel.bodies.rotation[:, 1:]).max() < 1e-5
     assert any("scaled by 1.147" in note for note in notes), notes
+    for side in ("left", "right"):
+        for first, last, scale in (("thigh", "foot", 1.147), ("upper_arm", "forearm", 1.0)):
+            one, other = (model.body(f"{side}_{part}").id for part in (first, last))
+            about = [scene.position[:, other] - scene.position[:, one] for scene in (cartwheel.bodies, back)]
+            off = np.linalg.norm(about[1] - scale * about[0], axis=1)
+            assert np.percentile(off, 90) < 0.005, (side, last, off.max())
+    trunk = [model.body(name).id for name in ("pelvis", "chest")]
+    turned = quat.angle_between(back.rotation[:, trunk], cartwheel.bodies.rotation[:, trunk])
+    assert turned.max() < 1e-5
     data, lowest = mujoco.MjData(model), []
     for row in qpos:
         data.qpos = row

@@ -1,0 +1,154 @@
+"""Limbs bent so that hands and feet come where a captured skeleton has them about shoulder and hip, to scale.
+
+Directions of limbs alone leave them off where a figure's limbs have other proportions than the skeleton's: a robot's
+leg begins with a bracket that holds it away from the hip. All images are bent at once, each from the pose that has the
+directions, by damped least squares on the limb's hinges and balls.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import mujoco
+import numpy as np
+
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+
+PLACE = 0.01  # [m] that a hand or foot may be off, as what counts one
+TURN, TURN_OF_END = np.radians(15), np.radians(4)  # [rad] likewise parts of the limb, and hand or foot themselves
+STEPS, LONGEST = 30, 0.3  # of least squares; [rad] of a joint in one
+DAMPING = 5.0  # [1/rad²] of a step, beside residuals that count one as above
+STILL = 1e-4  # [rad] a step that is none
+
+
+@dataclass(frozen=True)
+class Limb:
+    """bodies, from the one that hangs on the trunk to hand or foot; about (T, 3) [m] where that is to be, from the
+    first; turns {body: (T, 4)} how bodies should be turned in the world."""
+
+    bodies: Sequence[int]
+    about: Array
+    turns: Mapping[int, Array]
+
+
+@dataclass(frozen=True, eq=False)
+class _Bent:
+    """A limb in all images: the place [m] of its end (T, 3) from its first body, the rotations {body: (T, 4)} of its
+    bodies, and of its degrees of freedom, in order, axes (T, D, 3) and anchors (T, D, 3) in the world, bodies (D,)."""
+
+    end: Array
+    turn: dict[int, Array]
+    axes: Array
+    anchors: Array
+    moved: list[int]
+
+
+def bend(model: mujoco.MjModel, qpos: Array, limb: Limb, carried: Array) -> Array:
+    """(T, nq) qpos with the joints of a limb set, hinges in their ranges.
+
+    carried  (T, 4) how what it hangs on is turned in the world
+    """
+    qpos, low, high = qpos.copy(), *_ranges(model, limb)
+    spread = {body: TURN_OF_END if body == limb.bodies[-1] else TURN for body in limb.turns}
+    best, least = qpos.copy(), np.full(len(qpos), np.inf)
+    for _ in range(STEPS):
+        seen = _bent(model, qpos, limb.bodies, carried)
+        off, rows = [(limb.about - seen.end) / PLACE], [np.cross(seen.axes, seen.end[:, None] - seen.anchors) / PLACE]
+        for body, wanted in limb.turns.items():
+            off.append(quat.rotation_vector(quat.product(wanted, quat.conjugate(seen.turn[body]))) / spread[body])
+            above = np.array([limb.bodies.index(each) <= limb.bodies.index(body) for each in seen.moved])
+            rows.append(np.where(above[:, None], seen.axes, 0.0) / spread[body])
+        left, jacobian = np.concatenate(off, axis=1), np.concatenate(rows, axis=2)  # (T, R), (T, D, R)
+        cost = np.sum(left**2, axis=1)
+        best[cost < least], least = qpos[cost < least], np.minimum(cost, least)
+        step = _step(jacobian, left, _values(model, qpos, limb.bodies), low, high)
+        _move(model, qpos, limb.bodies, step, low, high)
+        if np.abs(step).max(initial=0.0) < STILL:
+            break
+    return best
+
+
+def _step(jacobian: Array, left: Array, values: Array, low: Array, high: Array) -> Array:
+    """(T, D) [rad] by least squares; a hinge at the end of its range goes no farther."""
+    slope = np.einsum("tdr,tr->td", jacobian, left)
+    stuck = ((values <= low) & (slope < 0)) | ((values >= high) & (slope > 0))
+    jacobian = np.where(stuck[:, :, None], 0.0, jacobian)
+    normal = jacobian @ np.swapaxes(jacobian, 1, 2) + np.eye(jacobian.shape[1]) * DAMPING
+    step = np.linalg.solve(normal, np.where(stuck, 0.0, slope)[..., None])[..., 0]
+    return np.clip(step, -LONGEST, LONGEST)
+
+
+def _joints(model: mujoco.MjModel, bodies: Sequence[int]) -> list[int]:
+    return [model.body_jntadr[body] + i for body in bodies for i in range(model.body_jntnum[body])]
+
+
+def _ranges(model: mujoco.MjModel, limb: Limb) -> tuple[Array, Array]:
+    """(D,) least and greatest value of every degree of freedom; those of a ball are without."""
+    low, high = list[float](), list[float]()
+    for joint in _joints(model, limb.bodies):
+        if model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_BALL:
+            low += [-np.inf] * 3
+            high += [np.inf] * 3
+        elif model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_HINGE:
+            low.append(model.jnt_range[joint, 0] if model.jnt_limited[joint] else -np.inf)
+            high.append(model.jnt_range[joint, 1] if model.jnt_limited[joint] else np.inf)
+    return np.array(low), np.array(high)
+
+
+def _values(model: mujoco.MjModel, qpos: Array, bodies: Sequence[int]) -> Array:
+    """(T, D) of hinges; nought of balls, that have no range."""
+    columns = list[Array]()
+    for joint in _joints(model, bodies):
+        at = model.jnt_qposadr[joint]
+        if model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_BALL:
+            columns += [np.zeros(len(qpos))] * 3
+        elif model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_HINGE:
+            columns.append(qpos[:, at])
+    return np.stack(columns, axis=1)
+
+
+def _move(model: mujoco.MjModel, qpos: Array, bodies: Sequence[int], step: Array, low: Array, high: Array) -> None:
+    """Turns joints by a step (T, D) [rad], a ball about its own axes."""
+    k = 0
+    for joint in _joints(model, bodies):
+        at = model.jnt_qposadr[joint]
+        if model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_BALL:
+            turned = quat.product(qpos[:, at : at + 4], quat.from_rotation_vector(step[:, k : k + 3]))
+            qpos[:, at : at + 4] = quat.normalised(turned)
+            k += 3
+        elif model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_HINGE:
+            qpos[:, at] = np.clip(qpos[:, at] + step[:, k], low[k], high[k])
+            k += 1
+
+
+def _bent(model: mujoco.MjModel, qpos: Array, bodies: Sequence[int], carried: Array) -> _Bent:
+    """Forward kinematics of a chain of bodies, from the first one's place."""
+    count, place, turn = len(qpos), np.zeros((len(qpos), 3)), carried
+    turns, axes, anchors, moved = dict[int, Array](), list[Array](), list[Array](), list[int]()
+    first = np.zeros((count, 3))
+    for body in bodies:
+        place = place + quat.rotated(turn, model.body_pos[body])
+        turn = quat.product(turn, model.body_quat[body])
+        for joint in _joints(model, [body]):
+            at, anchor = model.jnt_qposadr[joint], place + quat.rotated(turn, model.jnt_pos[joint])
+            match model.jnt_type[joint]:
+                case mujoco.mjtJoint.mjJNT_HINGE:
+                    axes.append(quat.rotated(turn, model.jnt_axis[joint]))
+                    angle = qpos[:, at] - model.qpos0[at]
+                    turn = quat.product(turn, quat.from_rotation_vector(angle[:, None] * model.jnt_axis[joint]))
+                    anchors.append(anchor)
+                    moved.append(body)
+                case mujoco.mjtJoint.mjJNT_BALL:
+                    turn = quat.product(turn, qpos[:, at : at + 4])
+                    axes += [quat.rotated(turn, axis) for axis in np.eye(3)]
+                    anchors += [anchor] * 3
+                    moved += [body] * 3
+                case mujoco.mjtJoint.mjJNT_SLIDE:
+                    along = quat.rotated(turn, model.jnt_axis[joint])
+                    anchor = anchor + (qpos[:, at] - model.qpos0[at])[:, None] * along
+            place = anchor - quat.rotated(turn, model.jnt_pos[joint])
+        turns[body] = turn
+        first = place if body == bodies[0] else first
+    return _Bent(place - first, turns, np.stack(axes, axis=1), np.stack(anchors, axis=1) - first[:, None], moved)
