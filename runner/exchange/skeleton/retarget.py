@@ -4,8 +4,9 @@ Every body that has a counterpart by its role turns with it: R_body(t) = R_joint
 turn with the line from the ankle to the end of the skeleton's. Where the captured skeleton stands upright when nothing
 is turned, as in a T-pose, A takes the figure's bones at rest to the skeleton's there by the shortest way. Where it does
 not (LAFAN1's bones all lie along x), A is made of two directions: the bone's, and the axis about which knee and elbow
-bend in the motion itself; hips and shoulders give those of pelvis and chest. Robots rest with bent elbows: for A limbs are straightened first.
-Arms and legs are then bent until hands and feet are, about shoulder and hip, where the skeleton has them, to scale.
+bend in the motion itself; hips and shoulders give those of pelvis and chest. Robots rest with bent elbows: for A limbs
+are straightened first. Arms and legs are then bent until hands and feet are, about shoulder and hip, where the skeleton
+has them, to scale.
 """
 
 from __future__ import annotations
