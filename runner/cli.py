@@ -77,6 +77,7 @@ Scale = Annotated[float | None, typer.Option(help="the file's unit of length in 
 SceneFile = Annotated[Path | None, typer.Option(help="a TOML file with [scene]: steps and obstacles of it")]
 ContactsFile = Annotated[Path | None, typer.Option(help="a TOML file with [[contact]]s, if not those found")]
 Within = Annotated[str | None, typer.Option(help="how far hands, feet and pelvis may move, such as 3cm")]
+SpeedLimit = Annotated[str | None, typer.Option(help="how fast joints may turn, such as 20rad/s or 1200deg/s")]
 AsJson = Annotated[bool, typer.Option("--json", help="print JSON")]
 
 
@@ -559,6 +560,7 @@ def clean(
     scene: SceneFile = None,
     contacts: ContactsFile = None,
     within: Within = None,
+    speed_limit: SpeedLimit = None,
     overwrite: OverThere = False,
     allow_outside: Outside = False,
 ) -> None:
@@ -566,11 +568,12 @@ def clean(
     _without_graphics()
     from .clean import running
     from .system.progress import Progress
-    from .system.quantity import length
+    from .system.quantity import length, speed
 
     bound = None if within is None else length(within, "--within")
+    fastest = None if speed_limit is None else speed(speed_limit, "--speed-limit")
     with Progress() as progress:
-        found = running.Source(source, figure, kind, fps, scale, scene, contacts)
+        found = running.Source(source, figure, kind, fps, scale, scene, contacts, speed=fastest)
         running.run(found, output, within=bound, overwrite=overwrite, progress=progress)
 
 
@@ -587,6 +590,7 @@ def retarget(
     scene: SceneFile = None,
     contacts: ContactsFile = None,
     within: Within = None,
+    speed_limit: SpeedLimit = None,
     overwrite: OverThere = False,
     allow_outside: Outside = False,
 ) -> None:
@@ -596,13 +600,14 @@ def retarget(
     from .errors import UserError
     from .exchange.formats import stem
     from .system.progress import Progress
-    from .system.quantity import length
+    from .system.quantity import length, speed
 
     if write_map and map_file is None:
         raise UserError("--write-map: name the file, --map FILE")
     bound = None if within is None else length(within, "--within")
+    fastest = None if speed_limit is None else speed(speed_limit, "--speed-limit")
     with Progress() as progress:
-        found = running.Source(source, to, kind, fps, scale, scene, contacts, map_file, write_map, True)
+        found = running.Source(source, to, kind, fps, scale, scene, contacts, map_file, write_map, True, fastest)
         target = output or Path(f"{stem(source)}.{Path(to).stem}.npz")
         running.run(found, target, within=bound, overwrite=overwrite, progress=progress)
 

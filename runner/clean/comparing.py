@@ -14,7 +14,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import Path
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import JointRange, Support, joint_ranges
+from dynsplines.solver.penalty import JointRange, Speed, Support, joint_ranges
 from dynsplines.solver.surface.heights import height_over
 from dynsplines.solver.surface.points import places_of
 
@@ -65,6 +65,7 @@ class Comparison:
             ("slip of a stance, most", "mm", "slip", SLIP),
             ("sole at rest, off the ground", "mm", "hover", HOVER),
             ("joint beyond its range", "°", "range", RANGE),
+            ("joint speed, most", "rad/s", "speed", self.cleaned.ground.speed),
             ("joint acceleration, most", "rad/s²", "peak", None),
             ("jerk of bodies, mean", "m/s³", "jerk", None),
             ("force nothing supplies, mean", "weight", "force", None),
@@ -200,6 +201,11 @@ class Look:
             return 0.0
         beyond = max(float(JointRange(found).evaluate(samples).max()) for samples in self._parts())
         return float(np.degrees(np.sqrt(beyond)))
+
+    @property
+    def speed(self) -> float:
+        joints = Speed.of(self.ground.figure, 0.0)
+        return max(float(joints.speeds(samples).max(initial=0.0)) for samples in self._parts())
 
     @property
     def peak(self) -> float:

@@ -45,6 +45,7 @@ class Source:
     contacts  a TOML file with [[contact]], likewise
     map       a TOML file that says who is who; it is written if it is not there and `writes_map`
     apart     limbs are kept out of each other, too
+    speed     [rad/s] that joints turn at most
     """
 
     file: Path
@@ -57,6 +58,7 @@ class Source:
     map: Path | None = None
     writes_map: bool = False
     apart: bool = False
+    speed: float | None = None
 
 
 def run(
@@ -88,7 +90,7 @@ def made(source: Source, within: float | None, progress: Progress) -> tuple[Clea
     """A recording cleaned, and its motion; within [m] as `run` takes it. Raises UserError."""
     around = _around(source)
     found = _read(source, around, progress)
-    return _cleaned(found, around, within, progress, apart=source.apart)
+    return _cleaned(found, around, within, progress, apart=source.apart, speed=source.speed)
 
 
 def motion_cleaned(saved: Saved, within: float | None, progress: Progress) -> Saved:
@@ -158,13 +160,19 @@ def _read(source: Source, around: SurroundingsTable, progress: Progress) -> _Rea
 
 
 def _cleaned(
-    found: _Read, around: SurroundingsTable, within: float | None, progress: Progress, *, apart: bool
+    found: _Read,
+    around: SurroundingsTable,
+    within: float | None,
+    progress: Progress,
+    *,
+    apart: bool,
+    speed: float | None = None,
 ) -> tuple[Cleaned, Saved]:
     figure = clips.figure_of(found.scene, found.name)
     mended = repaired(figure, found.time, found.qpos, found.name)
     for note in mended.notes:
         progress.say(f"note: {note}")
-    ground = replace(ground_of(figure, mended.qpos), apart=apart)
+    ground = replace(ground_of(figure, mended.qpos), apart=apart, speed=speed)
     span = float(mended.time[0]), float(mended.time[-1])
     given = rests_of(ground, around.contact, span, found.name) if around.contact else None
 

@@ -37,6 +37,7 @@ from dynsplines.solver.penalty import (
     RootAcceleration,
     SelfContact,
     Skate,
+    Speed,
     Sum,
     Support,
     Torque,
@@ -126,6 +127,12 @@ class CycleOptions(Options):
     """How long a cycle lasts."""
 
     period: Annotated[Real, Field(gt=0, le=60)] | None = Field(default=None, description="s")
+
+
+class SpeedOptions(Options):
+    """How fast joints may turn."""
+
+    limit: Annotated[Real, Field(gt=0, le=100_000)] | None = Field(default=None, description="degrees/s")
 
 
 class LevelOptions(Options):
@@ -274,6 +281,13 @@ def _supported(context: Context, kind: str) -> Support:
     return context.support
 
 
+def _speed(context: Context, chosen: SpeedOptions) -> Penalty | None:
+    if chosen.limit is None:
+        raise UserError(f"{context.where}: penalty 'speed' needs a limit = ..., in degrees a second")
+    made = Speed.of(context.figure, float(np.radians(chosen.limit)))
+    return made if made.links.size else None
+
+
 def _level(context: Context, chosen: LevelOptions) -> Penalty | None:
     known, found = moving_bodies(context.figure), list[int]()
     for name in chosen.bodies:
@@ -349,6 +363,7 @@ KINDS = {
             lambda context, chosen: SelfContact.of(context.figure, chosen.margin or 0.0), Margin,
         ),
         Kind("torque", None, "joint torques by inverse dynamics", lambda context, chosen: Torque()),
+        Kind("speed", None, "speed of hinges and ball joints beyond a limit", _speed, SpeedOptions),
         Kind("level", None, "lean of bodies, a trunk or a tray, from the vertical", _level, LevelOptions),
     )
 }  # fmt: skip

@@ -1,27 +1,40 @@
-"""Lengths as people write them: "2cm", "20 mm", "0.02 m"; from Python also a number, of metres."""
+"""Lengths and speeds as people write them: "2cm", "20 mm", "1200deg/s"; from Python also numbers of m, rad/s."""
 
 from __future__ import annotations
 
 import math
 import re
+from collections.abc import Mapping
 
 from ..errors import UserError
 
 LARGEST = 1e6  # of any number of a configuration
 
-METRES = {"m": 1.0, "cm": 0.01, "mm": 0.001}
+METRES = {"cm": 0.01, "mm": 0.001, "m": 1.0}
+RADIANS_A_SECOND = {"rad/s": 1.0, "deg/s": math.pi / 180}
 
 
 def length(given: str | float, what: str) -> float:
     """Metres; raises UserError for what is no length above 0, or text without a unit. `what` is how errors call it."""
-    found = re.fullmatch(r"\s*([0-9.eE+-]+?)\s*(m|cm|mm|)\s*", str(given))
+    return _quantity(given, what, METRES, "a length above 0, such as 2cm, 20mm or 0.02m")
+
+
+def speed(given: str | float, what: str) -> float:
+    """Radians a second; raises UserError for what is no speed above 0, or text without a unit, as `length` does."""
+    return _quantity(given, what, RADIANS_A_SECOND, "a speed above 0, such as 20rad/s or 1200deg/s")
+
+
+def _quantity(given: str | float, what: str, units: Mapping[str, float], such: str) -> float:
+    """In the unit that is 1."""
+    found = re.fullmatch(rf"\s*([0-9.eE+-]+?)\s*({'|'.join(units)}|)\s*", str(given))
     try:
         number = float(found[1]) if found else math.nan
     except ValueError:
         number = math.nan
     if not (math.isfinite(number) and number > 0):
-        raise UserError(f"{what} {given}: give a length above 0, such as 2cm, 20mm or 0.02m")
+        raise UserError(f"{what} {given}: give {such}")
     unit = found[2] if found else ""
     if isinstance(given, str) and not unit:
-        raise UserError(f"{what} {given}: of what? give {number:g}cm, {number:g}mm or {number:g}m")
-    return number * METRES[unit or "m"]
+        *some, last = (f"{number:g}{each}" for each in units)
+        raise UserError(f"{what} {given}: of what? give {', '.join(some)} or {last}")
+    return number * (units[unit] if unit else 1.0)

@@ -26,6 +26,7 @@ from dynsplines.solver.penalty import (
     Rest,
     Resting,
     SelfContact,
+    Speed,
     Support,
     UnitMagnitude,
     joint_ranges,
@@ -48,12 +49,14 @@ WEIGHTS = {
     "resting": 1e8,  # 1 for a slide of 2 mm/s
     "range": 1e7,  # 1 for 0.02°
     "self": 1e6,
+    "speed": 1e5,  # 1 for 0.2 °/s
     "support": 1000.0,  # 1 for a thirtieth of the weight
 }
 LONGEST_PANEL, POINTS = 0.05, 3  # [s], of Gauss's rule
 TOLERANCE = 1e-2  # relative progress of E at which a search ends
 INSIDE = 0.01  # [rad, m] of a joint's range that is kept as a margin
 LOOKED_AT = 50  # poses in which it is looked for what stands on the ground
+SLOWER = 0.95  # of a speed that joints may have: what is soft gives a little
 ANKLE = 0.02  # [m] beside a joint's own thickness: what is so near to a sole's link moves with it
 
 
@@ -63,12 +66,14 @@ class Ground:
 
     points    of its soles;  surfaces  what it stands on and stays out of
     apart     its limbs are kept out of each other, too, which takes twice as long
+    speed     [rad/s] that its joints turn at most, if any
     """
 
     figure: Figure
     points: tuple[Point, ...]
     surfaces: tuple[Surface, ...]
     apart: bool = False
+    speed: float | None = None
 
     @property
     def clear(self) -> tuple[Point, ...]:
@@ -137,6 +142,8 @@ def penalties_of(ground: Ground, rests: Sequence[Rest]) -> list[Penalty]:
             found.append(Support.of(figure, int(figure.tables.free_links[0]), footings, ()))
     if ranges := joint_ranges(figure):
         found.append(JointRange(tuple(map(_inside, ranges))))
+    if ground.speed is not None:
+        found.append(Speed.of(figure, SLOWER * ground.speed))
     own = SelfContact.of(figure, 0.0) if ground.apart else None
     return [*found, own] if own is not None and own.pairs.size else found
 

@@ -163,3 +163,25 @@ def test_a_robot_that_rests_with_bent_elbows_holds_its_hands_as_one_with_straigh
         seen.append((found.position[:, wrists] - found.position[:, :2][:, 1:], found.rotation[:, wrists]))
     np.testing.assert_allclose(seen[0][0], seen[1][0], atol=0.01)
     assert np.degrees(quat.angle_between(seen[0][1], seen[1][1])).max() < 5
+
+
+@pytest.mark.slow
+def test_joints_turn_no_faster_than_they_may(files, command, tmp_path):
+    """The walk's knees turn at 6 rad/s and more; held to 4, by MuJoCo's own differences."""
+    words, out = (files / "walk.bvh", "--to", files / "android.xml"), tmp_path / "slow.npz"
+    done = command("retarget", *words, "--speed-limit", "4rad/s", "-o", out)
+    assert done.code == 0, done.err
+    saved = motion.load(out)
+    samples, model = motion.sampled(saved.figure, saved.timeline, 240.0), saved.figure.model
+    qvel = np.zeros((len(samples.time) - 1, model.nv))
+    for i in range(len(qvel)):
+        step = samples.time[i + 1] - samples.time[i]
+        mujoco.mj_differentiatePos(model, qvel[i], step, samples.qpos[i], samples.qpos[i + 1])
+    assert np.abs(qvel[:, 6:]).max() <= 4.0
+    assert np.abs(np.gradient(samples.qpos[:, 7:], samples.time, axis=0)).max() > 3.5
+
+
+@pytest.mark.parametrize("given", ["4", "fast", "-3rad/s", "4rad", "nan rad/s"])
+def test_a_speed_without_a_unit_is_refused(files, command, given):
+    done = command("retarget", files / "walk.bvh", "--to", files / "android.xml", "--speed-limit", given)
+    assert done.code == 2 and "--speed-limit" in done.err

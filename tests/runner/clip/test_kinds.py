@@ -17,6 +17,7 @@ time = 1
 others = "rest"
 [[penalty]]
 """
+NEEDED = {"level": 'bodies = ["chest"]', "speed": "limit = 300"}
 
 
 def test_every_option_says_what_it_is_given_in():
@@ -25,7 +26,7 @@ def test_every_option_says_what_it_is_given_in():
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_kind_is_made_or_is_nothing_to_look_at(kind):
-    clip = load(CLIP + f'kind = "{kind}"\nweight = 0.5\n' + ('bodies = ["chest"]' if kind == "level" else ""))
+    clip = load(CLIP + f'kind = "{kind}"\nweight = 0.5\n' + NEEDED.get(kind, ""))
     made = {penalty.name: weight for penalty, weight in clip.penalties}
     absent = {"placement", "upright", "resting", "hold", "coupled", "closed", "range", "cycle"}
     assert made.get(kind, 0.5 if kind in absent else None) == 0.5
@@ -44,6 +45,7 @@ def test_every_kind_is_made_or_is_nothing_to_look_at(kind):
         ('kind = "bend"\nmargin = 0', "penalty 1: 'margin' is not for kind 'bend', which takes: weight, joints, least"),
         ('kind = "bent"', "no penalty 'bent'"),
         ('kind = "flight"\nintervals = [[0]]', "penalty 1: intervals must be a list of [from, to] in seconds"),
+        ('kind = "speed"', "penalty 'speed' needs a limit = ..., in degrees a second"),
         ('kind = "level"\nbodies = "chest"', "penalty 1: bodies must be a list of names, not 'chest'"),
         ('kind = "level"\nbodies = ["chets"]', "no body 'chets'"),
         ('kind = "level"\nbodies = ["chest"]\naxis = [0, 0, 0]', "axis is [0, 0, 0], which points nowhere"),
