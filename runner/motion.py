@@ -37,6 +37,7 @@ from .system import archive as archive_sizes
 from .system.output import Replacement
 
 FORMAT_VERSION = 2  # 1: without assets
+AT_ONCE = 4000  # samples whose kinematics are held at once
 MOST_SAMPLES = 1_000_000
 PLACES = ("qpos", "frame_state", "time")  # names of arrays that end so: metres, radians, quaternions, seconds
 FARTHEST = 1e9  # of any of them: squares and cubes of such numbers are still numbers
@@ -88,9 +89,11 @@ def sampled(figure: Figure, timeline: Timeline, fps: float) -> Sampled:
     """A timeline's motion at t0 + i / fps, i = 0 … floor(duration · fps)."""
     first, last = float(timeline.times[0]), float(timeline.times[-1])
     count = sample_count(last - first, fps)
-    time = first + np.arange(count) / fps
-    samples = samples_at(figure, path_of(timeline), time)
-    return Sampled(time, continuous(figure, figure.to_qpos(samples.y)), *velocities(samples))
+    time, path = first + np.arange(count) / fps, path_of(timeline)
+    parts = [samples_at(figure, path, time[i : i + AT_ONCE]) for i in range(0, count, AT_ONCE)]
+    qpos = np.concatenate([figure.to_qpos(part.y) for part in parts])
+    qvel, qacc = (np.concatenate(rows) for rows in zip(*map(velocities, parts), strict=True))
+    return Sampled(time, continuous(figure, qpos), qvel, qacc)
 
 
 def sample_count(duration: float, fps: float) -> int:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Callable, Iterator, Sequence
+from contextvars import ContextVar
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
@@ -23,6 +24,7 @@ from dynsplines.solver.curve.frame import Frame, TimelineError
 from dynsplines.solver.curve.quadrature import Quadrature
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.figure.figure import Figure, FigureError, JointKind, quaternion_columns
+from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import Penalty, Placed
 from dynsplines.solver.posing import entries
 from dynsplines.solver.problem import FEW, Problem, Settings
@@ -40,7 +42,7 @@ from .constraints import chosen, constraints, posing_bends
 from .contacts import Contacts, rests
 from .context import Context
 from .follow.keeping import ground_of, rests_of
-from .follow.recording import Followed, followed
+from .follow.recording import Followed, Moving, followed
 from .holds import asked
 from .obstacles import obstacles
 from .posing.couplings import complaints, follow
@@ -72,6 +74,8 @@ AROUND = ("travel", "turn")  # what [solve] says of how a loop comes back
 SHORTEST = 0.001  # [s] between neighbouring keyframes
 UNEVEN = 10_000  # times that a distance between keyframes may be its neighbour: the spline overshoots by as much
 LONGEST = 600.0  # [s] from the first keyframe to the last
+
+_following_now: ContextVar[tuple[str, ...]] = ContextVar("following", default=())  # clips whose recordings are read
 
 
 @dataclass(frozen=True, repr=False)
@@ -217,7 +221,7 @@ def from_text(
         raise UserError(f"{where}: {error}") from None
     figure = figure_of(scene, where, table.solve.coordinates)
     missed: list[str] = []
-    recording = followed(table, figure, folder, where)
+    recording = followed(table, figure, folder, where, _solved)
     base = None if recording is None else recording.pose
     keys, placed = _keys(figure, lying(table), _stander(figure, table, where), where, missed, base)
     if missed and unmet is None:
@@ -227,6 +231,23 @@ def from_text(
     if recording is not None:
         return _following(recording, name, text, scene, keys, table, fps)
     return _clip(name, text, scene, figure, fps or table.fps, keys, table, where, placed)
+
+
+def _solved(source: str, where: str) -> Moving:
+    """The motion of a clip that another one follows; raises UserError, also for one that follows itself."""
+    before = _following_now.get()
+    name = source if source in models.clips() else str(Path(source).resolve())
+    if name in before:
+        raise UserError(f"{where}: '{source}' follows itself")
+    token = _following_now.set((*before, name))
+    try:
+        clip = load(source)
+        solution = inbetween(clip.problem)
+    except UserError as error:
+        raise UserError(f"{where}: {error}") from None
+    finally:
+        _following_now.reset(token)
+    return Moving(clip.figure, solution.timeline, clip.fps)
 
 
 def table_of(text: str, where: str) -> ClipTable:

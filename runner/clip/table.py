@@ -187,12 +187,14 @@ class SolveTable(Table):
 class RecordingTable(Table):
     """A motion that was recorded, which keyframes edit: what of it, when, and how much it counts.
 
+    file    a motion (.npz), a clip (.toml) or the name of one that ships;  repeat  how often a loop comes
     start, end  [s] what of it is used;  at  [s] when that begins in the clip;  speed  times as fast
     times   [s, s] moments of the recording and when they come in the clip, in place of at and speed
     weight  how much it counts;  blend  [s] before and after every keyframe, outside of which nothing is changed
     """
 
     file: str
+    repeat: Annotated[Whole, Field(ge=1, le=1000)] | None = None
     start: Number | None = Field(default=None, alias="from")
     end: Number | None = Field(default=None, alias="to")
     at: Number | None = None

@@ -138,8 +138,10 @@ def plain(found: Sequence[Flaw]) -> list[dict[str, Any]]:
 
 
 def _found(clip: Clip, timeline: Timeline, raw: Timeline) -> Iterator[Flaw]:
+    clip = _as_keyed(clip)
     figure, path = clip.figure, path_of(timeline)
     key_times = np.array([key.time for key in clip.keys])
+    numbers = np.cumsum([bool(key.fixed.any()) for key in clip.keys])
     held = list(_held(clip, timeline))
     ends = [t for each in held for stance in each.stances for t in (stance.first, stance.last)]
     ends += [t for hold in clip.context.holds for t in (hold.first, hold.last)]
@@ -147,9 +149,16 @@ def _found(clip: Clip, timeline: Timeline, raw: Timeline) -> Iterator[Flaw]:
     grid, keys = samples_at(figure, path, time), samples_at(figure, path, key_times)
     raw_peak = _peak(samples_at(figure, path_of(raw), time))
     for measure in (*held, *_slips(clip, timeline), *_measures(clip, raw_peak)):
-        yield from _worst(measure, grid, keys)
-    yield from _drifts(held, key_times)
+        yield from _worst(measure, grid, keys, numbers)
+    yield from _drifts(held, key_times, numbers)
     yield from _misses(clip, timeline)
+
+
+def _as_keyed(clip: Clip) -> Clip:
+    """Of a recording's frames, which fix nothing, the first and the last: keyframes are what somebody gave."""
+    ends = (0, len(clip.keys) - 1)
+    keys = tuple(key for k, key in enumerate(clip.keys) if key.fixed.any() or k in ends)
+    return clip if len(keys) == len(clip.keys) else replace(clip, problem=replace(clip.problem, keys=keys))
 
 
 def _slips(clip: Clip, timeline: Timeline) -> Iterator[Measure]:
@@ -273,7 +282,7 @@ def _pieces(clip: Clip, rest: Rest, known: Sequence[Sequence[Stance]], timeline:
     yield Stance(rest.point, rest.first, rest.last, spot, spot)
 
 
-def _drifts(held: Sequence[measures.Held], key_times: Array) -> Iterator[Flaw]:
+def _drifts(held: Sequence[measures.Held], key_times: Array, numbers: Index) -> Iterator[Flaw]:
     """Keyframes that put a point that is to rest somewhere else than the keyframe before."""
     for measure in held:
         bound = BOUNDS[measure.kind].most
@@ -286,7 +295,7 @@ def _drifts(held: Sequence[measures.Held], key_times: Array) -> Iterator[Flaw]:
         for (_, k), (drift, stance) in worst.items():
             name = stance.point.name
             says = f"{name}, which is to rest, is {{}} from where the keyframe before has it"
-            yield _problem(Row(measure.kind, name, says, bound), drift, stance.last, k + 1)
+            yield _problem(Row(measure.kind, name, says, bound), drift, stance.last, int(numbers[k]))
 
 
 def _misses(clip: Clip, timeline: Timeline) -> Iterator[Flaw]:
@@ -299,13 +308,13 @@ def _misses(clip: Clip, timeline: Timeline) -> Iterator[Flaw]:
             yield _problem(Row("placement", name, f"{name} is {{}} off its place", bound), away, point.time)
 
 
-def _worst(measure: Measure, grid: Samples, keys: Samples) -> Iterator[Flaw]:
-    """The worst of every group that keyframes say, each, and that the path adds."""
+def _worst(measure: Measure, grid: Samples, keys: Samples, numbers: Index) -> Iterator[Flaw]:
+    """The worst of every group that keyframes say, each by its number (K,), and that the path adds."""
     groups = measure.groups
     said = _said(measure, keys)
     caps: dict[int, Array] = {}
     for (group, k), (amount, row) in said.items():
-        yield _problem(measure.row(row), amount, float(keys.t[k]), k + 1)
+        yield _problem(measure.row(row), amount, float(keys.t[k]), int(numbers[k]))
         caps.setdefault(group, np.zeros(keys.count))[k] = amount
     worst: dict[int, tuple[float, float, int]] = {}
     for part in _strided(grid, measure.stride):

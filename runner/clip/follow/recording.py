@@ -9,11 +9,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
 from dynsplines.solver.array import Array
-from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.edit.retime import repeated
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Near, Rest
@@ -23,7 +26,7 @@ from dynsplines.solver.reading.recorded import Recorded
 from dynsplines.solver.reading.stances import NEAR, stood
 from dynsplines.solver.surface.points import Point, placed, places_of
 
-from ... import motion
+from ... import models, motion
 from ...errors import UserError
 from ...scene import outside
 from ..table import ClipTable, RecordingTable
@@ -37,6 +40,14 @@ MOVED = 0.02  # [m] by which a keyframe puts a point that the recording has stan
 INNER, MARGIN = 0.75, 6  # of a blend: frames beyond are fixed, so many to its end, for the spline rings on a little
 ROUNDING = 1e-9  # [s]
 NONE = ("hold",)  # tables that a clip with a recording cannot have
+
+
+class Moving(NamedTuple):
+    """A motion, and its images a second."""
+
+    figure: Figure
+    timeline: Timeline
+    fps: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -120,30 +131,60 @@ class Followed:
         return float(np.linalg.norm(places[:, 0, 0] - places[:, 0, 1])) > MOVED
 
 
-def followed(table: ClipTable, figure: Figure, folder: Path | None, where: str) -> Followed | None:
-    """The recording that a clip follows, if any; raises UserError for a file that is none of its figure's motions."""
+def followed(
+    table: ClipTable, figure: Figure, folder: Path | None, where: str, solved: Callable[[str, str], Moving]
+) -> Followed | None:
+    """The recording that a clip follows, if any; raises UserError for a file that is none of its figure's motions.
+
+    solved  solves a clip that ships or a clip file, by its name or path; what errors call it
+    """
     said = table.recording
     if said is None:
         return None
     for line in _unfit(table):
         raise UserError(f"{where}: {line}")
     here = f"{where}: recording"
-    file = (folder or Path()) / said.file
-    if file.suffix != ".npz":
-        raise UserError(
-            f"{here}: '{said.file}' is no motion file, .npz; `dynsplines clean` or `import` makes one of it"
-        )
-    if not outside.is_allowed() and not outside.lies_in(file, folder or Path()):
-        raise UserError(f"{here}: '{said.file}' lies outside the clip's folder; --allow-outside lets it be read")
-    saved = motion.load(file)
-    joints = [[link.name for link in each.links[1:]] for each in (figure, saved.figure)]
-    if joints[0] != joints[1] or saved.figure.width != figure.width:
+    taken = _read(said, folder or Path(), here, solved)
+    joints = [[link.name for link in each.links[1:]] for each in (figure, taken.figure)]
+    if joints[0] != joints[1] or taken.figure.width != figure.width:
         raise UserError(f"{here}: '{said.file}' is of another figure: {', '.join(joints[1][:6])}, ...")
-    samples = motion.sampled(saved.figure, saved.timeline, max(saved.fps, RATE))
-    time, qpos = _cut(samples.time, samples.qpos, said, here)
+    try:
+        timeline = taken.timeline if said.repeat is None else repeated(taken.figure, taken.timeline, said.repeat)
+    except TimelineError as error:
+        raise UserError(f"{here}: repeat: {error}") from None
+    taken = Moving(taken.figure, timeline, taken.fps)
+    time, qpos = _cut(*_taken_down(taken), said, here)
     recorded = Recorded.of(figure, _clip_time(time, said, here), qpos, exact=True)
-    knots = saved.timeline.times
-    return Followed(recorded, _clip_time(knots, said, here, time[0]), said, where)
+    return Followed(recorded, _clip_time(timeline.times, said, here, time[0]), said, where)
+
+
+def _read(said: RecordingTable, folder: Path, here: str, solved: Callable[[str, str], Moving]) -> Moving:
+    """The motion in a file, or that of a clip."""
+    if said.file in models.clips():
+        return solved(said.file, here)
+    file = folder / said.file
+    if file.suffix not in (".npz", ".toml"):
+        raise UserError(
+            f"{here}: '{said.file}' is neither a motion file, .npz, which `dynsplines clean` or `import` makes of "
+            f"recordings, nor a clip, .toml, nor one that ships: {', '.join(models.clips())}"
+        )
+    if not outside.is_allowed() and not outside.lies_in(file, folder):
+        raise UserError(f"{here}: '{said.file}' lies outside the clip's folder; --allow-outside lets it be read")
+    if file.suffix == ".toml":
+        return solved(str(file), here)
+    saved = motion.load(file)
+    return Moving(saved.figure, saved.timeline, saved.fps)
+
+
+def _taken_down(saved: Moving) -> tuple[Array, Array]:
+    """Times (T,) [s] and qpos (T, nq) of a motion, its end among them, RATE of them a second or more."""
+    path, fps = path_of(saved.timeline), max(saved.fps, RATE)
+    first, last = path.span
+    time = first + np.arange(motion.sample_count(last - first, fps)) / fps
+    if last - time[-1] > CLOSE:
+        time = np.append(time, last)
+    time[-1] = last
+    return time, motion.continuous(saved.figure, saved.figure.to_qpos(path.at(time)))
 
 
 def _unfit(table: ClipTable) -> Iterator[str]:

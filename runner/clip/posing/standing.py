@@ -8,7 +8,7 @@ them start there and stay free.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import mujoco
@@ -70,6 +70,14 @@ def fitted(own: Array, seen: Array, turn: Array) -> Array:
         handed = np.diag([1.0, 1.0, np.linalg.det(left @ right)])
         rotation = left @ handed @ right
     return _quaternion(rotation)
+
+
+def _during(tables: Sequence[ContactTable], first: float, last: float) -> Iterator[ContactTable]:
+    """Of contacts what is within [first, last]: of a recording's keyframe no more is seen than what is beside it."""
+    for table in tables:
+        start, end = max(table.start, first), min(table.end, last)
+        if start < end or not table.start < table.end:
+            yield table.model_copy(update={"start": start, "end": end}) if start < end else table
 
 
 class Stander:
@@ -146,7 +154,8 @@ class Stander:
             return None
         whole = [self.figure.to_qpos(frame.state) for frame in timeline.frames if frame.is_key]
         soles = sole_points(self.figure, np.reshape(whole, (-1, self.figure.width)))
-        found = contacts(self.figure, timeline, self.tables, self.where, soles, self.surfaces)
+        tables = list(_during(self.tables, *timeline.times[[0, -1]].tolist()))
+        found = contacts(self.figure, timeline, tables, self.where, soles, self.surfaces)
         held = holds(self.figure, timeline, self.held, self.where, soles)
         return _Seen(self.figure, timeline, soles, self.surfaces, found, held)
 

@@ -28,7 +28,7 @@ EASED = 0.01  # of its weight that a pose keeps where a keyframe edits it
 COARSE, FINEST = 0.2, 1 / 60  # [s] between frames that what was recorded is followed by
 DETAIL = 30.0  # f over a segment, of what may be left out
 NODES = 4  # a span, of Gauss's rule
-REMEMBERED = 200  # sets of times: a long recording's windows have a few each
+REMEMBERED = 20_000  # samples, of 3 kB for a person: a window's few sets of times are asked for again and again
 SHORTEST = 0.05  # [m] of a limb
 
 
@@ -187,7 +187,7 @@ class Near(Guide):
         motion = rec.path.motion(np.clip(t, *rec.path.span))
         ends, _ = Samples(rec.figure, *motion).links.points(*self.ends)
         whole = np.interp(t, rec.times, rec.trust.min(axis=1))
-        if len(self._seen) > REMEMBERED:
+        if sum(target.t.size for target in self._seen.values()) > REMEMBERED:
             self._seen.clear()
         self._seen[key] = _Target(t, motion, weights, ends, whole * held / (2 * STRAYS**2 * BACK))
         return self._seen[key]

@@ -11,6 +11,7 @@ from command import commanded
 from dynsplines import Keyframe, build, motion
 from dynsplines.clip import load as clips
 from dynsplines.errors import UserError
+from dynsplines.measure.problems import problems
 from dynsplines.motion import Saved
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.inbetween import inbetween
@@ -36,6 +37,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """With run_and_step solved."""
     out = tmp_path_factory.mktemp("edits")
     motion.save(shipped.solved("run_and_step").saved(Progress(), with_report=False), out / "run.npz")
+    (out / "itself.toml").write_text(BARE.replace("run.npz", "itself.toml"), encoding="utf-8")
     return out
 
 
@@ -107,13 +109,16 @@ def test_what_of_the_recording_comes_when_is_as_the_clip_says(folder, saved, sai
     ("text", "told"),
     [
         (BARE.replace("run.npz", "none.npz"), "none.npz"),
-        (BARE.replace("run.npz", "walk.bvh"), "is no motion file, .npz; `dynsplines clean` or `import`"),
+        (BARE.replace("run.npz", "walk.bvh"), "'walk.bvh' is neither a motion file, .npz"),
         (BARE.replace("run.npz", "../run.npz"), "lies outside the clip's folder"),
         (BARE + "from = 1.0\nto = 9.0", "are no part of it; it lasts from 0 to 2.2 s"),
         (BARE + "times = [[0, 0], [1, 0]]", "both rise"),
         (BARE + "times = [[0, 0], [1, 1]]\nspeed = 2", "give times, or at and speed"),
         (BARE + "wieght = 2", "no key 'wieght'; did you mean 'weight'?"),
         (BARE.replace("human", "spinner"), "is of another figure"),
+        (BARE.replace("run.npz", "none.toml"), "none.toml"),
+        (BARE.replace("run.npz", "itself.toml"), "follows itself"),
+        (BARE + "repeat = 2", "repeat: only a loop"),
         (BARE + "[[keyframe]]\ntime = 7\n", "is outside the recording, which lasts from 0 to 2.2 s"),
         (BARE + '[solve]\nends = "periodic"\n', "solve.ends is for clips of keyframes"),
         (BARE + '[[penalty]]\nkind = "cycle"\n', "beside a recording only weights may be said"),
@@ -148,3 +153,68 @@ def test_from_python_a_recording_is_built_upon(folder, monkeypatch):
     at = clip.figure.model.joint("left_elbow").qposadr[0]
     qpos = clip.figure.to_qpos(found.at(np.array([1.9])))[0]
     np.testing.assert_allclose(qpos[at : at + 4], [np.sqrt(0.5), 0, -np.sqrt(0.5), 0], atol=1e-9)
+
+
+KERB = """
+figure = "human"
+[recording]
+file = "walk_loop"
+repeat = 3
+[[scene.box]]
+name = "kerb"
+size = [4.0, 3.0, 0.12]
+position = [4.62, 0, 0.06]
+"""
+ON_IT = """
+[[contact]]
+point = "left_heel"
+from = 2.17
+to = 2.55
+[[contact]]
+point = "left_toe"
+from = 2.26
+to = 2.80
+[[keyframe]]
+time = 2.24
+sites.left_heel = [2.76, 0.09, 0.12]
+sites.left_toe = ["free", 0.09, 0.12]
+[[keyframe]]
+time = 2.86
+root.position = [3.37, -0.015, 1.03]
+sites.right_heel = [3.45, -0.09, 0.12]
+sites.right_toe = ["free", -0.09, 0.12]
+[[keyframe]]
+time = 3.24
+root.position = [3.85, 0, 1.01]
+sites.left_heel = [4.14, 0.09, 0.12]
+sites.left_toe = ["free", 0.09, 0.20]
+"""
+
+
+def test_a_loop_that_ships_is_followed_as_often_as_the_clip_says(tmp_path):
+    """To its very end, three periods on, where it began but for its way."""
+    clip = clips.from_text(KERB, name="kerb", folder=tmp_path)
+    loop = clips.load("walk_loop").keys
+    period = loop[-1].time - loop[0].time
+    assert clip.keys[-1].time - clip.keys[0].time == pytest.approx(3 * period, abs=1e-9)
+    near = clip.problem.penalties[0][0]
+    assert isinstance(near, Near)
+    qpos = clip.figure.to_qpos(near.recorded.path.at(np.array([0.3, 0.3 + period, 0.3 + 2 * period])))
+    np.testing.assert_allclose(np.diff(qpos[:, 0]), 1.38, atol=0.01)
+    np.testing.assert_allclose(np.abs(qpos[:, 1:]), np.abs(qpos[[0, 0, 0], 1:]), atol=2e-3)
+
+
+@pytest.mark.slow
+def test_a_walk_steps_on_to_a_kerb_and_only_keyframes_that_somebody_gave_are_told_of(tmp_path):
+    """Contacts lie far from some keyframes, whose poses are found all the same; feet stay out of the kerb."""
+    clip = clips.from_text(KERB + ON_IT, name="kerb", folder=tmp_path)
+    solution = inbetween(clip.problem)
+    path, model = path_of(solution.timeline), clip.figure.model
+    soles = [model.nbody + model.site(f"{side}_{part}").id for side in ("left", "right") for part in ("heel", "toe")]
+    times = np.linspace(0, 3.24, 300)
+    at = bodies(clip.figure, path, times)[0][:, soles]
+    over = at[..., 2] - np.where(at[..., 0] > 2.63, 0.12, 0.0)
+    assert over.min() > -0.01
+    assert at[-1, 0, 2] == pytest.approx(0.12, abs=1e-6)
+    told = problems(clip, solution.timeline, clip.problem.raw)
+    assert {flaw.keyframe for flaw in told} <= {None, 1, 2, 3}, [flaw.text for flaw in told]
