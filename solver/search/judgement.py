@@ -14,11 +14,12 @@ import numpy as np
 
 from ..array import Array, Index
 from ..curve.frame import Timeline
-from ..curve.spline import path_of
+from ..curve.spline import Path, path_of
 from ..objective import Objective
 
 AS_GOOD = 1e-6  # of E
 FINER = 3  # parts of the spans between the frames of all timelines
+AT_ONCE = 100  # spans between frames whose looks are held at once
 LOOKS = 32  # at a path between two of its frames, for quaternions that are short
 SHORT = 0.1  # length of a quaternion from which on it turns its joint fast
 LEAST = 1e-4  # of the time between two looks, the shortest moment that is told
@@ -51,9 +52,16 @@ def _flips(timeline: Timeline, quaternions: Sequence[Index] | Index) -> Iterator
     """Times [s] about every moment at which a quaternion of a path is short, as it would be on straight ways."""
     if not len(quaternions):
         return
-    edges = timeline.times
+    path, edges = path_of(timeline), timeline.times
+    for first in range(0, edges.size - 1, AT_ONCE):
+        for found in _flips_of(path, edges[first : first + AT_ONCE + 1], quaternions):
+            yield found[(found > edges[0]) & (found < edges[-1])]
+
+
+def _flips_of(path: Path, edges: Array, quaternions: Sequence[Index] | Index) -> Iterator[Array]:
+    """Between some of the frames."""
     times = np.append((edges[:-1, None] + np.arange(LOOKS) / LOOKS * np.diff(edges)[:, None]).ravel(), edges[-1])
-    states, step = path_of(timeline).at(times), np.diff(times)
+    states, step = path.at(times), np.diff(times)
     for columns in quaternions:
         q = states[:, columns]
         way = np.diff(q, axis=0)
@@ -62,5 +70,4 @@ def _flips(timeline: Timeline, quaternions: Sequence[Index] | Index) -> Iterator
         length = np.linalg.norm(q[:-1] + share[:, None] * way, axis=1)
         moment = np.clip(length / np.sqrt(squared), LEAST, 1) * step
         for i in np.flatnonzero(length < SHORT):
-            found = times[i] + share[i] * step[i] + ABOUT * moment[i]
-            yield found[(found > edges[0]) & (found < edges[-1])]
+            yield times[i] + share[i] * step[i] + ABOUT * moment[i]
