@@ -7,9 +7,9 @@
 Constants that a module begins with are left alone: they are choices, each with its reason beside it.
 
 A mutation is a float times 1.001, an integer one up or down, a comparison, a sign or a product turned round, `and` for
-`or`. No file is touched: a process of its own compiles the mutated source under the module's name and runs pytest in
-itself, in a time that is bounded; first the tests that are named after the module, then those that import it or use its
-names. A line each says caught, survived or hung; the last line is their sum, and results can be kept as JSON.
+`or`. No file is touched: a process of its own compiles the mutated source under the name of the module and runs pytest
+in itself, in a time that is bounded: first the tests that are named after the module, then those that use it, then the
+rest of its folder. A line each says caught, survived or hung; the last line is their sum; results can be kept as JSON.
 """
 
 from __future__ import annotations
@@ -39,9 +39,9 @@ ROOT = Path(__file__).resolve().parent.parent
 TESTS = ROOT / "tests"
 MIRRORS = ("solver", "runner", "models")  # folders of tests that mirror those of the product
 SLIGHTLY = 1.001
-SECONDS = 60.0  # of a core, for one file of tests; several times what its fast ones take
+SECONDS = 60.0  # of a core, for each file of tests; several times what its fast ones take
 PATIENCE = 10.0  # times as long, on a machine that others use
-IMPORTERS = 6  # files of tests that are tried after those that are named after the module
+IMPORTERS = 6  # files of tests in other folders that are tried, those that use the module most
 HEAVY = (
     "numpy",
     "scipy.linalg",
@@ -119,15 +119,16 @@ def mutants_of(path: Path) -> dict[int, list[tuple[int, int]]]:
 
 
 def _told(tree: ast.AST) -> Iterator[ast.AST]:
-    """Parts that change nothing when they change, annotations and messages of errors; and constants of a module, which
-    are choices: others would do as well."""
+    """Parts that change nothing when they change, annotations, decorators (the size of a cache) and messages of errors;
+    and constants of a module, which are choices: others would do as well."""
     for node in tree.body if isinstance(tree, ast.Module) else ():
         if isinstance(node, (ast.Assign, ast.AnnAssign)):
             yield from ast.walk(node)
     for node in ast.walk(tree):
         if isinstance(node, ast.Raise):
             yield from ast.walk(node)
-        for part in (getattr(node, "annotation", None), getattr(node, "returns", None)):
+        parts = [getattr(node, "annotation", None), getattr(node, "returns", None)]
+        for part in (*parts, *getattr(node, "decorator_list", ())):
             if part is not None:
                 yield from ast.walk(part)
 
@@ -167,44 +168,58 @@ def module_name(path: str) -> str:
     return "dynsplines." + path.removesuffix(".py").replace("/", ".").removesuffix(".__init__")
 
 
-def tests_of(path: str) -> list[str]:
-    """Files of tests for a file of the solver: its mirror and what is named after it, then those that use its names."""
-    stem, package = Path(path).stem, Path(path).parent.name
-    tree = ast.parse((ROOT / path).read_text(encoding="utf-8"))
-    public = {n.name for n in tree.body if isinstance(n, (ast.FunctionDef, ast.ClassDef)) and n.name[0] != "_"}
-    public |= {t.id for n in tree.body if isinstance(n, ast.Assign) for t in n.targets if isinstance(t, ast.Name)}
-    named = (f"test_{stem}.py", f"test_{package}_{stem}.py")
+def tests_of(path: str) -> list[list[str]]:
+    """Files of tests for a file of the solver: those named after it; those of its folder that use it, then others that
+    do, those that use it most first; then the rest of its folder, which may reach it in other ways."""
+    package, module = Path(path).parent, module_name(path)
+    named = (f"test_{Path(path).stem}.py", f"test_{package.name}_{Path(path).stem}.py")
     files = sorted(file for folder in MIRRORS for file in (TESTS / folder).rglob("test_*.py"))
-    first, ranked = [file for file in files if file.name in named], []
-    for file in files:
-        if file not in first:
-            words = Counter(n.id for n in ast.walk(_parsed(file)) if isinstance(n, ast.Name))
-            words.update(n.attr for n in ast.walk(_parsed(file)) if isinstance(n, ast.Attribute))
-            used = sum(words[name] for name in public) + 20 * (module_name(path) in _imports(file))
-            near = 5 * (file.parent.name == package)
-            ranked.append((-(used + near) if used else 0, file))
-    return [_told_from(file) for file in first + [file for used, file in sorted(ranked)[:IMPORTERS] if used]]
+    first = [file for file in files if file.name in named]
+    used = {file: _uses(file, module, _public(path)) for file in files if file not in first}
+    ranked = sorted((file for file in used if used[file]), key=lambda file: -used[file])
+    beside = [file for file in used if file.parent == TESTS / package]
+    near = [file for file in ranked if file in beside]
+    others = [file for file in ranked if file not in beside][:IMPORTERS]
+    rest = [file for file in beside if not used[file]]
+    return [[_told_from(file) for file in group] for group in (first, near, others, rest) if group]
+
+
+def _public(path: str) -> set[str]:
+    tree = ast.parse((ROOT / path).read_text(encoding="utf-8"))
+    named = {n.name for n in tree.body if isinstance(n, (ast.FunctionDef, ast.ClassDef))}
+    return named | {t.id for n in tree.body if isinstance(n, ast.Assign) for t in n.targets if isinstance(t, ast.Name)}
+
+
+def _uses(file: Path, module: str, public: set[str]) -> int:
+    """How often a file of tests calls by name what it imports from a module, itself or through what tests share."""
+    words = Counter(n.id for n in ast.walk(_parsed(file)) if isinstance(n, ast.Name))
+    found = 0
+    for source, name, called in _imports(file):
+        if f"{source}.{name}" == module or (name in public and (module + ".").startswith(source + ".")):
+            found += 1 + words[called]
+    return found
 
 
 def _told_from(file: Path) -> str:
     return file.relative_to(TESTS).as_posix()
 
 
-_trees: dict[Path, ast.Module] = {}
-
-
+@cache
 def _parsed(file: Path) -> ast.Module:
-    if file not in _trees:
-        _trees[file] = ast.parse(file.read_text(encoding="utf-8"))
-    return _trees[file]
+    return ast.parse(file.read_text(encoding="utf-8"))
 
 
-def _imports(file: Path) -> set[str]:
-    found: set[str] = set()
+@cache
+def _imports(file: Path) -> frozenset[tuple[str, str, str]]:
+    """What a file imports, and what the files of tests/support import that it does: module, name, name in the file."""
+    found: set[tuple[str, str, str]] = set()
     for node in ast.walk(_parsed(file)):
         if isinstance(node, ast.ImportFrom) and node.module:
-            found |= {node.module, *(f"{node.module}.{each.name}" for each in node.names)}
-    return found
+            found |= {(node.module, each.name, each.asname or each.name) for each in node.names}
+            shared = TESTS / "support" / f"{node.module}.py"
+            if shared.exists():
+                found |= {(source, name, "") for source, name, _ in _imports(shared)}
+    return frozenset(found)
 
 
 class Instead(importlib.abc.MetaPathFinder, importlib.abc.InspectLoader):
@@ -285,22 +300,23 @@ def ended(number: int, seconds: float) -> int | None:
 
 
 @cache
-def sound(name: str, seconds: float) -> bool:
-    """Whether a file of tests passes with nothing changed; one that does not can catch nothing."""
-    return ended(begun(None, [name], seconds), seconds) in (0, NOTHING_TO_RUN)
+def sound(names: tuple[str, ...], seconds: float) -> bool:
+    """Whether tests pass with nothing changed; those that do not can catch nothing."""
+    return ended(begun(None, list(names), seconds), seconds) in (0, NOTHING_TO_RUN)
 
 
 def judged(mutant: Mutant, seconds: float) -> Outcome:
-    """A mutant against one file of tests after another, until one catches it or the time is over."""
+    """A mutant against one group of tests after another, until one catches it or the time is over."""
     start, verdict, tried = time.monotonic(), SURVIVED, []
-    for name in tests_of(mutant.path):
-        tried.append(name)
-        code = ended(begun(mutant, [name], seconds), seconds)
+    for names in tests_of(mutant.path):
+        tried += names
+        whole = seconds * len(names)
+        code = ended(begun(mutant, names, whole), whole)
         if code is None:
             verdict = HUNG
         elif code not in (0, NOTHING_TO_RUN):
-            if not sound(name, seconds):
-                raise SystemExit(f"{name} fails, or hangs, as it is")
+            if not sound(tuple(names), whole):
+                raise SystemExit(f"{', '.join(names)}: one of them fails, or hangs, as it is")
             verdict = CAUGHT
         if verdict != SURVIVED:
             break

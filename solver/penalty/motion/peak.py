@@ -46,7 +46,7 @@ class PeakAcceleration(Penalty):
         """Of residuals |α|⁴; times 7/4, which along α makes the second derivative exact."""
         ways, sizes = relative_accelerations(samples)
         joints = _turning(samples)
-        at, k = np.divmod(np.arange(samples.count * joints.size), max(joints.size, 1))
+        at, k = np.divmod(np.arange(samples.count * joints.size), joints.size)
         link = joints[k]
         size = POWER * sizes[link, at] ** (POWER - 1) * np.sqrt((2 * POWER - 1) / POWER)
         large = np.flatnonzero(size > NEGLIGIBLE * size.max(initial=0.0))
