@@ -1,0 +1,139 @@
+"""What counts as little: a centimetre, a degree or ten of one violation; costs of motion fall as a clip gets slower."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from figures import BALL, BALL_TREE, CHAIN, figure_of
+from ground import FLOOR
+from random_samples import random_samples
+
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.penalty import (
+    Bend,
+    BendLimits,
+    Closed,
+    Closure,
+    Contact,
+    Coupled,
+    Coupling,
+    CovariantAcceleration,
+    Grounded,
+    Hold,
+    Holding,
+    JointRange,
+    Lean,
+    Level,
+    PeakAcceleration,
+    Penalty,
+    Placed,
+    Placement,
+    Planted,
+    Posture,
+    Range,
+    Rest,
+    Resting,
+    RootAcceleration,
+    Skate,
+    Spot,
+    Stance,
+    Sum,
+    Upright,
+)
+from dynsplines.solver.penalty.joints.self_contact import Bar, SelfContact
+from dynsplines.solver.surface.points import Point
+
+UP, X = np.array([0.0, 0, 1]), np.array([1.0, 0, 0])
+ORIGIN, WORLD = Point("middle", 1, np.zeros(3)), Point("spot", 0, np.zeros(3))
+CENTIMETRE = {
+    "contact": Contact((ORIGIN,), (FLOOR,)),
+    "grounded": Grounded((ORIGIN,), (FLOOR,), ((-1.0, 1.0),), reach=10.0),
+    "planted": Planted((Stance(ORIGIN, -1, 1, np.zeros(3), np.zeros(3)),)),
+    "resting": Resting((Rest(ORIGIN, -1, 1),), (FLOOR,)),
+    "placement": Placement((Placed(ORIGIN, 0.0, np.zeros(3)),)),
+    "hold": Holding((Hold(ORIGIN, 0, "world", -1, 1, (Spot(-1, 1, np.zeros(3), np.zeros(3)),)),)),
+    "closed": Closed((Closure("ring", ORIGIN, WORLD),)),
+    "self": SelfContact((Bar(0, 1, np.zeros(3), UP, 0.0, 0.1), Bar(1, 0, 0.19 * UP, UP, 0.0, 0.1)), np.array([[0], [1]])),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", CENTIMETRE)
+def test_a_centimetre_counts_as_the_reference_says(name):
+    figure, penalty = figure_of(BALL), CENTIMETRE[name]
+    away = {"contact": -0.01, "self": 0.0}.get(name, 0.01)
+    y = np.array([[0, 0, away, 1, 0, 0, 0.0]])
+    still = Samples(figure, y, 0 * y, 0 * y, t=np.zeros(1))
+    assert penalty.scale.is_violation
+    assert penalty.scale.time_power == 0
+    np.testing.assert_allclose(penalty.evaluate(still), penalty.scale.reference, rtol=1e-5)
+    assert Sum((penalty,), "both").scale == penalty.scale
+
+
+@pytest.mark.parametrize("degrees", [-1.0, 1.0])
+def test_a_degree_beyond_a_joints_range_a_bends_bound_or_a_couplings_line_counts_as_the_reference_says(degrees):
+    hinge = figure_of(CHAIN.format("hinge"), "joint")
+    angle = float(np.radians(degrees))
+    y = np.array([[1.0, 0, 0, 0, 0.4 + angle]])
+    still = Samples(hinge, y, 0 * y, 0 * y)
+    kind = hinge.links[2].kind
+    of_range = JointRange((Range("hinge", 2, kind, *((0.4, 9.0) if degrees < 0 else (-9.0, 0.4))),))
+    of_coupling = Coupled((Coupling("hinge", 4, -1, (0.3, 0.0), np.array([0.1, 0, 0, 0, 0]), "degrees"),))
+    for penalty in (of_range, of_coupling):
+        np.testing.assert_allclose(penalty.evaluate(still), penalty.scale.reference)
+        assert penalty.scale.is_violation
+    balls = figure_of(CHAIN.format("ball"), "joint")
+    straight = quat.from_rotation_vector(np.array([0, 0.2 - np.radians(1), 0]))
+    y = np.concatenate([[1.0, 0, 0, 0], straight])[None]
+    knee = BendLimits((Bend("knee", 2, np.array([0.0, 1, 0]), -UP),), 0.2, 1.0, 1.0)
+    np.testing.assert_allclose(knee.evaluate(Samples(balls, y, 0 * y, 0 * y)), knee.scale.reference)
+
+
+@pytest.mark.parametrize(
+    "penalty", [Level(np.array([1]), UP[:, None]), Upright((Lean(1, 0.0, UP, UP),))], ids=["level", "upright"]
+)
+def test_ten_degrees_off_the_vertical_count_as_the_reference_says(penalty):
+    figure = figure_of(BALL)
+    y = np.concatenate([np.zeros(3), quat.from_rotation_vector(np.radians(10) * X)])[None]
+    value = penalty.evaluate(Samples(figure, y, 0 * y, 0 * y, t=np.zeros(1)))
+    np.testing.assert_allclose(value, (2 * np.sin(np.radians(5))) ** 2)  # a chord, nearly the angle
+    np.testing.assert_allclose(value, penalty.scale.reference, rtol=5e-3)
+
+
+def points_of(figure) -> tuple[Point, ...]:
+    return tuple(Point(f"{i}", i, np.array([0.1, 0.2, -0.3])) for i in range(1, len(figure.links)))
+
+
+@pytest.mark.parametrize("name", ["covariant", "root", "posture", "peak", "skate"])
+def test_a_clip_that_is_played_slower_costs_less_by_the_power_that_its_scale_says(name, rng):
+    figure = figure_of(BALL_TREE)
+    penalty: Penalty = {
+        "covariant": CovariantAcceleration(),
+        "root": RootAcceleration(),
+        "posture": Posture(),
+        "peak": PeakAcceleration(),
+        "skate": Skate(points_of(figure), (FLOOR,), reach=5.0),
+    }[name]
+    seen = random_samples(figure, rng)
+    slower = Samples(figure, seen.y, seen.y_d / 3, seen.y_dd / 9)
+    values: Array = penalty.evaluate(seen)
+    assert values.any()
+    np.testing.assert_allclose(penalty.evaluate(slower) * 3.0**penalty.scale.time_power, values, rtol=1e-9)
+    assert not penalty.scale.is_violation
+
+
+def test_two_radians_a_unit_of_spacing_squared_count_as_the_references_of_accelerations_say():
+    """A joint's 8 rad/s² with keyframes 1 s apart, and 2 m/s² of the root."""
+    figure = figure_of(CHAIN.format("hinge"), "joint")
+    y = np.array([[1.0, 0, 0, 0, 0.3]])
+    hinge = Samples(figure, y, 0 * y, np.array([[0.0, 0, 0, 0, 8]]))
+    for penalty in (CovariantAcceleration(), PeakAcceleration()):
+        np.testing.assert_allclose(penalty.evaluate(hinge), penalty.scale.reference)
+    turning = Samples(figure, y, np.array([[0.0, 0, 0, 0, 2]]), 0 * y)
+    posture = Posture(0.3)
+    np.testing.assert_allclose(posture.evaluate(turning), (2 / 2) ** 2)
+    root = figure_of(BALL)
+    y = np.array([[0, 0, 1, 1, 0, 0, 0.0]])
+    lifted = Samples(root, y, 0 * y, np.array([[0, 0, 2, 0, 0, 0, 0.0]]))
+    np.testing.assert_allclose(RootAcceleration().evaluate(lifted), RootAcceleration().scale.reference)
