@@ -55,7 +55,7 @@ CENTIMETRE = {
     "placement": Placement((Placed(ORIGIN, 0.0, np.zeros(3)),)),
     "hold": Holding((Hold(ORIGIN, 0, "world", -1, 1, (Spot(-1, 1, np.zeros(3), np.zeros(3)),)),)),
     "closed": Closed((Closure("ring", ORIGIN, WORLD),)),
-    "self": SelfContact((Bar(0, 1, np.zeros(3), UP, 0.0, 0.1), Bar(1, 0, 0.19 * UP, UP, 0.0, 0.1)), np.array([[0], [1]])),
+    "self": SelfContact((Bar(0, 1, 0 * UP, UP, 0.0, 0.1), Bar(1, 0, 0.19 * UP, UP, 0.0, 0.1)), np.array([[0], [1]])),
 }  # fmt: skip
 
 

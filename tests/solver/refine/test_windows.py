@@ -295,3 +295,112 @@ def test_the_segments_integrals_add_up_to_the_objective():
         np.testing.assert_allclose(parts.sum(), objective.value(path_of(timeline)), rtol=1e-12)
         own = [term.factor * i for term, i in zip(objective.terms, objective.integrals(path_of(timeline)), strict=True)]
         np.testing.assert_allclose(parts.sum(axis=0), own, rtol=1e-12)
+
+
+def assembly_of(ends: str) -> tuple[Assembly, Path]:
+    slope = np.random.default_rng(1).normal(size=(2, FIGURE.width)) if ends == "clamped" else None
+    raw = raw_timeline(FIGURE, long_keys(), ends, slope)
+    start = nudged(evenly(raw, 1), 0.02, np.random.default_rng(2))
+    assembly = Assembly(Objective.of(FIGURE, penalties()).renormalised(path_of(raw)), raw, start)
+    return assembly, path_of(assembly.timeline())
+
+
+def nudged(timeline: Timeline, size: float, rng: np.random.Generator) -> Timeline:
+    """What may move of the frames a little elsewhere."""
+    frames = [replace(f, state=f.state + size * rng.normal(size=f.state.size) * ~f.fixed) for f in timeline.frames]
+    return Timeline(tuple(frames), timeline.end_slope, timeline.ends)
+
+
+OPENED = [Window(0, 0, 4, 7), Window(3, 6, 12, 16), Window(13, 16, 20, 20), Window(0, 0, 20, 20), Window(0, 2, 9, 20)]
+
+
+@pytest.mark.parametrize("ends", ["free", "clamped"])
+@pytest.mark.parametrize("window", OPENED, ids=str)
+def test_a_window_begins_as_the_clip_has_it_and_put_back_unchanged_changes_nothing(window, ends):
+    """A C² spline through the same frames with the same slopes at its ends is the same spline."""
+    assembly, path = assembly_of(ends)
+    times = assembly.key_times
+    opened = assembly.opened(window)
+    own = path_of(opened)
+    assert own.span == (times[window.held], times[window.last])
+    t = np.linspace(*own.span, 300)
+    np.testing.assert_allclose(own.motion(t), path.motion(t), rtol=1e-7, atol=1e-7)
+    free = [frame.time for frame in opened.frames if frame.is_variable]
+    beyond = times[window.first] if window.held < window.first else -np.inf
+    expected = [f.time for f in assembly.frames if f.is_variable and max(own.span[0], beyond) < f.time <= own.span[1]]
+    assert free == expected
+    whole = assembly.around(window)(opened)
+    np.testing.assert_array_equal(whole.times, assembly.timeline().times)
+    t = np.linspace(times[0], times[-1], 300)
+    np.testing.assert_allclose(path_of(whole).motion(t), path.motion(t), rtol=1e-7, atol=1e-7)
+    assert whole.ends == ends
+
+
+@pytest.mark.parametrize("window", OPENED, ids=str)
+def test_what_other_segments_cost_is_e_without_the_windows_own_even_after_one_was_solved(window):
+    assembly, path = assembly_of("free")
+    objective, times = assembly.objective, assembly.key_times
+
+    def outside(seen: Path) -> Array:
+        parts = segment_integrals(objective, seen, times)
+        return np.delete(parts, np.arange(window.held, window.last), axis=0).sum(axis=0)
+
+    np.testing.assert_allclose(assembly.elsewhere(window), outside(path), rtol=1e-9, atol=1e-12)
+    first = Window(0, 0, 4, 7)
+    solved = nudged(assembly.opened(first), 0.01, np.random.default_rng(4))
+    assembly.close(first, solved)
+    parts = segment_integrals(objective, path, times)
+    parts[:7] = segment_integrals(objective, path_of(solved), times[:8])
+    np.testing.assert_allclose(assembly.elsewhere(Window(9, 12, 15, 18)), np.delete(parts, np.s_[9:18], 0).sum(axis=0))
+    assembly.close(
+        second := Window(4, 7, 10, 14), solved := nudged(assembly.opened(second), 0.01, np.random.default_rng(5))
+    )
+    parts[6:14] = segment_integrals(objective, path_of(solved), times[6:15])
+    np.testing.assert_allclose(assembly.elsewhere(Window(0, 0, 0, 0)), parts.sum(axis=0))
+
+
+@pytest.mark.parametrize("window", OPENED[1:], ids=str)
+def test_what_a_window_found_is_taken_over_behind_its_first_keyframe_and_what_it_held_stays(window):
+    assembly, _ = assembly_of("free")
+    before, times = assembly.timeline(), assembly.key_times
+    opened = assembly.opened(window)
+    frames = [replace(f, state=f.state + 0.01 * ~f.fixed) for f in opened.frames]
+    moved = Timeline(tuple(frames), opened.end_slope + 0.1, opened.ends)
+    assembly.close(window, moved)
+    after = assembly.timeline()
+    inside = (after.times > (times[window.first] if window.first else -1)) & (after.times <= times[window.last])
+    np.testing.assert_array_equal(after.times, before.times)
+    np.testing.assert_array_equal(after.states[~inside], before.states[~inside])
+    np.testing.assert_array_equal(after.states[inside], (before.states + 0.01 * ~before.fixed)[inside])
+    own = np.array([window.held == 0, window.last == SEGMENTS])
+    np.testing.assert_allclose(after.end_slope - before.end_slope, 0.1 * own[:, None] * np.ones(FIGURE.width))
+    again = Window(window.first, window.first + 1, window.last, window.last)
+    if again.held and again.first < again.last:
+        found = path_of(assembly.opened(again))
+        t = np.linspace(times[again.held], times[again.first], 40)
+        slope = path_of(moved).at(t[:1], 1)
+        np.testing.assert_allclose(found.at(t[:1], 1), slope, atol=1e-9)  # C¹ where it goes on
+
+
+@pytest.mark.parametrize("ends", ["free", "clamped"])
+def test_a_few_steps_in_windows_lower_e_in_every_part_of_the_clip_and_are_told_as_of_the_whole(short, ends):
+    slope = np.zeros((2, FIGURE.width)) if ends == "clamped" else None
+    keys, told = long_keys()[:15], []
+    settings = Settings(variable=1, frames=14, max_evaluations=4)
+    problem = Problem(FIGURE, keys, penalties()[:2], settings, ends=ends, end_slope=slope)
+    motion = inbetween(problem, improved=told.append)
+    values, evaluations = [each.value for each in told], [each.evaluation for each in told]
+    assert np.all(np.diff(values) < 0)
+    assert np.all(np.diff(evaluations) > 0)
+    assert {each.round for each in told} >= {0, 1, 2}
+    for each in told:
+        np.testing.assert_allclose(sum(each.parts.values()), each.value)
+        assert_whole(each.path, keys)
+    assert_whole(motion.path, keys)
+    np.testing.assert_allclose(values[-1], motion.objective.value(motion.path), rtol=1e-2)
+    times = np.array([key.time for key in keys])
+    raw = segment_integrals(motion.objective, path_of(evenly(motion.raw, 1)), times).sum(axis=1)
+    found = segment_integrals(motion.objective, motion.path, times).sum(axis=1)
+    assert found.sum() < 0.95 * raw.sum()
+    for window in windows(14):
+        assert found[window.first : window.kept].sum() < raw[window.first : window.kept].sum()
