@@ -125,26 +125,6 @@ class PointGoal:
 
 
 @dataclass(frozen=True, eq=False)
-class TurnGoal:
-    """A body, by its number, turned as said: its rotation in the world (4,) wxyz."""
-
-    name: str
-    index: int
-    rotation: Array
-
-    def body(self, model: mujoco.MjModel) -> int:
-        return self.index
-
-    def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
-        return quat.rotation_vector(quat.product(data.xquat[self.index], quat.inverse(self.rotation)))
-
-    def rows(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
-        rows = np.zeros((3, model.nv))
-        mujoco.mj_jacBody(model, data, None, rows, self.index)
-        return rows
-
-
-@dataclass(frozen=True, eq=False)
 class BodyGoal:
     """A body turned as said: its rotation in the world (4,) wxyz, or None for upright as at rest, the heading free.
 

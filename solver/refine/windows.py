@@ -45,7 +45,7 @@ class Window:
 
 def windows(segments: int) -> list[Window]:
     """Windows that keep every segment once, of nearly equal size."""
-    count = max(1, -(-segments // KEPT))
+    count = -(-segments // KEPT)
     edges = [segments * k // count for k in range(count + 1)]
     return [Window(max(a - BEHIND, 0), a, b, min(b + AHEAD, segments)) for a, b in pairwise(edges)]
 

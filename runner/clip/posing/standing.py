@@ -23,7 +23,7 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import BendLimits, Hold, Placed
 from dynsplines.solver.penalty.ground.planted import NEAR_SURFACE, SAME_SPOT
-from dynsplines.solver.posing import Goal, HoldGoal, PointGoal, Posed, TurnGoal, entries, limb, posed, reached
+from dynsplines.solver.posing import BodyGoal, Goal, HoldGoal, PointGoal, Posed, entries, limb, posed, reached
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.points import Point, arrays_of, placed
 
@@ -56,7 +56,7 @@ class Standing:
         if len(self.points) > 1:
             turn = fitted(own - middle.position, self.spots - spot, self.turn)
             rotation = quat.product(turn, figure.body_turn[body])
-            goals.append(TurnGoal(self.points[0].name, body, rotation))
+            goals.append(BodyGoal(self.points[0].name, rotation, body))
         return goals
 
 

@@ -1,0 +1,260 @@
+"""What a search for a pose goes by: goals and bounds change as their rows say; steps are least squares by SciPy."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import mujoco
+import numpy as np
+import pytest
+from figures import EVERY_JOINT, LEG, MIXED, figure_of
+from scipy.optimize import lsq_linear
+from scipy.spatial.transform import Rotation
+
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.penalty import Bend, BendLimits
+from dynsplines.solver.posing import (
+    INSIDE,
+    PER_METRE,
+    STRAIGHT,
+    TRUNK,
+    BodyGoal,
+    Goal,
+    PointGoal,
+    SiteGoal,
+    _Bends,
+    _PoseSearch,
+    _Ranges,
+    _step,
+    entries,
+    limb,
+)
+from dynsplines.solver.surface.points import Point, site_points
+
+RANGED = """
+<mujoco><compiler angle="radian"/><worldbody><body name="trunk" pos="0 0 1"><freejoint/><geom size=".1"/>
+  <body name="arm" pos="0 .2 .4" quat=".9 .1 -.2 .3"><joint name="shoulder" type="ball" range="0 1.2"/>
+    <geom size=".1" pos=".3 0 0"/>
+    <body name="fore" pos=".3 0 0"><joint name="elbow" type="hinge" axis="0 1 0" range="-.1 2"/><geom size=".1"/>
+      <body name="rod" pos=".3 0 0"><joint name="reach" type="slide" axis="1 0 0" range="-.4 .1"/><geom size=".05"/>
+        <site name="tip" pos=".1 .02 .03"/></body></body></body>
+  <body name="leg" pos="0 -.2 0"><joint name="hip" type="hinge" axis="0 1 0" range="-2 .2"/><geom size=".1"/>
+    <body name="shin" pos="0 0 -.4" quat=".7 .1 .2 -.1"><joint name="knee" type="ball"/><geom size=".1" pos="0 0 -.2"/>
+      <body name="foot" pos="0 0 -.4"><joint name="free" type="hinge" axis="1 0 0"/><geom size=".1"/>
+        <site name="toe" pos=".1 0 0"/></body></body></body>
+</body></worldbody></mujoco>"""
+
+
+def placed(model: mujoco.MjModel, qpos: Array) -> mujoco.MjData:
+    data = mujoco.MjData(model)
+    data.qpos[:] = qpos
+    mujoco.mj_kinematics(model, data)
+    mujoco.mj_comPos(model, data)
+    return data
+
+
+def somewhere(model: mujoco.MjModel, rng: np.random.Generator, size: float = 1.0) -> Array:
+    qpos = np.array(model.qpos0)
+    mujoco.mj_integratePos(model, qpos, size * rng.normal(size=model.nv), 1.0)
+    return qpos
+
+
+def differences(model: mujoco.MjModel, qpos: Array, values: Callable[[Array], Array], h: float = 1e-6) -> Array:
+    """(k, nv): how values of a pose change along every velocity."""
+    columns = []
+    for direction in np.eye(model.nv):
+        ends = np.array(qpos), np.array(qpos)
+        for end, way in zip(ends, (h, -h), strict=True):
+            mujoco.mj_integratePos(model, end, direction, way)
+        columns.append((values(ends[0]) - values(ends[1])) / (2 * h))
+    return np.array(columns).T
+
+
+def assert_rows(goal: Goal, model: mujoco.MjModel, qpos: Array, atol: float = 1e-7) -> None:
+    expected = differences(model, qpos, lambda at: np.array(goal.missed(model, placed(model, at))))
+    np.testing.assert_allclose(goal.rows(model, placed(model, qpos)), expected, atol=atol)
+
+
+@pytest.mark.parametrize("free", [(), (0,), (2,), (0, 1)])
+def test_points_and_sites_miss_what_mujoco_has_between_them_and_their_place_along_the_axes_that_are_given(free, rng):
+    figure = figure_of(LEG)
+    model, position = figure.model, rng.normal(size=3)
+    position[list(free)] = np.nan
+    given = np.delete(np.arange(3), free)
+    for name in ("heel", "toe"):  # a heel on a body that is welded on, and turned
+        qpos = somewhere(model, rng)
+        data, (point,) = placed(model, qpos), site_points(figure, [name])
+        expected = (data.site(name).xpos - position)[given]
+        for goal in (SiteGoal(name, position), PointGoal.of(figure, point, position)):
+            np.testing.assert_allclose(goal.missed(model, data), expected, atol=1e-12)
+            assert_rows(goal, model, qpos)
+        plain = PointGoal.of(figure, point)
+        np.testing.assert_allclose(plain.missed(model, data), data.site(name).xpos, atol=1e-12)
+        np.testing.assert_allclose(plain.place(data), data.site(name).xpos, atol=1e-12)
+        assert model.body(plain.body(model)).id == figure.links[point.link].body
+
+
+@pytest.mark.parametrize("text", [MIXED, EVERY_JOINT, LEG])
+def test_a_body_misses_its_rotation_by_scipys_rotation_vector_which_changes_as_its_rows_say(text, rng):
+    model = figure_of(text).model
+    qpos, body = somewhere(model, rng), model.nbody - 1
+    data, turn = placed(model, qpos), Rotation.random(random_state=3)
+    x, y, z, w = turn.as_quat()
+    goal = BodyGoal(model.body(body).name, np.array([w, x, y, z]))
+    here = Rotation.from_matrix(data.xmat[body].reshape(3, 3))
+    np.testing.assert_allclose(goal.missed(model, data), (here * turn.inv()).as_rotvec(), atol=1e-9)
+    there = BodyGoal("by number", np.array(data.xquat[body]), body)
+    assert there.body(model) == goal.body(model) == body
+    np.testing.assert_allclose(there.missed(model, data), 0, atol=1e-9)
+    assert_rows(there, model, qpos)
+
+
+def test_a_body_that_leans_misses_upright_by_its_lean_about_the_axis_that_it_leans_about(rng):
+    figure = figure_of(LEG)
+    model, heading, lean = figure.model, Rotation.from_rotvec([0, 0, 0.8]), np.array([0.3, -0.5, 0.0])
+    qpos = np.array(model.qpos0)
+    x, y, z, w = (Rotation.from_rotvec(lean) * heading).as_quat()
+    qpos[3:7] = w, x, y, z
+    goal = BodyGoal("foot")  # turned at rest already
+    np.testing.assert_allclose(goal.missed(model, placed(model, qpos)), lean[:2], atol=1e-12)
+    x, y, z, w = heading.as_quat()
+    qpos[3:7] = w, x, y, z
+    np.testing.assert_allclose(goal.missed(model, placed(model, qpos)), [0, 0], atol=1e-12)
+    nearly = np.array(qpos)
+    mujoco.mj_integratePos(model, nearly, np.eye(model.nv)[3], 1e-5)
+    assert_rows(goal, model, nearly, atol=2e-5)
+
+
+def ranges_of(figure: Figure, beyond: float = 0.0) -> _Ranges:
+    return _Ranges.of(figure, list(range(2, len(figure.links))), np.arange(6, figure.model.nv), beyond)
+
+
+@pytest.mark.parametrize("beyond", [0.0, 0.3])
+def test_joints_are_over_their_ranges_by_what_mujoco_says_less_what_they_may_be_and_a_hair(beyond, rng):
+    figure = figure_of(RANGED)
+    model, ranges = figure.model, ranges_of(figure, beyond)
+    for _ in range(20):
+        qpos = somewhere(model, rng)
+        over, rows = ranges.linearised(qpos)
+        expected = differences(model, qpos, lambda at: ranges.linearised(at)[0])
+        np.testing.assert_allclose(rows, expected[:, 6:], atol=1e-6)
+        assert not expected[:, :6].any()
+        columns = [model.joint(name).qposadr[0] for name in ("elbow", "reach", "hip")]
+        slides = np.array([False, True, False])
+        low, high = np.array([[-0.1, 2], [-0.4, 0.1], [-2, 0.2]]).T
+        spare = INSIDE - beyond * ~slides
+        shoulder = model.joint("shoulder").qposadr[0]
+        turn = Rotation.from_quat(qpos[shoulder : shoulder + 4], scalar_first=True)
+        found = [turn.magnitude() - 1.2 + INSIDE - beyond]
+        found += [*(qpos[columns] - high + spare), *(low - qpos[columns] + spare)]
+        np.testing.assert_allclose(over, found, atol=1e-9)
+
+
+def test_a_search_begins_inside_the_ranges_with_hinges_that_rest_near_one_end_bent_away_from_it(rng):
+    figure = figure_of(RANGED)
+    model, ranges = figure.model, ranges_of(figure)
+    elbow, reach, hip = (model.joint(name).qposadr[0] for name in ("elbow", "reach", "hip"))
+    for _ in range(20):
+        qpos = somewhere(model, rng, 2.0)
+        begun = ranges.begun(qpos, 0.7)
+        assert begun[elbow] == pytest.approx(np.clip(max(qpos[elbow], -0.1 + 0.7), -0.1, 2), abs=2e-5)
+        assert begun[hip] == pytest.approx(np.clip(min(qpos[hip], 0.2 - 0.7), -2, 0.2), abs=2e-5)
+        assert begun[reach] == pytest.approx(np.clip(qpos[reach], -0.4, 0.1), abs=2e-5)
+        others = np.setdiff1d(np.arange(model.nq), [elbow, reach, hip])
+        np.testing.assert_array_equal(begun[others], qpos[others])
+        assert ranges.linearised(begun)[0][1:].max() <= 1e-12
+
+
+def bends_of(figure: Figure) -> _Bends:
+    knee = next(i for i, link in enumerate(figure.links) if link.name == "knee")
+    joints = (Bend("knee", knee, np.array([0.0, 1, 0]), np.array([0.0, 0, -1])),)
+    found = _Bends.of(figure, BendLimits(joints, 0.1, 0.2, 0.3), np.ones(figure.model.nq, bool))
+    assert found is not None
+    return found
+
+
+def test_bends_change_as_their_rows_say_and_are_over_their_bounds_by_the_joints_own_angles(rng):
+    figure = figure_of(RANGED)
+    model, bends = figure.model, bends_of(figure)
+    knee = entries(figure, bends.limits.joints[0].link)
+    for _ in range(10):
+        qpos = somewhere(model, rng, 0.4)
+        (crooked, by_crooked), (over, by_over) = bends.linearised(qpos, model.nv)
+        expected = differences(model, qpos, lambda at: np.concatenate([p[0] for p in bends.linearised(at, model.nv)]))
+        np.testing.assert_allclose(np.concatenate([by_crooked, by_over]), expected, atol=1e-6)
+        flexion, sideways, twist = bends._angles(qpos[knee][None])[:, 0]
+        np.testing.assert_allclose(crooked, STRAIGHT * np.array([sideways, twist]), atol=1e-9)
+        limits = [0.1 - flexion, sideways - 0.2, -sideways - 0.2, twist - 0.3, -twist - 0.3]
+        np.testing.assert_allclose(over, np.array(limits) + INSIDE, atol=1e-9)
+
+
+def test_a_joint_that_bends_less_than_it_begins_with_is_bent_that_far_about_its_lateral_axis(rng):
+    figure = figure_of(RANGED)
+    bends = bends_of(figure)
+    knee = entries(figure, bends.limits.joints[0].link)
+    turn = figure.links[bends.limits.joints[0].link].turn
+    for angle in (-0.8, 0.0, 0.5, 0.9, 1.4):
+        qpos = np.array(figure.model.qpos0)
+        bent = quat.from_rotation_vector(quat.rotated(quat.inverse(turn), np.array([0, angle, 0.0])))
+        qpos[knee] = 1.7 * bent
+        begun = bends.begun(qpos, 0.9)
+        assert bends._angles(begun[knee][None])[0, 0] == pytest.approx(max(angle, 0.9))
+        np.testing.assert_allclose(bends._angles(begun[knee][None])[1:, 0], 0, atol=1e-9)
+        np.testing.assert_array_equal(np.delete(begun, knee), np.delete(qpos, knee))
+
+
+@pytest.mark.parametrize("is_exact", [False, True])
+@pytest.mark.parametrize("damping", [1e-6, 0.1, 10.0])
+def test_a_step_is_scipys_least_squares_with_every_unknown_damped_in_its_own_size(damping, is_exact, rng):
+    rows, residuals = rng.normal(size=(9, 5)) * np.array([1, 10, 0.1, 3, 1]), rng.normal(size=9)
+    size = np.linalg.norm(rows, axis=0)
+    whole = np.vstack([rows, np.sqrt(damping) * np.diag(size)])
+    expected = lsq_linear(whole, np.append(-residuals, np.zeros(5))).x
+    np.testing.assert_allclose(_step(residuals, rows, damping, is_exact=is_exact), expected, rtol=1e-7)
+
+
+def test_unknowns_that_nothing_depends_on_stay_where_they_are(rng):
+    rows, residuals = rng.normal(size=(6, 3)), rng.normal(size=6)
+    rows[:, 1] = 0
+    for damping in (0.0, 1e-3):
+        for is_exact in (False, True):
+            step = _step(residuals, rows, damping, is_exact=is_exact)
+            assert abs(step[1]) < 1e-6
+            if damping == 0:
+                expected = np.linalg.lstsq(rows[:, ::2], -residuals, rcond=None)[0]
+                np.testing.assert_allclose(step[::2], expected, rtol=1e-7)
+
+
+def test_what_is_free_weighs_a_metre_as_five_radians_and_a_joint_where_limbs_branch_off_more(rng):
+    figure = figure_of(RANGED)
+    free = np.ones(figure.model.nq, bool)
+    free[1] = False  # the root's y
+    goals = (SiteGoal("tip", np.zeros(3)), SiteGoal("toe", np.zeros(3)))
+    search = _PoseSearch(figure, np.array(figure.model.qpos0), free, goals, None)
+    names = {link.name: link.dof for link in figure.links[1:]}
+    weigh = dict(zip(search.dofs.tolist(), search.weights, strict=True))
+    root = figure.links[1]
+    assert root.kind is JointKind.FREE
+    assert sorted(weigh) == [0, *range(2, figure.model.nv)]
+    assert [weigh[k] for k in (0, 2)] == [PER_METRE] * 2
+    assert [weigh[k] for k in (3, 4, 5)] == [TRUNK] * 3
+    assert weigh[names["reach"]] == PER_METRE
+    assert [weigh[names[name]] for name in ("shoulder", "elbow", "hip", "knee", "free")] == [1.0] * 5
+    assert [figure.links[i].name for i in limb(figure, figure.model.body("rod").id)] == ["reach", "elbow", "shoulder"]
+
+
+def test_what_a_search_adds_up_changes_as_its_rows_say(rng):
+    """Away from home, from the goals and over the bounds, along every free velocity."""
+    figure = figure_of(RANGED)
+    home = somewhere(figure.model, rng, 0.2)
+    knee = next(i for i, link in enumerate(figure.links) if link.name == "knee")
+    bends = BendLimits((Bend("knee", knee, np.array([0.0, 1, 0]), np.array([0.0, 0, -1])),), 0.1, 0.2, 0.3)
+    goals = (SiteGoal("tip", np.ones(3)), PointGoal.of(figure, Point("foot", len(figure.links) - 1, np.ones(3))))
+    search = _PoseSearch(figure, home, np.ones(figure.model.nq, bool), goals, bends)
+    near = search._moved(home, 1e-3 * rng.normal(size=search.dofs.size))
+    _, rows = search._weighed(near, 7.0, None)
+    expected = differences(figure.model, near, lambda at: search._weighed(at, 7.0, None)[0])
+    np.testing.assert_allclose(rows, expected[:, search.dofs], atol=2e-2)
+    np.testing.assert_allclose(rows[search.dofs.size :], expected[search.dofs.size :, search.dofs], atol=1e-5)
