@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from figures import TINY, figure_of
+from figures import BALL, TINY, figure_of
 from hopping_loop import PERIOD, hop
+from scipy.spatial.transform import Rotation
 
 from dynsplines.solver.array import Array
+from dynsplines.solver.curve.closing import closed
 from dynsplines.solver.curve.frame import Frame, TimelineError
 from dynsplines.solver.curve.unknowns import raw_timeline
 
@@ -39,3 +41,66 @@ def test_travel_that_makes_no_sense_is_refused():
     keys = [Frame.key(t, [1, 0, 0, 0]) for t in (0, 1)]
     with pytest.raises(TimelineError, match="no free joint, so no root to travel"):
         raw_timeline(ball, keys, "periodic", travel=[1, 0, 0])
+
+
+WAYS = [(way, turn) for way in ("both", "first", "last", "apart") for turn in (0.0, 0.7, -2.5)]
+
+
+@pytest.mark.parametrize(("way", "turn"), WAYS)
+def test_what_either_end_of_a_loop_fixes_is_where_it_was_there_and_a_travel_and_a_turn_on_at_the_other(way, turn, rng):
+    """Of the root's place and turn, whichever keyframe says them; by SciPy's rotations."""
+    figure, travel = figure_of(TINY), np.array([0.6, -0.2, 0.1])
+    root, knee = (np.isin(np.arange(11), columns) for columns in (range(7), range(7, 11)))
+    height = np.arange(11) == 2
+    masks = {
+        "both": (root | knee, root | knee),
+        "first": (root | knee, height & False),
+        "last": (height & False, root | knee),
+        "apart": ((root & ~height), (height | knee)),
+    }[way]
+    about = Rotation.from_rotvec([0, 0, turn])
+    given = np.concatenate(
+        [rng.normal(size=3), Rotation.random(random_state=1).as_quat(scalar_first=True), [1, 0, 0, 0]]
+    )
+    end = np.array(given)
+    end[:3] += travel
+    turned = about * Rotation.from_quat(given[3:7], scalar_first=True)
+    end[3:7] = turned.as_quat(scalar_first=True)
+    keys = [Frame.key(0.0, given, masks[0]), Frame.key(0.5, given), Frame.key(1.0, end, masks[1])]
+    ends, seam = closed(figure, keys, travel, turn)
+    begun, ended = ends[0].state, ends[-1].state
+    np.testing.assert_allclose(begun[:3], given[:3], atol=1e-12)
+    np.testing.assert_allclose(ended[:3], end[:3], atol=1e-12)
+    for found, expected in ((begun, given), (ended, end)):
+        np.testing.assert_allclose(abs(found[3:7] @ expected[3:7]), 1, atol=1e-12)
+        np.testing.assert_allclose(abs(found[7:] @ expected[7:]), 1, atol=1e-12)
+    for frame in (ends[0], ends[-1]):
+        np.testing.assert_array_equal(frame.fixed, masks[0] | masks[1])
+    np.testing.assert_allclose(seam.headings, [turn], atol=1e-12)
+    assert ends[1] is keys[1]
+
+
+def test_a_loop_goes_as_far_over_the_ground_as_its_keyframes_say_and_neither_rises_nor_moves_other_bodies():
+    two = BALL.replace("</worldbody>", '<body name="cup"><freejoint name="cup"/><geom size=".1"/></body></worldbody>')
+    figure = figure_of(two)
+    first = np.array([0, 0, 1, 1, 0, 0, 0, 2, 2, 2, 1, 0, 0, 0.0])
+    last = first + np.array([0.5, -0.25, *np.zeros(12)])
+    ends, seam = closed(figure, [Frame.key(0, first), Frame.key(1, last)], None, None)
+    np.testing.assert_allclose(ends[1].state - ends[0].state, last - first, atol=1e-15)
+    np.testing.assert_allclose(seam.shift, last - first, atol=1e-15)
+    hair = first + 1e-10 * np.eye(14)[0]
+    _, still = closed(figure, [Frame.key(0, first), Frame.key(1, hair)], None, None)
+    assert not still.shift.any()
+    for column, words in ((9, "'cup' along z"), (7, "'cup' along x"), (2, "along z")):
+        with pytest.raises(TimelineError, match=words):
+            closed(figure, [Frame.key(0, first), Frame.key(1, first + 0.1 * np.eye(14)[column])], None, None)
+
+
+def test_a_turn_of_next_to_nothing_is_none_and_one_of_more_than_half_a_round_is_the_shorter_one_back():
+    figure = figure_of(BALL)
+    pose, none = np.array([1.0, 0, 1, 1, 0, 0, 0]), np.zeros(7, bool)
+    for given, found in ((1e-10, 0.0), (2 * np.pi + 1e-10, 0.0), (4.0, 4.0 - 2 * np.pi), (-3.0, -3.0)):
+        keys = [Frame.key(0, pose), Frame.key(1, pose, none)]
+        _, seam = closed(figure, keys, [0, 0, 0], given)
+        np.testing.assert_allclose(seam.headings, [found], atol=1e-12)
+        assert seam.turns == (found != 0)

@@ -141,3 +141,34 @@ def test_joints_turn_by_the_shortest_arcs_up_to_the_seam_though_the_whole_figure
         shin = quat.product(quat.inverse(quat.product(root, figure.links[2].turn)), shin)
     assert np.all(np.sum(shin[1:] * shin[:-1], axis=1) > 0)
     np.testing.assert_allclose(root[-1], -root[0], atol=1e-12)
+
+
+@pytest.mark.parametrize("turn", [0.0, 0.9])
+def test_a_period_is_one_unless_told_and_takes_what_hangs_from_the_root_with_it(turn, rng):
+    figure = figure_of(TINY, "world")
+    first = figure.to_state(pose(0.0))
+    about = quat.from_rotation_vector(np.array([0, 0, turn]))
+    last = np.array(first)
+    last[:3] = quat.rotated(about, first[:3]) + np.array([0.5, -0.1, 0])
+    last[3:7], last[7:] = quat.product(about, first[3:7]), quat.product(about, first[7:])
+    seam = Seam.between(figure, first, last)
+    np.testing.assert_allclose(seam.moved(first), last, atol=1e-12)
+    np.testing.assert_allclose(seam.turn(), about, atol=1e-12)
+    np.testing.assert_allclose(seam.turn(-1), quat.inverse(about), atol=1e-12)
+    states = rng.normal(size=(4, figure.width))
+    np.testing.assert_allclose(states @ seam.matrix().T, seam.linear(states), atol=1e-12)
+    np.testing.assert_allclose(seam.linear(seam.linear(states)), seam.linear(states, 2), atol=1e-12)
+    points = rng.normal(size=(4, 3))
+    expected = quat.rotated(about, points) + np.array([0.5, -0.1, 0])
+    np.testing.assert_allclose(seam.carried(figure, points), expected, atol=1e-12)
+    back = seam.carried(figure, expected, -1)
+    np.testing.assert_allclose(back, points, atol=1e-12)
+
+
+def test_a_loop_of_a_figure_without_a_free_body_carries_no_point_and_turns_nothing(rng):
+    figure = figure_of('<mujoco><worldbody><body><joint type="ball"/><geom size=".1"/></body></worldbody></mujoco>')
+    seam = Seam.between(figure, np.array([1.0, 0, 0, 0]), np.array([1.0, 0, 0, 0]))
+    points = rng.normal(size=(5, 3))
+    np.testing.assert_array_equal(seam.carried(figure, points), points)
+    np.testing.assert_array_equal(seam.turn(3), [1, 0, 0, 0])
+    assert not seam.turns
