@@ -169,8 +169,9 @@ def module_name(path: str) -> str:
 
 
 def tests_of(path: str) -> list[list[str]]:
-    """Files of tests for a file of the solver: those named after it; those of its folder that use it, then others that
-    do, those that use it most first; then the rest of its folder, which may reach it in other ways."""
+    """Files of tests for a file of the solver: those named after it; those of its folder, or of one that this lies in,
+    that use it; others that do, those that use it most; then the rest of its folder, which may reach it in other ways.
+    """
     package, module = Path(path).parent, module_name(path)
     named = (f"test_{Path(path).stem}.py", f"test_{package.name}_{Path(path).stem}.py")
     files = sorted(file for folder in MIRRORS for file in (TESTS / folder).rglob("test_*.py"))
@@ -178,8 +179,9 @@ def tests_of(path: str) -> list[list[str]]:
     used = {file: _uses(file, module, _public(path)) for file in files if file not in first}
     ranked = sorted((file for file in used if used[file]), key=lambda file: -used[file])
     beside = [file for file in used if file.parent == TESTS / package]
-    near = [file for file in ranked if file in beside]
-    others = [file for file in ranked if file not in beside][:IMPORTERS]
+    above = [TESTS / package, *(TESTS / package).parents]
+    near = [file for file in ranked if file.parent in above]
+    others = [file for file in ranked if file not in near][:IMPORTERS]
     rest = [file for file in beside if not used[file]]
     return [[_told_from(file) for file in group] for group in (first, near, others, rest) if group]
 

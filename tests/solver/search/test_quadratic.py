@@ -27,7 +27,7 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.objective import Discretised, Objective
 from dynsplines.solver.penalty import Contact, CovariantAcceleration, Penalty, Planted, RootAcceleration, UnitMagnitude
 from dynsplines.solver.refine.subdivision import evenly
-from dynsplines.solver.search.quadratic import Layout, Model
+from dynsplines.solver.search.quadratic import Layout, Model, middle
 from dynsplines.solver.surface.points import Point
 
 ENDS = ["free", "clamped", "periodic"]
@@ -291,3 +291,11 @@ def test_near_misses_keep_a_step_from_falling_through_the_floor():
     through, _, _ = Model(Layout(free), x, free(x).gradient).minimised(0.0)
     assert problem.path(x + through).at(t)[:, 2].min() < 0.09
     assert problem.path(x + step).at(t)[:, 2].min() > 0.097
+
+
+@pytest.mark.parametrize("size", [1, 2, 3, 4, 9, 10, 101, 400])
+def test_the_middle_is_numpys_median_and_leaves_its_values_in_order(size, rng):
+    for values in (rng.normal(size=size), rng.integers(3, size=size).astype(float), rng.normal(size=(2, size))):
+        before = values.copy()
+        assert middle(values) == np.median(values)
+        np.testing.assert_array_equal(values, before)

@@ -1,0 +1,92 @@
+"""The check of a soft constraint: exact gradients pass, of whatever kind; what is wrong is named."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+from figures import BALL_TREE, figure_of
+
+from dynsplines.solver.array import Array
+from dynsplines.solver.figure.adjoint import Cotangent
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.penalty import CovariantAcceleration, Penalty, RootAcceleration, Scale, Torque, UnitMagnitude
+from dynsplines.solver.penalty.check import check
+
+FIGURE = figure_of(BALL_TREE)
+
+
+@dataclass(frozen=True)
+class Power(Penalty):
+    """Height to a power of the root's x', its gradient too large by a share."""
+
+    power: int
+    error: float = 0.0
+    worth: float = 1.0
+
+    @property
+    def name(self) -> str:
+        return "power"
+
+    @property
+    def scale(self) -> Scale:
+        return Scale(1.0)
+
+    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+        x = samples.y_d[:, 0]
+        if into is not None and self.power:
+            rate = self.power * x ** (self.power - 1)
+            into.buffer("y_d")[:, 0] += self.worth * (1 + self.error) * scale * rate
+        return self.worth * (x**self.power + 20.0)
+
+
+class Odd(Power):
+    """The same, and what is wrong with it by `power`."""
+
+    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+        values = np.ones(samples.count)
+        if self.power == 0:
+            values[1] = np.nan
+        if self.power == 1:
+            values[2] = -1e-9
+        if self.power == 2:
+            return values[1:]
+        if self.power == 3 and into is not None:
+            values[3] += 1e-12
+        return values
+
+
+@pytest.mark.parametrize("penalty", [CovariantAcceleration(), RootAcceleration(), Torque(), UnitMagnitude()])
+def test_soft_constraints_that_ship_pass(penalty):
+    check(penalty, FIGURE)
+
+
+@pytest.mark.parametrize("power", [0, 1, 2, 3, 4])
+@pytest.mark.parametrize("worth", [1e-6, 1.0, 1e6])
+def test_an_exact_gradient_passes_even_of_what_is_flat_or_linear_and_in_any_unit(power, worth):
+    for seed in range(5):
+        check(Power(power, 0.0, worth), FIGURE, seed=seed)
+
+
+@pytest.mark.parametrize("power", [1, 2, 3])
+@pytest.mark.parametrize("error", [-1.0, -0.02, 0.02, 1.0])
+def test_a_gradient_that_is_off_by_a_share_is_refused_with_its_slope_of_about_one(power, error):
+    with pytest.raises(ValueError, match=r"^penalty 'power': its gradient is not that .* slope [01]\.\d\d, not 2$"):
+        check(Power(power, error), FIGURE)
+    with pytest.raises(ValueError, match=r"slope 1\.0\d, not 2"):
+        check(Power(1, error), FIGURE)
+
+
+@pytest.mark.parametrize(
+    ("wrong", "words"),
+    [
+        (0, r"a value is nan; finite ones from 0 on are penalties"),
+        (1, r"a value is -1e-09; finite"),
+        (2, r"values of 5 samples are \(4,\), not \(5,\)"),
+        (3, r"its values differ when it is asked for a gradient as well"),
+    ],
+)
+def test_values_that_are_none_are_refused(wrong, words):
+    with pytest.raises(ValueError, match=words):
+        check(Odd(wrong), FIGURE)
