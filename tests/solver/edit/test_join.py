@@ -14,6 +14,7 @@ from figures import BALL_TREE, TINY, figure_of
 from hopping_loop import TERMS, hop
 from oracles import posed
 from random_keys import random_keys, random_qpos
+from scipy.interpolate import BPoly
 from taylor import taylor_slope
 
 from dynsplines.scene.compose import figure_spec
@@ -22,7 +23,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import Unknowns, raw_timeline
-from dynsplines.solver.edit.join import Placement, bridge, following, heading, joined, signed_like, trunk
+from dynsplines.solver.edit.join import Placement, _quintic, bridge, following, heading, joined, signed_like, trunk
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Objective
@@ -210,3 +211,46 @@ def test_a_transition_that_is_none_is_refused(rng):
     begin = bridge(figure, before, after)
     with pytest.raises(TimelineError, match="held ends need a variable frame beside each"):
         Timeline(begin.frames[:1] + begin.frames[-1:], begin.end_slope, "held")
+
+
+@pytest.mark.parametrize("length", [0.3, 1.0, 4.0])
+def test_the_polynomial_between_two_sides_is_scipys_of_their_values_and_two_derivatives(length, rng):
+    begin, end, u = rng.normal(size=(3, 5)), rng.normal(size=(3, 5)), np.linspace(0, 1, 17)
+    exact = BPoly.from_derivatives([0, length], [begin, end])
+    np.testing.assert_allclose(_quintic(begin, end, u, length), exact(u * length), atol=1e-10)
+
+
+@pytest.mark.parametrize("variable", [4, 5, 11])
+def test_a_transition_begins_and_ends_as_the_motions_do_and_its_frames_beside_the_ends_are_all_that_is_off_the_quintic(
+    variable, rng
+):
+    figure = figure_of(TINY)
+    before, after = sides(figure, rng)
+    between = bridge(figure, before, after, variable=variable)
+    first, last = before.times[-1], after.times[0]
+    assert between.variable_count == variable
+    np.testing.assert_allclose(between.times, np.linspace(first, last, variable + 2))
+    begin, end = path_of(before).motion([first])[:, 0], path_of(after).motion([last])[:, 0]
+    np.testing.assert_allclose(path_of(between).motion([first])[:, 0], begin, atol=1e-8)
+    np.testing.assert_allclose(path_of(between).motion([last])[:, 0], end, atol=1e-8)
+    exact = BPoly.from_derivatives([first, last], [begin, end])(between.times)
+    inner = np.r_[0, 2:variable, variable + 1]
+    np.testing.assert_allclose(between.states[inner], exact[inner], atol=1e-9)
+
+
+TOES = """
+<mujoco><worldbody><body name="pelvis" pos="0 0 1"><freejoint name="root"/><geom size=".15" mass="10"/>
+  <body name="chest" pos="0 0 .3"><joint name="spine" type="ball"/><geom size=".15" mass="{chest}"/>
+    <body pos="0 .2 0"><joint type="ball"/><geom size=".05" mass="1"/></body>
+    <body pos="0 -.2 0"><joint type="ball"/><geom size=".05" mass="1"/></body></body>
+  <body name="leg" pos="0 0 -.5"><joint name="hip" type="ball"/><geom size=".05" mass="1"/>
+    <body pos=".1 .02 0"><joint/><geom size=".02" mass=".1"/></body>
+    <body pos=".1 -.02 0"><joint/><geom size=".02" mass=".1"/></body></body></body>
+  <body name="ball" pos="2 0 0"><freejoint/><geom size=".1" mass="90"/></body></worldbody></mujoco>"""
+
+
+@pytest.mark.parametrize(("chest", "names"), [(5, ["root", "spine"]), (1.8, ["root", "spine"]), (1.65, ["root"])])
+def test_the_trunk_is_what_limbs_branch_off_and_a_quarter_of_the_mass_hangs_from(chest, names):
+    """The chest and 2 kg of arms hang from the spine, 11.2 kg more from the root: a quarter with a chest of 1.73 kg."""
+    figure = figure_of(TOES.format(chest=chest))
+    assert [figure.links[i].name for i in trunk(figure)] == names

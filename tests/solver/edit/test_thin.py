@@ -7,13 +7,15 @@ import itertools
 import mujoco
 import numpy as np
 import pytest
-from figures import BALL_TREE, EVERY_JOINT, FIGURES
+from figures import BALL_TREE, EVERY_JOINT, FIGURES, ONE_BALL, figure_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.interpolate import CubicSpline
+from scipy.spatial.transform import Rotation
 
+from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.edit.thin import Bound, Recorded, natural_splines, refined, thin
+from dynsplines.solver.edit.thin import Bound, Recorded, _lasting, natural_splines, refined, thin
 from dynsplines.solver.figure.figure import Figure
 
 WIDE = Bound(0.08, np.radians(10))
@@ -308,3 +310,44 @@ def test_limbs_without_a_site_are_looked_at_to_their_tips():
     np.testing.assert_allclose(places[:, at], [0, 0, -0.27], atol=1e-9)
     assert set(names) == {"upper", "lower", "tip of lower"}
     assert set(Recorded(marked, times, qpos, WIDE).points[0]) == {"upper", "lower", "hand"}
+
+
+@pytest.mark.parametrize("speed", [0.0, 0.05, 0.15])
+def test_a_miss_counts_as_a_share_of_the_bound_and_four_times_where_a_limbs_end_stands(speed):
+    """A foot on a slide whose recording is a line, and an in-between that is 3 mm off it throughout."""
+    figure = Figure(mujoco.MjModel.from_xml_string(SWAY))
+    times = np.linspace(0, 1, 41)
+    recorded = Recorded(figure, times, speed * times[:, None], Bound(0.02, np.radians(5)))
+    off = recorded.spline([Frame.key(t, [speed * t + 0.003]) for t in (0.0, 1.0)])
+    stands = speed < 0.1
+    np.testing.assert_allclose(recorded.misses(off)[0], 0.003, rtol=1e-9)
+    np.testing.assert_allclose(recorded.misses(off)[1], 0, atol=1e-9)
+    np.testing.assert_allclose(recorded.excess(off), 0.003 / (0.005 if stands else 0.02), rtol=1e-9)
+    assert recorded.slipped(off) == pytest.approx(0.003 if stands else 0)
+    distance, _ = recorded.worst(off)
+    assert distance.value == pytest.approx(0.003)
+    alone = Recorded(figure, times[:1], np.zeros((1, 1)), Bound(0.02, 0.1))
+    assert not alone.stands.any()
+
+
+def test_a_turn_counts_as_a_share_of_the_bounds_angle_whatever_the_signs_of_quaternions():
+    figure = figure_of(ONE_BALL)
+    times, turn = np.linspace(0, 1, 11), Rotation.random(random_state=2)
+    qpos = np.tile(turn.as_quat(scalar_first=True), (11, 1))
+    recorded = Recorded(figure, times, qpos, Bound(1.0, 0.1))
+    for angle in (0.01, 0.3, 2.5):
+        about = Rotation.from_rotvec(angle * np.array([0.6, 0, 0.8])) * turn
+        for sign in (1, -1):
+            keys = [Frame.key(t, sign * about.as_quat(scalar_first=True)) for t in (0.0, 1.0)]
+            off = recorded.spline(keys)
+            np.testing.assert_allclose(recorded.excess(off), angle / 0.1, rtol=1e-6)
+            assert recorded.worst(off)[1].value == pytest.approx(angle)
+
+
+def test_runs_that_last_are_told_by_their_own_times():
+    times = np.array([0.0, 0.1, 0.2, 0.3, 0.35, 0.36, 0.37, 0.5, 0.6, 0.7])
+    wanted = np.array([1, 1, 0, 0, 1, 1, 1, 0, 1, 1], bool)
+    for least, kept in ((0.0, [1, 1, 0, 0, 1, 1, 1, 0, 1, 1]), (0.05, [1, 1, 0, 0, 0, 0, 0, 0, 1, 1]), (0.2, [0] * 10)):
+        np.testing.assert_array_equal(_lasting(wanted, times, least), np.array(kept, bool))
+    np.testing.assert_array_equal(_lasting(~wanted & False, times, 0.0), False)
+    np.testing.assert_array_equal(_lasting(wanted | True, times, 0.7), True)
