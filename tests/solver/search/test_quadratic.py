@@ -27,7 +27,7 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.objective import Discretised, Objective
 from dynsplines.solver.penalty import Contact, CovariantAcceleration, Penalty, Planted, RootAcceleration, UnitMagnitude
 from dynsplines.solver.refine.subdivision import evenly
-from dynsplines.solver.search.quadratic import Layout, Model, middle
+from dynsplines.solver.search.quadratic import Layout, Model, _seen_blocks, middle
 from dynsplines.solver.surface.points import Point
 
 ENDS = ["free", "clamped", "periodic"]
@@ -299,3 +299,22 @@ def test_the_middle_is_numpys_median_and_leaves_its_values_in_order(size, rng):
         before = values.copy()
         assert middle(values) == np.median(values)
         np.testing.assert_array_equal(values, before)
+
+
+@pytest.mark.parametrize(
+    "columns",
+    [[[2, 3, 4], [5, 6, 7]], [[0, 1, 5], [2, 3, 6]], [[1, 2, 3]], [[0, 2, 4], [1, 3, 5]], [[0, 1, 6, 7], [2, 3, 4, 8]]],
+    ids=str,
+)
+def test_blocks_of_columns_are_added_where_the_columns_stand_however_they_lie(columns, rng):
+    columns = np.array(columns)
+    count, size = columns.shape
+    blocks, expected = rng.normal(size=(6, 3, count, size, size)), rng.normal(size=(6, 9, 3, 9))
+    found = expected.copy()
+    for i, own in enumerate(columns):
+        for a, row in enumerate(own):
+            for b, column in enumerate(own):
+                expected[:, row, :, column] += blocks[:, :, i, a, b]
+    for part, entries in _seen_blocks(found, columns, blocks):
+        entries += part
+    np.testing.assert_allclose(found, expected)
