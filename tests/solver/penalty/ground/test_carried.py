@@ -36,6 +36,13 @@ def clearing(figure: Figure, link: int) -> Contact:
     return Contact(points, surfaces_on(figure, link), called="clearance", carrier=link)
 
 
+def few(link: int) -> Contact:
+    """Three spheres of arm and trunk instead of hundreds, one of them a point."""
+    places = ((2, 0.9, 0.25), (2, 0.5, 0.0), (1, 0.1, 0.3))
+    points = tuple(Point(f"{i}", i, np.array([0.05, 0, z]), radius) for i, z, radius in places)
+    return Contact(points, surfaces_on(figure_of(), link), called="clearance", carrier=link)
+
+
 def tangled(figure: Figure, rng: np.random.Generator) -> Samples:
     """Poses near enough to each other that arm and crate meet."""
     samples = random_samples(figure, rng, 12)
@@ -64,11 +71,17 @@ def test_the_gradient_has_taylor_slope_two(rng):
         assert penalty_slope(contact, samples, rng) > 1.9
 
 
-@pytest.mark.slow
+@pytest.mark.parametrize("link", [3, 4])
+def test_so_it_has_with_few_spheres(link, rng):
+    samples = tangled(figure_of(), rng)
+    assert np.count_nonzero(few(link).evaluate(samples)) > 2
+    assert penalty_slope(few(link), samples, rng) > 1.9
+
+
 def test_only_where_they_are_beside_each_other_counts(rng):
-    """The whole scene moved and turned: the same depths, and no force or moment on both together."""
+    """The whole scene moved: the same depths, and no force on both together."""
     figure = figure_of()
-    samples, contact = tangled(figure, rng), clearing(figure, 3)
+    samples, contact = tangled(figure, rng), few(3)
     cotangent = Cotangent(samples)
     value = contact.evaluate(samples, cotangent, 1.0)
     by_state = cotangent.gradients()[0]
@@ -79,11 +92,10 @@ def test_only_where_they_are_beside_each_other_counts(rng):
     np.testing.assert_allclose(contact.evaluate(Samples(figure, moved, 0 * moved, 0 * moved)), value, rtol=1e-9)
 
 
-@pytest.mark.slow
 def test_what_is_deep_is_as_deep_as_in_what_stands_still_there(rng):
     """MuJoCo puts every pose's crate into the world, as a surface of its own."""
     figure = figure_of()
-    model, data, samples, contact = figure.model, mujoco.MjData(figure.model), tangled(figure, rng), clearing(figure, 3)
+    model, data, samples, contact = figure.model, mujoco.MjData(figure.model), tangled(figure, rng), few(3)
     found, own = contact.evaluate(samples), [model.geom(name).id for name in ("crate", "knob")]
     for i, qpos in enumerate(figure.to_qpos(samples.y)):
         data.qpos[:] = qpos
@@ -96,10 +108,10 @@ def test_what_is_deep_is_as_deep_as_in_what_stands_still_there(rng):
     assert np.count_nonzero(found) > 3
 
 
-@pytest.mark.slow
-def test_the_rows_of_its_sides_are_its_gradient(rng):
+@pytest.mark.parametrize("link", [3, 4])
+def test_the_rows_of_its_sides_are_its_gradient(link, rng):
     figure = figure_of()
-    samples, contact = tangled(figure, rng), clearing(figure, 3)
+    samples, contact = tangled(figure, rng), few(link)
     sides = contact.sides(samples)
     assert sides is not None
     deep = sides.value > 0

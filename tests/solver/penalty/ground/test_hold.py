@@ -97,8 +97,16 @@ def test_nothing_counts_within_the_slack(figure, rng):
     assert not curvature.quadratic(rng.normal(size=(6, 3)), 0, 6).any()
 
 
+def test_its_curvature_on_two_bodies_is_that_of_its_residuals(rng):
+    assert_curvature(Figure(mujoco.MjModel.from_xml_string(TWO)), rng)
+
+
 @pytest.mark.slow
 def test_its_curvature_is_that_of_its_residuals(figure, rng):
+    assert_curvature(figure, rng)
+
+
+def assert_curvature(figure: Figure, rng: np.random.Generator) -> None:
     """By differences of the residuals when the whole state moves by (φ, φ', φ'') e along every entry e."""
     samples, (first, second) = case(figure, rng)
     curvature, phi, scale = Curvature(samples), rng.normal(size=(6, 3)), rng.uniform(1, 2, 6)
