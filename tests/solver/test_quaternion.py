@@ -22,7 +22,6 @@ def test_matrices_are_scipys_at_any_length(rng):
     np.testing.assert_allclose(quat.matrices(q), scipy_rotation(q).as_matrix(), atol=1e-12)
 
 
-@pytest.mark.slow
 @given(quaternions, quaternions, quaternions)
 def test_the_product_is_associative(p, q, r):
     np.testing.assert_allclose(
@@ -30,7 +29,6 @@ def test_the_product_is_associative(p, q, r):
     )
 
 
-@pytest.mark.slow
 @given(quaternions)
 def test_a_quaternion_times_its_inverse_is_the_identity_on_both_sides(q):
     one = [1, 0, 0, 0]
@@ -40,7 +38,6 @@ def test_a_quaternion_times_its_inverse_is_the_identity_on_both_sides(q):
     np.testing.assert_array_equal(quat.product(one, q), q)
 
 
-@pytest.mark.slow
 @given(quaternions, quaternions)
 def test_lengths_multiply_and_the_conjugate_turns_the_order_round(p, q):
     product = quat.product(p, q)
@@ -48,7 +45,6 @@ def test_lengths_multiply_and_the_conjugate_turns_the_order_round(p, q):
     np.testing.assert_allclose(quat.conjugate(product), quat.product(quat.conjugate(q), quat.conjugate(p)), atol=1e-14)
 
 
-@pytest.mark.slow
 @given(quaternions, quaternions, vectors)
 def test_rotations_compose_and_turn_vectors_as_scipys_do(p, q, v):
     np.testing.assert_allclose(quat.rotated(q, v), scipy_rotation(q).apply(v), atol=1e-12)
@@ -62,7 +58,6 @@ def test_right_matrix_is_the_product_from_the_right(p, q):
     np.testing.assert_allclose(quat.right_matrix(q) @ p, quat.product(p, q), atol=1e-14)
 
 
-@pytest.mark.slow
 @given(quaternions)
 def test_exponential_and_logarithm_are_inverse_and_agree_with_scipy(q):
     log = quat.rotation_vector(q)
@@ -88,7 +83,6 @@ def test_angles_about_pi_come_back_as_the_same_rotation_by_the_short_way(gap):
     np.testing.assert_allclose(np.abs(log[1]), np.pi - abs(gap), rtol=1e-13)
 
 
-@pytest.mark.slow
 @given(quaternions, st.floats(0, np.pi), vectors.filter(lambda v: np.linalg.norm(v) > 0.1))
 def test_angle_between_is_the_angle_of_the_rotation_between_whatever_length_and_sign(q, angle, axis):
     turned = quat.product(q, quat.from_rotation_vector(angle * axis / np.linalg.norm(axis)))

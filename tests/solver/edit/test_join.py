@@ -45,7 +45,6 @@ def sides(figure: Figure, rng: np.random.Generator) -> tuple[Timeline, Timeline]
     return before, Timeline(frames, after.end_slope)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("coordinates", ["world", "joint"])
 def test_both_motions_keep_their_curves_and_the_whole_is_smooth_to_the_second_derivative(rng, coordinates):
     figure = figure_of(TINY, coordinates)

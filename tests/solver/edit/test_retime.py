@@ -71,7 +71,6 @@ def test_a_speed_that_is_none_is_refused(speed):
         retimed(random_timeline(0, "free"), speed)
 
 
-@pytest.mark.slow
 @settings(deadline=None, max_examples=40)
 @given(st.integers(0, 1000), st.sampled_from(ENDS), st.floats(FIRST, LAST), st.floats(FIRST, LAST))
 def test_a_trimmed_motion_is_the_same_inside(seed, ends, a, b):

@@ -225,7 +225,6 @@ def one_sided(request: pytest.FixtureRequest, figure: Figure, rng: np.random.Gen
     return ONE_SIDED[request.param](figure, rng)
 
 
-@pytest.mark.slow
 def test_the_sides_that_count_add_up_to_the_penalty_at_every_sample(figure, rng, one_sided):
     samples = low_samples(figure, rng)
     sides = sides_of(one_sided, samples)

@@ -86,7 +86,6 @@ def test_distances_inside_and_outside_are_mujocos(name, rng):
     np.testing.assert_allclose(inside, np.maximum(-found, 0), atol=1e-12)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("name", SURFACES)
 def test_the_gradient_of_depth_has_taylor_slope_two_and_length_one(name, rng):
     points = about(name, rng, 24)
@@ -117,7 +116,6 @@ def test_spheres_are_near_wherever_they_have_a_depth(name, rng):
         np.testing.assert_array_equal(near, deep)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("name", SURFACES)
 def test_a_height_is_that_over_the_top_which_a_ray_finds(name, rng):
     points = about(name, rng, 200)
@@ -229,7 +227,6 @@ def test_over_a_slope_of_uneven_cells_a_sphere_is_deep_as_soon_as_it_reaches_the
     assert not field.depth(points, away - 0.001)[0].any()
 
 
-@pytest.mark.slow
 def test_the_depth_of_a_sphere_is_continuous_wherever_it_goes_through_a_height_field(rng):
     for _ in range(20):
         ends = about("ground", rng, 2)[:, :, 0]
