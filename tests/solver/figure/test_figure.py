@@ -1,0 +1,147 @@
+"""A figure as its model has it: orientations and places are MuJoCo's, names tell links, coordinates suit the joints."""
+
+from __future__ import annotations
+
+import mujoco
+import numpy as np
+import pytest
+from figures import BALL_TREE, CHAIN, EVERY_JOINT, LEG, MIXED, TINY, figure_of
+from random_keys import random_qpos
+from random_model import random_figure
+
+from dynsplines.solver.array import Array
+from dynsplines.solver.figure.figure import Figure, JointKind, names_of_joints, quaternion_columns
+from dynsplines.solver.figure.kinematics import Samples
+
+
+def placed(model: mujoco.MjModel, qpos: Array) -> mujoco.MjData:
+    data = mujoco.MjData(model)
+    data.qpos[:] = qpos
+    mujoco.mj_kinematics(model, data)
+    mujoco.mj_comPos(model, data)
+    return data
+
+
+@pytest.mark.parametrize("coordinates", ["world", "joint", "auto"])
+@pytest.mark.parametrize("seed", range(6))
+def test_points_of_every_body_are_where_mujoco_has_them_and_masses_hang_where_it_has_them(seed, coordinates):
+    figure, rng = random_figure(seed, coordinates)
+    model = figure.model
+    qpos = random_qpos(figure, rng)
+    data, state = placed(model, qpos), figure.to_state(qpos)[None]
+    links = Samples(figure, state, 0 * state, 0 * state).links
+    for body in range(1, model.nbody):
+        points = rng.normal(size=(3, 3))
+        link, positions = figure.point_on_link(body, points)
+        found = links.x[:, link, 0] + positions @ links.rotation[:, :, link, 0].T
+        np.testing.assert_allclose(found, data.xpos[body] + points @ data.xmat[body].reshape(3, 3).T, atol=1e-9)
+    for i, link in enumerate(figure.links[1:], start=1):
+        own = np.flatnonzero(figure.body_link == i)
+        assert link.mass == pytest.approx(model.body_mass[own].sum())
+        if link.mass:
+            centre = links.x[:, i, 0] + links.rotation[:, :, i, 0] @ link.centre
+            np.testing.assert_allclose(centre, model.body_mass[own] @ data.xipos[own] / link.mass, atol=1e-9)
+            inertia = np.zeros((3, 3))
+            for body in own:
+                axes, d = data.ximat[body].reshape(3, 3), data.xipos[body] - centre
+                inertia += axes @ np.diag(model.body_inertia[body]) @ axes.T
+                inertia += model.body_mass[body] * (d @ d * np.eye(3) - np.outer(d, d))
+            turn = links.rotation[:, :, i, 0]
+            np.testing.assert_allclose(turn @ link.inertia @ turn.T, inertia, atol=1e-9)
+
+
+@pytest.mark.parametrize("text", [BALL_TREE, EVERY_JOINT, MIXED, TINY, LEG])
+def test_a_quaternion_in_world_coordinates_is_its_bodys_orientation_by_mujoco_and_any_length_of_it_the_same_pose(
+    text, rng
+):
+    figure = figure_of(text, "auto")
+    model = figure.model
+    assert figure.coordinates == "world"
+    qpos = random_qpos(figure, rng)
+    data, state = placed(model, qpos), figure.to_state(qpos)
+    stretched = np.array(state)
+    for i, link in enumerate(figure.links[1:], start=1):
+        columns = quaternion_columns(link)
+        if columns is None:
+            continue
+        stretched[columns] *= rng.uniform(0.3, 3) * rng.choice([-1, 1])
+        if figure.tables.in_world[i] and figure.body_link[link.body] == i:
+            assert abs(state[columns] @ data.xquat[link.body]) == pytest.approx(1)
+    again = placed(model, figure.to_qpos(stretched))
+    np.testing.assert_allclose(again.xpos, data.xpos, atol=1e-9)
+    np.testing.assert_allclose(again.xmat, data.xmat, atol=1e-9)
+    two = figure.to_qpos(np.array([[state, stretched]]))
+    np.testing.assert_allclose(two[0, 0], figure.to_qpos(state), atol=1e-12)
+    np.testing.assert_allclose(figure.to_state(figure.to_qpos(state)), state, atol=1e-9)
+
+
+UNDER_A_HINGE = """<mujoco><worldbody><body><joint/><geom size=".1"/>
+  <body><joint type="ball"/><geom size=".1"/></body></body></worldbody></mujoco>"""
+
+
+@pytest.mark.parametrize(
+    ("text", "coordinates"),
+    [(CHAIN.format("hinge"), "world"), (CHAIN.format("ball"), "world"), (UNDER_A_HINGE, "joint")],
+)
+def test_orientations_in_the_world_are_the_state_where_a_ball_joint_has_one_of_its_own(text, coordinates):
+    figure = figure_of(text)
+    assert figure.coordinates == coordinates
+    for i, link in enumerate(figure.links[1:], start=1):
+        upright = all(figure.links[k].kind in (JointKind.FREE, JointKind.BALL) for k in _way(figure, i))
+        assert figure.tables.in_world[i] == (upright and coordinates == "world" and link.kind is not JointKind.HINGE)
+
+
+def _way(figure: Figure, link: int) -> list[int]:
+    found = []
+    while link:
+        found.append(link)
+        link = figure.links[link].parent
+    return found
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_paths_lead_from_every_link_to_its_root_and_levels_go_down_them(seed):
+    figure, _ = random_figure(seed, "joint")
+    tables = figure.tables
+    for i in range(1, len(figure.links)):
+        np.testing.assert_array_equal(np.flatnonzero(tables.path[i]), sorted(_way(figure, i)))
+    np.testing.assert_array_equal(tables.beyond, tables.path.T)
+    seen: set[int] = {0, *np.flatnonzero(tables.in_world).tolist()}  # what the state tells itself
+    for level in tables.levels:
+        assert {figure.links[i].parent for i in level.tolist()} <= seen
+        seen |= set(level.tolist())
+    assert seen == set(range(len(figure.links)))
+
+
+def test_a_link_is_called_by_its_joint_or_by_the_body_that_it_moves():
+    figure = figure_of(EVERY_JOINT)
+    names = [link.name for link in figure.links]
+    for name in ("root", "yaw", "pitch", "reach", "wrist", "swing", "turn"):
+        assert figure.link_named(name) == names.index(name)
+    assert figure.link_named("arm") == names.index("pitch")  # the last of its joints
+    assert figure.link_named("trunk") == 1
+    assert figure.link_named("world") is None
+    assert figure.link_named("nobody") is None
+
+
+@pytest.mark.parametrize(
+    ("given", "bodies", "names"),
+    [
+        ([""], [("world", 0), ("leg", 1)], ["leg"]),
+        (["", "hip", ""], [("world", 0), ("leg", 3)], ["leg_1", "hip", "leg_2"]),
+        (["", "a"], [("a", 1), ("b", 1)], ["joint 0", "a"]),
+        (["", ""], [("", 1), ("b", 1)], ["joint 0", "b"]),
+        (["", ""], [("b", 1), ("b", 1)], ["b", "joint 1"]),
+    ],
+)
+def test_joints_without_a_name_have_one_all_the_same_and_no_two_the_same(given, bodies, names):
+    assert names_of_joints(given, bodies) == names
+    assert len(set(names)) == len(names)
+
+
+def test_gravity_is_the_models_unless_it_is_switched_off():
+    text = """<mujoco><option gravity="0 1 -3">{}</option><worldbody><body><joint/><geom size=".1"/></body></worldbody>
+        </mujoco>"""
+    np.testing.assert_array_equal(figure_of(text.format("")).gravity, [0, 1, -3])
+    np.testing.assert_array_equal(figure_of(text.format('<flag gravity="disable"/>')).gravity, [0, 0, 0])
+    np.testing.assert_array_equal(figure_of(text.format('<flag contact="disable"/>')).gravity, [0, 1, -3])
