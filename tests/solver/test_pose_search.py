@@ -17,6 +17,7 @@ from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.penalty import Bend, BendLimits
 from dynsplines.solver.posing import (
     INSIDE,
+    MET,
     PER_METRE,
     STRAIGHT,
     TRUNK,
@@ -30,6 +31,7 @@ from dynsplines.solver.posing import (
     _step,
     entries,
     limb,
+    posed,
 )
 from dynsplines.solver.surface.points import Point, site_points
 
@@ -258,3 +260,74 @@ def test_what_a_search_adds_up_changes_as_its_rows_say(rng):
     expected = differences(figure.model, near, lambda at: search._weighed(at, 7.0, None)[0])
     np.testing.assert_allclose(rows, expected[:, search.dofs], atol=2e-2)
     np.testing.assert_allclose(rows[search.dofs.size :], expected[search.dofs.size :, search.dofs], atol=1e-5)
+
+
+def searching(figure: Figure, home: Array, bends: BendLimits | None = None) -> _PoseSearch:
+    goals = (SiteGoal("tip", np.ones(3)), SiteGoal("toe", np.zeros(3)))
+    return _PoseSearch(figure, home, np.ones(figure.model.nq, bool), goals, bends)
+
+
+@pytest.mark.parametrize("count", [0, 1, 2, 3, 7])
+def test_as_many_poses_to_begin_with_as_asked_for_all_inside_the_ranges_and_the_root_where_it_was(count, rng):
+    figure = figure_of(RANGED)
+    home = somewhere(figure.model, rng)
+    search = searching(figure, home)
+    starts = list(search.starts_around(count))
+    assert len(starts) == count
+    for start in starts:
+        np.testing.assert_array_equal(start[:3], home[:3])
+        assert search.ranges.linearised(start)[0][1:].max() <= 1e-9
+    if count > 0:
+        ball = entries(figure, figure.link_named("knee") or 0)
+        np.testing.assert_array_equal(starts[0][ball], figure.model.qpos0[ball])
+        np.testing.assert_array_equal(starts[0][3:7], home[3:7])
+    if count > 1:
+        middle = figure.model.joint("reach").qposadr[0]
+        assert starts[1][middle] == pytest.approx(-0.15)
+    different = {tuple(np.round(start, 9)) for start in starts}
+    assert len(different) == count
+    again = list(searching(figure, home).starts_around(count))
+    np.testing.assert_array_equal(again, starts)  # the same command finds the same pose
+
+
+def test_poses_to_begin_with_are_home_bent_less_and_more_or_home_alone_where_nothing_bends_one_way(rng):
+    figure = figure_of(RANGED)
+    home = np.array(figure.model.qpos0)
+    angles = [start[figure.model.joint("elbow").qposadr[0]] for start in searching(figure, home).bent_starts()]
+    assert len(angles) == 3
+    assert np.all(np.diff(angles) > 0.3)
+    free = figure_of(RANGED.replace('range="-.1 2"', "").replace('range="-2 .2"', ""))
+    (alone,) = searching(free, np.array(free.model.qpos0)).bent_starts()
+    np.testing.assert_allclose(alone, free.model.qpos0, atol=2e-5)
+
+
+def test_a_joint_keyed_in_the_middle_of_its_range_or_without_one_bends_either_way():
+    text = RANGED.replace('range="-.1 2"', 'range="{}"')
+    for limits, way in (("-.1 2", 1), ("-2 .1", -1), ("-1 1", 0), ("-.49 1.5", 1), ("-.51 1.5", 0)):
+        figure = figure_of(text.format(limits))
+        ranges = ranges_of(figure)
+        elbow = figure.model.joint("elbow").qposadr[0]
+        assert ranges.ways[list(ranges.simple).index(elbow)] == way
+
+
+@pytest.mark.parametrize("starts", [1, 3, 5])
+def test_a_pose_out_of_reach_tells_how_many_were_begun_with_and_one_in_reach_none(starts):
+    figure = figure_of(RANGED)
+    free = np.ones(figure.model.nq, bool)
+    free[:7] = False
+    home = np.array(figure.model.qpos0)
+    mid = somewhere(figure.model, np.random.default_rng(3), 0.0)
+    for name, by in (("elbow", 0.8), ("reach", -0.1)):
+        mid[figure.model.joint(name).qposadr[0]] = by
+    near = placed(figure.model, mid).site("tip").xpos
+    found = posed(figure, home, free, [SiteGoal("tip", near)], starts=starts)
+    assert found.is_met
+    assert found.starts == 0
+    assert found.worst <= MET
+    far = posed(figure, home, free, [SiteGoal("tip", near + 5.0)], starts=starts)
+    assert not far.is_met
+    assert far.starts == starts
+    assert far.worst == pytest.approx(far.missed[0])
+    seen = placed(figure.model, far.qpos).site("tip").xpos
+    assert far.missed[0] == pytest.approx(np.linalg.norm(seen - near - 5.0))
+    np.testing.assert_array_equal(far.qpos[:7], home[:7])

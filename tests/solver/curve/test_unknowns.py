@@ -3,14 +3,17 @@
 import mujoco
 import numpy as np
 import pytest
-from figures import BALL_TREE
+from figures import BALL_TREE, TINY, figure_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from random_keys import TIMES, distance_from_key, mask_without, masks_by_name, random_keys
 from scipy.interpolate import CubicSpline
+from scipy.spatial.transform import Rotation
 
 from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
+from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.spline import Path, Spline, path_of
 from dynsplines.solver.curve.unknowns import Unknowns, raw_timeline
 from dynsplines.solver.figure.figure import Figure, JointKind
@@ -300,3 +303,37 @@ def test_a_joint_that_hardly_turns_stays_put_while_the_whole_figure_turns_half_r
     path = path_of(raw_timeline(figure, keys))
     along = figure.to_qpos(path.at(np.linspace(0, 1, 50)))[:, shoulder : shoulder + 4]
     assert np.degrees(quat.angle_between(along, [1.0, 0, 0, 0])).max() < 15
+
+
+@pytest.mark.parametrize("coordinates", ["world", "joint"])
+@pytest.mark.parametrize("free", [(), ("knee",), ("root turn",), ("root turn", "knee"), ("root x", "root z")])
+def test_a_loop_that_turns_comes_back_as_it_began_whatever_its_ends_leave_out(free, coordinates, rng):
+    """Seen from the root all joints are as at first; the root is turned by the heading, by SciPy's rotations."""
+    figure, turn = figure_of(TINY, coordinates), 0.7
+    about = Rotation.from_rotvec([0, 0, turn])
+    first = np.array([0.3, 0.1, 1, *Rotation.random(random_state=5).as_quat(scalar_first=True), *random_turn(6)])
+    there = about * Rotation.from_quat(first[3:7], scalar_first=True)
+    last = np.array([0.8, -0.1, 1, *there.as_quat(scalar_first=True), *first[7:]])
+    mask = mask_without(figure, *free)
+    middle = np.array([0.5, 0, 1.1, *random_turn(7), *random_turn(8)])
+    for masks in ((mask, mask), (None, mask)):
+        keys = [Frame.key(0, first, masks[0]), Frame.key(0.4, middle), Frame.key(1, last, masks[1])]
+        if masks[0] is not None and "root x" in free:
+            keys[0] = Frame.key(0, first, mask_without(figure, "root z"))  # about which place it turns has to be told
+        raw = raw_timeline(figure, keys, "periodic", travel=[0.5, -0.2, 0], turn=turn)
+        begin, end = figure.to_qpos(raw.states[[0, -1]])
+        assert abs(begin[7:] @ end[7:]) == pytest.approx(1, abs=1e-9)
+        turned = about * Rotation.from_quat(begin[3:7], scalar_first=True)
+        assert abs(turned.as_quat(scalar_first=True) @ end[3:7]) == pytest.approx(1, abs=1e-9)
+        np.testing.assert_allclose(end[:3] - begin[:3], [0.5, -0.2, 0], atol=1e-9)
+        np.testing.assert_allclose(np.linalg.norm(raw.states[:, figure.tables.quaternion_columns], axis=1), 1)
+        assert Seam.of(figure, raw).apart(path_of(raw)).max() < 1e-9
+        for frame, pose in zip(keys, (first, middle, last), strict=True):
+            at = figure.to_qpos(raw.states[keys.index(frame)])
+            for columns in (slice(3, 7), slice(7, 11)):
+                if frame.fixed[columns].all():
+                    assert abs(at[columns] @ pose[columns]) == pytest.approx(1, abs=1e-9)
+
+
+def random_turn(seed: int) -> Array:
+    return np.asarray(Rotation.random(random_state=seed).as_quat(scalar_first=True))

@@ -22,6 +22,7 @@ from dynsplines.solver.penalty.curvature import Curvature
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.reading.pose_vectors import HEIGHT
 from dynsplines.solver.reading.stride import Gait
+from dynsplines.solver.refine.subdivision import evenly
 
 
 @pytest.fixture(params=HUMAN_AND_CHAINS, ids=["human", "human, joints", "fixed balls", "fixed ball and hinge"])
@@ -113,3 +114,23 @@ def test_the_path_to_begin_with_is_the_cycle_at_variable_frames_and_keeps_the_ke
     off = cycle.off(Samples(FIGURE, loose, 0 * loose, 0 * loose, times))
     assert np.degrees(off.max()) < 0.1
     assert cycle.led(seen.keys, 0).variable_count == 0
+
+
+@pytest.mark.parametrize("every", [0.3, 0.7, 1.0])
+def test_it_leads_with_no_more_frames_than_keep_them_an_eighth_of_a_period_apart(every):
+    seen = gait(WALK, every)
+    rhythm = seen.given(PERIOD)
+    assert rhythm is not None
+    cycle, keys = Cycle(FIGURE, rhythm), seen.keys
+    led = cycle.led(keys, None)
+    least = [int(np.ceil(span / (PERIOD / 8) - 1e-6)) - 1 for span in np.diff(keys.times)]
+    between = np.split(led.times, np.flatnonzero(np.isin(led.times, keys.times)))[1:-1]
+    assert [part.size - 1 for part in between] == least
+    for part, end in zip(between, keys.times[1:], strict=True):
+        np.testing.assert_allclose(np.diff([*part, end]), (end - part[0]) / part.size)
+    assert cycle.led(keys, sum(least)).variable_count == sum(least)
+    assert cycle.led(keys, sum(least) - 1).variable_count == 0
+    fine = evenly(keys, 12)
+    assert cycle.led(fine, None).variable_count == fine.variable_count
+    np.testing.assert_allclose(cycle.led(fine, 0).times, fine.times)
+    np.testing.assert_array_equal(led.end_slope, keys.end_slope)
