@@ -5,6 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from gaits import FIGURE, GROUND, PERIOD, SOLES, TIME, WALK, gait
+from scipy.optimize import minimize_scalar
+from scipy.stats import multivariate_normal
 from walker import FINE
 
 from dynsplines.clip.constraints import constraints
@@ -17,7 +19,7 @@ from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Cycle
 from dynsplines.solver.reading.pose_vectors import PoseVectors
-from dynsplines.solver.reading.rhythm import Process
+from dynsplines.solver.reading.rhythm import ALIKE, NOISE, Process
 from dynsplines.solver.reading.stride import SLIP, Gait
 from dynsplines.solver.surface import Plane
 
@@ -144,3 +146,65 @@ def test_where_the_cycle_is_not_told_it_asks_for_nothing():
     values = Cycle(FIGURE, late).evaluate(Samples(FIGURE, y, 0 * y, 0 * y, t=t))
     assert values[0] == values[-1] == 0
     assert np.all(values[1:3] > 0)
+
+
+@pytest.fixture(scope="module")
+def process() -> Process:
+    poses = PoseVectors.of(FIGURE, gait(WALK, 0.42).keys)
+    assert poses is not None and poses.sides == 2
+    return Process(poses)
+
+
+def by_scipy(process: Process, covariance: np.ndarray) -> float:
+    """The largest log-likelihood of all rows over their common variance, per number, by SciPy."""
+    rows, whole = process.poses.rows, covariance + NOISE * np.eye(len(covariance))
+
+    def unlikely(log_variance: float) -> float:
+        found = multivariate_normal(np.zeros(len(whole)), np.exp(log_variance) * whole).logpdf(rows.T)
+        return -float(np.sum(found)) / rows.size
+
+    return -minimize_scalar(unlikely, bounds=(-12, 3), method="bounded", options={"xatol": 1e-9}).fun
+
+
+def test_a_likelihood_is_scipys_of_a_normal_distribution_with_the_likeliest_variance(process):
+    for period in (0.8, PERIOD):
+        covariance = process._across(period)
+        expected = by_scipy(process, covariance.copy()) + 0.5 * (1 + np.log(2 * np.pi))
+        assert process._likelihood(covariance) == pytest.approx(expected, abs=1e-7)
+    n = process.poses.times.size
+    smooth = []
+    for length in ALIKE:
+        one = np.exp(-0.5 * (np.subtract.outer(process.poses.times, process.poses.times) / length) ** 2)
+        smooth.append(by_scipy(process, np.block([[one, 0 * one], [0 * one, one]])) + 0.5 * (1 + np.log(2 * np.pi)))
+    assert process._across(PERIOD).shape == (2 * n, 2 * n)
+    gain = process._likelihood(process._across(PERIOD)) - max(smooth)
+    assert process.gain(PERIOD) == pytest.approx(gain, abs=1e-7)
+
+
+def test_what_is_predicted_is_the_regression_of_a_gaussian_process(process):
+    at = np.linspace(0.0, 3.4, 25)
+    rows, whole, across = process.poses.rows, process._across(PERIOD), process._across(PERIOD, at)
+    whole += NOISE * np.eye(len(whole))
+    mean, variance = process.predicted(PERIOD, at)
+    np.testing.assert_allclose(mean, across @ np.linalg.solve(whole, rows), atol=1e-9)
+    size = np.mean(np.einsum("nd,nd->d", rows, np.linalg.solve(whole, rows))) / len(rows)
+    left = 1 - np.einsum("tn,nt->t", across, np.linalg.solve(whole, across.T))
+    np.testing.assert_allclose(variance, np.maximum(left, 0) * size, atol=1e-9)
+    here, sure = process.predicted(PERIOD, process.poses.times)
+    np.testing.assert_allclose(here, rows[: process.poses.times.size], atol=0.02)  # but for the noise
+    assert sure.max() < variance.max() / 5
+
+
+def test_half_a_period_on_the_mirrored_poses_are_as_alike_as_the_poses_were(process):
+    n, times = process.poses.times.size, process.poses.times
+    whole = process._across(PERIOD)
+    np.testing.assert_allclose(whole, whole.T)
+    np.testing.assert_allclose(np.diag(whole), 1)
+    np.testing.assert_allclose(whole[:n, :n], whole[n:, n:])
+    assert np.linalg.eigvalsh(whole).min() > -1e-9
+    # a period on the same pose is all but as alike; half a period on, the mirrored one
+    near = process._across(PERIOD, times[:1] + PERIOD)[0, 0]
+    half = process._across(PERIOD, times[:1] + PERIOD / 2)[0, [0, n]]
+    assert near > 0.75
+    assert half[1] > 0.75
+    assert half[0] < 0.3
