@@ -107,7 +107,7 @@ def _deep(context: Context, found: Sequence[Contact]) -> Iterator[str]:
         if contact.allowed is None or not contact.allowed.excess.any():
             continue
         states = context.keys.states
-        centres, _, _ = contact.centres(Samples(context.figure, states, 0 * states, 0 * states))
+        centres, _, _ = contact.centres(Samples.still(context.figure, states))
         inside = np.max([surface.inside(centres) for surface in contact.surfaces], axis=0)
         deepest = np.where(contact.allowed.excess > 0, inside, 0).max(axis=0)
         worst = int(deepest.argmax())

@@ -120,7 +120,7 @@ def _spots(
     figure: Figure, keys: Timeline, point: Point, table: ContactTable, name: str, surfaces: Sequence[Surface]
 ) -> list[tuple[float, Array]]:
     """Where the point is to be at some times of the interval, by the table and by keyframes that say where it is."""
-    samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
+    samples = Samples.still(figure, keys.states)
     centres, _, _ = places_of((point,), samples)
     inside = (keys.times >= table.start - ROUNDING) & (keys.times <= table.end + ROUNDING)
     said = np.flatnonzero(inside & placed(figure, keys.known, [point])[0])

@@ -130,7 +130,7 @@ def _stretches(found: dict[float, Array], hold: Hold) -> Iterator[tuple[float, f
 def _said(figure: Figure, keys: Timeline, hold: Hold) -> tuple[Index, Array, Mask]:
     """The keyframes (k,) within a hold that tell both site and body, the place on the body in all (3, K), and which of
     them fix it (K,)."""
-    samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
+    samples = Samples.still(figure, keys.states)
     both = [hold.point, Point(hold.body, hold.link, np.zeros(3))]
     known, exact = (np.logical_and.reduce(placed(figure, told, both)) for told in (keys.known, keys.fixed))
     inside = (keys.times >= hold.first - ROUNDING) & (keys.times <= hold.last + ROUNDING)

@@ -220,7 +220,7 @@ def _bottoms(figure: Figure, qpos: Array, points: Sequence[Point]) -> Array:
     """(n, K) [m] the lowest height of each point in poses (K, nq)."""
     state = figure.to_state(qpos)
     links, positions, radii = arrays_of(points)
-    places, _ = Samples(figure, state, 0 * state, 0 * state).links.points(links, positions)
+    places, _ = Samples.still(figure, state).links.points(links, positions)
     return places[2] - radii[:, None]
 
 

@@ -95,7 +95,7 @@ def _heading_between(figure: Figure, start: Array, end: Array) -> float:
     chest turn against each other, one way or the other at either step."""
     rest = figure.to_state(np.array(figure.model.qpos0))
     states = np.stack([rest, start, end])
-    rotations = np.moveaxis(Samples(figure, states, 0 * states, 0 * states).links.rotation, (2, 3), (0, 1))
+    rotations = np.moveaxis(Samples.still(figure, states).links.rotation, (2, 3), (0, 1))
     turned = rotations[:, 1:] @ rotations[:, :1].swapaxes(-1, -2)
     headings = heading(turned)
     between = (headings[:, 1] - headings[:, 0])[trunk(figure)]

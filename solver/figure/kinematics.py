@@ -99,6 +99,12 @@ class Samples:
         self._states = States(figure, self.y, self.y_d, self.y_dd)
         self._once: dict[object, object] = {}
 
+    @classmethod
+    def still(cls, figure: Figure, y: ArrayLike, t: ArrayLike | None = None) -> Samples:
+        """Poses: states y (S, N) that do not move."""
+        at_rest = np.zeros(np.shape(y))
+        return cls(figure, y, at_rest, at_rest, t)
+
     @property
     def count(self) -> int:
         """S"""

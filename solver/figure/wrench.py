@@ -68,7 +68,7 @@ def height(figure: Figure, root: int) -> float:
     """[m] how tall a slender rod would be that turns like a free link with all beyond it at rest: √12 times the radius
     of gyration. The length that makes moments forces."""
     rest = figure.to_state(np.array(mujoco.MjData(figure.model).qpos))[None]
-    inverse = Samples(figure, rest, 0 * rest, 0 * rest).once(InverseDynamics)
+    inverse = Samples.still(figure, rest).once(InverseDynamics)
     mass, share = tree_mass(figure, root)
     away = inverse.centre[:, :, 0] - (inverse.centre[:, :, 0] @ share)[:, None]
     own = np.einsum("iil,l->", inverse.inertia[..., 0], figure.tables.path[:, root]) / 2

@@ -34,7 +34,7 @@ def settled(recorded: Recorded, stances: Sequence[Stood], surfaces: Sequence[Sur
         recorded = _levelled(recorded, [one for one in stances if one.point.link == link], link)
     points = _points(stances)
     states = recorded.path.at(recorded.times)
-    places, _, _ = places_of(points, Samples(recorded.figure, states, 0 * states, 0 * states))
+    places, _, _ = places_of(points, Samples.still(recorded.figure, states))
     height, _ = height_over(surfaces, places, np.array([point.radius for point in points]))
     standing = np.array([_during(recorded.times, [one for one in stances if one.point is point]) for point in points])
     lift = -float(np.median(height[standing])) if standing.any() else 0.0
@@ -46,7 +46,7 @@ def on_the_ground(recorded: Recorded, points: Sequence[Point], surfaces: Sequenc
     if not points or not surfaces:
         return recorded
     states = recorded.bridged
-    places, _, _ = places_of(points, Samples(recorded.figure, states, 0 * states, 0 * states))
+    places, _, _ = places_of(points, Samples.still(recorded.figure, states))
     radii = np.array([[point.radius] for point in points])
     lowest = np.min([surface.height(places) for surface in surfaces], axis=0) - radii
     lift = -float(np.percentile(lowest.min(axis=0), LOWEST))
@@ -64,7 +64,7 @@ def _levelled(recorded: Recorded, stances: Sequence[Stood], link: int) -> Record
     if flat.sum() < ENOUGH:
         return recorded
     states = recorded.path.at(recorded.times)[flat]
-    rotation = Samples(figure, states, 0 * states, 0 * states).links.rotation[:, :, link]
+    rotation = Samples.still(figure, states).links.rotation[:, :, link]
     up = _unit(rotation[2].mean(axis=1))
     _, positions, radii = arrays_of(points)
     bottom = (positions - radii * up[:, None]).T

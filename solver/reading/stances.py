@@ -71,7 +71,7 @@ def _seen(recorded: Recorded, points: Sequence[Point]) -> tuple[Array, Array, Ar
     """Times (T,) that are told apart, places (3, p, T) [m] and the noise of these (p,)."""
     step = max(1, round(recorded.rate / FINEST))
     states = np.where(recorded.known > 0, recorded.states, recorded.bridged)[::step]
-    centres, _, _ = places_of(points, Samples(recorded.figure, states, 0 * states, 0 * states))
+    centres, _, _ = places_of(points, Samples.still(recorded.figure, states))
     return recorded.times[::step], centres, white(centres, recorded.known.min(axis=1)[::step])
 
 

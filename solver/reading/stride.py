@@ -184,7 +184,7 @@ class Gait:
 
     def _soles(self, states: Array) -> tuple[Array, Array]:
         """Places (3, p, T) and heights (p, T) [m] of the sole points."""
-        samples = Samples(self.figure, states, 0 * states, 0 * states)
+        samples = Samples.still(self.figure, states)
         centres, _, _ = places_of(self.points, samples)
         return centres, np.min([surface.height(centres) for surface in self.surfaces], axis=0)
 

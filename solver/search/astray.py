@@ -82,7 +82,7 @@ def _looks(times: Array) -> Array:
 
 def _from_root(figure: Figure, states: Array) -> Array:
     """(3, L − 1, S) [m] the links' origins beside that of the first link of their tree."""
-    places = Samples(figure, states, 0 * states, 0 * states).links.x[:, 1:]
+    places = Samples.still(figure, states).links.x[:, 1:]
     root = np.arange(len(figure.links))
     for i, parent in enumerate(figure.tables.parents):
         if i and parent:

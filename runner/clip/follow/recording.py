@@ -127,7 +127,7 @@ class Followed:
             return False
         qpos = np.stack([edit.state, self.pose(edit.time)])
         states = figure.to_state(qpos)
-        places, _, _ = places_of((point,), Samples(figure, states, 0 * states, 0 * states))
+        places, _, _ = places_of((point,), Samples.still(figure, states))
         return float(np.linalg.norm(places[:, 0, 0] - places[:, 0, 1])) > MOVED
 
 

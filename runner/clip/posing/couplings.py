@@ -47,7 +47,7 @@ def _driven(coupling: Coupling, follower: float) -> float | None:
 
 def complaints(figure: Figure, keys: Timeline, frames: Sequence[Frame]) -> list[str]:
     """One line on every constraint that keyframes break, and on those that nobody looks at."""
-    samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
+    samples = Samples.still(figure, keys.states)
     found = []
     joined = couplings(figure)
     if joined:

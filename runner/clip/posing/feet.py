@@ -52,7 +52,7 @@ def _near_ground(figure: Figure, points: Sequence[Point], qpos: Array) -> bool:
         return True
     states = figure.to_state(np.vstack([figure.model.qpos0, qpos]))
     links, positions, radii = arrays_of((*points, *body))
-    places, _ = Samples(figure, states, 0 * states, 0 * states).links.points(links, positions)
+    places, _ = Samples.still(figure, states).links.points(links, positions)
     low, high = places[2] - radii[:, None], places[2] + radii[:, None]
     ground, tall = low.min(axis=0), np.ptp(np.concatenate([low, high]), axis=0)
     share = SUNK if figure.model.ntendon else THICK  # skeletons with muscles bring marks all over their feet
@@ -107,7 +107,7 @@ def _feet(figure: Figure, root: int, points: Sequence[Point], qpos: Array) -> li
     poses = np.vstack([figure.model.qpos0, qpos])
     states = figure.to_state(poses)
     links, positions, radii = arrays_of(points)
-    samples = Samples(figure, states, 0 * states, 0 * states)
+    samples = Samples.still(figure, states)
     places, _ = samples.links.points(links, positions)
     bottom = places[2] - radii[:, None]
     tall = samples.links.x[2, root] - bottom.min(axis=0)

@@ -121,5 +121,5 @@ def places_at(figure: Figure, qpos: Array, points: Sequence[Point]) -> Array:
     """(3, n) [m] where points are in a pose (nq,)."""
     state = figure.to_state(qpos[None])
     links, positions, _ = arrays_of(points)
-    found, _ = Samples(figure, state, 0 * state, 0 * state).links.points(links, positions)
+    found, _ = Samples.still(figure, state).links.points(links, positions)
     return found[:, :, 0]

@@ -228,7 +228,7 @@ class _Seen:
         rests = [stance.point for stance in found.stances]
         self.points = (*self.soles, *(p for i, p in enumerate(rests) if not _among(p, (*self.soles, *rests[:i]))))
         states = timeline.states
-        self.samples = Samples(figure, states, 0 * states, 0 * states)
+        self.samples = Samples.still(figure, states)
         self.told = placed(figure, timeline.known, self.points) if self.points else np.zeros((0, len(states)), bool)
         self.times, self.centres, self.low = self._unrolled(surfaces)
 

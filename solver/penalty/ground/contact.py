@@ -55,7 +55,7 @@ class Contact(Penalty):
         """
         if not self.points or not self.surfaces:
             return self
-        samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
+        samples = Samples.still(figure, keys.states)
         centres = self.seen(samples, self.centres(samples)[0])
         deep = np.max([surface.depth(centres, self._arrays[2])[0] for surface in self.surfaces], axis=0)
         known = placed(figure, keys.fixed, self.points)

@@ -86,7 +86,7 @@ class _Spots:
 
     @classmethod
     def of(cls, figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]) -> _Spots:
-        samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
+        samples = Samples.still(figure, keys.states)
         centres, _, _ = places_of(points, samples)
         height, over = _heights(figure, keys, points, surfaces)
         touches = (np.abs(height) < NEAR_SURFACE) & placed(figure, keys.known, points)
@@ -208,7 +208,7 @@ def _heights(
     figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]
 ) -> tuple[Array, NDArray[np.intp]]:
     """Points' heights over the nearest surface below them at keyframes, and which that is, (n, K) each."""
-    samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
+    samples = Samples.still(figure, keys.states)
     centres, _, _ = places_of(points, samples)
     heights = np.array([surface.height(centres) for surface in surfaces])
     heights -= np.array([point.radius for point in points])[:, None]
@@ -223,7 +223,7 @@ def _normal(surface: Surface) -> Array:
 
 def _rising(figure: Figure, root: int, keys: Timeline) -> Array:
     """(K,) [m] how high, against gravity, the centre of mass is."""
-    samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
+    samples = Samples.still(figure, keys.states)
     return -figure.gravity @ RootWrench(samples, root).centre / np.linalg.norm(figure.gravity)
 
 

@@ -131,7 +131,7 @@ def grounded_intervals(
     """The segments between two keyframes that both touch the ground, but for those in a flight."""
     if not points or not surfaces:
         return ()
-    samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
+    samples = Samples.still(figure, keys.states)
     centres, _, _ = places_of(points, samples)
     height, _ = heights(surfaces, centres, np.array([point.radius for point in points]))
     down = height.min(axis=0) < TOUCHING

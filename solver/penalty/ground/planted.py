@@ -134,7 +134,7 @@ def stances(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: S
     if not points or not surfaces:
         return ()
     states = keys.states
-    samples = Samples(figure, states, 0 * states, 0 * states)
+    samples = Samples.still(figure, states)
     centres, _, _ = places_of(points, samples)
     radius = np.array([point.radius for point in points])[:, None]
     height = np.min([surface.height(centres) for surface in surfaces], axis=0) - radius
@@ -159,7 +159,7 @@ def lying(figure: Figure, keys: Timeline, links: Sequence[int]) -> tuple[Stance,
     if not points:
         return ()
     states = keys.states
-    centres, _, _ = places_of(points, Samples(figure, states, 0 * states, 0 * states))
+    centres, _, _ = places_of(points, Samples.still(figure, states))
     told = placed(figure, keys.known, points)
     found: list[Stance] = []
     for k, (first, last) in enumerate(zip(keys.times[:-1], keys.times[1:], strict=True)):

@@ -46,7 +46,7 @@ class Bound:
         spans = np.diff(keys.times)
         shares = np.tile(np.minimum(1.0, (LONG / spans) ** 2), (len(points), 1))
         if swings:
-            samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
+            samples = Samples.still(figure, keys.states)
             centres, _, _ = places_of(points, samples)
             steps = np.linalg.norm(np.diff(centres, axis=2), axis=0)
             told = placed(figure, keys.known, points)

@@ -66,7 +66,7 @@ class BendLimits(Penalty):
         """The same that lets pass how far joints that keyframes fix are beyond their bounds in them."""
         if not self.joints:
             return self
-        samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states)
+        samples = Samples.still(figure, keys.states)
         columns = [quaternion_columns(figure.links[joint.link]) for joint in self.joints]
         fixed = np.array([keys.fixed[:, some].all(axis=1) for some in columns])
         excess = np.maximum(self._excess(self.angles(samples)), 0) * fixed

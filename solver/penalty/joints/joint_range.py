@@ -55,7 +55,7 @@ class JointRange(Penalty):
         """The same that lets pass how far joints that keyframes fix are beyond their ranges in them."""
         if not self.joints:
             return self
-        samples = Samples(figure, keys.states, 0 * keys.states, 0 * keys.states, t=np.asarray(keys.times))
+        samples = Samples.still(figure, keys.states, t=np.asarray(keys.times))
         excess = np.zeros((2, len(self.joints), keys.times.size))
         plain, balls = self._which
         low, high = self._bounds

@@ -31,7 +31,7 @@ class Level(SumOfSquares):
         """Bodies by index, and their axis (3,); without one what is up at rest. Raises ValueError for [0, 0, 0]."""
         links, rest = figure.body_link[np.array(bodies)], figure.to_state(figure.model.qpos0)[None]
         if axis is None:
-            return cls(links, Samples(figure, rest, 0 * rest, 0 * rest).links.rotation[2][:, links, 0])
+            return cls(links, Samples.still(figure, rest).links.rotation[2][:, links, 0])
         size = np.linalg.norm(axis)
         if not size:
             raise ValueError("axis is [0, 0, 0], which points nowhere")

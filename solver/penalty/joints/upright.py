@@ -99,7 +99,7 @@ class Upright(Momentary):
 def leans(figure: Figure, keys: Timeline, roots: Sequence[int]) -> tuple[Lean, ...]:
     """How free links lean in the keyframes that were posed with their turn left free: what points up there."""
     states = keys.states
-    samples = Samples(figure, states, 0 * states, 0 * states)
+    samples = Samples.still(figure, states)
     found = []
     for root in roots:
         columns = quaternion_columns(figure.links[root])

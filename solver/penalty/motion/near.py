@@ -196,7 +196,7 @@ class Near(Guide):
 def levers(figure: Figure) -> Array:
     """(L − 1,) [m] from every link's joint to the farthest end of a limb beyond it, at rest."""
     rest = figure.to_state(np.asarray(figure.model.qpos0))[None]
-    motion, links = Samples(figure, rest, 0 * rest, 0 * rest).links, figure.links
+    motion, links = Samples.still(figure, rest).links, figure.links
     own = np.array([link.anchor for link in links]).T
     ends = 2 * np.array([link.centre for link in links]).T - own
     joints, tips = (motion.points(np.arange(len(links)), part)[0][:, :, 0] for part in (own, ends))
