@@ -2,9 +2,12 @@
 
 import numpy as np
 import pytest
+from figures import EVERY_JOINT, TINY, figure_of
+from scipy.spatial.transform import Rotation
+from scipy.stats import multivariate_normal
 
-from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.reading.recorded import LIVELINESS, Recorded
+from dynsplines.solver.figure.figure import Figure, Link
+from dynsplines.solver.reading.recorded import LIVELINESS, Recorded, groups, places
 
 TIMES = np.linspace(0.3, 3.3, 181)
 
@@ -86,3 +89,72 @@ def test_a_joint_that_was_recorded_nowhere_is_no_recording(figure):
     states = figure.to_state(np.tile(figure.model.qpos0, (TIMES.size, 1)))
     with pytest.raises(ValueError, match="without two samples"):
         _ = Recorded(figure, TIMES, states, 0 * states).bridged
+
+
+def test_how_lively_a_motion_is_makes_its_changes_of_slope_as_likely_as_scipy_says(rng):
+    """Noise of known weights on a curve whose changes of slope are independent, of variance A times the time."""
+    figure = figure_of(TINY)
+    times = np.cumsum(rng.uniform(0.01, 0.03, 40))
+    recorded = Recorded.of(figure, times, np.tile(figure.model.qpos0, (40, 1)) + 0.1 * rng.normal(size=(40, 11)))
+    weight, columns = rng.uniform(1e2, 1e4, 40), np.arange(3)
+    h = np.diff(times)
+    change = np.zeros((38, 40))
+    for i in range(38):
+        change[i, i : i + 3] = 1 / h[i], -1 / h[i] - 1 / h[i + 1], 1 / h[i + 1]
+    spans = np.diag(0.5 * (h[1:] + h[:-1]))
+    found, expected = [], []
+    for prior in (1e-2, 1.0, 1e2, 1e4):
+        smooth, likely = recorded._fitted(columns, weight, prior)
+        seen = multivariate_normal(np.zeros(38), prior * spans + change @ np.diag(1 / weight) @ change.T)
+        found.append(likely)
+        expected.append(np.sum(seen.logpdf((change @ recorded.states[:, columns]).T)))
+        dense = np.diag(weight) + change.T @ np.linalg.solve(prior * spans, change)
+        np.testing.assert_allclose(
+            smooth, np.linalg.solve(dense, weight[:, None] * recorded.states[:, columns]), atol=1e-6
+        )
+    np.testing.assert_allclose(np.diff(found), np.diff(expected), rtol=1e-5, atol=1e-4)
+    _, lively = recorded._likeliest(columns, weight)
+    chosen = recorded._fitted(columns, weight, lively)[1]
+    assert chosen == max(recorded._fitted(columns, weight, float(prior))[1] for prior in LIVELINESS)
+
+
+@pytest.mark.parametrize("count", [1, 2])
+def test_one_or_two_samples_are_their_own_curve(count):
+    figure = figure_of(TINY)
+    times, qpos = 0.1 * np.arange(count), np.tile(figure.model.qpos0, (count, 1))
+    recorded = Recorded(figure, times, figure.to_state(qpos), np.ones((count, 11)))
+    np.testing.assert_array_equal(recorded._fitted(np.arange(3), np.ones(count), 1.0)[0], recorded.states[:, :3])
+
+
+def test_what_is_recorded_together_are_places_of_roots_quaternions_and_single_joints():
+    figure = figure_of(EVERY_JOINT)
+    found = groups(figure)
+    assert sorted(np.concatenate(found).tolist()) == list(range(figure.width))
+    sizes = {tuple(columns.tolist()): columns.size for columns in found}
+    for link in figure.links[1:]:
+        if link.kind is link.kind.FREE:
+            assert sizes[link.qpos, link.qpos + 1, link.qpos + 2] == 3
+            assert sizes[tuple(range(link.qpos + 3, link.qpos + 7))] == 4
+        elif link.kind is link.kind.BALL:
+            assert sizes[tuple(range(link.qpos, link.qpos + 4))] == 4
+        else:
+            assert sizes[(link.qpos,)] == 1
+    metres = [i for link in figure.links[1:] if link.kind in (link.kind.FREE, link.kind.SLIDE) for i in _metres(link)]
+    np.testing.assert_array_equal(np.flatnonzero(places(figure)), sorted(metres))
+
+
+def _metres(link: Link) -> range:
+    return range(link.qpos, link.qpos + (3 if link.kind is link.kind.FREE else 1))
+
+
+def test_moved_and_turned_all_poses_are_by_as_much(rng):
+    figure = figure_of(TINY, "joint")
+    recorded = Recorded.of(figure, TIMES, swung(figure, rng))
+    moved = recorded.moved([0.1, -0.2, 0.3])
+    np.testing.assert_allclose(moved.states[:, :3] - recorded.states[:, :3], [[0.1, -0.2, 0.3]] * TIMES.size)
+    np.testing.assert_array_equal(moved.states[:, 3:], recorded.states[:, 3:])
+    turn = Rotation.from_rotvec([0.3, 0.2, -0.1])
+    turned = recorded.turned(slice(7, 11), turn.as_quat(scalar_first=True))
+    before, after = (Rotation.from_quat(one.states[:, 7:], scalar_first=True) for one in (recorded, turned))
+    np.testing.assert_allclose((before.inv() * after).as_rotvec(), [[0.3, 0.2, -0.1]] * TIMES.size, atol=1e-9)
+    np.testing.assert_array_equal(turned.states[:, :7], recorded.states[:, :7])
