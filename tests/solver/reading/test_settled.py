@@ -9,7 +9,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.reading.recorded import Recorded
-from dynsplines.solver.reading.settled import on_the_ground, settled
+from dynsplines.solver.reading.settled import ENOUGH, NOTHING, on_the_ground, settled
 from dynsplines.solver.reading.stances import Stood
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point, places_of
@@ -98,3 +98,29 @@ def test_a_recording_of_another_floor_comes_down_or_up_to_this_one_straight_and_
     way = np.zeros(FIGURE.width)
     way[2] = -over if moves else 0
     np.testing.assert_allclose(found.states, before.states + way, atol=1e-9)
+
+
+def test_without_points_stances_or_ground_a_recording_stays_what_it_is() -> None:
+    points, before = sole(0.02, 0.02), recorded(1.5, np.radians([0, 12, 0]))
+    assert on_the_ground(before, (), [FLOOR]) is before
+    assert on_the_ground(before, points, []) is before
+    assert settled(before, [], [FLOOR]) is before
+    assert settled(before, standing(points), []) is before
+
+
+@pytest.mark.parametrize(("samples", "level"), [(ENOUGH - 1, False), (ENOUGH, True)])
+def test_a_sole_is_level_if_all_of_it_stands_in_enough_samples(samples: int, level: bool) -> None:
+    points, before = sole(0.02, 0.02, 0.02, 0.02), recorded(0.64, np.radians([0, 12, 0]))
+    heel = [Stood(point, TIMES[0], TIMES[20]) for point in points[:2]]
+    toes = [Stood(point, TIMES[21 - samples], TIMES[-1]) for point in points[2:]]
+    found = settled(before, [*heel, *toes], [FLOOR])
+    assert (np.ptp(bottoms(found, points)[:, 0]) < 1e-9) == level
+
+
+def test_what_is_next_to_nothing_off_is_left_there() -> None:
+    points = sole(0.02, 0.02, 0.02, 0.02)
+    for share, moves in ((0.8, False), (-0.8, False), (1.2, True), (-1.2, True)):
+        over = share * NOTHING
+        before = recorded(0.62 + over, np.zeros(3))
+        found = settled(before, standing(points), [FLOOR])
+        np.testing.assert_allclose(found.states[:, 2] - before.states[:, 2], -over * moves, atol=1e-9)

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from oracles import tells_height_fields
+from scipy.optimize import nnls
 from taylor import taylor_slope
 
 from dynsplines.solver.array import Array
@@ -299,3 +300,16 @@ def test_the_floor_under_a_table_is_not_below_the_table():
     point = np.array([[0.0], [0], [0.01]])
     heights = {s.name: s.height(point)[0] for s in static_surfaces(mujoco.MjModel.from_xml_string(text))}
     assert heights == {"floor": pytest.approx(0.01), "top": np.inf, "bar": np.inf}
+
+
+def test_the_way_from_a_triangle_is_that_from_the_nearest_mixture_of_its_corners(rng):
+    corners, points = rng.normal(size=(3, 3, 200)), 2 * rng.normal(size=(3, 200))
+    points[:, ::7] = corners[0][:, ::7]  # at a corner itself there is no way
+    found = from_triangle(points, *corners)
+    for k in range(200):
+        sides = corners[:, :, k].T
+        far = 1e4  # what the shares of the corners weigh that are not 1 in all
+        shares, _ = nnls(np.vstack([sides, far * np.ones(3)]), np.append(points[:, k], far))
+        np.testing.assert_allclose(found[:, k], points[:, k] - sides @ shares / shares.sum(), atol=1e-5)
+    kinds = [np.count_nonzero(np.abs(found[:, k] @ (corners[1] - corners[0])[:, k]) < 1e-9) for k in range(200)]
+    assert 10 < sum(kinds) < 190  # some are over the inside, some beyond an edge
