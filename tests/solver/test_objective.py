@@ -22,6 +22,7 @@ from dynsplines.solver.objective import LEAST_TYPICAL, MOST_OF_TIME, RUN, SMALL_
 from dynsplines.solver.penalty import (
     Contact,
     CovariantAcceleration,
+    Posture,
     RootAcceleration,
 )
 from dynsplines.solver.refine.subdivision import evenly
@@ -261,3 +262,43 @@ def test_an_evaluation_leaves_nothing_for_the_garbage_collector(figure, rng):
         gc.garbage.clear()
         gc.enable()
     assert not left
+
+
+def test_what_costs_more_on_a_path_that_leads_is_divided_by_that_and_violations_by_the_raw_path_alone(figure, rng):
+    timeline = clip(figure, rng)
+    raw = path_of(timeline)
+    rows = timeline.rows + 0.3 * rng.normal(size=timeline.rows.shape)
+    led = path_of(timeline.with_rows(rows))
+    objective = Objective.of(figure, [*every_penalty(figure), (Posture(), 0.5)])
+    plain, other, found = (
+        o.terms for o in (objective.renormalised(raw), objective.renormalised(led), objective.renormalised(raw, led))
+    )
+    below = 0
+    for own, there, both in zip(plain, other, found, strict=True):
+        scale = both.penalty.scale
+        if scale.is_violation:
+            assert both.factor == own.factor
+        elif not scale.beside:
+            assert both.factor == pytest.approx(min(own.factor, there.factor))
+            below += both.factor < own.factor
+        else:
+            measure = [t for t in found if t.penalty.name == scale.beside][-1]
+            assert both.factor * scale.reference / both.weight == pytest.approx(measure.factor / measure.weight)
+    assert below > 0
+
+
+def test_motion_costs_the_weights_of_what_its_own_integrals_measure():
+    figure = Figure(mujoco.MjModel.from_xml_string(ONE_HINGE))
+    keys = [Frame.key(t, [q]) for t, q in ((0, 0.0), (1, 1.0), (2, 0.5))]
+    objective = Objective.of(figure, [(CovariantAcceleration(), 2.0), (Posture(), 5.0), (RootAcceleration(), 0.25)])
+    assert objective.raw_cost == 2.25
+    assert [term.penalty.name for term in objective.measured] == ["covariant", "root"]
+    assert objective.renormalised(path_of(raw_timeline(figure, keys))).heavy == pytest.approx(10 * 2.25)
+    assert Objective.of(figure, [(Posture(), 5.0)]).renormalised(path_of(raw_timeline(figure, keys))).heavy == np.inf
+
+
+@pytest.mark.parametrize("weight", [-1.0, np.nan, np.inf])
+def test_a_weight_that_is_none_is_refused_by_name(weight, figure):
+    with pytest.raises(ValueError, match=r"the weight of 'root' is .*; it must be a number, at least 0"):
+        Objective.of(figure, [(RootAcceleration(), weight)])
+    assert Objective.of(figure, [(RootAcceleration(), 0)]).terms[0].weight == 0
