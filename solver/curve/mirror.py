@@ -132,7 +132,7 @@ def _signs(source: Link, link: Link) -> Array:
     if link.kind is JointKind.BALL:
         return TURN
     along = source.axis * (AXIAL if link.kind is JointKind.HINGE else POLAR)
-    share = float(along @ link.axis) / max(float(np.linalg.norm(along) * np.linalg.norm(link.axis)), 1e-300)
+    share = float(along @ link.axis)  # of unit vectors
     if abs(share) < 1 - SAME_ANGLE:
         raise MirrorError(f"the axes of '{source.name}' and '{link.name}' are no mirror images")
     return np.array([np.sign(share)])

@@ -7,13 +7,14 @@ import itertools
 import mujoco
 import numpy as np
 import pytest
-from figures import BALL_TREE, EVERY_JOINT, FIGURES, ONE_BALL, figure_of
+from figures import BALL, BALL_TREE, EVERY_JOINT, FIGURES, ONE_BALL, figure_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.interpolate import CubicSpline
 from scipy.spatial.transform import Rotation
 
 from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.edit.thin import Bound, Recorded, _lasting, natural_splines, refined, thin
 from dynsplines.solver.figure.figure import Figure
@@ -351,3 +352,23 @@ def test_runs_that_last_are_told_by_their_own_times():
         np.testing.assert_array_equal(_lasting(wanted, times, least), np.array(kept, bool))
     np.testing.assert_array_equal(_lasting(~wanted & False, times, 0.0), False)
     np.testing.assert_array_equal(_lasting(wanted | True, times, 0.7), True)
+
+
+def test_a_loops_splines_travel_and_turn_as_it_does_and_others_need_no_travel():
+    figure, times = figure_of(BALL), np.linspace(0, 1, 9)
+    about = Rotation.from_rotvec(np.outer(0.7 * times, [0, 0, 1]))
+    qpos = np.column_stack([0.5 * times, 0 * times, 1 + 0 * times, about.as_quat(scalar_first=True)])
+    frames = [0, 3, 8]
+    loop = Recorded(figure, times, qpos, WIDE, "periodic", [0.5, 0, 0], 0.7)
+    timeline = loop.spline(loop.frames(frames))
+    seam = Seam.of(figure, timeline)
+    np.testing.assert_allclose(seam.headings, [0.7])
+    np.testing.assert_allclose(seam.travel[:3], [0.5, 0, 0], atol=1e-12)
+    assert timeline.ends == "periodic"
+    assert seam.apart(path_of(timeline)).max() < 1e-9
+    for ends in ("free", "clamped"):
+        other = Recorded(figure, times, qpos, WIDE, ends, [0.5, 0, 0], 0.7)
+        found = other.spline(other.frames(frames))
+        assert found.ends == ends
+        slope = path_of(found).motion(times[[0, -1]])[1 if ends == "clamped" else 2]
+        np.testing.assert_allclose(slope, 0, atol=1e-9)
