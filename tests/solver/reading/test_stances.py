@@ -11,9 +11,9 @@ from dynsplines.clip.posing.feet import sole_points
 from dynsplines.motion import samples_at
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.reading.recorded import Recorded
+from dynsplines.solver.reading.recorded import ORDER, Recorded
 from dynsplines.solver.reading.settled import settled
-from dynsplines.solver.reading.stances import LOW, NOISY, ONE, ROLLS, SUNK, Stood, _cut, stood
+from dynsplines.solver.reading.stances import LOW, NOISY, ONE, ROLLS, SUNK, Stood, _cut, _joined, stood, unsure, white
 from dynsplines.solver.surface import Plane, static_surfaces
 from dynsplines.solver.surface.heights import height_over
 from dynsplines.solver.surface.points import Point, places_of
@@ -155,3 +155,53 @@ def test_nothing_stands_where_there_is_no_ground_or_no_sole(figure, rng):
     recorded = Recorded.of(figure, times, np.tile(figure.model.qpos0, (31, 1)))
     assert stood(recorded, (), ()) == ()
     assert settled(recorded, (), ()) is recorded
+
+
+def test_the_noise_of_places_is_that_of_their_samples_whatever_smooth_way_they_go_and_gaps_hold(rng):
+    count, sizes = 4000, np.array([0.002, 0.01, 0.0])
+    noise = sizes[:, None] * rng.normal(size=(3, 3, count))
+    known = np.ones(count)
+    found = white(noise, known)
+    np.testing.assert_allclose(found, sizes, rtol=0.06)
+    t = np.linspace(-1, 1, count)
+    smooth = np.polynomial.polynomial.polyval(t, rng.normal(size=(4, 3, 3)))  # of degree three
+    np.testing.assert_allclose(white(noise + smooth, known), found, atol=1e-9)
+    known[1000:1100] = known[2500] = 0
+    wild = np.where(known > 0, noise, 100 * rng.normal(size=noise.shape))
+    np.testing.assert_allclose(white(wild, known), sizes, rtol=0.06)
+    np.testing.assert_array_equal(white(noise[..., :ORDER], known[:ORDER]), np.zeros(3))
+    assert np.all(white(noise[:, :2, : ORDER + 1], known[: ORDER + 1])[:2] > 0)
+
+
+def test_how_unsure_a_recording_is_of_its_points_is_the_noise_of_the_one_that_is_known_worst(rng):
+    times = np.arange(400) / FPS
+    qpos = np.column_stack([0.5 * times, 0.2 * np.sin(times)]) + 0.004 * rng.normal(size=(400, 2))
+    recorded = Recorded(SLED, times, qpos, np.ones((400, 2)))
+    first = Point("first", 1, np.zeros(3))
+    low, high = unsure(recorded, [first]), unsure(recorded, [first, RUNNER])
+    assert low <= high
+    seen = white(np.stack([qpos[:, 0], 0 * times, qpos[:, 1]])[:, None], np.ones(400))[0]
+    assert high == pytest.approx(seen, rel=0.3)
+    assert unsure(recorded, []) == 0
+    short = Recorded(SLED, times[: ORDER - 1], qpos[: ORDER - 1], np.ones((ORDER - 1, 2)))
+    assert unsure(short, [RUNNER]) == 0
+    assert stood(short, [RUNNER], [FLOOR]) == ()
+
+
+@pytest.mark.parametrize("times_as_many", [1, 2, 4])
+def test_more_samples_a_second_than_tell_anything_make_the_same_stances(times_as_many):
+    k = np.arange(100 * times_as_many)
+    fine = FPS * times_as_many
+    found = stances_of(k / fine, 1.5 / FPS * (k / times_as_many - np.clip(k / times_as_many - 30, 0, 40)), 0 * k)
+    (one,) = found
+    assert one.first == pytest.approx(30 / FPS, abs=1.01 / FPS)
+    assert one.last == pytest.approx(70 / FPS, abs=1.01 / FPS)
+
+
+@pytest.mark.parametrize(("apart", "gap", "one"), [(0.0, 3, True), (0.02, 3, True), (0.04, 3, False), (0.0, 12, False)])
+def test_two_runs_shortly_after_each_other_in_the_same_place_are_one_stance(apart, gap, one):
+    times = np.arange(60) / FPS
+    place = np.zeros((3, 60))
+    place[0, 20 + gap :] = apart
+    runs = _joined(times, [(0, 20), (20 + gap, 60)], place, 0.0)
+    assert runs == ([(0, 60)] if one else [(0, 20), (20 + gap, 60)])
