@@ -404,3 +404,23 @@ def test_a_few_steps_in_windows_lower_e_in_every_part_of_the_clip_and_are_told_a
     assert found.sum() < 0.95 * raw.sum()
     for window in windows(14):
         assert found[window.first : window.kept].sum() < raw[window.first : window.kept].sum()
+
+
+def test_what_a_window_holds_is_held_whole_up_to_the_keyframe_that_it_begins_to_keep():
+    """Keyframe 4 leaves its knee free or some of its root: the window behind it must not move what is there already."""
+    raw = raw_timeline(FIGURE, long_keys(partial=True))
+    assembly = Assembly(Objective.of(FIGURE, penalties()[:2]), raw, evenly(raw, 1))
+    for window in (Window(1, 4, 9, 13), Window(4, 7, 9, 13)):
+        assert not raw.frames[window.first].fixed.all()
+        opened, times = assembly.opened(window), assembly.key_times
+        for frame in opened.frames:
+            held = frame.time <= times[window.first]
+            assert frame.fixed.all() == (held or (not frame.is_variable and _is_whole(raw, frame.time)))
+        for frame, own in zip(raw.frames, assembly.around(window)(opened).frames[::2], strict=True):
+            np.testing.assert_array_equal(own.fixed, frame.fixed)  # in the whole clip it stays what it was
+    opened = assembly.opened(Window(0, 0, 4, 7))
+    np.testing.assert_array_equal([f.fixed for f in opened.frames[::2]], [f.fixed for f in raw.frames[:8]])
+
+
+def _is_whole(raw: Timeline, time: float) -> bool:
+    return any(frame.time == time and frame.fixed.all() for frame in raw.frames)

@@ -162,3 +162,42 @@ def test_the_curvature_is_the_second_derivative_the_wrench_itself_taken_as_linea
         2 * scale * np.einsum("is,sij,js->s", slope, projection(shares.left, shares.edges, support.softness), slope)
     )
     np.testing.assert_allclose(np.einsum("n,snm,m->s", direction, found, direction), expected, rtol=1e-5)
+
+
+def table(x: float, count: int = 3) -> tuple[Figure, Support, Samples]:
+    """A body that is `x` m before the middle of two feet, at rest, at times at which both or one of them hold."""
+    figure = Figure(mujoco.MjModel.from_xml_string(TABLE))
+    feet = [
+        Footing(Point(f"foot {side}", 1, np.array([side - x, 0, -1])), 0, last, UP)
+        for side, last in ((-0.2, 9.0), (0.2, 1.5))
+    ]
+    support = replace(Support.of(figure, 1, feet, ((7.0, 8.0),)), softness=1e-9)
+    y = np.tile([0, 0, 1, 1, 0, 0, 0.0], (count, 1))
+    return figure, support, Samples(figure, y, 0 * y, 0 * y, t=np.arange(count))
+
+
+@pytest.mark.parametrize("x", [0.0, 0.1, -0.15])
+def test_the_forces_on_feet_carry_the_weight_by_the_law_of_the_lever(x):
+    _, support, samples = table(x)
+    found = support.reactions(samples)
+    np.testing.assert_array_equal(found.at, [0, 0, 1, 1, 2])
+    np.testing.assert_array_equal(found.footing, [0, 1, 0, 1, 0])
+    np.testing.assert_allclose(found.place[:, :2], [[-0.2 - x, 0.2 - x], [0, 0], [0, 0]], atol=1e-12)
+    both = found.force[:, :2]
+    np.testing.assert_allclose(both.sum(axis=1), [0, 0, 30], atol=1e-4)
+    np.testing.assert_allclose(both[2], [30 * (0.2 - x) / 0.4, 30 * (0.2 + x) / 0.4], atol=1e-3)
+    np.testing.assert_allclose(both, found.force[:, 2:4], atol=1e-9)
+    left = support.rest(samples)
+    np.testing.assert_allclose(left[:, :2], 0, atol=1e-4)
+    assert np.abs(left[:, 2]).max() > 0.01  # one foot beside the middle cannot carry it at rest
+
+
+def test_in_flight_and_at_unknown_moments_no_foot_pushes():
+    _, support, samples = table(0.0, 12)
+    found = support.reactions(samples)
+    assert set(found.at.tolist()) == {0, 1, 2, 3, 4, 5, 6, 9}
+    alone = Support.of(table(0.0)[0], 1, (), ((0.0, 1.0),))
+    nothing = alone.reactions(samples)
+    assert nothing.at.size == nothing.force.size == nothing.place.size == 0
+    np.testing.assert_allclose(alone.rest(samples)[:, :2], [[0, 0], [0, 0], [1, 1], [0, 0], [0, 0], [0, 0]], atol=1e-12)
+    assert not alone.rest(samples)[:, 2:].any()
