@@ -372,3 +372,24 @@ def test_a_loops_splines_travel_and_turn_as_it_does_and_others_need_no_travel():
         assert found.ends == ends
         slope = path_of(found).motion(times[[0, -1]])[1 if ends == "clamped" else 2]
         np.testing.assert_allclose(slope, 0, atol=1e-9)
+
+
+@pytest.mark.parametrize("ends", ["free", "clamped"])
+@pytest.mark.parametrize("seed", range(4))
+def test_a_single_joints_motion_has_at_most_one_keyframe_more_than_the_fewest(seed, ends):
+    """All choices, one by one; and without any one of its keyframes the bound does not hold."""
+    figure, rng, times = (
+        Figure(mujoco.MjModel.from_xml_string(SWAY)),
+        np.random.default_rng(seed),
+        np.linspace(0, 1, 11),
+    )
+    bends = CubicSpline(np.linspace(0, 1, 5), rng.normal(size=5), bc_type="clamped" if ends == "clamped" else "natural")
+    recorded = Recorded(figure, times, bends(times)[:, None], Bound(0.15, 1.0), ends)
+    told: list[str] = []
+    kept = thin(recorded, told.append).kept
+    assert holds(recorded, kept)
+    assert list(kept) == sorted(set(kept))
+    assert (kept[0], kept[-1]) == (0, 8)
+    assert len(kept) <= fewest(recorded, len(kept)) + 1
+    assert not any(holds(recorded, tuple(k for k in kept if k != gone)) for gone in kept[1:-1])
+    assert told
