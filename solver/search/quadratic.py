@@ -295,8 +295,8 @@ class Pair(NamedTuple):
 def _seen_blocks(room: Array, columns: Index, blocks: Array) -> Iterator[tuple[Array, Array]]:
     """Where blocks (..., n, k, k) of the columns (n, k), which rise, stand in a matrix: parts of them with the entries
     (M + 2, K + 1, ...) to be added to. All at once if the columns are one run, else by pairs of runs."""
-    some = slice(int(columns[0, 0]), int(columns[-1, -1]) + 1)
-    if some.stop - some.start == columns.size and np.all(np.diff(columns.ravel()) == 1):
+    if np.all(np.diff(columns.ravel()) == 1):
+        some = slice(int(columns[0, 0]), int(columns[-1, -1]) + 1)
         seen = room[:, some, :, some]
         yield blocks, np.einsum("jnxkny->jknxy", seen.reshape(len(room), *columns.shape, room.shape[2], *columns.shape))
         return

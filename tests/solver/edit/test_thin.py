@@ -381,7 +381,7 @@ def test_a_single_joints_motion_has_at_most_one_keyframe_more_than_the_fewest(se
     figure, rng, times = (
         Figure(mujoco.MjModel.from_xml_string(SWAY)),
         np.random.default_rng(seed),
-        np.linspace(0, 1, 11),
+        np.linspace(0, 1, 9),
     )
     bends = CubicSpline(np.linspace(0, 1, 5), rng.normal(size=5), bc_type="clamped" if ends == "clamped" else "natural")
     recorded = Recorded(figure, times, bends(times)[:, None], Bound(0.15, 1.0), ends)
