@@ -24,8 +24,10 @@ from dynsplines.solver.posing import (
     BodyGoal,
     Goal,
     PointGoal,
+    Posed,
     SiteGoal,
     _Bends,
+    _posed,
     _PoseSearch,
     _Ranges,
     _step,
@@ -331,3 +333,45 @@ def test_a_pose_out_of_reach_tells_how_many_were_begun_with_and_one_in_reach_non
     seen = placed(figure.model, far.qpos).site("tip").xpos
     assert far.missed[0] == pytest.approx(np.linalg.norm(seen - near - 5.0))
     np.testing.assert_array_equal(far.qpos[:7], home[:7])
+
+
+class Scripted:
+    """A search that ends as it is told to: by start, how far it misses."""
+
+    home, dofs = np.zeros(1), np.zeros(3)
+
+    def __init__(self, *missed: float) -> None:
+        self.missed = missed
+
+    def result(self, qpos: Array) -> Posed:
+        miss = 9.0 if qpos[0] == 0 else self.missed[int(qpos[0]) - 1]
+        return Posed(qpos, np.ones(1, bool), np.array([miss]))
+
+    def bent_starts(self) -> list[Array]:
+        return [np.array([k]) for k in (1.0, 2.0)]
+
+    def roughly(self, start: Array) -> tuple[Array, float]:
+        return start, float(start[0])
+
+    def around(self, start: Array) -> Array:
+        return start
+
+    def starts_around(self, count: int) -> list[Array]:
+        return [np.array([k]) for k in range(3, 3 + count)]
+
+    followed = exactly = result
+
+
+@pytest.mark.parametrize("meets", [1, 2, 3, 4, 5])
+def test_the_first_pose_that_meets_its_goals_is_taken_whichever_start_led_to_it(meets):
+    missed = [0.0 if k >= meets else 1.0 / k for k in range(1, 6)]
+    found = _posed(Scripted(*missed), 5)  # type: ignore[arg-type]
+    assert found.is_met
+    assert found.qpos[0] == meets
+
+
+def test_where_none_does_the_nearest_is_taken_and_all_starts_are_told():
+    found = _posed(Scripted(0.5, 0.7, 0.2, 0.4, 0.6), 5)  # type: ignore[arg-type]
+    assert (found.qpos[0], found.worst, found.starts) == (3, 0.2, 5)
+    fewer = _posed(Scripted(0.5, 0.7, 0.2), 2)  # type: ignore[arg-type]
+    assert (fewer.qpos[0], fewer.starts) == (1, 2)
