@@ -209,6 +209,19 @@ def test_a_meshs_points_are_on_its_hull_with_every_corner_and_none_is_far():
     assert len(centres) < 2000 and apart.min() > 0
 
 
+def test_a_long_meshs_points_are_a_sixteenth_of_its_size_apart_and_no_closer_than_they_need_be(rng):
+    corners = " ".join(f"{x} {y} {z}" for x in (-2, 2) for y in (-0.5, 0.5) for z in (-0.3, 0.3))
+    model = mujoco.MjModel.from_xml_string(ONE.format(geom='type="mesh" mesh="m"', corners=corners))
+    centres, _ = cover.filling_spheres(model, 0)
+    pace = np.linalg.norm([4, 1, 0.6]) / cover.FINEST
+    half = np.array([2, 0.5, 0.3])
+    spots = rng.uniform(-1, 1, size=(4000, 3)) * half
+    side = rng.integers(3, size=4000)
+    spots[np.arange(4000), side] = half[side] * rng.choice([-1, 1], 4000)
+    far = np.linalg.norm(spots[:, None] - centres, axis=2).min(axis=1)
+    assert 0.5 * pace < far.max() < 0.75 * pace
+
+
 def test_spheres_inside_larger_ones_are_left_out_and_no_others(rng):
     centres, radii = rng.uniform(-1, 1, size=(120, 3)), rng.uniform(0, 0.6, 120)
     radii[:4], centres[1:4] = 0.5, centres[0]  # four that are the same
