@@ -210,14 +210,15 @@ def test_a_meshs_points_are_on_its_hull_with_every_corner_and_none_is_far():
 
 
 def test_a_long_meshs_points_are_a_sixteenth_of_its_size_apart_and_no_closer_than_they_need_be(rng):
-    corners = " ".join(f"{x} {y} {z}" for x in (-2, 2) for y in (-0.5, 0.5) for z in (-0.3, 0.3))
-    model = mujoco.MjModel.from_xml_string(ONE.format(geom='type="mesh" mesh="m"', corners=corners))
+    box = " ".join(f"{x} {y} {z}" for x in (-2, 2) for y in (-0.5, 0.5) for z in (-0.3, 0.3))
+    model = mujoco.MjModel.from_xml_string(ONE.format(geom='type="mesh" mesh="m"', corners=box))
     centres, _ = cover.filling_spheres(model, 0)
     pace = np.linalg.norm([4, 1, 0.6]) / cover.FINEST
-    half = np.array([2, 0.5, 0.3])
-    spots = rng.uniform(-1, 1, size=(4000, 3)) * half
-    side = rng.integers(3, size=4000)
-    spots[np.arange(4000), side] = half[side] * rng.choice([-1, 1], 4000)
+    found = hull_of(cover.mesh_vertices(model, 0))
+    assert found is not None
+    corners, faces = found
+    shares = rng.dirichlet(np.ones(3), 4000)
+    spots = np.einsum("sk,iks->si", shares, corners[:, faces[rng.integers(len(faces), size=4000)]].transpose(0, 2, 1))
     far = np.linalg.norm(spots[:, None] - centres, axis=2).min(axis=1)
     assert 0.5 * pace < far.max() < 0.75 * pace
 
