@@ -104,7 +104,7 @@ def test_points_and_sites_miss_what_mujoco_has_between_them_and_their_place_alon
 def test_a_body_misses_its_rotation_by_scipys_rotation_vector_which_changes_as_its_rows_say(text, rng):
     model = figure_of(text).model
     qpos, body = somewhere(model, rng), model.nbody - 1
-    data, turn = placed(model, qpos), Rotation.random(random_state=3)
+    data, turn = placed(model, qpos), Rotation.random(None, np.random.default_rng(3))
     x, y, z, w = turn.as_quat()
     goal = BodyGoal(model.body(body).name, np.array([w, x, y, z]))
     here = Rotation.from_matrix(data.xmat[body].reshape(3, 3))

@@ -60,7 +60,7 @@ def test_what_either_end_of_a_loop_fixes_is_where_it_was_there_and_a_travel_and_
     }[way]
     about = Rotation.from_rotvec([0, 0, turn])
     given = np.concatenate(
-        [rng.normal(size=3), Rotation.random(random_state=1).as_quat(scalar_first=True), [1, 0, 0, 0]]
+        [rng.normal(size=3), Rotation.random(None, np.random.default_rng(1)).as_quat(scalar_first=True), [1, 0, 0, 0]]
     )
     end = np.array(given)
     end[:3] += travel

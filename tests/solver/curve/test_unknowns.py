@@ -311,7 +311,9 @@ def test_a_loop_that_turns_comes_back_as_it_began_whatever_its_ends_leave_out(fr
     """Seen from the root all joints are as at first; the root is turned by the heading, by SciPy's rotations."""
     figure, turn = figure_of(TINY, coordinates), 0.7
     about = Rotation.from_rotvec([0, 0, turn])
-    first = np.array([0.3, 0.1, 1, *Rotation.random(random_state=5).as_quat(scalar_first=True), *random_turn(6)])
+    first = np.array(
+        [0.3, 0.1, 1, *Rotation.random(None, np.random.default_rng(5)).as_quat(scalar_first=True), *random_turn(6)]
+    )
     there = about * Rotation.from_quat(first[3:7], scalar_first=True)
     last = np.array([0.8, -0.1, 1, *there.as_quat(scalar_first=True), *first[7:]])
     mask = mask_without(figure, *free)
@@ -336,4 +338,4 @@ def test_a_loop_that_turns_comes_back_as_it_began_whatever_its_ends_leave_out(fr
 
 
 def random_turn(seed: int) -> Array:
-    return np.asarray(Rotation.random(random_state=seed).as_quat(scalar_first=True))
+    return np.asarray(Rotation.random(None, np.random.default_rng(seed)).as_quat(scalar_first=True))

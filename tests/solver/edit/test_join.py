@@ -229,9 +229,9 @@ def test_a_transition_begins_and_ends_as_the_motions_do_and_its_frames_beside_th
     first, last = before.times[-1], after.times[0]
     assert between.variable_count == variable
     np.testing.assert_allclose(between.times, np.linspace(first, last, variable + 2))
-    begin, end = path_of(before).motion([first])[:, 0], path_of(after).motion([last])[:, 0]
-    np.testing.assert_allclose(path_of(between).motion([first])[:, 0], begin, atol=1e-8)
-    np.testing.assert_allclose(path_of(between).motion([last])[:, 0], end, atol=1e-8)
+    begin, end = path_of(before).motion(np.array([first]))[:, 0], path_of(after).motion(np.array([last]))[:, 0]
+    np.testing.assert_allclose(path_of(between).motion(np.array([first]))[:, 0], begin, atol=1e-8)
+    np.testing.assert_allclose(path_of(between).motion(np.array([last]))[:, 0], end, atol=1e-8)
     exact = BPoly.from_derivatives([first, last], [begin, end])(between.times)
     inner = np.r_[0, 2:variable, variable + 1]
     np.testing.assert_allclose(between.states[inner], exact[inner], atol=1e-9)

@@ -333,7 +333,7 @@ def test_a_miss_counts_as_a_share_of_the_bound_and_four_times_where_a_limbs_end_
 
 def test_a_turn_counts_as_a_share_of_the_bounds_angle_whatever_the_signs_of_quaternions():
     figure = figure_of(ONE_BALL)
-    times, turn = np.linspace(0, 1, 11), Rotation.random(random_state=2)
+    times, turn = np.linspace(0, 1, 11), Rotation.random(None, np.random.default_rng(2))
     qpos = np.tile(turn.as_quat(scalar_first=True), (11, 1))
     recorded = Recorded(figure, times, qpos, Bound(1.0, 0.1))
     for angle in (0.01, 0.3, 2.5):

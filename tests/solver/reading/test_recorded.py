@@ -105,7 +105,8 @@ def test_how_lively_a_motion_is_makes_its_changes_of_slope_as_likely_as_scipy_sa
     found, expected = [], []
     for prior in (1e-2, 1.0, 1e2, 1e4):
         smooth, likely = recorded._fitted(columns, weight, prior)
-        seen = multivariate_normal(np.zeros(38), prior * spans + change @ np.diag(1 / weight) @ change.T)
+        covariance = prior * spans + change @ np.diag(1 / weight) @ change.T
+        seen = multivariate_normal(np.zeros(38), covariance)  # type: ignore[arg-type]
         found.append(likely)
         expected.append(np.sum(seen.logpdf((change @ recorded.states[:, columns]).T)))
         dense = np.diag(weight) + change.T @ np.linalg.solve(prior * spans, change)

@@ -160,7 +160,8 @@ def by_scipy(process: Process, covariance: np.ndarray) -> float:
     rows, whole = process.poses.rows, covariance + NOISE * np.eye(len(covariance))
 
     def unlikely(log_variance: float) -> float:
-        found = multivariate_normal(np.zeros(len(whole)), np.exp(log_variance) * whole).logpdf(rows.T)
+        covariance = np.exp(log_variance) * whole
+        found = multivariate_normal(np.zeros(len(whole)), covariance).logpdf(rows.T)  # type: ignore[arg-type]
         return -float(np.sum(found)) / rows.size
 
     return -minimize_scalar(unlikely, bounds=(-12, 3), method="bounded", options={"xatol": 1e-9}).fun

@@ -7,6 +7,7 @@ import sys
 
 import numpy as np
 import pytest
+from dense_hessian import flat_energy
 from small_problems import problem_of
 
 from dynsplines.solver.objective import Discretised
@@ -128,3 +129,14 @@ def test_eight_hundred_joints_take_little_memory_and_about_twice_that_of_four_hu
         most.append(int(out.stdout) / 1000)
     assert most[1] < 450  # [MB]; the program itself is 100, what MuJoCo takes to read it 130
     assert most[1] - most[0] < 2.5 * (most[0] - 100)
+
+
+def test_its_metric_is_the_flat_energy_in_the_unknowns_held_where_keyframes_are() -> None:
+    """Where no joint hangs on another's unknowns; such ties are left out."""
+    rng = np.random.default_rng(3)
+    problem = problem_of(rng, "clamped", "joint")
+    metric = FlatMetric(Search(problem, 9, 1.0, None).layout)
+    gradients = rng.normal(size=(4, problem.unknowns.size))
+    found = np.array([metric.to_x(metric.gradient(g)) for g in gradients])
+    expected = np.linalg.solve(flat_energy(problem), gradients.T).T
+    np.testing.assert_allclose(found, expected, atol=0.02 * np.abs(expected).max())

@@ -9,7 +9,8 @@ from scipy.optimize import minimize
 from scipy.spatial.transform import Rotation
 
 from dynsplines.solver.array import Array
-from dynsplines.solver.surface import Box, Capsule, Cylinder, Ellipsoid, Surface
+from dynsplines.solver.surface import Box, Capsule, Cylinder, Ellipsoid
+from dynsplines.solver.surface.solid import Solid
 
 HALF = np.array([0.3, 0.5, 0.2])
 TILTS = [np.zeros(3), np.array([0.4, -0.3, 0.8]), np.array([np.pi / 2, 0, 0]), np.array([2.0, 1.0, -0.5])]
@@ -52,7 +53,7 @@ def test_the_height_over_a_box_is_that_over_its_uppermost_face_along_its_normal(
         np.testing.assert_allclose(box.up(points), np.tile(sign * box.axes[:, [top]], 100))
 
 
-def shapes(turn: Array) -> dict[str, tuple[Surface, int, list[float]]]:
+def shapes(turn: Array) -> dict[str, tuple[Solid, int, list[float]]]:
     """By name a solid, its MuJoCo type and sizes; its axis is z turned."""
     matrix = Rotation.from_rotvec(turn).as_matrix()
     centre, axis = np.array([0.2, -0.1, 0.4]), matrix[:, 2]

@@ -112,3 +112,15 @@ def test_segments_with_an_end_in_the_air_are_left_out():
     assert grounded_intervals(figure, timeline, (FOOT,), (FLOOR,)) == ((0.0, 1.0), (1.0, 2.0))
     assert grounded_intervals(figure, timeline, (FOOT,), (FLOOR,), ((1.5, 1.7),)) == ((0.0, 1.0),)
     assert grounded_intervals(figure, timeline, (), (FLOOR,)) == grounded_intervals(figure, timeline, (FOOT,), ()) == ()
+
+
+def test_nothing_floats_without_points_or_without_a_ground(figure, rng):
+    samples, grounded = case(figure, rng)
+    for nothing in (
+        Grounded((), grounded.surfaces, grounded.intervals),
+        Grounded(grounded.points, (), grounded.intervals),
+    ):
+        curvature = Curvature(samples)
+        nothing.curvature(samples, curvature, np.ones(samples.count))
+        assert not nothing.evaluate(samples).any()
+        assert not curvature.quadratic(rng.normal(size=(samples.count, 3)), 0, samples.count).any()

@@ -3,6 +3,7 @@
 import mujoco
 import numpy as np
 import pytest
+from figures import CHAIN, EVERY_JOINT, figure_of
 from penalty_slope import penalty_slope
 from random_samples import at_times, random_samples
 from scipy.interpolate import CubicSpline
@@ -13,7 +14,7 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Near
 from dynsplines.solver.penalty.curvature import Curvature, add_differences
-from dynsplines.solver.penalty.motion.near import BACK, EASED, STRAYS
+from dynsplines.solver.penalty.motion.near import AWAY, BACK, EASED, FOR, STRAYS, levers
 from dynsplines.solver.reading.recorded import Recorded
 
 TIMES = np.linspace(0, 2, 61)
@@ -151,3 +152,19 @@ def test_it_leads_variable_frames_to_the_recording_and_no_others(figure, rng):
     wanted = found.recorded.path.at(np.array([1.0]))[0]
     np.testing.assert_allclose(np.abs(led.frames[1].state), np.abs(wanted))
     assert all(np.array_equal(led.frames[k].state, state) for k in (0, 2))
+
+
+def test_a_limb_that_is_off_by_one_joint_for_a_while_counts_one_however_long_it_is():
+    """Its end is off by AWAY for FOR seconds; samples are far too exact and too many to matter."""
+    figure, times = figure_of(EVERY_JOINT, "joint"), np.linspace(0, 2, 2001)
+    states = figure.to_state(np.tile(figure.model.qpos0, (times.size, 1)))
+    found = Near(Recorded(figure, times, states, np.ones_like(states)))
+    weights, lever = found.weights(np.array([1.0]))[0, 0], levers(figure)
+    for far, link in zip(lever, figure.links[1:], strict=True):
+        angle = AWAY / far
+        if link.kind is link.kind.HINGE:
+            assert weights[link.qpos] * angle**2 * FOR == pytest.approx(1, rel=0.05)
+        elif link.kind is link.kind.BALL:
+            assert weights[link.qpos] * (angle / 2) ** 2 * FOR == pytest.approx(1, rel=0.05)
+    hinge = figure_of(CHAIN.format("hinge"), "joint")
+    np.testing.assert_allclose(levers(hinge), [0.8, 0.4], atol=1e-9)  # to twice the middle of the mass beyond
