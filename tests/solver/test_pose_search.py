@@ -375,3 +375,22 @@ def test_where_none_does_the_nearest_is_taken_and_all_starts_are_told():
     assert (found.qpos[0], found.worst, found.starts) == (3, 0.2, 5)
     fewer = _posed(Scripted(0.5, 0.7, 0.2), 2)  # type: ignore[arg-type]
     assert (fewer.qpos[0], fewer.starts) == (1, 2)
+
+
+def test_how_far_a_pose_is_from_home_is_what_its_joints_have_moved_each_with_its_weight(rng):
+    figure = figure_of(RANGED)
+    home, pose = (somewhere(figure.model, rng, 0.4) for _ in range(2))
+    search = searching(figure, home)
+    (near, rows), _, _ = search._linearised(pose)
+    moved = np.zeros(figure.model.nv)
+    moved[:3] = pose[:3] - home[:3]
+    for link in figure.links[1:]:
+        if link.kind in (JointKind.HINGE, JointKind.SLIDE):
+            moved[link.dof] = pose[link.qpos] - home[link.qpos]
+        else:
+            at = link.qpos + (3 if link.kind is JointKind.FREE else 0)
+            before, after = (Rotation.from_quat(q[at : at + 4], scalar_first=True) for q in (home, pose))
+            first = link.dof + (3 if link.kind is JointKind.FREE else 0)
+            moved[first : first + 3] = (before.inv() * after).as_rotvec()
+    np.testing.assert_allclose(near, search.weights * moved[search.dofs], atol=1e-9)
+    np.testing.assert_array_equal(rows, np.diag(search.weights))
