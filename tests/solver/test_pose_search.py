@@ -394,3 +394,11 @@ def test_how_far_a_pose_is_from_home_is_what_its_joints_have_moved_each_with_its
             moved[first : first + 3] = (before.inv() * after).as_rotvec()
     np.testing.assert_allclose(near, search.weights * moved[search.dofs], atol=1e-9)
     np.testing.assert_array_equal(rows, np.diag(search.weights))
+
+
+def test_a_limb_goes_up_to_where_another_branches_off_and_a_trunk_is_its_own():
+    figure = figure_of(RANGED)
+    for body, names in (("trunk", 1), ("foot", 3), ("shin", 2), ("arm", 1)):
+        own = limb(figure, figure.model.body(body).id)
+        assert len(own) == names
+        assert own[0] == figure.body_link[figure.model.body(body).id]
