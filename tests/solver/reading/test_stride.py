@@ -103,3 +103,13 @@ def test_on_stairs_and_in_loops_no_cycle_is_told():
     slope = Plane("slope", np.zeros(3), np.array([-0.2, 0, 1]) / np.hypot(0.2, 1))
     assert not Gait(FIGURE, up, SOLES, (slope,))._is_level
     assert Gait(FIGURE, up, SOLES, GROUND)._is_level  # the ground is level, wherever the body is
+
+
+@pytest.mark.parametrize("between", [(0.95, 1.06), (1.14, 1.25)])
+def test_a_likelihood_that_rises_to_an_end_of_what_may_be_has_its_peak_there(between):
+    seen = gait(WALK, 0.3)
+    poses = PoseVectors.of(FIGURE, seen.keys)
+    assert poses is not None
+    found = seen.candidates(Process(poses), between, -np.inf)
+    nearest = min(between, key=lambda end: abs(end - PERIOD))
+    assert found[0].period == pytest.approx(nearest, rel=1e-9)

@@ -283,6 +283,14 @@ def test_a_decrease_is_measured_against_e_but_not_against_more_than_is_heavy(rng
         assert not search.is_negligible(1.01e-3 * size, 1e-3)
 
 
+def test_where_next_to_nothing_is_left_of_e_a_decrease_is_measured_against_a_thousandth_of_the_first(rng):
+    search = Search(problem_of(rng), 10, FIRST_DAMPING, None)
+    for first in (0.2, 0.7):
+        search.value, search.first = 1e-9, first
+        assert search.is_negligible(0.99e-3 * 1e-3 * first, 1e-3)
+        assert not search.is_negligible(1.01e-3 * 1e-3 * first, 1e-3)
+
+
 def test_the_damping_that_was_left_is_where_a_descent_goes_on(rng):
     problem = problem_of(rng)
     descent = Descent(problem.objective, problem.timeline, damping=3.0)
