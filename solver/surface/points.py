@@ -90,7 +90,7 @@ def _between(a: Point, b: Point) -> list[Point]:
     """Spheres along a capsule between its ends, three quarters of a radius apart."""
     length = float(np.linalg.norm(b.position - a.position))
     count = int(min(MOST_BETWEEN, length / (0.75 * max(a.radius, 0.01))))
-    shares = np.arange(1, count) / max(count, 1)
+    shares = np.arange(1, count) / count
     return [Point(a.name, a.link, a.position + share * (b.position - a.position), a.radius) for share in shares]
 
 
