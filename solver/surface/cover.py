@@ -112,11 +112,10 @@ def _cylinder(radius: float, half: float, gap: float) -> Spheres:
     """Spheres along the axis, or a disc of them in a flat one; points on the rims."""
     inner = min(radius, half)
     x, y = (part.ravel() for part in np.meshgrid(*[_spread(radius - inner, inner, gap)] * 2))
-    x, y = np.append(0.0, x), np.append(0.0, y)  # a disc hardly wider than its spheres has no other place in it
-    disc = np.hypot(x, y) <= radius - inner + 1e-9
-    disc[0] = not disc[1:].any()
+    size = np.hypot(x, y)
+    shrink = np.where(size > 0, np.maximum(np.abs(x), np.abs(y)) / np.maximum(size, 1e-12), 1.0)  # squares to rings
     rest, _ = _along(half - inner, inner, gap)
-    middle = np.array([[a, b, z] for a, b in zip(x[disc], y[disc], strict=True) for z in rest[:, 2]])
+    middle = np.array([[a, b, z] for a, b in zip(x * shrink, y * shrink, strict=True) for z in rest[:, 2]])
     count = max(8, int(np.ceil(2 * np.pi * radius / CLOSEST)))
     angle = 2 * np.pi * np.arange(count) / count
     rims = [np.column_stack([radius * np.cos(angle), radius * np.sin(angle), 0 * angle + z]) for z in (-half, half)]
