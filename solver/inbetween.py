@@ -276,7 +276,9 @@ class _Loop:
             threshold *= present / max(sum(not frame.is_variable for frame in timeline.frames) - 1, 1)
         most = min(room, max(1, round(self.settings.batch * scores.size)))
         middles = midpoints(timeline)
-        scores = np.where((middles > self.since) & (middles < self.until), scores, -np.inf)  # what a window holds is not split
+        scores = np.where(
+            (middles > self.since) & (middles < self.until), scores, -np.inf
+        )  # what a window holds is not split
         order = np.argsort(scores)[::-1][:most]
         order = order[scores[order] > threshold]
         promise = float(scores[order].sum()) / present if present > 0 else 0.0

@@ -195,27 +195,22 @@ def from_text(
     fps: float | None = None,
     spec: mujoco.MjSpec | None = None,
     unmet: list[str] | None = None,
+    like: Clip | None = None,
 ) -> Clip:
     """A clip from TOML text; `place` is how errors call it, `folder` where the figure's path starts.
 
     figure_file  where the figure is now, if not where the text says
     spec         the figure itself, whatever the text calls it
+    like         the clip that this one was edited from: if its text has the same figure and scene, they are its own
     unmet        gets a line for every place that no pose was found for; the keyframe comes as near as it can
     """
     place = place or f"{name}.toml"
     table = table_of(text, place)
     _check_text(table, place)
-    step = table.scene.step
-    try:
-        spec = figure_spec(figure_file or table.figure, folder) if spec is None else spec
-    except UserError as error:
-        raise UserError(f"{place}: {error}") from None
-    _check_joints(table.keyframe, spec, place)
-    try:
-        scene = compose(spec, None if step is None else Step(**step.model_dump()), obstacles(table.scene))
-    except UserError as error:
-        raise UserError(f"{place}: {error}") from None
-    figure = figure_of(scene, place, table.solve.coordinates)
+    if like is not None and _has_ground(like, table):
+        scene, figure = like.scene, like.figure
+    else:
+        scene, figure = _ground(table, place, folder, figure_file, spec)
     missed: list[str] = []
     recording = followed(table, figure, folder, place)
     base = None if recording is None else recording.pose
@@ -227,6 +222,33 @@ def from_text(
     if recording is not None:
         return _following(recording, name, text, scene, keys, table, fps)
     return _clip(name, text, scene, figure, fps or table.fps, keys, table, place, placed)
+
+
+def _ground(
+    table: ClipTable, place: str, folder: Path | None, figure_file: str | None, spec: mujoco.MjSpec | None
+) -> tuple[Scene, Figure]:
+    """A clip's figure in its scene."""
+    step = table.scene.step
+    try:
+        spec = figure_spec(figure_file or table.figure, folder) if spec is None else spec
+    except UserError as error:
+        raise UserError(f"{place}: {error}") from None
+    _check_joints(table.keyframe, spec, place)
+    try:
+        scene = compose(spec, None if step is None else Step(**step.model_dump()), obstacles(table.scene))
+    except UserError as error:
+        raise UserError(f"{place}: {error}") from None
+    return scene, figure_of(scene, place, table.solve.coordinates)
+
+
+def _has_ground(clip: Clip, table: ClipTable) -> bool:
+    """Whether a clip's text has the same figure in the same scene."""
+    own = table_of(clip.text, clip.name) if clip.text else None
+    return own is not None and (own.figure, own.scene, own.solve.coordinates) == (
+        table.figure,
+        table.scene,
+        table.solve.coordinates,
+    )
 
 
 def table_of(text: str, place: str) -> ClipTable:

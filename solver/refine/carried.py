@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 
@@ -104,7 +105,7 @@ def _signs(figure: Figure, states: Array, was: Array) -> Array:
 def _placed(times: Array, inner: Array) -> Array:
     """Variable frames' times that are far enough from keyframes, and some in segments that have none."""
     kept: list[float] = []
-    for a, b in zip(times[:-1], times[1:], strict=True):
+    for a, b in pairwise(times):
         margin = CLOSE * (b - a)
         own = inner[(inner > a + margin) & (inner < b - margin)]
         own = own[np.append(True, np.diff(own) > SAME)] if own.size else own

@@ -15,14 +15,18 @@ SOLVER = [path for path in FILES if path.parts[0] == "solver"]
 
 PACKAGES = {"runner": "dynsplines", "solver": "dynsplines.solver", "models": "dynsplines.models"}  # that they are
 MAY_IMPORT = {"runner": set(HOUSE), "solver": {"solver"}, "models": {"models"}}
+EDITS = ("__init__", "tables", "keys", "poses", "constraints", "obstacles")
 ONLY_IN = {
     "nlopt": {"solver/search/optimiser.py"},
     "imageio": {"runner/picture/film.py"},
     "threadpoolctl": {"solver/one_thread.py"},
-    "tomllib": {"runner/clip/load.py"},
+    "tomllib": {"runner/clip/load.py", "runner/studio/document.py"},
     "typer": {"runner/cli.py"},
     "pygltflib": {"runner/exchange/format/gltf.py"},
     "pxr": {"runner/exchange/format/usd.py"},
+    "starlette": {"runner/studio/server.py"},
+    "tomlkit": {"runner/studio/document.py", *(f"runner/studio/edits/{name}.py" for name in EDITS)},
+    "uvicorn": {"runner/studio/start.py"},
 }
 SCIPY_IN_SOLVER = {
     "solver/curve/banded.py",
@@ -149,7 +153,8 @@ STRATA = {
         edit claims
         clean
         batch
-        python cli
+        python studio
+        cli
         start
     """,
 }

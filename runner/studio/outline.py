@@ -1,0 +1,57 @@
+"""What the page shows of a clip's text: keyframes and what they fix, contacts, holds, weights, obstacles."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ..clip.kinds import KINDS
+from ..clip.load import table_of
+from ..clip.table import ClipTable
+from ..clip.text import tables
+from .document import Document
+
+
+def outline(document: Document) -> dict[str, Any]:
+    """The document as the page has it; raises UserError for a text that no clip can be."""
+    table = table_of(document.text, document.place)
+    said = tables(table)
+    scene = said.get("scene", {})
+    return {
+        "name": document.name,
+        "file": document.file.name if document.file else None,
+        "dirty": document.is_dirty,
+        "revision": document.revision,
+        "undo": document.undone,
+        "redo": document.redone,
+        "figure": table.figure,
+        "fps": table.fps,
+        "keys": [_key(row) for row in said.get("keyframe", [])],
+        "contacts": said.get("contact", []),
+        "holds": said.get("hold", []),
+        "weights": weights(table),
+        "options": {entry["kind"]: entry for entry in said.get("penalty", [])},
+        "obstacles": [
+            {"kind": kind, "index": index, **each}
+            for kind, rows in scene.items()
+            for index, each in enumerate([rows] if kind == "step" else rows)
+        ],
+        "solve": said.get("solve", {}),
+        "recording": said.get("recording"),
+    }
+
+
+def weights(table: ClipTable) -> dict[str, float | None]:
+    """The weights that the clip gives, by kind; None where it names a kind and leaves the weight at its default."""
+    return {entry.kind: entry.said.get("weight") for entry in table.penalty}
+
+
+def kinds() -> list[dict[str, Any]]:
+    """The table of soft constraints."""
+    return [
+        {"kind": kind.name, "weight": kind.weight, "says": kind.says, "options": kind.choices()}
+        for kind in KINDS.values()
+    ]
+
+
+def _key(row: dict[str, Any]) -> dict[str, Any]:
+    return {"others": "free", **row}
