@@ -25,6 +25,7 @@ from ..clip.constraints import posing_bends
 from ..clip.posing.feet import sole_points
 from ..clip.table import PenaltyTable
 from ..clip.text import rotation
+from ..errors import UserError, unknown
 
 STANDS = 0.03  # [m] over what it may stand on from which on a sole does not stand
 SHORT = 0.002  # [m] by which a limb that does not reach misses
@@ -94,14 +95,26 @@ class Poser:
         return pulled(self.figure, grip.qpos, grip.whole, [goal, *grip.planted], self.bends, begin=begin)
 
     def turned(self, qpos: Array, joint: str, turn: Array) -> Array:
-        """(nq,) a pose with one joint turned to a quaternion (4,) wxyz, or a hinge to turn[0] [rad, m]."""
-        link = next(link for link in self.figure.links[1:] if link.name == joint)
+        """(nq,) a pose with one joint turned on by a rotation in the world (4,) wxyz; a hinge by its share of it."""
+        link = next((link for link in self.figure.links[1:] if link.name == joint), None)
+        if link is None:
+            raise UserError(unknown("joint", joint, [each.name for each in self.figure.links[1:]]))
+        turn = quat.normalised(np.array(turn, float))
         out = np.array(qpos, float)
+        self._place(qpos)
         if link.kind in (JointKind.HINGE, JointKind.SLIDE):
-            out[link.qpos] = float(turn[0])
-        else:
-            start = link.qpos + (3 if link.kind is JointKind.FREE else 0)
-            out[start : start + 4] = quat.normalised(np.array(turn, float))
+            about = quat.rotation_vector(turn)
+            mujoco.mj_comPos(self.figure.model, self.data)
+            value = out[link.qpos] + float(self.data.xaxis[link.joint] @ about)
+            if self.figure.model.jnt_limited[link.joint]:
+                value = float(np.clip(value, *self.figure.model.jnt_range[link.joint]))
+            out[link.qpos] = value
+            return out
+        start = link.qpos + (3 if link.kind is JointKind.FREE else 0)
+        own = out[start : start + 4]
+        base = quat.product(self.data.xquat[link.body], quat.inverse(own))
+        moved = quat.product(quat.product(quat.inverse(base), turn), quat.product(base, own))
+        out[start : start + 4] = quat.normalised(moved)
         return out
 
     def said(self, home: Array, qpos: Array) -> dict[str, Any]:

@@ -43,6 +43,7 @@ from .stage import stage
 if TYPE_CHECKING:
     Line = Connection[Any, Any]
 
+MOST_SEEN = 40  # texts whose paths are remembered
 SOONEST = 0.04  # [s] from one path that is sent to the next
 Message = dict[str, Any]
 
@@ -81,6 +82,7 @@ class Work:
         self._is_searching = self._is_sending = self._is_asked = False
         self._sent = 0.0
         self.has_curves = False
+        self.seen: dict[str, Timeline] = {}
 
     def do(self, message: Message) -> None:
         """One message; whatever goes wrong with it is told."""
@@ -133,6 +135,9 @@ class Work:
         """Where the search of the present clip begins, and what alone was edited; nowhere if all of it is new."""
         clip = self.clip
         assert clip is not None
+        seen = self.seen.get(clip.text)
+        if seen is not None and not first:  # undone or done again
+            return seen, None if before is None else _edited(before, clip)
         timeline = found if found is not None else None if solution is None else solution.timeline
         keys = clip.keys if before is None else before.keys
         if (
@@ -248,11 +253,19 @@ class Work:
             self._judge(stop="ASKED")
             return
         self.found = found
+        self._remember(clip.text, found.timeline)
         value, parts = (found.trace[-1][2], found.trace[-1][3]) if found.trace else (0.0, {})
         self._send_path(found.timeline, "found", value=value, parts=_plain(parts), evaluation=found.evaluations)
         if begin is None and found.stop is Stop.CONVERGED and (folder := cache()) is not None:
             kept.write(Solved(clip, found, None), folder / f"{kept.key_of(clip)}.npz")
         self._judge(stop=found.stop.name)
+
+    def _remember(self, text: str, timeline: Timeline) -> None:
+        """What was found for a text, in case that somebody comes back to it; of the last few texts."""
+        self.seen.pop(text, None)
+        self.seen[text] = timeline
+        if len(self.seen) > MOST_SEEN:
+            del self.seen[next(iter(self.seen))]
 
     def _judge(self, stop: str) -> None:
         """What is wrong with the present path, and why the search ended."""
