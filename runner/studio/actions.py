@@ -28,7 +28,7 @@ class Actions:
 
     async def poser(self) -> Poser:
         """What poses the present figure."""
-        return await asyncio.to_thread(_poser, self.session)
+        return await asyncio.to_thread(prepared, self.session)
 
     async def grip(self, *, time: float, body: int, offset: Sequence[float], plant: bool = True) -> dict[str, Any]:
         """Takes hold of a point of a body at a time of the clip."""
@@ -164,7 +164,7 @@ class Actions:
 
         from dynsplines.solver.curve.spline import path_of
 
-        timeline, figure = self.session.timeline, _poser(self.session).figure
+        timeline, figure = self.session.timeline, prepared(self.session).figure
         if timeline is None:
             raise UserError("there is no path yet; wait for the clip to load")
         inside = float(np.clip(time, timeline.times[0], timeline.times[-1]))
@@ -182,7 +182,7 @@ class Actions:
         return rows[index]
 
 
-def _poser(session: Session) -> Poser:
+def prepared(session: Session) -> Poser:
     """What poses a session's figure, made once for a stage."""
     known = session.poser
     if known is not None and known[0] == session.stages:

@@ -62,6 +62,17 @@ class Document:
         """What redo would do again."""
         return self._forth[-1][0] if self._forth else None
 
+    def told(self) -> dict[str, Any]:
+        """What a page shows of it beside its tables."""
+        return {
+            "name": self.name,
+            "file": self.file.name if self.file else None,
+            "dirty": self.is_dirty,
+            "revision": self.revision,
+            "undo": self.undone,
+            "redo": self.redone,
+        }
+
     def tree(self) -> tomlkit.TOMLDocument:
         """The text as tables that know their comments, to be changed; raises UserError for what is no TOML."""
         if self._tree is None or self._tree[0] != self.text:

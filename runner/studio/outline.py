@@ -8,21 +8,14 @@ from ..clip.kinds import KINDS
 from ..clip.load import table_of
 from ..clip.table import ClipTable
 from ..clip.text import tables
-from .document import Document
 
 
-def outline(document: Document) -> dict[str, Any]:
-    """The document as the page has it; raises UserError for a text that no clip can be."""
-    table = table_of(document.text, document.place)
+def outline(text: str, place: str) -> dict[str, Any]:
+    """A clip's text as the page has it; raises UserError for one that no clip can be."""
+    table = table_of(text, place)
     said = tables(table)
     scene = said.get("scene", {})
     return {
-        "name": document.name,
-        "file": document.file.name if document.file else None,
-        "dirty": document.is_dirty,
-        "revision": document.revision,
-        "undo": document.undone,
-        "redo": document.redone,
         "figure": table.figure,
         "fps": table.fps,
         "keys": [_key(row) for row in said.get("keyframe", [])],

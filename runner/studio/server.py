@@ -12,6 +12,7 @@ import itertools
 import json
 from collections.abc import Awaitable, Callable
 from contextlib import asynccontextmanager, suppress
+from functools import partial
 from importlib.resources import files
 from typing import Any
 from urllib.parse import urlsplit
@@ -23,7 +24,7 @@ from starlette.routing import Route, WebSocketRoute
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from ..errors import UserError, one_line
-from .actions import Actions
+from .actions import Actions, prepared
 from .files import Files, formats
 from .session import Session
 
@@ -100,6 +101,7 @@ def application(session: Session, door: Door) -> Starlette:
 
     @asynccontextmanager
     async def life(app: Starlette) -> Any:
+        session.settled = partial(_prepare, session)
         session.begin()
         try:
             yield
@@ -108,6 +110,12 @@ def application(session: Session, door: Door) -> Starlette:
 
     routes = [Route("/", page), WebSocketRoute("/line", line), Route("/{name}", page)]
     return Starlette(routes=routes, lifespan=life)
+
+
+def _prepare(session: Session) -> None:
+    """Has what drags need made aside, so that the first one waits for nothing."""
+    if session.poser is None or session.poser[0] != session.stages:
+        asyncio.get_running_loop().run_in_executor(None, prepared, session)
 
 
 class _Page:

@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import UserError, one_line
-from . import outline
 from .document import Document
 from .edits import EDITS
 from .solver import Solver
@@ -36,10 +35,13 @@ class Session:
         self.timeline: Any = None
         self.scene: Message | None = None
         self.stages = 0
+        self.settled: Callable[[], None] | None = None
         self.poser: tuple[int, Any] | None = None
         self.clipboard: list[dict[str, Any]] = []
         self.offer = document.kept()
         self.status: Message = {"is": "status", "state": "loading"}
+        self.outline: Message = {}
+        self._kinds: Message | None = None
         self._stage: bytes | None = None
         self._paths: dict[str, bytes] = {}
         self._settled: Message | None = None
@@ -51,10 +53,16 @@ class Session:
         self._keeper: asyncio.TimerHandle | None = None
         self._curved: set[int] = set()
 
-    def begin(self) -> None:
-        """Starts the process and gives it the clip."""
-        self.solver.begin()
+    def start(self) -> None:
+        """Starts the process and gives it the clip; what it says waits until somebody listens."""
+        self.solver.start()
         self._load(self.document.text, self.document.revision, first=True)
+
+    def begin(self) -> None:
+        """Listens to the process, which is started if it has not been."""
+        if not self.solver.is_started:
+            self.start()
+        self.solver.listen()
 
     def close(self) -> None:
         """Ends the process; unsaved work is on the disk."""
@@ -66,11 +74,12 @@ class Session:
     def enter(self, number: int, send: Send) -> None:
         """A page that has just come: it gets all there is."""
         self.pages[number] = send
-        send(json.dumps({"is": "kinds", "kinds": outline.kinds()}))
+        if self._kinds is not None:
+            send(json.dumps(self._kinds))
         for data in filter(None, (self._stage, *(self._paths.get(kind) for kind in LATEST))):
             send(data)
-        send(self._outline())
         if self.loaded:
+            send(self._outline())
             send(json.dumps(self.loaded))
         for told in (self._settled, self.status):
             if told is not None:
@@ -90,8 +99,8 @@ class Session:
             send(text)
 
     def _outline(self) -> str:
-        told = outline.outline(self.document)
-        return json.dumps({"is": "document", **told, "copied": len(self.clipboard)})
+        told = {**self.document.told(), **self.outline, "copied": len(self.clipboard)}
+        return json.dumps({"is": "document", **told})
 
     def _offering(self) -> str:
         return f"work on {self.document.place} that was not saved is still there, from a studio that ended"
@@ -110,9 +119,9 @@ class Session:
                 raise UserError(f"{name}: {one_line(error)}") from None
             text = tree.as_string()
             if text != self.document.text:
-                await self._tried(text)
+                verdict = await self._tried(text)
                 self.document.commit(text, words, tree)
-                self._changed()
+                self._changed(verdict)
             return words
 
     async def undo(self) -> str:
@@ -128,17 +137,17 @@ class Session:
             found = seen()
             if found is None:
                 raise UserError(f"nothing to {verb}")
-            await self._tried(found[1])
+            verdict = await self._tried(found[1])
             step()
-            self._changed()
+            self._changed(verdict)
             return f"{verb}: {found[0]}"
 
     async def replace(self, text: str, words: str) -> str:
         """Another text altogether."""
         async with self._lock:
-            await self._tried(text)
+            verdict = await self._tried(text)
             self.document.commit(text, words)
-            self._changed()
+            self._changed(verdict)
             return words
 
     async def take_offer(self, *, yes: bool) -> str:
@@ -158,18 +167,17 @@ class Session:
             self.document.keep()
             before, self.document = self.document, document
             try:
-                await self._tried(document.text, first=True)
+                verdict = await self._tried(document.text, first=True)
             except UserError:
                 self.document = before
                 raise
             self.offer = document.kept()
-            self._changed()
+            self._changed(verdict)
             self.tell({"is": "offer", "words": self._offering() if self.offer is not None else None})
             return f"opened {document.place}"
 
-    async def _tried(self, text: str, *, first: bool = False) -> None:
-        """Raises UserError for a text that is no clip; the process searches it already otherwise."""
-        outline.outline(Document(self.document.name, text, self.document.folder, self.document.file))
+    async def _tried(self, text: str, *, first: bool = False) -> Message:
+        """What the process says of a text, which it searches already; raises UserError for one that is no clip."""
         self._verdict = asyncio.get_running_loop().create_future()
         self._load(text, self.document.revision + 1, first=first)
         try:
@@ -180,6 +188,7 @@ class Session:
             self._verdict = None
         if verdict["is"] != "loaded":
             raise UserError(verdict["words"])
+        return verdict
 
     def _load(self, text: str, revision: int, *, first: bool = False, found: Any = None) -> None:
         document = self.document
@@ -195,12 +204,19 @@ class Session:
         }
         self.solver.send(self._trying if found is None else {**self._trying, "found": found})
 
-    def _changed(self) -> None:
+    def _changed(self, verdict: Message) -> None:
         """Tells everybody, and has unsaved work written soon."""
-        self.told()
+        self._accept(verdict)
         if self._keeper is not None:
             self._keeper.cancel()
         self._keeper = asyncio.get_running_loop().call_later(KEEPING, self.document.keep)
+
+    def _accept(self, loaded: Message) -> None:
+        """The clip that the process has loaded is the document's."""
+        self.outline = loaded.pop("outline")
+        self.loaded = loaded
+        self.told()
+        self.tell(loaded)
 
     def told(self) -> None:
         """The document as it stands, to everybody."""
@@ -251,10 +267,13 @@ class Session:
         self.tell(self._stage)
 
     def _heard_loaded(self, message: Message) -> None:
-        self.loaded = message
-        self._judge(message)
-        self.tell(message)
+        if not self._judge(message):
+            self._accept(message)
         self._status("loaded")
+
+    def _heard_kinds(self, message: Message) -> None:
+        self._kinds = message
+        self.tell(message)
 
     def _heard_refused(self, message: Message) -> None:
         if self._kept is not None and not self._kept.done() and message.get("revision") is None:
@@ -281,6 +300,8 @@ class Session:
 
     def _heard_settled(self, message: Message) -> None:
         self._settled = message
+        if self.settled is not None:
+            self.settled()
         self.tell(message)
         self._status("settled", stop=message["stop"])
 

@@ -12,8 +12,10 @@ from typing import Any
 from ..errors import UserError
 from ..scene.outside import is_allowed
 from ..system.workers import ctrl_c_blocked
+from .solving_process import entry
 
 Message = dict[str, Any]
+SHORT = 0.2  # [s] for one that has nothing to do
 PATIENCE = 5.0  # [s] that a process may take to end by itself
 MOST_LOSSES = 5  # in a row, without one answer: then it is not begun again
 
@@ -27,40 +29,50 @@ class Solver:
 
     def __init__(self, heard: Callable[[Message], None], lost: Callable[[str], None]) -> None:
         self.heard, self.lost = heard, lost
+        self._line: Any = None
+        self._process: Any = None
         self._losses = 0
         self._is_closed = False
         self._loop: asyncio.AbstractEventLoop | None = None
 
-    def begin(self) -> None:
-        """Starts the process; what it needs is imported over there."""
-        self._loop = asyncio.get_running_loop()
-        from .solving_process import entry
+    @property
+    def is_started(self) -> bool:
+        """Whether there is a process."""
+        return self._process is not None
 
+    def start(self) -> None:
+        """Starts the process; what it needs is imported over there."""
         spawn = multiprocessing.get_context("spawn")
-        self.line, theirs = spawn.Pipe()
-        self.process = spawn.Process(target=entry, args=(theirs, is_allowed()), daemon=True, name="solver")
+        self._line, theirs = spawn.Pipe()
+        self._process = spawn.Process(target=entry, args=(theirs, is_allowed()), daemon=True, name="solver")
         try:
             with ctrl_c_blocked():
-                self.process.start()
+                self._process.start()
         except OSError as error:
             raise UserError(f"the process that solves cannot be started: {error.strerror or error}") from None
         theirs.close()
-        threading.Thread(target=self._listen, args=(self.line, self.process), daemon=True).start()
+
+    def listen(self) -> None:
+        """From now on messages go to the running event loop."""
+        self._loop = asyncio.get_running_loop()
+        threading.Thread(target=self._listen, args=(self._line, self._process), daemon=True).start()
 
     def send(self, message: Message) -> None:
         """A message to the process; if it is gone, it is told that it is lost soon."""
         with suppress(OSError, ValueError):
-            self.line.send(message)
+            self._line.send(message)
 
     def close(self) -> None:
         """Ends the process."""
         self._is_closed = True
-        with suppress(OSError):
-            self.line.close()
-        self.process.join(0.2)
-        if self.process.is_alive():
-            self.process.terminate()
-            self.process.join(PATIENCE)
+        with suppress(OSError, AttributeError):
+            self._line.close()
+        if self._process is None:
+            return
+        self._process.join(SHORT)
+        if self._process.is_alive():
+            self._process.terminate()
+            self._process.join(PATIENCE)
 
     def _listen(self, line: Any, process: Any) -> None:
         """In a thread of its own: what comes, until the line ends."""
@@ -86,5 +98,6 @@ class Solver:
         if self._losses > MOST_LOSSES:
             self.heard({"is": "gone", "words": f"the process that solves {how}, again and again; too little memory?"})
             return
-        self.begin()
+        self.start()
+        self.listen()
         self.lost(f"the process that solves {how}; another one goes on from the last path")

@@ -37,7 +37,7 @@ from ..system.cache_folder import place as cache
 from ..system.progress import Progress
 from ..work import Solved
 from . import paths
-from .curves import curves
+from .outline import kinds, outline
 from .stage import stage
 
 if TYPE_CHECKING:
@@ -54,6 +54,7 @@ def serve(line: Line, outside: bool) -> None:
     work = Work(line)
     signal.signal(signal.SIGINT, work.interrupted)
     threading.Thread(target=_read, args=(line, inbox, work), daemon=True).start()
+    line.send({"is": "kinds", "kinds": kinds()})
     with suppress(BrokenPipeError, EOFError, OSError), allowed(outside), one_thread():
         while (message := inbox.get()) is not None:
             work.do(message)
@@ -116,7 +117,8 @@ class Work:
         self.clip, self.revision = clip, revision
         if not has_ground:
             self._send({"is": "stage", "stage": stage(clip), "scene": clip.scene, "place": clip.figure.coordinates})
-        self._tell("loaded", revision=revision, notes=list(clip.notes), **_shape(clip))
+        said = outline(text, place)
+        self._tell("loaded", revision=revision, notes=list(clip.notes), outline=said, **_shape(clip))
         self._send_path(clip.problem.raw, "raw")
         begin, between = self._begin(before, solution, first=first, found=found)
         if begin is None:
@@ -280,6 +282,8 @@ class Work:
 
     def _send_curves(self) -> None:
         if self.clip is not None and self.found is not None:
+            from .curves import curves  # only here: most look at no curves
+
             self._tell("curves", curves=curves(self.clip, self.found))
 
     def _send_path(self, timeline: Timeline, stage: str, **told: Any) -> None:

@@ -9,11 +9,8 @@ import sys
 import webbrowser
 from collections.abc import Callable
 
-import uvicorn
-
 from ..errors import UserError
 from .document import Document
-from .server import MOST_BYTES, Door, application
 from .session import Session
 
 LOCAL = ("127.0.0.1", "localhost", "[::1]")
@@ -27,15 +24,37 @@ def run(
     """Serves a document until Ctrl-C; raises UserError for a host or port that it cannot have."""
     check_host(host, allow_remote=allow_remote)
     listening = _bound(host, port)
-    port = listening.getsockname()[1]
-    token = secrets.token_urlsafe(TOKEN)
+    session = Session(document)
+    session.start()  # before the server's own imports, so that both go on at once
+    token, port = secrets.token_urlsafe(TOKEN), listening.getsockname()[1]
     shown = f"[{host}]" if ":" in host else host
     hosts = frozenset(f"{name}:{port}" for name in {*LOCAL, shown})
     if _is_any(host):
         hosts |= frozenset(f"{name}:{port}" for name in (socket.gethostname(), socket.getfqdn(), *_own_addresses()))
         shown = socket.gethostname()
     address = f"http://{shown}:{port}/?token={token}"
-    session = Session(document)
+    say(address)
+    if not _is_loopback(host):
+        say("note: whoever has this address, and can reach this machine, edits the clip and writes files beside it;")
+        say("note: what goes over the wire is not encrypted")
+    if browser:
+        webbrowser.open(address)
+    try:
+        _serve(session, listening, token, hosts)
+    except KeyboardInterrupt:
+        pass
+    finally:
+        listening.close()
+        session.close()
+        if session.document.is_dirty:
+            print(f"not saved; it is offered again: {session.document.keeping}", file=sys.stderr)
+
+
+def _serve(session: Session, listening: socket.socket, token: str, hosts: frozenset[str]) -> None:
+    import uvicorn  # only here: the process that solves has begun
+
+    from .server import MOST_BYTES, Door, application
+
     settings = uvicorn.Config(
         application(session, Door(token, hosts)),
         log_level="critical",
@@ -45,20 +64,7 @@ def run(
         server_header=False,
         timeout_graceful_shutdown=GRACE,
     )
-    say(address)
-    if not _is_loopback(host):
-        say("note: whoever has this address, and can reach this machine, edits the clip and writes files beside it;")
-        say("note: what goes over the wire is not encrypted")
-    if browser:
-        webbrowser.open(address)
-    try:
-        uvicorn.Server(settings).run(sockets=[listening])
-    except KeyboardInterrupt:
-        pass
-    finally:
-        listening.close()
-        if document.is_dirty:
-            print(f"not saved; it is offered again: {session.document.keeping}", file=sys.stderr)
+    uvicorn.Server(settings).run(sockets=[listening])
 
 
 def check_host(host: str, *, allow_remote: bool) -> None:

@@ -28,19 +28,14 @@ export class Figure {
   /** veil: materials of a ghost; none for the figure itself */
   constructor(bodies: string[], pieces: Piece[], shapes: Shapes, veils?: THREE.Material[]) {
     this.groups = bodies.map((name, body) => Object.assign(new THREE.Group(), { name, userData: { body } }));
-    for (const piece of pieces) {
-      if (veils) {
-        veils.forEach((paint, order) => {
-          const mesh = shapes.mesh(piece, paint);
-          mesh.renderOrder = 1 + order;
-          this.groups[piece.body].add(mesh);
-        });
-        continue;
-      }
-      const mesh = shapes.mesh(piece);
-      mesh.castShadow = piece.kind !== "plane" && piece.colour[3] === 1;
-      mesh.receiveShadow = true;
-      this.groups[piece.body].add(mesh);
+    for (const part of shapes.parts(pieces)) {
+      (veils ?? [part.material]).forEach((paint, order) => {
+        const mesh = new THREE.Mesh(part.geometry, paint);
+        if (veils) mesh.renderOrder = 1 + order;
+        mesh.castShadow = !veils && part.casts;
+        mesh.receiveShadow = !veils;
+        this.groups[part.body].add(mesh);
+      });
     }
     this.root.add(...this.groups);
   }

@@ -6,12 +6,21 @@ export interface Mood { haze: [number, number, number]; zenith: [number, number,
 export const DAY: Mood = { haze: [0.9, 0.915, 0.93], zenith: [0.6, 0.69, 0.78], ground: 0xb9ab9a, sky: 0xf4f8ff };
 export const DUSK: Mood = { haze: [0.17, 0.185, 0.21], zenith: [0.07, 0.08, 0.1], ground: 0x8d8478, sky: 0xdfe8f5 };
 
+/** Whether a canvas is drawn by the processor alone, which is asked for less. */
+export const isSoftware = (): boolean => {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  const about = gl?.getExtension("WEBGL_debug_renderer_info");
+  const name = gl ? String(gl.getParameter(about ? about.UNMASKED_RENDERER_WEBGL : gl.RENDERER)) : "";
+  gl?.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
+};
+
 /** A renderer on a canvas; throws where there is no WebGL 2. */
-export const rendererOn = (canvas: HTMLCanvasElement): THREE.WebGLRenderer => {
-  const renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
-  renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+export const rendererOn = (canvas: HTMLCanvasElement, software = false): THREE.WebGLRenderer => {
+  const renderer = new THREE.WebGLRenderer({ canvas, antialias: !software, powerPreference: "high-performance" });
+  renderer.setPixelRatio(software ? 1 : Math.min(window.devicePixelRatio, 2));
   renderer.shadowMap.enabled = true;
-  renderer.shadowMap.type = THREE.PCFShadowMap;
+  renderer.shadowMap.type = software ? THREE.BasicShadowMap : THREE.PCFShadowMap;
   renderer.toneMapping = THREE.NeutralToneMapping;
   return renderer;
 };
@@ -23,7 +32,7 @@ export class Surroundings {
   private readonly dome: THREE.SphereGeometry;
 
   /** extent [m]: how far the motion goes */
-  constructor(extent: number, mood: Mood = DAY) {
+  constructor(extent: number, mood: Mood = DAY, software = false) {
     this.dome = new THREE.SphereGeometry(150 + 20 * extent, 32, 24).rotateX(Math.PI / 2);
     this.dome.setAttribute("color", new THREE.BufferAttribute(new Float32Array(this.dome.attributes.position.count * 3), 3));
     const paint = { vertexColors: true, side: THREE.BackSide, fog: false, toneMapped: false };
@@ -31,7 +40,7 @@ export class Surroundings {
     this.scene.fog = new THREE.Fog(0, 4 + 2 * extent, 22 + 6 * extent);
     const { sun } = this;
     sun.castShadow = true;
-    sun.shadow.mapSize.set(2048, 2048);
+    sun.shadow.mapSize.setScalar(software ? 1024 : 2048);
     Object.assign(sun.shadow, { bias: -0.0004, normalBias: 0.012, radius: 2.5 });
     Object.assign(sun.shadow.camera, { left: -2.6, right: 2.6, top: 2.6, bottom: -2.6, near: 0.5, far: 16 });
     const fill = new THREE.DirectionalLight(0xdfe9ff, 0.5);

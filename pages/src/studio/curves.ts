@@ -3,14 +3,17 @@ import uPlot from "uplot";
 import { $, el } from "./dom";
 import { ask, curves } from "./link";
 import { model } from "./model";
+import { PAD, type Timeline } from "./timeline";
 
 const COLOURS = ["#58a6ff", "#f0883e", "#56d364", "#ff7b9c", "#bc8cff", "#e3b341", "#39c5cf", "#a5b1c2"];
+const AXIS = 56; // [px] of the numbers beside the plot
 const MOST = 8; // series that are shown to begin with
 
 let plot: uPlot | null = null;
 let group = "angle";
 let hidden = new Set<string>();
 let shown = false;
+let span = (): [number, number] => [model.first, model.last];
 
 export const curvesShown = (): boolean => shown;
 
@@ -44,9 +47,9 @@ const draw = (): void => {
   const axis = { stroke: ink, grid: { stroke: line, width: 1 }, ticks: { stroke: line }, font: "11px system-ui" };
   plot?.destroy();
   plot = new uPlot({
-    width: Math.max(200, box.clientWidth), height: Math.max(90, box.clientHeight), series,
-    scales: { x: { time: false } },
-    axes: [{ ...axis, size: 26 }, { ...axis, size: 52, label: found.unit, labelSize: 14, labelFont: "11px system-ui" }],
+    width: Math.max(200, box.clientWidth), height: Math.max(90, box.clientHeight), series, padding: [10, PAD, 0, 0],
+    scales: { x: { time: false, range: () => span() } },
+    axes: [{ ...axis, size: 26 }, { ...axis, size: AXIS, label: found.unit, labelSize: 14, labelFont: "11px system-ui" }],
     legend: { show: false },
     cursor: { drag: { x: false, y: false } },
     hooks: { draw: [mark] },
@@ -87,7 +90,9 @@ const names = (found: any): void => {
   }));
 };
 
-export const beginCurves = (): void => {
+export const beginCurves = (timeline: Timeline): void => {
+  span = () => [timeline.begin, timeline.end];
+  model.on("zoom", () => { if (shown && plot) plot.setScale("x", { min: timeline.begin, max: timeline.end }); });
   const choice = $<HTMLSelectElement>("curve-group");
   choice.addEventListener("change", () => { group = choice.value; draw(); });
   $("curves-before").addEventListener("change", draw);

@@ -16,7 +16,7 @@ import { Trails } from "./trails";
 import { transport } from "./transport";
 
 const themed = (): void => {
-  const wanted = localStorage.getItem("dynsplines-theme") ?? (matchMedia("(prefers-color-scheme: light)").matches ? "light" : "dark");
+  const wanted = localStorage.getItem("dynsplines-theme") ?? "dark";
   document.documentElement.dataset.theme = wanted;
 };
 themed();
@@ -29,7 +29,7 @@ try {
   new Trails(stage);
   transport(stage, timeline);
   beginPanels();
-  beginCurves();
+  beginCurves(timeline);
   beginFiles();
   beginKeyboard(stage, timeline, hands);
   $("files").prepend(icon("menu"));

@@ -37,7 +37,7 @@ export interface Course { value?: number; parts?: Record<string, number>; evalua
 export type Which = "after" | "before" | "both" | "side" | "snapshot";
 export type Heard =
   | "stage" | "document" | "loaded" | "path" | "time" | "selection" | "settled" | "status" | "kinds" | "which" | "shown"
-  | "curves" | "theme" | "task" | "offer" | "formats" | "joint" | "line";
+  | "curves" | "theme" | "task" | "offer" | "formats" | "joint" | "line" | "zoom";
 
 class Model {
   document: Outline | null = null;

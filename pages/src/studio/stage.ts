@@ -3,21 +3,26 @@ import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { Figure, mixed, veil, type Pose } from "../scene/figure";
 import type { Path } from "../scene/path";
-import { Shapes } from "../scene/shapes";
-import { DAY, DUSK, Surroundings, rendererOn } from "../scene/surroundings";
+import { COARSE, FINE, Shapes } from "../scene/shapes";
+import { DAY, DUSK, isSoftware, rendererOn, Surroundings } from "../scene/surroundings";
 import { VIEWS } from "../scene/views";
 import { $ } from "./dom";
 import { model } from "./model";
 
 const MELT = 140; // [ms] in which one path melts into the next
 const MOST_GHOSTS = 14;
+const SLOW = 45; // [ms] an image while something moves, from which on it has fewer points
+const FAST = 18; // [ms] from which on it has more again
+const REST = 220; // [ms] after the last movement until it is drawn with all of them
+const LEAST = 0.4; // of the points along either side
 
 type Side = { figure: Figure; path: () => Path | null };
 
 export class Stage {
   readonly canvas = $<HTMLCanvasElement>("view");
-  readonly renderer = rendererOn(this.canvas);
-  readonly around = new Surroundings(4, DUSK);
+  readonly software = isSoftware();
+  readonly renderer = rendererOn(this.canvas, this.software);
+  readonly around = new Surroundings(4, DUSK, this.software);
   readonly camera = new THREE.PerspectiveCamera(32, 1, 0.03, 900);
   readonly orbit: OrbitControls;
   readonly extra = new THREE.Group(); // of others: trails, handles
@@ -33,6 +38,10 @@ export class Stage {
   private melting: { from: Path; began: number } | null = null;
   private previous: Path | null = null;
   private wanted = true;
+  private scale = 1; // of the points along either side, while something moves
+  private drawnAt = 1;
+  private stamp = 0;
+  private moved = 0;
   private then: number | null = null;
   private centre = new THREE.Vector3();
   private aimed = false;
@@ -80,7 +89,7 @@ export class Stage {
     if (!stage) return;
     for (const each of [this.figure, this.still, ...Object.values(this.sides).map((s) => s.figure), ...this.ghosts]) each?.root.removeFromParent();
     this.shapes?.dispose();
-    const shapes = (this.shapes = new Shapes(stage, this.renderer.capabilities.getMaxAnisotropy(), () => this.draw()));
+    const shapes = (this.shapes = new Shapes(stage, this.renderer.capabilities.getMaxAnisotropy(), () => this.draw(), this.software ? COARSE : FINE));
     const moving = stage.pieces.filter((piece) => !piece.still);
     this.still = new Figure(stage.bodies, stage.pieces.filter((piece) => piece.still), shapes);
     this.figure = new Figure(stage.bodies, moving, shapes);
@@ -167,8 +176,32 @@ export class Stage {
       this.then = model.playing ? stamp : null;
     } else this.then = null;
     this.orbit.update();
-    if (this.wanted) this.render(stamp);
+    if (this.wanted) {
+      this.pace(stamp);
+      this.sized(this.scale);
+      this.render(stamp);
+      this.moved = stamp;
+    } else if (this.drawnAt < 1 && stamp - this.moved > REST) {
+      this.sized(1);
+      this.render(stamp);
+    }
+    this.stamp = stamp;
   };
+
+  /** Fewer points while images come slowly. */
+  private pace(stamp: number): void {
+    const gap = stamp - this.stamp;
+    if (stamp - this.moved > 2 * REST) return;
+    if (gap > SLOW) this.scale = Math.max(LEAST, this.scale * (gap > 2.5 * SLOW ? 0.7 : 0.88));
+    else if (gap < FAST) this.scale = Math.min(1, this.scale * 1.02);
+  }
+
+  private sized(scale: number): void {
+    const rounded = Math.round(scale * 20) / 20;
+    if (rounded === this.drawnAt) return;
+    this.drawnAt = rounded;
+    this.renderer.setPixelRatio(rounded * (this.software ? 1 : Math.min(window.devicePixelRatio, 2)));
+  }
 
   private render(stamp: number): void {
     this.wanted = false;

@@ -3,8 +3,8 @@ import { $, el, toast } from "./dom";
 import { act, edit } from "./link";
 import { model, type Bar } from "./model";
 
-const LABEL = 132; // [px] of the column of names
-const PAD = 16; // [px] beside the first and the last moment
+export const LABEL = 168; // [px] of the column of names
+export const PAD = 16; // [px] beside the first and the last moment
 const CLOSE = 6; // [px] that snap
 const STEPS = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 30, 60];
 
@@ -16,8 +16,8 @@ export class Timeline {
   private readonly rows = el("div", { class: "rows" });
   private readonly ruler = el("div", { class: "ruler" });
   private readonly band = el("div", { class: "band", hidden: true });
-  private begin = 0; // [s] of the left edge
-  private end = 1;
+  begin = 0; // [s] of the left edge
+  end = 1;
   private fitted = "";
   unfolded = false;
   private drag: Drag | null = null;
@@ -110,6 +110,7 @@ export class Timeline {
     this.rows.replaceChildren(this.keysRow(), ...(this.unfolded ? this.limbRows() : []), ...this.barRows());
     this.drawRuler();
     this.point();
+    model.tell("zoom");
     if (focused) this.rows.querySelector<HTMLElement>(`[data-id="${CSS.escape(focused)}"]`)?.focus();
   }
 
