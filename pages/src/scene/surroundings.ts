@@ -1,10 +1,10 @@
 // What surrounds a figure: sky, haze, sun with its shadow, light from above and from the side.
 import * as THREE from "three";
 
-export interface Mood { haze: [number, number, number]; zenith: [number, number, number]; ground: number; sky: number; }
+export interface Mood { haze: [number, number, number]; zenith: [number, number, number]; ground: number; sky: number; bright: number; }
 
-export const DAY: Mood = { haze: [0.9, 0.915, 0.93], zenith: [0.6, 0.69, 0.78], ground: 0xb9ab9a, sky: 0xf4f8ff };
-export const DUSK: Mood = { haze: [0.17, 0.185, 0.21], zenith: [0.07, 0.08, 0.1], ground: 0x8d8478, sky: 0xdfe8f5 };
+export const DAY: Mood = { haze: [0.9, 0.915, 0.93], zenith: [0.6, 0.69, 0.78], ground: 0xb9ab9a, sky: 0xf4f8ff, bright: 1 };
+export const DUSK: Mood = { haze: [0.17, 0.185, 0.21], zenith: [0.07, 0.08, 0.1], ground: 0x8d8478, sky: 0xdfe8f5, bright: 0.78 };
 
 /** Whether a canvas is drawn by the processor alone, which is asked for less. */
 export const isSoftware = (): boolean => {
@@ -54,6 +54,8 @@ export class Surroundings {
     const zenith = new THREE.Color().setRGB(...mood.zenith, THREE.SRGBColorSpace);
     this.scene.background = haze;
     (this.scene.fog as THREE.Fog).color.copy(haze);
+    this.sun.intensity = 2.3 * (0.4 + 0.6 * mood.bright);
+    this.sky.intensity = 1.9 * mood.bright;
     this.sky.color.set(mood.sky);
     this.sky.groundColor.set(mood.ground);
     const place = this.dome.attributes.position, colours = this.dome.attributes.color, colour = new THREE.Color();

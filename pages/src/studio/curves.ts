@@ -6,6 +6,7 @@ import { model } from "./model";
 import { PAD, type Timeline } from "./timeline";
 
 const COLOURS = ["#58a6ff", "#f0883e", "#56d364", "#ff7b9c", "#bc8cff", "#e3b341", "#39c5cf", "#a5b1c2"];
+const LABELLED = 14; // [px] of the unit beside them
 const AXIS = 56; // [px] of the numbers beside the plot
 const MOST = 8; // series that are shown to begin with
 
@@ -49,7 +50,7 @@ const draw = (): void => {
   plot = new uPlot({
     width: Math.max(200, box.clientWidth), height: Math.max(90, box.clientHeight), series, padding: [10, PAD, 0, 0],
     scales: { x: { time: false, range: () => span() } },
-    axes: [{ ...axis, size: 26 }, { ...axis, size: AXIS, label: found.unit, labelSize: 14, labelFont: "11px system-ui" }],
+    axes: [{ ...axis, size: 26 }, { ...axis, size: AXIS - LABELLED, label: found.unit, labelSize: LABELLED, labelFont: "11px system-ui" }],
     legend: { show: false },
     cursor: { drag: { x: false, y: false } },
     hooks: { draw: [mark] },

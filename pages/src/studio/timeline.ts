@@ -3,7 +3,7 @@ import { $, el, toast } from "./dom";
 import { act, edit } from "./link";
 import { model, type Bar } from "./model";
 
-export const LABEL = 168; // [px] of the column of names
+export const LABEL = 188; // [px] of the column of names
 export const PAD = 16; // [px] beside the first and the last moment
 const CLOSE = 6; // [px] that snap
 const STEPS = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 30, 60];
