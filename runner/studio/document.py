@@ -1,6 +1,6 @@
 """A clip's text while it is edited: undo and redo without limit, and a copy on the disk of what nobody has saved.
 
-Comments and order are tomlkit's care. A text is kept compressed for every step back: 30 kB of clip take about 3.
+A text is kept compressed for every step back: 30 kB of clip take about 3.
 """
 
 from __future__ import annotations
@@ -12,11 +12,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-import tomlkit
-from tomlkit.exceptions import TOMLKitError
-
 from ..errors import UserError
 from ..system.output import Replacement
+from .edits.tables import Blocks
 
 Packed = tuple[str, bytes]  # what was done, and the text before it or after it, compressed
 
@@ -39,7 +37,6 @@ class Document:
     revision: int = 0
     _back: list[Packed] = field(default_factory=list)
     _forth: list[Packed] = field(default_factory=list)
-    _tree: tuple[str, tomlkit.TOMLDocument] | None = None
     _rows: tuple[int, list[dict[str, Any]]] | None = None
 
     @property
@@ -73,15 +70,9 @@ class Document:
             "redo": self.redone,
         }
 
-    def tree(self) -> tomlkit.TOMLDocument:
-        """The text as tables that know their comments, to be changed; raises UserError for what is no TOML."""
-        if self._tree is None or self._tree[0] != self.text:
-            try:
-                return tomlkit.parse(self.text)
-            except (TOMLKitError, ValueError, RecursionError) as error:
-                raise UserError(f"{self.place}: not valid TOML: {error}") from None
-        tree, self._tree = self._tree[1], None  # whoever has it changes it
-        return tree
+    def tree(self) -> Blocks:
+        """The text in blocks, to be changed; raises UserError for what is no TOML."""
+        return Blocks.of(self.text, self.place)
 
     def tree_rows(self) -> list[dict[str, Any]]:
         """The [[keyframe]] tables as plain ones; of a text that has none, none."""
@@ -89,14 +80,13 @@ class Document:
             self._rows = self.revision, tomllib.loads(self.text).get("keyframe", [])
         return self._rows[1]
 
-    def commit(self, text: str, words: str, tree: tomlkit.TOMLDocument | None = None) -> None:
+    def commit(self, text: str, words: str) -> None:
         """Takes a text as the present one; `words` say what was done."""
         if text == self.text:
             return
         self._back.append((words, zlib.compress(self.text.encode())))
         self._forth.clear()
         self._put(text)
-        self._tree = None if tree is None else (text, tree)
 
     def back(self) -> tuple[str, str] | None:
         """What undo would give: words and a text; None if there is nothing."""

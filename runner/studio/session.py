@@ -120,7 +120,7 @@ class Session:
             text = tree.as_string()
             if text != self.document.text:
                 verdict = await self._tried(text)
-                self.document.commit(text, words, tree)
+                self.document.commit(text, words)
                 self._changed(verdict)
             return words
 

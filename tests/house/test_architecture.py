@@ -15,17 +15,16 @@ SOLVER = [path for path in FILES if path.parts[0] == "solver"]
 
 PACKAGES = {"runner": "dynsplines", "solver": "dynsplines.solver", "models": "dynsplines.models"}  # that they are
 MAY_IMPORT = {"runner": set(HOUSE), "solver": {"solver"}, "models": {"models"}}
-EDITS = ("__init__", "tables", "keys", "poses", "constraints", "obstacles")
 ONLY_IN = {
     "nlopt": {"solver/search/optimiser.py"},
     "imageio": {"runner/picture/film.py"},
     "threadpoolctl": {"solver/one_thread.py"},
-    "tomllib": {"runner/clip/load.py", "runner/studio/document.py"},
+    "tomllib": {"runner/clip/load.py", "runner/studio/document.py", "runner/studio/edits/tables.py"},
     "typer": {"runner/cli.py"},
     "pygltflib": {"runner/exchange/format/gltf.py"},
     "pxr": {"runner/exchange/format/usd.py"},
     "starlette": {"runner/studio/server.py"},
-    "tomlkit": {"runner/studio/document.py", *(f"runner/studio/edits/{name}.py" for name in EDITS)},
+    "tomlkit": {"runner/studio/edits/tables.py"},
     "uvicorn": {"runner/studio/start.py"},
 }
 SCIPY_IN_SOLVER = {

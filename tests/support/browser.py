@@ -81,7 +81,7 @@ def studio(folder: Path, *words: str) -> Iterator[Studio]:
 class Tab:
     """A page of the studio, and what it asked for or complained of."""
 
-    def __init__(self, browser: Any, address: str, width: int = 1000, height: int = 700) -> None:
+    def __init__(self, browser: Any, address: str, width: int = 900, height: int = 600) -> None:
         self.page = browser.new_page(viewport={"width": width, "height": height})
         self.page.set_default_timeout(60_000)
         self.heard: list[str] = []

@@ -1,6 +1,6 @@
-"""Every way to change a clip's text: a function of its tables, tomlkit's, and what the page says.
+"""Every way to change a clip's text: a function of its blocks and of what the page says.
 
-tables       what they share: rows of [[...]] tables, numbers as a file has them
+tables       the text as blocks, one of which an edit takes apart; numbers as a file has them
 keys         keyframes: move, add, take away, copy, mirror
 poses        what a keyframe says of joints, root and places
 constraints  contacts, holds, weights of soft constraints, settings
@@ -10,13 +10,10 @@ obstacles    what stands about
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
-
-from tomlkit import TOMLDocument
 
 from . import constraints, keys, obstacles, poses
 
-Edit = Callable[..., str]  # (tables, **what the page says) -> words for what was done
+Edit = Callable[..., str]  # (blocks, **what the page says) -> words for what was done
 
 EDITS: dict[str, Edit] = {
     **{name: getattr(keys, name) for name in keys.EDITS},
@@ -24,5 +21,3 @@ EDITS: dict[str, Edit] = {
     **{name: getattr(constraints, name) for name in constraints.EDITS},
     **{name: getattr(obstacles, name) for name in obstacles.EDITS},
 }
-
-__all__ = ["EDITS", "Any", "Edit", "TOMLDocument"]

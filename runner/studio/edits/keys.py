@@ -6,22 +6,20 @@ from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
-from tomlkit import TOMLDocument
-
 from ...errors import UserError
-from .tables import DOTTED, add, fresh, item, number, put, remove, row, rows
+from .tables import DOTTED, Blocks, add, fill, number, put, remove, row
 
 EDITS = ("move_keys", "add_key", "delete_keys", "paste_keys", "replace_keys")
 SAME = 1e-9  # [s]
 CLOSEST = 0.001  # [s] between two keyframes
 
 
-def times(tree: TOMLDocument) -> list[float]:
+def times(tree: Blocks) -> list[float]:
     """[s] of all keyframes."""
-    return [float(each["time"]) for each in rows(tree, "keyframe")]
+    return [float(block.table["time"]) for block in tree.rows("keyframe")]
 
 
-def move_keys(tree: TOMLDocument, *, moves: Sequence[Sequence[float]]) -> str:
+def move_keys(tree: Blocks, *, moves: Sequence[Sequence[float]]) -> str:
     """Keyframes to other times: pairs of number and time [s]. Contacts and holds that begin or end with them go along.
 
     Raises UserError where two would change places: keyframes keep their order.
@@ -35,11 +33,11 @@ def move_keys(tree: TOMLDocument, *, moves: Sequence[Sequence[float]]) -> str:
     _check_order(was, list(now.values()))
     for index, time in now.items():
         if abs(time - was[index]) > SAME:
-            put(rows(tree, "keyframe")[index], "time", time)
+            put(row(tree, "keyframe", index), "time", time)
     for name in ("contact", "hold"):
-        for each in rows(tree, name) if name in tree else ():
+        for block in tree.rows(name):
             for end in ("from", "to"):
-                _follow(each, end, was, now)
+                _follow(block.table, end, was, now)
     count = len(moves)
     return "move a keyframe" if count == 1 else f"move {count} keyframes"
 
@@ -64,27 +62,27 @@ def _check_order(was: Sequence[float], now: Sequence[float]) -> None:
             )
 
 
-def add_key(tree: TOMLDocument, *, said: Mapping[str, Any]) -> str:
+def add_key(tree: Blocks, *, said: Mapping[str, Any]) -> str:
     """A new keyframe that says so much, among the others where its time is."""
     time, was = number(said["time"], "the time of a keyframe"), times(tree)
     for index, other in enumerate(was):
         if abs(other - time) < CLOSEST:
             raise UserError(f"there is a keyframe at {other:g} s already: keyframe {index + 1}")
-    add(tree, "keyframe", {**said, "time": time}, sum(other < time for other in was))
+    add(tree, ("keyframe",), {**said, "time": time}, sum(other < time for other in was))
     return f"add a keyframe at {time:g} s"
 
 
-def delete_keys(tree: TOMLDocument, *, keys: Sequence[int]) -> str:
+def delete_keys(tree: Blocks, *, keys: Sequence[int]) -> str:
     """Fewer keyframes; raises UserError if fewer than two would be left, but for edits of a recording."""
     left = len(times(tree)) - len(set(keys))
-    if left < 2 and "recording" not in tree:
+    if left < 2 and tree.table("recording") is None:
         raise UserError(f"a clip needs two keyframes; {left if left > 0 else 'none'} would be left")
     for index in sorted(set(keys), reverse=True):
         remove(tree, "keyframe", index)
     return "delete a keyframe" if len(keys) == 1 else f"delete {len(keys)} keyframes"
 
 
-def paste_keys(tree: TOMLDocument, *, copied: Sequence[Mapping[str, Any]], at: float) -> str:
+def paste_keys(tree: Blocks, *, copied: Sequence[Mapping[str, Any]], at: float) -> str:
     """Keyframes that were copied, the first of them at a time [s]."""
     if not copied:
         raise UserError("nothing has been copied: select keyframes and press Ctrl-C first")
@@ -94,25 +92,12 @@ def paste_keys(tree: TOMLDocument, *, copied: Sequence[Mapping[str, Any]], at: f
     return "paste a keyframe" if len(copied) == 1 else f"paste {len(copied)} keyframes"
 
 
-def replace_keys(tree: TOMLDocument, *, keys: Mapping[str, Mapping[str, Any]], words: str) -> str:
+def replace_keys(tree: Blocks, *, keys: Mapping[str, Mapping[str, Any]], words: str) -> str:
     """Keyframes by number that say something else from now on, at their times; the comments at their heads stay."""
     for index, said in keys.items():
         table = row(tree, "keyframe", int(index))
         for group in (*DOTTED, "others"):
             if group in table:
                 del table[group]
-        for key, value in said.items():
-            if key == "time":
-                continue
-            if key in DOTTED:
-                for name, line in fresh({key: value})[key].items():
-                    _line(table, key, name, line)
-            else:
-                table.append(key, item(value))
+        fill(table, {key: value for key, value in said.items() if key != "time"})
     return words
-
-
-def _line(table: Any, group: str, name: str, value: Any) -> None:
-    import tomlkit
-
-    table.append(tomlkit.key([group, name]), item(value.unwrap() if hasattr(value, "unwrap") else value))

@@ -5,11 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-import tomlkit
-from tomlkit import TOMLDocument
-
 from ...errors import UserError
-from .tables import DIGITS, fresh, item, put
+from .tables import Blocks, add, item, numbers, put
 
 EDITS = ("add_obstacle", "set_obstacle", "delete_obstacle")
 NEW: dict[str, dict[str, Any]] = {
@@ -21,61 +18,54 @@ NEW: dict[str, dict[str, Any]] = {
 }
 
 
-def _scene(tree: TOMLDocument) -> Any:
-    if "scene" not in tree:
-        tree.append("scene", tomlkit.table(is_super_table=True))
-    return tree["scene"]
-
-
-def add_obstacle(tree: TOMLDocument, *, kind: str, at: list[float] | None = None) -> str:
+def add_obstacle(tree: Blocks, *, kind: str, at: list[float] | None = None) -> str:
     """A new thing in the way, near a place [m]; there is one step at most."""
     if kind not in NEW:
         raise UserError(f"no obstacle '{kind}'; there are: {', '.join(NEW)}")
-    said, scene = dict(NEW[kind]), _scene(tree)
+    said = dict(NEW[kind])
     if at is not None and "position" in said:
-        said["position"] = [round(float(at[0]), DIGITS), round(float(at[1]), DIGITS), said["position"][2]]
-    if kind == "step":
-        if "step" in scene:
-            raise UserError("there is a step already; a clip has one at most, and boxes beside it")
-        scene.append("step", item({**said, "x": round(float(at[0]), 2) if at else said["x"]}))
-    elif kind in scene:
-        scene[kind].append(fresh(said))
-    else:
-        rows = tomlkit.aot()
-        rows.append(fresh(said))
-        scene.append(kind, rows)
-    return f"add a {kind}"
+        said["position"] = [*numbers(at, "where it is to be", 2), said["position"][2]]
+    if kind != "step":
+        if kind in (tree.table("scene") or {}) and not tree.rows("scene", kind):
+            raise UserError(f"'scene.{kind}' is written as a list; write [[scene.{kind}]] tables to add one here")
+        add(tree, ("scene", kind), said)
+        return f"add a {kind}"
+    if tree.table("scene", "step") is not None:
+        raise UserError("there is a step already; a clip has one at most, and boxes beside it")
+    scene = tree.table("scene", make=True)
+    scene.append("step", item({**said, "x": round(float(at[0]), 2) if at else said["x"]}))
+    return "add a step"
 
 
-def set_obstacle(tree: TOMLDocument, *, kind: str, index: int, said: Mapping[str, Any]) -> str:
+def set_obstacle(tree: Blocks, *, kind: str, index: int, said: Mapping[str, Any]) -> str:
     """What an obstacle says of its place and size; None takes an entry away."""
     table = _found(tree, kind, index)
     for key, value in said.items():
-        if value is None:
-            if key in table:
-                del table[key]
-        elif key in table:
+        if value is not None:
             put(table, key, value)
-        else:
-            table.append(key, item(value))
+        elif key in table:
+            del table[key]
     return f"change the {kind}"
 
 
-def delete_obstacle(tree: TOMLDocument, *, kind: str, index: int) -> str:
+def delete_obstacle(tree: Blocks, *, kind: str, index: int) -> str:
     """One thing less in the way."""
     _found(tree, kind, index)
-    scene = _scene(tree)
-    if kind == "step":
-        del scene["step"]
+    block = next((each for each in tree.blocks if not each.is_row and each.path == ("scene", "step")), None)
+    if kind == "step" and block is None:
+        del tree.table("scene")["step"]
     else:
-        del scene[kind][index]
-        if not len(scene[kind]):
-            del scene[kind]
+        tree.remove(block if kind == "step" and block is not None else tree.rows("scene", kind)[index])
     return f"delete a {kind}"
 
 
-def _found(tree: TOMLDocument, kind: str, index: int) -> Any:
-    scene = _scene(tree)
-    if kind not in scene or (kind != "step" and not 0 <= index < len(scene[kind])):
+def _found(tree: Blocks, kind: str, index: int) -> Any:
+    """Its table; raises UserError if there is none."""
+    if kind == "step":
+        found = tree.table("scene", "step")
+    else:
+        known = tree.rows("scene", kind)
+        found = known[index].table if 0 <= index < len(known) else None
+    if found is None:
         raise UserError(f"there is no {kind} {index + 1} any more")
-    return scene[kind] if kind == "step" else scene[kind][index]
+    return found

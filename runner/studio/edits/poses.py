@@ -5,16 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from tomlkit import TOMLDocument
-
 from ...errors import UserError
-from .tables import drop_dotted, item, number, numbers, put, put_dotted, row
+from .tables import Blocks, drop_dotted, number, numbers, put, put_dotted, row
 
 EDITS = ("set_joint", "set_root", "set_pose", "set_place", "set_others")
 ROTATIONS = {"rotvec": 3, "quat": 4, "euler": 3}  # what a rotation may be given by, of how many numbers
 
 
-def set_joint(tree: TOMLDocument, *, key: int, joint: str, value: Any) -> str:
+def set_joint(tree: Blocks, *, key: int, joint: str, value: Any) -> str:
     """A joint's angle [degrees], displacement [m] or rotation; "free" for the optimiser; None for `others` to say."""
     table = row(tree, "keyframe", key)
     if value is None:
@@ -36,7 +34,7 @@ def _turned(value: Any, what: str) -> Any:
     return number(value, what)
 
 
-def set_root(tree: TOMLDocument, *, key: int, position: Any = None, rotation: Any = None, name: str = "") -> str:
+def set_root(tree: Blocks, *, key: int, position: Any = None, rotation: Any = None, name: str = "") -> str:
     """Where the root is, each axis a number [m] or "free", and how it is turned; further free bodies by name."""
     table = row(tree, "keyframe", key)
     said: dict[str, Any] = {}
@@ -64,7 +62,7 @@ def _axes(position: Any, what: str) -> Any:
 
 
 def set_pose(
-    tree: TOMLDocument,
+    tree: Blocks,
     *,
     key: int,
     joints: Mapping[str, Any],
@@ -85,7 +83,7 @@ def set_pose(
     return words
 
 
-def set_place(tree: TOMLDocument, *, key: int, site: str, position: Any) -> str:
+def set_place(tree: Blocks, *, key: int, site: str, position: Any) -> str:
     """Where a hand, a foot or another point is to be [m], for which a pose is found; None to let it go."""
     table = row(tree, "keyframe", key)
     if position is None:
@@ -95,7 +93,7 @@ def set_place(tree: TOMLDocument, *, key: int, site: str, position: Any) -> str:
     return f"put {site} in its place"
 
 
-def set_others(tree: TOMLDocument, *, key: int, value: str) -> str:
+def set_others(tree: Blocks, *, key: int, value: str) -> str:
     """What a keyframe does not name: "free", "rest", or "hold" as in the one before."""
     if value not in ("free", "rest", "hold"):
         raise UserError(f"others: 'free', 'rest' or 'hold', not '{value}'")
@@ -103,8 +101,6 @@ def set_others(tree: TOMLDocument, *, key: int, value: str) -> str:
     if value == "free":
         if "others" in table:
             del table["others"]
-    elif "others" in table:
-        table["others"] = value
     else:
-        table.append("others", item(value))
+        put(table, "others", value)
     return f"others: {value}"
