@@ -15,6 +15,7 @@ export class Timeline {
   private readonly head = el("div", { class: "playhead", "aria-hidden": "true" });
   private readonly rows = el("div", { class: "rows" });
   private readonly ruler = el("div", { class: "ruler" });
+  private readonly frames = el("div", { class: "frames" });
   private readonly band = el("div", { class: "band", hidden: true });
   begin = 0; // [s] of the left edge
   end = 1;
@@ -27,7 +28,13 @@ export class Timeline {
   constructor() {
     this.box.append(this.ruler, this.rows, this.band, this.head);
     model.on(["document", "loaded", "selection", "stage"], () => this.draw());
-    model.on("path", () => this.draw());
+    let span = "";
+    model.on("path", () => {
+      const now = `${model.first}|${model.last}`;
+      if (now !== span) this.draw();
+      else this.ticks();
+      span = now;
+    });
     model.on("time", () => this.point());
     new ResizeObserver(() => this.draw()).observe(this.box);
     this.box.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
@@ -141,12 +148,8 @@ export class Timeline {
       onclick: () => { this.unfolded = !this.unfolded; this.draw(); },
     }, this.unfolded ? "▾" : "▸");
     const row = el("div", { class: "row keys" }, this.label("keyframes", fold));
-    for (const time of model.course?.frames ?? []) {
-      if (time < this.begin || time > this.end) continue;
-      const tick = el("i", { class: "frame" });
-      tick.style.left = `${this.x(time)}px`;
-      row.append(tick);
-    }
+    row.append(this.frames);
+    this.ticks();
     model.document!.keys.forEach((key, i) => {
       const state = model.loaded?.keys[i], partial = state ? !state.fixed.every(Boolean) : false;
       const time = this.preview.get(i) ?? key.time;
@@ -154,6 +157,16 @@ export class Timeline {
       row.append(this.diamond(i, time, partial, `keyframe ${i + 1} at ${key.time.toFixed(3)} s${partial ? ", partial" : ""}`));
     });
     return row;
+  }
+
+  /** Variable frames, which come and go while it optimises. */
+  private ticks(): void {
+    const shown = (model.course?.frames ?? []).filter((time) => time >= this.begin && time <= this.end);
+    this.frames.replaceChildren(...shown.map((time) => {
+      const tick = el("i", { class: "frame" });
+      tick.style.left = `${this.x(time)}px`;
+      return tick;
+    }));
   }
 
   private diamond(index: number, time: number, hollow: boolean, title: string): HTMLElement {
