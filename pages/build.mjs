@@ -9,6 +9,7 @@ const here = dirname(fileURLToPath(import.meta.url));
 const root = dirname(here);
 const out = process.argv[2] ?? root;
 const studio = join(out, "runner", "studio", "built");
+const player = join(out, "runner", "exchange", "player");
 
 const files = (folder) => readdirSync(folder).sort().flatMap((name) => {
   const path = join(folder, name);
@@ -32,7 +33,8 @@ const licence = (name) => `${name} ${JSON.parse(readFileSync(join(here, "node_mo
 const banner = (names) => ({ js: `/*!\n${names.map(licence).join("\n\n").replaceAll("*/", "* /")}\n*/` });
 
 const common = { bundle: true, minify: true, target: "es2022", charset: "utf8", legalComments: "none", logLevel: "warning" };
-mkdirSync(studio, { recursive: true });
+for (const folder of [studio, player]) mkdirSync(folder, { recursive: true });
 await build({ ...common, entryPoints: { studio: join(here, "src", "studio", "main.ts") }, format: "esm", outdir: studio, banner: banner(["three", "uplot"]) });
+await build({ ...common, entryPoints: { player: join(here, "src", "player", "main.ts") }, format: "iife", outdir: player, banner: banner(["three"]) });
 writeFileSync(join(studio, "index.html"), readFileSync(join(here, "src", "studio", "index.html")));
 writeFileSync(join(studio, "sources.txt"), `${digest()}\n`);

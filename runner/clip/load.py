@@ -9,6 +9,7 @@ from __future__ import annotations
 import tomllib
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from itertools import pairwise
 from pathlib import Path
 from typing import Any, TypeVar
@@ -243,7 +244,7 @@ def _ground(
 
 def _has_ground(clip: Clip, table: ClipTable) -> bool:
     """Whether a clip's text has the same figure in the same scene."""
-    own = table_of(clip.text, clip.name) if clip.text else None
+    own = table_of(clip.text, clip.context.place) if clip.text else None
     return own is not None and (own.figure, own.scene, own.solve.coordinates) == (
         table.figure,
         table.scene,
@@ -251,8 +252,12 @@ def _has_ground(clip: Clip, table: ClipTable) -> bool:
     )
 
 
+@lru_cache(maxsize=4)
 def table_of(text: str, place: str) -> ClipTable:
-    """The tables of a clip's TOML text; raises UserError for what they cannot hold."""
+    """The tables of a clip's TOML text, not to be changed; raises UserError for what they cannot hold.
+
+    The last few are remembered: whoever edits a clip asks for the same one several times.
+    """
     return _tables(text, place, ClipTable)
 
 

@@ -341,12 +341,12 @@ def _shape(clip: Clip) -> dict[str, Any]:
 
 def _follows(clip: Clip) -> bool:
     """Whether a clip's keyframes edit a recording, whose own instants are frames that nobody set."""
-    return "recording" in clip.text and clips.table_of(clip.text, clip.name).recording is not None
+    return "recording" in clip.text and clips.table_of(clip.text, clip.context.place).recording is not None
 
 
 def _edited(before: Clip | None, clip: Clip) -> tuple[float, float] | None:
     """From when to when keyframes differ, with their neighbours; None where more than keyframes does."""
-    if before is None or not before.text or not clip.text or _but_keys(before.text) != _but_keys(clip.text):
+    if before is None or not before.text or not clip.text or _but_keys(before) != _but_keys(clip):
         return None
     changed = [*_apart(before.keys, clip.keys), *_apart(clip.keys, before.keys)]
     if not changed:
@@ -367,6 +367,6 @@ def _same(a: Frame, b: Frame) -> bool:
     return np.array_equal(a.fixed, b.fixed) and np.allclose(a.state[a.fixed], b.state[b.fixed], rtol=0, atol=1e-9)
 
 
-def _but_keys(text: str) -> dict[str, Any]:
-    table = clips.table_of(text, "")
+def _but_keys(clip: Clip) -> dict[str, Any]:
+    table = clips.table_of(clip.text, clip.context.place)
     return table.model_copy(update={"keyframe": []}).model_dump()

@@ -1,7 +1,7 @@
 """HTML: the motion in a page of its own that plays it, from the disk and without any other file or address.
 
-The page is `player/page.html` with its style, its program and three.js (MIT; see the head of `player/three.js`) put in,
-and the motion as JSON: MuJoCo's poses of every body at equal times, float32 in base64.
+The page is `player/page.html` with its style and its program put in, which is built from `pages/src/player` with three.js
+(MIT; see the head of `player/player.js`), and the motion as JSON: MuJoCo's poses of every body at equal times, float32 in base64.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ def page(take: Take) -> str:
         "data": json.dumps(content(take), separators=(",", ":")).replace("<", "\\u003c"),
         **{
             name: (folder / file).read_text(encoding="utf-8")
-            for name, file in (("style", "style.css"), ("three", "three.js"), ("player", "player.js"))
+            for name, file in (("style", "style.css"), ("player", "player.js"))
         },
     }
     frame = (folder / "page.html").read_text(encoding="utf-8")
