@@ -35,7 +35,7 @@ def placed(model, qpos):
 def test_a_hand_within_reach_moves_its_arm_alone(clip, poser):
     model, home = clip.figure.model, np.array(clip.keys[-1].state)
     body = model.body("left_forearm").id
-    goal = placed(model, home).site("left_hand").xpos + [0.25, 0.05, 0.2]
+    goal = placed(model, home).site("left_hand").xpos + np.array([0.25, 0.05, 0.2])
     grip = poser.gripped(home, body, model.site("left_hand").pos)
     found = poser.pulled(grip, goal, home)
     for _ in range(4):
