@@ -27,9 +27,36 @@ export const bytes = (text: string): ArrayBuffer => Uint8Array.from(atob(text), 
 export const floats = (text: string): Float32Array => new Float32Array(bytes(text));
 
 /** How finely round things are drawn: how far [m] a surface may lie off its place, and corners of a circle. */
-export interface Fineness { sag: number; least: number; most: number; }
-export const FINE: Fineness = { sag: 0.0006, least: 10, most: 40 };
-export const COARSE: Fineness = { sag: 0.004, least: 6, most: 12 };
+export interface Fineness { sag: number; least: number; most: number; faces: number; }
+export const FINE: Fineness = { sag: 0.0006, least: 10, most: 40, faces: 40_000 };
+export const COARSE: Fineness = { sag: 0.004, least: 6, most: 12, faces: 1000 };
+
+/** A mesh of fewer triangles, about so many: corners that lie in one cell of a grid become one (Rossignac, Borrel 1993). */
+const clustered = (points: Float32Array, faces: Uint32Array, most: number): THREE.BufferGeometry => {
+  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  points.forEach((value, i) => { low[i % 3] = Math.min(low[i % 3], value); high[i % 3] = Math.max(high[i % 3], value); });
+  const sides = high.map((value, k) => Math.max(value - low[k], 1e-6));
+  const [x, y, z] = sides, cell = Math.sqrt((2 * (x * y + y * z + z * x) * 2) / most); // two triangles a cell of its hull
+  const found = new Map<string, number>(), sums: number[] = [], counts: number[] = [];
+  const of = Array.from({ length: points.length / 3 }, (_, i) => {
+    const key = [0, 1, 2].map((k) => Math.floor((points[3 * i + k] - low[k]) / cell)).join();
+    let at = found.get(key);
+    if (at === undefined) { at = found.size; found.set(key, at); sums.push(0, 0, 0); counts.push(0); }
+    for (let k = 0; k < 3; k++) sums[3 * at + k] += points[3 * i + k];
+    counts[at] += 1;
+    return at;
+  });
+  const kept: number[] = [];
+  for (let i = 0; i < faces.length; i += 3) {
+    const [a, b, c] = [of[faces[i]], of[faces[i + 1]], of[faces[i + 2]]];
+    if (a !== b && b !== c && c !== a) kept.push(a, b, c);
+  }
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute("position", new THREE.BufferAttribute(Float32Array.from(sums, (sum, i) => sum / counts[Math.floor(i / 3)]), 3));
+  geometry.setIndex(kept);
+  geometry.computeVertexNormals();
+  return geometry;
+};
 
 /** Pieces of one body that look alike, in one geometry with the body's axes. */
 export interface Part { body: number; geometry: THREE.BufferGeometry; material: THREE.Material; casts: boolean; }
@@ -150,9 +177,11 @@ export class Shapes {
       case "cylinder": return new THREE.CylinderGeometry(a, a, 2 * b, corners(a)).rotateX(quarter);
       default: {
         const given = this.drawn.meshes[mesh ?? 0], geometry = new THREE.BufferGeometry();
-        geometry.setAttribute("position", new THREE.BufferAttribute(floats(given.points), 3));
+        const points = floats(given.points), faces = new Uint32Array(bytes(given.faces));
+        if (kind === "mesh" && faces.length > 3 * this.fineness.faces) return clustered(points, faces, this.fineness.faces);
+        geometry.setAttribute("position", new THREE.BufferAttribute(points, 3));
         geometry.setAttribute("normal", new THREE.BufferAttribute(floats(given.normals), 3));
-        geometry.setIndex(new THREE.BufferAttribute(new Uint32Array(bytes(given.faces)), 1));
+        geometry.setIndex(new THREE.BufferAttribute(faces, 1));
         return geometry;
       }
     }

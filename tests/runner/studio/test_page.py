@@ -129,10 +129,10 @@ def test_an_animators_afternoon(browser, cache, tmp_path):
         tab.until("document.getElementById('task').hidden")
         page.locator("#files").click()
         page.get_by_role("menuitem", name="Render").click()
-        page.locator("dialog input[aria-label='name of the film']").fill("run.gif")
+        page.locator("dialog input[aria-label='name of the film']").fill("sheet.png")
         page.locator("dialog input[aria-label='size in pixels']").fill("160x90")
         page.locator("dialog button.main").click()
-        tab.until(lambda: (tmp_path / "run.gif").is_file(), 100)
+        tab.until(lambda: (tmp_path / "sheet.png").is_file(), 100)
         assert tab.heard == []
         assert all(url.startswith((studio.address.split("?")[0], "data:", "blob:")) for url in tab.asked)
         page.close()
