@@ -7,7 +7,7 @@ import { beginFiles } from "./files";
 import { Gizmo } from "./gizmo";
 import { Hands } from "./hands";
 import { beginKeyboard } from "./keyboard";
-import { connect } from "./link";
+import { ask, connect } from "./link";
 import { model } from "./model";
 import { beginPanels } from "./panels";
 import { Stage } from "./stage";
@@ -44,7 +44,7 @@ try {
   model.tell("theme");
   connect();
   // For tests and measures
-  Object.assign(window, { studio: { model, stage, hands, gizmo, timeline } });
+  Object.assign(window, { studio: { ask, model, stage, hands, gizmo, timeline } });
 } catch (error) {
   $("waiting").replaceChildren(el("p", { text: `This browser cannot draw in three dimensions: WebGL 2 is missing or switched off. (${error})` }));
 }

@@ -98,6 +98,8 @@ const poseRow = (key: number, joint: Joint): HTMLElement => {
   return row;
 };
 
+let chosen: string | null = null; // the joint that was scrolled to last
+
 const pose = (): void => {
   const box = $("panel-pose"), { stage, loaded, document } = model;
   if (box.contains(window.document.activeElement) && (window.document.activeElement as HTMLElement).matches("input:focus") && model.playing) return;
@@ -128,6 +130,10 @@ const pose = (): void => {
         ...(group === "sites" ? [el("button", { type: "button", text: "let go", onclick: () => void edit("set_place", { key, site: name, position: null }) })] : [])))),
     ...stage.joints.map((joint) => poseRow(key, joint)));
   box.scrollTop = scroll;
+  if (model.joint !== chosen) {
+    chosen = model.joint;
+    box.querySelector(".joint.selected")?.scrollIntoView({ block: "nearest" });
+  }
   if (focused && !box.contains(window.document.activeElement)) box.querySelector<HTMLElement>(`[aria-label="${CSS.escape(focused)}"]`)?.focus();
 };
 
