@@ -69,6 +69,8 @@ def resumed(
 
     begin    through the keyframes of the problem, with variable frames, see `refine.carried`
     between  [s] what alone was edited: the search keeps to the segments that this reaches
+
+    It ends in the nearest minimum: nothing is searched from elsewhere, as `inbetween` does where that is a heap.
     """
     raw = problem.raw
     with one_thread():
@@ -118,7 +120,7 @@ class _Loop:
         return self.searched(first, len(raw.frames) - 1, settings.frames)
 
     def on_from(self, raw: Timeline, begin: Timeline, between: tuple[float, float] | None) -> Timeline:
-        """The nearest minimum from a timeline; all of it searched anew if that is a heap, and the better of the two."""
+        """The nearest minimum from a timeline, in all of it or in what an edit reaches."""
         segments, budget = len(raw.frames) - 1, self.settings.frames
         cut = None if between is None else Cut.about(begin, raw.times, between)
         if cut is None and is_long(raw):
@@ -127,11 +129,7 @@ class _Loop:
             return self._on_from_cut(cut, begin, raw, budget)
         end = self.run(begin, segments, None if budget is None else max(budget, begin.variable_count))[-1]
         self.stop = end.stop
-        if self.stop is Stop.ASKED or not is_astray(self.objective, end.timeline, self.last):
-            return end.timeline
-        self.round += 1
-        self.damping = FIRST_DAMPING
-        return best(self.objective, [end.timeline, self.over(raw)])
+        return end.timeline
 
     def _on_from_cut(self, cut: Cut, begin: Timeline, raw: Timeline, budget: int | None) -> Timeline:
         """The whole timeline with a part of it at its nearest minimum."""

@@ -43,6 +43,7 @@ from .stage import stage
 if TYPE_CHECKING:
     Line = Connection[Any, Any]
 
+SAME = 1e-9  # [s]
 MOST_SEEN = 40  # texts whose paths are remembered
 SOONEST = 0.04  # [s] from one path that is sent to the next
 Message = dict[str, Any]
@@ -291,7 +292,7 @@ class Work:
         clip = self.clip
         assert clip is not None
         self._sent = time.monotonic()
-        times = np.array([key.time for key in clip.keys if not (_follows(clip) and key.is_variable)])
+        times = np.array([key.time for key in _said_keys(clip)])
         inside = np.clip(times, timeline.times[0], timeline.times[-1])
         qpos = clip.figure.to_qpos(path_of(timeline).at(inside)) if times.size else np.zeros((0, timeline.width))
         header = {"is": "path", "kind": stage, "revision": self.revision, **told}
@@ -326,8 +327,7 @@ def _shape(clip: Clip) -> dict[str, Any]:
     return {
         "keys": [
             {"time": key.time, "qpos": key.state.tolist(), "fixed": key.fixed.tolist(), "known": key.known.tolist()}
-            for key in clip.keys
-            if not (_follows(clip) and key.is_variable)
+            for key in _said_keys(clip)
         ],
         "stances": [
             {"point": each.point.name, "from": float(each.first), "to": float(each.last)}
@@ -339,16 +339,24 @@ def _shape(clip: Clip) -> dict[str, Any]:
     }
 
 
+def _said_keys(clip: Clip) -> list[Frame]:
+    """The keyframes of the clip's text: of one that edits a recording, none of the recording's own instants."""
+    if not _follows(clip):
+        return list(clip.keys)
+    said = [row.time for row in clips.table_of(clip.text, clip.context.place).keyframe]
+    return [key for key in clip.keys if any(abs(key.time - time) < SAME for time in said)]
+
+
 def _follows(clip: Clip) -> bool:
     """Whether a clip's keyframes edit a recording, whose own instants are frames that nobody set."""
     return "recording" in clip.text and clips.table_of(clip.text, clip.context.place).recording is not None
 
 
 def _edited(before: Clip | None, clip: Clip) -> tuple[float, float] | None:
-    """From when to when keyframes differ, with their neighbours; None where more than keyframes does."""
+    """From when to when keyframes and contacts differ, with the keyframes beside them; None where more does."""
     if before is None or not before.text or not clip.text or _but_keys(before) != _but_keys(clip):
         return None
-    changed = [*_apart(before.keys, clip.keys), *_apart(clip.keys, before.keys)]
+    changed = [*_apart(before.keys, clip.keys), *_apart(clip.keys, before.keys), *_moved_contacts(before, clip)]
     if not changed:
         return None
     times = np.array([key.time for key in clip.keys])
@@ -369,4 +377,11 @@ def _same(a: Frame, b: Frame) -> bool:
 
 def _but_keys(clip: Clip) -> dict[str, Any]:
     table = clips.table_of(clip.text, clip.context.place)
-    return table.model_copy(update={"keyframe": []}).model_dump()
+    return table.model_copy(update={"keyframe": [], "contact": []}).model_dump()
+
+
+def _moved_contacts(before: Clip, clip: Clip) -> list[float]:
+    """[s] ends of contacts that one of two clips has and the other has not."""
+    tables = [clips.table_of(each.text, each.context.place).contact for each in (before, clip)]
+    rows = [row for some, others in (tables, tables[::-1]) for row in some if row not in others]
+    return [time for row in rows for time in (row.start, row.end)]
