@@ -1,8 +1,8 @@
 """HTML: the motion in a page of its own that plays it, from the disk and without any other file or address.
 
-The page is `player/page.html` with its style and its program put in, which is built from `pages/src/player` and three.js
-(MIT; see the head of `player/player.js`), and the motion as JSON: MuJoCo's poses of every body at equal times, float32 in
-base64.
+The page is `player/page.html` with its style and its program put in, which is built from `pages/src/player` and
+three.js (MIT; see the head of `player/player.js`), and the motion as JSON: MuJoCo's poses of every body at equal times,
+float32 in base64.
 """
 
 from __future__ import annotations
