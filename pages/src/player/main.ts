@@ -35,7 +35,7 @@ const begin = (): void => {
   const extent = Math.max(2, motion.extent);
   const around = new Surroundings(extent, undefined, software);
   const draw = (): void => { wanted = true; };
-  const shapes = new Shapes(motion, renderer.capabilities.getMaxAnisotropy(), draw, software ? COARSE : FINE);
+  const shapes = new Shapes(motion, software ? 1 : renderer.capabilities.getMaxAnisotropy(), draw, software ? COARSE : FINE);
   const moving = motion.pieces.filter((piece) => !piece.still);
   const still = new Figure(bodies, motion.pieces.filter((piece) => piece.still), shapes);
   const solid = new Figure(bodies, moving, shapes);

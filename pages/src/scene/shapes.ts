@@ -27,9 +27,9 @@ export const bytes = (text: string): ArrayBuffer => Uint8Array.from(atob(text), 
 export const floats = (text: string): Float32Array => new Float32Array(bytes(text));
 
 /** How finely round things are drawn: how far [m] a surface may lie off its place, and corners of a circle. */
-export interface Fineness { sag: number; least: number; most: number; faces: number; }
-export const FINE: Fineness = { sag: 0.0006, least: 10, most: 40, faces: 40_000 };
-export const COARSE: Fineness = { sag: 0.004, least: 6, most: 12, faces: 1000 };
+export interface Fineness { sag: number; least: number; most: number; faces: number; plain: boolean; }
+export const FINE: Fineness = { sag: 0.0006, least: 10, most: 40, faces: 40_000, plain: false };
+export const COARSE: Fineness = { sag: 0.004, least: 6, most: 12, faces: 1000, plain: true };
 
 /** A mesh of fewer triangles, about so many: corners that lie in one cell of a grid become one (Rossignac, Borrel 1993). */
 const clustered = (points: Float32Array, faces: Uint32Array, most: number): THREE.BufferGeometry => {
@@ -64,7 +64,7 @@ export interface Part { body: number; geometry: THREE.BufferGeometry; material: 
 /** Makes meshes of pieces. Lengths are metres, z is up. */
 export class Shapes {
   private readonly known = new Map<string, THREE.BufferGeometry>();
-  private readonly looks = new Map<string, THREE.MeshStandardMaterial>();
+  private readonly looks = new Map<string, THREE.Material>();
   private readonly pictures: THREE.Texture[];
   private readonly joined = new Map<string, Part[]>();
 
@@ -103,7 +103,7 @@ export class Shapes {
     const roughness = Math.max(0.3, 1 - 0.75 * (pieces.reduce((sum, piece) => sum + piece.gloss, 0) / pieces.length));
     const key = `joined|${roughness.toFixed(1)}`;
     let material = this.looks.get(key);
-    if (!material) this.looks.set(key, (material = new THREE.MeshStandardMaterial({ vertexColors: true, roughness })));
+    if (!material) this.looks.set(key, (material = this.painted({ vertexColors: true }, roughness)));
     return { body: first.body, geometry, material, casts };
   }
 
@@ -133,19 +133,23 @@ export class Shapes {
     return found;
   }
 
-  private look(piece: Piece): THREE.MeshStandardMaterial {
+  /** A material that shines, or one that costs less. */
+  private painted(said: THREE.MeshLambertMaterialParameters, roughness: number): THREE.Material {
+    return this.fineness.plain ? new THREE.MeshLambertMaterial(said) : new THREE.MeshStandardMaterial({ ...said, roughness });
+  }
+
+  private look(piece: Piece): THREE.Material {
     const key = JSON.stringify([piece.colour, piece.gloss, piece.picture]);
     let found = this.looks.get(key);
     if (!found) {
       const [r, g, b, alpha] = piece.colour;
-      found = new THREE.MeshStandardMaterial({
+      found = this.painted({
         color: new THREE.Color().setRGB(r, g, b, THREE.SRGBColorSpace),
-        roughness: Math.max(0.3, 1 - 0.75 * piece.gloss),
         transparent: alpha < 1,
         opacity: alpha,
         map: piece.picture === undefined ? null : this.pictures[piece.picture],
         side: piece.kind === "hfield" ? THREE.DoubleSide : THREE.FrontSide,
-      });
+      }, Math.max(0.3, 1 - 0.75 * piece.gloss));
       this.looks.set(key, found);
     }
     return found;

@@ -38,7 +38,7 @@ export class Stage {
   private melting: { from: Path; began: number } | null = null;
   private previous: Path | null = null;
   private wanted = true;
-  private scale = 1; // of the points along either side, while something moves
+  private scale = this.software ? 0.6 : 1; // of the points along either side, while something moves
   private drawnAt = 1;
   private stamp = 0;
   private moved = 0;
@@ -89,7 +89,7 @@ export class Stage {
     if (!stage) return;
     for (const each of [this.figure, this.still, ...Object.values(this.sides).map((s) => s.figure), ...this.ghosts]) each?.root.removeFromParent();
     this.shapes?.dispose();
-    const shapes = (this.shapes = new Shapes(stage, this.renderer.capabilities.getMaxAnisotropy(), () => this.draw(), this.software ? COARSE : FINE));
+    const shapes = (this.shapes = new Shapes(stage, this.software ? 1 : this.renderer.capabilities.getMaxAnisotropy(), () => this.draw(), this.software ? COARSE : FINE));
     const moving = stage.pieces.filter((piece) => !piece.still);
     this.still = new Figure(stage.bodies, stage.pieces.filter((piece) => piece.still), shapes);
     this.figure = new Figure(stage.bodies, moving, shapes);
