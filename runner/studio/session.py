@@ -262,6 +262,7 @@ class Session:
 
     def _heard_stage(self, message: Message) -> None:
         self.stages += 1
+        self._paths.clear()
         self.scene = message
         self._stage = b'{"is":"stage","stage":' + message["stage"] + b"}"
         self.tell(self._stage)
@@ -289,9 +290,10 @@ class Session:
         return True
 
     def _heard_path(self, message: Message) -> None:
-        self.keys_now, self.timeline = message["keys"], message["timeline"]
-        if message["kind"] == "raw":
-            self._paths.clear()
+        if message["kind"] != "raw":
+            self.keys_now, self.timeline = message["keys"], message["timeline"]
+        if message["kind"] == "carried":
+            self._paths.pop("found", None)
         self._paths[message["kind"]] = message["data"]
         self.tell(message["data"])
 

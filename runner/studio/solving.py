@@ -82,6 +82,7 @@ class Work:
         self.found: Solution | None = None
         self.revision = 0
         self._is_searching = self._is_sending = self._is_asked = False
+        self._owes_raw = False
         self._sent = 0.0
         self.has_curves = False
         self.seen: dict[str, Timeline] = {}
@@ -120,7 +121,7 @@ class Work:
             self._send({"is": "stage", "stage": stage(clip), "scene": clip.scene, "place": clip.figure.coordinates})
         said = outline(text, place)
         self._tell("loaded", revision=revision, notes=list(clip.notes), outline=said, **_shape(clip))
-        self._send_path(clip.problem.raw, "raw")
+        self._owes_raw = True
         begin, between = self._begin(before, solution, first=first, found=found)
         if begin is None:
             self._first(clip, go=go)
@@ -239,8 +240,11 @@ class Work:
 
         def improved(improvement: Improvement) -> None:
             best[:] = [improvement]
+            if begin is not None and improvement.evaluation == 1:
+                return  # where it begins is seen already
             if time.monotonic() - self._sent >= SOONEST:
                 self._send_path(improvement.build(), "found", **_course(improvement))
+                self._send_raw()
             if self._is_asked:
                 raise StopSearch
 
@@ -274,6 +278,7 @@ class Work:
         """What is wrong with the present path, and why the search ended."""
         clip, found = self.clip, self.found
         assert clip is not None and found is not None
+        self._send_raw()
         wrong = problems(clip, found.timeline, found.raw)
         self._tell(
             "settled", revision=self.revision, stop=stop, problems=plain(wrong), frames=found.timeline.times.tolist()
@@ -286,6 +291,12 @@ class Work:
             from .curves import curves  # only here: most look at no curves
 
             self._tell("curves", curves=curves(self.clip, self.found))
+
+    def _send_raw(self) -> None:
+        """The raw spline, once for a text, and after what somebody waits for."""
+        if self._owes_raw and self.clip is not None:
+            self._owes_raw = False
+            self._send_path(self.clip.problem.raw, "raw")
 
     def _send_path(self, timeline: Timeline, stage: str, **told: Any) -> None:
         """A path as the page plays it, and as the server adds keyframes from it."""

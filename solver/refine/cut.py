@@ -17,7 +17,7 @@ from ..curve.frame import Frame, Timeline
 from ..curve.spline import path_of
 from ..objective import Objective, segment_integrals
 
-REACH, HELD = 2, 2  # segments on either side of what was edited that move, and beyond them those that are held
+REACH, HELD = 1, 1  # segments on either side of what was edited that move, and beyond them those that are held
 FEWEST = 3  # segments that must be left out, or all of the clip is searched
 
 

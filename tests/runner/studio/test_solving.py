@@ -45,7 +45,7 @@ def load(work, folder, text, revision=0, *, first=False, go=True):
 
 def test_a_text_becomes_a_figure_keyframes_better_and_better_paths_and_a_verdict(work, tmp_path):
     told = load(work, tmp_path, tiny.CLIP, first=True)
-    assert [each["is"] for each in told][:3] == ["stage", "loaded", "path"]
+    assert [each["is"] for each in told][:2] == ["stage", "loaded"]
     assert told[-1]["is"] == "settled"
     stage = json.loads(told[0]["stage"])
     assert [joint["name"] for joint in stage["joints"]] == ["root", "left_knee"]
@@ -53,8 +53,8 @@ def test_a_text_becomes_a_figure_keyframes_better_and_better_paths_and_a_verdict
     assert loaded["outline"]["keys"][1]["joints"]["left_knee"] == {"rotvec": (0, 40, 0)}
     assert [all(key["fixed"]) for key in loaded["keys"]] == [True, False, True]
     kinds = [each["kind"] for each in told if each["is"] == "path"]
-    assert kinds[0] == "raw"
-    assert set(kinds[1:]) == {"found"}
+    assert kinds.count("raw") == 1
+    assert set(kinds) == {"raw", "found"}
     values = [each["value"] for each in told if each["is"] == "path" and "value" in each]
     assert values == sorted(values, reverse=True)
 
@@ -65,7 +65,8 @@ def test_an_edited_keyframe_is_solved_on_from_the_present_path(work, tmp_path):
     told = load(work, tmp_path, text, 1)
     assert "stage" not in {each["is"] for each in told}  # the figure is the same
     kinds = [each["kind"] for each in told if each["is"] == "path"]
-    assert kinds[:2] == ["raw", "carried"]
+    assert kinds[0] == "carried"
+    assert kinds.count("raw") == 1
     again = load(work, tmp_path, tiny.CLIP, 2)  # undone: as it was found before
     first = next(each for each in again if each["is"] == "path" and each["kind"] == "carried")
     assert first["timeline"].times.size == work.seen[tiny.CLIP].times.size
@@ -92,7 +93,7 @@ def test_a_text_that_is_no_clip_is_refused_in_words_and_the_last_one_stays(work,
 
 def test_nothing_is_searched_while_it_is_stopped(work, tmp_path):
     told = load(work, tmp_path, tiny.CLIP, first=True, go=False)
-    assert [each["kind"] for each in told if each["is"] == "path"] == ["raw", "carried"]
+    assert [each["kind"] for each in told if each["is"] == "path"] == ["carried", "raw"]
     assert told[-1]["stop"] == "paused"
     work.do({"do": "go"})
     assert "found" in {each.get("kind") for each in work.line.taken()}
