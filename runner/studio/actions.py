@@ -63,14 +63,14 @@ class Actions:
         poser = await self.poser()
         home, last, grip = self._home, self._last, self._grip
         self._grip = self._home = self._last = None
-        index, said = self.key_at(time), poser.said(home, last)
+        index, said = self.key_at(time), poser.said(last, home)
         if not said["joints"] and "root" not in said:
             return ""
         if index is None:
             return await self._add(poser, time, last)
         named = poser.limb_names(self._body) if grip is not None else set()
         if "root" in said:
-            said = poser.said(poser.figure.model.qpos0 + 1e6, last)  # all of it: what holds on to the root comes along
+            said = poser.said(last)  # all of it: what holds on to the root comes along
             named = None
         row = self._row(index)
         places = [
@@ -82,7 +82,7 @@ class Actions:
     def _kept_free(self, index: int, said: Any, home: Any, last: Any, poser: Poser) -> Any:
         """Without joints that the keyframe leaves free and that the drag did not move."""
         fixed = self.session.loaded["keys"][index]["fixed"]
-        moved = poser.said(home, last)
+        moved = poser.said(last, home)
         free = {
             link.name for link in poser.figure.links[1:] if not fixed[link.qpos] and link.name not in moved["joints"]
         }
@@ -99,7 +99,7 @@ class Actions:
         return await self._add(poser, time, self.at(time), limb)
 
     async def _add(self, poser: Poser, time: float, qpos: Any, limb: Sequence[str] | None = None) -> str:
-        said = poser.said(poser.figure.model.qpos0 + 1e6, qpos)
+        said = poser.said(qpos)
         if limb is not None:
             said = {"joints": {name: value for name, value in said["joints"].items() if name in limb}}
             if not said["joints"]:
@@ -109,7 +109,7 @@ class Actions:
     async def rest(self, *, key: int) -> str:
         """A keyframe's joints as at rest; where the root is stays."""
         poser = await self.poser()
-        said = poser.said(poser.figure.model.qpos0 + 1e6, poser.figure.model.qpos0)
+        said = poser.said(poser.figure.model.qpos0)
         places = [name for group in ("sites", "bodies") for name in self._row(key).get(group, {})]
         told = {"key": key, "joints": said["joints"], "places": places, "words": "pose as at rest"}
         return await self.session.edit("set_pose", told)
@@ -118,7 +118,7 @@ class Actions:
         """Joints of a keyframe fixed as the present path has them."""
         poser = await self.poser()
         qpos = self.at(float(self._row(key)["time"]))
-        said = poser.said(poser.figure.model.qpos0 + 1e6, qpos)
+        said = poser.said(qpos)
         told: dict[str, Any] = {name: value for name, value in said["joints"].items() if name in joints}
         root = {"root": said["root"]} if any(name not in said["joints"] for name in joints) and "root" in said else {}
         words = f"pin {', '.join(joints[:2])}" + (" ..." if len(joints) > 2 else "")

@@ -117,14 +117,14 @@ class Poser:
         out[start : start + 4] = quat.normalised(moved)
         return out
 
-    def said(self, home: Array, qpos: Array) -> dict[str, Any]:
-        """What a keyframe has to say for a pose, of the joints that are not as at home: {"joints", "root"}."""
+    def said(self, qpos: Array, home: Array | None = None) -> dict[str, Any]:
+        """What a keyframe has to say for a pose, {"joints", "root"}: of all joints, or those that are not as at home."""
         joints: dict[str, Any] = {}
         root: dict[str, Any] = {}
         first = next((link for link in self.figure.links[1:] if link.kind is JointKind.FREE), None)
         for index, link in enumerate(self.figure.links[1:], start=1):
             own = entries(self.figure, index)
-            if np.abs(qpos[own] - home[own]).max() < MOVED:
+            if home is not None and np.abs(qpos[own] - home[own]).max() < MOVED:
                 continue
             if link.kind is JointKind.FREE:
                 if link is first:

@@ -126,7 +126,7 @@ def test_an_animators_afternoon(browser, cache, tmp_path):
         page.locator("dialog button.main").click()
         tab.until(lambda: (tmp_path / "run.bvh").is_file())
         assert (tmp_path / "run.bvh").read_text().startswith("HIERARCHY")
-        tab.until("document.getElementById('task').hidden")
+        tab.until("document.getElementById('toast').textContent.includes('exported')")
         page.locator("#files").click()
         page.get_by_role("menuitem", name="Render").click()
         page.locator("dialog input[aria-label='name of the film']").fill("sheet.png")

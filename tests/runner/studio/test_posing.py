@@ -45,7 +45,7 @@ def test_a_hand_within_reach_moves_its_arm_alone(clip, poser):
     for link in limb(clip.figure, body):
         arm[entries(clip.figure, link)] = True
     np.testing.assert_array_equal(found.qpos[~arm], home[~arm])
-    assert set(poser.said(home, found.qpos)["joints"]) <= {"left_shoulder", "left_elbow"}
+    assert set(poser.said(found.qpos, home)["joints"]) <= {"left_shoulder", "left_elbow"}
 
 
 def test_a_hand_out_of_reach_takes_the_figure_along_but_for_its_soles(clip, poser):
@@ -110,7 +110,7 @@ def test_a_joint_turns_about_an_axis_of_the_world(clip, poser):
 
 def test_what_a_pose_says_is_that_pose(clip, poser):
     home, other = np.array(clip.keys[0].state), np.array(clip.keys[3].state)
-    said = poser.said(home, other)
+    said = poser.said(other, home)
     assert set(said) == {"joints", "root"}
     row = {"time": 0.0, **said}
     table = clips.ClipTable.model_validate({"figure": "human", "keyframe": [row]})
