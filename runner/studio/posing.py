@@ -118,7 +118,7 @@ class Poser:
         return out
 
     def said(self, qpos: Array, home: Array | None = None) -> dict[str, Any]:
-        """What a keyframe has to say for a pose, {"joints", "root"}: of all joints, or those that are not as at home."""
+        """What a keyframe has to say for a pose, {"joints", "root"}: of all joints, or of those not as at home."""
         joints: dict[str, Any] = {}
         root: dict[str, Any] = {}
         first = next((link for link in self.figure.links[1:] if link.kind is JointKind.FREE), None)
