@@ -12,6 +12,7 @@ from typing import Any
 
 import mujoco
 import numpy as np
+from numpy.typing import ArrayLike
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
@@ -62,7 +63,7 @@ class Poser:
     def _sole_goals(self) -> list[PointGoal]:
         return [PointGoal.of(self.figure, point) for point in self.soles]
 
-    def gripped(self, qpos: Array, body: int, offset: Array, *, plant: bool = True) -> Grip:
+    def gripped(self, qpos: Array, body: int, offset: ArrayLike, *, plant: bool = True) -> Grip:
         """A point taken hold of; plant: whether soles that stand stay where they are."""
         figure, width = self.figure, self.figure.width
         alone = np.zeros(width, bool)
@@ -83,7 +84,7 @@ class Poser:
                 planted.append(PointGoal(goal.name, goal.index, goal.offset, place))
         return Grip(np.array(qpos, float), body, np.array(offset, float), alone, whole, tuple(planted))
 
-    def pulled(self, grip: Grip, position: Array, begin: Array) -> Posed:
+    def pulled(self, grip: Grip, position: ArrayLike, begin: Array) -> Posed:
         """The pose with the point at a place (3,) [m], or as near to it as it comes; begin (nq,), the last one."""
         goal = PointGoal("hand", grip.body, grip.offset, np.array(position, float))
         found: Posed | None = None
@@ -94,16 +95,16 @@ class Poser:
                 return found
         return pulled(self.figure, grip.qpos, grip.whole, [goal, *grip.planted], self.bends, begin=begin)
 
-    def turned(self, qpos: Array, joint: str, turn: Array) -> Array:
+    def turned(self, qpos: Array, joint: str, turn: ArrayLike) -> Array:
         """(nq,) a pose with one joint turned on by a rotation in the world (4,) wxyz; a hinge by its share of it."""
         link = next((link for link in self.figure.links[1:] if link.name == joint), None)
         if link is None:
             raise UserError(unknown("joint", joint, [each.name for each in self.figure.links[1:]]))
-        turn = quat.normalised(np.array(turn, float))
+        moved = quat.normalised(np.array(turn, float))
         out = np.array(qpos, float)
         self._place(qpos)
         if link.kind in (JointKind.HINGE, JointKind.SLIDE):
-            about = quat.rotation_vector(turn)
+            about = quat.rotation_vector(moved)
             mujoco.mj_comPos(self.figure.model, self.data)
             value = out[link.qpos] + float(self.data.xaxis[link.joint] @ about)
             if self.figure.model.jnt_limited[link.joint]:
@@ -113,8 +114,8 @@ class Poser:
         start = link.qpos + (3 if link.kind is JointKind.FREE else 0)
         own = out[start : start + 4]
         base = quat.product(self.data.xquat[link.body], quat.inverse(own))
-        moved = quat.product(quat.product(quat.inverse(base), turn), quat.product(base, own))
-        out[start : start + 4] = quat.normalised(moved)
+        there = quat.product(quat.product(quat.inverse(base), moved), quat.product(base, own))
+        out[start : start + 4] = quat.normalised(there)
         return out
 
     def said(self, qpos: Array, home: Array | None = None) -> dict[str, Any]:

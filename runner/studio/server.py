@@ -10,7 +10,7 @@ import asyncio
 import hmac
 import itertools
 import json
-from collections.abc import Awaitable, Callable
+from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import asynccontextmanager, suppress
 from functools import partial
 from importlib.resources import files
@@ -100,7 +100,7 @@ def application(session: Session, door: Door) -> Starlette:
         await _Page(session, writer, socket, next(numbers)).live()
 
     @asynccontextmanager
-    async def life(app: Starlette) -> Any:
+    async def life(app: Starlette) -> AsyncIterator[None]:
         session.settled = partial(_prepare, session)
         session.begin()
         try:

@@ -264,8 +264,9 @@ class Session:
         self.stages += 1
         self._paths.clear()
         self.scene = message
-        self._stage = b'{"is":"stage","stage":' + message["stage"] + b"}"
-        self.tell(self._stage)
+        stage: bytes = b'{"is":"stage","stage":' + message["stage"] + b"}"
+        self._stage = stage
+        self.tell(stage)
 
     def _heard_loaded(self, message: Message) -> None:
         if not self._judge(message):

@@ -15,7 +15,7 @@ from contextlib import contextmanager, suppress
 from multiprocessing.connection import Connection
 from pathlib import Path
 from queue import SimpleQueue
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
@@ -73,10 +73,18 @@ def _read(line: Line, inbox: SimpleQueue[Message | None], work: Work) -> None:
     work.interrupt()
 
 
+class Outlet(Protocol):
+    """Where messages go."""
+
+    def send(self, obj: Any, /) -> None:
+        """One of them, whole."""
+        ...
+
+
 class Work:
     """A clip, the best path through its keyframes, and the line on which both are told."""
 
-    def __init__(self, line: Line) -> None:
+    def __init__(self, line: Outlet) -> None:
         self.line = line
         self.clip: Clip | None = None
         self.found: Solution | None = None
