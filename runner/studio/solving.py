@@ -278,7 +278,7 @@ class Work:
     def _remember(self, text: str, timeline: Timeline) -> None:
         """What was found for a text, in case that somebody comes back to it; of the last few texts."""
         self.seen.pop(text, None)
-        self.seen[text] = timeline
+        self.seen[text] = _bare(timeline)
         if len(self.seen) > MOST_SEEN:
             del self.seen[next(iter(self.seen))]
 
