@@ -27,15 +27,11 @@ from dynsplines.solver.refine.carried import carried
 from dynsplines.solver.search.minimum import Stop, StopSearch
 from dynsplines.solver.solution import Improvement, Solution
 
-from .. import kept, motion
 from ..clip import load as clips
 from ..clip.load import Clip
 from ..errors import UserError, one_line
-from ..measure.problems import plain, problems
 from ..scene.outside import allowed
 from ..system.cache_folder import place as cache
-from ..system.progress import Progress
-from ..work import Solved
 from . import paths
 from .outline import kinds, outline
 from .stage import stage
@@ -170,6 +166,8 @@ class Work:
 
     def _first(self, clip: Clip, *, go: bool) -> None:
         """A clip that was just opened: as it was solved before, or searched from its raw spline."""
+        from .. import kept  # only here, as below: the figure is on the page by now
+
         folder = cache()
         known = None if folder is None else kept.read(folder / f"{kept.key_of(clip)}.npz", clip)
         raw = clip.problem.raw
@@ -205,6 +203,10 @@ class Work:
         clip, found = self.clip, self.found
         if clip is None or found is None:
             raise UserError("nothing has been solved yet")
+        from .. import motion
+        from ..system.progress import Progress
+        from ..work import Solved
+
         saved = Solved(clip, found, None).saved(Progress(), with_report=False)
         motion.save(saved, Path(file))
         self._tell("kept", file=file)
@@ -272,6 +274,9 @@ class Work:
         value, parts = (found.trace[-1][2], found.trace[-1][3]) if found.trace else (0.0, {})
         self._send_path(found.timeline, "found", value=value, parts=_plain(parts), evaluation=found.evaluations)
         if begin is None and found.stop is Stop.CONVERGED and (folder := cache()) is not None:
+            from .. import kept
+            from ..work import Solved
+
             kept.write(Solved(clip, found, None), folder / f"{kept.key_of(clip)}.npz")
         self._judge(stop=found.stop.name)
 
@@ -287,6 +292,8 @@ class Work:
         clip, found = self.clip, self.found
         assert clip is not None and found is not None
         self._send_raw()
+        from ..measure.problems import plain, problems
+
         wrong = problems(clip, found.timeline, found.raw)
         self._tell(
             "settled", revision=self.revision, stop=stop, problems=plain(wrong), frames=found.timeline.times.tolist()
