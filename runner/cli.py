@@ -703,6 +703,44 @@ def batch(
 
 
 @app.command()
+def studio(
+    source: Annotated[
+        str, typer.Argument(metavar="CLIP|MOTION|RECORDING|MODEL.xml", help="what to open; see `dynsplines clips`")
+    ] = "run_and_step",
+    figure: Annotated[str | None, typer.Option(help="of a recording: a shipped figure or MJCF")] = None,
+    port: Annotated[int, typer.Option(help="0 takes a free one", min=0, max=65535)] = 0,
+    host: Annotated[
+        str, typer.Option(help="another address than this machine's own needs --allow-remote")
+    ] = "127.0.0.1",
+    browser: Annotated[bool, typer.Option("--browser/--no-browser", help="open the page, or only print where")] = True,
+    allow_remote: Annotated[
+        bool, typer.Option("--allow-remote", help="let other machines edit the clip and write files beside it")
+    ] = False,
+    allow_outside: Outside = False,
+) -> None:
+    """See, edit and optimise a motion live on a page in the browser."""
+    _without_graphics()
+    from .errors import UserError
+
+    try:
+        from .studio import sources, start
+    except ModuleNotFoundError as error:
+        if (error.name or "").split(".")[0] not in ("starlette", "uvicorn", "websockets", "tomlkit"):
+            raise
+        raise UserError(f"the studio needs {error.name}: pip install 'dynamic-splines[studio]'") from None
+    start.check_host(host, allow_remote=allow_remote)
+    document = sources.opened(source, figure=figure)
+    start.run(
+        document,
+        host=host,
+        port=port,
+        browser=browser,
+        allow_remote=allow_remote,
+        say=lambda line: print(line, flush=True),
+    )
+
+
+@app.command()
 def paper(
     seeds: Annotated[int | None, typer.Option(help="sets of keyframes [default: 20]", min=1)] = None,
     figures: Annotated[

@@ -22,6 +22,7 @@ from .curve.spline import path_of
 from .objective import Evaluation, Objective
 from .one_thread import one_thread
 from .problem import Problem, Settings, guide_of
+from .refine.cut import Cut
 from .refine.subdivision import CRITERIA, midpoints, split
 from .refine.windows import Assembly, is_long, windows
 from .search.astray import FAR, farthest, is_astray, is_dear, is_violent
@@ -57,6 +58,30 @@ def inbetween(problem: Problem, *, improved: Callable[[Improvement], None] | Non
     return Solution(problem.figure, loop.objective, timeline, raw, tuple(loop.trace), loop.evaluations, loop.stop)
 
 
+def resumed(
+    problem: Problem,
+    begin: Timeline,
+    *,
+    between: tuple[float, float] | None = None,
+    improved: Callable[[Improvement], None] | None = None,
+) -> Solution:
+    """As `inbetween`, on from a path that is nearly good, such as one that was found before a keyframe was moved.
+
+    begin    through the keyframes of the problem, with variable frames, see `refine.carried`
+    between  [s] what alone was edited: the search keeps to the segments that this reaches
+
+    It ends in the nearest minimum: nothing is searched from elsewhere, as `inbetween` does where that is a heap.
+    """
+    raw = problem.raw
+    with one_thread():
+        loop = _Loop(problem.objective, problem.settings, improved)
+        try:
+            timeline = loop.on_from(raw, begin, between)
+        except KeyboardInterrupt:
+            timeline, loop.stop = loop.best() if loop.best is not None else begin, Stop.ASKED
+    return Solution(problem.figure, loop.objective, timeline, raw, tuple(loop.trace), loop.evaluations, loop.stop)
+
+
 @dataclass(frozen=True, eq=False)
 class _End:
     """How a round ended: its timeline, why it stopped, the last damping of its steps."""
@@ -77,7 +102,7 @@ class _Loop:
         self.stop = Stop.CONVERGED
         self.damping = FIRST_DAMPING
         self.elsewhere = np.zeros(len(objective.terms))
-        self.since = -np.inf
+        self.since, self.until = -np.inf, np.inf
         self.whole: Callable[[Timeline], Timeline] = lambda timeline: timeline
         self.last: dict[str, float] = {}
 
@@ -93,6 +118,26 @@ class _Loop:
             led = guide.led(first, settings.frames if settings.variable is None else first.variable_count)
             first = min(first, led, key=lambda timeline: self.objective.value(path_of(timeline)))
         return self.searched(first, len(raw.frames) - 1, settings.frames)
+
+    def on_from(self, raw: Timeline, begin: Timeline, between: tuple[float, float] | None) -> Timeline:
+        """The nearest minimum from a timeline, in all of it or in what an edit reaches."""
+        segments, budget = len(raw.frames) - 1, self.settings.frames
+        cut = None if between is None else Cut.about(begin, raw.times, between)
+        if cut is None and is_long(raw):
+            cut = Cut.about(begin, raw.times, (float(raw.times[0]), float(raw.times[-1])))
+        if cut is not None:
+            return self._on_from_cut(cut, begin, raw, budget)
+        end = self.run(begin, segments, None if budget is None else max(budget, begin.variable_count))[-1]
+        self.stop = end.stop
+        return end.timeline
+
+    def _on_from_cut(self, cut: Cut, begin: Timeline, raw: Timeline, budget: int | None) -> Timeline:
+        """The whole timeline with a part of it at its nearest minimum."""
+        self.since, self.until = cut.first, cut.last
+        self.whole = cut.around(begin)
+        self.elsewhere = cut.elsewhere(self.objective, begin, raw.times)
+        room = None if budget is None else max(cut.part.variable_count, budget * cut.segments // (len(raw.frames) - 1))
+        return self.whole(self.run(cut.part, cut.segments, room)[-1].timeline)
 
     def searched(self, timeline: Timeline, segments: int, budget: int | None) -> Timeline:
         """The best timeline found from where one begins, and if that ended in a heap from the straight way between
@@ -229,7 +274,9 @@ class _Loop:
             threshold *= present / max(sum(not frame.is_variable for frame in timeline.frames) - 1, 1)
         most = min(room, max(1, round(self.settings.batch * scores.size)))
         middles = midpoints(timeline)
-        scores = np.where(middles > self.since, scores, -np.inf)  # what a window holds is not split
+        scores = np.where(
+            (middles > self.since) & (middles < self.until), scores, -np.inf
+        )  # what a window holds is not split
         order = np.argsort(scores)[::-1][:most]
         order = order[scores[order] > threshold]
         promise = float(scores[order].sum()) / present if present > 0 else 0.0

@@ -36,6 +36,7 @@ ALIKE = 2e-3  # share by which the costs of two rough poses differ that are one
 HOPELESS = 0.05  # [m, rad] by which a rough pose misses its goals where none that meets them is near
 ROUNDS, STALLED = 20, 0.7  # of the multipliers, and the share of what is missed that is left when they lead nowhere
 STEPS, FIRST_DAMPING, MOST_DAMPING = 60, 1e-3, 1e8
+PULLS = 12  # steps of a pose that follows a hand
 ROUGHLY, SETTLED = 1e-3, 1e-9  # share of what is left that a step gains where a descent ends: the first, the others
 SMALLEST_STEP = 1e-11
 SQUARED = 3e3  # weight up to which normal equations are exact enough
@@ -241,6 +242,24 @@ def posed(
     return Posed(there, fixed, missed, tried)
 
 
+def pulled(
+    figure: Figure,
+    qpos: Array,
+    free: Mask,
+    goals: Sequence[Goal],
+    bends: BendLimits | None = None,
+    *,
+    begin: Array,
+    steps: int = PULLS,
+) -> Posed:
+    """As `posed`, in so few steps that a hand can be dragged: from one pose to begin with (nq,), and within a fraction
+    of a millimetre, or as near as it comes if the goals are out of reach."""
+    search = _PoseSearch(figure, np.array(qpos, float), np.asarray(free, bool), tuple(goals), bends)
+    if not search.dofs.size:
+        return search.result(search.home)
+    return search.result(search.near(np.array(begin, float), steps))
+
+
 def _posed(search: _PoseSearch, starts: int) -> Posed:
     """The pose for goals that depend on one another."""
     best = search.result(search.home)
@@ -393,6 +412,10 @@ class _PoseSearch:
         """A pose that nearly meets goals that weigh little, and what it costs."""
         return self._levenberg(qpos, COARSE, None, ROUGHLY)
 
+    def near(self, qpos: Array, steps: int) -> Array:
+        """A pose that meets the goals but for what is left of their weight, or comes near them; in so many steps."""
+        return self._levenberg(qpos, FIRM, None, ROUGHLY, steps)[0]
+
     def around(self, qpos: Array) -> Array:
         """A pose near a start, wherever home is, that nearly meets the goals."""
         home, self.home = self.home, qpos
@@ -427,13 +450,13 @@ class _PoseSearch:
         return self.result(qpos)
 
     def _levenberg(
-        self, qpos: Array, weight: float, shifts: tuple[Array, Array] | None, settled: float
+        self, qpos: Array, weight: float, shifts: tuple[Array, Array] | None, settled: float, steps: int = STEPS
     ) -> tuple[Array, float]:
         """Least squares from a pose, the goals and bounds shifted by their multipliers; and what is left."""
         damping = FIRST_DAMPING
         residuals, rows = self._weighed(qpos, weight, shifts)
         cost = float(residuals @ residuals)
-        for _ in range(STEPS):
+        for _ in range(steps):
             step = _step(residuals, rows, damping, is_exact=FIRMER * weight > SQUARED)
             there = self._moved(qpos, step)
             residuals_there, rows_there = self._weighed(there, weight, shifts)

@@ -9,6 +9,7 @@ from dynsplines import models
 
 from ..errors import UserError
 from ..motion import Saved
+from ..scene.assets import Scene
 from ..scene.compose import compose, figure_spec
 from ..system.output import Replacement, check_target
 from . import load as clips
@@ -27,7 +28,7 @@ def write(saved: Saved, target: Path, *, note: str = "", exact: bool = False, ov
     if saved.text:
         said = tables(clips.table_of(saved.text, saved.name))
     else:
-        said = {"figure": _shipped(saved), "fps": saved.fps, "solve": _ends(saved)}
+        said = {"figure": shipped_scene(saved.scene), "fps": saved.fps, "solve": _ends(saved)}
         said["keyframe"] = keyframe_tables(saved.figure, saved.keys)
     if exact:
         said["solve"] = said.get("solve", {}) | AS_SPLINE
@@ -67,9 +68,9 @@ def check(target: Path) -> None:
     check_target(target)
 
 
-def _shipped(saved: Saved) -> str:
-    """The shipped figure that a motion from no clip is of, on the bare stage, or none."""
-    return next((name for name in models.figures() if compose(figure_spec(name)).mjcf == saved.mjcf), "")
+def shipped_scene(scene: Scene) -> str:
+    """The shipped figure that a scene is, on the bare stage, or none."""
+    return next((name for name in models.figures() if compose(figure_spec(name)).mjcf == scene.mjcf), "")
 
 
 def _tells_scene(saved: Saved) -> bool:

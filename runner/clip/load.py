@@ -10,6 +10,7 @@ import tomllib
 from collections.abc import Callable, Iterator, Sequence
 from contextvars import ContextVar
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from itertools import pairwise
 from pathlib import Path
 from typing import Any, TypeVar
@@ -199,27 +200,22 @@ def from_text(
     fps: float | None = None,
     spec: mujoco.MjSpec | None = None,
     unmet: list[str] | None = None,
+    like: Clip | None = None,
 ) -> Clip:
     """A clip from TOML text; `where` is how errors call it, `folder` where the figure's path starts.
 
     figure_file  where the figure is now, if not where the text says
     spec         the figure itself, whatever the text calls it
+    like         the clip that this one was edited from: if its text has the same figure and scene, they are its own
     unmet        gets a line for every place that no pose was found for; the keyframe comes as near as it can
     """
     where = where or f"{name}.toml"
     table = table_of(text, where)
     _check_text(table, where)
-    step = table.scene.step
-    try:
-        spec = figure_spec(figure_file or table.figure, folder) if spec is None else spec
-    except UserError as error:
-        raise UserError(f"{where}: {error}") from None
-    _check_joints(table.keyframe, spec, where)
-    try:
-        scene = compose(spec, None if step is None else Step(**step.model_dump()), obstacles(table.scene))
-    except UserError as error:
-        raise UserError(f"{where}: {error}") from None
-    figure = figure_of(scene, where, table.solve.coordinates)
+    if like is not None and _has_ground(like, table):
+        scene, figure = like.scene, like.figure
+    else:
+        scene, figure = _ground(table, where, folder, figure_file, spec)
     missed: list[str] = []
     recording = followed(table, figure, folder, where, _solved)
     base = None if recording is None else recording.pose
@@ -250,8 +246,39 @@ def _solved(source: str, where: str) -> Moving:
     return Moving(clip.figure, solution.timeline, clip.fps)
 
 
+def _ground(
+    table: ClipTable, where: str, folder: Path | None, figure_file: str | None, spec: mujoco.MjSpec | None
+) -> tuple[Scene, Figure]:
+    """A clip's figure in its scene."""
+    step = table.scene.step
+    try:
+        spec = figure_spec(figure_file or table.figure, folder) if spec is None else spec
+    except UserError as error:
+        raise UserError(f"{where}: {error}") from None
+    _check_joints(table.keyframe, spec, where)
+    try:
+        scene = compose(spec, None if step is None else Step(**step.model_dump()), obstacles(table.scene))
+    except UserError as error:
+        raise UserError(f"{where}: {error}") from None
+    return scene, figure_of(scene, where, table.solve.coordinates)
+
+
+def _has_ground(clip: Clip, table: ClipTable) -> bool:
+    """Whether a clip's text has the same figure in the same scene."""
+    own = table_of(clip.text, clip.context.where) if clip.text else None
+    return own is not None and (own.figure, own.scene, own.solve.coordinates) == (
+        table.figure,
+        table.scene,
+        table.solve.coordinates,
+    )
+
+
+@lru_cache(maxsize=4)
 def table_of(text: str, where: str) -> ClipTable:
-    """The tables of a clip's TOML text; raises UserError for what they cannot hold."""
+    """The tables of a clip's TOML text, not to be changed; raises UserError for what they cannot hold.
+
+    The last few are remembered: whoever edits a clip asks for the same one several times.
+    """
     return _tables(text, where, ClipTable)
 
 

@@ -52,6 +52,11 @@ def mirrored_tables(clip: dict[str, Any], figure: Figure, mirror: Mirror) -> dic
     return out
 
 
+def mirrored_keyframe(row: dict[str, Any], figure: Figure, mirror: Mirror) -> dict[str, Any]:
+    """One keyframe's table for the mirrored figure."""
+    return _keyframe(row, Places(figure, sole_points(figure, np.zeros((0, figure.width)))), mirror)
+
+
 def _check_known(table: str, entries: dict[str, Any]) -> None:
     """What this does not know may have sides, too."""
     for key in entries:

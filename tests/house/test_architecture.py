@@ -19,10 +19,13 @@ ONLY_IN = {
     "nlopt": {"solver/search/optimiser.py"},
     "imageio": {"runner/picture/film.py"},
     "threadpoolctl": {"solver/one_thread.py"},
-    "tomllib": {"runner/clip/load.py"},
+    "tomllib": {"runner/clip/load.py", "runner/studio/document.py", "runner/studio/edits/tables.py"},
     "typer": {"runner/cli.py"},
     "pygltflib": {"runner/exchange/format/gltf.py"},
     "pxr": {"runner/exchange/format/usd.py"},
+    "starlette": {"runner/studio/server.py"},
+    "tomlkit": {"runner/studio/edits/tables.py"},
+    "uvicorn": {"runner/studio/start.py"},
 }
 SCIPY_IN_SOLVER = {
     "solver/curve/banded.py",
@@ -149,7 +152,8 @@ STRATA = {
         edit claims
         clean
         batch
-        python cli
+        python studio
+        cli
         start
     """,
 }

@@ -1,0 +1,59 @@
+// A figure on a scene: a group for every body, and poses for them.
+import * as THREE from "three";
+import type { Piece, Shapes } from "./shapes";
+
+export interface Pose { position: ArrayLike<number>; rotation: ArrayLike<number>; }
+
+const turn = new THREE.Quaternion();
+
+/** A material for figures that are seen through, nearest parts only: put on meshes in this order. */
+export const veil = (colour: number, opacity: number, behind = 0.05): THREE.Material[] => {
+  const paints = [
+    new THREE.MeshBasicMaterial({ colorWrite: false, transparent: true }),
+    new THREE.MeshStandardMaterial({ color: colour, transparent: true, opacity, depthWrite: false, roughness: 0.9 }),
+  ];
+  // Where both nearly coincide the solid one shows: to the depth test the ghost lies a few centimetres behind its place
+  for (const paint of paints) paint.onBeforeCompile = (shader) => {
+    shader.vertexShader = shader.vertexShader.replace("#include <project_vertex>", `#include <project_vertex>
+      vec4 behind = projectionMatrix * vec4(mvPosition.xyz + ${behind.toFixed(3)} * normalize(mvPosition.xyz), 1.0);
+      gl_Position.z = behind.z / behind.w * gl_Position.w;`);
+  };
+  return paints;
+};
+
+export class Figure {
+  readonly root = new THREE.Group();
+  readonly groups: THREE.Group[];
+
+  /** veil: materials of a ghost; none for the figure itself */
+  constructor(bodies: string[], pieces: Piece[], shapes: Shapes, veils?: THREE.Material[]) {
+    this.groups = bodies.map((name, body) => Object.assign(new THREE.Group(), { name, userData: { body } }));
+    for (const part of shapes.parts(pieces)) {
+      (veils ?? [part.material]).forEach((paint, order) => {
+        const mesh = new THREE.Mesh(part.geometry, paint);
+        if (veils) mesh.renderOrder = 1 + order;
+        mesh.castShadow = !veils && part.casts;
+        mesh.receiveShadow = !veils;
+        this.groups[part.body].add(mesh);
+      });
+    }
+    this.root.add(...this.groups);
+  }
+
+  /** Bodies where a pose has them: positions (B, 3) and rotations (B, 4) xyzw, one after the other. */
+  put(pose: Pose): void {
+    this.groups.forEach((group, body) => {
+      group.position.fromArray(pose.position as number[], 3 * body);
+      group.quaternion.fromArray(pose.rotation as number[], 4 * body);
+    });
+  }
+}
+
+/** A pose that is a share of the way from one to another, written into the third. */
+export const mixed = (a: Pose, b: Pose, share: number, out: { position: Float32Array; rotation: Float32Array }): void => {
+  const other = new THREE.Quaternion();
+  for (let i = 0; i < out.position.length; i++) out.position[i] = a.position[i] + share * (b.position[i] - a.position[i]);
+  for (let i = 0; i < out.rotation.length; i += 4) {
+    turn.fromArray(a.rotation as number[], i).slerp(other.fromArray(b.rotation as number[], i), share).toArray(out.rotation, i);
+  }
+};

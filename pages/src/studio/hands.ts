@@ -1,0 +1,151 @@
+// Hands on the figure: what the mouse lies on lights up; a drag of any point of it is posed by the server.
+import * as THREE from "three";
+import { toast } from "./dom";
+import { act, ask } from "./link";
+import { model } from "./model";
+import type { Stage } from "./stage";
+
+const STILL = 4; // [px] that a click may move
+
+export class Hands {
+  private readonly ray = new THREE.Raycaster();
+  private held: { body: number; offset: number[]; plane: THREE.Plane; x: number; y: number; time: number; moved: boolean } | null = null;
+  private waiting = false;
+  private next: THREE.Vector3 | null = null;
+  private readonly mark = new THREE.Mesh(
+    new THREE.SphereGeometry(0.022, 16, 12),
+    new THREE.MeshBasicMaterial({ color: 0xffb454, depthTest: false, transparent: true, opacity: 0.95 }),
+  );
+  times: number[] = []; // [ms] of the server for every pose of drags, for measures
+  trips: number[] = []; // [ms] from asking to having it
+
+  constructor(private readonly stage: Stage) {
+    const { canvas } = stage;
+    this.mark.visible = false;
+    this.mark.renderOrder = 10;
+    stage.extra.add(this.mark);
+    canvas.addEventListener("pointermove", (event) => this.move(event));
+    canvas.addEventListener("pointerdown", (event) => this.down(event), true);
+    window.addEventListener("pointerup", (event) => this.up(event));
+    canvas.addEventListener("pointerleave", () => { if (!this.held) this.light(null); });
+  }
+
+  /** Whether something is being dragged. */
+  get busy(): boolean { return this.held !== null; }
+
+  /** Lets go, and nothing has happened. */
+  async cancel(): Promise<void> {
+    if (!this.held) return;
+    this.held = null;
+    this.stage.orbit.enabled = true;
+    await ask("cancel");
+    this.stage.override = null;
+    this.stage.draw();
+  }
+
+  private hit(event: PointerEvent): { body: number; point: THREE.Vector3 } | null {
+    const { figure, camera, canvas } = this.stage;
+    if (!figure || !figure.root.visible) return null;
+    const box = canvas.getBoundingClientRect();
+    const at = new THREE.Vector2(((event.clientX - box.left) / box.width) * 2 - 1, 1 - ((event.clientY - box.top) / box.height) * 2);
+    this.ray.setFromCamera(at, camera);
+    const found = this.ray.intersectObject(figure.root, true)[0];
+    if (!found) return null;
+    let node: THREE.Object3D | null = found.object;
+    while (node && node.userData.body === undefined) node = node.parent;
+    return node ? { body: node.userData.body, point: found.point } : null;
+  }
+
+  private light(found: { body: number; point: THREE.Vector3 } | null): void {
+    const lit = found !== null;
+    this.stage.canvas.style.cursor = lit ? "grab" : "";
+    if (this.mark.visible !== lit || lit) this.stage.draw();
+    this.mark.visible = lit;
+    if (found) this.mark.position.copy(found.point);
+  }
+
+  private down(event: PointerEvent): void {
+    if (event.button !== 0 || event.shiftKey || this.stage.canvas.dataset.gizmo === "on") return;
+    const found = this.hit(event);
+    if (!found) return;
+    event.stopImmediatePropagation();
+    this.stage.orbit.enabled = false;
+    this.stage.canvas.setPointerCapture(event.pointerId);
+    model.playing = false;
+    const near = model.document?.keys.find((key) => Math.abs(key.time - model.time) < 0.5 / model.fps);
+    if (near) model.seek(near.time);
+    const group = this.stage.figure!.groups[found.body];
+    const offset = found.point.clone().sub(group.position).applyQuaternion(group.quaternion.clone().invert()).toArray();
+    const plane = new THREE.Plane().setFromNormalAndCoplanarPoint(this.stage.camera.getWorldDirection(new THREE.Vector3()), found.point);
+    this.held = { body: found.body, offset, plane, x: event.clientX, y: event.clientY, time: model.time, moved: false };
+    this.stage.canvas.style.cursor = "grabbing";
+  }
+
+  private move(event: PointerEvent): void {
+    const { held } = this;
+    if (!held) {
+      if (event.buttons === 0) this.light(this.hit(event));
+      return;
+    }
+    if (!held.moved && Math.hypot(event.clientX - held.x, event.clientY - held.y) < STILL) return;
+    if (!held.moved) {
+      held.moved = true;
+      this.waiting = true;
+      void ask("grip", { time: held.time, body: held.body, offset: held.offset, plant: !event.altKey }).then((answer) => {
+        this.waiting = false;
+        if (!answer.ok) { toast(answer.words ?? "", "wrong"); void this.cancel(); }
+        else this.follow();
+      });
+    }
+    const box = this.stage.canvas.getBoundingClientRect();
+    const at = new THREE.Vector2(((event.clientX - box.left) / box.width) * 2 - 1, 1 - ((event.clientY - box.top) / box.height) * 2);
+    this.ray.setFromCamera(at, this.stage.camera);
+    this.next = this.ray.ray.intersectPlane(held.plane, new THREE.Vector3());
+    this.follow();
+  }
+
+  /** Asks for the pose of where the mouse is now; one at a time. */
+  private follow(): void {
+    if (this.waiting || !this.next || !this.held) return;
+    const position = this.next.toArray(), asked = performance.now();
+    this.next = null;
+    this.waiting = true;
+    void ask("drag", { position }).then((answer) => {
+      this.waiting = false;
+      if (!this.held) return;
+      if (answer.ok) {
+        this.times.push(answer.ms as number);
+        this.trips.push(performance.now() - asked);
+        this.stage.override = { position: answer.position as number[], rotation: answer.rotation as number[] };
+        this.mark.visible = true;
+        this.stage.figure!.put(this.stage.override);
+        this.mark.position.copy(this.stage.placeOf(this.held.body, this.held.offset));
+        (this.mark.material as THREE.MeshBasicMaterial).color.set((answer.missed as number) > 0.005 ? 0xff5c5c : 0xffb454);
+        this.stage.draw();
+      }
+      this.follow();
+    });
+  }
+
+  private async up(event: PointerEvent): Promise<void> {
+    const { held } = this;
+    if (!held || event.button !== 0) return;
+    while (held.moved && (this.waiting || this.next) && this.held) await new Promise((resolve) => window.setTimeout(resolve, 4));
+    this.held = null;
+    this.stage.orbit.enabled = true;
+    this.stage.canvas.style.cursor = "";
+    this.mark.visible = false;
+    if (!held.moved) {
+      model.joint = model.stage?.joints.find((joint) => joint.body === held.body)?.name ?? null;
+      model.tell("joint");
+      this.stage.draw();
+      return;
+    }
+    dropped = performance.now();
+    await act("drop", { time: held.time });
+    this.stage.override = null;
+    this.stage.draw();
+  }
+}
+
+export let dropped = 0; // [ms] when a drag last ended, for measures

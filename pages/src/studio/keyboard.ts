@@ -1,0 +1,142 @@
+// Every key, in one table, which `?` shows.
+import { $, el } from "./dom";
+import { act } from "./link";
+import { model, type Which } from "./model";
+import { toggleCurves } from "./curves";
+import type { Hands } from "./hands";
+import { showTab } from "./panels";
+import type { Stage } from "./stage";
+import type { Timeline } from "./timeline";
+import { addKey, play, remove, save, step, toKey } from "./transport";
+
+type Deed = [keys: string, says: string, done: () => void];
+
+const click = (id: string) => () => $(id).click();
+const selected = (): number[] => (model.keys.size ? [...model.keys].sort((a, b) => a - b) : model.here === null ? [] : [model.here]);
+const nudge = (by: number): void => {
+  const keys = selected();
+  if (!keys.length || !model.document) return;
+  const times = model.document.keys, here = model.here;
+  void act("edit", { name: "move_keys", moves: keys.map((i) => [i, Math.round((times[i].time + by / model.fps) * 1e4) / 1e4]) }).then((answer) => {
+    if (answer.ok && here !== null && keys.includes(here)) model.seek(model.document!.keys[here].time);
+  });
+};
+const scaled = (factor: number): void => {
+  const keys = selected(), times = model.document?.keys;
+  if (keys.length < 2 || !times) return;
+  const first = times[keys[0]].time;
+  void act("edit", { name: "move_keys", moves: keys.map((i) => [i, Math.round((first + factor * (times[i].time - first)) * 1e4) / 1e4]) });
+};
+
+export const deeds = (stage: Stage, timeline: Timeline, hands: Hands): Deed[] => [
+  ["Space", "play or pause", () => play()],
+  ["ArrowLeft", "one image back", () => step(-1)],
+  ["ArrowRight", "one image on", () => step(1)],
+  ["PageUp", "previous keyframe", () => toKey(-1)],
+  ["PageDown", "next keyframe", () => toKey(1)],
+  ["Home", "to the beginning", () => model.seek(model.first)],
+  ["End", "to the end", () => model.seek(model.last)],
+  ["+", "faster", () => speed(1)],
+  ["-", "slower", () => speed(-1)],
+  ["L", "loop", click("loop")],
+  ["F", "the camera goes along", click("follow")],
+  ["1", "view: three-quarter", () => stage.aim("quarter")],
+  ["2", "view: right side", () => stage.aim("side")],
+  ["3", "view: left side", () => stage.aim("left")],
+  ["4", "view: front", () => stage.aim("front")],
+  ["5", "view: back", () => stage.aim("back")],
+  ["6", "view: top", () => stage.aim("top")],
+  ["B", "before, both, side by side, after", () => {
+    const all: Which[] = ["after", "before", "both", "side"];
+    const next = all[(all.indexOf(model.which) + 1) % all.length];
+    const which = $<HTMLSelectElement>("which");
+    which.value = next;
+    which.dispatchEvent(new Event("change"));
+  }],
+  ["H", "ghosts of the keyframes", click("ghosts")],
+  ["T", "trails and contact points", click("trails")],
+  ["C", "curves", toggleCurves],
+  ["U", "limbs on the timeline", () => { timeline.unfolded = !timeline.unfolded; timeline.draw(); }],
+  ["Z", "all of the timeline", () => timeline.fit()],
+  ["[", "timeline: farther", () => timeline.zoom(1.4)],
+  ["]", "timeline: nearer", () => timeline.zoom(0.7)],
+  ["K", "a keyframe here, from the path", () => void addKey()],
+  ["Delete", "delete keyframes, a contact or hold", () => void remove()],
+  ["Alt-ArrowLeft", "the keyframe one image earlier", () => nudge(-1)],
+  ["Alt-ArrowRight", "the keyframe one image later", () => nudge(1)],
+  ["Alt-ArrowUp", "selected keyframes 10 % farther apart", () => scaled(1.1)],
+  ["Alt-ArrowDown", "selected keyframes 10 % closer together", () => scaled(1 / 1.1)],
+  ["M", "exchange left and right of keyframes", () => { const keys = selected(); if (keys.length) void act("mirror", { keys }); }],
+  ["Ctrl-A", "select every keyframe", () => model.select(model.document?.keys.keys() ?? [])],
+  ["Ctrl-C", "copy keyframes", () => { const keys = selected(); if (keys.length) void act("copy", { keys }); }],
+  ["Ctrl-V", "paste them here", () => void act("paste", { time: model.time })],
+  ["Ctrl-D", "duplicate keyframes to here", () => { const keys = selected(); if (keys.length) void act("copy", { keys }).then((answer) => { if (answer.ok) void act("paste", { time: model.time }); }); }],
+  ["Ctrl-Z", "undo", () => void act("undo")],
+  ["Ctrl-Shift-Z", "redo", () => void act("redo")],
+  ["Ctrl-S", "save", () => void save()],
+  ["G", "stop optimising, or go on", click("go")],
+  ["P", "panel: pose", () => { showTab("pose"); $("tab-pose").focus(); }],
+  ["O", "panel: what is wrong", () => { showTab("problems"); $("tab-problems").focus(); }],
+  ["W", "panel: weights", () => { showTab("weights"); $("tab-weights").focus(); }],
+  ["S", "panel: scene", () => { showTab("scene"); $("tab-scene").focus(); }],
+  ["J", "the next joint, with rings to turn it", () => {
+    const joints = model.stage?.joints.map((joint) => joint.name) ?? [];
+    model.joint = joints[(joints.indexOf(model.joint ?? "") + 1) % joints.length] ?? null;
+    model.tell("joint");
+  }],
+  ["Escape", "let go: of a drag, a joint, a selection", () => {
+    if (hands.busy) { void hands.cancel(); return; }
+    if (model.joint !== null || model.obstacle !== null) { model.joint = model.obstacle = null; model.tell("joint"); } else model.select([]);
+  }],
+  ["?", "this list", () => help(stage, timeline, hands)],
+];
+
+const speed = (by: number): void => {
+  const choice = $<HTMLSelectElement>("speed");
+  choice.selectedIndex = Math.min(Math.max(choice.selectedIndex + by, 0), choice.length - 1);
+  choice.dispatchEvent(new Event("change"));
+};
+
+const MOUSE: [string, string][] = [
+  ["drag the figure", "pose it: the limb bends, then the whole figure goes along; soles that stand stay (Alt: they need not)"],
+  ["click the figure", "choose a joint and turn it by its rings"],
+  ["drag beside it", "turn the camera; right button or Shift: move it; wheel: nearer"],
+  ["drag a diamond", "move keyframes; Shift or Ctrl: select more; Ctrl-Alt: scale in time; Alt: do not snap"],
+  ["drag over a point's row", "a new contact; its ends and itself can be dragged"],
+  ["Ctrl-wheel, Shift-wheel", "zoom and move the timeline"],
+];
+
+const help = (stage: Stage, timeline: Timeline, hands: Hands): void => {
+  const shown = (keys: string) => keys.replace("Arrow", "").replace("Left", "←").replace("Right", "→").replace("Up", "↑").replace("Down", "↓").replace("Page↑", "PgUp").replace("Page↓", "PgDn");
+  const row = (keys: string, says: string) => el("div", {}, el("kbd", { text: keys }), el("span", { text: says }));
+  const box = el("dialog", { class: "help", "aria-label": "keys" }, el("h2", { text: "Keys" }),
+    el("div", { class: "columns" }, ...deeds(stage, timeline, hands).map(([keys, says]) => row(shown(keys), says))),
+    el("h2", { text: "Mouse" }), el("div", { class: "columns wide" }, ...MOUSE.map(([keys, says]) => row(keys, says))),
+    el("form", { method: "dialog" }, el("div", { class: "buttons end" }, el("button", { type: "submit", class: "main", text: "Close" }))));
+  box.addEventListener("close", () => box.remove());
+  document.body.append(box);
+  box.showModal();
+};
+
+export const beginKeyboard = (stage: Stage, timeline: Timeline, hands: Hands): void => {
+  const table = new Map(deeds(stage, timeline, hands).map(([keys, , done]) => [keys, done]));
+  $("help").addEventListener("click", () => table.get("?")!());
+  window.addEventListener("keydown", (event) => {
+    const target = event.target as HTMLElement;
+    if (document.querySelector("dialog[open]")) return;
+    const typing = target.matches("input[type=text], select, textarea"), sliding = target.matches("input[type=range]");
+    const ctrl = event.ctrlKey || event.metaKey;
+    if (typing && !(ctrl && "zs".includes(event.key.toLowerCase())) && event.key !== "Escape") return;
+    if (sliding && event.key.startsWith("Arrow")) return;
+    if (target.matches("button, summary, input[type=checkbox], [role=tab]") && (event.key === " " || event.key === "Enter")) return;
+    if (target.matches("[role=tab]") && event.key.startsWith("Arrow")) return;
+    const name = event.key === " " ? "Space" : event.key.length === 1 ? event.key.toUpperCase() : event.key === "Backspace" ? "Delete" : event.key;
+    const shift = event.shiftKey && ctrl ? "Shift-" : "";
+    const keys = `${ctrl ? "Ctrl-" : ""}${shift}${event.altKey ? "Alt-" : ""}${name === "=" ? "+" : name}`;
+    const done = table.get(keys === "Ctrl-Y" ? "Ctrl-Shift-Z" : keys);
+    if (!done) return;
+    if (ctrl && name === "C" && String(getSelection())) return;
+    event.preventDefault();
+    done();
+  });
+};

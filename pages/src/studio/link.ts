@@ -1,0 +1,97 @@
+// The line to the server: what is asked gets an answer; what is told goes to the model. It comes back when it is lost.
+import { Path } from "../scene/path";
+import { toast } from "./dom";
+import { model, type Course } from "./model";
+
+export interface Answer { ok: boolean; words?: string; [key: string]: unknown; }
+type Told = Record<string, any>;
+
+const TOKEN = new URLSearchParams(location.search).get("token") ?? "";
+const waiting = new Map<number, (answer: Answer) => void>();
+let socket: WebSocket | null = null;
+let number = 0;
+let pause = 250;
+
+/** Asks for something; the answer says what was done or why not, and never throws. */
+export const ask = (what: string, said: Told = {}): Promise<Answer> => new Promise((resolve) => {
+  if (!socket || socket.readyState !== WebSocket.OPEN) {
+    resolve({ ok: false, words: "the studio cannot be reached at the moment" });
+    return;
+  }
+  number += 1;
+  waiting.set(number, resolve);
+  socket.send(JSON.stringify({ do: what, id: number, ...said }, (_, value) => (Number.isNaN(value) ? "NaN" : value)));
+});
+
+/** Asks, and says in words what came of it. */
+export const act = async (what: string, said: Told = {}): Promise<Answer> => {
+  const answer = await ask(what, said);
+  if (!answer.ok) toast(answer.words ?? "it could not be done", "wrong");
+  else if (answer.words) toast(answer.words);
+  return answer;
+};
+
+export const edit = (name: string, said: Told): Promise<Answer> => act("edit", { name, ...said });
+
+const packed = (data: ArrayBuffer): void => {
+  const size = new DataView(data).getUint32(0, true);
+  const head = JSON.parse(new TextDecoder().decode(new Uint8Array(data, 4, size))) as Told & Course;
+  const { count, bodies } = head;
+  let at = 4 + size;
+  const taken = (length: number) => { const out = new Float32Array(data, at, length); at += 4 * length; return out; };
+  const path = new Path(head.first, head.last, head.rate, count, bodies, taken(3 * count * bodies), taken(4 * count * bodies), taken(3 * count));
+  if (head.kind === "raw") model.raw = path;
+  else {
+    model.now = path;
+    model.course = head;
+    model.frames += 1;
+  }
+  model.tell("path");
+};
+
+const HEARD: Record<string, (told: Told) => void> = {
+  stage: (told) => { model.stage = told.stage; model.tell("stage"); },
+  document: (told) => {
+    model.document = told as never;
+    const count = told.keys.length;
+    model.keys = new Set([...model.keys].filter((key) => key < count));
+    model.tell("document");
+  },
+  loaded: (told) => { model.loaded = told as never; model.tell("loaded"); },
+  settled: (told) => { model.flaws = told.problems; model.tell("settled"); },
+  status: (told) => { model.status = told as never; model.tell("status"); },
+  kinds: (told) => { model.kinds = told.kinds; model.tell("kinds"); },
+  curves: (told) => { curves = told.curves; model.tell("curves"); },
+  formats: (told) => { formats = told as never; model.tell("formats"); },
+  task: (told) => { task = told.words === null ? null : `${told.what}: ${told.words}`; model.tell("task"); },
+  offer: (told) => { offer = told.words; model.tell("offer"); },
+  note: (told) => toast(told.words, "note"),
+  refused: (told) => toast(told.words, "wrong"),
+  answer: (told) => { waiting.get(told.id)?.(told as never); waiting.delete(told.id); },
+};
+
+export let curves: Told | null = null;
+export let formats: { formats: { name: string; ending: string; says: string }[]; films: string[] } = { formats: [], films: [] };
+export let task: string | null = null;
+export let offer: string | null = null;
+export let connected = false;
+
+export const connect = (): void => {
+  const line = new WebSocket(`ws${location.protocol === "https:" ? "s" : ""}://${location.host}/line?token=${encodeURIComponent(TOKEN)}`);
+  line.binaryType = "arraybuffer";
+  socket = line;
+  line.onopen = () => { connected = true; pause = 250; model.tell("line"); };
+  line.onmessage = ({ data }) => {
+    if (data instanceof ArrayBuffer) { packed(data); return; }
+    const told = JSON.parse(data) as Told;
+    HEARD[told.is]?.(told);
+  };
+  line.onclose = () => {
+    connected = false;
+    for (const resolve of waiting.values()) resolve({ ok: false, words: "the line to the studio was lost; it is tried again" });
+    waiting.clear();
+    model.tell("line");
+    window.setTimeout(connect, pause);
+    pause = Math.min(2 * pause, 4000);
+  };
+};

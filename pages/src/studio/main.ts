@@ -1,0 +1,50 @@
+// The studio's page: everything that it is made of, begun in order.
+import "uplot/dist/uPlot.min.css";
+import "./style.css";
+import { beginCurves } from "./curves";
+import { $, el, icon } from "./dom";
+import { beginFiles } from "./files";
+import { Gizmo } from "./gizmo";
+import { Hands } from "./hands";
+import { beginKeyboard } from "./keyboard";
+import { ask, connect } from "./link";
+import { model } from "./model";
+import { beginPanels } from "./panels";
+import { Stage } from "./stage";
+import { Timeline } from "./timeline";
+import { Trails } from "./trails";
+import { transport } from "./transport";
+
+const themed = (): void => {
+  const wanted = localStorage.getItem("dynsplines-theme") ?? "dark";
+  document.documentElement.dataset.theme = wanted;
+};
+themed();
+
+try {
+  const stage = new Stage();
+  const gizmo = new Gizmo(stage);
+  const hands = new Hands(stage);
+  const timeline = new Timeline();
+  new Trails(stage);
+  transport(stage, timeline);
+  beginPanels();
+  beginCurves(timeline);
+  beginFiles();
+  beginKeyboard(stage, timeline, hands);
+  $("files").prepend(icon("menu"));
+  $("theme").append(icon("theme"));
+  $("theme").addEventListener("click", () => {
+    localStorage.setItem("dynsplines-theme", document.documentElement.dataset.theme === "light" ? "dark" : "light");
+    themed();
+    model.tell("theme");
+  });
+  model.on("stage", () => { $("waiting").hidden = true; });
+  model.on("status", () => { if (!model.stage && model.status.words) { $("waiting").textContent = model.status.words; $("waiting").hidden = false; } });
+  model.tell("theme");
+  connect();
+  // For tests and measures
+  Object.assign(window, { studio: { ask, model, stage, hands, gizmo, timeline } });
+} catch (error) {
+  $("waiting").replaceChildren(el("p", { text: `This browser cannot draw in three dimensions: WebGL 2 is missing or switched off. (${error})` }));
+}

@@ -1,0 +1,98 @@
+// What the studio knows: the document, the stage, the paths; and what this page alone knows: the time, the selection.
+import type { Drawn } from "../scene/shapes";
+import type { Path } from "../scene/path";
+
+export interface Rotation { rotvec?: number[]; euler?: number[]; quat?: number[]; heading?: number; }
+export interface KeySaid {
+  time: number; others: string; joints?: Record<string, Rotation | number | "free">;
+  root?: { position?: (number | "free")[] | "free"; rotation?: Rotation | "free" };
+  sites?: Record<string, unknown>; bodies?: Record<string, unknown>;
+}
+export interface Bar { point?: string; hand?: string; body?: string; from: number; to: number; }
+export interface Obstacle { kind: string; index: number; [key: string]: unknown; }
+export interface Outline {
+  name: string; file: string | null; dirty: boolean; revision: number; undo: string | null; redo: string | null;
+  figure: string; fps: number; keys: KeySaid[]; contacts: Bar[]; holds: Bar[]; weights: Record<string, number | null>;
+  options: Record<string, Record<string, unknown>>; obstacles: Obstacle[]; solve: Record<string, unknown>; copied: number;
+  recording: unknown;
+}
+export interface KeyState { time: number; qpos: number[]; fixed: boolean[]; known: boolean[]; }
+export interface Loaded {
+  keys: KeyState[]; stances: { point: string; from: number; to: number }[]; flights: [number, number][]; notes: string[];
+  ends: string; weights: Record<string, number>;
+}
+export interface Joint {
+  name: string; kind: "free" | "ball" | "hinge" | "slide"; qpos: number; body: number; range: number[] | null;
+  axis: number[]; anchor: number[];
+}
+export interface Marked { name: string; body: number; offset: number[]; radius?: number; }
+export interface Stage extends Drawn {
+  bodies: string[]; parents: number[]; still: boolean[]; size: number; joints: Joint[]; sites: Marked[]; soles: Marked[];
+  limbs: { name: string; joints: string[]; end: number }[];
+}
+export interface Flaw { kind: string; name: string; time: number | null; amount: number; unit: string; keyframe: number | null; text: string; }
+export interface Kind { kind: string; weight: number | null; says: string; options: Record<string, string>; }
+export interface Course { value?: number; parts?: Record<string, number>; evaluation?: number; frames: number[]; kind: string; }
+
+export type Which = "after" | "before" | "both" | "side" | "snapshot";
+export type Heard =
+  | "stage" | "document" | "loaded" | "path" | "time" | "selection" | "settled" | "status" | "kinds" | "which" | "shown"
+  | "curves" | "theme" | "task" | "offer" | "formats" | "joint" | "line" | "zoom";
+
+class Model {
+  document: Outline | null = null;
+  loaded: Loaded | null = null;
+  stage: Stage | null = null;
+  now: Path | null = null;
+  raw: Path | null = null;
+  snapshot: Path | null = null;
+  course: Course | null = null;
+  flaws: Flaw[] = [];
+  kinds: Kind[] = [];
+  status: { state: string; go: boolean; stop?: string; words?: string } = { state: "loading", go: true };
+  time = 0;
+  playing = false;
+  speed = 1;
+  loop = true;
+  follow = true;
+  which: Which = "after";
+  ghosts = false;
+  trails = false;
+  frames = 0; // paths that have come
+  keys = new Set<number>();
+  bar: { kind: "contact" | "hold"; index: number } | null = null;
+  joint: string | null = null;
+  obstacle: { kind: string; index: number } | null = null;
+  private readonly ears = new Map<Heard, (() => void)[]>();
+
+  on(what: Heard | Heard[], ear: () => void): void {
+    for (const each of [what].flat()) this.ears.set(each, [...(this.ears.get(each) ?? []), ear]);
+  }
+
+  tell(what: Heard): void {
+    for (const ear of this.ears.get(what) ?? []) ear();
+  }
+
+  get first(): number { return this.now?.first ?? this.document?.keys[0]?.time ?? 0; }
+  get last(): number { return this.now?.last ?? this.document?.keys.at(-1)?.time ?? 1; }
+  get fps(): number { return this.document?.fps ?? 30; }
+
+  /** The keyframe at the present time, if one is there. */
+  get here(): number | null {
+    const found = this.document?.keys.findIndex((key) => Math.abs(key.time - this.time) < 1e-4) ?? -1;
+    return found < 0 ? null : found;
+  }
+
+  seek(time: number): void {
+    this.time = Math.min(Math.max(time, this.first), this.last);
+    this.tell("time");
+  }
+
+  select(keys: Iterable<number>): void {
+    this.keys = new Set(keys);
+    this.bar = null;
+    this.tell("selection");
+  }
+}
+
+export const model = new Model();

@@ -1,0 +1,261 @@
+// The stage: figure, ghosts, camera. It draws when something has changed, and every image while it plays.
+import * as THREE from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { Figure, mixed, veil, type Pose } from "../scene/figure";
+import type { Path } from "../scene/path";
+import { COARSE, FINE, Shapes } from "../scene/shapes";
+import { DAY, DUSK, isSoftware, rendererOn, Surroundings } from "../scene/surroundings";
+import { VIEWS } from "../scene/views";
+import { $ } from "./dom";
+import { model } from "./model";
+
+const MELT = 140; // [ms] in which one path melts into the next
+const MOST_GHOSTS = 14;
+const SLOW = 45; // [ms] an image while something moves, from which on it has fewer points
+const FAST = 18; // [ms] from which on it has more again
+const REST = 220; // [ms] after the last movement until it is drawn with all of them
+const LEAST = 0.4; // of the points along either side
+
+type Side = { figure: Figure; path: () => Path | null };
+
+export class Stage {
+  readonly canvas = $<HTMLCanvasElement>("view");
+  readonly software = isSoftware();
+  readonly renderer = rendererOn(this.canvas, this.software);
+  readonly around = new Surroundings(4, DUSK, this.software);
+  readonly camera = new THREE.PerspectiveCamera(32, 1, 0.03, 900);
+  readonly orbit: OrbitControls;
+  readonly extra = new THREE.Group(); // of others: trails, handles
+  figure: Figure | null = null;
+  override: Pose | null = null; // a pose that is being dragged, in place of the path's
+  sights: (() => void)[] = []; // called before every image
+  longest = 0; // [ms] between two images while it plays
+  images = 0;
+  private shapes: Shapes | null = null;
+  private still: Figure | null = null;
+  private sides: Record<string, Side> = {};
+  private ghosts: Figure[] = [];
+  private melting: { from: Path; began: number } | null = null;
+  private previous: Path | null = null;
+  private wanted = true;
+  private scale = this.software ? 0.6 : 1; // of the points along either side, while something moves
+  private drawnAt = 1;
+  private stamp = 0;
+  private moved = 0;
+  private then: number | null = null;
+  private centre = new THREE.Vector3();
+  private aimed = false;
+  private readonly mix = { position: new Float32Array(0), rotation: new Float32Array(0) };
+
+  constructor() {
+    const { camera } = this;
+    camera.up.set(0, 0, 1);
+    this.orbit = new OrbitControls(camera, this.canvas);
+    Object.assign(this.orbit, { enableDamping: true, dampingFactor: 0.15, minDistance: 0.25, maxDistance: 90, maxPolarAngle: 0.97 * Math.PI });
+    this.orbit.addEventListener("change", () => this.draw());
+    this.around.scene.add(this.extra);
+    model.on("stage", () => this.build());
+    model.on("path", () => this.arrived());
+    model.on(["time", "which", "selection", "document"], () => this.draw());
+    model.on("loaded", () => this.haunt());
+    model.on("shown", () => this.haunt());
+    model.on("theme", () => { this.around.light(document.documentElement.dataset.theme === "light" ? DAY : DUSK); this.draw(); });
+    new ResizeObserver(() => this.resize()).observe(this.canvas.parentElement!);
+    this.resize();
+    requestAnimationFrame(this.tick);
+  }
+
+  draw(): void { this.wanted = true; }
+
+  /** Looks from a side by name. */
+  aim(name: string): void {
+    const size = model.stage?.size ?? 1.7;
+    this.centre.copy(this.middle());
+    this.orbit.target.copy(this.centre);
+    const away = 2.5 * Math.max(0.4, size) / Math.min(1, this.camera.aspect * 0.9);
+    this.camera.position.copy(this.centre).addScaledVector(new THREE.Vector3(...VIEWS[name]).normalize(), away);
+    this.orbit.update();
+    this.draw();
+  }
+
+  /** Where a point of a body is shown. */
+  placeOf(body: number, offset: number[]): THREE.Vector3 {
+    const group = this.figure!.groups[body];
+    return new THREE.Vector3().fromArray(offset).applyQuaternion(group.quaternion).add(group.position);
+  }
+
+  private build(): void {
+    const { stage } = model;
+    if (!stage) return;
+    for (const each of [this.figure, this.still, ...Object.values(this.sides).map((s) => s.figure), ...this.ghosts]) each?.root.removeFromParent();
+    this.shapes?.dispose();
+    const shapes = (this.shapes = new Shapes(stage, this.software ? 1 : this.renderer.capabilities.getMaxAnisotropy(), () => this.draw(), this.software ? COARSE : FINE));
+    const moving = stage.pieces.filter((piece) => !piece.still);
+    this.still = new Figure(stage.bodies, stage.pieces.filter((piece) => piece.still), shapes);
+    this.figure = new Figure(stage.bodies, moving, shapes);
+    this.sides = {
+      before: { figure: new Figure(stage.bodies, moving, shapes, veil(0xe0663f, 0.42)), path: () => model.raw },
+      snapshot: { figure: new Figure(stage.bodies, moving, shapes, veil(0x4f9fe0, 0.45)), path: () => model.snapshot },
+    };
+    this.ghosts = [];
+    this.around.scene.add(this.still.root, this.figure.root, ...Object.values(this.sides).map((side) => side.figure.root));
+    this.melting = null;
+    this.previous = null;
+    this.haunt();
+    this.draw();
+  }
+
+  /** Ghosts of the keyframes. */
+  private haunt(): void {
+    for (const ghost of this.ghosts) ghost.root.visible = false;
+    const { stage, document, now } = model;
+    if (model.ghosts && stage && this.shapes && document && now) {
+      const every = Math.ceil(document.keys.length / MOST_GHOSTS);
+      const moving = stage.pieces.filter((piece) => !piece.still);
+      document.keys.filter((_, i) => i % every === 0).forEach((key, i) => {
+        if (!this.ghosts[i]) {
+          this.ghosts[i] = new Figure(stage.bodies, moving, this.shapes!, veil(0x8fb4d9, 0.2, 0.08));
+          this.around.scene.add(this.ghosts[i].root);
+        }
+        this.ghosts[i].root.visible = true;
+        this.ghosts[i].put(now.at(key.time));
+      });
+    }
+    this.draw();
+  }
+
+  private arrived(): void {
+    const { now } = model;
+    if (now && now !== this.previous) {
+      if (this.previous && this.previous.bodies === now.bodies) this.melting = { from: this.previous, began: performance.now() };
+      this.previous = now;
+      if (!this.aimed && model.stage) {
+        this.aimed = true;
+        this.aim("quarter");
+      }
+      if (model.ghosts) this.haunt();
+    }
+    this.draw();
+  }
+
+  /** The present pose: what is dragged, or the path's, while it melts from the last one. */
+  private pose(stamp: number): Pose | null {
+    if (this.override) return this.override;
+    const { now } = model;
+    if (!now || now.bodies !== this.figure?.groups.length) return null;
+    const pose = now.at(model.time);
+    if (!this.melting) return pose;
+    const share = (stamp - this.melting.began) / MELT;
+    if (share >= 1) { this.melting = null; return pose; }
+    if (this.mix.position.length !== pose.position.length) {
+      this.mix.position = new Float32Array(pose.position.length);
+      this.mix.rotation = new Float32Array(pose.rotation.length);
+    }
+    mixed(this.melting.from.at(model.time), pose, share * share * (3 - 2 * share), this.mix);
+    this.wanted = true;
+    return this.mix;
+  }
+
+  private middle(): THREE.Vector3 {
+    const { now } = model;
+    if (!now) return new THREE.Vector3(0, 0, 0.8);
+    const [x, y, z] = now.centreAt(model.time);
+    return new THREE.Vector3(x, y, z);
+  }
+
+  private readonly tick = (stamp: number): void => {
+    requestAnimationFrame(this.tick);
+    if (model.playing) {
+      if (this.then !== null) {
+        const gap = stamp - this.then;
+        this.longest = Math.max(this.longest, gap);
+        const next = model.time + (Math.min(250, gap) / 1000) * model.speed;
+        if (next > model.last && !model.loop) { model.playing = false; model.seek(model.last); }
+        else model.seek(next > model.last ? model.first + ((next - model.first) % Math.max(1e-3, model.last - model.first)) : next);
+      }
+      this.then = model.playing ? stamp : null;
+    } else this.then = null;
+    this.orbit.update();
+    if (this.wanted) {
+      this.pace(stamp);
+      this.sized(this.scale);
+      this.render(stamp);
+      this.moved = stamp;
+    } else if (this.drawnAt < 1 && stamp - this.moved > REST) {
+      this.sized(1);
+      this.render(stamp);
+    }
+    this.stamp = stamp;
+  };
+
+  /** Fewer points while images come slowly. */
+  private pace(stamp: number): void {
+    const gap = stamp - this.stamp;
+    if (stamp - this.moved > 2 * REST) return;
+    if (gap > SLOW) this.scale = Math.max(LEAST, this.scale * (gap > 2.5 * SLOW ? 0.7 : 0.88));
+    else if (gap < FAST) this.scale = Math.min(1, this.scale * 1.02);
+  }
+
+  private sized(scale: number): void {
+    const rounded = Math.round(scale * 20) / 20;
+    if (rounded === this.drawnAt) return;
+    this.drawnAt = rounded;
+    this.renderer.setPixelRatio(rounded * (this.software ? 1 : Math.min(window.devicePixelRatio, 2)));
+  }
+
+  private render(stamp: number): void {
+    this.wanted = false;
+    const pose = this.pose(stamp);
+    if (this.figure && pose) {
+      this.figure.put(pose);
+      this.figure.root.visible = model.which !== "before" || this.override !== null;
+      for (const [name, side] of Object.entries(this.sides)) {
+        const path = side.path();
+        const shown = name === "before" ? model.which === "before" || model.which === "both" : model.which === "snapshot";
+        side.figure.root.visible = shown && path !== null && path.bodies === side.figure.groups.length;
+        if (side.figure.root.visible) side.figure.put(path!.at(model.time));
+      }
+    }
+    const here = this.middle();
+    if (model.follow && !this.override) {
+      const moved = here.clone().sub(this.centre);
+      this.camera.position.add(moved);
+      this.orbit.target.add(moved);
+    }
+    this.centre.copy(here);
+    this.around.follow(here);
+    for (const sight of this.sights) sight();
+    if (model.which === "side") this.renderHalves();
+    else this.renderer.render(this.around.scene, this.camera);
+    this.images += 1;
+  }
+
+  /** Before on the left, after on the right. */
+  private renderHalves(): void {
+    const { renderer, camera } = this, size = renderer.getSize(new THREE.Vector2()), half = Math.floor(size.x / 2);
+    renderer.setScissorTest(true);
+    camera.aspect = half / size.y;
+    camera.updateProjectionMatrix();
+    const before = this.sides.before?.figure, after = this.figure;
+    for (const [left, first] of [[0, true], [half, false]] as [number, boolean][]) {
+      renderer.setViewport(left, 0, half, size.y);
+      renderer.setScissor(left, 0, half, size.y);
+      if (first && before && after && model.raw) after.put(model.raw.at(model.time));
+      else if (after && model.now) after.put(model.now.at(model.time));
+      renderer.render(this.around.scene, camera);
+    }
+    renderer.setScissorTest(false);
+    renderer.setViewport(0, 0, size.x, size.y);
+    camera.aspect = size.x / size.y;
+    camera.updateProjectionMatrix();
+  }
+
+  private resize(): void {
+    const box = this.canvas.parentElement!.getBoundingClientRect();
+    if (!box.width || !box.height) return;
+    this.renderer.setSize(box.width, box.height, false);
+    this.camera.aspect = box.width / box.height;
+    this.camera.updateProjectionMatrix();
+    this.draw();
+  }
+}

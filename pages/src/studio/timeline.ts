@@ -1,0 +1,402 @@
+// The timeline: a ruler, keyframes as diamonds, limbs when unfolded, contacts, holds and flights as bars.
+import { $, el, toast } from "./dom";
+import { act, edit } from "./link";
+import { model, type Bar } from "./model";
+
+export const LABEL = 188; // [px] of the column of names
+export const PAD = 16; // [px] beside the first and the last moment
+const CLOSE = 6; // [px] that snap
+const STEPS = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 30, 60];
+
+type Drag = { move: (time: number, event: PointerEvent) => void; up: (time: number, event: PointerEvent) => void };
+
+export class Timeline {
+  private readonly box = $("timeline");
+  private readonly head = el("div", { class: "playhead", "aria-hidden": "true" });
+  private readonly rows = el("div", { class: "rows" });
+  private readonly ruler = el("div", { class: "ruler" });
+  private readonly frames = el("div", { class: "frames" });
+  private readonly band = el("div", { class: "band", hidden: true });
+  begin = 0; // [s] of the left edge
+  end = 1;
+  private fitted = "";
+  unfolded = false;
+  private drag: Drag | null = null;
+  private preview = new Map<number, number>(); // times of keyframes that are being dragged
+  private redraw = 0;
+
+  constructor() {
+    this.box.append(this.ruler, this.rows, this.band, this.head);
+    model.on(["document", "loaded", "selection", "stage"], () => this.draw());
+    let span = "";
+    model.on("path", () => {
+      const now = `${model.first}|${model.last}`;
+      if (now !== span) this.draw();
+      else this.ticks();
+      span = now;
+    });
+    model.on("time", () => this.point());
+    new ResizeObserver(() => this.draw()).observe(this.box);
+    this.box.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
+    this.box.addEventListener("pointerdown", (event) => this.down(event));
+    window.addEventListener("pointermove", (event) => this.drag?.move(this.timeAt(event), event));
+    window.addEventListener("pointerup", (event) => {
+      const { drag } = this;
+      this.drag = null;
+      drag?.up(this.timeAt(event), event);
+    });
+  }
+
+  private get width(): number { return Math.max(50, this.box.clientWidth - LABEL - 2 * PAD); }
+  private x(time: number): number { return LABEL + PAD + ((time - this.begin) / (this.end - this.begin)) * this.width; }
+  private timeAt(event: PointerEvent | WheelEvent): number {
+    const left = this.box.getBoundingClientRect().left;
+    return this.begin + ((event.clientX - left - LABEL - PAD) / this.width) * (this.end - this.begin);
+  }
+
+  /** To the nearest image, unless Alt is held; to the playhead and to keyframes where they are near. */
+  private snapped(time: number, event: { altKey: boolean }, keys = false): number {
+    if (event.altKey) return Math.round(time * 1e4) / 1e4;
+    const near = (CLOSE / this.width) * (this.end - this.begin);
+    const marks = [model.time, ...(keys ? (model.document?.keys ?? []).map((key) => key.time) : [])];
+    const mark = marks.filter((each) => Math.abs(each - time) < near).sort((a, b) => Math.abs(a - time) - Math.abs(b - time))[0];
+    if (mark !== undefined) return mark;
+    return Math.round(Math.round(time * model.fps) / model.fps * 1e4) / 1e4;
+  }
+
+  fit(): void {
+    this.begin = model.first;
+    this.end = Math.max(model.last, model.first + 0.01);
+    this.draw();
+  }
+
+  zoom(factor: number, about = model.time): void {
+    const span = Math.min(Math.max((this.end - this.begin) * factor, 0.02), 3 * (model.last - model.first) + 1);
+    const share = (about - this.begin) / (this.end - this.begin);
+    this.begin = about - share * span;
+    this.end = this.begin + span;
+    this.draw();
+  }
+
+  private wheel(event: WheelEvent): void {
+    if (event.ctrlKey || event.metaKey) {
+      event.preventDefault();
+      this.zoom(Math.exp(event.deltaY * 0.002), this.timeAt(event));
+    } else if (event.shiftKey || Math.abs(event.deltaX) > Math.abs(event.deltaY)) {
+      event.preventDefault();
+      const by = ((event.deltaX || event.deltaY) / this.width) * (this.end - this.begin);
+      this.begin += by;
+      this.end += by;
+      this.draw();
+    }
+  }
+
+  private point(): void {
+    this.head.style.transform = `translateX(${this.x(model.time)}px)`;
+    const here = model.here;
+    for (const key of this.rows.querySelectorAll<HTMLElement>(".keys .diamond")) key.classList.toggle("here", Number(key.dataset.key) === here);
+    this.ruler.setAttribute("aria-valuenow", model.time.toFixed(3));
+    this.ruler.setAttribute("aria-valuetext", `${model.time.toFixed(2)} seconds`);
+  }
+
+  /** Once an image, however often it is asked for. */
+  draw(): void {
+    if (!this.redraw) this.redraw = requestAnimationFrame(() => { this.redraw = 0; this.drawn(); });
+  }
+
+  private drawn(): void {
+    const { document } = model;
+    if (!document) return;
+    const span = `${document.name}|${model.first}|${model.last}`;
+    if (span !== this.fitted) {
+      this.fitted = span;
+      this.begin = model.first;
+      this.end = Math.max(model.last, model.first + 0.01);
+    }
+    const focused = (window.document.activeElement as HTMLElement | null)?.dataset.id;
+    this.rows.replaceChildren(this.keysRow(), ...(this.unfolded ? this.limbRows() : []), ...this.barRows());
+    this.drawRuler();
+    this.point();
+    model.tell("zoom");
+    if (focused) this.rows.querySelector<HTMLElement>(`[data-id="${CSS.escape(focused)}"]`)?.focus();
+  }
+
+  private drawRuler(): void {
+    const wanted = ((this.end - this.begin) / this.width) * 70;
+    const step = STEPS.find((each) => each >= wanted) ?? 60;
+    const ticks: HTMLElement[] = [];
+    for (let i = Math.ceil((this.begin - 1e-9) / step); i * step <= this.end + 1e-9; i++) {
+      const tick = el("span", { class: "tick", text: (i * step).toFixed(step < 0.01 ? 3 : step < 1 ? 2 : 0) });
+      tick.style.left = `${this.x(i * step)}px`;
+      ticks.push(tick);
+    }
+    this.ruler.replaceChildren(el("span", { class: "label", text: "s" }), ...ticks);
+    Object.entries({ role: "slider", tabindex: "0", "aria-label": "time", "aria-valuemin": model.first.toFixed(3), "aria-valuemax": model.last.toFixed(3) })
+      .forEach(([name, value]) => this.ruler.setAttribute(name, value));
+  }
+
+  private label(text: string, extra?: HTMLElement): HTMLElement {
+    const label = el("span", { class: "label", title: text });
+    if (extra) label.append(extra);
+    label.append(el("span", { text }));
+    return label;
+  }
+
+  private keysRow(): HTMLElement {
+    const fold = el("button", {
+      type: "button", class: "fold", "aria-expanded": String(this.unfolded), "aria-label": "limbs", title: "limbs (U)",
+      onclick: () => { this.unfolded = !this.unfolded; this.draw(); },
+    }, this.unfolded ? "▾" : "▸");
+    const row = el("div", { class: "row keys" }, this.label("keyframes", fold));
+    row.append(this.frames);
+    this.ticks();
+    model.document!.keys.forEach((key, i) => {
+      const state = model.loaded?.keys[i], partial = state ? !state.fixed.every(Boolean) : false;
+      const time = this.preview.get(i) ?? key.time;
+      if (time < this.begin - 1e-6 || time > this.end + 1e-6) return;
+      row.append(this.diamond(i, time, partial, `keyframe ${i + 1} at ${key.time.toFixed(3)} s${partial ? ", partial" : ""}`));
+    });
+    return row;
+  }
+
+  /** Variable frames, which come and go while it optimises. */
+  private ticks(): void {
+    const shown = (model.course?.frames ?? []).filter((time) => time >= this.begin && time <= this.end);
+    this.frames.replaceChildren(...shown.map((time) => {
+      const tick = el("i", { class: "frame" });
+      tick.style.left = `${this.x(time)}px`;
+      return tick;
+    }));
+  }
+
+  private diamond(index: number, time: number, hollow: boolean, title: string): HTMLElement {
+    const selected = model.keys.has(index);
+    const made = el("button", {
+      type: "button", class: `diamond${hollow ? " hollow" : ""}${selected ? " selected" : ""}`, title, "aria-label": title,
+      "aria-pressed": String(selected), "data-key": index, "data-id": `key${index}`,
+    });
+    made.style.left = `${this.x(time)}px`;
+    made.addEventListener("keydown", (event) => {
+      if (event.key === "Enter" || event.key === " ") {
+        event.preventDefault();
+        event.stopPropagation();
+        this.choose(index, event);
+        model.seek(model.document!.keys[index].time);
+      }
+    });
+    return made;
+  }
+
+  private limbRows(): HTMLElement[] {
+    const { stage, loaded, document } = model;
+    if (!stage || !loaded) return [];
+    return stage.limbs.map((limb) => {
+      const row = el("div", { class: "row limb" }, this.label(limb.name));
+      const columns = limb.joints.map((name) => stage.joints.find((joint) => joint.name === name)!).filter(Boolean);
+      document!.keys.forEach((key, i) => {
+        const state = loaded.keys[i];
+        if (!state || key.time < this.begin || key.time > this.end) return;
+        const fixed = columns.map((joint) => state.fixed[joint.kind === "free" ? joint.qpos + 3 : joint.qpos]);
+        const hollow = !fixed.every(Boolean), none = !fixed.some(Boolean);
+        const words = `${limb.name}, keyframe ${i + 1}: ${none ? "free" : hollow ? "partly free" : "fixed"}; Enter or double click ${none ? "pins" : "frees"} it`;
+        const mark = el("button", {
+          type: "button", class: `diamond small${hollow ? " hollow" : ""}${none ? " none" : ""}`, title: words, "aria-label": words,
+          "data-id": `limb${limb.name}${i}`,
+          ondblclick: () => void act(none ? "pin" : "free", { key: i, joints: limb.joints }),
+        });
+        mark.addEventListener("keydown", (event) => {
+          if (event.key === "Enter") void act(none ? "pin" : "free", { key: i, joints: limb.joints });
+        });
+        mark.style.left = `${this.x(key.time)}px`;
+        row.append(mark);
+      });
+      return row;
+    });
+  }
+
+  private barRows(): HTMLElement[] {
+    const { document, loaded, stage } = model;
+    const points = [...new Set([...(stage?.soles ?? []).map((sole) => sole.name), ...document!.contacts.map((bar) => bar.point!)])];
+    const hands = [...new Set(document!.holds.map((bar) => bar.hand!))];
+    const rows = points.slice(0, 24).map((point) => {
+      const row = el("div", { class: "row bars", "data-point": point }, this.label(point));
+      for (const told of loaded?.stances.filter((each) => each.point === point) ?? []) row.append(this.told(told.from, told.to, `${point} stands, as keyframes tell`));
+      document!.contacts.forEach((bar, i) => { if (bar.point === point) row.append(this.bar("contact", i, bar, `contact of ${point}`)); });
+      return row;
+    });
+    for (const hand of hands) {
+      const row = el("div", { class: "row bars" }, this.label(`${hand} holds`));
+      document!.holds.forEach((bar, i) => { if (bar.hand === hand) row.append(this.bar("hold", i, bar, `${hand} holds ${bar.body}`)); });
+      rows.push(row);
+    }
+    if (loaded?.flights.length) {
+      const row = el("div", { class: "row bars" }, this.label("flights"));
+      for (const [from, to] of loaded.flights) row.append(this.told(from, to, "a flight, as keyframes tell", "flight"));
+      rows.push(row);
+    }
+    return rows;
+  }
+
+  private placed(made: HTMLElement, from: number, to: number): HTMLElement {
+    const left = this.x(Math.max(from, this.begin)), right = this.x(Math.min(to, this.end));
+    made.style.left = `${left}px`;
+    made.style.width = `${Math.max(3, right - left)}px`;
+    return made;
+  }
+
+  private told(from: number, to: number, title: string, kind = "stance"): HTMLElement {
+    return this.placed(el("span", { class: `bar ${kind}`, title: `${title}: ${from.toFixed(2)} to ${to.toFixed(2)} s` }), from, to);
+  }
+
+  private bar(kind: "contact" | "hold", index: number, bar: Bar, title: string): HTMLElement {
+    const selected = model.bar?.kind === kind && model.bar.index === index;
+    const words = `${title}, ${bar.from.toFixed(2)} to ${bar.to.toFixed(2)} s`;
+    const made = el("button", {
+      type: "button", class: `bar ${kind}${selected ? " selected" : ""}`, title: `${words}; drag it or its ends`, "aria-label": words,
+      "data-bar": kind, "data-index": index, "data-id": `${kind}${index}`, "aria-pressed": String(selected),
+      onfocus: () => { if (model.bar?.index !== index || model.bar.kind !== kind) { model.bar = { kind, index }; model.keys.clear(); model.tell("selection"); } },
+    });
+    return this.placed(made, bar.from, bar.to);
+  }
+
+  private down(event: PointerEvent): void {
+    if (event.button !== 0) return;
+    const target = event.target as HTMLElement, time = this.timeAt(event);
+    const left = event.clientX - this.box.getBoundingClientRect().left;
+    if (target.closest(".fold") || left < LABEL) return;
+    if (target.closest(".ruler")) {
+      model.playing = false;
+      const scrub = (t: number, e: PointerEvent) => model.seek(this.snapped(t, e, true));
+      scrub(time, event);
+      this.drag = { move: scrub, up: () => {} };
+      return;
+    }
+    const key = target.closest<HTMLElement>(".keys .diamond");
+    const bar = target.closest<HTMLElement>("[data-bar]");
+    const row = target.closest<HTMLElement>("[data-point]");
+    if (key) this.grabKey(Number(key.dataset.key), time, event);
+    else if (bar) this.grabBar(bar, time, event);
+    else if (row) this.drawContact(row.dataset.point!, time, event);
+    else if (!target.closest("button")) this.boxSelect(time, event);
+  }
+
+  private choose(index: number, event: { shiftKey: boolean; ctrlKey: boolean; metaKey: boolean }): void {
+    const keys = new Set(model.keys);
+    if (event.ctrlKey || event.metaKey) keys.has(index) ? keys.delete(index) : keys.add(index);
+    else if (event.shiftKey && keys.size) {
+      const some = [...keys, index];
+      for (let i = Math.min(...some); i <= Math.max(...some); i++) keys.add(i);
+    } else if (!keys.has(index)) { keys.clear(); keys.add(index); }
+    model.select(keys);
+  }
+
+  private grabKey(index: number, begin: number, event: PointerEvent): void {
+    const was = model.document!.keys.map((key) => key.time);
+    const wasSelected = model.keys.has(index);
+    this.choose(index, event);
+    model.playing = false;
+    model.seek(was[index]);
+    let moved = false;
+    const scale = event.ctrlKey && event.altKey;
+    const times = (time: number, e: PointerEvent): Map<number, number> => {
+      const keys = [...model.keys];
+      const to = this.snapped(was[index] + time - begin, e);
+      if (scale && keys.length > 1) {
+        const first = Math.min(...keys.map((i) => was[i])), factor = Math.max(0.01, (to - first) / Math.max(1e-6, was[index] - first));
+        return new Map(keys.map((i) => [i, Math.round((first + factor * (was[i] - first)) * 1e4) / 1e4]));
+      }
+      return new Map(keys.map((i) => [i, Math.round((was[i] + to - was[index]) * 1e4) / 1e4]));
+    };
+    this.drag = {
+      move: (time, e) => {
+        if (!moved && Math.abs(this.x(time) - this.x(begin)) < 3) return;
+        moved = true;
+        this.preview = times(time, e);
+        this.draw();
+      },
+      up: (time, e) => {
+        this.preview.clear();
+        this.draw();
+        if (!moved) {
+          if (wasSelected && model.keys.size > 1 && !e.shiftKey && !e.ctrlKey) model.select([index]);
+          return;
+        }
+        const found = times(time, e);
+        void edit("move_keys", { moves: [...found] }).then((answer) => { if (answer.ok) model.seek(found.get(index) ?? was[index]); });
+      },
+    };
+  }
+
+  private grabBar(target: HTMLElement, begin: number, event: PointerEvent): void {
+    const kind = target.dataset.bar as "contact" | "hold", index = Number(target.dataset.index);
+    const bar = (kind === "contact" ? model.document!.contacts : model.document!.holds)[index];
+    const box = target.getBoundingClientRect();
+    const edge = event.clientX - box.left < 7 ? "from" : box.right - event.clientX < 7 ? "to" : "";
+    model.bar = { kind, index };
+    model.keys.clear();
+    model.tell("selection");
+    const span = (time: number, e: PointerEvent): [number, number] => {
+      if (edge === "from") return [this.snapped(time, e, true), bar.to];
+      if (edge === "to") return [bar.from, this.snapped(time, e, true)];
+      const from = this.snapped(bar.from + time - begin, e, true);
+      return [from, from + bar.to - bar.from];
+    };
+    let moved = false;
+    this.drag = {
+      move: (time, e) => {
+        if (!moved && Math.abs(this.x(time) - this.x(begin)) < 3) return;
+        moved = true;
+        const shown = this.rows.querySelector<HTMLElement>(`[data-id="${kind}${index}"]`);
+        if (shown) this.placed(shown, ...span(time, e));
+      },
+      up: (time, e) => {
+        if (!moved) return;
+        const [from, to] = span(time, e);
+        const who = kind === "contact" ? { point: bar.point } : { hand: bar.hand, body: bar.body };
+        void edit(`set_${kind}`, { ...who, begin: from, end: to, index }).then(() => this.draw());
+      },
+    };
+  }
+
+  private drawContact(point: string, begin: number, event: PointerEvent): void {
+    const from = this.snapped(begin, event, true);
+    const shown = el("span", { class: "bar contact new" });
+    const row = this.rows.querySelector(`[data-point="${CSS.escape(point)}"]`);
+    let moved = false;
+    this.drag = {
+      move: (time, e) => {
+        if (!moved && Math.abs(this.x(time) - this.x(begin)) < 5) return;
+        if (!moved) row?.append(shown);
+        moved = true;
+        const to = this.snapped(time, e, true);
+        this.placed(shown, Math.min(from, to), Math.max(from, to));
+      },
+      up: (time, e) => {
+        shown.remove();
+        const to = this.snapped(time, e, true);
+        if (!moved || to === from) { model.select([]); model.seek(this.snapped(begin, e, true)); return; }
+        void edit("set_contact", { point, begin: Math.min(from, to), end: Math.max(from, to) });
+      },
+    };
+  }
+
+  private boxSelect(begin: number, event: PointerEvent): void {
+    let moved = false;
+    const kept = event.shiftKey ? new Set(model.keys) : new Set<number>();
+    this.drag = {
+      move: (time) => {
+        moved ||= Math.abs(this.x(time) - this.x(begin)) > 4;
+        this.band.hidden = !moved;
+        this.placed(this.band, Math.min(begin, time), Math.max(begin, time));
+      },
+      up: (time, e) => {
+        this.band.hidden = true;
+        if (!moved) { model.select(kept); model.playing = false; model.seek(this.snapped(begin, e, true)); return; }
+        const [low, high] = [Math.min(begin, time), Math.max(begin, time)];
+        model.document!.keys.forEach((key, i) => { if (key.time >= low && key.time <= high) kept.add(i); });
+        model.select(kept);
+        if (!kept.size) toast("no keyframe there", "note");
+      },
+    };
+  }
+}

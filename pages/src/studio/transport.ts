@@ -1,0 +1,116 @@
+// Play, scrub, loop, speed; undo, redo, save; the state of the search.
+import { $, button, el, short } from "./dom";
+import { act, connected, offer, task } from "./link";
+import { model, type Which } from "./model";
+import type { Stage } from "./stage";
+import type { Timeline } from "./timeline";
+
+const PLAY = "M7 4.5v15l12.500-7.500z", PAUSE = "M6 4.5h4.200v15H6zM13.800 4.500H18v15h-4.200z";
+const SPEEDS = [0.1, 0.25, 0.5, 1, 1.5, 2];
+const STATES: Record<string, string> = {
+  loading: "loading …", loaded: "loaded", searching: "optimising", settled: "converged", refused: "refused", gone: "gone",
+};
+const ENDS: Record<string, string> = { ASKED: "stopped", paused: "paused", BUDGET: "budget spent", STUCK: "stuck", CONVERGED: "converged" };
+
+export const play = (yes = !model.playing): void => {
+  if (yes && model.time >= model.last - 1e-6) model.seek(model.first);
+  model.playing = yes;
+  model.tell("time");
+};
+export const step = (by: number): void => {
+  play(false);
+  model.seek(model.first + (Math.round((model.time - model.first) * model.fps) + by) / model.fps);
+};
+export const toKey = (way: number): void => {
+  play(false);
+  const times = (model.document?.keys ?? []).map((key) => key.time), near = 1e-4;
+  const found = way > 0 ? times.find((time) => time > model.time + near) : times.findLast((time) => time < model.time - near);
+  model.seek(found ?? (way > 0 ? model.last : model.first));
+};
+export const save = async (): Promise<void> => {
+  if (model.document?.file) await act("save");
+  else $("files").dispatchEvent(new CustomEvent("save-as"));
+};
+export const addKey = async (): Promise<void> => {
+  const answer = await act("key", { time: Math.round(model.time * 1e4) / 1e4 });
+  if (answer.ok) model.select([...(model.document?.keys.keys() ?? [])].filter((i) => Math.abs(model.document!.keys[i].time - model.time) < 1e-4));
+};
+export const remove = async (): Promise<void> => {
+  if (model.bar) { const { kind, index } = model.bar; model.bar = null; await act("edit", { name: "delete_bar", kind, index }); return; }
+  const keys = model.keys.size ? [...model.keys] : model.here === null ? [] : [model.here];
+  if (!keys.length) return;
+  const answer = await act("edit", { name: "delete_keys", keys });
+  if (answer.ok) model.select([]);
+};
+
+export const transport = (stage: Stage, timeline: Timeline): void => {
+  const icon = $("play").querySelector("path")!;
+  $("play").addEventListener("click", () => play());
+  const row = $("transport");
+  row.prepend(button("previous", "previous keyframe", () => toKey(-1), "page up"));
+  $("play").after(button("next", "next keyframe", () => toKey(1), "page down"));
+  $("tools").append(
+    button("key", "add a keyframe here from the path", () => void addKey(), "K"),
+    button("bin", "delete what is selected", () => void remove(), "Delete"),
+  );
+  $("history").append(
+    button("undo", "undo", () => void act("undo"), "Ctrl-Z"), button("redo", "redo", () => void act("redo"), "Ctrl-Shift-Z"),
+    button("save", "save", () => void save(), "Ctrl-S"),
+  );
+  const speed = $<HTMLSelectElement>("speed");
+  for (const each of SPEEDS) speed.append(el("option", { value: each, text: `${each}×`, selected: each === 1 }));
+  speed.addEventListener("change", () => { model.speed = Number(speed.value); });
+  for (const [id, name] of [["loop", "loop"], ["follow", "follow"], ["ghosts", "ghosts"], ["trails", "trails"]] as const) {
+    const box = $<HTMLInputElement>(id);
+    box.checked = model[name];
+    box.addEventListener("change", () => { model[name] = box.checked; model.tell("shown"); });
+  }
+  const which = $<HTMLSelectElement>("which");
+  which.addEventListener("change", () => {
+    if (which.value === "take") { model.snapshot = model.now; which.value = "snapshot"; }
+    model.which = which.value as Which;
+    model.tell("which");
+  });
+  $<HTMLSelectElement>("views").addEventListener("change", (event) => stage.aim((event.target as HTMLSelectElement).value));
+  $("fit").addEventListener("click", () => timeline.fit());
+  $("zoom-in").addEventListener("click", () => timeline.zoom(0.7));
+  $("zoom-out").addEventListener("click", () => timeline.zoom(1.4));
+  $("go").addEventListener("click", () => void act(model.status.go ? "stop" : "go"));
+  $("anew").addEventListener("click", () => void act("go", { anew: true }));
+
+  model.on(["time", "path"], () => {
+    icon.setAttribute("d", model.playing ? PAUSE : PLAY);
+    $("clock").replaceChildren(el("b", { text: model.time.toFixed(2) }), ` / ${model.last.toFixed(2)} s`);
+    $("image").textContent = `image ${Math.round((model.time - model.first) * model.fps)}`;
+  });
+  const state = (): void => {
+    const { status, course } = model;
+    const said = status.state === "settled" ? ENDS[status.stop ?? ""] ?? "converged" : STATES[status.state] ?? status.state;
+    $("state").textContent = connected ? said : "no line to the studio";
+    $("state").dataset.state = connected ? status.state : "gone";
+    $("energy").textContent = course?.value === undefined ? "" : `E ${course.value >= 1000 ? course.value.toExponential(2) : short(course.value)}`;
+    $("go").textContent = status.go ? "Stop" : "Go on";
+    $("go").title = status.go ? "stop optimising, now and after edits (G)" : "optimise, now and after edits (G)";
+  };
+  model.on(["status", "path", "line"], state);
+  model.on("document", () => {
+    const { document } = model;
+    if (!document) return;
+    $("name").textContent = document.file ?? `${document.name} (no file yet)`;
+    $("dirty").hidden = !document.dirty;
+    window.document.title = `${document.dirty ? "• " : ""}${document.name} – dynsplines studio`;
+    const [undo, redo] = [...$("history").querySelectorAll("button")];
+    undo.disabled = !document.undo;
+    redo.disabled = !document.redo;
+    undo.title = document.undo ? `undo: ${document.undo} (Ctrl-Z)` : "nothing to undo";
+    redo.title = document.redo ? `redo: ${document.redo} (Ctrl-Shift-Z)` : "nothing to redo";
+  });
+  model.on("task", () => { $("task").hidden = task === null; $("task-words").textContent = task ?? ""; });
+  model.on("offer", () => {
+    $("offer").hidden = offer === null;
+    $("offer-words").textContent = offer ?? "";
+  });
+  $("offer-take").addEventListener("click", () => void act("offer", { take: true }));
+  $("offer-drop").addEventListener("click", () => void act("offer", { take: false }));
+  $("task-stop").addEventListener("click", () => void act("stop_task"));
+};

@@ -1,0 +1,75 @@
+"""A model as a page draws it: its visible geoms, their meshes and pictures, as JSON; lengths in metres, z up."""
+
+from __future__ import annotations
+
+import base64
+from typing import Any
+
+import mujoco
+import numpy as np
+from numpy.typing import ArrayLike
+
+from dynsplines.solver.array import Array
+
+from .skeleton import hierarchy
+from .triangles import Piece, half_extent, is_still, picture_repeat, pieces, png, triangles
+
+KINDS = {
+    mujoco.mjtGeom.mjGEOM_PLANE: "plane",
+    mujoco.mjtGeom.mjGEOM_BOX: "box",
+    mujoco.mjtGeom.mjGEOM_SPHERE: "sphere",
+    mujoco.mjtGeom.mjGEOM_ELLIPSOID: "ellipsoid",
+    mujoco.mjtGeom.mjGEOM_CAPSULE: "capsule",
+    mujoco.mjtGeom.mjGEOM_CYLINDER: "cylinder",
+    mujoco.mjtGeom.mjGEOM_HFIELD: "hfield",
+}
+
+
+def drawn(model: mujoco.MjModel, reach: float) -> dict[str, Any]:
+    """What is seen of a model: "pieces", and the "meshes" and "pictures" that they refer to by number.
+
+    reach  [m] from its middle to which a plane without end is drawn
+    """
+    meshes: dict[int, int] = {}
+    pictures: dict[int, int] = {}
+    seen = pieces(model)
+    told = [_piece(model, piece, reach, meshes, pictures) for piece in seen]
+    return {
+        "pieces": told,
+        "meshes": [_mesh(model, next(p for p in seen if p.geom == geom)) for geom in meshes],
+        "pictures": ["data:image/png;base64," + base64.b64encode(png(model, each)).decode() for each in pictures],
+    }
+
+
+def packed(array: ArrayLike, kind: str = "<f4") -> str:
+    """Numbers in base64."""
+    return base64.b64encode(np.ascontiguousarray(array, kind).tobytes()).decode()
+
+
+def _short(array: Array) -> list[float]:
+    return [round(float(x), 6) for x in array]
+
+
+def _piece(
+    model: mujoco.MjModel, piece: Piece, reach: float, meshes: dict[int, int], pictures: dict[int, int]
+) -> dict[str, Any]:
+    """A geom; meshes and pictures that it is the first to use get a number there."""
+    out: dict[str, Any] = {
+        "name": piece.name, "body": piece.body, "kind": KINDS.get(piece.kind, "mesh"), "size": _short(piece.size),
+        "position": _short(piece.position), "rotation": _short(hierarchy.xyzw(piece.rotation)),
+        "colour": _short(piece.colour), "gloss": round(piece.gloss, 4), "still": is_still(model, piece),
+    }  # fmt: skip
+    if piece.kind == mujoco.mjtGeom.mjGEOM_PLANE:
+        half = half_extent(piece, reach)
+        out["size"] = _short(half)
+        if piece.picture >= 0:
+            out["picture"] = pictures.setdefault(piece.picture, len(pictures))
+            out["repeat"] = _short(picture_repeat(model, piece, half))
+    elif out["kind"] in ("mesh", "hfield"):
+        out["mesh"] = meshes.setdefault(piece.geom, len(meshes))
+    return out
+
+
+def _mesh(model: mujoco.MjModel, piece: Piece) -> dict[str, str]:
+    found = triangles(model, piece)
+    return {"points": packed(found.points), "normals": packed(found.normals), "faces": packed(found.faces, "<u4")}

@@ -1,0 +1,16 @@
+"""The studio: a clip seen, edited and optimised live, on a page in the browser.
+
+start       the command: a free port, a token, the browser
+server      who may speak to it, and what for: the page, and a line to it
+session     one clip open, and everybody who looks at it
+document    the clip's text, with undo and redo; what nobody has saved lies beside it
+sources     what can be opened, as a clip's text
+edits/      one function for each way to change the text
+outline     what the timeline shows of a text
+stage       the figure as the page draws it
+paths       a motion as the page plays it
+curves      what is drawn over time
+posing      the pose that follows a drag
+solver      the process that solves, seen from here; solving: what goes on in it
+files       save, export and render, in the clip's folder
+"""

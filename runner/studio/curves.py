@@ -1,0 +1,107 @@
+"""What is drawn over time beside the timeline: angles, speeds, heights of feet, torques, E."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Timeline
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.figure.dynamics import generalised_forces, velocities
+from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.objective import segment_integrals
+from dynsplines.solver.solution import Solution
+from dynsplines.solver.surface.points import arrays_of, places_of
+
+from ..clip.load import Clip
+from ..motion import samples_at
+
+RATE = 100.0  # [1/s] of a short motion
+MOST = 1500  # samples of a long one
+FAR = 10.0  # [m] of a point that nothing lies under
+DIGITS = 3  # after the point: what is drawn is less fine
+SIZE = {JointKind.FREE: 6, JointKind.BALL: 3, JointKind.HINGE: 1, JointKind.SLIDE: 1}  # degrees of freedom
+
+
+def curves(clip: Clip, found: Solution) -> dict[str, Any]:
+    """Groups with a name, a unit and series, each with a name and values after and before, at times [s].
+
+    E is told by segment between frames, as steps: what it is a second of each.
+    """
+    first, last = float(found.timeline.times[0]), float(found.timeline.times[-1])
+    time = np.linspace(first, last, int(np.clip((last - first) * RATE, 20, MOST)) + 1)
+    sides = {"after": found.timeline}
+    if found.timeline is not found.raw:
+        sides["before"] = found.raw
+    told = {side: _side(clip, timeline, time) for side, timeline in sides.items()}
+    groups = []
+    for name, unit in (("angle", "°"), ("speed", "°/s"), ("height of feet", "m"), ("torque", "N m")):
+        names = list(told["after"][name])
+        series = [{"name": each, **{side: told[side][name].get(each, []) for side in told}} for each in names]
+        groups.append({"name": name, "unit": unit, "series": series})
+    groups.append({"name": "E by segment", "unit": "1/s", "series": _by_term(clip, found, time)})
+    return {"time": time.round(4).tolist(), "groups": groups}
+
+
+def _side(clip: Clip, timeline: Timeline, time: Array) -> dict[str, dict[str, list[float]]]:
+    figure = clip.figure
+    samples = samples_at(figure, path_of(timeline), time)
+    qpos, (qvel, _) = figure.to_qpos(samples.y), velocities(samples)
+    forces = generalised_forces(samples)
+    names = {i: figure.links[i].name for i in range(1, len(figure.links))}
+    kinds = {i: figure.links[i].kind for i in names}
+    turning = [i for i in names if kinds[i] is not JointKind.SLIDE]
+    jointed = [i for i in names if kinds[i] is not JointKind.FREE]
+    return {
+        "angle": {names[i]: _rounded(_angle(figure, i, qpos)) for i in turning},
+        "speed": {names[i]: _rounded(np.degrees(_size(figure, i, qvel))) for i in turning},
+        "height of feet": _heights(clip, samples),
+        "torque": {names[i]: _rounded(_size(figure, i, forces)) for i in jointed},
+    }
+
+
+def _angle(figure: Figure, index: int, qpos: Array) -> Array:
+    """(T,) [degrees] how far a joint is turned."""
+    link = figure.links[index]
+    columns = quaternion_columns(link)
+    if columns is None:
+        return np.degrees(qpos[:, link.qpos])
+    return np.degrees(np.linalg.norm(quat.rotation_vector(qpos[:, columns]), axis=-1))
+
+
+def _size(figure: Figure, index: int, values: Array) -> Array:
+    """(T,) the length of a joint's share of velocities or forces (T, nv), of a free one its rotation's."""
+    link = figure.links[index]
+    own = values[:, link.dof : link.dof + SIZE[link.kind]]
+    return np.linalg.norm(own[:, -3:], axis=1) if own.shape[1] > 1 else own[:, 0]
+
+
+def _heights(clip: Clip, samples: Samples) -> dict[str, list[float]]:
+    points, surfaces = clip.context.points, clip.context.surfaces
+    if not points or not surfaces:
+        return {}
+    centres, _, _ = places_of(points, samples)
+    height = np.min([surface.height(centres) for surface in surfaces], axis=0)
+    height = np.where(np.isfinite(height), height, FAR) - arrays_of(points)[2][:, None]
+    return {point.name: _rounded(row, 4) for point, row in zip(points, height, strict=True)}
+
+
+def _by_term(clip: Clip, found: Solution, time: Array) -> list[dict[str, Any]]:
+    """Of every term what it adds to E a second, between frames."""
+    objective, edges = clip.problem.objective, found.timeline.times
+    told: dict[str, dict[str, list[float]]] = {}
+    for side, timeline in (("after", found.timeline), ("before", found.raw)):
+        parts = segment_integrals(objective, path_of(timeline), edges) / np.diff(edges)[:, None]
+        at = np.clip(np.searchsorted(edges, time, side="right") - 1, 0, edges.size - 2)
+        told.setdefault("all", {})[side] = _rounded(parts.sum(axis=1)[at])
+        for k, term in enumerate(objective.terms):
+            told.setdefault(term.penalty.name, {})[side] = _rounded(parts[at, k])
+    return [{"name": name, **sides} for name, sides in told.items()]
+
+
+def _rounded(values: Array, digits: int = DIGITS) -> list[float]:
+    return np.asarray(values, float).round(digits).tolist()

@@ -1,0 +1,92 @@
+"""Edits of contacts, holds, the weights of soft constraints, and how the search goes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from ...errors import UserError
+from .tables import Blocks, add, number, numbers, put, remove, row
+
+EDITS = ("set_contact", "set_hold", "delete_bar", "set_weight", "set_option", "set_solve")
+SHORTEST = 0.001  # [s] of a contact or hold
+
+
+def set_contact(
+    tree: Blocks, *, point: str, begin: float, end: float, index: int | None = None, position: Any = None
+) -> str:
+    """A new contact of a point from one time to another [s], or an old one, by number, at other times."""
+    said: dict[str, Any] = {"point": point, **_span(begin, end, f"the contact of {point}")}
+    if position is not None:
+        said["position"] = numbers(position, f"where {point} rests")
+    _put(tree, "contact", said, index)
+    return f"{'change the' if index is not None else 'a'} contact of {point}"
+
+
+def set_hold(tree: Blocks, *, hand: str, body: str, begin: float, end: float, index: int | None = None) -> str:
+    """A new hold of a hand on a body, or an old one, by number, at other times."""
+    said = {"hand": hand, "body": body, **_span(begin, end, f"the hold of {hand}")}
+    _put(tree, "hold", said, index)
+    return f"{'change the' if index is not None else 'a'} hold of {hand} on {body}"
+
+
+def _span(begin: Any, end: Any, what: str) -> dict[str, float]:
+    begin, end = number(begin, what), number(end, what)
+    if end - begin < SHORTEST:
+        raise UserError(f"{what} would end at {end:g} s, before it begins at {begin:g} s")
+    return {"from": begin, "to": end}
+
+
+def _put(tree: Blocks, name: str, said: Mapping[str, Any], index: int | None) -> None:
+    if index is None:
+        add(tree, (name,), said)
+        return
+    table = row(tree, name, index)
+    for key, value in said.items():
+        if table.get(key) != value:
+            put(table, key, value)
+
+
+def delete_bar(tree: Blocks, *, kind: str, index: int) -> str:
+    """A contact or a hold less, by number."""
+    if kind not in ("contact", "hold"):
+        raise UserError(f"'{kind}': not a contact or hold")
+    remove(tree, kind, index)
+    return f"delete a {kind}"
+
+
+def set_weight(tree: Blocks, *, kind: str, weight: float | None) -> str:
+    """The weight of a soft constraint; None for its default."""
+    return set_option(tree, kind=kind, option="weight", value=weight)
+
+
+def set_option(tree: Blocks, *, kind: str, option: str, value: Any) -> str:
+    """An option of a soft constraint; None for its default."""
+    known = tree.rows("penalty")
+    index = next((i for i, each in enumerate(known) if each.table["kind"] == kind), None)
+    what = f"{option} of {kind}"
+    if isinstance(value, int | float) and not isinstance(value, bool):
+        value = number(value, what)
+    if index is None:
+        if value is not None:
+            add(tree, ("penalty",), {"kind": kind, option: value})
+        return what
+    table = known[index].table
+    if value is not None:
+        put(table, option, value)
+    elif option in table:
+        del table[option]
+        if set(table) == {"kind"}:
+            remove(tree, "penalty", index)
+    return what
+
+
+def set_solve(tree: Blocks, *, option: str, value: Any) -> str:
+    """A setting of the search; None for its default."""
+    table = tree.table("solve", make=value is not None)
+    if value is None:
+        if table is not None and option in table:
+            del table[option]
+    else:
+        put(table, option, number(value, option) if isinstance(value, float) else value)
+    return f"{option} of the search"

@@ -1,0 +1,103 @@
+"""Edits of keyframes as a whole: when they are, which there are."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
+from typing import Any
+
+from ...errors import UserError
+from .tables import DOTTED, Blocks, add, fill, number, put, remove, row
+
+EDITS = ("move_keys", "add_key", "delete_keys", "paste_keys", "replace_keys")
+SAME = 1e-9  # [s]
+CLOSEST = 0.001  # [s] between two keyframes
+
+
+def times(tree: Blocks) -> list[float]:
+    """[s] of all keyframes."""
+    return [float(block.table["time"]) for block in tree.rows("keyframe")]
+
+
+def move_keys(tree: Blocks, *, moves: Sequence[Sequence[float]]) -> str:
+    """Keyframes to other times: pairs of number and time [s]. Contacts and holds that begin or end with them go along.
+
+    Raises UserError where two would change places: keyframes keep their order.
+    """
+    was = times(tree)
+    now = dict(enumerate(was))
+    for pair in moves:
+        index, time = int(pair[0]), number(pair[1], "the time of a keyframe")
+        row(tree, "keyframe", index)
+        now[index] = time
+    _check_order(was, list(now.values()))
+    for index, time in now.items():
+        if abs(time - was[index]) > SAME:
+            put(row(tree, "keyframe", index), "time", time)
+    for name in ("contact", "hold"):
+        for block in tree.rows(name):
+            for end in ("from", "to"):
+                _follow(block.table, end, was, now)
+    count = len(moves)
+    return "move a keyframe" if count == 1 else f"move {count} keyframes"
+
+
+def _follow(table: Any, end: str, was: Sequence[float], now: Mapping[int, float]) -> None:
+    """The end of a contact or hold goes with the keyframe that it lies on."""
+    for index, time in enumerate(was):
+        if abs(float(table[end]) - time) < SAME and abs(now[index] - time) > SAME:
+            put(table, end, now[index])
+            return
+
+
+def _check_order(was: Sequence[float], now: Sequence[float]) -> None:
+    for index, (a, b) in enumerate(pairwise(now)):
+        if b - a < CLOSEST:
+            moved = index if abs(now[index] - was[index]) > SAME else index + 1
+            other = index + 1 if moved == index else index
+            side = "past" if (b <= a) else "on"
+            raise UserError(
+                f"keyframe {moved + 1} would come at {now[moved]:g} s, {side} keyframe {other + 1} at "
+                f"{now[other]:g} s; keyframes keep their order, at least 1 ms apart"
+            )
+
+
+def add_key(tree: Blocks, *, said: Mapping[str, Any]) -> str:
+    """A new keyframe that says so much, among the others where its time is."""
+    time, was = number(said["time"], "the time of a keyframe"), times(tree)
+    for index, other in enumerate(was):
+        if abs(other - time) < CLOSEST:
+            raise UserError(f"there is a keyframe at {other:g} s already: keyframe {index + 1}")
+    add(tree, ("keyframe",), {**said, "time": time}, sum(other < time for other in was))
+    return f"add a keyframe at {time:g} s"
+
+
+def delete_keys(tree: Blocks, *, keys: Sequence[int]) -> str:
+    """Fewer keyframes; raises UserError if fewer than two would be left, but for edits of a recording."""
+    left = len(times(tree)) - len(set(keys))
+    if left < 2 and tree.table("recording") is None:
+        raise UserError(f"a clip needs two keyframes; {left if left > 0 else 'none'} would be left")
+    for index in sorted(set(keys), reverse=True):
+        remove(tree, "keyframe", index)
+    return "delete a keyframe" if len(keys) == 1 else f"delete {len(keys)} keyframes"
+
+
+def paste_keys(tree: Blocks, *, copied: Sequence[Mapping[str, Any]], at: float) -> str:
+    """Keyframes that were copied, the first of them at a time [s]."""
+    if not copied:
+        raise UserError("nothing has been copied: select keyframes and press Ctrl-C first")
+    begin = float(copied[0]["time"])
+    for said in copied:
+        add_key(tree, said={**said, "time": number(at, "the time") + float(said["time"]) - begin})
+    return "paste a keyframe" if len(copied) == 1 else f"paste {len(copied)} keyframes"
+
+
+def replace_keys(tree: Blocks, *, keys: Mapping[str, Mapping[str, Any]], words: str) -> str:
+    """Keyframes by number that say something else from now on, at their times; the comments at their heads stay."""
+    for index, said in keys.items():
+        table = row(tree, "keyframe", int(index))
+        for group in (*DOTTED, "others"):
+            if group in table:
+                del table[group]
+        fill(table, {key: value for key, value in said.items() if key != "time"})
+    return words

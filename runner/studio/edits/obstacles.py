@@ -1,0 +1,71 @@
+"""Edits of what stands about: step, boxes, balls and bars."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from ...errors import UserError
+from .tables import Blocks, add, item, numbers, put
+
+EDITS = ("add_obstacle", "set_obstacle", "delete_obstacle")
+NEW: dict[str, dict[str, Any]] = {
+    "step": {"x": 0.5, "height": 0.2},
+    "box": {"position": [0.6, 0.0, 0.2], "size": [0.4, 0.4, 0.4]},
+    "sphere": {"position": [0.6, 0.0, 0.2], "radius": 0.2},
+    "capsule": {"position": [0.6, 0.0, 0.9], "length": 1.0, "radius": 0.03},
+    "cylinder": {"position": [0.6, 0.0, 0.25], "length": 0.5, "radius": 0.15},
+}
+
+
+def add_obstacle(tree: Blocks, *, kind: str, at: list[float] | None = None) -> str:
+    """A new thing in the way, near a place [m]; there is one step at most."""
+    if kind not in NEW:
+        raise UserError(f"no obstacle '{kind}'; there are: {', '.join(NEW)}")
+    said = dict(NEW[kind])
+    if at is not None and "position" in said:
+        said["position"] = [*numbers(at, "where it is to be", 2), said["position"][2]]
+    if kind != "step":
+        if kind in (tree.table("scene") or {}) and not tree.rows("scene", kind):
+            raise UserError(f"'scene.{kind}' is written as a list; write [[scene.{kind}]] tables to add one here")
+        add(tree, ("scene", kind), said)
+        return f"add a {kind}"
+    if tree.table("scene", "step") is not None:
+        raise UserError("there is a step already; a clip has one at most, and boxes beside it")
+    scene = tree.table("scene", make=True)
+    scene.append("step", item({**said, "x": round(float(at[0]), 2) if at else said["x"]}))
+    return "add a step"
+
+
+def set_obstacle(tree: Blocks, *, kind: str, index: int, said: Mapping[str, Any]) -> str:
+    """What an obstacle says of its place and size; None takes an entry away."""
+    table = _found(tree, kind, index)
+    for key, value in said.items():
+        if value is not None:
+            put(table, key, value)
+        elif key in table:
+            del table[key]
+    return f"change the {kind}"
+
+
+def delete_obstacle(tree: Blocks, *, kind: str, index: int) -> str:
+    """One thing less in the way."""
+    _found(tree, kind, index)
+    block = next((each for each in tree.blocks if not each.is_row and each.path == ("scene", "step")), None)
+    if kind == "step" and block is None:
+        del tree.table("scene")["step"]
+    else:
+        tree.remove(block if kind == "step" and block is not None else tree.rows("scene", kind)[index])
+    return f"delete a {kind}"
+
+
+def _found(tree: Blocks, kind: str, index: int) -> Any:
+    """Its table; raises UserError if there is none."""
+    if kind == "step":
+        found = tree.table("scene", "step")
+    else:
+        known = tree.rows("scene", kind)
+        found = known[index].table if 0 <= index < len(known) else None
+    if found is None:
+        raise UserError(f"there is no {kind} {index + 1} any more")
+    return found

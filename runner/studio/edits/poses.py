@@ -1,0 +1,106 @@
+"""Edits of what a keyframe says: of its joints, its root, and where hands and feet are to be."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from ...errors import UserError
+from .tables import Blocks, drop_dotted, number, numbers, put, put_dotted, row
+
+EDITS = ("set_joint", "set_root", "set_pose", "set_place", "set_others")
+ROTATIONS = {"rotvec": 3, "quat": 4, "euler": 3}  # what a rotation may be given by, of how many numbers
+
+
+def set_joint(tree: Blocks, *, key: int, joint: str, value: Any) -> str:
+    """A joint's angle [degrees], displacement [m] or rotation; "free" for the optimiser; None for `others` to say."""
+    table = row(tree, "keyframe", key)
+    if value is None:
+        drop_dotted(table, "joints", joint)
+        return f"let the optimiser say {joint}"
+    put_dotted(table, "joints", joint, _turned(value, joint))
+    return f"free {joint}" if value == "free" else f"set {joint}"
+
+
+def _turned(value: Any, what: str) -> Any:
+    """A rotation, a number or "free", checked."""
+    if value == "free":
+        return value
+    if isinstance(value, Mapping):
+        said = {name: numbers(value[name], what, count) for name, count in ROTATIONS.items() if name in value}
+        if not said:
+            raise UserError(f"{what}: give a rotation, {', '.join(ROTATIONS)}")
+        return said
+    return number(value, what)
+
+
+def set_root(tree: Blocks, *, key: int, position: Any = None, rotation: Any = None, name: str = "") -> str:
+    """Where the root is, each axis a number [m] or "free", and how it is turned; further free bodies by name."""
+    table = row(tree, "keyframe", key)
+    said: dict[str, Any] = {}
+    if position is not None:
+        said["position"] = _axes(position, "the root's position")
+    if rotation is not None:
+        said["rotation"] = _turned(rotation, "the root's rotation")
+    for part, value in said.items():
+        if not name:
+            put_dotted(table, "root", part, value)
+        elif name in table.get("roots", {}):
+            put(table["roots"][name], part, value)
+        else:
+            put_dotted(table, "roots", name, {part: value})
+    what = name or "the root"
+    return f"free {what}" if all(value == "free" for value in said.values()) else f"place {what}"
+
+
+def _axes(position: Any, what: str) -> Any:
+    if position == "free":
+        return position
+    if not isinstance(position, Sequence) or len(position) != 3:
+        raise UserError(f"{what}: give three numbers, each of which may be free")
+    return [axis if axis == "free" else number(axis, what) for axis in position]
+
+
+def set_pose(
+    tree: Blocks,
+    *,
+    key: int,
+    joints: Mapping[str, Any],
+    root: Mapping[str, Any] | None = None,
+    places: Sequence[str] = (),
+    words: str = "pose the figure",
+) -> str:
+    """Many joints at once, and the root; places are names of sites and bodies that no longer say where they are."""
+    table = row(tree, "keyframe", key)
+    for name, value in joints.items():
+        put_dotted(table, "joints", name, _turned(value, name))
+    for part, value in (root or {}).items():
+        value = _axes(value, "the root's position") if part == "position" else _turned(value, "the root's rotation")
+        put_dotted(table, "root", part, value)
+    for name in places:
+        drop_dotted(table, "sites", name)
+        drop_dotted(table, "bodies", name)
+    return words
+
+
+def set_place(tree: Blocks, *, key: int, site: str, position: Any) -> str:
+    """Where a hand, a foot or another point is to be [m], for which a pose is found; None to let it go."""
+    table = row(tree, "keyframe", key)
+    if position is None:
+        drop_dotted(table, "sites", site)
+        return f"let {site} go"
+    put_dotted(table, "sites", site, _axes(position, site))
+    return f"put {site} in its place"
+
+
+def set_others(tree: Blocks, *, key: int, value: str) -> str:
+    """What a keyframe does not name: "free", "rest", or "hold" as in the one before."""
+    if value not in ("free", "rest", "hold"):
+        raise UserError(f"others: 'free', 'rest' or 'hold', not '{value}'")
+    table = row(tree, "keyframe", key)
+    if value == "free":
+        if "others" in table:
+            del table["others"]
+    else:
+        put(table, "others", value)
+    return f"others: {value}"

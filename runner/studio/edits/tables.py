@@ -1,0 +1,247 @@
+"""A clip's text as blocks, each a table under its header; an edit takes one block apart and leaves the others' bytes.
+
+tomlkit keeps comments and order inside a block. It is not given the whole text: of [[...]] tables that others stand
+between it would put all together. And one block of a long clip is taken apart in a moment.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import tomlkit
+from tomlkit.exceptions import TOMLKitError
+from tomlkit.items import AoT, InlineTable, Table
+
+from ...errors import UserError
+from ...system.quantity import LARGEST
+
+DIGITS = 5  # after the point: a hundredth of a millimetre, and of a thousandth of a degree
+DOTTED = ("root", "roots", "joints", "sites", "bodies")  # tables of a keyframe whose entries stand one a line
+KEY = r"""(?:[A-Za-z0-9_-]+|"[^"\n]*"|'[^'\n]*')"""
+HEADER = re.compile(rf"^[ \t]*(\[\[?)[ \t]*({KEY}(?:[ \t]*\.[ \t]*{KEY})*)[ \t]*(\]\]?)[ \t]*(?:#.*)?$", re.MULTILINE)
+ENDING = re.compile(r"(?:^[ \t]*(?:#[^\n]*)?\n?)*\Z", re.MULTILINE)  # empty lines and remarks at the end of a block
+
+
+@dataclass(eq=False)
+class Block:
+    """A header and what stands under it: its path, whether it is one of several, the text; what is being edited."""
+
+    path: tuple[str, ...]
+    is_row: bool
+    text: str
+    ending: str = ""
+    tree: Any = None
+
+    @property
+    def table(self) -> Any:
+        """Its entries, to be changed."""
+        if self.tree is None:
+            self.tree = tomlkit.parse(self.text)
+        found: Any = self.tree
+        for key in self.path:
+            found = found[key]
+        return found[0] if isinstance(found, AoT) else found
+
+    def written(self) -> str:
+        """Its text as it is by now."""
+        if self.tree is None:
+            return self.text + self.ending
+        text = self.tree.as_string()
+        return (text if text.endswith("\n") or not text else text + "\n") + self.ending
+
+
+@dataclass(eq=False)
+class Blocks:
+    """A whole text: what stands before the first header, then block after block."""
+
+    blocks: list[Block] = field(default_factory=list)
+
+    @classmethod
+    def of(cls, text: str, where: str) -> Blocks:
+        """Raises UserError for what is no TOML, or is written in a way that cannot be edited by blocks."""
+        try:
+            said = tomllib.loads(text)
+        except (tomllib.TOMLDecodeError, RecursionError, ValueError) as error:
+            raise UserError(f"{where}: not valid TOML: {error}") from None
+        heads = [found for found in HEADER.finditer(text) if len(found[1]) == len(found[3])]
+        edges = [0, *(found.start() for found in heads), len(text)]
+        blocks = [_block((), False, text[: edges[1]])]
+        for found, begin, end in zip(heads, edges[1:], edges[2:], strict=False):
+            path = tuple(part.strip("\"'") for part in re.findall(KEY, found[2]))
+            blocks.append(_block(path, len(found[1]) == 2, text[begin:end]))
+        out = cls(blocks)
+        out._check(said, where)
+        return out
+
+    def _check(self, said: Mapping[str, Any], where: str) -> None:
+        """Raises UserError where the blocks are not what the text says: lines of a list can look like headers."""
+        for name in ("keyframe", "contact", "hold", "penalty"):
+            if len(self.rows(name)) != len(said.get(name, ())):
+                raise UserError(f"{where}: '{name}' is written as a list; write [[{name}]] tables to edit it here")
+        try:
+            whole = all(block.is_row or block.table is not None for block in self.blocks if not block.is_row)
+        except (TOMLKitError, KeyError):
+            whole = False
+        if not whole:
+            raise UserError(f"{where}: its tables are written in a way that cannot be edited here")
+        for block in self.blocks:
+            block.tree = None
+
+    def as_string(self) -> str:
+        """The text."""
+        return "".join(block.written() for block in self.blocks)
+
+    def rows(self, *path: str) -> list[Block]:
+        """The [[...]] tables of a path."""
+        return [block for block in self.blocks if block.is_row and block.path == path]
+
+    def table(self, *path: str, make: bool = False) -> Any:
+        """The one table of a path, under its header or in the one above; None, or an empty one, if there is none."""
+        for depth in range(len(path), -1, -1):
+            for block in self.blocks:
+                if block.is_row or block.path != path[:depth]:
+                    continue
+                found: Any = block.table
+                for key in path[depth:]:
+                    found = found.get(key) if found is not None else None
+                if found is not None:
+                    return found
+        if not make:
+            return None
+        block = _block(path, False, f"[{'.'.join(path)}]\n\n")
+        at = next((i for i, each in enumerate(self.blocks) if i and each.path != ("scene",)), len(self.blocks))
+        self.insert(at, block)
+        return block.table
+
+    def insert(self, at: int, block: Block) -> None:
+        """A block before another one, with an empty line on either side."""
+        before = self.blocks[at - 1] if at else None
+        if before is not None and not (text := before.written()).endswith("\n\n") and text:
+            before.ending += "\n" if text.endswith("\n") else "\n\n"
+        self.blocks.insert(at, block)
+
+    def remove(self, block: Block) -> None:
+        """Takes a block away, but for the remark that stands right before the next one."""
+        at = self.blocks.index(block)
+        _, _, remark = ("\n" + block.ending).rpartition("\n\n")
+        if at and remark.strip():
+            self.blocks[at - 1].ending += remark.lstrip("\n")
+        del self.blocks[at]
+
+
+def _block(path: tuple[str, ...], is_row: bool, text: str) -> Block:
+    ending = ENDING.search(text)
+    cut = len(text) if ending is None else ending.start()
+    return Block(path, is_row, text[:cut], text[cut:])
+
+
+def row(blocks: Blocks, name: str, index: Any) -> Any:
+    """One of the [[name]] tables; raises UserError for a number that is none of theirs."""
+    found = blocks.rows(name)
+    if not isinstance(index, int) or isinstance(index, bool) or not 0 <= index < len(found):
+        raise UserError(f"there is no {name} {index if not isinstance(index, int) else index + 1} any more")
+    return found[index].table
+
+
+def number(value: Any, what: str) -> float:
+    """A finite number with few digits; raises UserError for anything else."""
+    if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
+        raise UserError(f"{what}: give a finite number, not {_shown(value)}")
+    if abs(value) > LARGEST:
+        raise UserError(f"{what}: {value:g} is too large")
+    return round(float(value), DIGITS) + 0.0
+
+
+def _shown(value: Any) -> str:
+    return "nothing" if value is None or value == "" else repr(value)[:40]
+
+
+def numbers(values: Any, what: str, count: int = 3) -> list[float]:
+    """So many finite numbers."""
+    if not isinstance(values, list | tuple) or len(values) != count:
+        raise UserError(f"{what}: give {count} numbers")
+    return [number(value, what) for value in values]
+
+
+def item(value: Any) -> Any:
+    """A value as a file has it, tables on one line."""
+    if isinstance(value, Mapping):
+        table: InlineTable = tomlkit.inline_table()
+        for key, entry in value.items():
+            table.append(str(key), item(entry))
+        return table
+    if isinstance(value, list | tuple):
+        out = tomlkit.array()
+        for entry in value:
+            out.append(item(entry))
+        return out
+    return number(value, "a number") if isinstance(value, float) else value
+
+
+def put(table: Any, key: str, value: Any) -> None:
+    """Sets an entry; its comment stays."""
+    if key in table:
+        table[key] = item(value)
+    else:
+        table.append(key, item(value))
+
+
+def put_dotted(table: Any, group: str, key: str, value: Any) -> None:
+    """Sets `group.key`, such as joints.left_hip, on a line of its own if it is new."""
+    if group in table:
+        inner = table[group]
+        if isinstance(inner, InlineTable) or key in inner:
+            put(inner, key, value)
+            return
+    table.append(tomlkit.key([group, key]), item(value))
+
+
+def drop_dotted(table: Any, group: str, key: str) -> None:
+    """Takes `group.key` away, and the group with its last entry."""
+    if group not in table or key not in table[group]:
+        return
+    del table[group][key]
+    if not len(table[group]):
+        del table[group]
+
+
+def fill(table: Any, said: Mapping[str, Any]) -> None:
+    """Entries of a table that is new, those of joints, sites and bodies one a line."""
+    for key, value in said.items():
+        if key in DOTTED and isinstance(value, Mapping):
+            for name, entry in value.items():
+                table.append(tomlkit.key([key, str(name)]), item(entry))
+        else:
+            table.append(key, item(value))
+
+
+def add(blocks: Blocks, path: tuple[str, ...], said: Mapping[str, Any], index: int | None = None) -> None:
+    """A new [[...]] table: before the one of a number, after the last of them, or before the keyframes."""
+    table: Table = tomlkit.table()
+    fill(table, said)
+    name = ".".join(item_key(key) for key in path)
+    block = Block(path, True, f"[[{name}]]\n{table.as_string()}", "\n")
+    known = blocks.rows(*path)
+    if known and (index is None or index >= len(known)):
+        at = blocks.blocks.index(known[-1]) + 1
+    elif known:
+        at = blocks.blocks.index(known[index or 0])
+    else:
+        at = next((i for i, each in enumerate(blocks.blocks) if each.path == ("keyframe",)), len(blocks.blocks))
+    blocks.insert(at, block)
+
+
+def item_key(key: str) -> str:
+    """A key as a header has it."""
+    return key if re.fullmatch(r"[A-Za-z0-9_-]+", key) else tomlkit.key(key).as_string()
+
+
+def remove(blocks: Blocks, name: str, index: int) -> None:
+    """Takes a [[name]] table away."""
+    row(blocks, name, index)
+    blocks.remove(blocks.rows(name)[index])

@@ -1,0 +1,149 @@
+"""Files of a session: saved, exported and rendered into the clip's folder, and nowhere else."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import re
+import sys
+import tempfile
+from collections.abc import Sequence
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+from ..errors import UserError
+from .session import Session
+
+MOST_NAME = 120  # characters of a file's name
+MOST_LISTED = 200  # files of a folder that are shown
+PLAIN = re.compile(r"[^/\\\0:*?\"<>|]+")
+OPENED = (".toml", ".xml", ".npz", ".bvh", ".csv", ".pkl", ".npy")
+FILMS = (".mp4", ".webm", ".gif", ".png")
+COMMAND = "import sys; from dynsplines.start import main; sys.argv[0] = 'dynsplines'; main()"
+
+
+def inside(folder: Path, name: Any) -> Path:
+    """A file of a folder, by its name; raises UserError for one anywhere else."""
+    if not isinstance(name, str) or not PLAIN.fullmatch(name) or name.startswith(".") or len(name) > MOST_NAME:
+        raise UserError(f"'{name}': give a plain name of a file in the clip's folder, {folder.name}")
+    path = (folder / name).resolve()
+    if path.parent != folder.resolve():
+        raise UserError(f"'{name}' lies outside the clip's folder, {folder.name}")
+    return path
+
+
+class Files:
+    """What becomes of a session on the disk."""
+
+    def __init__(self, session: Session) -> None:
+        self.session = session
+        self._running: asyncio.subprocess.Process | None = None
+
+    @property
+    def folder(self) -> Path:
+        """Where all of it goes."""
+        return self.session.document.folder
+
+    async def save(self, *, name: str | None = None, overwrite: bool = False) -> str:
+        """The clip's text, under a name if one is given."""
+        document = self.session.document
+        if name is None and document.file is None:
+            raise UserError("this clip has no file yet: save it under a name")
+        target = document.file if name is None else inside(self.folder, _ended(name, ".toml"))
+        assert target is not None
+        if name is not None and target != document.file and target.exists() and not overwrite:
+            raise UserError(f"'{target.name}' is there already; choose another name")
+        document.save(target)
+        self.session.told()
+        return f"saved {target.name}"
+
+    def listed(self) -> list[str]:
+        """Files of the folder that can be opened."""
+        with suppress(OSError):
+            names = [path.name for path in self.folder.iterdir() if path.suffix.lower() in OPENED and path.is_file()]
+            return sorted(name for name in names if not name.startswith("."))[:MOST_LISTED]
+        return []
+
+    async def open(self, *, name: str, figure: str | None = None) -> str:
+        """Another file of the folder, or a shipped clip."""
+        from dynsplines import models
+
+        from .sources import opened
+
+        source = name if name in models.clips() else str(inside(self.folder, name))
+        document = await asyncio.to_thread(opened, source, figure=figure)
+        if source in models.clips():
+            document.folder = self.folder
+        return await self.session.reopen(document)
+
+    async def export(self, *, to: str, name: str) -> str:
+        """The present motion in another program's format."""
+        target = inside(self.folder, name)
+        with tempfile.TemporaryDirectory(prefix="dynsplines-") as folder:
+            motion = Path(folder) / f"{self.session.document.name}.npz"
+            await self.session.kept(motion)
+            await self._run(["export", str(motion), "--to", to, "-o", str(target), "--overwrite"], "export")
+        return f"exported {target.name}"
+
+    async def render(self, *, name: str, size: str = "1280x720", camera: str = "side", only: str = "after") -> str:
+        """A film of the present motion."""
+        target = inside(self.folder, name)
+        if target.suffix.lower() not in FILMS:
+            raise UserError(f"'{name}': a film's name ends in {', '.join(FILMS)}")
+        with tempfile.TemporaryDirectory(prefix="dynsplines-") as folder:
+            motion = Path(folder) / f"{self.session.document.name}.npz"
+            await self.session.kept(motion)
+            words = ["render", str(motion), "-o", str(target), "--size", size, "--camera", camera]
+            await self._run([*words, *(["--only", only] if only else [])], "render")
+        return f"rendered {target.name}"
+
+    async def stop(self) -> str:
+        """Ends an export or a film that is being made."""
+        if self._running is not None:
+            self._running.terminate()
+        return "stopped"
+
+    async def _run(self, words: Sequence[str], what: str) -> None:
+        """A command of our own, its progress told to every page; raises UserError in its words."""
+        if self._running is not None:
+            raise UserError("something is being written already; wait for it, or stop it")
+        command = [sys.executable, "-c", COMMAND, *words]
+        pipe = asyncio.subprocess.PIPE
+        self._running = await asyncio.create_subprocess_exec(*command, stdout=pipe, stderr=pipe, cwd=self.folder)
+        try:
+            last = await self._followed(self._running, what)
+            code = await self._running.wait()
+        finally:
+            if self._running.returncode is None:
+                self._running.kill()
+            self._running = None
+            self.session.tell({"is": "task", "what": what, "words": None})
+        if code:
+            raise UserError(last.removeprefix("dynsplines: ") if code > 0 else f"{what}: stopped")
+
+    async def _followed(self, process: asyncio.subprocess.Process, what: str) -> str:
+        """Its last line; every line on the way is told."""
+        assert process.stderr is not None and process.stdout is not None
+        last, rest = f"{what} failed", ""
+        drain = asyncio.create_task(process.stdout.read())
+        while chunk := await process.stderr.read(4096):
+            parts = re.split(r"[\r\n]+", rest + chunk.decode(errors="replace"))
+            rest = parts.pop()
+            for line in filter(None, map(str.strip, parts)):
+                last = line
+                self.session.tell({"is": "task", "what": what, "words": line[:200]})
+        await drain
+        return rest.strip() or last
+
+
+def _ended(name: str, ending: str) -> str:
+    return name if name.lower().endswith(ending) else f"{name}{ending}"
+
+
+def formats() -> str:
+    """What can be written, JSON."""
+    from ..exchange.formats import FORMATS
+
+    rows = [{"name": each.name, "ending": each.ending, "says": each.says} for each in FORMATS if each.writes]
+    return json.dumps({"is": "formats", "formats": rows, "films": list(FILMS)})

@@ -1,0 +1,50 @@
+"""What the page shows of a clip's text: keyframes and what they fix, contacts, holds, weights, obstacles."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ..clip.kinds import KINDS
+from ..clip.load import table_of
+from ..clip.table import ClipTable
+from ..clip.text import tables
+
+
+def outline(text: str, where: str) -> dict[str, Any]:
+    """A clip's text as the page has it; raises UserError for one that no clip can be."""
+    table = table_of(text, where)
+    said = tables(table)
+    scene = said.get("scene", {})
+    return {
+        "figure": table.figure,
+        "fps": table.fps,
+        "keys": [_key(row) for row in said.get("keyframe", [])],
+        "contacts": said.get("contact", []),
+        "holds": said.get("hold", []),
+        "weights": weights(table),
+        "options": {entry["kind"]: entry for entry in said.get("penalty", [])},
+        "obstacles": [
+            {"kind": kind, "index": index, **each}
+            for kind, rows in scene.items()
+            for index, each in enumerate([rows] if kind == "step" else rows)
+        ],
+        "solve": said.get("solve", {}),
+        "recording": said.get("recording"),
+    }
+
+
+def weights(table: ClipTable) -> dict[str, float | None]:
+    """The weights that the clip gives, by kind; None where it names a kind and leaves the weight at its default."""
+    return {entry.kind: entry.said.get("weight") for entry in table.penalty}
+
+
+def kinds() -> list[dict[str, Any]]:
+    """The table of soft constraints."""
+    return [
+        {"kind": kind.name, "weight": kind.weight, "says": kind.says, "options": kind.choices()}
+        for kind in KINDS.values()
+    ]
+
+
+def _key(row: dict[str, Any]) -> dict[str, Any]:
+    return {"others": "free", **row}

@@ -1,0 +1,61 @@
+"""A motion as the page plays it: poses of every body at equal times, a header in JSON before plain float32.
+
+4 bytes: the header's length n; n bytes: the header, padded with spaces to a multiple of 4; then, one after the other,
+positions (T, B, 3) [m], rotations (T, B, 4) xyzw and the centre of mass (T, 3) [m].
+"""
+
+from __future__ import annotations
+
+import json
+import struct
+from typing import Any
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Timeline
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.figure.figure import Figure
+
+RATE = 60.0  # [1/s] samples of a short motion
+MOST_SAMPLES = 1200  # of a long one, so that it is sent within a moment
+WIDTH = 4  # [bytes] of a number, and what a header's length is a multiple of
+
+
+def rate_of(duration: float) -> float:
+    """[1/s] how finely a motion that lasts so long [s] is sent."""
+    return RATE if duration * RATE <= MOST_SAMPLES else MOST_SAMPLES / duration
+
+
+def packed(figure: Figure, timeline: Timeline, header: dict[str, Any]) -> bytes:
+    """A timeline's motion with a header, to which start, rate and count of the samples are added."""
+    first, last = float(timeline.times[0]), float(timeline.times[-1])
+    rate = rate_of(last - first)
+    time = np.append(np.arange(first, last - 0.25 / rate, 1 / rate), last)
+    qpos = figure.to_qpos(path_of(timeline).at(time))
+    told = {**header, "first": first, "last": last, "rate": rate, "count": len(time), "bodies": figure.model.nbody}
+    return framed(told, *poses(figure.model, qpos))
+
+
+def framed(header: dict[str, Any], *arrays: Array | NDArray[np.float32]) -> bytes:
+    """A header and arrays in one piece."""
+    text = json.dumps(header, separators=(",", ":")).encode()
+    text += b" " * (-len(text) % WIDTH)
+    return b"".join([struct.pack("<I", len(text)), text, *(np.ascontiguousarray(a, "<f4").tobytes() for a in arrays)])
+
+
+def poses(model: mujoco.MjModel, qpos: Array) -> tuple[NDArray[np.float32], NDArray[np.float32], NDArray[np.float32]]:
+    """Positions (T, B, 3), rotations (T, B, 4) xyzw and centres of mass (T, 3) of poses qpos (T, nq)."""
+    data, count = mujoco.MjData(model), len(qpos)
+    position = np.empty((count, model.nbody, 3), np.float32)
+    rotation = np.empty((count, model.nbody, 4), np.float32)
+    centre = np.empty((count, 3), np.float32)
+    masses = model.body_mass / max(float(model.body_mass.sum()), 1e-12)
+    for i, pose in enumerate(qpos):
+        data.qpos[:] = pose
+        mujoco.mj_kinematics(model, data)
+        position[i], rotation[i] = data.xpos, np.roll(data.xquat, -1, axis=-1)
+        centre[i] = masses @ data.xipos
+    return position, rotation, centre

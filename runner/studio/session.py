@@ -1,0 +1,338 @@
+"""One clip open, and everybody who looks at it: what one of them does, all of them see."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from ..errors import UserError, one_line
+from .document import Document
+from .edits import EDITS
+from .solver import Solver
+
+Message = dict[str, Any]
+Send = Callable[[str | bytes], None]
+VERDICT = 60.0  # [s] that loading an edited clip may take
+KEEPING = 0.4  # [s] after an edit that unsaved work is written
+LATEST = ("raw", "carried", "found")  # kinds of paths, of each of which the last is what one who comes late sees
+
+
+class Session:
+    """The document, the process that solves it, and the pages.
+
+    figure  what drags pose, made anew with every stage; see `actions`
+    """
+
+    def __init__(self, document: Document, *, go: bool = True) -> None:
+        self.document, self.go = document, go
+        self.solver = Solver(self._heard, self._lost)
+        self.pages: dict[int, Send] = {}
+        self.loaded: Message = {}
+        self.keys_now: Any = None
+        self.timeline: Any = None
+        self.scene: Message | None = None
+        self.stages = 0
+        self.settled: Callable[[], None] | None = None
+        self.poser: tuple[int, Any] | None = None
+        self.clipboard: list[dict[str, Any]] = []
+        self.offer = document.kept()
+        self.status: Message = {"is": "status", "state": "loading"}
+        self.outline: Message = {}
+        self._kinds: Message | None = None
+        self._stage: bytes | None = None
+        self._paths: dict[str, bytes] = {}
+        self._settled: Message | None = None
+        self._curves: str | None = None
+        self._verdict: asyncio.Future[Message] | None = None
+        self._kept: asyncio.Future[str] | None = None
+        self._lock = asyncio.Lock()
+        self._trying: Message | None = None
+        self._keeper: asyncio.TimerHandle | None = None
+        self._curved: set[int] = set()
+
+    def start(self) -> None:
+        """Starts the process and gives it the clip; what it says waits until somebody listens."""
+        self.solver.start()
+        self._load(self.document.text, self.document.revision, first=True)
+
+    def begin(self) -> None:
+        """Listens to the process, which is started if it has not been."""
+        if not self.solver.is_started:
+            self.start()
+        self.solver.listen()
+
+    def close(self) -> None:
+        """Ends the process; unsaved work is on the disk."""
+        self.document.keep()
+        self.solver.close()
+
+    # ---- pages
+
+    def enter(self, number: int, send: Send) -> None:
+        """A page that has just come: it gets all there is."""
+        self.pages[number] = send
+        if self._kinds is not None:
+            send(json.dumps(self._kinds))
+        for data in filter(None, (self._stage, *(self._paths.get(kind) for kind in LATEST))):
+            send(data)
+        if self.loaded:
+            send(self._outline())
+            send(json.dumps(self.loaded))
+        for told in (self._settled, self.status):
+            if told is not None:
+                send(json.dumps(told))
+        if self.offer is not None:
+            send(json.dumps({"is": "offer", "words": self._offering()}))
+
+    def leave(self, number: int) -> None:
+        """A page that is gone."""
+        self.pages.pop(number, None)
+        self.want_curves(number, False)
+
+    def tell(self, message: Message | bytes) -> None:
+        """To every page."""
+        text = message if isinstance(message, bytes) else json.dumps(message)
+        for send in list(self.pages.values()):
+            send(text)
+
+    def _outline(self) -> str:
+        told = {**self.document.told(), **self.outline, "copied": len(self.clipboard)}
+        return json.dumps({"is": "document", **told})
+
+    def _offering(self) -> str:
+        return f"work on {self.document.place} that was not saved is still there, from a studio that ended"
+
+    # ---- edits
+
+    async def edit(self, name: str, said: Message) -> str:
+        """An edit by name; raises UserError, and then nothing has changed."""
+        if name not in EDITS:
+            raise UserError(f"no edit '{name}'; there are: {', '.join(EDITS)}")
+        async with self._lock:
+            tree = self.document.tree()
+            try:
+                words = EDITS[name](tree, **said)
+            except TypeError as error:
+                raise UserError(f"{name}: {one_line(error)}") from None
+            text = tree.as_string()
+            if text != self.document.text:
+                verdict = await self._tried(text)
+                self.document.commit(text, words)
+                self._changed(verdict)
+            return words
+
+    async def undo(self) -> str:
+        """Back by one edit."""
+        return await self._stepped(self.document.back, self.document.undo, "undo")
+
+    async def redo(self) -> str:
+        """Forth by one edit."""
+        return await self._stepped(self.document.forth, self.document.redo, "redo")
+
+    async def _stepped(self, seen: Callable[[], tuple[str, str] | None], step: Callable[[], None], verb: str) -> str:
+        async with self._lock:
+            found = seen()
+            if found is None:
+                raise UserError(f"nothing to {verb}")
+            verdict = await self._tried(found[1])
+            step()
+            self._changed(verdict)
+            return f"{verb}: {found[0]}"
+
+    async def replace(self, text: str, words: str) -> str:
+        """Another text altogether."""
+        async with self._lock:
+            verdict = await self._tried(text)
+            self.document.commit(text, words)
+            self._changed(verdict)
+            return words
+
+    async def take_offer(self, *, yes: bool) -> str:
+        """Unsaved work of an earlier studio, taken or thrown away."""
+        text, self.offer = self.offer, None
+        self.tell({"is": "offer", "words": None})
+        if text is None:
+            raise UserError("there is no unsaved work")
+        if not yes:
+            self.document.discard()
+            return "thrown away what was not saved"
+        return await self.replace(text, "take up unsaved work")
+
+    async def reopen(self, document: Document) -> str:
+        """Another document in place of this one, whose unsaved work is on the disk."""
+        async with self._lock:
+            self.document.keep()
+            before, self.document = self.document, document
+            try:
+                verdict = await self._tried(document.text, first=True)
+            except UserError:
+                self.document = before
+                raise
+            self.offer = document.kept()
+            self._changed(verdict)
+            self.tell({"is": "offer", "words": self._offering() if self.offer is not None else None})
+            return f"opened {document.place}"
+
+    async def _tried(self, text: str, *, first: bool = False) -> Message:
+        """What the process says of a text, which it searches already; raises UserError for one that is no clip."""
+        self._verdict = asyncio.get_running_loop().create_future()
+        self._load(text, self.document.revision + 1, first=first)
+        try:
+            verdict = await asyncio.wait_for(self._verdict, VERDICT)
+        except TimeoutError:
+            raise UserError(f"the clip took longer than {VERDICT:g} s to load") from None
+        finally:
+            self._verdict = None
+        if verdict["is"] != "loaded":
+            raise UserError(verdict["words"])
+        return verdict
+
+    def _load(self, text: str, revision: int, *, first: bool = False, found: Any = None) -> None:
+        document = self.document
+        self._trying = {
+            "do": "load",
+            "text": text,
+            "name": document.name,
+            "place": document.place,
+            "folder": str(document.folder),
+            "revision": revision,
+            "go": self.go,
+            "first": first,
+        }
+        self.solver.send(self._trying if found is None else {**self._trying, "found": found})
+
+    def _changed(self, verdict: Message) -> None:
+        """Tells everybody, and has unsaved work written soon."""
+        self._accept(verdict)
+        if self._keeper is not None:
+            self._keeper.cancel()
+        self._keeper = asyncio.get_running_loop().call_later(KEEPING, self.document.keep)
+
+    def _accept(self, loaded: Message) -> None:
+        """The clip that the process has loaded is the document's."""
+        self.outline = loaded.pop("outline")
+        self.loaded = loaded
+        self.told()
+        self.tell(loaded)
+
+    def told(self) -> None:
+        """The document as it stands, to everybody."""
+        text = self._outline()
+        for send in list(self.pages.values()):
+            send(text)
+
+    # ---- the search
+
+    def search(self, *, go: bool, anew: bool = False) -> None:
+        """Goes on, or stops, and stays so with later edits."""
+        self.go = go
+        self.solver.send({"do": "go", "anew": anew} if go else {"do": "stop"})
+        self._status(self.status.get("state", "settled"))
+
+    def want_curves(self, number: int, on: bool) -> None:
+        """Whether a page shows curves."""
+        had = bool(self._curved)
+        (self._curved.add if on else self._curved.discard)(number)
+        if bool(self._curved) != had:
+            self.solver.send({"do": "curves", "on": bool(self._curved)})
+        elif on and self._curves is not None:
+            self.pages[number](self._curves)
+
+    async def kept(self, file: Path) -> None:
+        """The present motion in a file."""
+        async with self._lock:
+            self._kept = asyncio.get_running_loop().create_future()
+            self.solver.send({"do": "keep", "file": str(file)})
+            try:
+                await asyncio.wait_for(self._kept, VERDICT)
+            except TimeoutError:
+                raise UserError("the motion could not be had from the process that solves") from None
+            finally:
+                self._kept = None
+
+    # ---- what the process says
+
+    def _heard(self, message: Message) -> None:
+        handle = getattr(self, f"_heard_{message['is']}", None)
+        if handle is not None:
+            handle(message)
+
+    def _heard_stage(self, message: Message) -> None:
+        self.stages += 1
+        self._paths.clear()
+        self.scene = message
+        stage: bytes = b'{"is":"stage","stage":' + message["stage"] + b"}"
+        self._stage = stage
+        self.tell(stage)
+
+    def _heard_loaded(self, message: Message) -> None:
+        if not self._judge(message):
+            self._accept(message)
+        self._status("loaded")
+
+    def _heard_kinds(self, message: Message) -> None:
+        self._kinds = message
+        self.tell(message)
+
+    def _heard_refused(self, message: Message) -> None:
+        if self._kept is not None and not self._kept.done() and message.get("revision") is None:
+            self._kept.set_exception(UserError(message["words"]))
+        elif not self._judge(message):
+            self.tell({"is": "refused", "words": message["words"]})
+            self._status("refused", words=message["words"])
+
+    def _judge(self, message: Message) -> bool:
+        if self._verdict is None or self._verdict.done():
+            return False
+        self._verdict.set_result(message)
+        return True
+
+    def _heard_path(self, message: Message) -> None:
+        if message["kind"] != "raw":
+            self.keys_now, self.timeline = message["keys"], message["timeline"]
+        if message["kind"] == "carried":
+            self._paths.pop("found", None)
+        self._paths[message["kind"]] = message["data"]
+        self.tell(message["data"])
+
+    def _heard_searching(self, message: Message) -> None:
+        self._status("searching")
+
+    def _heard_settled(self, message: Message) -> None:
+        self._settled = message
+        if self.settled is not None:
+            self.settled()
+        self.tell(message)
+        self._status("settled", stop=message["stop"])
+
+    def _heard_curves(self, message: Message) -> None:
+        self._curves = json.dumps(message)
+        for number in self._curved:
+            if number in self.pages:
+                self.pages[number](self._curves)
+
+    def _heard_kept(self, message: Message) -> None:
+        if self._kept is not None and not self._kept.done():
+            self._kept.set_result(message["file"])
+
+    def _heard_gone(self, message: Message) -> None:
+        self._judge({"is": "refused", "words": message["words"]})
+        self.tell({"is": "refused", "words": message["words"]})
+        self._status("gone", words=message["words"])
+
+    def _lost(self, words: str) -> None:
+        """Another process has begun: it gets what the last one was at, and the path to go on from."""
+        self.tell({"is": "note", "words": words})
+        if self._curved:
+            self.solver.send({"do": "curves", "on": True})
+        trying = self._trying if self._verdict is not None else None
+        self._load(self.document.text, self.document.revision, first=self.timeline is None, found=self.timeline)
+        if trying is not None:
+            self.solver.send(trying)
+
+    def _status(self, state: str, **said: Any) -> None:
+        self.status = {"is": "status", "state": state, "go": self.go, **said}
+        self.tell(self.status)

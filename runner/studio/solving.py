@@ -1,0 +1,413 @@
+"""The life of the process that solves: a text in; its keyframes, every better path and what is wrong with it out.
+
+A message that comes while it searches ends the search where it is: the best path so far is where the next one begins.
+"""
+
+from __future__ import annotations
+
+import _thread
+import os
+import signal
+import threading
+import time
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, suppress
+from multiprocessing.connection import Connection
+from pathlib import Path
+from queue import SimpleQueue
+from typing import TYPE_CHECKING, Any, Protocol
+
+import numpy as np
+
+from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.inbetween import inbetween, resumed
+from dynsplines.solver.one_thread import one_thread
+from dynsplines.solver.refine.carried import carried
+from dynsplines.solver.search.minimum import Stop, StopSearch
+from dynsplines.solver.solution import Improvement, Solution
+
+from ..clip import load as clips
+from ..clip.load import Clip
+from ..errors import UserError, one_line
+from ..scene.outside import allowed
+from ..system.cache_folder import place as cache
+from . import paths
+from .outline import kinds, outline
+from .stage import stage
+
+if TYPE_CHECKING:
+    Line = Connection[Any, Any]
+
+SAME = 1e-9  # [s]
+MOST_SEEN = 40  # texts whose paths are remembered
+SOONEST = 0.04  # [s] from one path that is sent to the next
+Message = dict[str, Any]
+
+
+def serve(line: Line, outside: bool) -> None:
+    """Until the other end of the line is closed. Ctrl-C in the terminal is for the server alone."""
+    inbox: SimpleQueue[Message | None] = SimpleQueue()
+    work = Work(line)
+    signal.signal(signal.SIGINT, work.interrupted)
+    threading.Thread(target=_read, args=(line, inbox, work), daemon=True).start()
+    line.send({"is": "kinds", "kinds": kinds()})
+    with suppress(BrokenPipeError, EOFError, OSError), allowed(outside), one_thread():
+        while (message := inbox.get()) is not None:
+            work.do(message)
+    os._exit(0)
+
+
+def _read(line: Line, inbox: SimpleQueue[Message | None], work: Work) -> None:
+    """Messages as they come; each asks a search that is under way to end."""
+    with suppress(EOFError, OSError):
+        while True:
+            message = line.recv()
+            inbox.put(message)
+            work.interrupt()
+    inbox.put(None)
+    work.interrupt()
+
+
+class Outlet(Protocol):
+    """Where messages go."""
+
+    def send(self, obj: Any, /) -> None:
+        """One of them, whole."""
+        ...
+
+
+class Work:
+    """A clip, the best path through its keyframes, and the line on which both are told."""
+
+    def __init__(self, line: Outlet) -> None:
+        self.line = line
+        self.clip: Clip | None = None
+        self.found: Solution | None = None
+        self.revision = 0
+        self._is_searching = self._is_sending = self._is_asked = False
+        self._owes_raw = False
+        self._sent = 0.0
+        self.has_curves = False
+        self.seen: dict[str, Timeline] = {}
+
+    def do(self, message: Message) -> None:
+        """One message; whatever goes wrong with it is told."""
+        try:
+            getattr(self, f"do_{message['do']}")(**{key: value for key, value in message.items() if key != "do"})
+        except UserError as error:
+            self._tell("refused", revision=message.get("revision"), words=one_line(error))
+        except Exception as error:  # a mistake of ours: the page tells it and goes on
+            words = f"a mistake of dynsplines, not of yours: {type(error).__name__}: {one_line(error)}"
+            self._tell("refused", revision=message.get("revision"), words=words)
+
+    def do_load(
+        self,
+        text: str,
+        name: str,
+        place: str,
+        folder: str,
+        revision: int,
+        go: bool,
+        first: bool,
+        found: Timeline | None = None,
+    ) -> None:
+        """A text: its clip, told with its keyframes; then the path through them that is nearest to the present one.
+
+        first  whether it was opened just now;  go  whether to search
+        found  where to go on from, after this process was begun anew
+        """
+        before, solution = self.clip, self.found
+        clip = clips.from_text(text, name=name, where=place, folder=Path(folder), like=None if first else before)
+        has_ground = before is not None and clip.figure is before.figure
+        self.clip, self.revision = clip, revision
+        if not has_ground:
+            self._send({"is": "stage", "stage": stage(clip), "scene": clip.scene, "place": clip.figure.coordinates})
+        said = outline(text, place)
+        self._tell("loaded", revision=revision, notes=list(clip.notes), outline=said, **_shape(clip))
+        self._owes_raw = True
+        begin, between = self._begin(before, solution, first=first, found=found)
+        if begin is None:
+            self._first(clip, go=go)
+            return
+        self.found = Solution(clip.figure, clip.problem.objective, begin, clip.problem.raw)
+        self._send_path(begin, "carried")
+        if go:
+            self._search(begin, between)
+        else:
+            self._judge(stop="paused")
+
+    def _begin(
+        self, before: Clip | None, solution: Solution | None, *, first: bool, found: Timeline | None
+    ) -> tuple[Timeline | None, tuple[float, float] | None]:
+        """Where the search of the present clip begins, and what alone was edited; nowhere if all of it is new."""
+        clip = self.clip
+        assert clip is not None
+        seen = self.seen.get(clip.text)
+        if seen is not None and not first:  # undone or done again
+            return seen, None if before is None else _edited(before, clip)
+        timeline = found if found is not None else None if solution is None else solution.timeline
+        keys = clip.keys if before is None else before.keys
+        if (
+            first
+            or timeline is None
+            or _follows(clip)
+            or timeline.width != clip.figure.width
+            or timeline.ends != clip.ends
+        ):
+            return None, None
+        turn = clip.problem.turn
+        travel = None if clip.problem.travel is None else np.asarray(clip.problem.travel, float)
+        try:
+            begin = carried(clip.figure, timeline, keys, clip.keys, clip.problem.raw, travel, turn)
+        except ValueError:
+            return None, None
+        return begin, _edited(before, clip)
+
+    def _first(self, clip: Clip, *, go: bool) -> None:
+        """A clip that was just opened: as it was solved before, or searched from its raw spline."""
+        from .. import kept  # only here, as below: the figure is on the page by now
+
+        folder = cache()
+        known = None if folder is None else kept.read(folder / f"{kept.key_of(clip)}.npz", clip)
+        raw = clip.problem.raw
+        self.found = Solution(clip.figure, clip.problem.plain_objective, raw, raw) if known is None else known.motion
+        if known is not None:
+            self._send_path(
+                known.motion.timeline, "found", value=known.motion.trace[-1][2] if known.motion.trace else 0
+            )
+            self._judge(stop=known.motion.stop.name)
+        elif go:
+            self._search(None, None)
+        else:
+            self._send_path(raw, "carried")
+            self._judge(stop="paused")
+
+    def do_go(self, anew: bool = False) -> None:
+        """On with the search from the present path, or from the raw spline."""
+        if self.clip is not None and self.found is not None:
+            fresh = anew or self.found.timeline is self.found.raw
+            self._search(None if fresh else self.found.timeline, None)
+
+    def do_stop(self) -> None:
+        """Nothing: that a message came has ended the search."""
+
+    def do_curves(self, on: bool) -> None:
+        """Whether curves are looked at, which take a moment to make."""
+        self.has_curves = on
+        if on:
+            self._send_curves()
+
+    def do_keep(self, file: str) -> None:
+        """The present motion into a file, for what is made of it."""
+        clip, found = self.clip, self.found
+        if clip is None or found is None:
+            raise UserError("nothing has been solved yet")
+        from .. import motion
+        from ..system.progress import Progress
+        from ..work import Solved
+
+        saved = Solved(clip, found, None).saved(Progress(), with_report=False)
+        motion.save(saved, Path(file))
+        self._tell("kept", file=file)
+
+    def interrupt(self) -> None:
+        """From another thread: ends the search that is under way, if one is."""
+        if self._is_searching:
+            _thread.interrupt_main()
+
+    def interrupted(self, number: int, frame: object) -> None:
+        """Heeds an interrupt while a search is under way, and no other: one can come a moment late."""
+        if self._is_sending:
+            self._is_asked = True
+        elif self._is_searching:
+            raise KeyboardInterrupt
+
+    def _send(self, message: Message) -> None:
+        """On the line, whole: an interrupt waits."""
+        self._is_sending = True
+        try:
+            self.line.send(message)
+        finally:
+            self._is_sending = False
+
+    @contextmanager
+    def _searching(self) -> Iterator[None]:
+        self._is_searching, self._is_asked = True, False
+        try:
+            yield
+        except KeyboardInterrupt:
+            self._is_searching = False
+        finally:
+            self._is_searching = False
+
+    def _search(self, begin: Timeline | None, between: tuple[float, float] | None) -> None:
+        """Lowers E as far as it goes, telling every better path; keeps the best, however it ends."""
+        clip = self.clip
+        assert clip is not None
+        self._tell("searching", revision=self.revision)
+        best: list[Improvement] = []
+
+        def improved(improvement: Improvement) -> None:
+            best[:] = [improvement]
+            if begin is not None and improvement.evaluation == 1:
+                return  # where it begins is seen already
+            if time.monotonic() - self._sent >= SOONEST:
+                self._send_path(improvement.build(), "found", **_course(improvement))
+                self._send_raw()
+            if self._is_asked:
+                raise StopSearch
+
+        found: Solution | None = None
+        with self._searching():
+            if begin is None:
+                found = inbetween(clip.problem, improved=improved)
+            else:
+                found = resumed(clip.problem, begin, between=between, improved=improved)
+        if found is None and best:
+            found = Solution(clip.figure, clip.problem.objective, best[0].build(), clip.problem.raw, stop=Stop.ASKED)
+        if found is None:
+            self._judge(stop="ASKED")
+            return
+        self.found = found
+        self._remember(clip.text, found.timeline)
+        value, parts = (found.trace[-1][2], found.trace[-1][3]) if found.trace else (0.0, {})
+        self._send_path(found.timeline, "found", value=value, parts=_plain(parts), evaluation=found.evaluations)
+        if begin is None and found.stop is Stop.CONVERGED and (folder := cache()) is not None:
+            from .. import kept
+            from ..work import Solved
+
+            kept.write(Solved(clip, found, None), folder / f"{kept.key_of(clip)}.npz")
+        self._judge(stop=found.stop.name)
+
+    def _remember(self, text: str, timeline: Timeline) -> None:
+        """What was found for a text, in case that somebody comes back to it; of the last few texts."""
+        self.seen.pop(text, None)
+        self.seen[text] = _bare(timeline)
+        if len(self.seen) > MOST_SEEN:
+            del self.seen[next(iter(self.seen))]
+
+    def _judge(self, stop: str) -> None:
+        """What is wrong with the present path, and why the search ended."""
+        clip, found = self.clip, self.found
+        assert clip is not None and found is not None
+        self._send_raw()
+        from ..measure.problems import plain, problems
+
+        wrong = problems(clip, found.timeline, found.raw)
+        self._tell(
+            "settled", revision=self.revision, stop=stop, problems=plain(wrong), frames=found.timeline.times.tolist()
+        )
+        if self.has_curves:
+            self._send_curves()
+
+    def _send_curves(self) -> None:
+        if self.clip is not None and self.found is not None:
+            from .curves import curves  # only here: most look at no curves
+
+            self._tell("curves", curves=curves(self.clip, self.found))
+
+    def _send_raw(self) -> None:
+        """The raw spline, once for a text, and after what somebody waits for."""
+        if self._owes_raw and self.clip is not None:
+            self._owes_raw = False
+            self._send_path(self.clip.problem.raw, "raw")
+
+    def _send_path(self, timeline: Timeline, stage: str, **told: Any) -> None:
+        """A path as the page plays it, and as the server adds keyframes from it."""
+        clip = self.clip
+        assert clip is not None
+        self._sent = time.monotonic()
+        times = np.array([key.time for key in _said_keys(clip)])
+        inside = np.clip(times, timeline.times[0], timeline.times[-1])
+        qpos = clip.figure.to_qpos(path_of(timeline).at(inside)) if times.size else np.zeros((0, timeline.width))
+        header = {"is": "path", "kind": stage, "revision": self.revision, **told}
+        header["frames"] = [round(float(t), 5) for t in timeline.times]
+        data = paths.packed(clip.figure, timeline, header)
+        self._send({"is": "path", "kind": stage, "data": data, "timeline": _bare(timeline), "keys": qpos, **told})
+
+    def _tell(self, what: str, **said: Any) -> None:
+        self._send({"is": what, **said})
+
+
+def _bare(timeline: Timeline) -> Timeline:
+    """Without what others keep of its times."""
+    return Timeline(timeline.frames, timeline.end_slope, timeline.ends)
+
+
+def _course(improvement: Improvement) -> dict[str, Any]:
+    return {
+        "evaluation": improvement.evaluation,
+        "value": float(improvement.value),
+        "parts": _plain(improvement.parts),
+    }
+
+
+def _plain(parts: dict[str, float]) -> dict[str, float]:
+    return {name: float(value) for name, value in parts.items()}
+
+
+def _shape(clip: Clip) -> dict[str, Any]:
+    """What the loaded clip says beyond its text: its keyframes whole, contacts, holds and flights that were found."""
+    support = clip.context.support
+    return {
+        "keys": [
+            {"time": key.time, "qpos": key.state.tolist(), "fixed": key.fixed.tolist(), "known": key.known.tolist()}
+            for key in _said_keys(clip)
+        ],
+        "stances": [
+            {"point": each.point.name, "from": float(each.first), "to": float(each.last)}
+            for each in clip.context.stances
+        ],
+        "flights": [] if support is None else [[float(a), float(b)] for a, b in support.flights],
+        "ends": clip.ends,
+        "weights": {penalty.name: float(weight) for penalty, weight in clip.penalties},
+    }
+
+
+def _said_keys(clip: Clip) -> list[Frame]:
+    """The keyframes of the clip's text: of one that edits a recording, none of the recording's own instants."""
+    if not _follows(clip):
+        return list(clip.keys)
+    said = [row.time for row in clips.table_of(clip.text, clip.context.where).keyframe]
+    return [key for key in clip.keys if any(abs(key.time - time) < SAME for time in said)]
+
+
+def _follows(clip: Clip) -> bool:
+    """Whether a clip's keyframes edit a recording, whose own instants are frames that nobody set."""
+    return "recording" in clip.text and clips.table_of(clip.text, clip.context.where).recording is not None
+
+
+def _edited(before: Clip | None, clip: Clip) -> tuple[float, float] | None:
+    """From when to when keyframes and contacts differ, with the keyframes beside them; None where more does."""
+    if before is None or not before.text or not clip.text or _but_keys(before) != _but_keys(clip):
+        return None
+    changed = [*_apart(before.keys, clip.keys), *_apart(clip.keys, before.keys), *_moved_contacts(before, clip)]
+    if not changed:
+        return None
+    times = np.array([key.time for key in clip.keys])
+    low = int(np.searchsorted(times, min(changed), side="left")) - 1
+    high = int(np.searchsorted(times, max(changed), side="right"))
+    return float(times[max(low, 0)]), float(times[min(high, times.size - 1)])
+
+
+def _apart(some: Sequence[Frame], others: Sequence[Frame]) -> list[float]:
+    """[s] times of keyframes that are not among others."""
+    known = {key.time: key for key in others}
+    return [key.time for key in some if key.time not in known or not _same(key, known[key.time])]
+
+
+def _same(a: Frame, b: Frame) -> bool:
+    return np.array_equal(a.fixed, b.fixed) and np.allclose(a.state[a.fixed], b.state[b.fixed], rtol=0, atol=1e-9)
+
+
+def _but_keys(clip: Clip) -> dict[str, Any]:
+    table = clips.table_of(clip.text, clip.context.where)
+    return table.model_copy(update={"keyframe": [], "contact": []}).model_dump()
+
+
+def _moved_contacts(before: Clip, clip: Clip) -> list[float]:
+    """[s] ends of contacts that one of two clips has and the other has not."""
+    tables = [clips.table_of(each.text, each.context.where).contact for each in (before, clip)]
+    rows = [row for some, others in (tables, tables[::-1]) for row in some if row not in others]
+    return [time for row in rows for time in (row.start, row.end)]

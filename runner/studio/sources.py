@@ -1,0 +1,114 @@
+"""What can be opened: a clip, a model, a motion, a recording of another program; each becomes a clip's text."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from dynsplines import models
+
+from ..errors import UserError, unknown
+from .document import Document
+
+BLEND = 0.4  # [s] about a keyframe in which a recording changes
+EXAMPLES = "a clip (.toml), a model (.xml), a motion (.npz), a recording, or a shipped clip"
+
+
+def opened(source: str, *, figure: str | None = None) -> Document:
+    """A document for whatever a file is; raises UserError.
+
+    figure  for recordings that bring none
+    """
+    if source in models.clips():
+        return Document(source, models.clip_text(source), Path.cwd(), saved=models.clip_text(source))
+    path = Path(source)
+    if not path.is_file():
+        if path.is_dir():
+            raise UserError(f"'{source}' is a folder; open {EXAMPLES}")
+        if not path.suffix:
+            raise UserError(unknown("clip", source, models.clips()))
+        raise UserError(f"no file '{source}'; open {EXAMPLES}")
+    match path.suffix.lower():
+        case ".toml":
+            return _clip(path)
+        case ".xml":
+            return _model(path)
+        case ".npz":
+            return _motion(path, figure)
+    return _recording(path, figure)
+
+
+def _clip(path: Path) -> Document:
+    try:
+        text = path.read_bytes().decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise UserError(f"{path}: not UTF-8 text (byte {error.start + 1})") from None
+    except OSError as error:
+        raise UserError(f"{path}: cannot be read: {error.strerror}") from None
+    return Document(path.stem, text, path.resolve().parent, file=path.resolve(), saved=text)
+
+
+def _model(path: Path) -> Document:
+    """A clip to begin with, not saved yet."""
+    from ..clip.starter import starter
+
+    path = path.resolve()
+    return Document(path.stem, starter(str(path), path.with_suffix(".toml")), path.parent)
+
+
+def _motion(path: Path, figure: str | None) -> Document:
+    """A solved clip's own text; or a clip that follows what was recorded."""
+    from .. import motion
+    from ..measure.problems import is_recording
+
+    try:
+        saved = motion.load(path)
+    except UserError as error:
+        if figure is None:
+            raise error from None
+        return _recording(path, figure)
+    path = path.resolve()
+    if saved.text and not is_recording(saved):
+        return Document(saved.name, saved.text, path.parent)
+    return following(path, _scene_beside(path, saved.scene))
+
+
+def _recording(path: Path, figure: str | None) -> Document:
+    """A file of another program: imported beside itself, and followed."""
+    from .. import motion
+    from ..exchange.formats import stem
+    from ..exchange.imported import imported
+
+    saved = imported(path, figure=figure)
+    target = path.resolve().with_name(f"{stem(path)}.npz")
+    if target.exists() and target != path.resolve():
+        raise UserError(f"'{target.name}' is there already, where {path.name} would be imported to; open that one")
+    motion.save(saved, target)
+    return following(target, _scene_beside(target, saved.scene))
+
+
+def _scene_beside(path: Path, scene: object) -> str:
+    """The file of a recording's figure: a shipped one's name, or its MJCF written beside the recording."""
+    from ..clip.file import shipped_scene
+    from ..scene.assets import Scene
+    from ..system.output import Replacement
+
+    assert isinstance(scene, Scene)
+    name = shipped_scene(scene)
+    if name:
+        return name
+    target = path.with_suffix(".xml")
+    files = {target: scene.mjcf.encode(), **{path.parent / name: data for name, data in scene.assets.items()}}
+    for file, data in files.items():
+        if file.exists() and file.read_bytes() != data:
+            raise UserError(f"'{file.name}' is there already, and a file of the recording's figure goes there")
+        if not file.exists():
+            with Replacement(file) as temporary:
+                temporary.write_bytes(data)
+    return target.name
+
+
+def following(path: Path, figure: str) -> Document:
+    """A clip that follows a motion's file, in its folder."""
+    text = f'# Keyframes here edit what was recorded; the rest stays as it is.\nfigure = "{figure}"\n\n[recording]\n'
+    text += f'file = "{path.name}"\nblend = {BLEND:g}                             # s before and after every keyframe\n'
+    return Document(f"{path.stem}_edited", text, path.parent)

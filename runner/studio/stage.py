@@ -1,0 +1,112 @@
+"""The figure in its scene as the page draws it, and what can be taken hold of: joints, sites, soles."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import mujoco
+import numpy as np
+
+from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.posing import limb
+
+from ..clip.load import Clip
+from ..clip.posing.places import posable_sites
+from ..exchange.drawn import drawn
+from ..exchange.skeleton import hierarchy
+from ..exchange.triangles import is_still, pieces
+
+FLOOR = 40.0  # [m] from its middle to which a floor without end is drawn
+
+
+def stage(clip: Clip) -> bytes:
+    """The figure and what stands about, JSON."""
+    figure, model = clip.figure, clip.figure.model
+    moving = sorted({piece.body for piece in pieces(model) if not is_still(model, piece)})
+    data = mujoco.MjData(model)
+    mujoco.mj_kinematics(model, data)
+    places = data.xpos[moving or [0]]
+    told = {
+        "bodies": hierarchy.names(model),
+        "parents": model.body_parentid.tolist(),
+        "still": [bool(model.body_weldid[body] == 0) for body in range(model.nbody)],
+        "size": round(float(np.linalg.norm(np.ptp(places, axis=0))) or 1.0, 4),
+        "joints": [_joint(figure, i) for i in range(1, len(figure.links))],
+        "sites": _sites(figure),
+        "soles": [_sole(figure, point) for point in clip.context.points],
+        "limbs": limbs(figure),
+        **drawn(model, FLOOR),
+    }
+    return json.dumps(told, separators=(",", ":")).encode()
+
+
+def _joint(figure: Figure, index: int) -> dict[str, Any]:
+    """A joint: what it is called and of what kind, where it stands in qpos, its range in degrees or metres."""
+    link, model = figure.links[index], figure.model
+    limits = None
+    if link.kind is not JointKind.FREE and model.jnt_limited[link.joint]:
+        values = model.jnt_range[link.joint]
+        limits = [round(float(x), 4) for x in (values if link.kind is JointKind.SLIDE else np.degrees(values))]
+    return {
+        "name": link.name,
+        "kind": link.kind.name.lower(),
+        "qpos": int(link.qpos),
+        "body": int(link.body),
+        "range": limits,
+        "axis": [round(float(x), 6) for x in model.jnt_axis[link.joint]],
+        "anchor": [round(float(x), 6) for x in model.jnt_pos[link.joint]],
+    }
+
+
+def _sites(figure: Figure) -> list[dict[str, Any]]:
+    model = figure.model
+    found = []
+    for name in posable_sites(model):
+        site = model.site(name).id
+        body = int(model.site_bodyid[site])
+        if model.body_weldid[body]:
+            found.append({"name": name, "body": body, "offset": [round(float(x), 5) for x in model.site_pos[site]]})
+    return found
+
+
+def _sole(figure: Figure, point: Any) -> dict[str, Any]:
+    from dynsplines.solver.posing import PointGoal
+
+    goal = PointGoal.of(figure, point)
+    offset = [round(float(x), 5) for x in goal.offset]
+    return {"name": point.name, "body": goal.index, "offset": offset, "radius": round(float(point.radius), 5)}
+
+
+def limbs(figure: Figure) -> list[dict[str, Any]]:
+    """The figure's limbs, each the joints up to where another one branches off, and the trunk: rows of the timeline.
+
+    end  the body at its end, which is dragged
+    """
+    parents = figure.tables.parents
+    carries = {int(parents[i]) for i in range(1, len(figure.links))}
+    found: list[dict[str, Any]] = []
+    taken: set[int] = set()
+    for i in range(1, len(figure.links)):
+        if i in carries or figure.links[i].kind is JointKind.FREE:
+            continue
+        links = limb(figure, figure.links[i].body)
+        body = figure.links[i].body
+        joints = [figure.links[j].name for j in reversed(links)]
+        found.append({"name": _called(figure, links), "joints": joints, "end": int(body)})
+        taken |= set(links)
+    trunk = [i for i in range(1, len(figure.links)) if i not in taken]
+    if trunk:
+        names = [figure.links[i].name for i in trunk]
+        found.insert(0, {"name": "root and trunk", "joints": names, "end": int(figure.links[trunk[0]].body)})
+    return found
+
+
+def _called(figure: Figure, links: list[int]) -> str:
+    """A limb by its names: what is common to them is its side."""
+    first, last = figure.links[links[-1]].name, figure.links[links[0]].name
+    words = f"{first} {last}".lower()
+    side = next((each for each in ("left", "right") if each in words), "")
+    kinds = {"arm": ("shoulder", "arm", "elbow", "wrist", "hand"), "leg": ("hip", "knee", "ankle", "foot", "leg")}
+    kind = next((kind for kind, parts in kinds.items() if any(part in words for part in parts)), "")
+    return f"{side} {kind}" if side and kind else (first if first == last else f"{first} … {last}")

@@ -1,0 +1,110 @@
+"""The command `studio`: a free port, a token, the address on the terminal, the browser."""
+
+from __future__ import annotations
+
+import ipaddress
+import secrets
+import socket
+import sys
+import webbrowser
+from collections.abc import Callable
+
+from ..errors import UserError
+from .document import Document
+from .session import Session
+
+LOCAL = ("127.0.0.1", "localhost", "[::1]")
+TOKEN = 24  # [bytes] of chance in a token
+GRACE = 1  # [s] that pages have to hear that the server ends
+
+
+def run(
+    document: Document, *, host: str, port: int, browser: bool, allow_remote: bool, say: Callable[[str], None]
+) -> None:
+    """Serves a document until Ctrl-C; raises UserError for a host or port that it cannot have."""
+    check_host(host, allow_remote=allow_remote)
+    listening = _bound(host, port)
+    session = Session(document)
+    session.start()  # before the server's own imports, so that both go on at once
+    token, port = secrets.token_urlsafe(TOKEN), listening.getsockname()[1]
+    shown = f"[{host}]" if ":" in host else host
+    hosts = frozenset(f"{name}:{port}" for name in {*LOCAL, shown})
+    if _is_any(host):
+        hosts |= frozenset(f"{name}:{port}" for name in (socket.gethostname(), socket.getfqdn(), *_own_addresses()))
+        shown = socket.gethostname()
+    address = f"http://{shown}:{port}/?token={token}"
+    say(address)
+    if not _is_loopback(host):
+        say("note: whoever has this address, and can reach this machine, edits the clip and writes files beside it;")
+        say("note: what goes over the wire is not encrypted")
+    if browser:
+        webbrowser.open(address)
+    try:
+        _serve(session, listening, token, hosts)
+    except KeyboardInterrupt:
+        pass
+    finally:
+        listening.close()
+        session.close()
+        if session.document.is_dirty:
+            print(f"not saved; it is offered again: {session.document.keeping}", file=sys.stderr)
+
+
+def _serve(session: Session, listening: socket.socket, token: str, hosts: frozenset[str]) -> None:
+    import uvicorn  # only here: the process that solves has begun
+
+    from .server import MOST_BYTES, Door, application
+
+    settings = uvicorn.Config(
+        application(session, Door(token, hosts)),
+        log_level="critical",
+        access_log=False,
+        ws="websockets-sansio",
+        ws_max_size=MOST_BYTES,
+        server_header=False,
+        timeout_graceful_shutdown=GRACE,
+    )
+    uvicorn.Server(settings).run(sockets=[listening])
+
+
+def check_host(host: str, *, allow_remote: bool) -> None:
+    """Raises UserError for an address that others reach, unless somebody has said that they may."""
+    if not _is_loopback(host) and not allow_remote:
+        raise UserError(
+            f"--host {host}: other machines could reach the studio there, edit the clip and write files beside it, "
+            "unencrypted; --allow-remote allows it, or leave --host out"
+        )
+
+
+def _is_loopback(host: str) -> bool:
+    if host == "localhost":
+        return True
+    try:
+        return ipaddress.ip_address(host).is_loopback
+    except ValueError:
+        return False
+
+
+def _is_any(host: str) -> bool:
+    return host in ("0.0.0.0", "::")
+
+
+def _own_addresses() -> list[str]:
+    try:
+        return socket.gethostbyname_ex(socket.gethostname())[2]
+    except OSError:
+        return []
+
+
+def _bound(host: str, port: int) -> socket.socket:
+    """A socket that listens; raises UserError for a port that is taken."""
+    family = socket.AF_INET6 if ":" in host else socket.AF_INET
+    listening = socket.socket(family, socket.SOCK_STREAM)
+    listening.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    try:
+        listening.bind((host, port))
+    except (OSError, OverflowError) as error:
+        listening.close()
+        raise UserError(f"--host {host} --port {port}: {getattr(error, 'strerror', None) or error}") from None
+    listening.listen()
+    return listening

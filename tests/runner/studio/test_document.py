@@ -1,0 +1,198 @@
+"""A clip's text while it is edited: undo gives the first bytes again, comments stay, nonsense changes nothing."""
+
+from __future__ import annotations
+
+import tomllib
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from dynsplines import models
+from dynsplines.errors import UserError
+from dynsplines.studio.document import Document
+from dynsplines.studio.edits import EDITS
+
+TEXT = """# A clip with remarks.
+figure = "human"   # who
+
+[scene]
+step = {x = 2.90, height = 0.35}      # front face
+
+[[penalty]]
+kind = "bend"                         # knees
+weight = 1
+
+[[keyframe]]                          # begins
+time = 0.0
+root.position = [0.0, 0, 0.93]        # stands
+joints.left_hip = {rotvec = [0, -70, 0]}   # lifted
+others = "rest"
+
+[[keyframe]]   # goes on
+time = 0.50
+joints.left_knee = {euler = [0, 70, 0]}
+others = "hold"
+
+# a remark before the last
+[[keyframe]]
+time = 1.0
+others = "rest"
+"""
+
+times = st.one_of(st.floats(-1, 3).map(lambda x: round(x, 3)), st.just(float("nan")))
+angles = st.one_of(st.floats(-180, 180), st.just(float("nan")), st.none(), st.just("free"), st.just("much"))
+keys = st.integers(-1, 5)
+deeds = st.one_of(
+    st.tuples(
+        st.just("move_keys"), st.fixed_dictionaries({"moves": st.lists(st.tuples(keys, times), min_size=1, max_size=3)})
+    ),
+    st.tuples(st.just("add_key"), st.fixed_dictionaries({"said": st.fixed_dictionaries({"time": times})})),
+    st.tuples(st.just("delete_keys"), st.fixed_dictionaries({"keys": st.lists(keys, min_size=1, max_size=3)})),
+    st.tuples(
+        st.just("set_joint"),
+        st.fixed_dictionaries({"key": keys, "joint": st.sampled_from(["left_hip", "spine"]), "value": angles}),
+    ),
+    st.tuples(
+        st.just("set_joint"),
+        st.fixed_dictionaries(
+            {"key": keys, "joint": st.just("left_hip"), "value": st.just({"rotvec": [1.0, -20.5, 0.25]})}
+        ),
+    ),
+    st.tuples(
+        st.just("set_root"),
+        st.fixed_dictionaries({"key": keys, "position": st.sampled_from([[0.1, 0, "free"], "free", [1, 2]])}),
+    ),
+    st.tuples(st.just("set_others"), st.fixed_dictionaries({"key": keys, "value": st.sampled_from(["free", "hold"])})),
+    st.tuples(
+        st.just("set_contact"), st.fixed_dictionaries({"point": st.just("left_heel"), "begin": times, "end": times})
+    ),
+    st.tuples(st.just("delete_bar"), st.fixed_dictionaries({"kind": st.just("contact"), "index": st.integers(0, 2)})),
+    st.tuples(
+        st.just("set_weight"),
+        st.fixed_dictionaries({"kind": st.sampled_from(["bend", "torque"]), "weight": st.sampled_from([None, 2.5, 0])}),
+    ),
+    st.tuples(st.just("add_obstacle"), st.fixed_dictionaries({"kind": st.sampled_from(["box", "step", "sphere"])})),
+    st.tuples(
+        st.just("delete_obstacle"),
+        st.fixed_dictionaries({"kind": st.sampled_from(["box", "step"]), "index": st.just(0)}),
+    ),
+    st.tuples(st.just("set_solve"), st.fixed_dictionaries({"option": st.just("frames"), "value": st.just(12)})),
+)
+
+
+def document(text=TEXT, folder=None):
+    from pathlib import Path
+
+    return Document("clip", text, folder or Path())
+
+
+def edited(found, name, said):
+    """An edit as a session does it."""
+    tree = found.tree()
+    words = EDITS[name](tree, **said)
+    text = tree.as_string()
+    found.commit(text, words)
+
+
+@settings(max_examples=120, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@given(st.lists(deeds, min_size=1, max_size=12))
+def test_undo_after_any_edits_gives_the_first_text_byte_for_byte(some):
+    found = document()
+    for name, said in some:
+        before = found.text
+        try:
+            edited(found, name, said)
+        except UserError:
+            assert found.text == before
+        tomllib.loads(found.text)
+    last = found.text
+    count = 0
+    while found.undone is not None:
+        found.undo()
+        count += 1
+    assert found.text == TEXT
+    for _ in range(count):
+        found.redo()
+    assert found.text == last
+    assert found.redone is None
+
+
+def test_comments_and_order_stay():
+    found = document()
+    edited(found, "move_keys", {"moves": [[1, 0.6]]})
+    edited(found, "set_joint", {"key": 0, "joint": "left_hip", "value": {"rotvec": [0, -60, 0]}})
+    edited(found, "set_root", {"key": 0, "position": [0.0, 0, 0.9]})
+    edited(found, "set_weight", {"kind": "bend", "weight": 3})
+    edited(found, "add_key", {"said": {"time": 0.8, "joints": {"spine": {"rotvec": [0, 5, 0]}}}})
+    wanted = [line.partition("#")[2] for line in TEXT.splitlines() if "#" in line]
+    got = [line.partition("#")[2] for line in found.text.splitlines() if "#" in line]
+    assert got == wanted
+    said = tomllib.loads(found.text)
+    assert [row["time"] for row in said["keyframe"]] == [0.0, 0.6, 0.8, 1.0]
+    assert said["keyframe"][0]["joints"]["left_hip"] == {"rotvec": [0, -60, 0]}
+    assert said["keyframe"][2]["joints"]["spine"] == {"rotvec": [0, 5, 0]}
+    assert said["penalty"] == [{"kind": "bend", "weight": 3}]
+
+
+@pytest.mark.parametrize(
+    ("name", "said", "words"),
+    [
+        ("move_keys", {"moves": [[1, 1.5]]}, "keyframes keep their order"),
+        ("move_keys", {"moves": [[0, float("nan")]]}, "finite number"),
+        ("move_keys", {"moves": [[7, 0.1]]}, "there is no keyframe 8 any more"),
+        ("add_key", {"said": {"time": 0.5}}, "already: keyframe 2"),
+        ("delete_keys", {"keys": [0, 1]}, "a clip needs two keyframes"),
+        ("set_joint", {"key": 0, "joint": "spine", "value": "NaN"}, "finite number"),
+        ("set_contact", {"point": "left_heel", "begin": 0.5, "end": 0.2}, "before it begins"),
+        ("delete_bar", {"kind": "contact", "index": 0}, "no contact 1"),
+        ("add_obstacle", {"kind": "cone"}, "no obstacle 'cone'; there are: step, box"),
+        ("add_obstacle", {"kind": "step"}, "there is a step already"),
+        ("paste_keys", {"copied": [], "at": 0.3}, "nothing has been copied"),
+        ("set_others", {"key": 0, "value": "all"}, "'free', 'rest' or 'hold'"),
+    ],
+)
+def test_nonsense_is_refused_in_words_and_changes_nothing(name, said, words):
+    found = document()
+    with pytest.raises(UserError) as error:
+        edited(found, name, said)
+    assert words in str(error.value)
+    assert found.text == TEXT
+    edited(found, "move_keys", {"moves": [[1, 0.7]]})
+    assert "time = 0.7" in found.text
+
+
+def test_contacts_go_along_with_the_keyframes_that_they_end_at():
+    found = document()
+    edited(found, "set_contact", {"point": "left_heel", "begin": 0.5, "end": 1.0})
+    edited(found, "move_keys", {"moves": [[1, 0.4]]})
+    (contact,) = tomllib.loads(found.text)["contact"]
+    assert (contact["from"], contact["to"]) == (0.4, 1.0)
+
+
+def test_what_is_not_saved_lies_beside_the_clip_until_it_is(tmp_path):
+    file = tmp_path / "clip.toml"
+    file.write_text(TEXT)
+    found = Document("clip", TEXT, tmp_path, file=file, saved=TEXT)
+    edited(found, "move_keys", {"moves": [[1, 0.6]]})
+    assert found.is_dirty
+    found.keep()
+    assert Document("clip", TEXT, tmp_path, file=file, saved=TEXT).kept() == found.text
+    found.save(file)
+    assert not found.is_dirty
+    assert file.read_text() == found.text
+    assert [path.name for path in tmp_path.iterdir()] == ["clip.toml"]
+    found.undo()  # across a save
+    assert found.text == TEXT
+    assert found.is_dirty
+
+
+@pytest.mark.parametrize("name", sorted(models.clips()))
+def test_every_shipped_clip_is_told_apart_and_put_together_again(name):
+    text = models.clip_text(name)
+    found = document(text)
+    assert found.tree().as_string() == text
+    row = found.tree_rows()[0]
+    edited(found, "move_keys", {"moves": [[0, row["time"] - 0.01]]})
+    assert tomllib.loads(found.text)["keyframe"][0]["time"] == pytest.approx(row["time"] - 0.01)
+    assert len(found.text.splitlines()) == len(text.splitlines())

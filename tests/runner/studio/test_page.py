@@ -1,0 +1,286 @@
+"""The studio in a browser, driven as a person would: edits, live paths, files; tabs, losses, keys that cross."""
+
+from __future__ import annotations
+
+import os
+import signal
+import time
+import tomllib
+
+import browser as browsers
+import psutil
+import pytest
+from browser import Studio, Tab
+
+from dynsplines import models
+
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.filterwarnings("ignore::ResourceWarning"),
+    pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning"),
+]
+
+
+@pytest.fixture(scope="module")
+def browser():
+    with browsers.opened() as found:
+        yield found
+
+
+@pytest.fixture(scope="module")
+def cache(tmp_path_factory):
+    """What one studio has solved, the next one does not solve again."""
+    folder, before = tmp_path_factory.mktemp("cache"), os.environ.get("DYNSPLINES_CACHE")
+    os.environ["DYNSPLINES_CACHE"] = str(folder)
+    yield folder
+    if before is None:
+        del os.environ["DYNSPLINES_CACHE"]
+    else:
+        os.environ["DYNSPLINES_CACHE"] = before
+
+
+def clip_in(folder):
+    file = folder / "run.toml"
+    file.write_text(models.clip_text("run_and_step"), encoding="utf-8")
+    return file
+
+
+def test_an_animators_afternoon(browser, cache, tmp_path):
+    file = clip_in(tmp_path)
+    first = file.read_text(encoding="utf-8")
+    with browsers.studio(tmp_path, "run.toml") as studio:
+        tab = Tab(browser, studio.address)
+        tab.settled()
+        page = tab.page
+
+        # the right foot's keyframe 10 cm up: the figure is taken by the foot and dragged
+        time_of = tomllib.loads(first)["keyframe"][4]["time"]
+        tab.seek(time_of)
+        tab.press("2")
+        tab.shown()
+        was = tab.look("studio.stage.placeOf(studio.model.stage.bodies.indexOf('left_foot'), [0,0,0]).toArray()")
+        x, y = tab.on_screen("left_foot", (0.0, 0, 0))
+        scale = y - tab.on_screen("left_foot", (0, 0, 0.1))[1]
+        frames = tab.look("studio.model.frames")
+        tab.changes(lambda: tab.drag((x, y), (x, y - abs(scale))))
+        tab.until(f"studio.model.frames > {frames + 2}")
+        tab.settled()
+        tab.shown()
+        now = tab.look("studio.stage.placeOf(studio.model.stage.bodies.indexOf('left_foot'), [0,0,0]).toArray()")
+        assert now[2] - was[2] == pytest.approx(0.1, abs=0.04)
+        lifted = tab.look("JSON.stringify(studio.model.document.keys)")
+
+        # a keyframe from the path; an arm of it freed on the timeline
+        tab.seek(1.0)
+        tab.changes(lambda: tab.press("k"))
+        keys = tab.look("studio.model.document.keys.map((key) => key.time)")
+        assert 1.0 in keys
+        tab.press("u")
+        limb = page.locator(f"[data-id='limbleft arm{keys.index(1.0)}']")
+        tab.changes(limb.dblclick)
+        page.locator(f"[data-id='limbleft arm{keys.index(1.0)}'].none").wait_for()
+        tab.press("u")
+
+        # undo twice, redo once
+        tab.changes(lambda: tab.press("Control+z"))
+        tab.changes(lambda: tab.press("Control+z"))
+        assert tab.look("JSON.stringify(studio.model.document.keys)") == lifted
+        tab.changes(lambda: tab.press("Control+Shift+z"))
+        assert 1.0 in tab.look("studio.model.document.keys.map((key) => key.time)")
+
+        # a contact, drawn over the timeline
+        row = page.locator("[data-point='left_toe']").bounding_box()
+        left, width = row["x"] + 188 + 16, row["width"] - 188 - 32
+        at = [left + t / 2.2 * width for t in (1.7, 2.0)]
+        tab.changes(lambda: tab.drag((at[0], row["y"] + 10), (at[1], row["y"] + 10)))
+        (contact,) = tab.look("studio.model.document.contacts")
+        assert contact["point"] == "left_toe"
+        assert contact["to"] - contact["from"] == pytest.approx(0.3, abs=0.05)
+
+        # what is wrong, read until nothing is: edits that went too far are taken back
+        tab.press("o")
+        for _ in range(6):
+            tab.settled()
+            if not tab.look("studio.model.flaws.length"):
+                break
+            page.locator("#panel-problems .flaws button").first.click()
+            assert tab.look("studio.model.time") is not None
+            tab.changes(lambda: tab.press("Control+z"))
+        assert page.locator("#nothing-wrong").is_visible()
+
+        # saved, and there again
+        tab.press("Control+s")
+        tab.until("!studio.model.document.dirty")
+        saved = file.read_text(encoding="utf-8")
+        assert saved != first
+        assert [line for line in first.splitlines() if "#" in line and line not in saved] == []
+        page.reload()
+        tab.until("window.studio !== undefined && studio.model.now !== null && studio.model.document !== null")
+        assert not tab.look("studio.model.document.dirty")
+        tab.settled()
+
+        # exported and rendered
+        page.locator("#files").click()
+        page.get_by_role("menuitem", name="Export").click()
+        page.locator("dialog select").select_option("bvh")
+        page.locator("dialog button.main").click()
+        tab.until(lambda: (tmp_path / "run.bvh").is_file())
+        assert (tmp_path / "run.bvh").read_text().startswith("HIERARCHY")
+        tab.until("document.getElementById('toast').textContent.includes('exported')")
+        page.locator("#files").click()
+        page.get_by_role("menuitem", name="Render").click()
+        page.locator("dialog input[aria-label='name of the film']").fill("sheet.png")
+        page.locator("dialog input[aria-label='size in pixels']").fill("160x90")
+        page.locator("dialog button.main").click()
+        tab.until(lambda: (tmp_path / "sheet.png").is_file(), 100)
+        assert tab.heard == []
+        assert all(url.startswith((studio.address.split("?")[0], "data:", "blob:")) for url in tab.asked)
+        page.close()
+
+
+def test_two_tabs_follow_each_other_and_work_survives_whatever_is_killed(browser, cache, tmp_path):
+    file = clip_in(tmp_path)
+    running = Studio(tmp_path, "run.toml")
+    one, two = Tab(browser, running.address), Tab(browser, running.address)
+    one.settled()
+    two.settled()
+    one.seek(1.3)
+    one.changes(lambda: one.press("k"))
+    two.until("studio.model.document.keys.length === 13")
+    two.changes(lambda: two.press("Control+z"))
+    one.until("studio.model.document.keys.length === 12")
+    one.changes(lambda: one.press("Control+Shift+z"))
+
+    # the process that solves is killed: another one goes on
+    one.settled()
+    (solver,) = [
+        child
+        for child in psutil.Process(running.process.pid).children()
+        if any("spawn_main" in word for word in child.cmdline())
+    ]
+    solver.kill()
+    one.until("document.getElementById('toast').textContent.includes('another one')")
+    one.settled()
+    one.seek(1.5)
+    one.changes(lambda: one.press("k"))
+    assert one.look("studio.model.document.keys.length") == 14
+
+    # a closed tab, a lost line
+    two.page.close()
+    one.page.context.set_offline(True)
+    one.page.context.set_offline(False)
+
+    # the server is killed: what was not saved is offered again
+    time.sleep(0.6)
+    running.end(signal.SIGKILL)
+    one.until("document.getElementById('state').textContent.includes('no line')")
+    assert file.read_text(encoding="utf-8") == models.clip_text("run_and_step")
+    with browsers.studio(tmp_path, "run.toml") as again:
+        tab = Tab(browser, again.address)
+        assert tab.look("studio.model.document.keys.length") == 12
+        assert tab.page.locator("#offer").is_visible()
+        tab.changes(tab.page.locator("#offer-take").click)
+        tab.until("studio.model.document.keys.length === 14")
+        tab.press("Control+s")
+        tab.until("!studio.model.document.dirty")
+        tab.page.close()
+    assert len(tomllib.loads(file.read_text(encoding="utf-8"))["keyframe"]) == 14
+    assert not [path for path in tmp_path.iterdir() if path.name.startswith(".")]
+    one.page.close()
+
+
+@pytest.fixture(scope="module")
+def tab(browser, cache, tmp_path_factory):
+    """A page of a studio that several tests share, each of which leaves the clip as it was."""
+    folder = tmp_path_factory.mktemp("shared")
+    clip_in(folder)
+    with browsers.studio(folder, "run.toml") as studio:
+        found = Tab(browser, studio.address)
+        found.settled()
+        yield found
+        found.page.close()
+
+
+REACH = """new Promise(done => {
+  const line = new WebSocket(location.href.replace('http', 'ws').replace('/?', '/line?'));
+  line.onopen = () => line.send(JSON.stringify({do: 'edit', id: 1, name: 'set_place', key: 2, site: 'left_hand',
+    position: [0, 0, 9]}));
+  line.onmessage = ({ data }) => {
+    if (typeof data !== 'string' || JSON.parse(data).is !== 'answer') return;
+    line.close();
+    done(JSON.parse(data)); } })"""
+
+
+def test_what_makes_no_sense_is_refused_in_words_and_loses_nothing(tab):
+    before, page = tab.look("JSON.stringify(studio.model.document.keys)"), tab.page
+    tab.seek(0.26)
+    time_field = page.get_by_label("time [s]")
+    for typed, words in (("0.5", "keep their order"), ("NaN", "finite"), ("", "finite"), ("-1", "order")):
+        time_field.fill(typed)
+        time_field.press("Enter")
+        tab.until(f"document.getElementById('toast').textContent.includes({words!r})")
+        assert page.locator("#toast").get_attribute("role") == "alert"
+        tab.look("void (document.getElementById('toast').textContent = '')")
+    field = page.get_by_label("left_knee x [degrees]")
+    field.fill("a lot")
+    field.press("Enter")
+    tab.until("document.getElementById('toast').textContent.includes('finite')")
+    answer = tab.look(REACH)
+    assert not answer["ok"]
+    assert "site 'left_hand' cannot move: every joint on the way to it is given" in answer["words"]
+    assert tab.look("JSON.stringify(studio.model.document.keys)") == before
+    assert not tab.look("studio.model.document.dirty")
+
+
+def test_everything_has_a_name_and_is_reached_by_the_keyboard(tab):
+    tab.seek(0.26)
+    nameless = tab.look(
+        """[...document.querySelectorAll('button, input, select, [role=slider]')].filter((each) =>
+        each.offsetParent && !(each.getAttribute('aria-label') || each.textContent.trim() || each.labels?.length ||
+        each.title)).length"""
+    )
+    assert nameless == 0
+    tab.page.bring_to_front()
+    tab.look("void document.getElementById('files').focus()")
+    seen = {"files"}
+    for _ in range(30):
+        tab.press("Tab")
+        seen.add(tab.look("document.activeElement.id || document.activeElement.dataset.id || ''"))
+    assert {"files", "go", "which", "views", "tab-pose"} <= seen
+    tab.look("void document.querySelector('[data-id=key3]').focus()")
+    tab.press("Enter")
+    assert tab.look("[...studio.model.keys]") == [3]
+    before = tab.look("studio.model.document.keys[3].time")
+    tab.changes(lambda: tab.press("Alt+ArrowRight"))
+    assert tab.look("studio.model.document.keys[3].time") == pytest.approx(before + 1 / 30, abs=1e-3)
+    tab.changes(lambda: tab.press("Control+z"))
+    tab.look("void document.activeElement.blur()")
+    tab.press("?")
+    assert tab.page.locator("dialog.help").is_visible()
+    tab.press("Escape")
+
+
+def test_it_fits_windows_of_any_size(tab):
+    for width, height in ((1280, 800), (2560, 1440), (420, 800), (900, 600)):
+        tab.page.set_viewport_size({"width": width, "height": height})
+        assert tab.look("document.documentElement.scrollWidth") <= width
+        assert tab.page.locator("#play").is_visible()
+
+
+def test_words_stand_out_from_what_is_behind_them_dark_and_light(tab):
+    """WCAG's AA: 4.5 : 1 between the colours of text and of what it stands on, 3 : 1 of marks."""
+    for _ in range(2):
+        tab.page.locator("#theme").click()
+        for low in ("panel", "raised", "back"):
+            for high in ("ink", "soft", "accent", "key", "bad", "good"):
+                assert tab.look(contrast(f"--{high}", f"--{low}")) >= (4.5 if high in ("ink", "soft") else 3.0), high
+        assert tab.look(contrast("--on-accent", "--accent")) >= 4.5
+
+
+def contrast(high: str, low: str) -> str:
+    return f"""(() => {{ const s = getComputedStyle(document.documentElement);
+      const l = (name) => {{ const hex = s.getPropertyValue(name).trim().slice(1);
+        const c = [0, 2, 4].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255)
+          .map((v) => v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4);
+        return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }};
+      const [a, b] = [l('{high}'), l('{low}')].sort((x, y) => y - x); return (a + 0.05) / (b + 0.05); }})()"""

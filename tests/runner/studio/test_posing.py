@@ -1,0 +1,118 @@
+"""The pose that follows a drag: the point goes where the mouse is, knees and elbows bend, soles that stand stay."""
+
+from __future__ import annotations
+
+import time
+
+import mujoco
+import numpy as np
+import pytest
+
+from dynsplines.clip import load as clips
+from dynsplines.errors import UserError
+from dynsplines.solver.posing import entries, limb
+from dynsplines.studio.posing import Poser
+
+
+@pytest.fixture(scope="module")
+def clip():
+    return clips.load("run_and_step")
+
+
+@pytest.fixture(scope="module")
+def poser(clip):
+    whole = np.array([key.state for key in clip.keys if key.is_key])
+    return Poser(clip.figure, [], whole)
+
+
+def placed(model, qpos):
+    data = mujoco.MjData(model)
+    data.qpos[:] = qpos
+    mujoco.mj_kinematics(model, data)
+    return data
+
+
+def test_a_hand_within_reach_moves_its_arm_alone(clip, poser):
+    model, home = clip.figure.model, np.array(clip.keys[-1].state)
+    body = model.body("left_forearm").id
+    goal = placed(model, home).site("left_hand").xpos + np.array([0.25, 0.05, 0.2])
+    grip = poser.gripped(home, body, model.site("left_hand").pos)
+    found = poser.pulled(grip, goal, home)
+    for _ in range(4):
+        found = poser.pulled(grip, goal, found.qpos)
+    np.testing.assert_allclose(placed(model, found.qpos).site("left_hand").xpos, goal, atol=2e-3)
+    arm = np.zeros(model.nq, bool)
+    for link in limb(clip.figure, body):
+        arm[entries(clip.figure, link)] = True
+    np.testing.assert_array_equal(found.qpos[~arm], home[~arm])
+    assert set(poser.said(found.qpos, home)["joints"]) <= {"left_shoulder", "left_elbow"}
+
+
+def test_a_hand_out_of_reach_takes_the_figure_along_but_for_its_soles(clip, poser):
+    model, home = clip.figure.model, np.array(clip.keys[-1].state)
+    body = model.body("left_forearm").id
+    before = placed(model, home)
+    goal = np.array([before.xpos[body][0] + 0.35, before.xpos[body][1], before.xpos[body][2] - 0.35])
+    grip = poser.gripped(home, body, np.zeros(3))
+    assert {each.name for each in grip.planted} == {"left_heel", "left_toe", "right_heel", "right_toe"}
+    last = home
+    for _ in range(6):
+        found = poser.pulled(grip, goal, last)
+        last = found.qpos
+    after = placed(model, last)
+    np.testing.assert_allclose(after.xpos[body], goal, atol=0.01)
+    for name in ("left_heel", "left_toe", "right_heel", "right_toe"):
+        np.testing.assert_allclose(after.site(name).xpos, before.site(name).xpos, atol=0.01)
+    assert after.xpos[1][2] < before.xpos[1][2]  # it crouched
+
+
+def test_the_pelvis_goes_down_and_knees_bend_forward(clip, poser):
+    model, home = clip.figure.model, np.array(clip.keys[-1].state)
+    pelvis = model.body("pelvis").id
+    before = placed(model, home)
+    grip = poser.gripped(home, pelvis, np.zeros(3))
+    last = home
+    for _ in range(4):
+        found = poser.pulled(grip, before.xpos[pelvis] - [0, 0, 0.25], last)
+        last = found.qpos
+    after = placed(model, last)
+    assert after.xpos[pelvis][2] == pytest.approx(before.xpos[pelvis][2] - 0.25, abs=5e-3)
+    for side in ("left", "right"):
+        assert after.body(f"{side}_shin").xpos[0] > before.body(f"{side}_shin").xpos[0]
+        np.testing.assert_allclose(after.site(f"{side}_toe").xpos, before.site(f"{side}_toe").xpos, atol=5e-3)
+
+
+def test_places_that_nobody_reaches_are_come_near_to_in_bounded_time(clip, poser):
+    home = np.array(clip.keys[-1].state)
+    grip = poser.gripped(home, clip.figure.model.body("right_foot").id, np.zeros(3))
+    begin = time.perf_counter()
+    found = poser.pulled(grip, np.array([0.0, 0, 30.0]), home)
+    assert time.perf_counter() - begin < 2.0
+    assert np.isfinite(found.qpos).all()
+    assert found.worst > 1
+    for link in clip.figure.links[1:]:
+        limited = clip.figure.model.jnt_limited[link.joint] and link.kind.name == "BALL"
+        if limited:
+            turn = 2 * np.arccos(np.clip(abs(found.qpos[link.qpos]), 0, 1))
+            assert turn <= clip.figure.model.jnt_range[link.joint, 1] + 0.1
+
+
+def test_a_joint_turns_about_an_axis_of_the_world(clip, poser):
+    model, home = clip.figure.model, np.array(clip.keys[0].state)
+    half = np.radians(20) / 2
+    turned = poser.turned(home, "left_shoulder", [np.cos(half), 0, np.sin(half), 0])
+    before, after = (placed(model, each).body("left_upper_arm").xmat.reshape(3, 3) for each in (home, turned))
+    about = np.array([[np.cos(2 * half), 0, np.sin(2 * half)], [0, 1, 0], [-np.sin(2 * half), 0, np.cos(2 * half)]])
+    np.testing.assert_allclose(after, about @ before, atol=1e-9)
+    with pytest.raises(UserError, match="left_knee"):
+        poser.turned(home, "left_kne", [1, 0, 0, 0])
+
+
+def test_what_a_pose_says_is_that_pose(clip, poser):
+    home, other = np.array(clip.keys[0].state), np.array(clip.keys[3].state)
+    said = poser.said(other, home)
+    assert set(said) == {"joints", "root"}
+    row = {"time": 0.0, **said}
+    table = clips.ClipTable.model_validate({"figure": "human", "keyframe": [row]})
+    key = clips._key(clip.figure, table.keyframe[0], None, (), "here")
+    np.testing.assert_allclose(key.state[key.fixed], other[key.fixed], atol=2e-5)

@@ -1,0 +1,184 @@
+"""Who may speak to the studio: the token, Host and Origin; files of the clip's folder and no others."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import warnings
+
+import pytest
+
+with warnings.catch_warnings():  # of one version's preference for another client library
+    warnings.simplefilter("ignore")
+    from starlette.testclient import TestClient
+from starlette.websockets import WebSocketDisconnect
+
+from dynsplines.errors import UserError
+from dynsplines.studio import files, start
+from dynsplines.studio.document import Document
+from dynsplines.studio.server import Door, application
+from dynsplines.studio.session import Session
+
+TOKEN = "a token that nobody guesses"
+HOST = "127.0.0.1:4711"
+ORIGIN = f"http://{HOST}"
+
+
+@pytest.fixture
+def session(tmp_path):
+    return Session(Document("clip", 'figure = "human"\n', tmp_path))
+
+
+@pytest.fixture
+def client(session):
+    app = application(session, Door(TOKEN, frozenset({HOST, "localhost:4711"})))
+    return TestClient(app, base_url=ORIGIN)  # without its life: no process is begun
+
+
+def test_the_page_is_there_for_who_has_the_token(client):
+    found = client.get("/", params={"token": TOKEN})
+    assert found.status_code == 200
+    assert "<title>dynsplines studio</title>" in found.text
+    assert "default-src 'none'" in found.headers["content-security-policy"]
+    assert client.get("/studio.js").status_code == 200
+    assert client.get("/studio.css").status_code == 200
+
+
+@pytest.mark.parametrize("token", ["", "another", TOKEN[:-1], TOKEN + "x", "ä"])
+def test_without_the_token_there_is_nothing(client, token):
+    assert client.get("/", params={"token": token}).status_code == 403
+    with (
+        pytest.raises(WebSocketDisconnect) as closed,
+        client.websocket_connect(f"/line?token={token}", headers={"host": HOST, "origin": ORIGIN}),
+    ):
+        pass
+    assert closed.value.code == 4403
+
+
+@pytest.mark.parametrize(
+    "host", ["evil.example", "evil.example:4711", "127.0.0.1", "127.0.0.1:4712", "127.0.0.1.nip.io"]
+)
+def test_a_name_that_somebody_gave_this_machine_is_not_heeded(client, host):
+    for path in ("/", "/studio.js"):
+        assert client.get(path, params={"token": TOKEN}, headers={"host": host}).status_code == 403
+    with (
+        pytest.raises(WebSocketDisconnect),
+        client.websocket_connect(f"/line?token={TOKEN}", headers={"host": host, "origin": f"http://{host}"}),
+    ):
+        pass
+
+
+@pytest.mark.parametrize("origin", ["http://evil.example", "https://evil.example:4711", "null", "http://127.0.0.1:80"])
+def test_another_page_in_the_same_browser_is_not_heeded(client, origin):
+    assert client.get("/", params={"token": TOKEN}, headers={"origin": origin}).status_code == 403
+    with (
+        pytest.raises(WebSocketDisconnect),
+        client.websocket_connect(f"/line?token={TOKEN}", headers={"host": HOST, "origin": origin}),
+    ):
+        pass
+
+
+def test_a_line_needs_an_origin(client):
+    with pytest.raises(WebSocketDisconnect), client.websocket_connect(f"/line?token={TOKEN}", headers={"host": HOST}):
+        pass
+
+
+@pytest.mark.parametrize("path", ["/sources.txt", "/../pyproject.toml", "/%2e%2e/document.py", "/index.html", "/a/b"])
+def test_nothing_else_is_served(client, path):
+    assert client.get(path, params={"token": TOKEN}).status_code == 404
+
+
+def answers(client, *asked):
+    """What the line answers."""
+    with client.websocket_connect(f"/line?token={TOKEN}", headers={"host": HOST, "origin": ORIGIN}) as line:
+        found = []
+        for number, message in enumerate(asked):
+            line.send_text(json.dumps({"id": number, **message}))
+            while (told := json.loads(line.receive_text()))["is"] != "answer":
+                pass
+            found.append(told)
+        return found
+
+
+OUTSIDE = [
+    "../clip.toml",
+    "/etc/passwd.toml",
+    "a/b.toml",
+    "..",
+    ".hidden.toml",
+    "a\\b.toml",
+    "nul\0.toml",
+    "",
+    "x" * 200,
+]
+
+
+@pytest.mark.parametrize("name", OUTSIDE)
+def test_no_file_outside_the_clips_folder_is_read_or_written(client, session, tmp_path, name):
+    (tmp_path.parent / "clip.toml").write_text("secret")
+    for told in answers(
+        client,
+        {"do": "save", "name": name},
+        {"do": "open", "name": name},
+        {"do": "export", "to": "bvh", "name": name},
+        {"do": "render", "name": name},
+    ):
+        assert not told["ok"]
+        assert "clip's folder" in told["words"] or "plain name" in told["words"], told
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_link_that_leads_out_of_the_folder_is_not_followed(tmp_path):
+    inner = tmp_path / "inner"
+    inner.mkdir()
+    (tmp_path / "there.toml").write_text("")
+    (inner / "link.toml").symlink_to(tmp_path / "there.toml")
+    with pytest.raises(UserError, match="outside"):
+        files.inside(inner, "link.toml")
+
+
+def test_a_file_is_not_replaced_unless_somebody_says_so(client, session, tmp_path):
+    (tmp_path / "there.toml").write_text("theirs")
+    refused, saved, replaced = answers(
+        client,
+        {"do": "save", "name": "there.toml"},
+        {"do": "save", "name": "new"},
+        {"do": "save", "name": "there.toml", "overwrite": True},
+    )
+    assert "is there already" in refused["words"]
+    assert saved["words"] == "saved new.toml"
+    assert (tmp_path / "new.toml").read_text() == 'figure = "human"\n'
+    assert replaced["ok"]
+
+
+def test_what_the_studio_does_not_know_is_answered_in_words(client):
+    told = answers(
+        client, {"do": "format"}, {"do": "edit", "name": "rm"}, {"do": "edit"}, {"do": "grip"}, {"do": "undo", "x": 1}
+    )
+    assert [each["ok"] for each in told] == [False] * 5
+    assert "does not know how" in told[0]["words"]
+    assert "no edit 'rm'" in told[1]["words"]
+
+
+def test_another_host_needs_leave_and_says_what_it_means():
+    start.check_host("127.0.0.1", allow_remote=False)
+    start.check_host("::1", allow_remote=False)
+    start.check_host("0.0.0.0", allow_remote=True)
+    for host in ("0.0.0.0", "192.168.1.5", "example.org"):
+        with pytest.raises(UserError, match=r"other machines could reach .* --allow-remote"):
+            start.check_host(host, allow_remote=False)
+
+
+def test_a_port_that_is_taken_is_told(tmp_path):
+    import socket
+
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        taken.listen()
+        with pytest.raises(UserError, match="--port"):
+            start._bound("127.0.0.1", taken.getsockname()[1])
+
+
+def test_undo_with_nothing_to_undo_is_refused(session):
+    with pytest.raises(UserError, match="nothing to undo"):
+        asyncio.run(session.undo())

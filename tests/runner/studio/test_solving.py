@@ -1,0 +1,139 @@
+"""The process that solves, without a process: texts in, keyframes, paths and verdicts out."""
+
+from __future__ import annotations
+
+import json
+import struct
+
+import numpy as np
+import pytest
+import tiny
+
+from dynsplines.studio import paths
+from dynsplines.studio.solving import Work
+
+
+class Line:
+    """Keeps what is sent."""
+
+    def __init__(self):
+        self.sent = []
+
+    def send(self, message):
+        self.sent.append(message)
+
+    def taken(self):
+        found, self.sent = self.sent, []
+        return found
+
+
+@pytest.fixture
+def work(tmp_path):
+    tiny.written(tmp_path)
+    return Work(Line())
+
+
+def load(work, folder, text, revision=0, *, first=False, go=True):
+    work.do(
+        {
+            "do": "load", "text": text, "name": "tiny", "place": "tiny.toml", "folder": str(folder),
+            "revision": revision, "go": go, "first": first,
+        }
+    )  # fmt: skip
+    return work.line.taken()
+
+
+def test_a_text_becomes_a_figure_keyframes_better_and_better_paths_and_a_verdict(work, tmp_path):
+    told = load(work, tmp_path, tiny.CLIP, first=True)
+    assert [each["is"] for each in told][:2] == ["stage", "loaded"]
+    assert told[-1]["is"] == "settled"
+    stage = json.loads(told[0]["stage"])
+    assert [joint["name"] for joint in stage["joints"]] == ["root", "left_knee"]
+    loaded = told[1]
+    assert loaded["outline"]["keys"][1]["joints"]["left_knee"] == {"rotvec": (0, 40, 0)}
+    assert [all(key["fixed"]) for key in loaded["keys"]] == [True, False, True]
+    kinds = [each["kind"] for each in told if each["is"] == "path"]
+    assert kinds.count("raw") == 1
+    assert set(kinds) == {"raw", "found"}
+    values = [each["value"] for each in told if each["is"] == "path" and "value" in each]
+    assert values == sorted(values, reverse=True)
+
+
+def test_an_edited_keyframe_is_solved_on_from_the_present_path(work, tmp_path):
+    load(work, tmp_path, tiny.CLIP, first=True)
+    text = tiny.CLIP.replace("[0, 40, 0]", "[0, 44, 0]")
+    told = load(work, tmp_path, text, 1)
+    assert "stage" not in {each["is"] for each in told}  # the figure is the same
+    kinds = [each["kind"] for each in told if each["is"] == "path"]
+    assert kinds[0] == "carried"
+    assert kinds.count("raw") == 1
+    again = load(work, tmp_path, tiny.CLIP, 2)  # undone: as it was found before
+    first = next(each for each in again if each["is"] == "path" and each["kind"] == "carried")
+    assert first["timeline"].times.size == work.seen[tiny.CLIP].times.size
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ("time = 0.2", "time = 0.9", "times must rise"),
+        ("[0, 40, 0]", "[0, nan, 0]", "finite number"),
+        ("left_knee = {rotvec = [0, 40", "left_kne = {rotvec = [0, 40", "no joint 'left_kne'"),
+        ("fps = 20", "fps = 20\n[", "not valid TOML"),
+    ],
+)
+def test_a_text_that_is_no_clip_is_refused_in_words_and_the_last_one_stays(work, tmp_path, old, new, words):
+    load(work, tmp_path, tiny.CLIP, first=True)
+    before = work.found
+    told = load(work, tmp_path, tiny.CLIP.replace(old, new), 1)
+    assert [each["is"] for each in told] == ["refused"]
+    assert words in told[0]["words"]
+    assert work.found is before
+    assert load(work, tmp_path, tiny.CLIP, 2)[-1]["is"] == "settled"
+
+
+def test_nothing_is_searched_while_it_is_stopped(work, tmp_path):
+    told = load(work, tmp_path, tiny.CLIP, first=True, go=False)
+    assert [each["kind"] for each in told if each["is"] == "path"] == ["carried", "raw"]
+    assert told[-1]["stop"] == "paused"
+    work.do({"do": "go"})
+    assert "found" in {each.get("kind") for each in work.line.taken()}
+
+
+def test_a_path_is_told_as_poses_of_every_body(work, tmp_path):
+    told = load(work, tmp_path, tiny.CLIP, first=True)
+    data = next(each for each in told if each["is"] == "path")["data"]
+    (size,) = struct.unpack("<I", data[:4])
+    head = json.loads(data[4 : 4 + size])
+    assert (4 + size) % 4 == 0
+    numbers = np.frombuffer(data[4 + size :], "<f4")
+    count, bodies = head["count"], head["bodies"]
+    assert numbers.size == count * (bodies * 7 + 3)
+    turns = numbers[3 * count * bodies : 7 * count * bodies].reshape(-1, 4)
+    np.testing.assert_allclose(np.linalg.norm(turns, axis=1), 1, atol=1e-5)
+    assert head["first"] == 0
+    assert head["count"] == round(head["last"] * head["rate"]) + 1
+    assert paths.rate_of(600) * 600 <= paths.MOST_SAMPLES
+
+
+def test_curves_are_of_joints_feet_and_terms(work, tmp_path):
+    load(work, tmp_path, tiny.CLIP, first=True)
+    work.do({"do": "curves", "on": True})
+    (told,) = work.line.taken()
+    groups = {group["name"]: group for group in told["curves"]["groups"]}
+    assert set(groups) == {"angle", "speed", "height of feet", "torque", "E by segment"}
+    knee = next(each for each in groups["angle"]["series"] if each["name"] == "left_knee")
+    at = told["curves"]["time"].index(min(told["curves"]["time"], key=lambda t: abs(t - 0.2)))
+    assert knee["after"][at] == pytest.approx(40, abs=1)
+    assert len(knee["after"]) == len(told["curves"]["time"])
+    assert groups["E by segment"]["series"][0]["name"] == "all"
+
+
+def test_the_present_motion_is_kept_for_what_is_made_of_it(work, tmp_path):
+    from dynsplines import motion
+
+    work.do({"do": "keep", "file": str(tmp_path / "none.npz")})
+    assert work.line.taken()[0]["is"] == "refused"
+    load(work, tmp_path, tiny.CLIP, first=True)
+    work.do({"do": "keep", "file": str(tmp_path / "now.npz")})
+    assert work.line.taken()[0]["is"] == "kept"
+    assert motion.load(tmp_path / "now.npz").timeline.times.size == work.found.timeline.times.size

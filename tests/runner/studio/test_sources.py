@@ -1,0 +1,74 @@
+"""What can be opened: shipped clips, files, models, motions and recordings, each as a clip's text."""
+
+from __future__ import annotations
+
+import tomllib
+
+import pytest
+import tiny
+
+from dynsplines import models, motion
+from dynsplines.clip import load as clips
+from dynsplines.errors import UserError
+from dynsplines.studio.sources import opened
+
+
+def test_a_shipped_clip_has_no_file_and_nothing_to_save(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    found = opened("run_and_step")
+    assert found.text == models.clip_text("run_and_step")
+    assert found.file is None
+    assert not found.is_dirty
+    assert found.folder == tmp_path
+
+
+def test_a_file_is_opened_as_it_is(tmp_path):
+    file = tiny.written(tmp_path)
+    found = opened(str(file))
+    assert (found.text, found.file, found.folder) == (tiny.CLIP, file.resolve(), tmp_path.resolve())
+    assert not found.is_dirty
+
+
+def test_a_model_becomes_a_clip_to_begin_with(tmp_path):
+    tiny.written(tmp_path)
+    found = opened(str(tmp_path / "tiny.xml"))
+    assert found.is_dirty
+    assert found.folder == tmp_path.resolve()
+    clip = clips.from_text(found.text, name="tiny", folder=found.folder)
+    assert len(clip.keys) >= 2
+
+
+def test_a_solved_motion_is_its_clip_again(motion_file):
+    found = opened(str(motion_file))
+    assert found.text == tiny.CLIP
+    assert found.is_dirty
+
+
+def test_what_was_recorded_is_followed_by_a_clip_whose_keyframes_edit_it(saved, tmp_path):
+    from dataclasses import replace
+
+    recorded = replace(saved, text="", search={}, timeline=saved.raw)
+    motion.save(recorded, tmp_path / "walk.npz")
+    found = opened(str(tmp_path / "walk.npz"))
+    said = tomllib.loads(found.text)
+    assert said["recording"]["file"] == "walk.npz"
+    assert said["figure"] == "walk.xml"
+    assert (tmp_path / "walk.xml").read_text() == saved.mjcf
+    clip = clips.from_text(found.text, name="walk", folder=found.folder)
+    assert clip.keys[-1].time == pytest.approx(saved.keys[-1].time, abs=0.01)
+    assert opened(str(tmp_path / "walk.npz")).text == found.text  # and once more
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("nowhere.toml", "no file 'nowhere.toml'; open a clip (.toml), a model (.xml)"),
+        ("run_and_stp", "run_and_step"),
+        (".", "is a folder; open"),
+    ],
+)
+def test_what_is_not_there_is_told_with_what_could_be(tmp_path, monkeypatch, name, words):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(UserError) as error:
+        opened(name)
+    assert words in str(error.value)

@@ -1,0 +1,114 @@
+"""A path carried over to keyframes that were edited: through all of them, as it was where nothing was, searched on."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from dynsplines.clip import load as clips
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.inbetween import inbetween, resumed
+from dynsplines.solver.refine.carried import carried
+from dynsplines.solver.refine.cut import Cut
+
+
+@pytest.fixture(scope="module")
+def clip():
+    return clips.load("run_and_step")
+
+
+@pytest.fixture(scope="module")
+def found(clip):
+    return inbetween(replace(clip.problem, settings=replace(clip.settings, max_evaluations=6, frames=0)))
+
+
+def met(figure, timeline, keys):
+    """How far a path misses what keyframes fix, rotations by either quaternion."""
+    qpos = figure.to_qpos(path_of(timeline).at(np.array([key.time for key in keys])))
+    worst = 0.0
+    for pose, key in zip(qpos, keys, strict=True):
+        state = np.array(key.state)
+        for columns in figure.tables.quaternion_columns.T:
+            state[columns] *= np.sign(state[columns] @ pose[columns]) / np.linalg.norm(state[columns])
+        worst = max(worst, float(np.abs(pose - state)[key.fixed].max(initial=0.0)))
+    return worst
+
+
+def edited(clip, name):
+    keys = list(clip.keys)
+    if name == "moved":
+        state = np.array(keys[3].state)
+        state[2] += 0.05
+        keys[3] = replace(keys[3], state=state)
+    elif name == "later":
+        keys[3] = replace(keys[3], time=keys[3].time + 0.04)
+    elif name == "less":
+        del keys[4]
+    elif name == "more":
+        half = Frame.key(0.3, 0.5 * (keys[2].state + keys[3].state))
+        keys.insert(3, half)
+    elif name == "free":
+        fixed = np.array(keys[5].fixed)
+        fixed[7:11] = False
+        keys[5] = replace(keys[5], fixed=fixed)
+    return keys
+
+
+@pytest.mark.parametrize("name", ["same", "moved", "later", "less", "more", "free"])
+def test_it_runs_through_every_keyframe(clip, found, name):
+    keys = edited(clip, name)
+    problem = replace(clip.problem, keys=keys)
+    begin = carried(clip.figure, found.timeline, clip.keys, keys, problem.raw)
+    assert met(clip.figure, begin, keys) < 1e-9
+    assert begin.variable_count >= len(keys) - 1
+
+
+def test_where_nothing_was_edited_it_is_the_path_that_was_found(clip, found):
+    begin = carried(clip.figure, found.timeline, clip.keys, clip.keys, clip.problem.raw)
+    t = np.linspace(0.0, 2.2, 60)
+    a, b = (clip.figure.to_qpos(path_of(line).at(t)) for line in (found.timeline, begin))
+    for columns in clip.figure.tables.quaternion_columns.T:
+        b[:, columns] *= np.sign(np.einsum("ij,ij->i", a[:, columns], b[:, columns]))[:, None]
+    np.testing.assert_allclose(a, b, atol=1e-3)  # quaternions at keyframes are of length one again
+
+
+def test_far_from_a_small_edit_it_stays_as_it_was(clip, found):
+    keys = edited(clip, "moved")
+    begin = carried(clip.figure, found.timeline, clip.keys, keys, replace(clip.problem, keys=keys).raw)
+    t = np.linspace(1.7, 2.2, 20)
+    height = [path_of(line).at(t)[:, 2] for line in (found.timeline, begin)]
+    np.testing.assert_allclose(height[0], height[1], atol=1e-5)
+
+
+@pytest.mark.slow
+def test_a_search_goes_on_from_it_and_keeps_what_an_edit_does_not_reach(clip, found):
+    keys = edited(clip, "moved")
+    problem = replace(clip.problem, keys=keys, settings=replace(clip.settings, max_evaluations=4, frames=0))
+    begin = carried(clip.figure, found.timeline, clip.keys, keys, problem.raw)
+    seen = []
+    solution = resumed(problem, begin, between=(keys[2].time, keys[4].time), improved=seen.append)
+    values = [each.value for each in seen]
+    assert values == sorted(values, reverse=True)
+    assert len(values) > 1
+    assert met(clip.figure, solution.timeline, keys) < 1e-9
+    assert met(clip.figure, seen[0].build(), keys) < 1e-9
+    objective = problem.objective
+    assert objective.value(path_of(solution.timeline)) < objective.value(path_of(begin))
+    late = begin.times > 1.2
+    at = np.isin(solution.timeline.times, begin.times[late])
+    np.testing.assert_array_equal(solution.timeline.states[at], begin.states[late])
+
+
+def test_a_cut_is_none_where_an_edit_reaches_nearly_all(clip, found):
+    times = np.array([key.time for key in clip.keys])
+    assert Cut.about(found.timeline, times, (0.0, 2.2)) is None
+    cut = Cut.about(found.timeline, times, (float(times[1]), float(times[2])))
+    assert cut is not None
+    assert cut.part.times[0] == 0.0
+    assert cut.part.times[-1] < 2.2
+    whole = cut.around(found.timeline)(cut.part)
+    np.testing.assert_array_equal(whole.times, found.timeline.times)
+    np.testing.assert_array_equal(whole.states, found.timeline.states)

@@ -1,0 +1,156 @@
+"""A browser without windows, and what a person does with it; tests that need it skip where there is none."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+FLAGS = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+COMMAND = "import sys; from dynsplines.start import main; sys.argv[0] = 'dynsplines'; main()"
+
+
+def chromium() -> str:
+    """Debian's, or whatever is called so; skips the test where there is none."""
+    pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
+    found = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+    if found is None:
+        pytest.skip("no chromium on this machine")
+    return found
+
+
+@contextmanager
+def opened() -> Iterator[Any]:
+    """The browser."""
+    from playwright.sync_api import sync_playwright
+
+    where = chromium()
+    with sync_playwright() as play:
+        browser = play.chromium.launch(executable_path=where, args=FLAGS)
+        yield browser
+        browser.close()
+
+
+class Studio:
+    """The command, running in a folder."""
+
+    def __init__(self, folder: Path, *words: str) -> None:
+        self.folder, self.words = folder, words
+        command = [sys.executable, "-c", COMMAND, "studio", *words, "--no-browser"]
+        environment = {**os.environ, "OMP_NUM_THREADS": "1"}
+        self.process = subprocess.Popen(
+            command, cwd=folder, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        )
+        assert self.process.stdout is not None
+        self.address = self.process.stdout.readline().strip()
+        assert re.fullmatch(r"http://127\.0\.0\.1:\d+/\?token=\S+", self.address), self.address
+
+    def end(self, number: int = signal.SIGINT) -> str:
+        """Stopped, as by Ctrl-C; what it says on its way."""
+        if self.process.poll() is None:
+            self.process.send_signal(number)
+        try:
+            _, said = self.process.communicate(timeout=20)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            _, said = self.process.communicate()
+            raise
+        return said
+
+
+@contextmanager
+def studio(folder: Path, *words: str) -> Iterator[Studio]:
+    """The command, ended with the block."""
+    running = Studio(folder, *words)
+    try:
+        yield running
+    finally:
+        running.end()
+
+
+class Tab:
+    """A page of the studio, and what it asked for or complained of."""
+
+    def __init__(self, browser: Any, address: str, width: int = 900, height: int = 600) -> None:
+        self.page = browser.new_page(viewport={"width": width, "height": height})
+        self.page.set_default_timeout(60_000)
+        self.heard: list[str] = []
+        self.asked: list[str] = []
+        self.page.on("request", lambda request: self.asked.append(request.url))
+        self.page.on("pageerror", lambda error: self.heard.append(str(error)))
+        self.page.on("console", lambda message: self.heard.append(message.text) if message.type == "error" else None)
+        self.page.goto(address)
+        self.until("window.studio !== undefined && studio.model.stage !== null && studio.model.now !== null")
+
+    def look(self, what: str) -> Any:
+        return self.page.evaluate(what)
+
+    def until(self, condition: str | Callable[[], bool], seconds: float = 60.0) -> None:
+        """Waits until it is so; asked from outside, for the page forbids itself to evaluate text."""
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            if condition() if callable(condition) else self.look(condition):
+                return
+            time.sleep(0.03)
+        raise AssertionError(f"never: {condition}; {self.look('JSON.stringify(studio.model.status)')} {self.heard}")
+
+    def settled(self, revision: int | None = None) -> None:
+        """Until the search has come to its end."""
+        at = "" if revision is None else f" && studio.model.document.revision === {revision}"
+        self.until(f"studio.model.status.state === 'settled'{at}")
+
+    @property
+    def revision(self) -> int:
+        return int(self.look("studio.model.document.revision"))
+
+    def changes(self, deed: Callable[[], object]) -> None:
+        """Does something, and waits until the document has changed and its path is on the page."""
+        before = self.revision
+        deed()
+        now = "studio.model.document.revision"
+        self.until(f"{now} !== {before} && studio.model.loaded.revision === {now}")
+
+    def press(self, keys: str) -> None:
+        self.page.keyboard.press(keys)
+
+    def seek(self, time: float) -> None:
+        self.look(f"studio.model.seek({time})")
+        self.shown()
+
+    def shown(self) -> None:
+        """Until an image has been drawn since."""
+        self.look("void studio.stage.draw()")
+        images = int(self.look("studio.stage.images"))
+        self.until(f"studio.stage.images > {images}")
+
+    def words(self) -> str:
+        return str(self.page.locator("#toast").inner_text())
+
+    def on_screen(self, body: str, offset: tuple[float, float, float] = (0, 0, 0)) -> tuple[float, float]:
+        """[px] where a point of a body is seen."""
+        x, y = self.look(
+            f"""(() => {{ const s = studio.stage, i = studio.model.stage.bodies.indexOf('{body}');
+            const p = s.placeOf(i, {list(offset)}).project(s.camera), b = s.canvas.getBoundingClientRect();
+            return [b.left + (p.x + 1) / 2 * b.width, b.top + (1 - p.y) / 2 * b.height]; }})()"""
+        )
+        return float(x), float(y)
+
+    def drag(self, begin: tuple[float, float], end: tuple[float, float], steps: int = 6) -> None:
+        mouse = self.page.mouse
+        mouse.move(*begin)
+        mouse.down()
+        for i in range(1, steps + 1):
+            share = i / steps
+            mouse.move(begin[0] + share * (end[0] - begin[0]), begin[1] + share * (end[1] - begin[1]))
+            time.sleep(0.03)
+        mouse.up()
