@@ -295,6 +295,9 @@ class Work:
         from ..measure.problems import plain, problems
 
         wrong = problems(clip, found.timeline, found.raw)
+        if not self._has_told:
+            self._has_told = True
+            self._tell("formats", **formats())
         self._tell(
             "settled", revision=self.revision, stop=stop, problems=plain(wrong), frames=found.timeline.times.tolist()
         )
