@@ -16,6 +16,7 @@ from ..errors import UserError
 from ..system.output import Replacement
 from .edits.tables import Blocks
 
+FILMS = (".mp4", ".webm", ".gif", ".png")  # endings of what is rendered
 Packed = tuple[str, bytes]  # what was done, and the text before it or after it, compressed
 
 

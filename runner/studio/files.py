@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import json
 import re
 import sys
 import tempfile
@@ -13,13 +12,13 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import UserError
+from .document import FILMS
 from .session import Session
 
 MOST_NAME = 120  # characters of a file's name
 MOST_LISTED = 200  # files of a folder that are shown
 PLAIN = re.compile(r"[^/\\\0:*?\"<>|]+")
 OPENED = (".toml", ".xml", ".npz", ".bvh", ".csv", ".pkl", ".npy")
-FILMS = (".mp4", ".webm", ".gif", ".png")
 COMMAND = "import sys; from dynsplines.start import main; sys.argv[0] = 'dynsplines'; main()"
 
 
@@ -139,11 +138,3 @@ class Files:
 
 def _ended(name: str, ending: str) -> str:
     return name if name.lower().endswith(ending) else f"{name}{ending}"
-
-
-def formats() -> str:
-    """What can be written, JSON."""
-    from ..exchange.formats import FORMATS
-
-    rows = [{"name": each.name, "ending": each.ending, "says": each.says} for each in FORMATS if each.writes]
-    return json.dumps({"is": "formats", "formats": rows, "films": list(FILMS)})

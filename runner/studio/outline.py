@@ -8,6 +8,7 @@ from ..clip.kinds import KINDS
 from ..clip.load import table_of
 from ..clip.table import ClipTable
 from ..clip.text import tables
+from .document import FILMS
 
 
 def outline(text: str, where: str) -> dict[str, Any]:
@@ -44,6 +45,14 @@ def kinds() -> list[dict[str, Any]]:
         {"kind": kind.name, "weight": kind.weight, "says": kind.says, "options": kind.choices()}
         for kind in KINDS.values()
     ]
+
+
+def formats() -> dict[str, Any]:
+    """What can be written."""
+    from ..exchange.formats import FORMATS  # only here: the figure is on the page by now
+
+    rows = [{"name": each.name, "ending": each.ending, "says": each.says} for each in FORMATS if each.writes]
+    return {"formats": rows, "films": list(FILMS)}
 
 
 def _key(row: dict[str, Any]) -> dict[str, Any]:

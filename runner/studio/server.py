@@ -25,7 +25,7 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from ..errors import UserError, one_line
 from .actions import Actions, prepared
-from .files import Files, formats
+from .files import Files
 from .session import Session
 
 POLICY = (
@@ -131,7 +131,6 @@ class _Page:
         """Until it goes away."""
         out = asyncio.create_task(self._write())
         self.session.enter(self.number, self._put)
-        self._put(formats())
         try:
             while True:
                 message = json.loads(await self.socket.receive_text())

@@ -42,6 +42,7 @@ class Session:
         self.status: Message = {"is": "status", "state": "loading"}
         self.outline: Message = {}
         self._kinds: Message | None = None
+        self._formats: Message | None = None
         self._stage: bytes | None = None
         self._paths: dict[str, bytes] = {}
         self._settled: Message | None = None
@@ -74,8 +75,9 @@ class Session:
     def enter(self, number: int, send: Send) -> None:
         """A page that has just come: it gets all there is."""
         self.pages[number] = send
-        if self._kinds is not None:
-            send(json.dumps(self._kinds))
+        for known in (self._kinds, self._formats):
+            if known is not None:
+                send(json.dumps(known))
         for data in filter(None, (self._stage, *(self._paths.get(kind) for kind in LATEST))):
             send(data)
         if self.loaded:
@@ -272,6 +274,10 @@ class Session:
         if not self._judge(message):
             self._accept(message)
         self._status("loaded")
+
+    def _heard_formats(self, message: Message) -> None:
+        self._formats = message
+        self.tell(message)
 
     def _heard_kinds(self, message: Message) -> None:
         self._kinds = message

@@ -76,7 +76,7 @@ class Solver:
 
     def _listen(self, line: Any, process: Any) -> None:
         """In a thread of its own: what comes, until the line ends."""
-        with suppress(EOFError, OSError):
+        with suppress(EOFError, OSError, TypeError):  # the last of a line that is closed here meanwhile
             while True:
                 message = line.recv()
                 self._losses = 0

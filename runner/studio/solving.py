@@ -33,7 +33,7 @@ from ..errors import UserError, one_line
 from ..scene.outside import allowed
 from ..system.cache_folder import place as cache
 from . import paths
-from .outline import kinds, outline
+from .outline import formats, kinds, outline
 from .stage import stage
 
 if TYPE_CHECKING:
@@ -86,7 +86,7 @@ class Work:
         self.found: Solution | None = None
         self.revision = 0
         self._is_searching = self._is_sending = self._is_asked = False
-        self._owes_raw = False
+        self._owes_raw = self._has_told = False
         self._sent = 0.0
         self.has_curves = False
         self.seen: dict[str, Timeline] = {}
@@ -166,6 +166,7 @@ class Work:
 
     def _first(self, clip: Clip, *, go: bool) -> None:
         """A clip that was just opened: as it was solved before, or searched from its raw spline."""
+        self._send_path(clip.problem.raw, "carried")  # something to see
         from .. import kept  # only here, as below: the figure is on the page by now
 
         folder = cache()
@@ -180,7 +181,6 @@ class Work:
         elif go:
             self._search(None, None)
         else:
-            self._send_path(raw, "carried")
             self._judge(stop="paused")
 
     def do_go(self, anew: bool = False) -> None:
@@ -295,6 +295,9 @@ class Work:
         from ..measure.problems import plain, problems
 
         wrong = problems(clip, found.timeline, found.raw)
+        if not self._has_told:
+            self._has_told = True
+            self._tell("formats", **formats())
         self._tell(
             "settled", revision=self.revision, stop=stop, problems=plain(wrong), frames=found.timeline.times.tolist()
         )

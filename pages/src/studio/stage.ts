@@ -14,6 +14,7 @@ const MOST_GHOSTS = 14;
 const SLOW = 45; // [ms] an image while something moves, from which on it has fewer points
 const FAST = 18; // [ms] from which on it has more again
 const REST = 220; // [ms] after the last movement until it is drawn with all of them
+const LEAVE = 80; // [ms] from one image to the next that a processor which draws leaves to the search
 const LEAST = 0.4; // of the points along either side
 
 type Side = { figure: Figure; path: () => Path | null };
@@ -176,6 +177,11 @@ export class Stage {
       this.then = model.playing ? stamp : null;
     } else this.then = null;
     this.orbit.update();
+    const yields = this.software && !this.override && model.status.state === "searching" && stamp - this.moved < LEAVE;
+    if (!this.figure || yields) {
+      this.stamp = stamp;
+      return;
+    }
     if (this.wanted) {
       this.pace(stamp);
       this.sized(this.scale);

@@ -54,7 +54,7 @@ def test_a_text_becomes_a_figure_keyframes_better_and_better_paths_and_a_verdict
     assert [all(key["fixed"]) for key in loaded["keys"]] == [True, False, True]
     kinds = [each["kind"] for each in told if each["is"] == "path"]
     assert kinds.count("raw") == 1
-    assert set(kinds) == {"raw", "found"}
+    assert set(kinds) == {"carried", "raw", "found"}
     values = [each["value"] for each in told if each["is"] == "path" and "value" in each]
     assert values == sorted(values, reverse=True)
 
