@@ -77,7 +77,7 @@ def _step(jacobian: Array, left: Array, values: Array, low: Array, high: Array) 
     jacobian = np.where(stuck[:, :, None], 0.0, jacobian)
     normal = jacobian @ np.swapaxes(jacobian, 1, 2) + np.eye(jacobian.shape[1]) * DAMPING
     step = np.linalg.solve(normal, np.where(stuck, 0.0, slope)[..., None])[..., 0]
-    return np.clip(step, -LONGEST, LONGEST)
+    return np.asarray(np.clip(step, -LONGEST, LONGEST), float)
 
 
 def _joints(model: mujoco.MjModel, bodies: Sequence[int]) -> list[int]:
