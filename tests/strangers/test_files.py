@@ -248,6 +248,7 @@ def test_every_command_that_reads_models_has_the_option():
         "thin",
         "export",
         "clean",
+        "studio",
     }
     having = {
         command.name or command.callback.__name__
