@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import mujoco
 import numpy as np
 
@@ -52,3 +54,8 @@ def above(model: mujoco.MjModel, body: int, *, itself: bool = False) -> list[int
     while body := int(model.body_parentid[body]):
         chain.insert(0, body)
     return chain
+
+
+def joints(model: mujoco.MjModel, bodies: Iterable[int]) -> list[int]:
+    """The joints of bodies, in order."""
+    return [int(model.body_jntadr[body]) + i for body in bodies for i in range(model.body_jntnum[body])]

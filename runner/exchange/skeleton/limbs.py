@@ -16,6 +16,8 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
+from .hierarchy import joints
+
 PLACE = 0.01  # [m] that a hand or foot may be off, as what counts one
 TURN, TURN_OF_END = np.radians(15), np.radians(4)  # [rad] likewise parts of the limb, and hand or foot themselves
 STEPS, LONGEST = 30, 0.3  # of least squares; [rad] of a joint in one
@@ -80,14 +82,10 @@ def _step(jacobian: Array, left: Array, values: Array, low: Array, high: Array) 
     return np.asarray(np.clip(step, -LONGEST, LONGEST), float)
 
 
-def _joints(model: mujoco.MjModel, bodies: Sequence[int]) -> list[int]:
-    return [model.body_jntadr[body] + i for body in bodies for i in range(model.body_jntnum[body])]
-
-
 def _ranges(model: mujoco.MjModel, limb: Limb) -> tuple[Array, Array]:
     """(D,) least and greatest value of every degree of freedom; those of a ball are without."""
     low, high = list[float](), list[float]()
-    for joint in _joints(model, limb.bodies):
+    for joint in joints(model, limb.bodies):
         if model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_BALL:
             low += [-np.inf] * 3
             high += [np.inf] * 3
@@ -100,7 +98,7 @@ def _ranges(model: mujoco.MjModel, limb: Limb) -> tuple[Array, Array]:
 def _values(model: mujoco.MjModel, qpos: Array, bodies: Sequence[int]) -> Array:
     """(T, D) of hinges; nought of balls, that have no range."""
     columns = list[Array]()
-    for joint in _joints(model, bodies):
+    for joint in joints(model, bodies):
         at = model.jnt_qposadr[joint]
         if model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_BALL:
             columns += [np.zeros(len(qpos))] * 3
@@ -112,7 +110,7 @@ def _values(model: mujoco.MjModel, qpos: Array, bodies: Sequence[int]) -> Array:
 def _move(model: mujoco.MjModel, qpos: Array, bodies: Sequence[int], step: Array, low: Array, high: Array) -> None:
     """Turns joints by a step (T, D) [rad], a ball about its own axes."""
     k = 0
-    for joint in _joints(model, bodies):
+    for joint in joints(model, bodies):
         at = model.jnt_qposadr[joint]
         if model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_BALL:
             turned = quat.product(qpos[:, at : at + 4], quat.from_rotation_vector(step[:, k : k + 3]))
@@ -131,7 +129,7 @@ def _bent(model: mujoco.MjModel, qpos: Array, bodies: Sequence[int], carried: Ar
     for body in bodies:
         place = place + quat.rotated(turn, model.body_pos[body])
         turn = quat.product(turn, model.body_quat[body])
-        for joint in _joints(model, [body]):
+        for joint in joints(model, [body]):
             at, anchor = model.jnt_qposadr[joint], place + quat.rotated(turn, model.jnt_pos[joint])
             match model.jnt_type[joint]:
                 case mujoco.mjtJoint.mjJNT_HINGE:

@@ -449,16 +449,12 @@ def _angles(model: mujoco.MjModel, turns: dict[int, Array]) -> Array:
     return qpos
 
 
-def _joints(model: mujoco.MjModel, body: int) -> range:
-    return range(model.body_jntadr[body], model.body_jntadr[body] + model.body_jntnum[body])
-
-
 def _forward(model: mujoco.MjModel, qpos: Array, bodies: list[int], start: Array) -> Array:
     """(T, 4) the last body's rotation in the world, from that of what carries the first."""
     turn = start
     for body in bodies:
         turn = quat.product(turn, model.body_quat[body])
-        for joint in _joints(model, body):
+        for joint in hierarchy.joints(model, [body]):
             at = model.jnt_qposadr[joint]
             match model.jnt_type[joint]:
                 case mujoco.mjtJoint.mjJNT_FREE:
@@ -473,7 +469,7 @@ def _forward(model: mujoco.MjModel, qpos: Array, bodies: list[int], start: Array
 
 def _reach(model: mujoco.MjModel, qpos: Array, chain: list[int], start: Array, wanted: Array) -> None:
     """Sets the joints of a chain so that its last body turns as wanted: a ball exactly, hinges by least squares."""
-    joints = [joint for body in chain for joint in _joints(model, body)]
+    joints = hierarchy.joints(model, chain)
     for joint in joints:
         at = model.jnt_qposadr[joint]
         if model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_FREE:
@@ -535,7 +531,7 @@ def _axis(model: mujoco.MjModel, qpos: Array, chain: list[int], start: Array, hi
     body = int(model.jnt_bodyid[hinge])
     above = chain[: chain.index(body)]
     turn = quat.product(_forward(model, qpos, above, start) if above else start, model.body_quat[body])
-    for joint in _joints(model, body):
+    for joint in hierarchy.joints(model, [body]):
         if joint == hinge:
             break
         angle = qpos[:, model.jnt_qposadr[joint]] - model.qpos0[model.jnt_qposadr[joint]]

@@ -11,7 +11,7 @@ from dynsplines.solver.figure.figure import JointKind
 from dynsplines.solver.penalty import Speed
 from dynsplines.solver.penalty.curvature import Curvature, add_differences
 
-# A trunk between two poses: the knee goes far, and back, and is fastest half-way
+# An elbow that bends far, and comes back
 SWING = """
 figure = "human"
 [[keyframe]]
