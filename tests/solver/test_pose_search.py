@@ -8,6 +8,7 @@ import mujoco
 import numpy as np
 import pytest
 from figures import EVERY_JOINT, LEG, MIXED, figure_of
+from oracles import placed
 from scipy.optimize import lsq_linear
 from scipy.spatial.transform import Rotation
 
@@ -49,14 +50,6 @@ RANGED = """
       <body name="foot" pos="0 0 -.4"><joint name="free" type="hinge" axis="1 0 0"/><geom size=".1"/>
         <site name="toe" pos=".1 0 0"/></body></body></body>
 </body></worldbody></mujoco>"""
-
-
-def placed(model: mujoco.MjModel, qpos: Array) -> mujoco.MjData:
-    data = mujoco.MjData(model)
-    data.qpos[:] = qpos
-    mujoco.mj_kinematics(model, data)
-    mujoco.mj_comPos(model, data)
-    return data
 
 
 def somewhere(model: mujoco.MjModel, rng: np.random.Generator, size: float = 1.0) -> Array:

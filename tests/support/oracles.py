@@ -45,3 +45,12 @@ def posed(model: mujoco.MjModel, qpos: np.ndarray) -> tuple[np.ndarray, np.ndarr
     data.qpos[:] = qpos
     mujoco.mj_kinematics(model, data)
     return data.xpos.copy(), data.xmat.reshape(-1, 3, 3).copy()
+
+
+def placed(model: mujoco.MjModel, qpos: Array) -> mujoco.MjData:
+    """A pose's bodies and Jacobians by MuJoCo."""
+    data = mujoco.MjData(model)
+    data.qpos[:] = qpos
+    mujoco.mj_kinematics(model, data)
+    mujoco.mj_comPos(model, data)
+    return data

@@ -2,24 +2,15 @@
 
 from __future__ import annotations
 
-import mujoco
 import numpy as np
 import pytest
 from figures import BALL_TREE, CHAIN, EVERY_JOINT, LEG, MIXED, TINY, figure_of
+from oracles import placed
 from random_keys import random_qpos
 from random_model import random_figure
 
-from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import Figure, JointKind, names_of_joints, quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
-
-
-def placed(model: mujoco.MjModel, qpos: Array) -> mujoco.MjData:
-    data = mujoco.MjData(model)
-    data.qpos[:] = qpos
-    mujoco.mj_kinematics(model, data)
-    mujoco.mj_comPos(model, data)
-    return data
 
 
 @pytest.mark.parametrize("coordinates", ["world", "joint", "auto"])
