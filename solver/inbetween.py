@@ -49,13 +49,7 @@ def inbetween(problem: Problem, *, improved: Callable[[Improvement], None] | Non
     The keyframes are met exactly whenever the search is stopped. Raises TimelineError for frames that make no clip.
     """
     raw = problem.raw
-    with one_thread():
-        loop = _Loop(problem.objective, problem.settings, improved)
-        try:
-            timeline = best(loop.objective, [loop.over(raw), raw])
-        except KeyboardInterrupt:
-            timeline, loop.stop = loop.best() if loop.best is not None else raw, Stop.ASKED
-    return Solution(problem.figure, loop.objective, timeline, raw, tuple(loop.trace), loop.evaluations, loop.stop)
+    return _found(problem, raw, raw, improved, lambda loop: best(loop.objective, [loop.over(raw), raw]))
 
 
 def resumed(
@@ -73,10 +67,21 @@ def resumed(
     It ends in the nearest minimum: nothing is searched from elsewhere, as `inbetween` does where that is a heap.
     """
     raw = problem.raw
+    return _found(problem, raw, begin, improved, lambda loop: loop.on_from(raw, begin, between))
+
+
+def _found(
+    problem: Problem,
+    raw: Timeline,
+    begin: Timeline,
+    improved: Callable[[Improvement], None] | None,
+    search: Callable[[_Loop], Timeline],
+) -> Solution:
+    """What a search comes to, or, if it is interrupted, the best that it saw; where it began, if it saw nothing."""
     with one_thread():
         loop = _Loop(problem.objective, problem.settings, improved)
         try:
-            timeline = loop.on_from(raw, begin, between)
+            timeline = search(loop)
         except KeyboardInterrupt:
             timeline, loop.stop = loop.best() if loop.best is not None else begin, Stop.ASKED
     return Solution(problem.figure, loop.objective, timeline, raw, tuple(loop.trace), loop.evaluations, loop.stop)
@@ -274,9 +279,8 @@ class _Loop:
             threshold *= present / max(sum(not frame.is_variable for frame in timeline.frames) - 1, 1)
         most = min(room, max(1, round(self.settings.batch * scores.size)))
         middles = midpoints(timeline)
-        scores = np.where(
-            (middles > self.since) & (middles < self.until), scores, -np.inf
-        )  # what a window holds is not split
+        inside = (middles > self.since) & (middles < self.until)  # what a window holds is not split
+        scores = np.where(inside, scores, -np.inf)
         order = np.argsort(scores)[::-1][:most]
         order = order[scores[order] > threshold]
         promise = float(scores[order].sum()) / present if present > 0 else 0.0
