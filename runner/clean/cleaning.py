@@ -13,17 +13,20 @@ from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import Path, natural_spline, path_of
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.penalty import Near, Rest
+from dynsplines.solver.penalty import Near, Rest, UnitMagnitude
 from dynsplines.solver.problem import Problem
 from dynsplines.solver.reading.recorded import Recorded
 from dynsplines.solver.reading.settled import on_the_ground, settled
-from dynsplines.solver.reading.stances import NEAR, Stood, stood, unsure
+from dynsplines.solver.reading.stances import Stood, stood, unsure
 from dynsplines.solver.solution import Improvement, Solution
 
 from ..clip.follow.keeping import Ground, problem
 from .repairs import Repaired
 
 NOISY = 0.008  # [m] of the soles' places, from which on stances are looked for twice
+SOFTEST, SOFTER = (1e-3, 0.03), (0.03,)  # shares of the weights of all else, for a first look, and for the next
+ROUGHLY = 0.1  # relative progress of E at which such a search ends
+FAR = 0.04  # [s]
 STRICTER, TRIES = 2.0, 7  # how much more the recording counts every time that something is too far off it
 
 
@@ -86,19 +89,22 @@ def cleaned(
     recorded = Recorded.of(figure, repaired.time, repaired.qpos, _by_state(figure, repaired.known))
     before = natural_spline(recorded.times, np.where(recorded.known > 0, recorded.states, recorded.bridged))
     recorded = on_the_ground(recorded, ground.points, ground.surfaces)
-    stances: Sequence[Stood] = [Stood(one.point, one.first, one.last) for one in given or ()]
+    stances: Sequence[Stood] = [Stood(one.point, one.first, one.last, one.ground) for one in given or ()]
     if given is None:
         stances = stood(recorded, ground.points, ground.surfaces)
     recorded = settled(recorded, stances, ground.surfaces)
     if given is None:
-        stances = stood(recorded, ground.points, ground.surfaces, NEAR)
+        stances = stood(recorded, ground.points, ground.surfaces)
     rests = tuple(Rest(*stance) for stance in stances)
     near = Near(recorded)
     asked = problem(near, ground, rests, near.times())
+    if unsure(recorded, ground.points) > NOISY:
+        asked = _eased(asked, near, SOFTEST, improved)
+        if given is None:
+            rests = _second_look(ground, recorded, asked)
+            asked = replace(problem(near, ground, rests, near.times()), keys=_with(asked, rests))
+        asked = _eased(asked, near, SOFTER, improved)
     found = Cleaned(ground, before, recorded, rests, asked, inbetween(asked, improved=improved))
-    if given is None and unsure(recorded, ground.points) > NOISY:
-        found = _second_look(found, near, improved)
-        asked = found.problem
     if within is None:
         return found
     for _ in range(TRIES):
@@ -106,7 +112,7 @@ def cleaned(
         if off <= within:
             break
         weights = [(p, STRICTER * w if p is near else w) for p, w in asked.penalties]
-        asked = replace(asked, penalties=tuple(weights), keys=_from(found))
+        asked = replace(asked, penalties=tuple(weights), keys=_from(figure, found.solution))
         closer = replace(found, solution=inbetween(asked, improved=improved))
         told = verdict(closer)
         if told.off >= off or not told.is_sound:
@@ -115,22 +121,51 @@ def cleaned(
     return found
 
 
-def _second_look(found: Cleaned, near: Near, improved: Callable[[Improvement], None] | None) -> Cleaned:
-    """Of a noisy recording more stances are seen once the surest of them are kept: cleaned with those."""
-    ground, recorded = found.ground, found.recorded
-    calm = Recorded.of(ground.figure, recorded.times, ground.figure.to_qpos(found.after.at(recorded.times)))
-    rests = tuple(Rest(*stance) for stance in stood(calm, ground.points, ground.surfaces, NEAR))
-    asked = problem(near, ground, rests, near.times())
-    return replace(found, rests=rests, problem=asked, solution=inbetween(asked, improved=improved))
+def _eased(
+    asked: Problem, near: Near, shares: Sequence[float], improved: Callable[[Improvement], None] | None
+) -> Problem:
+    """To go on from where the search ends if all but the recording counts less: a share of it after the other.
+
+    What is stiff, and a recording that noise puts far into things, make a bad valley of the first step.
+    """
+    for share in shares:
+        weights = tuple((p, w if p is near or isinstance(p, UnitMagnitude) else share * w) for p, w in asked.penalties)
+        roughly = replace(asked.settings, tolerance=ROUGHLY)
+        solution = inbetween(replace(asked, penalties=weights, settings=roughly), improved=improved)
+        asked = replace(asked, keys=_from(asked.figure, solution))
+    return asked
 
 
-def _from(found: Cleaned) -> tuple[Frame, ...]:
+def _with(asked: Problem, rests: Sequence[Rest]) -> tuple[Frame, ...]:
+    """The frames, and one where a stance begins or ends far from all of them: it needs a path that can bend there."""
+    figure, path = asked.figure, _curve(asked)
+    times = [key.time for key in asked.keys]
+    ends = sorted({time for rest in rests for time in (rest.first, rest.last)})
+    for time in ends:
+        if min(abs(time - other) for other in times) > FAR:
+            times.append(time)
+    everything, qpos = np.ones(figure.width, bool), figure.to_qpos(path.at(np.array(sorted(times))))
+    return tuple(Frame(time, pose, ~everything, everything) for time, pose in zip(sorted(times), qpos, strict=True))
+
+
+def _curve(asked: Problem) -> Path:
+    """The spline through the frames of a problem."""
+    states = asked.figure.to_state(np.array([key.state for key in asked.keys]))
+    return natural_spline(np.array([key.time for key in asked.keys]), states)
+
+
+def _second_look(ground: Ground, recorded: Recorded, calmed: Problem) -> tuple[Rest, ...]:
+    """Of a noisy recording more stances are seen once the surest of them are kept."""
+    calm = ground.figure.to_qpos(_curve(calmed).at(recorded.times))
+    seen = Recorded.of(ground.figure, recorded.times, calm)
+    return tuple(Rest(*stance) for stance in stood(seen, ground.points, ground.surfaces))
+
+
+def _from(figure: Figure, solution: Solution) -> tuple[Frame, ...]:
     """Frames to go on from."""
-    figure = found.figure
     everything = np.ones(figure.width, bool)
     return tuple(
-        Frame(frame.time, figure.to_qpos(frame.state), ~everything, everything)
-        for frame in found.solution.timeline.frames
+        Frame(frame.time, figure.to_qpos(frame.state), ~everything, everything) for frame in solution.timeline.frames
     )
 
 

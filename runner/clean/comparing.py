@@ -179,7 +179,10 @@ class Look:
             i = row.get(id(rest.point))
             during = (self.times >= rest.first) & (self.times <= rest.last)
             if i is not None and during.any():
-                yield places[:, i, during], heights[i, during]
+                own = heights[i, during]
+                if rest.ground is not None:
+                    own = height_over((rest.ground,), places[:, [i]][..., during], np.array([rest.point.radius]))[0][0]
+                yield places[:, i, during], own
 
     @property
     def depth(self) -> float:

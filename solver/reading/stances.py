@@ -1,8 +1,9 @@
 """Which points of the soles stood when, read off a recording: those that were low and stayed where they were.
 
-A stance is a run of samples whose places scatter by no more than the recording's noise and a foot that rolls explain;
-of all ways to cut a recording into stances and what is none, the likeliest is taken (B. Jackson et al. 2005). A sample
-of a stance speaks for it, one that is off its middle or over the ground against it.
+A sample says how much likelier it is of a point that rests, its places scattered about one by the recording's noise and
+a foot that rolls, than of one that moves as limbs do; of all ways to cut a recording into stances and what is none, the
+likeliest is taken (B. Jackson et al. 2005). How high a stance is counts once: what makes a recording sink or hover does
+so for as long as a stance lasts.
 """
 
 from __future__ import annotations
@@ -12,51 +13,54 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..array import Array
+from ..array import Array, Mask
 from ..figure.kinematics import Samples
-from ..surface import Surface
-from ..surface.heights import height_over
+from ..surface import Plane, Surface
+from ..surface.heights import ground_at, grounds
 from ..surface.points import Point, places_of
+from .moving import surprise
 from .recorded import GAIN, NORMAL, ORDER, Recorded
 
 ROLLS = 0.015  # [m] that a point which stands may be off its middle, by and large
-LOW, NEAR = 0.06, 0.03  # [m] over the ground: so high is a point that may as well stand as not; once it is set down
+HOVERS = 0.04  # [m] that a stance is over the ground, or in it, by and large
+HIGHEST = 0.3  # [m] up to which what does not stand is as often as anywhere; no stance is half as high
+REACH = 0.1  # [m] beside a point, that the edge of what it stands on may be: recordings drift
 LONGEST = 1.0  # [s] of a stance that is looked at at once
 FINEST = 60.0  # [1/s] samples that are told apart
-ONE, NOISY = 1.0, 8.0  # what a stance costs beside what its samples speak for it: of a clean recording, of a noisy one
-SUNK = 0.6  # of a height over the ground, as much a depth below it says against a stance
+DEAR = 6.0  # what speaks against a stance before it is looked at: one sample in e³ begins one, or ends it
 FAST = 0.35  # [m/s] from which on a point does not stand
+BLURRED = 0.05  # [s]: the noise of places by so much is that of speeds, once they are smoothed
 SURE = 3.0  # noises that two samples may be apart
 INTERRUPTED = 0.1  # [s] between runs that may be one stance
 SAME = 0.03  # [m] between the middles of neighbouring runs that are one stance
 
 
 class Stood(NamedTuple):
-    """A point that stood from `first` to `last` [s]."""
+    """A point that stood from `first` to `last` [s], and on what."""
 
     point: Point
     first: float
     last: float
+    ground: Plane | None = None
 
 
-def stood(
-    recorded: Recorded, points: Sequence[Point], surfaces: Sequence[Surface], low: float = LOW
-) -> tuple[Stood, ...]:
-    """The stances of points on surfaces, point after point, in order of time.
-
-    low  [m] how high a point is, in the mean of a stance, that may as well be none; more where samples are noisy
-    """
+def stood(recorded: Recorded, points: Sequence[Point], surfaces: Sequence[Surface]) -> tuple[Stood, ...]:
+    """The stances of points on surfaces, point after point, in order of time."""
     if not points or not surfaces or recorded.times.size < ORDER:
         return ()
-    times, centres, noise = _seen(recorded, points)
-    height, _ = height_over(surfaces, centres, np.array([point.radius for point in points]))
+    times, centres, known, noise = _seen(recorded, points)
+    height, _ = grounds(surfaces, centres, np.array([point.radius for point in points]), REACH)
+    moving = surprise(times, centres, noise**2 + ROLLS**2, known)
+    slow = _speeds(recorded, points, times) <= (FAST + noise / BLURRED)[:, None]
     found = []
     for i, point in enumerate(points):
         place, own = centres[:, i], float(noise[i])
-        over = height[i] * np.where(height[i] < 0, SUNK, 1.0) / np.hypot(low, own)
-        joined = _joined(times, _cut(times, place, over, own), place, own)
-        runs = [_trimmed(times, place, *run, own) for run in joined]
-        found += [Stood(point, float(times[a]), float(times[b - 1])) for a, b in runs if b - a > 1]
+        runs = _joined(times, _cut(times, place, height[i], moving[i], known, own), place, own)
+        trimmed = [_trimmed(slow[i], *run) for run in runs]
+        for a, b in trimmed:
+            if b - a > 1:
+                ground = ground_at(surfaces, place[:, a:b].mean(axis=1), point.radius, REACH)
+                found.append(Stood(point, float(times[a]), float(times[b - 1]), ground))
     return tuple(found)
 
 
@@ -64,15 +68,32 @@ def unsure(recorded: Recorded, points: Sequence[Point]) -> float:
     """[m] the noise of the place of the point that is known worst."""
     if not points or recorded.times.size < ORDER:
         return 0.0
-    return float(_seen(recorded, points)[2].max())
+    return float(_seen(recorded, points).noise.max())
 
 
-def _seen(recorded: Recorded, points: Sequence[Point]) -> tuple[Array, Array, Array]:
-    """Times (T,) that are told apart, places (3, p, T) [m] and the noise of these (p,)."""
+class _Seen(NamedTuple):
+    """Times (T,) that are told apart, places (3, p, T) [m], which times are known (T,), the noise of places (p,)."""
+
+    times: Array
+    places: Array
+    known: Mask
+    noise: Array
+
+
+def _seen(recorded: Recorded, points: Sequence[Point]) -> _Seen:
     step = max(1, round(recorded.rate / FINEST))
     states = np.where(recorded.known > 0, recorded.states, recorded.bridged)[::step]
     centres, _, _ = places_of(points, Samples.still(recorded.figure, states))
-    return recorded.times[::step], centres, white(centres, recorded.known.min(axis=1)[::step])
+    known = recorded.known.min(axis=1)[::step]
+    return _Seen(recorded.times[::step], centres, known > 0, white(centres, known))
+
+
+def _speeds(recorded: Recorded, points: Sequence[Point], times: Array) -> Array:
+    """(p, T) [m/s] of points of the smoothed motion at times (T,)."""
+    apart = 1e-3 / FINEST
+    ends = [np.clip(times + way, *recorded.path.span) for way in (-apart, apart)]
+    before, after = (places_of(points, Samples.still(recorded.figure, recorded.path.at(t)))[0] for t in ends)
+    return np.linalg.norm(after - before, axis=0) / (ends[1] - ends[0])
 
 
 def white(places: Array, known: Array) -> Array:
@@ -84,24 +105,29 @@ def white(places: Array, known: Array) -> Array:
     return NORMAL * np.median(differences.swapaxes(0, 1).reshape(places.shape[1], -1), axis=1)
 
 
-def _cut(times: Array, place: Array, height: Array, noise: float) -> list[tuple[int, int]]:
-    """The runs [a, b) of samples of a point that stands, at places (3, T) [m], heights (T,) in such as count."""
+def _cut(times: Array, place: Array, height: Array, moving: Array, known: Mask, noise: float) -> list[tuple[int, int]]:
+    """The runs [a, b) of samples of a point that stands, at places (3, T) [m] and heights (T,) [m] over the ground.
+
+    moving  (T,) minus the log density of its places if it moves;  known  (T,) which of them were seen
+    """
     count, size = times.size, noise**2 + ROLLS**2
-    dear = ONE + NOISY * noise**2 / size
-    middle = place - place.mean(axis=1, keepdims=True)
-    sums = [np.concatenate([[0.0], np.cumsum(row)]) for row in (*middle, np.sum(middle**2, axis=0), height)]
+    middle = place - place[:, known].mean(axis=1, keepdims=True)
+    rows = (*middle, np.sum(middle**2, axis=0), height, np.ones(count), moving)
+    sums = [np.concatenate([[0.0], np.cumsum(np.where(known, row, 0.0))]) for row in rows]
     longest = max(2, int(np.searchsorted(times, times[0] + LONGEST)))
     best, came = np.zeros(count + 1), np.full(count + 1, -1)
     for j in range(1, count + 1):
-        a = np.arange(max(0, j - longest), j - 1)
         best[j] = best[j - 1]
+        a = np.arange(max(0, j - longest), j - 1)
+        a = a[known[a]] if known[j - 1] else a[:0]
         if not a.size:
             continue
-        n = j - a
-        x, y, z, squares, high = (row[j] - row[a] for row in sums)
-        scatter = squares - (x**2 + y**2 + z**2) / n - 3 * (n - 1) * noise**2
-        cost = dear + scatter / size + n * ((high / n) ** 2 - 1)
-        total = best[a] + cost
+        x, y, z, squares, high, n, moved = (row[j] - row[a] for row in sums)
+        scatter = (squares - (x**2 + y**2 + z**2) / n) / size + 3 * (n - 1) * np.log(2 * np.pi * size) + 3 * np.log(n)
+        spread = HOVERS**2 + noise**2 / n
+        hover = (high / n) ** 2 / spread + np.log(2 * np.pi * spread / HIGHEST**2)
+        total = best[a] + DEAR + 0.5 * (scatter + hover) - (moved - moving[a])
+        total[np.abs(high / n) > HIGHEST / 2] = np.inf
         k = int(total.argmin())
         if total[k] < best[j]:
             best[j], came[j] = total[k], a[k]
@@ -129,8 +155,7 @@ def _joined(times: Array, runs: list[tuple[int, int]], place: Array, noise: floa
     return out
 
 
-def _trimmed(times: Array, place: Array, first: int, last: int, noise: float) -> tuple[int, int]:
-    """A run without the samples at its ends at which the point is faster than what stands."""
-    way = np.linalg.norm(np.diff(place[:, first:last], axis=1), axis=0)
-    slow = np.flatnonzero(way <= FAST * np.diff(times[first:last]) + SURE * noise)
-    return (first + int(slow[0]), first + int(slow[-1]) + 2) if slow.size else (first, first)
+def _trimmed(slow: Mask, first: int, last: int) -> tuple[int, int]:
+    """A run without the samples at its ends at which the point is not slow (T,)."""
+    rests = first + np.flatnonzero(slow[first:last])
+    return (int(rests[0]), int(rests[-1]) + 1) if rests.size else (first, first)

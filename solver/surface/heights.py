@@ -7,10 +7,12 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..array import Array, Index
+from .plane import Plane
 from .surface import Surface
 
 DEEP = 0.15  # [m] below its top, a point is beside a surface or under it, not over it
 FAR = 1e3  # [m]
+BESIDE = 0.05  # [m] that it has to be nearer in height to be taken for ground, what is beside a point and not below it
 
 
 def height_over(surfaces: Sequence[Surface], points: Array, radius: Array) -> tuple[Array, Array]:
@@ -42,3 +44,26 @@ def ways_up(surfaces: Sequence[Surface], nearest: Index, points: Array) -> Array
         if mine.size:
             up[:, mine] = surface.up(points[:, mine])
     return up
+
+
+def grounds(surfaces: Sequence[Surface], points: Array, radius: Array, reach: float) -> tuple[Array, Array]:
+    """`height_over` for points that are known badly: over what is below them, or `reach` [m] beside them and nearer.
+
+    Returns heights (n, S) [m] and where the ground was found that they are over, (3, n, S), FAR and anywhere for none.
+    """
+    angles = np.arange(8) * np.pi / 4
+    ways = reach * np.vstack([np.zeros(3), np.stack([np.cos(angles), np.sin(angles), 0 * angles], axis=1)])
+    found = [heights(surfaces, points + way[:, None, None], radius)[0] for way in ways]
+    best = np.argmin([np.abs(height) + BESIDE * (k > 0) for k, height in enumerate(found)], axis=0)
+    return np.choose(best, found), points + np.moveaxis(ways[best], -1, 0)
+
+
+def ground_at(surfaces: Sequence[Surface], point: Array, radius: float, reach: float) -> Plane | None:
+    """The plane that a sphere at `point` (3,) stands on, its own or one `reach` [m] beside it; None where is none."""
+    height, where = grounds(surfaces, point[:, None, None], np.array([radius]), reach)
+    if height[0, 0] >= FAR:
+        return None
+    _, up = height_over(surfaces, where, np.array([radius]))
+    gradient = up[:, 0, 0]
+    steep = np.linalg.norm(gradient)
+    return Plane("ground", where[:, 0, 0] - (height[0, 0] + radius) * gradient / steep**2, gradient / steep)

@@ -23,7 +23,7 @@ from dynsplines.solver.penalty import Near, Rest
 from dynsplines.solver.penalty.motion.near import FINEST
 from dynsplines.solver.problem import Problem
 from dynsplines.solver.reading.recorded import Recorded
-from dynsplines.solver.reading.stances import NEAR, stood
+from dynsplines.solver.reading.stances import stood
 from dynsplines.solver.surface.points import Point, placed, places_of
 
 from ... import models, motion
@@ -79,7 +79,7 @@ class Followed:
         a keyframe moves it."""
         width = self.table.blend or EASE
         near = Near(self.recorded, tuple((edit.time, width) for edit in edits))
-        read = stood(self.recorded, ground.points, ground.surfaces, NEAR)
+        read = stood(self.recorded, ground.points, ground.surfaces)
         rests = [rest for rest in (Rest(*one) for one in read) if not self._is_void(rest, edits, given, width)]
         asked = problem(near, ground, [*rests, *given], self._times(near, edits), edits)
         weights = [(p, self.table.weight * w if p is near else w) for p, w in asked.penalties]

@@ -13,7 +13,7 @@ from ...array import Array, Index
 from ...figure.adjoint import Cotangent
 from ...figure.algebra import cross, dot
 from ...figure.kinematics import Samples
-from ...surface import Surface
+from ...surface import Plane, Surface
 from ...surface.heights import height_over
 from ...surface.points import Point
 from ..curvature import Curvature
@@ -25,11 +25,12 @@ SETTLING = 0.05  # [s]: a speed counts like the way it makes in so long
 
 @dataclass(frozen=True)
 class Rest:
-    """A point that rests from `first` to `last` [s]."""
+    """A point that rests from `first` to `last` [s]; on a plane, or else on whatever is below it."""
 
     point: Point
     first: float
     last: float
+    ground: Plane | None = None
 
 
 @dataclass(frozen=True)
@@ -51,7 +52,7 @@ class Resting(Penalty):
         values = np.zeros(samples.count)
         scale = scale + values
         for rest, at in self._during(samples.t):
-            height, up, offset, velocity = self._seen(samples, rest.point, at)
+            height, up, offset, velocity = self._seen(samples, rest, at)
             values[at] += SETTLING**2 * dot(velocity, velocity) + height**2
             if into is None:
                 continue
@@ -61,7 +62,7 @@ class Resting(Penalty):
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
         for rest, at in self._during(samples.t):
-            _, up, offset, _ = self._seen(samples, rest.point, at)
+            _, up, offset, _ = self._seen(samples, rest, at)
             links = np.full(at.size, rest.point.link)
             into.add_rows(at, scale[at], point_gradients(samples, at, links, offset, up)[:, None], (0,))
             for direction in np.eye(3):
@@ -74,12 +75,11 @@ class Resting(Penalty):
         during = [(rest, np.flatnonzero((t >= rest.first) & (t <= rest.last))) for rest in self.rests]
         return [(rest, at) for rest, at in during if at.size]
 
-    def _seen(self, samples: Samples, point: Point, at: Index) -> tuple[Array, Array, Array, Array]:
+    def _seen(self, samples: Samples, rest: Rest, at: Index) -> tuple[Array, Array, Array, Array]:
         """Height (P,), its gradient, the offset and the velocity (3, P) of a point at samples `at` (P,)."""
-        links = samples.links
+        links, point = samples.links, rest.point
         offset = np.einsum("ijp,j->ip", links.rotation[:, :, point.link, at], point.position)
-        height, up = height_over(
-            self.surfaces, (links.x[:, point.link, at] + offset)[:, None], np.array([point.radius])
-        )
+        below = self.surfaces if rest.ground is None else (rest.ground,)
+        height, up = height_over(below, (links.x[:, point.link, at] + offset)[:, None], np.array([point.radius]))
         velocity = links.x_d[:, point.link, at] + cross(links.omega[:, point.link, at], offset)
         return height[0], up[:, 0], offset, velocity

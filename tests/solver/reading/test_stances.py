@@ -5,16 +5,30 @@ import numpy as np
 import pytest
 import shipped
 from faulted import Take
+from scipy.stats import multivariate_normal, norm
 
 from dynsplines.clip.follow.keeping import Ground
 from dynsplines.clip.posing.feet import sole_points
 from dynsplines.motion import samples_at
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.reading.moving import surprise
 from dynsplines.solver.reading.recorded import ORDER, Recorded
 from dynsplines.solver.reading.settled import settled
-from dynsplines.solver.reading.stances import LOW, NOISY, ONE, ROLLS, SUNK, Stood, _cut, _joined, stood, unsure, white
-from dynsplines.solver.surface import Plane, static_surfaces
+from dynsplines.solver.reading.stances import (
+    DEAR,
+    HIGHEST,
+    HOVERS,
+    ROLLS,
+    Stood,
+    _cut,
+    _joined,
+    _trimmed,
+    stood,
+    unsure,
+    white,
+)
+from dynsplines.solver.surface import Box, Plane, static_surfaces
 from dynsplines.solver.surface.heights import height_over
 from dynsplines.solver.surface.points import Point, places_of
 
@@ -105,15 +119,26 @@ def stances_of(times: np.ndarray, x: np.ndarray, over: np.ndarray) -> tuple[Stoo
     return stood(Recorded.of(SLED, times, np.column_stack([x, over + 0.15]), exact=True), [RUNNER], [FLOOR])
 
 
+def spans(stances: tuple[Stood, ...]) -> list[tuple[float, float]]:
+    return [(one.first, one.last) for one in stances]
+
+
 @pytest.mark.parametrize("below", [False, True])
-@pytest.mark.parametrize("count", [6, 31])
-def test_what_hovers_still_stands_as_long_as_its_samples_outweigh_what_a_stance_costs(count, below):
-    """n samples at a height h, in such as count, speak n (1 − h²) for it: that is one at h = √(1 − 1/n)."""
-    times = np.arange(count) / FPS
-    bound = np.sqrt(1 - ONE / count) * (-LOW / SUNK if below else LOW)
-    for share, stands in ((0.9996, True), (1.0004, False)):
-        found = stances_of(times, 0 * times, np.full(count, share * bound))
-        assert found == ((Stood(RUNNER, times[0], times[-1]),) if stands else ())
+def test_what_rests_for_long_is_a_stance_up_to_half_as_high_as_anything_is(below):
+    times = np.arange(60) / FPS
+    for share, stands in ((0.998, True), (1.002, False)):
+        height = share * HIGHEST / 2 * (-1 if below else 1)
+        assert spans(stances_of(times, 0 * times, np.full(60, height))) == ([(times[0], times[-1])] if stands else [])
+
+
+def test_the_shorter_it_rests_the_nearer_to_the_ground_it_has_to():
+    times, most = np.arange(60) / FPS, []
+    for count in (2, 3, 4, 12):
+        x = 1.5 / FPS * (np.arange(60) - np.clip(np.arange(60) - 20, 0, count))
+        found = [h for h in np.linspace(0, 0.14, 29) if stances_of(times, x, np.full(60, h))]
+        most.append(max(found, default=-1.0))
+    assert most == sorted(most)
+    assert most[0] < most[-1] == pytest.approx(0.14)
 
 
 @pytest.mark.parametrize("before", [12, 30])
@@ -121,33 +146,60 @@ def test_a_stance_lasts_from_when_the_point_has_come_to_rest_until_it_leaves(bef
     """It slides in and on at 0.4 m/s, slowly enough to be of the run, too fast to stand."""
     k = np.arange(before + 80)
     found = stances_of(k / FPS, 0.4 / FPS * (k - np.clip(k - before, 0, 40)), 0 * k)
-    assert found == (Stood(RUNNER, before / FPS, (before + 40) / FPS),)
+    assert len(found) == 1
+    assert found[0].first == pytest.approx(before / FPS, abs=1.01 / FPS)
+    assert found[0].last == pytest.approx((before + 40) / FPS, abs=1.01 / FPS)
 
 
 def test_of_all_ways_to_cut_a_recording_into_stances_the_likeliest_is_taken(rng):
-    """All ways, one by one. White noise scatters the places of n samples about their middle by 3 (n − 1) variances."""
+    """All ways, one by one, each by the densities of its samples: a stance's about a middle that is anywhere, the
+    others' as they come when the point moves, the height of a stance beside heights anywhere up to 0.3 m."""
     count = 9
     pairs = [(a, b) for a in range(count) for b in range(a + 2, count + 1)]
 
     def ways(first: int) -> list[list[tuple[int, int]]]:
         return [[], *([(a, b), *rest] for a, b in pairs if a >= first for rest in ways(b))]
 
-    every, seen = ways(0), set()
+    every, seen, times = ways(0), set(), np.arange(count) / FPS
     for _ in range(40):
-        noise, steps = rng.uniform(0, 0.02), rng.normal(size=(3, count)) * rng.choice([0.002, 0.04], count)
-        place, height = np.cumsum(steps, axis=1) + rng.normal(0, noise, (3, count)), rng.uniform(0, 1.2, count)
-        variance = noise**2 + ROLLS**2
+        noise, steps = rng.uniform(0, 0.02), rng.normal(size=(3, count)) * rng.choice([0.002, 0.1], count)
+        place, height = np.cumsum(steps, axis=1) + rng.normal(0, noise, (3, count)), rng.uniform(0, 0.1, count)
+        known = rng.random(count) < 0.85
+        size = noise**2 + ROLLS**2
+        moving = surprise(times, place[:, None], np.array([size]), known)[0]
 
-        def cost(a: int, b: int, place=place, height=height, noise=noise, variance=variance) -> float:
-            scatter = (b - a) * np.var(place[:, a:b], axis=1).sum() - 3 * (b - a - 1) * noise**2
-            own = scatter / variance + (b - a) * (np.mean(height[a:b]) ** 2 - 1)
-            return ONE + NOISY * noise**2 / variance + own
+        def cost(a: int, b: int, place=place, height=height, noise=noise, known=known, size=size, moving=moving):
+            at = a + np.flatnonzero(known[a:b])
+            if not (known[a] and known[b - 1]) or abs(height[at].mean()) > HIGHEST / 2:
+                return np.inf
+            # one sample's worth of density, which is of where the middle is, is the first's of what moves, too
+            joint = -multivariate_normal(np.zeros(at.size), size * np.eye(at.size) + 100).logpdf(place[:, at]).sum()
+            alone = -3 * norm(0, 10).logpdf(0)
+            hover = -norm(0, np.hypot(HOVERS, noise / np.sqrt(at.size))).logpdf(height[at].mean()) - np.log(HIGHEST)
+            return DEAR + joint - alone + hover - moving[at[1:]].sum()
 
         costs = {pair: cost(*pair) for pair in pairs}
         least = min(every, key=lambda runs, costs=costs: sum(costs[run] for run in runs))
-        assert _cut(np.arange(count) / FPS, place, height, noise) == least
+        assert _cut(times, place, height, moving, known, noise) == least
         seen.add(len(least))
     assert seen >= {0, 1, 2}
+
+
+def test_a_run_loses_the_ends_at_which_it_is_not_slow():
+    slow = np.array([False, False, True, False, True, False])
+    assert _trimmed(slow, 0, 6) == (2, 5)
+    assert _trimmed(slow, 3, 5) == (4, 5)
+    assert _trimmed(slow, 0, 2) == (0, 0)
+
+
+def test_a_stance_on_an_edge_is_on_what_ends_there():
+    """A box's top ends 4 cm before the point, which stands as high as it, and the floor is half a metre down."""
+    box = Box("box", np.array([-1.04, 0.0, 0.25]), np.eye(3), np.array([1.0, 1.0, 0.25]))
+    times = np.arange(40) / FPS
+    recorded = Recorded.of(SLED, times, np.column_stack([0 * times, np.full(40, 0.65)]), exact=True)
+    (one,) = stood(recorded, [RUNNER], [FLOOR, box])
+    assert one.ground.height(np.array([0.0, 0.0, 0.5])) == pytest.approx(0, abs=1e-12)
+    assert stood(recorded, [RUNNER], [FLOOR]) == ()
 
 
 def test_nothing_stands_where_there_is_no_ground_or_no_sole(figure, rng):

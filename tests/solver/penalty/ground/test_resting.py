@@ -17,14 +17,18 @@ from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point
 
-UP = np.array([0.0, 0, 1])
+UP, TILT = np.array([0.0, 0, 1]), np.array([0.28, 0, 0.96])
 FLOOR = Plane("floor", -50 * UP, UP)
 
 
 def case(figure: Figure, rng: np.random.Generator) -> tuple[Samples, Resting]:
     samples = at_times(random_samples(figure, rng, 6), np.linspace(0, 1, 6))
     last = len(figure.links) - 1
-    rests = Rest(Point("a", 1, np.array([0.1, 0.2, -0.3]), 0.05), 0.1, 0.5), Rest(Point("b", last, UP), 0.3, 1.0)
+    rests = (
+        Rest(Point("a", 1, np.array([0.1, 0.2, -0.3]), 0.05), 0.1, 0.5),
+        Rest(Point("b", last, UP), 0.3, 1.0),
+        Rest(Point("c", last, np.array([0.2, 0.1, 0.0]), 0.02), 0.1, 0.9, Plane("slope", -50 * UP + 3 * TILT, TILT)),
+    )
     return samples, Resting(rests, (FLOOR,))
 
 
@@ -35,7 +39,8 @@ def test_the_value_by_hand(figure, rng):
         links = samples.links
         offset = np.einsum("ijs,j->is", links.rotation[:, :, rest.point.link], rest.point.position)
         velocity = links.x_d[:, rest.point.link] + np.cross(links.omega[:, rest.point.link].T, offset.T).T
-        height = (links.x[:, rest.point.link] + offset)[2] + 50 - rest.point.radius
+        place, normal = links.x[:, rest.point.link] + offset, UP if rest.ground is None else TILT
+        height = normal @ (place + 50 * UP[:, None]) - (3 if rest.ground else 0) - rest.point.radius
         during = (samples.t >= rest.first) & (samples.t <= rest.last)
         expected += during * (height**2 + SETTLING**2 * np.sum(velocity**2, axis=0))
     np.testing.assert_allclose(resting.evaluate(samples), expected, rtol=1e-9)
@@ -56,7 +61,8 @@ def test_its_curvature_is_that_of_height_and_velocity(figure, rng):
         link = np.full(at.size, rest.point.link)
         offset = np.einsum("ijs,j->is", samples.links.rotation[:, :, rest.point.link, at], rest.point.position)
         ways = [np.repeat(direction[:, None], at.size, axis=1) for direction in np.eye(3)]
-        moved = [phi[at, :1] * point_gradients(samples, at, link, offset, ways[2])]
+        up = np.repeat((UP if rest.ground is None else TILT)[:, None], at.size, axis=1)
+        moved = [phi[at, :1] * point_gradients(samples, at, link, offset, up)]
         for direction in ways:
             rows = velocity_gradients(samples, at, link, offset, direction)
             moved.append(SETTLING * np.einsum("po,pon->pn", phi[at, :2], rows))

@@ -1,0 +1,38 @@
+"""How surprising places are of a point that moves: one normal distribution of all of them, by its covariances."""
+
+import numpy as np
+import pytest
+from scipy.stats import multivariate_normal
+
+from dynsplines.solver.reading.moving import FASTEST, LIVELY, surprise
+
+
+def covariance(times: np.ndarray, variance: float, first: float) -> np.ndarray:
+    """Of a place that begins known to a sample's noise at `first`, at unknown speed, its acceleration white noise."""
+    t = times - first
+    early, late = np.minimum.outer(t, t), np.maximum.outer(t, t)
+    wiener = LIVELY * (early**2 * (3 * late - early) / 6)  # twice integrated
+    return variance + FASTEST**2 * np.multiply.outer(t, t) + wiener + variance * np.eye(t.size)
+
+
+@pytest.mark.parametrize("share", [1.0, 0.6])
+def test_it_adds_up_to_the_density_of_all_samples_together(rng, share):
+    times = np.cumsum(rng.uniform(0.01, 0.06, 14))
+    known = rng.random(14) < share
+    known[3:5] = True
+    places = rng.normal(0, 0.2, (3, 2, 14))
+    variance = np.array([0.01, 0.03]) ** 2
+    found = surprise(times, places, variance, known)
+    first, *later = np.flatnonzero(known)
+    for i, own in enumerate(variance):
+        normal = multivariate_normal(np.zeros(len(later)), covariance(times[later], own, times[first]))
+        for many in range(1, len(later) + 1):
+            part = multivariate_normal(normal.mean[:many], normal.cov[:many, :many])
+            off = places[:, i, later[:many]] - places[:, i, [first]]
+            assert found[i, : later[many - 1] + 1].sum() == pytest.approx(-part.logpdf(off).sum(), rel=1e-9)
+    assert np.all(found[:, ~known] == 0)
+    assert np.all(found[:, first] == 0)
+
+
+def test_nothing_is_surprising_where_nothing_is_known():
+    assert np.all(surprise(np.arange(4.0), np.zeros((3, 1, 4)), np.ones(1), np.zeros(4, bool)) == 0)

@@ -1,0 +1,59 @@
+"""Heights of points that are known badly: over what is below them, or beside them and much nearer."""
+
+import numpy as np
+import pytest
+
+from dynsplines.solver.surface import Box, Plane
+from dynsplines.solver.surface.heights import FAR, ground_at, grounds, height_over
+
+UP = np.array([0.0, 0, 1])
+FLOOR = Plane("floor", np.zeros(3), UP)
+BOX = Box("box", np.array([0.0, 0.0, 0.2]), np.eye(3), np.array([0.5, 0.5, 0.2]))
+TILT = np.array([np.sin(0.4), 0, np.cos(0.4)])
+REACH = 0.1
+
+
+def test_within_reach_of_an_edge_it_is_the_nearer_of_both(rng):
+    """Over a box and its floor: the top's where a point is over it or within 7 cm of it, in any direction; what lies
+    between that and 10 cm depends on the direction."""
+    points = np.vstack([rng.uniform(-0.8, 0.8, (2, 1, 400)), rng.uniform(0.0, 0.7, (1, 1, 400))])
+    found, where = grounds([FLOOR, BOX], points, np.array([0.05]), REACH)
+    beyond = np.maximum(np.abs(points[:2]) - 0.5, 0).max(axis=0)[0]
+    z = points[2, 0] - 0.05
+    top_is_nearer, on_top, on_floor = np.abs(z - 0.4) + 0.05 < np.abs(z), beyond == 0, beyond > REACH
+    reached = top_is_nearer & (beyond < 0.7 * REACH) & ~on_top & (z > 0.26)
+    assert reached.sum() > 10
+    np.testing.assert_allclose(found[0, reached], z[reached] - 0.4, atol=1e-12)
+    np.testing.assert_allclose(found[0, on_floor], z[on_floor], atol=1e-12)
+    high = on_top & (beyond == 0) & (np.abs(points[:2]).max(axis=0)[0] < 0.5 - REACH) & (z > 0.26)
+    np.testing.assert_allclose(found[0, high], z[high] - 0.4, atol=1e-12)
+    np.testing.assert_allclose(height_over([FLOOR, BOX], where, np.array([0.05]))[0], found, atol=1e-12)
+    np.testing.assert_array_less(np.linalg.norm((where - points)[:, 0], axis=0), REACH + 1e-12)
+
+
+def test_over_a_slope_it_is_that_of_the_slope_unless_it_is_far_off():
+    slope = Plane("slope", np.zeros(3), TILT)
+    points = np.array([[0.0, 0.3], [0.0, 0.0], [0.06, 0.0]])[:, None]
+    found, _ = grounds([slope], points, np.array([0.05]), REACH)
+    np.testing.assert_allclose(found, height_over([slope], points, np.array([0.05]))[0], atol=0.06)
+    assert found[0, 0] == pytest.approx(0.06 * TILT[2] - 0.05)
+
+
+@pytest.mark.parametrize("normal", [UP, TILT])
+def test_the_ground_of_a_point_is_the_plane_below_it(normal, rng):
+    plane = Plane("plane", rng.normal(size=3), normal)
+    point = plane.point + 0.04 * normal + np.cross(normal, rng.normal(size=3))
+    found = ground_at([plane], point, 0.03, REACH)
+    assert found is not None
+    np.testing.assert_allclose(found.normal, normal, atol=1e-12)
+    elsewhere = rng.normal(size=(3, 5))
+    np.testing.assert_allclose(found.height(elsewhere), plane.height(elsewhere), atol=1e-12)
+
+
+def test_beside_an_edge_it_is_the_plane_that_ends_there_and_where_nothing_is_there_is_none():
+    found = ground_at([FLOOR, BOX], np.array([0.55, 0.1, 0.46]), 0.05, REACH)
+    assert found is not None
+    assert found.height(np.array([0.7, 0.0, 0.41])) == pytest.approx(0.01)
+    assert ground_at([BOX], np.array([2.0, 0.0, 0.4]), 0.05, REACH) is None
+    height, _ = grounds([BOX], np.array([[[2.0]], [[0.0]], [[0.4]]]), np.array([0.05]), REACH)
+    assert height[0, 0] == FAR
