@@ -1,7 +1,8 @@
 """The figures, stages and clips that ship, and the one place that knows how to find them.
 
 Everything is read as text through `importlib.resources`, so a checkout, an editable install and a wheel behave alike.
-A figure is an MJCF file of this folder and a clip a TOML file in `clips`; `stage.xml` is what surrounds a figure.
+A figure is an MJCF file of this folder and a clip a TOML file in `clips`; `stage.xml` is what surrounds a figure. A
+TOML file in `maps` says which body of a figure is which part of a person, for recordings that are brought on to it.
 """
 
 import difflib
@@ -9,6 +10,7 @@ import re
 from collections.abc import Iterable
 from importlib.resources import files
 from importlib.resources.abc import Traversable
+from pathlib import Path
 
 STAGE = "stage"
 
@@ -53,6 +55,19 @@ def clip_text(name: str) -> str:
     if name not in clips():
         raise UnknownName("clip", name, clips())
     return (files(__name__) / "clips" / f"{name}.toml").read_text(encoding="utf-8")
+
+
+def maps() -> dict[str, str]:
+    """The names of the maps, each with one line that describes it: the first comment of the file."""
+    found = _entries(files(__name__) / "maps", ".toml")
+    return {name: _first_toml_comment(entry.read_text(encoding="utf-8")) for name, entry in found.items()}
+
+
+def map_file(name: str) -> Path:
+    """The TOML file of a map."""
+    if name not in maps():
+        raise UnknownName("map", name, maps())
+    return Path(str(files(__name__) / "maps" / f"{name}.toml"))
 
 
 def stage_text() -> str:

@@ -582,7 +582,9 @@ def retarget(
     source: Annotated[Path, typer.Argument(metavar="RECORDING", help="a skeleton's motion, such as BVH or AMASS")],
     to: Annotated[str, typer.Option("--to", help="the figure or robot: a shipped one or MJCF")],
     output: Output = None,
-    map_file: Annotated[Path | None, typer.Option("--map", help="a TOML file that says who is who")] = None,
+    map_file: Annotated[
+        Path | None, typer.Option("--map", help="a TOML file that says who is who, or a map that ships: g1, human")
+    ] = None,
     write_map: Annotated[bool, typer.Option("--write-map", help="write what was found to --map")] = False,
     kind: Kind = None,
     fps: Fps = None,
@@ -599,11 +601,13 @@ def retarget(
     from .clean import running
     from .errors import UserError
     from .exchange.formats import stem
+    from .exchange.skeleton.maps import map_of
     from .system.progress import Progress
     from .system.quantity import length, speed
 
     if write_map and map_file is None:
         raise UserError("--write-map: name the file, --map FILE")
+    map_file = map_file if write_map else map_of(map_file)
     bound = None if within is None else length(within, "--within")
     fastest = None if speed_limit is None else speed(speed_limit, "--speed-limit")
     with Progress() as progress:

@@ -13,6 +13,7 @@ from rich.text import Text
 from dynsplines import models
 
 from ..errors import UserError, unknown
+from ..exchange.skeleton.maps import map_of
 from ..system.progress import Progress
 from ..system.quantity import length
 from .manifest import Entry
@@ -45,6 +46,7 @@ def asked(
         return None
     if onto is not None and figure is not None:
         raise UserError(f"--figure {figure}: the figure is the one to --retarget to, '{onto}'")
+    map_file = map_of(map_file)
     if clean and map_file is not None:
         raise UserError("--map: who is who is asked where recordings are brought on to a figure: --retarget MODEL")
     model = onto if onto is not None else figure

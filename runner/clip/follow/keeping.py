@@ -54,7 +54,7 @@ WEIGHTS = {
 }
 LONGEST_PANEL, POINTS = 0.05, 3  # [s], of Gauss's rule
 TOLERANCE = 1e-2  # relative progress of E at which a search ends
-INSIDE = 0.01  # [rad, m] of a joint's range that is kept as a margin
+INSIDE = 0.015  # [rad, m] of a joint's range that is kept as a margin
 LOOKED_AT = 50  # poses in which it is looked for what stands on the ground
 SLOWER = 0.95  # of a speed that joints may have: what is soft gives a little
 ANKLE = 0.02  # [m] beside a joint's own thickness: what is so near to a sole's link moves with it

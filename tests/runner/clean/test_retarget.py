@@ -1,6 +1,7 @@
 """`dynsplines retarget`: a person's walk on a robot of hinges stands, bends, stays in its ranges; maps; bad input."""
 
 import re
+import tomllib
 from pathlib import Path
 
 import mujoco
@@ -10,7 +11,7 @@ import shipped
 from android import ANDROID
 from command import Command, commanded
 
-from dynsplines import motion
+from dynsplines import models, motion
 from dynsplines.edit.edits import repeated
 from dynsplines.exchange import formats
 from dynsplines.exchange.skeleton import bvh_file, hierarchy, retarget
@@ -134,6 +135,28 @@ def test_a_map_of_what_is_not_there_is_told(command, files, tmp_path, monkeypatc
     assert done.code == 2
     assert told in done.last, done.last
     assert not (tmp_path / "walk.android.npz").exists()
+
+
+@pytest.mark.parametrize("command_of", [("retarget", "--to"), ("batch", "--retarget")])
+def test_a_map_that_neither_is_there_nor_ships_is_told_with_those_that_do(command, files, tmp_path, command_of):
+    verb, to = command_of
+    done = command(verb, files / "walk.bvh", to, "human", "--map", "g2", "-o", tmp_path / "out")
+    assert done.code == 2
+    assert "no file 'g2', and no map 'g2'. Maps: g1, human" in done.last
+
+
+def test_the_map_of_the_human_that_ships_says_what_is_found_without_it(files):
+    """And that of the G1 names its parts by bodies that go down a leg and an arm."""
+    captured = Captured.of(bvh_file.read(files / "walk.bvh")[0])
+    model = mujoco.MjModel.from_xml_string(models.figure_text("human"))
+    said = {name: tomllib.loads(models.map_file(name).read_text(encoding="utf-8")) for name in models.maps()}
+    with retarget.by(retarget.Map()) as found:
+        retarget.onto(captured, model, "walk.bvh")
+    assert said["human"] == {"figure": dict(found[0].figure)}
+    assert set(said["human"]["figure"]) < set(said["g1"]["figure"])
+    with retarget.by(retarget.Map(said["human"]["figure"])) as again:
+        retarget.onto(captured, model, "walk.bvh")
+    assert again[0].figure == found[0].figure
 
 
 def test_what_has_no_legs_or_no_skeleton_is_told(command, files, tmp_path, monkeypatch):
