@@ -261,7 +261,7 @@ def _joints_fixed(figure: Figure, links: Sequence[int], fixed: Mask) -> Mask:
 
 
 def hovering(rests: Sequence[Rest], surfaces: Sequence[Surface], placed: Mask) -> Plain:
-    """Contacts whose points are over the surface below them, where there is one."""
+    """Contacts whose points are over what they rest on, or over the surface below them, where there is one."""
     rows = [
         _row("hover", rest.point.name, f"contact {rest.point.name} is {{}} up while it should rest") for rest in rests
     ]
@@ -269,7 +269,11 @@ def hovering(rests: Sequence[Rest], surfaces: Sequence[Surface], placed: Mask) -
     radii = np.array([point.radius for point in points])
 
     def amounts(samples: Samples) -> Array:
-        height, _ = heights(surfaces, places_of(points, samples)[0], radii)
+        places = places_of(points, samples)[0]
+        height, _ = heights(surfaces, places, radii)
+        for i, rest in enumerate(rests):
+            if rest.ground is not None:
+                height[i] = rest.ground.height(places[:, i]) - radii[i]
         during = np.array([(samples.t >= rest.first) & (samples.t <= rest.last) for rest in rests])
         return np.where(during & (height < FAR), height, 0.0)
 

@@ -55,6 +55,7 @@ WEIGHTS = {
 LONGEST_PANEL, POINTS = 0.05, 3  # [s], of Gauss's rule
 TOLERANCE = 1e-2  # relative progress of E at which a search ends
 INSIDE = 0.015  # [rad, m] of a joint's range that is kept as a margin
+NEXT_TO = 0.008  # [s] from a keyframe, half of what frames are apart at least
 LOOKED_AT = 50  # poses in which it is looked for what stands on the ground
 SLOWER = 0.95  # of a speed that joints may have: what is soft gives a little
 ANKLE = 0.02  # [m] beside a joint's own thickness: what is so near to a sole's link moves with it
@@ -116,13 +117,22 @@ def problem(near: Near, ground: Ground, rests: Sequence[Rest], times: Array, edi
     figure, path = near.recorded.figure, near.recorded.path
     nothing, everything = np.zeros(figure.width, bool), np.ones(figure.width, bool)
     given = np.array([edit.time for edit in edits])
-    free = times if not given.size else times[np.abs(times[:, None] - given).min(axis=1) > ROUNDING]
+    free = _clear(times, given)
     frames = [Frame(t, q, nothing, everything) for t, q in zip(free, figure.to_qpos(path.at(free)), strict=True)]
     keys = sorted([*edits, *frames], key=lambda frame: frame.time)
     quadrature = Quadrature("gauss", POINTS, LONGEST_PANEL)
     settings = Settings(variable=0, frames=0, tolerance=TOLERANCE, renormalise=False, quadrature=quadrature)
     penalties = [(penalty, WEIGHTS[penalty.name]) for penalty in (near, *penalties_of(ground, rests))]
     return Problem(figure, tuple(keys), tuple(penalties), settings)
+
+
+def _clear(times: Array, given: Array) -> Array:
+    """Times (M,) of frames without those next to keyframes that are given: a spline through both would go wild."""
+    if not given.size:
+        return times
+    away = np.abs(times[:, None] - given).min(axis=1)
+    ends = np.isin(times, (times[0], times[-1]))
+    return times[(away > NEXT_TO) | (ends & (away > ROUNDING))]
 
 
 def penalties_of(ground: Ground, rests: Sequence[Rest]) -> list[Penalty]:
