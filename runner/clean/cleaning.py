@@ -107,17 +107,20 @@ def cleaned(
     found = Cleaned(ground, before, recorded, rests, asked, inbetween(asked, improved=improved))
     if within is None:
         return found
+    off = verdict(found).off
     for _ in range(TRIES):
-        off = verdict(found).off
         if off <= within:
             break
         weights = [(p, STRICTER * w if p is near else w) for p, w in asked.penalties]
-        asked = replace(asked, penalties=tuple(weights), keys=_from(figure, found.solution))
-        closer = replace(found, solution=inbetween(asked, improved=improved))
+        asked = replace(asked, penalties=tuple(weights))
+        closer = replace(
+            found, solution=inbetween(replace(asked, keys=_from(figure, found.solution)), improved=improved)
+        )
         told = verdict(closer)
-        if told.off >= off or not told.is_sound:
+        if not told.is_sound:
             break
-        found = closer
+        if told.off < off:
+            found, off = closer, told.off
     return found
 
 
