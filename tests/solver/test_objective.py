@@ -368,3 +368,12 @@ def test_shares_of_segments_are_exact_and_an_instant_between_two_belongs_to_the_
     np.testing.assert_allclose(shares[:, 0], 2 * np.array([1.25, 1.5, 2.1, 3.0]), rtol=1e-13)
     whole = segment_integrals(objective, path, np.array([0.0, 0.7, 1.1, 2.0])).sum(axis=0)
     np.testing.assert_allclose(whole, [2 * (1 + 1.25 + 1.5 + 2.1 + 3), 3 * 2.0**6 / 6], rtol=1e-12)
+
+
+def test_of_two_segments_a_violent_one_counts_as_four_times_the_other():
+    figure = Figure(mujoco.MjModel.from_xml_string(ONE_HINGE))
+    path = path_of(raw_timeline(figure, [Frame.key(t, [t]) for t in (0.0, 1.0, 1.1)]))
+    (term,) = Objective.of(figure, [(Clock(), 3.0)]).renormalised(path).terms
+    calm, violent = 1 / 6, (1.1**6 - 1) / 6
+    assert violent / 0.1 > 5 * calm
+    assert term.factor == pytest.approx(3 / (calm + 4 * calm * 0.1), rel=1e-12)
