@@ -37,7 +37,7 @@ def commands(example: Example) -> None:
         name, *words = shlex.split(line)
         assert name == "dynsplines"
         if words[0] == "render":
-            words += ["--size", "96x54"]  # of several the last one counts
+            words += ["--size", "96x54", "--fps", "4"]  # of several the last one counts
         said = io.StringIO()
         with pytest.MonkeyPatch.context() as patch, contextlib.redirect_stdout(io.StringIO()):
             patch.setattr(sys, "argv", ["dynsplines", *words])
