@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 # isort: off
+import bytecode  # noqa: F401 - before all that is ours
 import one_thread  # noqa: F401 - before NumPy
 # isort: on
 

@@ -8,7 +8,6 @@ the other end of a pipe. How to protect a scheduler elsewhere is for whoever run
 from __future__ import annotations
 
 import logging
-import tempfile
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager, suppress
 from typing import cast
@@ -20,6 +19,7 @@ from distributed.utils import silence_logging_cmgr
 
 from ..errors import UserError, one_line
 from ..system.progress import Progress
+from ..system.scratch import scratch
 from ..system.workers import ctrl_c_blocked
 from .crew import Crew
 
@@ -80,9 +80,9 @@ class _Worker(_Unheard, Worker):
 
 def _local(workers: int, stack: ExitStack) -> str:
     """The address of a scheduler in this process, with a worker of so many threads; all goes with the stack."""
-    folder = stack.enter_context(tempfile.TemporaryDirectory(prefix="dynsplines-", ignore_cleanup_errors=True))
+    stack.enter_context(dask.config.set({"temporary-directory": str(stack.enter_context(scratch()))}))
     ours: dict[str, object] = {"protocol": WITHIN, "dashboard": False}
-    worker = {"nthreads": workers, "memory_limit": MEMORY_LIMIT, "local_directory": folder, **ours}
+    worker = {"nthreads": workers, "memory_limit": MEMORY_LIMIT, **ours}
     cluster = SpecCluster(
         workers={0: {"cls": _Worker, "options": worker}},
         scheduler={"cls": _Scheduler, "options": ours},

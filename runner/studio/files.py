@@ -5,13 +5,13 @@ from __future__ import annotations
 import asyncio
 import re
 import sys
-import tempfile
 from collections.abc import Sequence
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 from ..errors import UserError
+from ..system.scratch import scratch
 from .document import FILMS
 from .session import Session
 
@@ -79,8 +79,8 @@ class Files:
     async def export(self, *, to: str, name: str) -> str:
         """The present motion in another program's format."""
         target = inside(self.folder, name)
-        with tempfile.TemporaryDirectory(prefix="dynsplines-") as folder:
-            motion = Path(folder) / f"{self.session.document.name}.npz"
+        with scratch() as folder:
+            motion = folder / f"{self.session.document.name}.npz"
             await self.session.kept(motion)
             await self._run(["export", str(motion), "--to", to, "-o", str(target), "--overwrite"], "export")
         return f"exported {target.name}"
@@ -90,8 +90,8 @@ class Files:
         target = inside(self.folder, name)
         if target.suffix.lower() not in FILMS:
             raise UserError(f"'{name}': a film's name ends in {', '.join(FILMS)}")
-        with tempfile.TemporaryDirectory(prefix="dynsplines-") as folder:
-            motion = Path(folder) / f"{self.session.document.name}.npz"
+        with scratch() as folder:
+            motion = folder / f"{self.session.document.name}.npz"
             await self.session.kept(motion)
             words = ["render", str(motion), "-o", str(target), "--size", size, "--camera", camera]
             await self._run([*words, *(["--only", only] if only else [])], "render")

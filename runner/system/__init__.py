@@ -1,6 +1,7 @@
 """The machine: files, processes, signals, terminals, memory.
 
 output        the one way to write a file: whole or not at all, under its name only once the disk has it
+scratch       folders for what is needed only while something runs
 largest       how much a file may come to in memory
 archive       what the arrays of an .npz come to in memory, told from their heads before any is read
 cache_folder  the user's folder for what this program could find again: solved clips, and which renderer worked

@@ -132,7 +132,7 @@ def _cut(times: Array, place: Array, height: Array, moving: Array, known: Mask, 
         if total[k] < best[j]:
             best[j], came[j] = total[k], a[k]
     runs, j = [], count
-    while j > 0:
+    while j:
         if came[j] >= 0:
             runs.append((int(came[j]), j))
             j = int(came[j])

@@ -16,9 +16,10 @@ import pytest
 from sybil import Example, Sybil
 from sybil.parsers.markdown import CodeBlockParser, PythonCodeBlockParser
 
+from dynsplines import cli
+
 ROOT = Path(__file__).parents[2]
 PAGES = sorted((ROOT / "docs").glob("*.md"))
-COMMAND = "import sys; from dynsplines.cli import main; main()"
 
 
 def printed(example: Example) -> str | None:
@@ -31,13 +32,19 @@ def printed(example: Example) -> str | None:
 
 
 def commands(example: Example) -> None:
-    """A block of shell: commands of ours, which print what is wrong."""
+    """A block of shell: commands of ours, which print what is wrong. Films are drawn small."""
     for line in str(example.parsed).strip().splitlines():
         name, *words = shlex.split(line)
         assert name == "dynsplines"
-        done = subprocess.run([sys.executable, "-c", COMMAND, *words], capture_output=True, text=True, check=False)
-        assert done.returncode == 0, done.stderr
-        print(*[each for each in done.stderr.splitlines() if each.startswith("problem")], sep="\n")
+        if words[0] == "render":
+            words += ["--size", "96x54", "--fps", "4"]  # of several the last one counts
+        said = io.StringIO()
+        with pytest.MonkeyPatch.context() as patch, contextlib.redirect_stdout(io.StringIO()):
+            patch.setattr(sys, "argv", ["dynsplines", *words])
+            with contextlib.redirect_stderr(said), pytest.raises(SystemExit) as ended:
+                cli.main()
+        assert not ended.value.code, said.getvalue()
+        print(*[each for each in said.getvalue().splitlines() if each.startswith("problem")], sep="\n")
 
 
 def kept(example: Example) -> None:

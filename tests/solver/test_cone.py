@@ -6,7 +6,7 @@ from scipy.optimize import brentq, nnls
 from taylor import taylor_slope
 
 from dynsplines.solver.array import Array
-from dynsplines.solver.cone import _line_search, projection, unsupplied
+from dynsplines.solver.cone import _line_search, _rise, projection, unsupplied
 
 
 def pyramids(rng: np.random.Generator, points: int, count: int) -> Array:
@@ -70,6 +70,20 @@ def test_the_projection_is_how_the_rest_moves_with_the_vector(rng):
     after, before = (unsupplied(w + sign * h * direction, edges, 1e-3).rest for sign in (1, -1))
     moved = np.einsum("sij,js->is", projection(found, edges, 1e-3), direction)
     np.testing.assert_allclose((after - before) / (2 * h), moved, atol=1e-6)
+
+
+def test_a_step_rises_at_its_end_as_the_function_does_by_differences(rng):
+    edges, (w, r, step) = rng.normal(size=(6, 8)), rng.normal(size=(3, 6))
+    for softness in (1e-2, 1.0):
+
+        def function(share: float, softness: float = softness) -> float:
+            there = r + share * step
+            return float(there @ there / 2 + np.sum(np.maximum(edges.T @ there, 0) ** 2) / (2 * softness) - w @ there)
+
+        there, change = edges.T @ (r + step), edges.T @ step
+        assert (there > 0).any() and (there < 0).any()
+        found = _rise((r + step - w)[None], step[None], there[None], change[None], softness)
+        assert found[0] == pytest.approx((function(1 + 1e-6) - function(1 - 1e-6)) / 2e-6, rel=1e-6)
 
 
 @pytest.mark.parametrize("softness", [1e-2, 1.0])

@@ -13,11 +13,11 @@ from dynsplines.solver.curve.quadrature import Quadrature
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.inbetween import inbetween
+from dynsplines.solver.inbetween import _Loop, inbetween
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import Contact, CovariantAcceleration, UnitMagnitude
 from dynsplines.solver.problem import Problem, Settings
-from dynsplines.solver.refine.subdivision import CRITERIA
+from dynsplines.solver.refine.subdivision import CRITERIA, split
 from dynsplines.solver.search.descent import METHODS
 from dynsplines.solver.search.minimum import Stop, StopSearch
 from dynsplines.solver.solution import Improvement, Solution
@@ -159,6 +159,30 @@ def test_the_segments_that_need_it_most_are_split_first(monkeypatch, frames):
     middles = (halves[1:] + halves[:-1]) / 2
     expected = np.sort(np.append(halves, middles[np.argsort(-needs)[: frames - 3]]))
     np.testing.assert_allclose(motion.timeline.times, expected)
+
+
+@pytest.mark.parametrize("criterion", ["resolution", "weak"])
+@pytest.mark.parametrize(
+    ("since", "until"), [(-np.inf, np.inf), (0.2, 1.5), (0.5, np.inf), (-np.inf, 0.4), (0.7, 0.71)]
+)
+def test_nothing_is_split_in_what_is_held_and_nothing_that_promises_too_little(monkeypatch, criterion, since, until):
+    needs = np.array([0.1, 0.6, 0.3, 0.5, 0.2, 0.4])
+    monkeypatch.setitem(CRITERIA, criterion, lambda objective, timeline: needs)
+    settings = Settings(criterion=criterion, threshold=0.25, batch=0.5)
+    loop = _Loop(Objective.of(hinged(), [(CovariantAcceleration(), 1.0)]), settings, None)
+    loop.since, loop.until = since, until
+    loop.elsewhere = np.array([2.0])
+    loop.trace = [(0, 0, 9.0, {}), (1, 0, 4.4, {})]
+    timeline = split(raw_timeline(hinged(), hinge_keys()), np.array([0.25, 0.95, 1.7]))
+    middles = (timeline.times[1:] + timeline.times[:-1]) / 2
+    left = 4.4 - 2.0  # of E, in three segments: a segment deserves a frame from a quarter of its share on
+    least = 0.25 * left / 3 if criterion == "weak" else 0.25
+    worth = [k for k in np.argsort(-needs) if since < middles[k] < until]
+    for room in (1, 2, 6):
+        best = [k for k in worth[: min(room, 3)] if needs[k] > least]
+        chosen, promise = loop.chosen(timeline, room)
+        np.testing.assert_array_equal(chosen, np.sort(middles[best]))
+        assert promise == pytest.approx(needs[best].sum() / left if criterion == "weak" else 0.0)
 
 
 @pytest.mark.parametrize(("tiny", "frames"), [(0.0099, 0), (0.0101, 2)])

@@ -18,13 +18,24 @@ from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.objective import LEAST_TYPICAL, MOST_OF_TIME, RUN, SMALL_SHARE, VIOLENT, Objective
+from dynsplines.solver.objective import (
+    LEAST_TYPICAL,
+    MOST_OF_TIME,
+    RUN,
+    SMALL_SHARE,
+    VIOLENT,
+    Objective,
+    segment_integrals,
+)
 from dynsplines.solver.penalty import (
     Contact,
     CovariantAcceleration,
+    Penalty,
     Posture,
     RootAcceleration,
+    Scale,
 )
+from dynsplines.solver.penalty.penalty import Momentary
 from dynsplines.solver.refine.subdivision import evenly
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point
@@ -302,3 +313,67 @@ def test_a_weight_that_is_none_is_refused_by_name(weight, figure):
     with pytest.raises(ValueError, match=r"the weight of 'root' is .*; it must be a number, at least 0"):
         Objective.of(figure, [(RootAcceleration(), weight)])
     assert Objective.of(figure, [(RootAcceleration(), 0)]).terms[0].weight == 0
+
+
+class Clock(Penalty):
+    """t⁵, whatever the figure does."""
+
+    name = property(lambda self: "clock")
+    scale = property(lambda self: Scale(1.0))
+
+    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: object = 1.0) -> np.ndarray:
+        return samples.t**5
+
+
+class Bell(Momentary):
+    """1 + t at some instants."""
+
+    name = property(lambda self: "bell")
+    scale = property(lambda self: Scale(1.0))
+    times = property(lambda self: np.array([3.0, 0.25, 0.5, 0.5, -1.0, 0.0, 1.1, 2.0]))  # of which two are outside
+
+    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: object = 1.0) -> np.ndarray:
+        return np.where(np.isin(samples.t, self.instants), 1 + samples.t, 0.0)
+
+
+def clock_and_bell(quadrature: Quadrature) -> tuple[Objective, Path]:
+    figure = Figure(mujoco.MjModel.from_xml_string(ONE_HINGE))
+    objective = Objective.of(figure, [(Bell(), 2.0), (Clock(), 3.0)], quadrature=quadrature)
+    return objective, path_of(raw_timeline(figure, [Frame.key(t, [t]) for t in (0.0, 0.7, 1.1, 2.0)]))
+
+
+@pytest.mark.parametrize("quadrature", [Quadrature("gauss", 3), Quadrature("uniform", 9)])
+def test_momentary_terms_count_at_their_instants_once_and_in_no_integral(quadrature):
+    objective, path = clock_and_bell(quadrature)
+    t, w, each = objective.nodes(path.spline.times)
+    plain, plain_weights = quadrature.nodes(path.spline.times)
+    assert np.all(np.diff(t) >= 0)
+    rung = np.array([0.0, 0.25, 0.5, 1.1, 2.0])
+    np.testing.assert_array_equal(np.sort(np.append(plain, rung)), t)
+    np.testing.assert_array_equal(np.unique(t[each[0] > 0]), rung)
+    np.testing.assert_array_equal(each[0][each[0] > 0], 1)
+    np.testing.assert_array_equal(each[1], w)
+    for power in range(4):
+        np.testing.assert_allclose(w @ t**power, plain_weights @ plain**power, rtol=1e-13)
+    bell, clock = objective.integrals(path)
+    assert bell == pytest.approx(np.sum(1 + rung), rel=1e-13)
+    assert clock == pytest.approx(plain_weights @ plain**5, rel=1e-13)
+
+
+def test_shares_of_segments_are_exact_and_an_instant_between_two_belongs_to_the_later():
+    objective, path = clock_and_bell(Quadrature())
+    edges = np.array([0.2, 0.5, 1.1, 1.2, 2.0])  # the spline has knots at 0, 0.7, 1.1 and 2
+    shares = segment_integrals(objective, path, edges)
+    np.testing.assert_allclose(shares[:, 1], 3 * np.diff(edges**6) / 6, rtol=1e-12)
+    np.testing.assert_allclose(shares[:, 0], 2 * np.array([1.25, 1.5, 2.1, 3.0]), rtol=1e-13)
+    whole = segment_integrals(objective, path, np.array([0.0, 0.7, 1.1, 2.0])).sum(axis=0)
+    np.testing.assert_allclose(whole, [2 * (1 + 1.25 + 1.5 + 2.1 + 3), 3 * 2.0**6 / 6], rtol=1e-12)
+
+
+def test_of_two_segments_a_violent_one_counts_as_four_times_the_other():
+    figure = Figure(mujoco.MjModel.from_xml_string(ONE_HINGE))
+    path = path_of(raw_timeline(figure, [Frame.key(t, [t]) for t in (0.0, 1.0, 1.1)]))
+    (term,) = Objective.of(figure, [(Clock(), 3.0)]).renormalised(path).terms
+    calm, violent = 1 / 6, (1.1**6 - 1) / 6
+    assert violent / 0.1 > 5 * calm
+    assert term.factor == pytest.approx(3 / (calm + 4 * calm * 0.1), rel=1e-12)

@@ -142,8 +142,12 @@ def assert_complete(folder: Path, count: int) -> None:
 
 
 @pytest.mark.slow
-def test_each_clip_is_done_once_though_a_process_and_the_program_are_killed(tmp_path: Path, start):
-    count, out = 24, tmp_path / "out"
+def test_each_clip_is_done_once_though_a_process_and_the_program_are_killed(
+    tmp_path: Path, start, monkeypatch: pytest.MonkeyPatch
+):
+    count, out, scratch = 24, tmp_path / "out", tmp_path / "scratch"
+    scratch.mkdir()
+    monkeypatch.setenv("TMPDIR", str(scratch))
     clips(tmp_path / "clips", count)
     words = ("batch", "clips", "-o", "out", "--workers", 2, "--no-report")
     first = start(*words)
@@ -161,6 +165,7 @@ def test_each_clip_is_done_once_though_a_process_and_the_program_are_killed(tmp_
     assert 10 <= len(finished) < count
     assert set(finished.values()) == {1}
     stamps = {name: (out / f"{name}.npz").stat().st_mtime_ns for name in finished}
+    assert list(scratch.iterdir())
 
     second = start(*words)
     _, said = second.communicate(timeout=PATIENCE)
@@ -168,6 +173,7 @@ def test_each_clip_is_done_once_though_a_process_and_the_program_are_killed(tmp_
     assert said.splitlines()[-1] == f"out: {count - len(finished)} solved, {len(finished)} already there, 0 failed"
     assert_complete(out, count)
     assert {name: (out / f"{name}.npz").stat().st_mtime_ns for name in finished} == stamps
+    assert not list(scratch.iterdir())
 
 
 @pytest.mark.slow

@@ -20,13 +20,13 @@ def drawn(saved: Saved, target, report=None) -> None:
     draw(saved.name, report or saved.report, saved.trace, np.array([key.time for key in saved.keys]), target)
 
 
-@pytest.fixture
-def figure(saved: Saved, tmp_path, monkeypatch) -> Figure:
-    """The figure as it was when it went into the file."""
+@pytest.fixture(scope="module")
+def figure(saved: Saved, tmp_path_factory: pytest.TempPathFactory) -> Figure:
+    """The figure as it was when it went into the file; to be looked at only."""
     kept: list[Figure] = []
-    monkeypatch.setattr(chart.plt, "close", kept.append)
-    drawn(saved, tmp_path / "c.png")
-    monkeypatch.undo()
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(chart.plt, "close", kept.append)
+        drawn(saved, tmp_path_factory.mktemp("chart") / "c.png")
     plt.close(kept[0])
     return kept[0]
 
@@ -75,7 +75,7 @@ def test_the_fourth_chart_falls_with_the_objective(figure, saved):
 
 
 @pytest.mark.slow
-def test_every_penalty_has_a_stroke_of_its_own(figure, saved, tmp_path, monkeypatch):
+def test_every_penalty_has_a_stroke_of_its_own(saved, tmp_path, monkeypatch):
     kept: list[Figure] = []
     monkeypatch.setattr(chart.plt, "close", kept.append)
     names = [f"penalty {i}" for i in range(25)]

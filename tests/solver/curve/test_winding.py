@@ -5,7 +5,7 @@ import itertools
 import mujoco
 import numpy as np
 import pytest
-from hypothesis import assume, example, given
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
@@ -52,6 +52,7 @@ def test_a_lone_arc_is_the_shortest():
 
 
 @pytest.mark.slow
+@settings(deadline=None)
 @given(st.lists(st.floats(-175, 175), min_size=2, max_size=6), st.integers(0, 100))
 @example([0.0, 150.001, 11.0], 0)
 def test_the_choice_is_the_best_of_all(turns, seed):

@@ -83,3 +83,28 @@ def test_a_gradient_with_respect_to_nothing_that_there_is_is_refused(figure, rng
     cotangent = Cotangent(random_samples(figure, rng))
     with pytest.raises(ValueError, match=r"'spin'; there are: y, y_d, .*omega"):
         getattr(cotangent, direction)("spin", *([] if direction == "buffer" else [np.zeros(3)]))
+
+
+def test_what_is_deferred_is_pulled_back_once_from_each_source_for_all_that_was_added(figure, rng):
+    samples = random_samples(figure, rng)
+
+    class Shifted:
+        """Links' origins, moved by something that nobody differentiates."""
+
+        def __init__(self) -> None:
+            self.settled = 0
+
+        def settle(self, into: Cotangent, buffer: np.ndarray) -> None:
+            self.settled += 1
+            into.absorb("x", buffer[0])
+
+    first, second = Shifted(), Shifted()
+    deferred, at_once = Cotangent(samples), Cotangent(samples)
+    for source, gradient in zip((first, second, first), rng.normal(size=(3, *samples.links.x.shape)), strict=True):
+        buffer = deferred.deferred(source, 1)
+        assert buffer.shape == (1, *gradient.shape)
+        buffer[0] += gradient
+        at_once.accumulate("x", gradient)
+    for one, other in zip(deferred.gradients(), at_once.gradients(), strict=True):
+        np.testing.assert_allclose(one, other, atol=1e-12)
+    assert (first.settled, second.settled) == (1, 1)

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
+from hinged import hinge_keys, hinged
 
 from dynsplines.clip import load as clips
-from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.inbetween import inbetween, resumed
 from dynsplines.solver.refine.carried import carried
 from dynsplines.solver.refine.cut import Cut
+from dynsplines.solver.refine.subdivision import split
 
 
 @pytest.fixture(scope="module")
@@ -81,6 +85,44 @@ def test_far_from_a_small_edit_it_stays_as_it_was(clip, found):
     t = np.linspace(1.7, 2.2, 20)
     height = [path_of(line).at(t)[:, 2] for line in (found.timeline, begin)]
     np.testing.assert_allclose(height[0], height[1], atol=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("new", "old"),
+    [
+        ([1.0, 1.7, 3.0], [0.0, 2.0]),  # other times, and other in number: all of it between its ends
+        ([0.2, 0.9, 1.4, 2.6], [0.0, 0.5, 1.4, 2.0]),  # as many: each by its number
+        ([-0.5, 0.5, 0.8, 1.4, 2.3], [0.5, 1.4]),  # those of one time stay, and what is beyond is as far away
+    ],
+)
+def test_variable_frames_lie_between_keyframes_as_they_did_and_move_with_them(rng, new, old):
+    figure, before = hinged(), hinge_keys()
+    found = split(raw_timeline(figure, before), np.array([0.2, 0.35, 0.9, 1.7]))
+    shaken = [replace(f, state=f.state + 0.1 * rng.normal(size=2)) if f.is_variable else f for f in found.frames]
+    found = Timeline(tuple(shaken), found.end_slope, found.ends)
+    keys = [Frame.key(t, rng.normal(size=figure.width)) for t in new]
+    begin = carried(figure, found, before, keys, raw_timeline(figure, keys))
+    old, there = np.array(old), np.array(new)
+    same = there[np.isin(there, old)] if len(new) != len(before) else there
+    same = same if same.size else there[[0, -1]]
+
+    def back(t):
+        """The time before the edit that a time stands for."""
+        return np.interp(t, same, old) + np.minimum(t - same[0], 0) + np.maximum(t - same[-1], 0)
+
+    def was(t):
+        return path_of(found).at(np.clip(back(t), 0.0, 2.0))
+
+    t = begin.times
+    moved = np.array([key.state for key in keys]) - was(there)
+    more = np.array([np.interp(t, there, column) for column in moved.T]).T
+    np.testing.assert_allclose(begin.states, was(t) + more, atol=1e-12)
+    for a, b in pairwise(new):
+        inner, given = t[(t > a) & (t < b)], back(np.array([a, b]))
+        kept = [x for x in (0.2, 0.35, 0.9, 1.7) if given[0] < x < given[1]]
+        kept = [x for x in kept if 0.15 < (x - given[0]) / (given[1] - given[0]) < 0.85]
+        expected = kept if kept else back(a + (b - a) * np.array([1, 2]) / 3)
+        np.testing.assert_allclose(back(inner), expected, atol=1e-12)
 
 
 @pytest.mark.slow

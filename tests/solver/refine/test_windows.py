@@ -1,6 +1,6 @@
 """A long clip in windows: every segment is kept once, and what comes out is the whole clip as one solve finds it."""
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
@@ -58,8 +58,12 @@ def long_keys(*, partial: bool = False) -> list[Frame]:
 @pytest.fixture
 def short(monkeypatch: pytest.MonkeyPatch) -> None:
     """Windows of six segments, for any clip."""
-    monkeypatch.setattr("dynsplines.solver.refine.windows.KEPT", 6)
-    monkeypatch.setattr("dynsplines.solver.refine.windows.LARGEST", 0)
+    in_short_windows(monkeypatch)
+
+
+def in_short_windows(patch: pytest.MonkeyPatch) -> None:
+    patch.setattr("dynsplines.solver.refine.windows.KEPT", 6)
+    patch.setattr("dynsplines.solver.refine.windows.LARGEST", 0)
 
 
 def fine_value(motion: Solution, path: Path | None = None) -> float:
@@ -146,48 +150,70 @@ def test_a_window_has_its_share_of_the_budget_or_what_the_other_segments_leave_o
     assert [assembly.room(window, budget) for budget in (100, 40, 30)] == [50, 20, 10]
 
 
-@pytest.mark.slow
-def test_what_is_told_while_it_goes_on_is_the_whole_clip_and_about_its_e(short):
-    keys, told = long_keys(), []
-    motion = inbetween(
-        Problem(FIGURE, keys, penalties(), SETTINGS), improved=lambda each: told.append((each.value, each.path))
-    )
-    assert len(told) > 10
-    for value, path in told:
-        assert_whole(path, keys)
-        np.testing.assert_allclose(motion.objective.value(path), value, rtol=0.03)
+@dataclass(frozen=True)
+class Told:
+    """A search in windows: what came out, improvements with their paths when they were told, frames that were lost."""
+
+    motion: Solution
+    improvements: list[Improvement]
+    paths: list[Path]
+    lost: set[float]
+
+
+@pytest.fixture(scope="module")
+def told() -> Told:
+    """The long clip in windows of six segments; to be looked at only."""
+    improvements: list[Improvement] = []
+    paths: list[Path] = []
+    lost: set[float] = set()
+    close = Assembly.close
+
+    def watched(self: Assembly, window: Window, solved: Timeline) -> None:
+        close(self, window, solved)
+        added = {frame.time for frame in solved.frames if frame.is_variable}
+        lost.update(added - {frame.time for frame in self.timeline().frames})
+
+    def improved(each: Improvement) -> None:
+        improvements.append(each)
+        paths.append(each.path)
+
+    with pytest.MonkeyPatch.context() as patch:
+        in_short_windows(patch)
+        patch.setattr(Assembly, "close", watched)
+        motion = inbetween(Problem(FIGURE, long_keys(), penalties(), SETTINGS), improved=improved)
+    return Told(motion, improvements, paths, lost)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("ends", ["free", "clamped"])
-def test_the_last_e_told_is_that_of_the_clip(short, ends):
-    slope = np.zeros((2, FIGURE.width)) if ends == "clamped" else None
-    motion = inbetween(Problem(FIGURE, long_keys(), penalties(), SETTINGS, ends=ends, end_slope=slope))
+def test_what_is_told_while_it_goes_on_is_the_whole_clip_and_about_its_e(told):
+    assert len(told.improvements) > 10
+    for each, path in zip(told.improvements, told.paths, strict=True):
+        assert_whole(path, long_keys())
+        np.testing.assert_allclose(told.motion.objective.value(path), each.value, rtol=0.03)
+
+
+@pytest.mark.slow
+def test_the_last_e_told_is_that_of_the_clip(told):
+    np.testing.assert_allclose(told.motion.trace[-1][2], told.motion.objective.value(told.motion.path), rtol=5e-3)
+
+
+@pytest.mark.slow
+def test_the_last_e_told_is_that_of_the_clip_with_clamped_ends_too(short):
+    slope = np.zeros((2, FIGURE.width))
+    motion = inbetween(Problem(FIGURE, long_keys(), penalties(), SETTINGS, ends="clamped", end_slope=slope))
     np.testing.assert_allclose(motion.trace[-1][2], motion.objective.value(motion.path), rtol=5e-3)
 
 
 @pytest.mark.slow
-def test_what_was_told_is_the_whole_clip_still_when_it_is_asked_for_later(short):
-    keys, told = long_keys(), []
-    inbetween(Problem(FIGURE, keys, penalties(), SETTINGS), improved=told.append)
-    for each in told:
-        assert_whole(each.path, keys)
+def test_what_was_told_is_the_whole_clip_still_when_it_is_asked_for_later(told):
+    for each, path in zip(told.improvements, told.paths, strict=True):
+        assert_whole(each.path, long_keys())
+        np.testing.assert_array_equal(each.path.rows, path.rows)
 
 
 @pytest.mark.slow
-def test_no_frame_that_a_window_added_is_lost(short, monkeypatch):
-    close, lost = Assembly.close, []
-
-    def watched(self: Assembly, window: Window, solved: Timeline) -> None:
-        close(self, window, solved)
-        lost.extend(
-            {frame.time for frame in solved.frames if frame.is_variable}
-            - {frame.time for frame in self.timeline().frames}
-        )
-
-    monkeypatch.setattr(Assembly, "close", watched)
-    inbetween(Problem(FIGURE, long_keys(), penalties(), SETTINGS))
-    assert not lost
+def test_no_frame_that_a_window_added_is_lost(told):
+    assert not told.lost
 
 
 @pytest.mark.slow

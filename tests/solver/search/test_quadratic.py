@@ -104,12 +104,16 @@ def test_stances_and_the_papers_form_enter_the_model_like_the_others(rng, monkey
 def test_a_model_made_of_few_spans_at_once_is_the_same(rng, ends, monkeypatch):
     figure = figure_of(TINY)
     problem, x = smooth_problem(tiny_clip(rng, ends, "world"), figure, rng)
-    gradient = problem(x).gradient
+    gradient, spans = problem(x).gradient, problem.spline.times.size - 1
     step, promised, _ = Model(Layout(problem), x, gradient).minimised(0.1)
-    monkeypatch.setattr("dynsplines.solver.search.quadratic.SPANS_AT_ONCE", 4)
-    again, promised_again, _ = Model(Layout(problem), x, gradient).minimised(0.1)
-    np.testing.assert_allclose(again, step, rtol=1e-7, atol=1e-9)
-    np.testing.assert_allclose(promised_again, promised, rtol=1e-9)
+    monkeypatch.setattr("dynsplines.solver.search.quadratic.SPAN_ENTRIES", 0)
+    for at_once in (1, 2, 4, spans - 1, spans, spans + 1):
+        monkeypatch.setattr("dynsplines.solver.search.quadratic.SPANS_AT_ONCE", at_once)
+        layout = Layout(problem)
+        assert len(layout.pieces) == -(-spans // at_once)
+        again, promised_again, _ = Model(layout, x, gradient).minimised(0.1)
+        np.testing.assert_allclose(again, step, rtol=1e-7, atol=1e-9)
+        np.testing.assert_allclose(promised_again, promised, rtol=1e-9)
 
 
 @pytest.mark.parametrize("ends", ENDS)

@@ -108,6 +108,29 @@ def test_a_foot_that_touches_for_one_keyframe_between_two_segments_without_a_sta
     assert tell(toes(0, 0, left), toes(0.35, 1.0, right), toes(0.7, 2.0, left)) == ()
 
 
+def on_toe(time: float, x: float, crouched: float) -> Frame:
+    """A keyframe on the left toe, tilted forward, its leg drawn in by so much [m] and the other out of the way."""
+    turn = np.array([np.cos(0.15), 0, np.sin(0.15), 0])
+    return Frame.key(time, [x, 0, np.cos(0.3) * (1 - crouched), *turn, crouched, 0.3 + crouched])
+
+
+def test_a_clip_may_begin_and_end_on_the_toe_of_a_flight_but_none_touches_for_a_keyframe_alone():
+    assert tell(on_toe(0, 0, 0.1), on_toe(0.3, 1.0, 0.1)) == ((0.0, 0.3),)
+    assert tell(on_toe(0, 0, 0.1), key(0.15, 0.5, AIR, z=1.0), on_toe(0.3, 1.0, 0.1)) == ((0.0, 0.3),)
+    low, high, after = on_toe(0, 0, 0.25), on_toe(0.3, 1.0, 0.0), on_toe(0.6, 2.0, 0.25)
+    assert tell(low, high) == ((0.0, 0.3),)
+    assert tell(high, after) == ((0.3, 0.6),)
+    assert tell(low, high, after) == ()
+
+
+@pytest.mark.parametrize("feet", [SOLES, SOLES[:2]])
+def test_nobody_takes_off_from_a_foot_that_is_flat_on_the_ground_be_it_the_only_one(feet):
+    flat, toe = key(0, 0, (0.1, 0.4), z=0.9), on_toe(0, 0, 0.1)
+    for first, found in ((flat, ()), (toe, ((0.0, 0.3),))):
+        timeline = raw_timeline(FIGURE, [first, key(0.15, 0.5, AIR, z=1.0), on_toe(0.3, 1.0, 0.1)])
+        assert flights(FIGURE, 1, timeline, feet, (FLOOR,), ()) == found
+
+
 def test_a_clip_in_the_air_is_one_flight_if_it_falls():
     t = np.array([0.0, 0.2, 0.4, 0.6])
     fall = [key(float(s), float(s), AIR, z=2 + 3 * s - 9.81 * s**2 / 2) for s in t]

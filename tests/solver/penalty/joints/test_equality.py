@@ -40,6 +40,18 @@ GRIPPER = """
   <joint joint1="swing" joint2="left" active="false"/>
 </equality></mujoco>"""
 
+GEARS = """
+<mujoco><worldbody>
+<body name="a"><joint name="a" type="hinge" ref="0.3"/><geom size=".1"/>
+  <body name="b" pos="1 0 0"><joint name="b" type="slide" ref="0.2"/><geom size=".1"/>
+    <body name="c" pos="1 0 0"><joint name="c" type="hinge" ref="-0.4"/><geom size=".1"/>
+      <body name="d" pos="1 0 0"><joint name="d" type="slide" ref="0.1"/><geom size=".1"/></body></body></body></body>
+</worldbody><equality>
+  <joint joint1="b" joint2="a" polycoef="0.1 0.5 -0.2 0.3 0.7"/>
+  <joint joint1="a" polycoef="0.2 9 9 9 9"/>
+  <joint joint1="d" joint2="c" polycoef="0 -2 0 0 0.5"/>
+</equality></mujoco>"""
+
 FOUR_BAR = """
 <mujoco><compiler angle="degree"/><worldbody>
 <body name="crank" pos="0 0 1"><joint name="crank" axis="0 1 0"/><geom type="capsule" size=".01" fromto="0 0 0 0 0 .1"/>
@@ -64,16 +76,26 @@ def measured(found: work.Solved) -> dict:
     return found.saved(Progress(Console(file=io.StringIO()))).report["after"]["equality constraints"]
 
 
-def test_couplings_are_those_of_mujoco(rng):
-    model = mujoco.MjModel.from_xml_string(GRIPPER)
+@pytest.mark.parametrize(("text", "units"), [(GRIPPER, ["degrees", "m", "degrees"]), (GEARS, ["m", "degrees", "m"])])
+def test_couplings_are_those_of_mujoco(text, units, rng):
+    model = mujoco.MjModel.from_xml_string(text)
     figure, data = Figure(model), mujoco.MjData(model)
     samples = random_samples(figure, rng)
-    away, _ = Coupled(couplings(figure)).away(samples)
+    found = couplings(figure)
+    active = [i for i in range(model.neq) if model.eq_active0[i]]
+    assert [coupling.name for coupling in found] == [model.joint(model.eq_obj1id[i]).name for i in active]
+    assert [coupling.unit for coupling in found] == units
+    away, slopes = Coupled(found).away(samples)
     for i, qpos in enumerate(figure.to_qpos(samples.y)):
         data.qpos[:] = qpos
         mujoco.mj_forward(model, data)
         equality = data.efc_type == int(mujoco.mjtConstraint.mjCNSTR_EQUALITY)
         np.testing.assert_allclose(away[:, i], data.efc_pos[equality], atol=1e-12)
+        if not mujoco.mj_isSparse(model):
+            rows = data.efc_J.reshape(-1, model.nv)[equality]
+            for row, coupling, slope in zip(rows, found, slopes[:, i], strict=True):
+                driver = 0.0 if coupling.driver < 0 else -row[coupling.driver]  # no joint of many axes: dof = column
+                assert slope == pytest.approx(driver, abs=1e-12)
 
 
 def test_points_of_closed_loops_are_those_of_mujoco(rng):
