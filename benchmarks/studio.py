@@ -25,8 +25,9 @@ from dynsplines import models
 
 FLAGS = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
 SIZE = {"width": 1280, "height": 800}
-READY = "window.studio !== undefined && studio.model.stage !== null && studio.model.now !== null"
-SHOWN = f"{READY} && studio.stage.images > 1"
+SEEN = "window.studio !== undefined && studio.model.stage !== null && studio.model.now !== null"
+READY = f"{SEEN} && studio.model.document !== null"
+SHOWN = f"{SEEN} && studio.stage.images > 1"
 SETTLED = "studio.model.status.state === 'settled'"
 KEY = 4  # the keyframe that is edited
 PULLS = 200  # poses of a drag

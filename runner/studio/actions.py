@@ -194,10 +194,11 @@ def prepared(session: Session) -> Poser:
     from ..clip.load import table_of
     from .posing import Poser
 
-    if session.scene is None:
+    stages, packed = session.stages, session.figure
+    if packed is None:
         raise UserError("there is no figure yet; wait for the clip to load")
-    stages = session.stages
-    figure = Figure(session.scene["scene"].model(), session.scene["place"])
+    scene, place = packed
+    figure = Figure(scene.model(), place)
     whole = [key["qpos"] for key in session.loaded.get("keys", ()) if all(key["fixed"])]
     table = table_of(session.document.text, session.document.place)
     made = Poser(figure, table.penalty, np.reshape(np.array(whole, float), (-1, figure.width)))

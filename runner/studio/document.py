@@ -10,11 +10,13 @@ import zlib
 from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ..errors import UserError
 from ..system.output import Replacement
-from .edits.tables import Blocks
+
+if TYPE_CHECKING:
+    from .edits.tables import Blocks
 
 FILMS = (".mp4", ".webm", ".gif", ".png")  # endings of what is rendered
 Packed = tuple[str, bytes]  # what was done, and the text before it or after it, compressed
@@ -73,6 +75,8 @@ class Document:
 
     def tree(self) -> Blocks:
         """The text in blocks, to be changed; raises UserError for what is no TOML."""
+        from .edits.tables import Blocks  # only here: what takes texts apart is not needed to show one
+
         return Blocks.of(self.text, self.place)
 
     def tree_rows(self) -> list[dict[str, Any]]:

@@ -1,5 +1,6 @@
 // Hands on the figure: what the mouse lies on lights up; a drag of any point of it is posed by the server.
 import * as THREE from "three";
+import { UNSEEN } from "../scene/figure";
 import { toast } from "./dom";
 import { act, ask } from "./link";
 import { model } from "./model";
@@ -21,6 +22,7 @@ export class Hands {
 
   constructor(private readonly stage: Stage) {
     const { canvas } = stage;
+    this.ray.layers.enable(UNSEEN);
     this.mark.visible = false;
     this.mark.renderOrder = 10;
     stage.extra.add(this.mark);

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import pickle
 import struct
 
 import numpy as np
@@ -10,7 +11,7 @@ import pytest
 import tiny
 
 from dynsplines.studio import paths
-from dynsplines.studio.solving import Work
+from dynsplines.studio.solving.work import Work
 
 
 class Line:
@@ -69,7 +70,7 @@ def test_an_edited_keyframe_is_solved_on_from_the_present_path(work, tmp_path):
     assert kinds.count("raw") == 1
     again = load(work, tmp_path, tiny.CLIP, 2)  # undone: as it was found before
     first = next(each for each in again if each["is"] == "path" and each["kind"] == "carried")
-    assert first["timeline"].times.size == work.seen[tiny.CLIP].times.size
+    assert pickle.loads(first["timeline"]).times.size == work.seen[tiny.CLIP].times.size
 
 
 @pytest.mark.parametrize(

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import _thread
 import os
+import pickle
 import signal
 import threading
 import time
@@ -20,20 +21,19 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 
 from dynsplines.solver.curve.frame import Frame, Timeline
-from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.inbetween import inbetween, resumed
 from dynsplines.solver.one_thread import one_thread
 from dynsplines.solver.refine.carried import carried
 from dynsplines.solver.search.minimum import Stop, StopSearch
 from dynsplines.solver.solution import Improvement, Solution
 
-from ..clip import load as clips
-from ..clip.load import Clip
-from ..errors import UserError, one_line
-from ..scene.outside import allowed
-from ..system.cache_folder import place as cache
-from . import paths
-from .outline import formats, kinds, outline
+from ...clip import load as clips
+from ...clip.load import Clip
+from ...errors import UserError, one_line
+from ...scene.outside import allowed
+from ...system.cache_folder import place as cache
+from .. import paths
+from ..outline import formats, kinds, outline
 from .stage import stage
 
 if TYPE_CHECKING:
@@ -110,7 +110,7 @@ class Work:
         revision: int,
         go: bool,
         first: bool,
-        found: Timeline | None = None,
+        found: bytes | None = None,
     ) -> None:
         """A text: its clip, told with its keyframes; then the path through them that is nearest to the present one.
 
@@ -122,11 +122,13 @@ class Work:
         has_ground = before is not None and clip.figure is before.figure
         self.clip, self.revision = clip, revision
         if not has_ground:
-            self._send({"is": "stage", "stage": stage(clip), "scene": clip.scene, "place": clip.figure.coordinates})
+            figure = pickle.dumps((clip.scene, clip.figure.coordinates))
+            self._send({"is": "stage", "stage": stage(clip), "figure": figure})
         said = outline(text, place)
         self._tell("loaded", revision=revision, notes=list(clip.notes), outline=said, **_shape(clip))
         self._owes_raw = True
-        begin, between = self._begin(before, solution, first=first, found=found)
+        path = None if found is None else pickle.loads(found)  # what this program sent itself
+        begin, between = self._begin(before, solution, first=first, found=path)
         if begin is None:
             self._first(clip, go=go)
             return
@@ -167,7 +169,7 @@ class Work:
     def _first(self, clip: Clip, *, go: bool) -> None:
         """A clip that was just opened: as it was solved before, or searched from its raw spline."""
         self._send_path(clip.problem.raw, "carried")  # something to see
-        from .. import kept  # only here, as below: the figure is on the page by now
+        from ... import kept  # only here, as below: the figure is on the page by now
 
         folder = cache()
         known = None if folder is None else kept.read(folder / f"{kept.key_of(clip)}.npz", clip)
@@ -203,9 +205,9 @@ class Work:
         clip, found = self.clip, self.found
         if clip is None or found is None:
             raise UserError("nothing has been solved yet")
-        from .. import motion
-        from ..system.progress import Progress
-        from ..work import Solved
+        from ... import motion
+        from ...system.progress import Progress
+        from ...work import Solved
 
         saved = Solved(clip, found, None).saved(Progress(), with_report=False)
         motion.save(saved, Path(file))
@@ -274,8 +276,8 @@ class Work:
         value, parts = (found.trace[-1][2], found.trace[-1][3]) if found.trace else (0.0, {})
         self._send_path(found.timeline, "found", value=value, parts=_plain(parts), evaluation=found.evaluations)
         if begin is None and found.stop is Stop.CONVERGED and (folder := cache()) is not None:
-            from .. import kept
-            from ..work import Solved
+            from ... import kept
+            from ...work import Solved
 
             kept.write(Solved(clip, found, None), folder / f"{kept.key_of(clip)}.npz")
         self._judge(stop=found.stop.name)
@@ -292,7 +294,7 @@ class Work:
         clip, found = self.clip, self.found
         assert clip is not None and found is not None
         self._send_raw()
-        from ..measure.problems import plain, problems
+        from ...measure.problems import plain, problems
 
         wrong = problems(clip, found.timeline, found.raw)
         if not self._has_told:
@@ -317,17 +319,14 @@ class Work:
             self._send_path(self.clip.problem.raw, "raw")
 
     def _send_path(self, timeline: Timeline, stage: str, **told: Any) -> None:
-        """A path as the page plays it, and as the server adds keyframes from it."""
+        """A path as the page plays it; and, packed, as the server adds keyframes from it and gives it back."""
         clip = self.clip
         assert clip is not None
         self._sent = time.monotonic()
-        times = np.array([key.time for key in _said_keys(clip)])
-        inside = np.clip(times, timeline.times[0], timeline.times[-1])
-        qpos = clip.figure.to_qpos(path_of(timeline).at(inside)) if times.size else np.zeros((0, timeline.width))
         header = {"is": "path", "kind": stage, "revision": self.revision, **told}
         header["frames"] = [round(float(t), 5) for t in timeline.times]
         data = paths.packed(clip.figure, timeline, header)
-        self._send({"is": "path", "kind": stage, "data": data, "timeline": _bare(timeline), "keys": qpos, **told})
+        self._send({"is": "path", "kind": stage, "data": data, "timeline": pickle.dumps(_bare(timeline)), **told})
 
     def _tell(self, what: str, **said: Any) -> None:
         self._send({"is": what, **said})

@@ -17,8 +17,8 @@ from dynsplines.solver.objective import segment_integrals
 from dynsplines.solver.solution import Solution
 from dynsplines.solver.surface.points import arrays_of, places_of
 
-from ..clip.load import Clip
-from ..motion import samples_at
+from ...clip.load import Clip
+from ...motion import samples_at
 
 RATE = 100.0  # [1/s] of a short motion
 MOST = 1500  # samples of a long one
