@@ -4,6 +4,7 @@ start       the command: a free port, a token, the browser
 server      who may speak to it, and what for: the page, and a line to it
 session     one clip open, and everybody who looks at it
 document    the clip's text, with undo and redo; what nobody has saved lies beside it
+numbering   what a page's numbers mean after another page has changed something
 sources     what can be opened, as a clip's text
 edits/      one function for each way to change the text
 outline     what the timeline shows of a text

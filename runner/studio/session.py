@@ -13,6 +13,7 @@ from typing import Any
 from ..errors import UserError, one_line
 from . import glimpse
 from .document import Document
+from .numbering import renumbered
 from .solver import Solver
 
 Message = dict[str, Any]
@@ -132,13 +133,17 @@ class Session:
 
     # ---- edits
 
-    async def edit(self, name: str, said: Message) -> str:
-        """An edit by name; raises UserError, and then nothing has changed."""
+    async def edit(self, name: str, said: Message, revision: int | None = None) -> str:
+        """An edit by name; raises UserError, and then nothing has changed.
+
+        revision  that its numbers are of, where another may be the present one
+        """
         from .edits import EDITS  # only here, as in `document`
 
         if name not in EDITS:
             raise UserError(f"no edit '{name}'; there are: {', '.join(EDITS)}")
         async with self._lock:
+            said = renumbered(self.document, revision, said, name)
             tree = self.document.tree()
             try:
                 words = EDITS[name](tree, **said)
@@ -193,12 +198,14 @@ class Session:
         async with self._lock:
             self.document.keep()
             before, self.document = self.document, document
+            document.revision = before.revision
             try:
                 verdict = await self._tried(document.text, first=True)
             except UserError:
                 self.document = before
                 raise
             self.offer = document.kept()
+            document.revision += 1
             self._changed(verdict)
             self.tell({"is": "offer", "words": self._offering() if self.offer is not None else None})
             return f"opened {document.place}"
@@ -302,6 +309,9 @@ class Session:
         if not self._judge(message):
             self._accept(message)
         self._status("loaded")
+
+    def _heard_note(self, message: Message) -> None:
+        self.tell(message)
 
     def _heard_formats(self, message: Message) -> None:
         self._formats = message

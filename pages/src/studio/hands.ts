@@ -144,7 +144,7 @@ export class Hands {
       return;
     }
     dropped = performance.now();
-    await act("drop", { time: held.time });
+    await act("drop", { time: held.time, partial: model.partial });
     this.stage.override = null;
     this.stage.draw();
   }

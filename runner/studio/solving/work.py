@@ -15,7 +15,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
 from multiprocessing.connection import Connection
 from pathlib import Path
-from queue import SimpleQueue
+from queue import Empty, SimpleQueue
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
@@ -24,6 +24,8 @@ from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.inbetween import inbetween, resumed
 from dynsplines.solver.one_thread import one_thread
 from dynsplines.solver.refine.carried import carried
+from dynsplines.solver.search.astray import is_astray
+from dynsplines.solver.search.judgement import best as better
 from dynsplines.solver.search.minimum import Stop, StopSearch
 from dynsplines.solver.solution import Improvement, Solution
 
@@ -41,6 +43,8 @@ if TYPE_CHECKING:
 
 SAME = 1e-9  # [s]
 MOST_SEEN = 40  # texts whose paths are remembered
+IDLE = 1.0  # [s] without a message after which a search that may have gone astray is begun elsewhere
+DEARER = 3.0  # times the E before, from which on it may have
 SOONEST = 0.04  # [s] from one path that is sent to the next
 Message = dict[str, Any]
 
@@ -53,9 +57,18 @@ def serve(line: Line, outside: bool) -> None:
     threading.Thread(target=_read, args=(line, inbox, work), daemon=True).start()
     line.send({"is": "kinds", "kinds": kinds()})
     with suppress(BrokenPipeError, EOFError, OSError), allowed(outside), one_thread():
-        while (message := inbox.get()) is not None:
+        while (message := _next(inbox, work)) is not None:
             work.do(message)
     os._exit(0)
+
+
+def _next(inbox: SimpleQueue[Message | None], work: Work) -> Message | None:
+    """What comes next; while nothing does, a search that may have gone astray is begun elsewhere."""
+    while work.may_look:
+        with suppress(Empty):
+            return inbox.get(timeout=IDLE)
+        work.look_elsewhere()
+    return inbox.get()
 
 
 def _read(line: Line, inbox: SimpleQueue[Message | None], work: Work) -> None:
@@ -90,6 +103,9 @@ class Work:
         self._sent = 0.0
         self.has_curves = False
         self.seen: dict[str, Timeline] = {}
+        self._is_going, self._is_near = True, False
+        self._astray: str | None = None
+        self._before: tuple[float, int] | None = None  # E, and how much was wrong, when all was well last
 
     def do(self, message: Message) -> None:
         """One message; whatever goes wrong with it is told."""
@@ -117,6 +133,7 @@ class Work:
         first  whether it was opened just now;  go  whether to search
         found  where to go on from, after this process was begun anew
         """
+        self._is_going, self._astray = go, None
         before, solution = self.clip, self.found
         clip = clips.from_text(text, name=name, where=place, folder=Path(folder), like=None if first else before)
         has_ground = before is not None and clip.figure is before.figure
@@ -187,12 +204,14 @@ class Work:
 
     def do_go(self, anew: bool = False) -> None:
         """On with the search from the present path, or from the raw spline."""
+        self._is_going, self._astray = True, None
         if self.clip is not None and self.found is not None:
             fresh = anew or self.found.timeline is self.found.raw
             self._search(None if fresh else self.found.timeline, None)
 
     def do_stop(self) -> None:
-        """Nothing: that a message came has ended the search."""
+        """Nothing but that it stays so: that a message came has ended the search."""
+        self._is_going = False
 
     def do_curves(self, on: bool) -> None:
         """Whether curves are looked at, which take a moment to make."""
@@ -248,6 +267,7 @@ class Work:
         clip = self.clip
         assert clip is not None
         self._tell("searching", revision=self.revision)
+        self._is_near = begin is not None
         best: list[Improvement] = []
 
         def improved(improvement: Improvement) -> None:
@@ -297,14 +317,64 @@ class Work:
         from ...measure.problems import plain, problems
 
         wrong = problems(clip, found.timeline, found.raw)
+        self._astray = self._suspected(len(wrong)) if stop in (Stop.CONVERGED.name, Stop.STUCK.name) else None
         if not self._has_told:
             self._has_told = True
             self._tell("formats", **formats())
         self._tell(
-            "settled", revision=self.revision, stop=stop, problems=plain(wrong), frames=found.timeline.times.tolist()
+            "settled",
+            revision=self.revision,
+            stop=stop,
+            problems=plain(wrong),
+            frames=found.timeline.times.tolist(),
+            astray=self._astray,
         )
         if self.has_curves:
             self._send_curves()
+
+    def _suspected(self, wrong: int) -> str | None:
+        """Why the nearest minimum may be a bad one, after a search from the path before; None if nothing says so."""
+        clip, found = self.clip, self.found
+        assert clip is not None and found is not None
+        if not found.trace:
+            return None
+        value, parts = found.trace[-1][2:]
+        before, reason = self._before, None
+        if self._is_near and before is not None:
+            if value > DEARER * before[0]:
+                reason = f"E came to {value:.3g}, where it was {before[0]:.3g} before"
+            elif wrong > before[1]:
+                reason = f"more is wrong than before, {wrong} instead of {before[1]}"
+            elif is_astray(clip.problem.objective, found.timeline, parts):
+                reason = "what constraints cost exceeds what the motion does"
+        if reason is None:
+            self._before = value, wrong
+            return None
+        return f"{reason}: the search may have ended in a bad place. It looks elsewhere when nothing else is done."
+
+    @property
+    def may_look(self) -> bool:
+        """Whether the present path may be in a bad place, and nobody has stopped the search."""
+        return self._is_going and self._astray is not None
+
+    def look_elsewhere(self) -> None:
+        """From the raw spline, in silence: what it finds is taken if it is better; either way that is all there is."""
+        clip, now = self.clip, self.found
+        assert clip is not None and now is not None
+        found: Solution | None = None
+        with self._searching():
+            found = inbetween(clip.problem)
+        if found is None or found.stop is Stop.ASKED:
+            return
+        self._is_near = False
+        objective = clip.problem.objective
+        if better(objective, [now.timeline, found.timeline]) is found.timeline:
+            self.found = found
+            self._remember(clip.text, found.timeline)
+            value, parts = found.trace[-1][2:]
+            self._send_path(found.timeline, "found", value=value, parts=_plain(parts), evaluation=found.evaluations)
+            self._tell("note", words=f"begun anew, the search found a better path: E {value:.3g}")
+        self._judge(stop=found.stop.name)
 
     def _send_curves(self) -> None:
         if self.clip is not None and self.found is not None:
