@@ -138,17 +138,17 @@ const pose = (): void => {
 };
 
 const problems = (): void => {
-  const { flaws, astray } = model, count = flaws.length + Number(astray !== null);
+  const { flaws, astray } = model, count = flaws.length;
   $("count").textContent = count ? String(count) : "";
   $("count").hidden = !count;
   const box = $("panel-problems");
-  if (!count) {
+  if (!count && astray === null) {
     box.replaceChildren(el("p", { class: "hint good", id: "nothing-wrong", text: model.status.state === "settled" ? "Nothing is wrong with this motion." : "Nothing found yet." }));
     return;
   }
-  const lost = astray === null ? [] : [el("div", { class: "astray", role: "alert" }, el("p", { text: astray }),
+  const lost = astray === null ? [] : [el("div", { class: "astray", role: "status" }, el("p", { text: astray }),
     el("button", { type: "button", id: "astray-anew", class: "main", text: "Search anew", onclick: () => void act("go", { anew: true }) }))];
-  box.replaceChildren(...lost, el("p", { class: "hint", text: "Worst first. Click one to go there." }), el("ol", { class: "flaws" }, ...flaws.map((flaw) =>
+  box.replaceChildren(...lost, el("p", { class: "hint", text: count ? "Worst first. Click one to go there." : "" }), el("ol", { class: "flaws" }, ...flaws.map((flaw) =>
     el("li", {}, el("button", {
       type: "button", class: flaw.keyframe === null ? "" : "own", text: flaw.text,
       onclick: () => {

@@ -295,12 +295,12 @@ export class Timeline {
     const was = model.document!.keys.map((key) => key.time), { revision } = model.document!;
     const wasSelected = model.keys.has(index);
     this.choose(index, event);
+    const keys = [...model.keys]; // as they are numbered now, whatever another page does meanwhile
     model.playing = false;
     model.seek(was[index]);
     let moved = false;
     const scale = event.ctrlKey && event.altKey;
     const times = (time: number, e: PointerEvent): Map<number, number> => {
-      const keys = [...model.keys];
       const to = this.snapped(was[index] + time - begin, e);
       if (scale && keys.length > 1) {
         const first = Math.min(...keys.map((i) => was[i])), factor = Math.max(0.01, (to - first) / Math.max(1e-6, was[index] - first));
