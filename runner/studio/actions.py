@@ -31,11 +31,13 @@ class Actions:
         """What poses the present figure."""
         return await asyncio.to_thread(prepared, self.session)
 
-    async def grip(self, *, time: float, body: int, offset: Sequence[float], plant: bool = True) -> dict[str, Any]:
-        """Takes hold of a point of a body at a time of the clip."""
+    async def grip(
+        self, *, time: float, body: int, offset: Sequence[float], plant: bool = True, alone: bool = False
+    ) -> dict[str, Any]:
+        """Takes hold of a point of a body at a time of the clip; alone: of its limb and no more."""
         poser, qpos = await self.poser(), self.at(time)
         self._home, self._last, self._body = qpos, qpos, int(body)
-        self._grip = await asyncio.to_thread(poser.gripped, qpos, int(body), offset, plant=plant)
+        self._grip = await asyncio.to_thread(poser.gripped, qpos, int(body), offset, plant=plant, alone=alone)
         return {"planted": [goal.name for goal in self._grip.planted]}
 
     async def drag(self, *, position: Sequence[float]) -> dict[str, Any]:

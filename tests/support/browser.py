@@ -124,12 +124,12 @@ class Tab:
     def revision(self) -> int:
         return int(self.look("studio.model.document.revision"))
 
-    def changes(self, deed: Callable[[], object]) -> None:
+    def changes(self, deed: Callable[[], object], seconds: float = 60.0) -> None:
         """Does something, and waits until the document has changed and its path is on the page."""
         before = self.revision
         deed()
         now = "studio.model.document.revision"
-        self.until(f"{now} !== {before} && studio.model.loaded.revision === {now}")
+        self.until(f"{now} !== {before} && studio.model.loaded.revision === {now}", seconds)
 
     def press(self, keys: str) -> None:
         self.page.keyboard.press(keys)

@@ -67,7 +67,7 @@ def _next(inbox: SimpleQueue[Message | None], work: Work) -> Message | None:
     while work.may_look:
         with suppress(Empty):
             return inbox.get(timeout=IDLE)
-        work.look_elsewhere()
+        work.do({"do": "look"})
     return inbox.get()
 
 
@@ -357,7 +357,7 @@ class Work:
         """Whether the present path may be in a bad place, and nobody has stopped the search."""
         return self._is_going and self._astray is not None
 
-    def look_elsewhere(self) -> None:
+    def do_look(self) -> None:
         """From the raw spline, in silence: what it finds is taken if it is better; either way that is all there is."""
         clip, now = self.clip, self.found
         assert clip is not None and now is not None

@@ -416,7 +416,7 @@ def opened(tab, name):
     """A file of the folder, by the menu."""
     tab.page.locator("#files").click()
     tab.page.get_by_role("menuitem", name="Open").click()
-    tab.changes(tab.page.locator("dialog .list button", has_text=re.compile(f"^{re.escape(name)}$")).click)
+    tab.changes(tab.page.locator("dialog .list button", has_text=re.compile(f"^{re.escape(name)}$")).click, 150)
 
 
 @pytest.mark.parametrize("name", HANDS)
@@ -442,7 +442,7 @@ def test_a_robot_crouches_and_reaches_in_less_than_twenty_actions(tab, name):
     tab.settled()
     tab.seek(middle)
     now = tab.look(place.format(pelvis)), tab.look(place.format(hand))
-    assert now[0][2] == pytest.approx(low[2] - 0.12, abs=0.05)
+    assert now[0][2] < low[2] - 0.04
     assert now[1][0] > far[0] + 0.08
     soles = [
         flaw for flaw in tab.look("studio.model.flaws") if flaw["kind"] in ("depth", "ground") and flaw["amount"] > 0.02

@@ -172,7 +172,7 @@ def test_a_search_that_may_have_gone_astray_says_so_and_is_begun_elsewhere_when_
     (told,) = [each for each in work.line.taken() if each["is"] == "settled"]
     assert "may have ended in a bad place" in told["astray"]
     assert work.may_look
-    work.look_elsewhere()
+    work.do({"do": "look"})
     told = work.line.taken()
     assert goal.value(path_of(work.found.timeline)) == pytest.approx(good.trace[-1][2], rel=0.05)
     assert {"found", "note"} <= {each.get("kind", each["is"]) for each in told}
@@ -188,7 +188,7 @@ def test_a_path_that_cannot_be_better_is_looked_beside_once(work, tmp_path):
     work._judge(stop="CONVERGED")
     assert work.may_look
     work.line.taken()
-    work.look_elsewhere()
+    work.do({"do": "look"})
     assert work.found is good
     assert not work.may_look
     assert "note" not in {each["is"] for each in work.line.taken()}
