@@ -11,7 +11,7 @@ import pickle
 import signal
 import threading
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from multiprocessing.connection import Connection
 from pathlib import Path
@@ -53,6 +53,7 @@ def serve(line: Line, outside: bool) -> None:
     """Until the other end of the line is closed. Ctrl-C in the terminal is for the server alone."""
     inbox: SimpleQueue[Message | None] = SimpleQueue()
     work = Work(line)
+    work.is_awaited = lambda: not inbox.empty()
     signal.signal(signal.SIGINT, work.interrupted)
     threading.Thread(target=_read, args=(line, inbox, work), daemon=True).start()
     line.send({"is": "kinds", "kinds": kinds()})
@@ -103,6 +104,7 @@ class Work:
         self._sent = 0.0
         self.has_curves = False
         self.seen: dict[str, Timeline] = {}
+        self.is_awaited: Callable[[], bool] = lambda: False  # whether a message waits already
         self._is_going, self._is_near = True, False
         self._astray: str | None = None
         self._before: tuple[float, int] | None = None  # E, and how much was wrong, when all was well last
@@ -262,6 +264,11 @@ class Work:
         finally:
             self._is_searching = False
 
+    def _heed(self) -> None:
+        """Ends a search at its beginning where a message came in the moment before: nothing would interrupt it."""
+        if self.is_awaited():
+            raise KeyboardInterrupt
+
     def _search(self, begin: Timeline | None, between: tuple[float, float] | None) -> None:
         """Lowers E as far as it goes, telling every better path; keeps the best, however it ends."""
         clip = self.clip
@@ -277,11 +284,12 @@ class Work:
             if time.monotonic() - self._sent >= SOONEST:
                 self._send_path(improvement.build(), "found", **_course(improvement))
                 self._send_raw()
-            if self._is_asked:
+            if self._is_asked or self.is_awaited():
                 raise StopSearch
 
         found: Solution | None = None
         with self._searching():
+            self._heed()
             if begin is None:
                 found = inbetween(clip.problem, improved=improved)
             else:
@@ -363,6 +371,7 @@ class Work:
         assert clip is not None and now is not None
         found: Solution | None = None
         with self._searching():
+            self._heed()
             found = inbetween(clip.problem)
         if found is None or found.stop is Stop.ASKED:
             return

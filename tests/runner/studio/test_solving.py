@@ -200,3 +200,13 @@ def test_where_somebody_has_stopped_the_search_it_looks_nowhere(work, tmp_path):
     work._judge(stop="CONVERGED")
     work.do({"do": "stop"})
     assert not work.may_look
+
+
+def test_a_message_that_came_while_a_clip_was_loaded_is_not_kept_waiting(work, tmp_path):
+    load(work, tmp_path, tiny.CLIP, first=True)
+    work.is_awaited = lambda: True
+    told = load(work, tmp_path, tiny.CLIP.replace("[0, 40, 0]", "[0, 44, 0]"), 1)
+    assert [each["kind"] for each in told if each["is"] == "path"] == ["carried", "raw"]
+    assert told[-1]["stop"] == "ASKED"
+    work.is_awaited = lambda: False
+    assert load(work, tmp_path, tiny.CLIP.replace("[0, 40, 0]", "[0, 45, 0]"), 2)[-1]["stop"] != "ASKED"
