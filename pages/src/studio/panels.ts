@@ -12,6 +12,7 @@ export const showTab = (name: string): void => {
     $(`tab-${each}`).tabIndex = on ? 0 : -1;
     $(`panel-${each}`).hidden = !on;
   }
+  if (name === "weights" || name === "scene") panels[name](); // they are made only where they are seen
 };
 
 /** The quaternion's angle about its axis, as three numbers in degrees. */
@@ -164,7 +165,7 @@ const problems = (): void => {
 const SCALE = 4; // decades of a slider, on either side of the default
 const weights = (): void => {
   const { kinds, document, loaded, course } = model;
-  if (!kinds.length || !document) return;
+  if (!kinds.length || !document || $("panel-weights").hidden) return;
   const box = $("panel-weights"), parts = course?.parts ?? {}, scroll = box.scrollTop;
   if (box.contains(window.document.activeElement) && (window.document.activeElement as HTMLInputElement).type === "range") return;
   const sum = Object.values(parts).reduce((total, each) => total + each, 0);
@@ -195,7 +196,7 @@ const weights = (): void => {
 
 const scene = (): void => {
   const { document } = model;
-  if (!document) return;
+  if (!document || $("panel-scene").hidden) return;
   const box = $("panel-scene");
   const adding = ["box", "step", "sphere", "capsule", "cylinder"].map((kind) => el("button", {
     type: "button", text: `+ ${kind}`, onclick: () => void edit("add_obstacle", { kind, at: model.now ? [model.now.centreAt(model.time)[0] + 0.8, 0] : undefined }),

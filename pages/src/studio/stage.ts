@@ -16,7 +16,8 @@ const MOST_GHOSTS = 14;
 const SLOW = 45; // [ms] an image while something moves, from which on it has fewer points
 const FAST = 18; // [ms] from which on it has more again
 const REST = 220; // [ms] after the last movement until it is drawn with all of them
-const LEAVE = 60; // [ms] from one image to the next that a processor which draws leaves to the search
+const LEAVE = 60; // [ms] from one image to the next that a processor which draws leaves to the search while it plays
+const LEAVE_STILL = 130; // while it does not: a better path is all that there is to be seen
 const LEAST = 0.4; // of the points along either side
 const SHARP = 1.4; // of them when all is still, by a processor: edges are smooth
 
@@ -190,7 +191,7 @@ export class Stage {
       this.then = model.playing ? stamp : null;
     } else this.then = null;
     this.orbit.update();
-    const yields = this.software && !this.override && model.status.state === "searching" && stamp - this.moved < LEAVE;
+    const yields = this.software && !this.override && model.status.state === "searching" && stamp - this.moved < (model.playing ? LEAVE : LEAVE_STILL);
     if (!this.figure || !(model.now || this.override) || yields) {
       this.stamp = stamp;
       return;
