@@ -726,12 +726,11 @@ def studio(
     _without_graphics()
     from .errors import UserError
 
-    try:
-        from .studio import sources, start
-    except ModuleNotFoundError as error:
-        if (error.name or "").split(".")[0] not in ("starlette", "uvicorn", "websockets", "tomlkit"):
-            raise
-        raise UserError(f"the studio needs {error.name}: pip install 'dynamic-splines[studio]'") from None
+    for name in ("starlette", "uvicorn", "websockets", "tomlkit"):
+        if not _is_there(name):
+            raise UserError(f"the studio needs {name}: pip install 'dynamic-splines[studio]'")
+    from .studio import sources, start
+
     start.check_host(host, allow_remote=allow_remote)
     document = sources.opened(source, figure=figure)
     start.run(
@@ -900,6 +899,16 @@ def _film_target(target: Path, width: int, height: int, *, halves: bool) -> None
         raise UserError(str(error)) from None
     if halves and width % 2:
         raise UserError(f"--size {width}x{height}: two halves side by side need an even width")
+
+
+def _is_there(package: str) -> bool:
+    """Whether it is installed; it is not imported."""
+    from importlib.util import find_spec
+
+    try:
+        return find_spec(package) is not None
+    except ValueError:  # of one that was taken away in this process
+        return False
 
 
 def _without_graphics() -> None:

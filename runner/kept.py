@@ -35,7 +35,7 @@ from .clip.text import tables
 from .errors import UserError
 from .measure.exactness import keyframe_error
 from .motion import read_arrays
-from .system.cache_folder import place
+from .system.cache_folder import make_room, place
 from .system.output import Replacement
 from .system.progress import Progress
 from .work import Solved
@@ -135,7 +135,7 @@ def write(found: Solved, file: Path) -> None:
                 stop=motion.stop.name,
                 seconds=found.seconds or 0.0,
             )
-        _make_room(file.parent)
+        make_room(file.parent, OWN, MOST_BYTES)
 
 
 def read(file: Path, clip: Clip) -> Solved | None:
@@ -186,19 +186,3 @@ def _timeline(raw: Timeline, data: Mapping[str, Any]) -> Timeline:
     for index, frame in zip(at.tolist(), raw.frames, strict=True):
         posed[index] = frame.posed
     return Timeline(tuple(Frame.many(times, states, fixed, posed)), data["end_slope"], raw.ends)
-
-
-def _make_room(folder: Path) -> None:
-    """Takes away what was not used for longest, until the rest is small enough; nothing but what was kept here."""
-    files: list[tuple[float, int, Path]] = []
-    for path in folder.iterdir():
-        if OWN.fullmatch(path.name):
-            with suppress(OSError):  # another command may have taken it away
-                about = path.stat()
-                files.append((about.st_mtime, about.st_size, path))
-    left = sum(size for _, size, _ in files)
-    for _, size, path in sorted(files):
-        if left <= MOST_BYTES:
-            return
-        path.unlink(missing_ok=True)
-        left -= size

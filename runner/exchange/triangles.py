@@ -12,7 +12,6 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image
 
 from dynsplines.solver.array import Array
 
@@ -107,6 +106,8 @@ def texels(model: mujoco.MjModel, texture: int) -> NDArray[np.uint8]:
 
 def png(model: mujoco.MjModel, texture: int) -> bytes:
     """A texture as a PNG file."""
+    from PIL import Image  # only here: few figures have pictures
+
     stream = io.BytesIO()
     Image.fromarray(texels(model, texture)).save(stream, "png", optimize=True)
     return stream.getvalue()

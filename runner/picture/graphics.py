@@ -18,7 +18,6 @@ import sys
 import time
 from contextlib import suppress
 from dataclasses import dataclass
-from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Literal
 
@@ -247,6 +246,8 @@ class _Memory:
 
 
 def _version(package: str) -> str:
+    from importlib.metadata import PackageNotFoundError, version  # only here: it takes a moment
+
     try:
         return version(package)
     except PackageNotFoundError:

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from ..errors import UserError, unknown
+from .numbering import renumbered
 from .session import Session
 
 if TYPE_CHECKING:
@@ -30,11 +31,13 @@ class Actions:
         """What poses the present figure."""
         return await asyncio.to_thread(prepared, self.session)
 
-    async def grip(self, *, time: float, body: int, offset: Sequence[float], plant: bool = True) -> dict[str, Any]:
-        """Takes hold of a point of a body at a time of the clip."""
+    async def grip(
+        self, *, time: float, body: int, offset: Sequence[float], plant: bool = True, alone: bool = False
+    ) -> dict[str, Any]:
+        """Takes hold of a point of a body at a time of the clip; alone: of its limb and no more."""
         poser, qpos = await self.poser(), self.at(time)
         self._home, self._last, self._body = qpos, qpos, int(body)
-        self._grip = await asyncio.to_thread(poser.gripped, qpos, int(body), offset, plant=plant)
+        self._grip = await asyncio.to_thread(poser.gripped, qpos, int(body), offset, plant=plant, alone=alone)
         return {"planted": [goal.name for goal in self._grip.planted]}
 
     async def drag(self, *, position: Sequence[float]) -> dict[str, Any]:
@@ -56,18 +59,24 @@ class Actions:
         self._last = poser.turned(self._home, joint, turn)
         return _bodies(poser, self._last)
 
-    async def drop(self, *, time: float) -> str:
-        """Lets go: the pose becomes what the keyframe at this time says; a new one, where there is none."""
+    async def drop(self, *, time: float, partial: bool = False) -> str:
+        """Lets go: the pose becomes what the keyframe at this time says; a new one, where there is none.
+
+        partial  a new one says only what was moved, and leaves the rest to the optimiser
+        """
         if self._last is None or self._home is None:
             return ""
         poser = await self.poser()
         home, last, grip = self._home, self._last, self._grip
         self._grip = self._home = self._last = None
-        index, said = self.key_at(time), poser.said(last, home)
+        index, said, revision = self.key_at(time), poser.said(last, home), self.session.document.revision
         if not said["joints"] and "root" not in said:
             return ""
         if index is None:
-            return await self._add(poser, time, last)
+            moved = {**said, "time": time} if partial else {**poser.said(last), "time": time}
+            return await self.session.edit(
+                "add_key", {"said": self._whole_limb(poser, moved, last) if partial else moved}
+            )
         named = poser.limb_names(self._body) if grip is not None else set()
         if "root" in said:
             said = poser.said(last)  # all of it: what holds on to the root comes along
@@ -77,7 +86,13 @@ class Actions:
             name for group in ("sites", "bodies") for name in row.get(group, {}) if named is None or name in named
         ]
         said = self._kept_free(index, said, home, last, poser) if named is None else said
-        return await self.session.edit("set_pose", {"key": index, "places": places, **said})
+        return await self.session.edit("set_pose", {"key": index, "places": places, **said}, revision)
+
+    def _whole_limb(self, poser: Poser, said: dict[str, Any], qpos: Any) -> dict[str, Any]:
+        """With all joints of the limb that was dragged, moved or not: what it does is said."""
+        limb = poser.limb_names(self._body)
+        own = {name: value for name, value in poser.said(qpos)["joints"].items() if name in limb}
+        return {**said, "joints": {**own, **said["joints"]}}
 
     def _kept_free(self, index: int, said: Any, home: Any, last: Any, poser: Poser) -> Any:
         """Without joints that the keyframe leaves free and that the drag did not move."""
@@ -96,44 +111,43 @@ class Actions:
     async def key(self, *, time: float, limb: Sequence[str] | None = None) -> str:
         """A keyframe from the present path; of some joints alone, if they are given."""
         poser = await self.poser()
-        return await self._add(poser, time, self.at(time), limb)
-
-    async def _add(self, poser: Poser, time: float, qpos: Any, limb: Sequence[str] | None = None) -> str:
-        said = poser.said(qpos)
+        said = poser.said(self.at(time))
         if limb is not None:
             said = {"joints": {name: value for name, value in said["joints"].items() if name in limb}}
             if not said["joints"]:
                 raise UserError("none of these joints can be said alone; give another limb")
         return await self.session.edit("add_key", {"said": {"time": time, **said}})
 
-    async def rest(self, *, key: int) -> str:
+    async def rest(self, *, key: int, revision: int | None = None) -> str:
         """A keyframe's joints as at rest; where the root is stays."""
         poser = await self.poser()
+        key, revision = self._now(revision, key=key)["key"], self.session.document.revision
         said = poser.said(poser.figure.model.qpos0)
         places = [name for group in ("sites", "bodies") for name in self._row(key).get(group, {})]
         told = {"key": key, "joints": said["joints"], "places": places, "words": "pose as at rest"}
-        return await self.session.edit("set_pose", told)
+        return await self.session.edit("set_pose", told, revision)
 
-    async def pin(self, *, key: int, joints: Sequence[str]) -> str:
+    async def pin(self, *, key: int, joints: Sequence[str], revision: int | None = None) -> str:
         """Joints of a keyframe fixed as the present path has them."""
         poser = await self.poser()
+        key, revision = self._now(revision, key=key)["key"], self.session.document.revision
         qpos = self.at(float(self._row(key)["time"]))
         said = poser.said(qpos)
         told: dict[str, Any] = {name: value for name, value in said["joints"].items() if name in joints}
         root = {"root": said["root"]} if any(name not in said["joints"] for name in joints) and "root" in said else {}
         words = f"pin {', '.join(joints[:2])}" + (" ..." if len(joints) > 2 else "")
-        return await self.session.edit("set_pose", {"key": key, "joints": told, **root, "words": words})
+        return await self.session.edit("set_pose", {"key": key, "joints": told, **root, "words": words}, revision)
 
-    async def free(self, *, key: int, joints: Sequence[str]) -> str:
+    async def free(self, *, key: int, joints: Sequence[str], revision: int | None = None) -> str:
         """Joints of a keyframe left to the optimiser."""
         poser = await self.poser()
         roots = {link.name for link in poser.figure.links[1:] if link.kind.name == "FREE"}
         free: dict[str, Any] = {name: "free" for name in joints if name not in roots}
         root = {"root": {"position": "free", "rotation": "free"}} if any(name in roots for name in joints) else {}
         words = f"free {', '.join(joints[:2])}" + (" ..." if len(joints) > 2 else "")
-        return await self.session.edit("set_pose", {"key": key, "joints": free, **root, "words": words})
+        return await self.session.edit("set_pose", {"key": key, "joints": free, **root, "words": words}, revision)
 
-    async def mirror(self, *, keys: Sequence[int]) -> str:
+    async def mirror(self, *, keys: Sequence[int], revision: int | None = None) -> str:
         """Left and right of keyframes exchanged."""
         from dynsplines.solver.curve.mirror import Mirror, MirrorError
 
@@ -144,12 +158,14 @@ class Actions:
             mirror = Mirror.of(poser.figure)
         except MirrorError as error:
             raise UserError(str(error)) from None
+        keys, revision = self._now(revision, keys=keys)["keys"], self.session.document.revision
         said = {str(index): mirrored_keyframe(self._row(index), poser.figure, mirror) for index in keys}
         words = "mirror a keyframe" if len(keys) == 1 else f"mirror {len(keys)} keyframes"
-        return await self.session.edit("replace_keys", {"keys": said, "words": words})
+        return await self.session.edit("replace_keys", {"keys": said, "words": words}, revision)
 
-    async def copy(self, *, keys: Sequence[int]) -> str:
+    async def copy(self, *, keys: Sequence[int], revision: int | None = None) -> str:
         """Keyframes on the clipboard, which all pages share."""
+        keys = self._now(revision, keys=keys)["keys"]
         self.session.clipboard = [_plain(self._row(index)) for index in sorted(keys)]
         self.session.told()
         return f"copied {len(keys)} keyframe{'s' if len(keys) > 1 else ''}"
@@ -175,6 +191,10 @@ class Actions:
         times = [float(row["time"]) for row in self.session.document.tree_rows()]
         return next((i for i, each in enumerate(times) if abs(each - time) < AT), None)
 
+    def _now(self, revision: int | None, **said: Any) -> dict[str, Any]:
+        """Numbers of a revision as they are in the present one."""
+        return renumbered(self.session.document, revision, {k: list(v) if k == "keys" else v for k, v in said.items()})
+
     def _row(self, index: int) -> dict[str, Any]:
         rows = self.session.document.tree_rows()
         if not 0 <= index < len(rows):
@@ -194,10 +214,11 @@ def prepared(session: Session) -> Poser:
     from ..clip.load import table_of
     from .posing import Poser
 
-    if session.scene is None:
+    stages, packed = session.stages, session.figure
+    if packed is None:
         raise UserError("there is no figure yet; wait for the clip to load")
-    stages = session.stages
-    figure = Figure(session.scene["scene"].model(), session.scene["place"])
+    scene, place = packed
+    figure = Figure(scene.model(), place)
     whole = [key["qpos"] for key in session.loaded.get("keys", ()) if all(key["fixed"])]
     table = table_of(session.document.text, session.document.place)
     made = Poser(figure, table.penalty, np.reshape(np.array(whole, float), (-1, figure.width)))

@@ -7,15 +7,19 @@ from __future__ import annotations
 
 import tomllib
 import zlib
+from collections import deque
 from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ..errors import UserError
 from ..system.output import Replacement
-from .edits.tables import Blocks
 
+if TYPE_CHECKING:
+    from .edits.tables import Blocks
+
+MOST_SINCE = 200  # revisions back that somebody may have seen last
 FILMS = (".mp4", ".webm", ".gif", ".png")  # endings of what is rendered
 Packed = tuple[str, bytes]  # what was done, and the text before it or after it, compressed
 
@@ -38,6 +42,7 @@ class Document:
     revision: int = 0
     _back: list[Packed] = field(default_factory=list)
     _forth: list[Packed] = field(default_factory=list)
+    _seen: deque[tuple[int, bytes]] = field(default_factory=lambda: deque(maxlen=MOST_SINCE))
     _rows: tuple[int, list[dict[str, Any]]] | None = None
 
     @property
@@ -73,6 +78,8 @@ class Document:
 
     def tree(self) -> Blocks:
         """The text in blocks, to be changed; raises UserError for what is no TOML."""
+        from .edits.tables import Blocks  # only here: what takes texts apart is not needed to show one
+
         return Blocks.of(self.text, self.place)
 
     def tree_rows(self) -> list[dict[str, Any]]:
@@ -146,6 +153,14 @@ class Document:
             target.append((words, zlib.compress(self.text.encode())))
             self._put(zlib.decompress(packed).decode())
 
+    def since(self, revision: int) -> list[str] | None:
+        """The texts from a revision on to the present one; None for one that is not known, or no more."""
+        known = [text for number, text in self._seen if number >= revision]
+        if not self._seen or len(known) != self.revision - revision:
+            return None
+        return [*(zlib.decompress(text).decode() for text in known), self.text]
+
     def _put(self, text: str) -> None:
+        self._seen.append((self.revision, zlib.compress(self.text.encode())))
         self.text = text
         self.revision += 1

@@ -63,18 +63,20 @@ class Poser:
     def _sole_goals(self) -> list[PointGoal]:
         return [PointGoal.of(self.figure, point) for point in self.soles]
 
-    def gripped(self, qpos: Array, body: int, offset: ArrayLike, *, plant: bool = True) -> Grip:
-        """A point taken hold of; plant: whether soles that stand stay where they are."""
+    def gripped(self, qpos: Array, body: int, offset: ArrayLike, *, plant: bool = True, alone: bool = False) -> Grip:
+        """A point taken hold of; plant: whether soles that stand stay where they are; alone: its limb and no more."""
         figure, width = self.figure, self.figure.width
-        alone = np.zeros(width, bool)
+        own_limb = np.zeros(width, bool)
         links = limb(figure, body)
         for link in links:
-            alone[entries(figure, link)] = figure.links[link].kind is not JointKind.FREE
+            own_limb[entries(figure, link)] = figure.links[link].kind is not JointKind.FREE
         own, whole = set(links), np.zeros(width, bool)
         root = chain(figure, body)[-1:] or [0]
         for link in range(1, len(figure.links)):
             if figure.tables.path[link, root[0]]:
                 whole[entries(figure, link)] = True
+        if alone and own_limb.any():
+            whole = own_limb
         self._place(qpos)
         planted: list[Goal] = []
         for point, goal in zip(self.soles, self._sole_goals, strict=True):
@@ -82,7 +84,7 @@ class Poser:
             stands = self._height(place) - point.radius < STANDS
             if plant and stands and point.link not in own:
                 planted.append(PointGoal(goal.name, goal.index, goal.offset, place))
-        return Grip(np.array(qpos, float), body, np.array(offset, float), alone, whole, tuple(planted))
+        return Grip(np.array(qpos, float), body, np.array(offset, float), own_limb, whole, tuple(planted))
 
     def pulled(self, grip: Grip, position: ArrayLike, begin: Array) -> Posed:
         """The pose with the point at a place (3,) [m], or as near to it as it comes; begin (nq,), the last one."""

@@ -200,8 +200,8 @@ class _Page:
             "stop_task": writer.stop,
         }
 
-    async def _edit(self, name: str, **said: Any) -> str:
-        return await self.session.edit(name, said)
+    async def _edit(self, name: str, revision: int | None = None, **said: Any) -> str:
+        return await self.session.edit(name, said, revision)
 
     async def _go(self, anew: bool = False) -> str:
         self.session.search(go=True, anew=anew)

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import asyncio
 import json
+import pickle
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 from ..errors import UserError, one_line
+from . import glimpse
 from .document import Document
-from .edits import EDITS
+from .numbering import renumbered
 from .solver import Solver
 
 Message = dict[str, Any]
@@ -18,6 +21,13 @@ Send = Callable[[str | bytes], None]
 VERDICT = 60.0  # [s] that loading an edited clip may take
 KEEPING = 0.4  # [s] after an edit that unsaved work is written
 LATEST = ("raw", "carried", "found")  # kinds of paths, of each of which the last is what one who comes late sees
+
+
+STAGE = b'{"is":"stage","stage":'  # before a stage, on the line to a page
+
+
+def _told_stage(stage: bytes) -> bytes:
+    return STAGE + stage + b"}"
 
 
 class Session:
@@ -31,8 +41,7 @@ class Session:
         self.solver = Solver(self._heard, self._lost)
         self.pages: dict[int, Send] = {}
         self.loaded: Message = {}
-        self.keys_now: Any = None
-        self.timeline: Any = None
+        self._timeline: bytes | None = None
         self.scene: Message | None = None
         self.stages = 0
         self.settled: Callable[[], None] | None = None
@@ -53,11 +62,26 @@ class Session:
         self._trying: Message | None = None
         self._keeper: asyncio.TimerHandle | None = None
         self._curved: set[int] = set()
+        self._is_glimpse = False
+        self._glimpsed: str | None = None
+
+    @property
+    def timeline(self) -> Any:
+        """The present path, taken out of its wrapping where it is needed: that takes the solver's imports."""
+        return None if self._timeline is None else pickle.loads(self._timeline)  # what this program sent itself
+
+    @property
+    def figure(self) -> Any:
+        """The scene and how its places are meant, likewise; None before it is loaded."""
+        return None if self.scene is None else pickle.loads(self.scene["figure"])
 
     def start(self) -> None:
         """Starts the process and gives it the clip; what it says waits until somebody listens."""
         self.solver.start()
         self._load(self.document.text, self.document.revision, first=True)
+        seen = glimpse.read(glimpse.file_of(self.document))
+        if seen is not None:
+            self._is_glimpse, self._stage, self._paths["found"] = True, _told_stage(seen[0]), seen[1]
 
     def begin(self) -> None:
         """Listens to the process, which is started if it has not been."""
@@ -109,11 +133,17 @@ class Session:
 
     # ---- edits
 
-    async def edit(self, name: str, said: Message) -> str:
-        """An edit by name; raises UserError, and then nothing has changed."""
+    async def edit(self, name: str, said: Message, revision: int | None = None) -> str:
+        """An edit by name; raises UserError, and then nothing has changed.
+
+        revision  that its numbers are of, where another may be the present one
+        """
+        from .edits import EDITS  # only here, as in `document`
+
         if name not in EDITS:
             raise UserError(f"no edit '{name}'; there are: {', '.join(EDITS)}")
         async with self._lock:
+            said = renumbered(self.document, revision, said, name)
             tree = self.document.tree()
             try:
                 words = EDITS[name](tree, **said)
@@ -168,19 +198,21 @@ class Session:
         async with self._lock:
             self.document.keep()
             before, self.document = self.document, document
+            document.revision = before.revision
             try:
                 verdict = await self._tried(document.text, first=True)
             except UserError:
                 self.document = before
                 raise
             self.offer = document.kept()
+            document.revision += 1
             self._changed(verdict)
             self.tell({"is": "offer", "words": self._offering() if self.offer is not None else None})
             return f"opened {document.place}"
 
     async def _tried(self, text: str, *, first: bool = False) -> Message:
         """What the process says of a text, which it searches already; raises UserError for one that is no clip."""
-        self._verdict = asyncio.get_running_loop().create_future()
+        self._verdict, self._is_glimpse = asyncio.get_running_loop().create_future(), False
         self._load(text, self.document.revision + 1, first=first)
         try:
             verdict = await asyncio.wait_for(self._verdict, VERDICT)
@@ -264,9 +296,12 @@ class Session:
 
     def _heard_stage(self, message: Message) -> None:
         self.stages += 1
-        self._paths.clear()
         self.scene = message
-        stage: bytes = b'{"is":"stage","stage":' + message["stage"] + b"}"
+        stage = _told_stage(message["stage"])
+        self._is_glimpse = self._is_glimpse and stage == self._stage
+        if self._is_glimpse:
+            return
+        self._paths.clear()
         self._stage = stage
         self.tell(stage)
 
@@ -274,6 +309,9 @@ class Session:
         if not self._judge(message):
             self._accept(message)
         self._status("loaded")
+
+    def _heard_note(self, message: Message) -> None:
+        self.tell(message)
 
     def _heard_formats(self, message: Message) -> None:
         self._formats = message
@@ -298,9 +336,13 @@ class Session:
 
     def _heard_path(self, message: Message) -> None:
         if message["kind"] != "raw":
-            self.keys_now, self.timeline = message["keys"], message["timeline"]
+            self._timeline = message["timeline"]
+        if message["kind"] == "carried" and self._is_glimpse:
+            self._paths["carried"] = message["data"]
+            return  # pages have what was found before
         if message["kind"] == "carried":
             self._paths.pop("found", None)
+        self._is_glimpse = self._is_glimpse and message["kind"] == "raw"
         self._paths[message["kind"]] = message["data"]
         self.tell(message["data"])
 
@@ -308,11 +350,26 @@ class Session:
         self._status("searching")
 
     def _heard_settled(self, message: Message) -> None:
-        self._settled = message
+        if self._is_glimpse:  # nothing was searched
+            self._paths.pop("found", None)
+            self.tell(self._paths["carried"])
+        self._settled, self._is_glimpse = message, False
         if self.settled is not None:
             self.settled()
         self.tell(message)
         self._status("settled", stop=message["stop"])
+        self._keep_glimpse()
+
+    def _keep_glimpse(self) -> None:
+        """What pages show of this text, for the next time that it is opened; aside, once for a text."""
+        path = self._paths.get("found", self._paths.get("carried"))
+        if self._stage is None or path is None or self.document.text == self._glimpsed:
+            return
+        if self.document.is_dirty and self.document.revision:
+            return
+        self._glimpsed, stage = self.document.text, self._stage[len(STAGE) : -1]
+        write = partial(glimpse.write, glimpse.file_of(self.document), stage, path)
+        asyncio.get_running_loop().run_in_executor(None, write)
 
     def _heard_curves(self, message: Message) -> None:
         self._curves = json.dumps(message)
@@ -335,7 +392,7 @@ class Session:
         if self._curved:
             self.solver.send({"do": "curves", "on": True})
         trying = self._trying if self._verdict is not None else None
-        self._load(self.document.text, self.document.revision, first=self.timeline is None, found=self.timeline)
+        self._load(self.document.text, self.document.revision, first=self._timeline is None, found=self._timeline)
         if trying is not None:
             self.solver.send(trying)
 

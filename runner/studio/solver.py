@@ -12,7 +12,7 @@ from typing import Any
 from ..errors import UserError
 from ..scene.outside import is_allowed
 from ..system.workers import ctrl_c_blocked
-from .solving_process import entry
+from .solving.process import entry
 
 Message = dict[str, Any]
 SHORT = 0.2  # [s] for one that has nothing to do

@@ -1,4 +1,7 @@
-"""One thread: on the solver's small matrices more of them only wait for each other, and round another way."""
+"""How a process counts: with one thread, and with no more of NumPy than is asked for.
+
+On the solver's small matrices more threads only wait for each other, and round another way.
+"""
 
 from __future__ import annotations
 
@@ -11,3 +14,13 @@ def keep_to_one() -> None:
     """For this process, before it imports NumPy, whatever its environment says: the same bytes come out."""
     for name in THREADS:
         os.environ[name] = "1"
+
+
+def without_tools() -> None:
+    """Before SciPy is imported: of NumPy it copies every name, and so would import NumPy's tests and Fortran compiler,
+    which take as long as NumPy itself. They stay there for whoever imports them."""
+    import numpy
+
+    tools = {"f2py", "testing", "test"}
+    getattr(numpy, "__numpy_submodules__", set()).difference_update(tools)
+    numpy.__all__[:] = [name for name in numpy.__all__ if name not in tools]

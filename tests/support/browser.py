@@ -82,7 +82,17 @@ class Tab:
     """A page of the studio, and what it asked for or complained of."""
 
     def __init__(self, browser: Any, address: str, width: int = 900, height: int = 600) -> None:
-        self.page = browser.new_page(viewport={"width": width, "height": height})
+        self._begin(browser.new_page(viewport={"width": width, "height": height}), address)
+
+    @classmethod
+    def on(cls, page: Any, address: str) -> Tab:
+        """On a page that is there, whose lines may lead through something."""
+        found = cls.__new__(cls)
+        found._begin(page, address)
+        return found
+
+    def _begin(self, page: Any, address: str) -> None:
+        self.page, self.folder = page, ""
         self.page.set_default_timeout(60_000)
         self.heard: list[str] = []
         self.asked: list[str] = []
@@ -91,6 +101,7 @@ class Tab:
         self.page.on("console", lambda message: self.heard.append(message.text) if message.type == "error" else None)
         self.page.goto(address)
         self.until("window.studio !== undefined && studio.model.stage !== null && studio.model.now !== null")
+        self.until("studio.model.document !== null && studio.model.loaded !== null")
 
     def look(self, what: str) -> Any:
         return self.page.evaluate(what)
@@ -113,12 +124,12 @@ class Tab:
     def revision(self) -> int:
         return int(self.look("studio.model.document.revision"))
 
-    def changes(self, deed: Callable[[], object]) -> None:
+    def changes(self, deed: Callable[[], object], seconds: float = 60.0) -> None:
         """Does something, and waits until the document has changed and its path is on the page."""
         before = self.revision
         deed()
         now = "studio.model.document.revision"
-        self.until(f"{now} !== {before} && studio.model.loaded.revision === {now}")
+        self.until(f"{now} !== {before} && studio.model.loaded.revision === {now}", seconds)
 
     def press(self, keys: str) -> None:
         self.page.keyboard.press(keys)
@@ -144,6 +155,33 @@ class Tab:
             return [b.left + (p.x + 1) / 2 * b.width, b.top + (1 - p.y) / 2 * b.height]; }})()"""
         )
         return float(x), float(y)
+
+    def grip(self, body: str) -> tuple[float, float]:
+        """[px] where a body is seen and can be taken hold of, as near to its origin as that is."""
+        x, y = self.on_screen(body)
+        found = self.look(
+            f"""(() => {{ const s = studio.stage, body = studio.model.stage.bodies.indexOf('{body}'), near = [];
+            for (let i = -40; i <= 40; i += 2) for (let j = -40; j <= 40; j += 2)
+              near.push([{x} + i, {y} + j, i * i + j * j]);
+            near.sort((a, b) => a[2] - b[2]);
+            return near.find(([clientX, clientY]) => studio.hands.hit({{ clientX, clientY }})?.body === body); }})()"""
+        )
+        assert found is not None, f"{body} is not seen"
+        return float(found[0]), float(found[1])
+
+    def on_screen_at(self, place: list[float]) -> tuple[float, float]:
+        """[px] where a place in the world is seen."""
+        x, y = self.look(
+            f"""(() => {{ const s = studio.stage, b = s.canvas.getBoundingClientRect();
+            const p = s.placeOf(0, {place}).project(s.camera);
+            return [b.left + (p.x + 1) / 2 * b.width, b.top + (1 - p.y) / 2 * b.height]; }})()"""
+        )
+        return float(x), float(y)
+
+    def middle(self, selector: str) -> tuple[float, float]:
+        """[px] of an element's middle."""
+        box = self.page.locator(selector).bounding_box()
+        return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
 
     def drag(self, begin: tuple[float, float], end: tuple[float, float], steps: int = 6) -> None:
         mouse = self.page.mouse

@@ -4,7 +4,7 @@ import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { Figure, veil } from "../scene/figure";
 import { Path } from "../scene/path";
 import { COARSE, FINE, floats, Shapes, type Drawn } from "../scene/shapes";
-import { isSoftware, rendererOn, Surroundings } from "../scene/surroundings";
+import { drawingOn, Surroundings, type Drawing } from "../scene/surroundings";
 import { VIEWS } from "../scene/views";
 
 interface Track { position: string; rotation: string; }
@@ -21,15 +21,16 @@ const NEAR = 1e-4; // [s] nearer to it, one is at a keyframe
 const begin = (): void => {
   const motion = JSON.parse($("motion").textContent!) as Motion;
   const { count, fps, bodies } = motion, duration = (count - 1) / fps;
-  const software = isSoftware();
-  let renderer: THREE.WebGLRenderer;
+  let drawing: Drawing;
   try {
-    renderer = rendererOn($<HTMLCanvasElement>("view"), software);
+    drawing = drawingOn($<HTMLCanvasElement>("view"));
   } catch {
     $("trouble").textContent = "This browser cannot draw in three dimensions: WebGL 2 is missing or switched off.";
     $("trouble").hidden = false;
     return;
   }
+
+  const { renderer, software } = drawing;
 
   // The figure, and the raw spline's as a ghost
   const extent = Math.max(2, motion.extent);

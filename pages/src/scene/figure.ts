@@ -1,8 +1,13 @@
 // A figure on a scene: a group for every body, and poses for them.
 import * as THREE from "three";
-import type { Piece, Shapes } from "./shapes";
+import { Merged } from "./merged";
+import type { Part, Piece, Shapes } from "./shapes";
 
 export interface Pose { position: ArrayLike<number>; rotation: ArrayLike<number>; }
+
+const OUTLINED = 90; // triangles of a body in its shadow
+
+export const UNSEEN = 1; // the layer of what is only taken hold of
 
 const turn = new THREE.Quaternion();
 
@@ -24,20 +29,37 @@ export const veil = (colour: number, opacity: number, behind = 0.05): THREE.Mate
 export class Figure {
   readonly root = new THREE.Group();
   readonly groups: THREE.Group[];
+  readonly planes: { mesh: THREE.Mesh; part: Part }[] = [];
+  readonly merged: Merged | null = null;
+  readonly outline: Merged | null = null; // of few triangles, for its shadow
 
-  /** veil: materials of a ghost; none for the figure itself */
-  constructor(bodies: string[], pieces: Piece[], shapes: Shapes, veils?: THREE.Material[]) {
+  /** veils: materials of a ghost; none for the figure itself, which may be one mesh */
+  constructor(bodies: string[], pieces: Piece[], shapes: Shapes, veils?: THREE.Material[], merge = false) {
     this.groups = bodies.map((name, body) => Object.assign(new THREE.Group(), { name, userData: { body } }));
-    for (const part of shapes.parts(pieces)) {
+    const parts = shapes.parts(pieces), joined = merge ? parts.filter((part) => part.joined) : [];
+    if (joined.length) {
+      this.merged = new Merged(joined, joined[0].material);
+      this.outline = new Merged(joined, joined[0].material, OUTLINED);
+      this.root.add(this.merged.mesh);
+    }
+    for (const part of parts) {
       (veils ?? [part.material]).forEach((paint, order) => {
         const mesh = new THREE.Mesh(part.geometry, paint);
         if (veils) mesh.renderOrder = 1 + order;
         mesh.castShadow = !veils && part.casts;
         mesh.receiveShadow = !veils;
+        if (joined.includes(part)) mesh.layers.set(UNSEEN);
+        if (part.plain) this.planes.push({ mesh, part });
         this.groups[part.body].add(mesh);
       });
     }
     this.root.add(...this.groups);
+  }
+
+  dispose(): void {
+    this.root.removeFromParent();
+    this.merged?.dispose();
+    this.outline?.dispose();
   }
 
   /** Bodies where a pose has them: positions (B, 3) and rotations (B, 4) xyzw, one after the other. */
@@ -46,6 +68,8 @@ export class Figure {
       group.position.fromArray(pose.position as number[], 3 * body);
       group.quaternion.fromArray(pose.rotation as number[], 4 * body);
     });
+    this.merged?.put(pose);
+    this.outline?.put(pose);
   }
 }
 

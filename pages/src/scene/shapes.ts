@@ -32,7 +32,7 @@ export const FINE: Fineness = { sag: 0.0006, least: 10, most: 40, faces: 40_000,
 export const COARSE: Fineness = { sag: 0.004, least: 6, most: 12, faces: 1000, plain: true };
 
 /** A mesh of fewer triangles, about so many: corners that lie in one cell of a grid become one (Rossignac, Borrel 1993). */
-const clustered = (points: Float32Array, faces: Uint32Array, most: number): THREE.BufferGeometry => {
+export const clustered = (points: Float32Array, faces: Uint32Array, most: number): THREE.BufferGeometry => {
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
   points.forEach((value, i) => { low[i % 3] = Math.min(low[i % 3], value); high[i % 3] = Math.max(high[i % 3], value); });
   const sides = high.map((value, k) => Math.max(value - low[k], 1e-6));
@@ -59,7 +59,11 @@ const clustered = (points: Float32Array, faces: Uint32Array, most: number): THRE
 };
 
 /** Pieces of one body that look alike, in one geometry with the body's axes. */
-export interface Part { body: number; geometry: THREE.BufferGeometry; material: THREE.Material; casts: boolean; }
+export interface Part {
+  body: number; geometry: THREE.BufferGeometry; material: THREE.Material; casts: boolean;
+  joined: boolean; // with its colours at its points
+  plain?: THREE.MeshBasicMaterial; // a plane's, in whatever light there is
+}
 
 /** Makes meshes of pieces. Lengths are metres, z is up. */
 export class Shapes {
@@ -98,13 +102,19 @@ export class Shapes {
   private part(pieces: Piece[]): Part {
     const first = pieces[0], casts = first.kind !== "plane" && first.colour[3] === 1;
     const single = first.colour[3] < 1 || first.picture !== undefined || first.kind === "hfield" || first.kind === "plane";
-    if (single) return { body: first.body, geometry: this.moved(first, true), material: this.look(first), casts };
+    if (single) {
+      const material = this.look(first), geometry = this.moved(first, true);
+      const map = (material as THREE.MeshLambertMaterial).map;
+      const plain = first.kind === "plane" && first.colour[3] === 1 ? new THREE.MeshBasicMaterial({ map }) : undefined;
+      if (plain) plain.userData.own = (material as THREE.MeshLambertMaterial).color;
+      return { body: first.body, geometry, material, casts, joined: false, plain };
+    }
     const geometry = mergeGeometries(pieces.map((piece) => this.moved(piece, false)))!;
     const roughness = Math.max(0.3, 1 - 0.75 * (pieces.reduce((sum, piece) => sum + piece.gloss, 0) / pieces.length));
     const key = `joined|${roughness.toFixed(1)}`;
     let material = this.looks.get(key);
     if (!material) this.looks.set(key, (material = this.painted({ vertexColors: true }, roughness)));
-    return { body: first.body, geometry, material, casts };
+    return { body: first.body, geometry, material, casts, joined: true };
   }
 
   /** A piece's geometry in its body's axes: with its picture's places, or its colour at every point. */
@@ -122,7 +132,7 @@ export class Shapes {
   }
 
   dispose(): void {
-    const parts = [...this.joined.values()].flat().map((part) => part.geometry);
+    const parts = [...this.joined.values()].flat().flatMap(({ geometry, plain }) => (plain ? [geometry, plain] : [geometry]));
     for (const each of [...this.known.values(), ...this.looks.values(), ...this.pictures, ...parts]) each.dispose();
   }
 

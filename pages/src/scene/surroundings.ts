@@ -6,29 +6,41 @@ export interface Mood { haze: [number, number, number]; zenith: [number, number,
 export const DAY: Mood = { haze: [0.9, 0.915, 0.93], zenith: [0.6, 0.69, 0.78], ground: 0xb9ab9a, sky: 0xf4f8ff, bright: 1 };
 export const DUSK: Mood = { haze: [0.17, 0.185, 0.21], zenith: [0.07, 0.08, 0.1], ground: 0x8d8478, sky: 0xdfe8f5, bright: 0.78 };
 
-/** Whether a canvas is drawn by the processor alone, which is asked for less. */
-export const isSoftware = (): boolean => {
-  const gl = document.createElement("canvas").getContext("webgl2");
-  const about = gl?.getExtension("WEBGL_debug_renderer_info");
-  const name = gl ? String(gl.getParameter(about ? about.UNMASKED_RENDERER_WEBGL : gl.RENDERER)) : "";
-  gl?.getExtension("WEBGL_lose_context")?.loseContext();
-  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
-};
+export interface Drawing { canvas: HTMLCanvasElement; renderer: THREE.WebGLRenderer; software: boolean; }
 
-/** A renderer on a canvas; throws where there is no WebGL 2. */
-export const rendererOn = (canvas: HTMLCanvasElement, software = false): THREE.WebGLRenderer => {
-  const renderer = new THREE.WebGLRenderer({ canvas, antialias: !software, powerPreference: "high-performance" });
+/** What draws on a canvas, and whether that is the processor alone, which is asked for less; throws where there is no
+ * WebGL 2. The canvas may be another one in its place: smooth edges are for those who do not draw by the processor. */
+export const drawingOn = (given: HTMLCanvasElement): Drawing => {
+  const wishes = { alpha: false, antialias: false, stencil: false, powerPreference: "high-performance" } as const;
+  const about = (gl: WebGL2RenderingContext): boolean => {
+    const known = gl.getExtension("WEBGL_debug_renderer_info");
+    return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(String(gl.getParameter(known ? known.UNMASKED_RENDERER_WEBGL : gl.RENDERER)));
+  };
+  let canvas = given, context = given.getContext("webgl2", wishes) as WebGL2RenderingContext | null;
+  if (!context) throw new Error("no WebGL 2");
+  const software = about(context);
+  if (!software) {
+    canvas = given.cloneNode() as HTMLCanvasElement;
+    given.replaceWith(canvas);
+    context.getExtension("WEBGL_lose_context")?.loseContext();
+    context = canvas.getContext("webgl2", { ...wishes, antialias: true }) as WebGL2RenderingContext;
+  }
+  const renderer = new THREE.WebGLRenderer({ canvas, context });
   renderer.setPixelRatio(software ? 1 : Math.min(window.devicePixelRatio, 2));
   renderer.shadowMap.enabled = true;
   renderer.shadowMap.type = software ? THREE.BasicShadowMap : THREE.PCFShadowMap;
   renderer.toneMapping = THREE.NeutralToneMapping;
-  return renderer;
+  return { canvas, renderer, software };
 };
+
+const SUN = new THREE.Vector3(2.6, -3.2, 5.2); // [m] from where somebody looks
+const FILL = new THREE.Vector3(-2, 3, 2.5);
 
 export class Surroundings {
   readonly scene = new THREE.Scene();
   private readonly sun = new THREE.DirectionalLight(0xfff4e2, 2.3);
   private readonly sky = new THREE.HemisphereLight(0xf4f8ff, 0xb9ab9a, 1.9);
+  private readonly fill = new THREE.DirectionalLight(0xdfe9ff, 0.5);
   private readonly dome: THREE.SphereGeometry;
 
   /** extent [m]: how far the motion goes */
@@ -43,9 +55,8 @@ export class Surroundings {
     sun.shadow.mapSize.setScalar(software ? 1024 : 2048);
     Object.assign(sun.shadow, { bias: -0.0004, normalBias: 0.012, radius: 2.5 });
     Object.assign(sun.shadow.camera, { left: -2.6, right: 2.6, top: 2.6, bottom: -2.6, near: 0.5, far: 16 });
-    const fill = new THREE.DirectionalLight(0xdfe9ff, 0.5);
-    fill.position.set(-2, 3, 2.5);
-    this.scene.add(this.sky, sun, sun.target, fill);
+    this.fill.position.copy(FILL);
+    this.scene.add(this.sky, sun, sun.target, this.fill);
     this.light(mood);
   }
 
@@ -69,6 +80,26 @@ export class Surroundings {
   /** The sun goes along, so that the shadow is where somebody looks. */
   follow(here: THREE.Vector3): void {
     this.sun.target.position.copy(here);
-    this.sun.position.copy(here).add(new THREE.Vector3(2.6, -3.2, 5.2));
+    this.sun.position.copy(here).add(SUN);
+  }
+
+  /** Where the sun is, from wherever one looks. */
+  get sunward(): THREE.Vector3 { return SUN; }
+
+  /** Whether what stands in the sun throws a shadow that is seen. */
+  set shadows(yes: boolean) { this.sun.castShadow = yes; }
+
+  /** By how much a screen is darker on level ground where the sun does not come. */
+  get shade(): number {
+    const lit = this.onGround(true), dark = this.onGround(false);
+    return 1 - (dark.g / lit.g) ** (1 / 2.2);
+  }
+
+  /** The light on level ground, by which colours there are multiplied. */
+  onGround(sunny = true): THREE.Color {
+    const shining = (lamp: THREE.DirectionalLight, from: THREE.Vector3) => lamp.color.clone().multiplyScalar(lamp.intensity * from.z / from.length());
+    const { sky } = this, up = 0.5 + 0.5 * sky.position.clone().normalize().z;
+    const light = sky.groundColor.clone().lerp(sky.color, up).multiplyScalar(sky.intensity).add(shining(this.fill, FILL));
+    return (sunny ? light.add(shining(this.sun, SUN)) : light).multiplyScalar(1 / Math.PI);
   }
 }

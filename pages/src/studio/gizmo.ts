@@ -9,6 +9,7 @@ export class Gizmo {
   private readonly controls: TransformControls;
   private readonly handle = new THREE.Object3D();
   private readonly begin = new THREE.Quaternion();
+  private revision = 0;
   private dragging = false;
   private waiting = false;
   private again = false;
@@ -71,6 +72,7 @@ export class Gizmo {
 
   private start(): void {
     this.dragging = true;
+    this.revision = model.document?.revision ?? 0;
     this.stage.orbit.enabled = false;
     this.begin.copy(this.handle.quaternion);
   }
@@ -94,11 +96,11 @@ export class Gizmo {
     while (this.waiting) await new Promise((resolve) => window.setTimeout(resolve, 4));
     this.dragging = false;
     this.stage.orbit.enabled = true;
-    if (model.joint !== null) await act("drop", { time: model.time });
+    if (model.joint !== null) await act("drop", { time: model.time, partial: model.partial });
     else if (model.obstacle) {
       const [x, y, z] = this.handle.position.toArray().map((value) => Math.round(1000 * value) / 1000);
       const said = model.obstacle.kind === "step" ? { x, y, height: Math.max(0.02, z) } : { position: [x, y, z] };
-      await edit("set_obstacle", { kind: model.obstacle.kind, index: model.obstacle.index, said });
+      await edit("set_obstacle", { kind: model.obstacle.kind, index: model.obstacle.index, said, revision: this.revision });
     }
     this.stage.override = null;
     this.stage.draw();

@@ -1,5 +1,6 @@
 // Hands on the figure: what the mouse lies on lights up; a drag of any point of it is posed by the server.
 import * as THREE from "three";
+import { UNSEEN } from "../scene/figure";
 import { toast } from "./dom";
 import { act, ask } from "./link";
 import { model } from "./model";
@@ -21,6 +22,7 @@ export class Hands {
 
   constructor(private readonly stage: Stage) {
     const { canvas } = stage;
+    this.ray.layers.enable(UNSEEN);
     this.mark.visible = false;
     this.mark.renderOrder = 10;
     stage.extra.add(this.mark);
@@ -91,7 +93,7 @@ export class Hands {
     if (!held.moved) {
       held.moved = true;
       this.waiting = true;
-      void ask("grip", { time: held.time, body: held.body, offset: held.offset, plant: !event.altKey }).then((answer) => {
+      void ask("grip", { time: held.time, body: held.body, offset: held.offset, plant: !event.altKey, alone: model.partial && model.here === null }).then((answer) => {
         this.waiting = false;
         if (!answer.ok) { toast(answer.words ?? "", "wrong"); void this.cancel(); }
         else this.follow();
@@ -142,7 +144,7 @@ export class Hands {
       return;
     }
     dropped = performance.now();
-    await act("drop", { time: held.time });
+    await act("drop", { time: held.time, partial: model.partial });
     this.stage.override = null;
     this.stage.draw();
   }

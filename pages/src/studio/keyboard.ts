@@ -3,6 +3,7 @@ import { $, el } from "./dom";
 import { act } from "./link";
 import { model, type Which } from "./model";
 import { toggleCurves } from "./curves";
+import type { Handles } from "./handles";
 import type { Hands } from "./hands";
 import { showTab } from "./panels";
 import type { Stage } from "./stage";
@@ -28,7 +29,7 @@ const scaled = (factor: number): void => {
   void act("edit", { name: "move_keys", moves: keys.map((i) => [i, Math.round((first + factor * (times[i].time - first)) * 1e4) / 1e4]) });
 };
 
-export const deeds = (stage: Stage, timeline: Timeline, hands: Hands): Deed[] => [
+export const deeds = (stage: Stage, timeline: Timeline, hands: Hands, handles: Handles): Deed[] => [
   ["Space", "play or pause", () => play()],
   ["ArrowLeft", "one image back", () => step(-1)],
   ["ArrowRight", "one image on", () => step(1)],
@@ -61,6 +62,7 @@ export const deeds = (stage: Stage, timeline: Timeline, hands: Hands): Deed[] =>
   ["[", "timeline: farther", () => timeline.zoom(1.4)],
   ["]", "timeline: nearer", () => timeline.zoom(0.7)],
   ["K", "a keyframe here, from the path", () => void addKey()],
+  ["N", "new keyframes: of one limb, or of the whole figure", click("partial")],
   ["Delete", "delete keyframes, a contact or hold", () => void remove()],
   ["Alt-ArrowLeft", "the keyframe one image earlier", () => nudge(-1)],
   ["Alt-ArrowRight", "the keyframe one image later", () => nudge(1)],
@@ -86,9 +88,10 @@ export const deeds = (stage: Stage, timeline: Timeline, hands: Hands): Deed[] =>
   }],
   ["Escape", "let go: of a drag, a joint, a selection", () => {
     if (hands.busy) { void hands.cancel(); return; }
+    if (handles.busy) { handles.cancel(); return; }
     if (model.joint !== null || model.obstacle !== null) { model.joint = model.obstacle = null; model.tell("joint"); } else model.select([]);
   }],
-  ["?", "this list", () => help(stage, timeline, hands)],
+  ["?", "this list", () => help(stage, timeline, hands, handles)],
 ];
 
 const speed = (by: number): void => {
@@ -100,17 +103,18 @@ const speed = (by: number): void => {
 const MOUSE: [string, string][] = [
   ["drag the figure", "pose it: the limb bends, then the whole figure goes along; soles that stand stay (Alt: they need not)"],
   ["click the figure", "choose a joint and turn it by its rings"],
+  ["choose a thing in the panel Scene", "arrows move it; the dots on its faces and ends make it larger and smaller"],
   ["drag beside it", "turn the camera; right button or Shift: move it; wheel: nearer"],
   ["drag a diamond", "move keyframes; Shift or Ctrl: select more; Ctrl-Alt: scale in time; Alt: do not snap"],
-  ["drag over a point's row", "a new contact; its ends and itself can be dragged"],
+  ["drag over a point's row", "a new contact; its ends and itself can be dragged; of a hand's row, once a joint of its arm is chosen, a new hold"],
   ["Ctrl-wheel, Shift-wheel", "zoom and move the timeline"],
 ];
 
-const help = (stage: Stage, timeline: Timeline, hands: Hands): void => {
+const help = (stage: Stage, timeline: Timeline, hands: Hands, handles: Handles): void => {
   const shown = (keys: string) => keys.replace("Arrow", "").replace("Left", "←").replace("Right", "→").replace("Up", "↑").replace("Down", "↓").replace("Page↑", "PgUp").replace("Page↓", "PgDn");
   const row = (keys: string, says: string) => el("div", {}, el("kbd", { text: keys }), el("span", { text: says }));
   const box = el("dialog", { class: "help", "aria-label": "keys" }, el("h2", { text: "Keys" }),
-    el("div", { class: "columns" }, ...deeds(stage, timeline, hands).map(([keys, says]) => row(shown(keys), says))),
+    el("div", { class: "columns" }, ...deeds(stage, timeline, hands, handles).map(([keys, says]) => row(shown(keys), says))),
     el("h2", { text: "Mouse" }), el("div", { class: "columns wide" }, ...MOUSE.map(([keys, says]) => row(keys, says))),
     el("form", { method: "dialog" }, el("div", { class: "buttons end" }, el("button", { type: "submit", class: "main", text: "Close" }))));
   box.addEventListener("close", () => box.remove());
@@ -118,8 +122,8 @@ const help = (stage: Stage, timeline: Timeline, hands: Hands): void => {
   box.showModal();
 };
 
-export const beginKeyboard = (stage: Stage, timeline: Timeline, hands: Hands): void => {
-  const table = new Map(deeds(stage, timeline, hands).map(([keys, , done]) => [keys, done]));
+export const beginKeyboard = (stage: Stage, timeline: Timeline, hands: Hands, handles: Handles): void => {
+  const table = new Map(deeds(stage, timeline, hands, handles).map(([keys, , done]) => [keys, done]));
   $("help").addEventListener("click", () => table.get("?")!());
   window.addEventListener("keydown", (event) => {
     const target = event.target as HTMLElement;

@@ -11,6 +11,7 @@ const waiting = new Map<number, (answer: Answer) => void>();
 let socket: WebSocket | null = null;
 let number = 0;
 let pause = 250;
+const NUMBERED = new Set(["edit", "pin", "free", "rest", "mirror", "copy"]); // what is asked by numbers of a revision
 
 /** Asks for something; the answer says what was done or why not, and never throws. */
 export const ask = (what: string, said: Told = {}): Promise<Answer> => new Promise((resolve) => {
@@ -20,7 +21,8 @@ export const ask = (what: string, said: Told = {}): Promise<Answer> => new Promi
   }
   number += 1;
   waiting.set(number, resolve);
-  socket.send(JSON.stringify({ do: what, id: number, ...said }, (_, value) => (Number.isNaN(value) ? "NaN" : value)));
+  const seen = NUMBERED.has(what) ? { revision: model.document?.revision } : {};
+  socket.send(JSON.stringify({ do: what, id: number, ...seen, ...said }, (_, value) => (Number.isNaN(value) ? "NaN" : value)));
 });
 
 /** Asks, and says in words what came of it. */
@@ -52,13 +54,21 @@ const packed = (data: ArrayBuffer): void => {
 const HEARD: Record<string, (told: Told) => void> = {
   stage: (told) => { model.stage = told.stage; model.tell("stage"); },
   document: (told) => {
+    const before = model.document, keys = told.keys as { time: number }[];
+    const renewed = before?.keys.length !== keys.length ? (key: number) => keys.findIndex((each) => each.time === before?.keys[key]?.time) : (key: number) => key;
     model.document = told as never;
-    const count = told.keys.length;
-    model.keys = new Set([...model.keys].filter((key) => key < count));
+    model.keys = new Set([...model.keys].map(renewed).filter((key) => key >= 0));
+    if (model.bar) {
+      const bars = (of: typeof before) => (model.bar!.kind === "contact" ? of?.contacts : of?.holds) ?? [], was = JSON.stringify(bars(before)[model.bar.index]);
+      if (bars(before).length !== bars(model.document).length) {
+        const index = bars(model.document).findIndex((bar) => JSON.stringify(bar) === was);
+        model.bar = index < 0 ? null : { kind: model.bar.kind, index };
+      }
+    }
     model.tell("document");
   },
   loaded: (told) => { model.loaded = told as never; model.tell("loaded"); },
-  settled: (told) => { model.flaws = told.problems; model.tell("settled"); },
+  settled: (told) => { model.flaws = told.problems; model.astray = told.astray ?? null; model.tell("settled"); },
   status: (told) => { model.status = told as never; model.tell("status"); },
   kinds: (told) => { model.kinds = told.kinds; model.tell("kinds"); },
   curves: (told) => { curves = told.curves; model.tell("curves"); },

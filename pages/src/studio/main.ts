@@ -5,6 +5,7 @@ import { beginCurves } from "./curves";
 import { $, el, icon } from "./dom";
 import { beginFiles } from "./files";
 import { Gizmo } from "./gizmo";
+import { Handles } from "./handles";
 import { Hands } from "./hands";
 import { beginKeyboard } from "./keyboard";
 import { ask, connect } from "./link";
@@ -24,6 +25,7 @@ themed();
 try {
   const stage = new Stage();
   const gizmo = new Gizmo(stage);
+  const handles = new Handles(stage); // before hands: they are taken first
   const hands = new Hands(stage);
   const timeline = new Timeline();
   new Trails(stage);
@@ -31,7 +33,7 @@ try {
   beginPanels();
   beginCurves(timeline);
   beginFiles();
-  beginKeyboard(stage, timeline, hands);
+  beginKeyboard(stage, timeline, hands, handles);
   $("files").prepend(icon("menu"));
   $("theme").append(icon("theme"));
   $("theme").addEventListener("click", () => {
@@ -44,7 +46,7 @@ try {
   model.tell("theme");
   connect();
   // For tests and measures
-  Object.assign(window, { studio: { ask, model, stage, hands, gizmo, timeline } });
+  Object.assign(window, { studio: { ask, model, stage, hands, handles, gizmo, timeline } });
 } catch (error) {
   $("waiting").replaceChildren(el("p", { text: `This browser cannot draw in three dimensions: WebGL 2 is missing or switched off. (${error})` }));
 }

@@ -48,6 +48,7 @@ class Model {
   snapshot: Path | null = null;
   course: Course | null = null;
   flaws: Flaw[] = [];
+  astray: string | null = null; // why the search should begin anew
   kinds: Kind[] = [];
   status: { state: string; go: boolean; stop?: string; words?: string } = { state: "loading", go: true };
   time = 0;
@@ -58,6 +59,7 @@ class Model {
   which: Which = "after";
   ghosts = false;
   trails = false;
+  partial = false; // whether new keyframes say only the limb that makes them
   frames = 0; // paths that have come
   keys = new Set<number>();
   bar: { kind: "contact" | "hold"; index: number } | null = null;
@@ -81,6 +83,14 @@ class Model {
   get here(): number | null {
     const found = this.document?.keys.findIndex((key) => Math.abs(key.time - this.time) < 1e-4) ?? -1;
     return found < 0 ? null : found;
+  }
+
+  /** The joints of the limb that the chosen joint is on, with the points at which it can hold something. */
+  get limb(): { joints: string[]; hands: string[]; bodies: Set<number> } | null {
+    const { stage } = this, found = stage?.limbs.find((limb) => this.joint !== null && limb.joints.includes(this.joint));
+    if (!stage || !found) return null;
+    const bodies = new Set(stage.joints.filter((joint) => found.joints.includes(joint.name)).map((joint) => joint.body));
+    return { joints: found.joints, hands: stage.sites.filter((site) => bodies.has(site.body)).map((site) => site.name), bodies };
   }
 
   seek(time: number): void {

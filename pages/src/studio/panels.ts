@@ -12,6 +12,7 @@ export const showTab = (name: string): void => {
     $(`tab-${each}`).tabIndex = on ? 0 : -1;
     $(`panel-${each}`).hidden = !on;
   }
+  if (name === "weights" || name === "scene") panels[name](); // they are made only where they are seen
 };
 
 /** The quaternion's angle about its axis, as three numbers in degrees. */
@@ -48,7 +49,7 @@ const field = (label: string, value: number, unit: string, changed: (value: numb
 };
 
 const poseRow = (key: number, joint: Joint): HTMLElement => {
-  const { loaded, document } = model;
+  const { loaded, document } = model, revision = document!.revision;
   const state = loaded!.keys[key], said = document!.keys[key];
   const start = joint.kind === "free" ? joint.qpos + 3 : joint.qpos;
   const fixed = state.fixed[start];
@@ -60,8 +61,8 @@ const poseRow = (key: number, joint: Joint): HTMLElement => {
     choice.append(el("option", { value, text, selected: value === (explicit || joint.kind === "free" ? mode : "none") }));
   }
   choice.addEventListener("change", () => {
-    if (choice.value === "none") void edit("set_joint", { key, joint: joint.name, value: null });
-    else void act(choice.value, { key, joints: [joint.name] });
+    if (choice.value === "none") void edit("set_joint", { key, revision, joint: joint.name, value: null });
+    else void act(choice.value, { key, revision, joints: [joint.name] });
   });
   const row = el("div", { class: `joint${model.joint === joint.name ? " selected" : ""}${fixed ? "" : " free"}` },
     el("button", { type: "button", class: "name", text: joint.name, title: joint.range ? `range ${joint.range.map((x) => short(x, 1)).join(" to ")}` : joint.kind, onclick: () => { model.joint = model.joint === joint.name ? null : joint.name; model.tell("joint"); } }),
@@ -72,9 +73,9 @@ const poseRow = (key: number, joint: Joint): HTMLElement => {
     now[i] = value;
     if (joint.kind === "free") {
       const axes = now.slice(0, 3).map((each, k) => (k !== i && !state.fixed[joint.qpos + k] ? "free" : each));
-      void edit("set_root", { key, ...(i < 3 ? { position: axes } : { rotation: { rotvec: now.slice(3) } }) }).then(panels.pose);
-    } else if (joint.kind === "ball") void edit("set_joint", { key, joint: joint.name, value: { rotvec: now } as Rotation }).then(panels.pose);
-    else void edit("set_joint", { key, joint: joint.name, value }).then(panels.pose);
+      void edit("set_root", { key, revision, ...(i < 3 ? { position: axes } : { rotation: { rotvec: now.slice(3) } }) }).then(panels.pose);
+    } else if (joint.kind === "ball") void edit("set_joint", { key, revision, joint: joint.name, value: { rotvec: now } as Rotation }).then(panels.pose);
+    else void edit("set_joint", { key, revision, joint: joint.name, value }).then(panels.pose);
   };
   const names = joint.kind === "free" ? ["x", "y", "z", "turn x", "turn y", "turn z"] : joint.kind === "ball" ? ["x", "y", "z"] : [""];
   numbers.forEach((value, i) => {
@@ -89,7 +90,7 @@ const poseRow = (key: number, joint: Joint): HTMLElement => {
         "aria-label": `${joint.name} ${names[i]}: ${axisFixed ? "pinned; press to free it" : "free; press to pin it"}`, title: axisFixed ? "free this axis" : "pin this axis",
         onclick: () => {
           const axes = numbers.slice(0, 3).map((each, k) => ((k === i ? axisFixed : !state.fixed[joint.qpos + k]) ? "free" : each));
-          void edit("set_root", { key, position: axes });
+          void edit("set_root", { key, revision, position: axes });
         },
       }));
     }
@@ -110,24 +111,24 @@ const pose = (): void => {
       el("p", { class: "hint" }, "No keyframe here. Drag any point of the figure, or press ", el("kbd", { text: "K" }), ", to make one from the path."));
     return;
   }
-  const said = document.keys[key];
+  const said = document.keys[key], { revision } = document;
   const others = el("select", { "aria-label": "what this keyframe does not name" });
   for (const value of ["free", "rest", "hold"]) others.append(el("option", { value, text: value, selected: value === said.others }));
-  others.addEventListener("change", () => void edit("set_others", { key, value: others.value }));
-  const time = field("time", said.time, "s", (value) => void edit("move_keys", { moves: [[key, value]] }).then((answer) => { if (answer.ok) model.seek(value); else pose(); }), 1 / model.fps);
+  others.addEventListener("change", () => void edit("set_others", { key, revision, value: others.value }));
+  const time = field("time", said.time, "s", (value) => void edit("move_keys", { moves: [[key, value]], revision }).then((answer) => { if (answer.ok) model.seek(value); else pose(); }), 1 / model.fps);
   const focused = (window.document.activeElement as HTMLElement | null)?.getAttribute("aria-label");
   const scroll = box.scrollTop;
   box.replaceChildren(
     el("div", { class: "heading" }, el("h2", { text: `Keyframe ${key + 1}` }), el("label", {}, "at ", time, " s")),
     el("div", { class: "buttons" },
-      el("button", { type: "button", text: "mirror", title: "exchange left and right (M)", onclick: () => void act("mirror", { keys: [key] }) }),
-      el("button", { type: "button", text: "rest", title: "every joint as at rest", onclick: () => void act("rest", { key }) }),
-      el("button", { type: "button", text: "pin all", onclick: () => void act("pin", { key, joints: stage.joints.map((joint) => joint.name) }) }),
-      el("button", { type: "button", text: "free all", onclick: () => void act("free", { key, joints: stage.joints.map((joint) => joint.name) }) })),
+      el("button", { type: "button", text: "mirror", title: "exchange left and right (M)", onclick: () => void act("mirror", { keys: [key], revision }) }),
+      el("button", { type: "button", text: "rest", title: "every joint as at rest", onclick: () => void act("rest", { key, revision }) }),
+      el("button", { type: "button", text: "pin all", onclick: () => void act("pin", { key, revision, joints: stage.joints.map((joint) => joint.name) }) }),
+      el("button", { type: "button", text: "free all", onclick: () => void act("free", { key, revision, joints: stage.joints.map((joint) => joint.name) }) })),
     el("label", { class: "line" }, "what is not named: ", others),
     ...["sites", "bodies"].flatMap((group) => Object.entries((said as any)[group] ?? {}).map(([name, place]) =>
       el("div", { class: "line place" }, el("span", { text: `${name} → ${JSON.stringify(place)}` }),
-        ...(group === "sites" ? [el("button", { type: "button", text: "let go", onclick: () => void edit("set_place", { key, site: name, position: null }) })] : [])))),
+        ...(group === "sites" ? [el("button", { type: "button", text: "let go", onclick: () => void edit("set_place", { key, revision, site: name, position: null }) })] : [])))),
     ...stage.joints.map((joint) => poseRow(key, joint)));
   box.scrollTop = scroll;
   if (model.joint !== chosen) {
@@ -138,15 +139,17 @@ const pose = (): void => {
 };
 
 const problems = (): void => {
-  const { flaws } = model;
-  $("count").textContent = flaws.length ? String(flaws.length) : "";
-  $("count").hidden = !flaws.length;
+  const { flaws, astray } = model, count = flaws.length;
+  $("count").textContent = count ? String(count) : "";
+  $("count").hidden = !count;
   const box = $("panel-problems");
-  if (!flaws.length) {
+  if (!count && astray === null) {
     box.replaceChildren(el("p", { class: "hint good", id: "nothing-wrong", text: model.status.state === "settled" ? "Nothing is wrong with this motion." : "Nothing found yet." }));
     return;
   }
-  box.replaceChildren(el("p", { class: "hint", text: "Worst first. Click one to go there." }), el("ol", { class: "flaws" }, ...flaws.map((flaw) =>
+  const lost = astray === null ? [] : [el("div", { class: "astray", role: "status" }, el("p", { text: astray }),
+    el("button", { type: "button", id: "astray-anew", class: "main", text: "Search anew", onclick: () => void act("go", { anew: true }) }))];
+  box.replaceChildren(...lost, el("p", { class: "hint", text: count ? "Worst first. Click one to go there." : "" }), el("ol", { class: "flaws" }, ...flaws.map((flaw) =>
     el("li", {}, el("button", {
       type: "button", class: flaw.keyframe === null ? "" : "own", text: flaw.text,
       onclick: () => {
@@ -162,7 +165,7 @@ const problems = (): void => {
 const SCALE = 4; // decades of a slider, on either side of the default
 const weights = (): void => {
   const { kinds, document, loaded, course } = model;
-  if (!kinds.length || !document) return;
+  if (!kinds.length || !document || $("panel-weights").hidden) return;
   const box = $("panel-weights"), parts = course?.parts ?? {}, scroll = box.scrollTop;
   if (box.contains(window.document.activeElement) && (window.document.activeElement as HTMLInputElement).type === "range") return;
   const sum = Object.values(parts).reduce((total, each) => total + each, 0);
@@ -193,25 +196,26 @@ const weights = (): void => {
 
 const scene = (): void => {
   const { document } = model;
-  if (!document) return;
+  if (!document || $("panel-scene").hidden) return;
   const box = $("panel-scene");
   const adding = ["box", "step", "sphere", "capsule", "cylinder"].map((kind) => el("button", {
     type: "button", text: `+ ${kind}`, onclick: () => void edit("add_obstacle", { kind, at: model.now ? [model.now.centreAt(model.time)[0] + 0.8, 0] : undefined }),
   }));
+  const { revision } = document;
   const rows = document.obstacles.map((thing) => {
     const selected = model.obstacle?.kind === thing.kind && model.obstacle.index === thing.index;
     const title = `${thing.kind}${thing.name ? ` ‘${thing.name}’` : ""}`;
     const row = el("div", { class: `joint${selected ? " selected" : ""}` },
       el("button", { type: "button", class: "name", text: title, title: "take hold of it on the stage", onclick: () => { model.obstacle = selected ? null : { kind: thing.kind, index: thing.index }; model.joint = null; model.tell("joint"); scene(); } }),
-      el("button", { type: "button", class: "axis", text: "✕", "aria-label": `delete the ${title}`, onclick: () => { model.obstacle = null; model.tell("joint"); void edit("delete_obstacle", { kind: thing.kind, index: thing.index }); } }));
+      el("button", { type: "button", class: "axis", text: "✕", "aria-label": `delete the ${title}`, onclick: () => { model.obstacle = null; model.tell("joint"); void edit("delete_obstacle", { kind: thing.kind, index: thing.index, revision }); } }));
     const line = el("div", { class: "numbers" });
     for (const [name, value] of Object.entries(thing)) {
       if (["kind", "index", "color", "mass"].includes(name)) continue;
-      if (typeof value === "number") line.append(field(`${title} ${name}`, value, "m", (now) => void edit("set_obstacle", { kind: thing.kind, index: thing.index, said: { [name]: now } }), 0.01));
+      if (typeof value === "number") line.append(field(`${title} ${name}`, value, "m", (now) => void edit("set_obstacle", { kind: thing.kind, index: thing.index, revision, said: { [name]: now } }), 0.01));
       else if (Array.isArray(value)) value.forEach((each, i) => line.append(field(`${title} ${name} ${"xyz"[i]}`, each as number, "m", (now) => {
         const all = [...(value as number[])];
         all[i] = now;
-        void edit("set_obstacle", { kind: thing.kind, index: thing.index, said: { [name]: all } });
+        void edit("set_obstacle", { kind: thing.kind, index: thing.index, revision, said: { [name]: all } });
       }, 0.01)));
     }
     row.append(line);

@@ -3,26 +3,31 @@ import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { Figure, mixed, veil, type Pose } from "../scene/figure";
 import type { Path } from "../scene/path";
+import { Cast } from "../scene/cast";
 import { COARSE, FINE, Shapes } from "../scene/shapes";
-import { DAY, DUSK, isSoftware, rendererOn, Surroundings } from "../scene/surroundings";
+import { DAY, DUSK, drawingOn, Surroundings } from "../scene/surroundings";
 import { VIEWS } from "../scene/views";
 import { $ } from "./dom";
 import { model } from "./model";
+import { Screen } from "./screen";
 
 const MELT = 140; // [ms] in which one path melts into the next
 const MOST_GHOSTS = 14;
 const SLOW = 45; // [ms] an image while something moves, from which on it has fewer points
 const FAST = 18; // [ms] from which on it has more again
 const REST = 220; // [ms] after the last movement until it is drawn with all of them
-const LEAVE = 80; // [ms] from one image to the next that a processor which draws leaves to the search
+const LEAVE = 60; // [ms] from one image to the next that a processor which draws leaves to the search while it plays
+const LEAVE_STILL = 130; // while it does not: a better path is all that there is to be seen
 const LEAST = 0.4; // of the points along either side
+const SHARP = 1.4; // of them when all is still, by a processor: edges are smooth
 
 type Side = { figure: Figure; path: () => Path | null };
 
 export class Stage {
-  readonly canvas = $<HTMLCanvasElement>("view");
-  readonly software = isSoftware();
-  readonly renderer = rendererOn(this.canvas, this.software);
+  private readonly drawing = drawingOn($<HTMLCanvasElement>("view"));
+  readonly canvas = this.drawing.canvas;
+  readonly software = this.drawing.software;
+  readonly renderer = this.drawing.renderer;
   readonly around = new Surroundings(4, DUSK, this.software);
   readonly camera = new THREE.PerspectiveCamera(32, 1, 0.03, 900);
   readonly orbit: OrbitControls;
@@ -39,8 +44,10 @@ export class Stage {
   private melting: { from: Path; began: number } | null = null;
   private previous: Path | null = null;
   private wanted = true;
-  private scale = this.software ? 0.6 : 1; // of the points along either side, while something moves
+  private readonly screen = this.software ? new Screen(this.renderer) : null;
+  private scale = this.software ? 0.55 : 1; // of the points along either side, while something moves
   private drawnAt = 1;
+  private cast: Cast | null = null;
   private stamp = 0;
   private moved = 0;
   private then: number | null = null;
@@ -60,7 +67,12 @@ export class Stage {
     model.on(["time", "which", "selection", "document"], () => this.draw());
     model.on("loaded", () => this.haunt());
     model.on("shown", () => this.haunt());
-    model.on("theme", () => { this.around.light(document.documentElement.dataset.theme === "light" ? DAY : DUSK); this.draw(); });
+    model.on("theme", () => {
+      this.around.light(document.documentElement.dataset.theme === "light" ? DAY : DUSK);
+      this.cast?.dispose();
+      this.cast = null;
+      this.draw();
+    });
     new ResizeObserver(() => this.resize()).observe(this.canvas.parentElement!);
     this.resize();
     requestAnimationFrame(this.tick);
@@ -88,12 +100,14 @@ export class Stage {
   private build(): void {
     const { stage } = model;
     if (!stage) return;
-    for (const each of [this.figure, this.still, ...Object.values(this.sides).map((s) => s.figure), ...this.ghosts]) each?.root.removeFromParent();
+    for (const each of [this.figure, this.still, ...Object.values(this.sides).map((s) => s.figure), ...this.ghosts]) each?.dispose();
+    this.cast?.dispose();
+    this.cast = null;
     this.shapes?.dispose();
     const shapes = (this.shapes = new Shapes(stage, this.software ? 1 : this.renderer.capabilities.getMaxAnisotropy(), () => this.draw(), this.software ? COARSE : FINE));
     const moving = stage.pieces.filter((piece) => !piece.still);
     this.still = new Figure(stage.bodies, stage.pieces.filter((piece) => piece.still), shapes);
-    this.figure = new Figure(stage.bodies, moving, shapes);
+    this.figure = new Figure(stage.bodies, moving, shapes, undefined, this.software);
     this.sides = {
       before: { figure: new Figure(stage.bodies, moving, shapes, veil(0xe0663f, 0.42)), path: () => model.raw },
       snapshot: { figure: new Figure(stage.bodies, moving, shapes, veil(0x4f9fe0, 0.45)), path: () => model.snapshot },
@@ -177,22 +191,20 @@ export class Stage {
       this.then = model.playing ? stamp : null;
     } else this.then = null;
     this.orbit.update();
-    const yields = this.software && !this.override && model.status.state === "searching" && stamp - this.moved < LEAVE;
-    if (!this.figure || yields) {
+    const yields = this.software && !this.override && model.status.state === "searching" && stamp - this.moved < (model.playing ? LEAVE : LEAVE_STILL);
+    if (!this.figure || !(model.now || this.override) || yields) {
       this.stamp = stamp;
       return;
     }
     if (this.wanted) {
       this.pace(stamp);
-      this.sized(this.scale);
-      this.render(stamp);
+      this.render(stamp, this.scale);
       this.moved = stamp;
-    } else if (this.drawnAt < 1 && stamp - this.moved > REST) {
-      this.sized(1);
-      this.render(stamp);
-    }
+    } else if (this.drawnAt < this.finest && stamp - this.moved > REST) this.render(stamp, this.finest);
     this.stamp = stamp;
   };
+
+  private get finest(): number { return this.software ? SHARP : 1; }
 
   /** Fewer points while images come slowly. */
   private pace(stamp: number): void {
@@ -202,18 +214,33 @@ export class Stage {
     else if (gap < FAST) this.scale = Math.min(1, this.scale * 1.02);
   }
 
-  private sized(scale: number): void {
-    const rounded = Math.round(scale * 20) / 20;
-    if (rounded === this.drawnAt) return;
-    this.drawnAt = rounded;
-    this.renderer.setPixelRatio(rounded * (this.software ? 1 : Math.min(window.devicePixelRatio, 2)));
+  /** What a processor draws while something moves: no lights on the floor, a shadow laid flat; else all of it. */
+  private simplified(yes: boolean): void {
+    const { still, figure, around } = this;
+    if (!this.software || !still || !figure) return;
+    around.shadows = !yes;
+    const light = around.onGround();
+    for (const { mesh, part } of still.planes) {
+      part.plain!.color.copy(part.plain!.userData.own as THREE.Color).multiply(light);
+      mesh.material = yes ? part.plain! : part.material;
+    }
+    if (!this.cast && figure.outline && model.stage) {
+      const pieces = model.stage.pieces.filter((piece) => piece.still);
+      this.cast = new Cast(figure.outline.mesh.geometry, pieces, still.groups, around.sunward, around.shade);
+      around.scene.add(this.cast.root);
+    }
+    if (this.cast) this.cast.root.visible = yes && figure.root.visible;
   }
 
-  private render(stamp: number): void {
+  private render(stamp: number, scale: number): void {
     this.wanted = false;
+    const rounded = Math.round(scale * 20) / 20;
+    if (!this.screen && rounded !== this.drawnAt) this.renderer.setPixelRatio(rounded * Math.min(window.devicePixelRatio, 2));
+    this.drawnAt = rounded;
     const pose = this.pose(stamp);
     if (this.figure && pose) {
       this.figure.put(pose);
+      this.still?.put(pose);
       this.figure.root.visible = model.which !== "before" || this.override !== null;
       for (const [name, side] of Object.entries(this.sides)) {
         const path = side.path();
@@ -231,28 +258,37 @@ export class Stage {
     this.centre.copy(here);
     this.around.follow(here);
     for (const sight of this.sights) sight();
-    if (model.which === "side") this.renderHalves();
-    else this.renderer.render(this.around.scene, this.camera);
+    this.simplified(rounded < this.finest);
+    const { renderer, screen } = this, scene = this.around.scene;
+    if (screen) screen.show(rounded, (wide, high) => { if (model.which === "side") this.renderHalves(wide, high); else renderer.render(scene, this.camera); });
+    else if (model.which === "side") this.renderHalves(...renderer.getSize(new THREE.Vector2()).toArray());
+    else renderer.render(scene, this.camera);
     this.images += 1;
   }
 
-  /** Before on the left, after on the right. */
-  private renderHalves(): void {
-    const { renderer, camera } = this, size = renderer.getSize(new THREE.Vector2()), half = Math.floor(size.x / 2);
-    renderer.setScissorTest(true);
-    camera.aspect = half / size.y;
+  /** Before on the left, after on the right, of so many points. */
+  private renderHalves(wide: number, high: number): void {
+    const { renderer, camera, screen } = this, half = Math.floor(wide / 2);
+    renderer.setScissorTest(!screen);
+    camera.aspect = half / high;
     camera.updateProjectionMatrix();
     const before = this.sides.before?.figure, after = this.figure;
     for (const [left, first] of [[0, true], [half, false]] as [number, boolean][]) {
-      renderer.setViewport(left, 0, half, size.y);
-      renderer.setScissor(left, 0, half, size.y);
+      if (screen) screen.part(left, half, high);
+      else {
+        renderer.setViewport(left, 0, half, high);
+        renderer.setScissor(left, 0, half, high);
+      }
       if (first && before && after && model.raw) after.put(model.raw.at(model.time));
       else if (after && model.now) after.put(model.now.at(model.time));
       renderer.render(this.around.scene, camera);
     }
-    renderer.setScissorTest(false);
-    renderer.setViewport(0, 0, size.x, size.y);
-    camera.aspect = size.x / size.y;
+    if (screen) screen.whole();
+    else {
+      renderer.setScissorTest(false);
+      renderer.setViewport(0, 0, wide, high);
+    }
+    camera.aspect = wide / high;
     camera.updateProjectionMatrix();
   }
 

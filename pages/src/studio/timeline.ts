@@ -1,4 +1,5 @@
 // The timeline: a ruler, keyframes as diamonds, limbs when unfolded, contacts, holds and flights as bars.
+import { Quaternion, Vector3 } from "three";
 import { $, el, toast } from "./dom";
 import { act, edit } from "./link";
 import { model, type Bar } from "./model";
@@ -27,7 +28,7 @@ export class Timeline {
 
   constructor() {
     this.box.append(this.ruler, this.rows, this.band, this.head);
-    model.on(["document", "loaded", "selection", "stage"], () => this.draw());
+    model.on(["document", "loaded", "selection", "stage", "joint"], () => this.draw());
     let span = "";
     model.on("path", () => {
       const now = `${model.first}|${model.last}`;
@@ -188,7 +189,7 @@ export class Timeline {
   }
 
   private limbRows(): HTMLElement[] {
-    const { stage, loaded, document } = model;
+    const { stage, loaded, document } = model, revision = document!.revision;
     if (!stage || !loaded) return [];
     return stage.limbs.map((limb) => {
       const row = el("div", { class: "row limb" }, this.label(limb.name));
@@ -202,10 +203,10 @@ export class Timeline {
         const mark = el("button", {
           type: "button", class: `diamond small${hollow ? " hollow" : ""}${none ? " none" : ""}`, title: words, "aria-label": words,
           "data-id": `limb${limb.name}${i}`,
-          ondblclick: () => void act(none ? "pin" : "free", { key: i, joints: limb.joints }),
+          ondblclick: () => void act(none ? "pin" : "free", { key: i, revision, joints: limb.joints }),
         });
         mark.addEventListener("keydown", (event) => {
-          if (event.key === "Enter") void act(none ? "pin" : "free", { key: i, joints: limb.joints });
+          if (event.key === "Enter") void act(none ? "pin" : "free", { key: i, revision, joints: limb.joints });
         });
         mark.style.left = `${this.x(key.time)}px`;
         row.append(mark);
@@ -217,7 +218,7 @@ export class Timeline {
   private barRows(): HTMLElement[] {
     const { document, loaded, stage } = model;
     const points = [...new Set([...(stage?.soles ?? []).map((sole) => sole.name), ...document!.contacts.map((bar) => bar.point!)])];
-    const hands = [...new Set(document!.holds.map((bar) => bar.hand!))];
+    const hands = [...new Set([...(model.limb?.hands ?? []), ...document!.holds.map((bar) => bar.hand!)])];
     const rows = points.slice(0, 24).map((point) => {
       const row = el("div", { class: "row bars", "data-point": point }, this.label(point));
       for (const told of loaded?.stances.filter((each) => each.point === point) ?? []) row.append(this.told(told.from, told.to, `${point} stands, as keyframes tell`));
@@ -225,7 +226,7 @@ export class Timeline {
       return row;
     });
     for (const hand of hands) {
-      const row = el("div", { class: "row bars" }, this.label(`${hand} holds`));
+      const row = el("div", { class: "row bars", "data-hand": hand, title: "drag over it: a new hold" }, this.label(`${hand} holds`));
       document!.holds.forEach((bar, i) => { if (bar.hand === hand) row.append(this.bar("hold", i, bar, `${hand} holds ${bar.body}`)); });
       rows.push(row);
     }
@@ -273,10 +274,10 @@ export class Timeline {
     }
     const key = target.closest<HTMLElement>(".keys .diamond");
     const bar = target.closest<HTMLElement>("[data-bar]");
-    const row = target.closest<HTMLElement>("[data-point]");
+    const row = target.closest<HTMLElement>("[data-point], [data-hand]");
     if (key) this.grabKey(Number(key.dataset.key), time, event);
     else if (bar) this.grabBar(bar, time, event);
-    else if (row) this.drawContact(row.dataset.point!, time, event);
+    else if (row) this.drawBar(row, time, event);
     else if (!target.closest("button")) this.boxSelect(time, event);
   }
 
@@ -291,15 +292,15 @@ export class Timeline {
   }
 
   private grabKey(index: number, begin: number, event: PointerEvent): void {
-    const was = model.document!.keys.map((key) => key.time);
+    const was = model.document!.keys.map((key) => key.time), { revision } = model.document!;
     const wasSelected = model.keys.has(index);
     this.choose(index, event);
+    const keys = [...model.keys]; // as they are numbered now, whatever another page does meanwhile
     model.playing = false;
     model.seek(was[index]);
     let moved = false;
     const scale = event.ctrlKey && event.altKey;
     const times = (time: number, e: PointerEvent): Map<number, number> => {
-      const keys = [...model.keys];
       const to = this.snapped(was[index] + time - begin, e);
       if (scale && keys.length > 1) {
         const first = Math.min(...keys.map((i) => was[i])), factor = Math.max(0.01, (to - first) / Math.max(1e-6, was[index] - first));
@@ -322,14 +323,14 @@ export class Timeline {
           return;
         }
         const found = times(time, e);
-        void edit("move_keys", { moves: [...found] }).then((answer) => { if (answer.ok) model.seek(found.get(index) ?? was[index]); });
+        void edit("move_keys", { moves: [...found], revision }).then((answer) => { if (answer.ok) model.seek(found.get(index) ?? was[index]); });
       },
     };
   }
 
   private grabBar(target: HTMLElement, begin: number, event: PointerEvent): void {
     const kind = target.dataset.bar as "contact" | "hold", index = Number(target.dataset.index);
-    const bar = (kind === "contact" ? model.document!.contacts : model.document!.holds)[index];
+    const { revision } = model.document!, bar = (kind === "contact" ? model.document!.contacts : model.document!.holds)[index];
     const box = target.getBoundingClientRect();
     const edge = event.clientX - box.left < 7 ? "from" : box.right - event.clientX < 7 ? "to" : "";
     model.bar = { kind, index };
@@ -353,31 +354,61 @@ export class Timeline {
         if (!moved) return;
         const [from, to] = span(time, e);
         const who = kind === "contact" ? { point: bar.point } : { hand: bar.hand, body: bar.body };
-        void edit(`set_${kind}`, { ...who, begin: from, end: to, index }).then(() => this.draw());
+        void edit(`set_${kind}`, { ...who, begin: from, end: to, index, revision }).then(() => this.draw());
       },
     };
   }
 
-  private drawContact(point: string, begin: number, event: PointerEvent): void {
+  /** A new contact of a point, or a new hold of a hand, over its row. */
+  private drawBar(row: HTMLElement, begin: number, event: PointerEvent): void {
+    const { point, hand } = row.dataset, kind = point ? "contact" : "hold";
     const from = this.snapped(begin, event, true);
-    const shown = el("span", { class: "bar contact new" });
-    const row = this.rows.querySelector(`[data-point="${CSS.escape(point)}"]`);
+    const shown = el("span", { class: `bar ${kind} new` });
     let moved = false;
     this.drag = {
       move: (time, e) => {
         if (!moved && Math.abs(this.x(time) - this.x(begin)) < 5) return;
-        if (!moved) row?.append(shown);
+        if (!moved) this.rows.querySelector(`[data-${point ? "point" : "hand"}="${CSS.escape((point ?? hand)!)}"]`)?.append(shown);
         moved = true;
         const to = this.snapped(time, e, true);
         this.placed(shown, Math.min(from, to), Math.max(from, to));
       },
       up: (time, e) => {
-        shown.remove();
-        const to = this.snapped(time, e, true);
-        if (!moved || to === from) { model.select([]); model.seek(this.snapped(begin, e, true)); return; }
-        void edit("set_contact", { point, begin: Math.min(from, to), end: Math.max(from, to) });
+        const to = this.snapped(time, e, true), span = { begin: Math.min(from, to), end: Math.max(from, to) };
+        if (!moved || to === from) { shown.remove(); model.select([]); model.seek(this.snapped(begin, e, true)); return; }
+        if (point) { shown.remove(); void edit("set_contact", { point, ...span }); return; }
+        this.holdable(hand!, span.begin, e, (body) => { shown.remove(); if (body !== null) void edit("set_hold", { hand, body, ...span }); });
       },
     };
+  }
+
+  /** Asks what a hand is to hold: bodies that move, the nearest to it first; what no limb of its own is. */
+  private holdable(hand: string, time: number, at: { clientX: number; clientY: number }, done: (body: string | null) => void): void {
+    const { stage, now } = model, site = stage?.sites.find((each) => each.name === hand);
+    if (!stage || !now || !site) { done(null); return; }
+    const pose = now.at(time), root = (body: number): number => (stage.parents[body] ? root(stage.parents[body]) : body);
+    const place = (body: number, offset: number[]) => {
+      const turn = new Quaternion().fromArray(pose.rotation as number[], 4 * body);
+      return new Vector3().fromArray(offset).applyQuaternion(turn).add(new Vector3().fromArray(pose.position as number[], 3 * body));
+    };
+    const here = place(site.body, site.offset);
+    const own = stage.limbs.find((limb) => stage.joints.some((joint) => joint.body === site.body && limb.joints.includes(joint.name)));
+    const bodies = stage.bodies.map((name, body) => ({ name, body, away: here.distanceTo(place(body, [0, 0, 0])), other: root(body) !== root(site.body) }))
+      .filter(({ name, body }) => body && name && !stage.still[body] && body !== site.body && stage.joints.some((joint) => joint.body === body)
+        && !own?.joints.some((joint) => stage.joints.find((each) => each.name === joint)?.body === body))
+      .sort((a, b) => Number(b.other) - Number(a.other) || a.away - b.away).slice(0, 8);
+    if (!bodies.length) { toast("nothing there moves that it could hold", "note"); done(null); return; }
+    const menu = el("dialog", { class: "menu", "aria-label": `what ${hand} holds` });
+    let chosen: string | null = null;
+    menu.append(el("p", { class: "hint", text: `${hand} holds` }), ...bodies.map(({ name }) => el("button", { type: "button", text: name, onclick: () => { chosen = name; menu.close(); } })));
+    menu.addEventListener("close", () => { menu.remove(); done(chosen); });
+    menu.addEventListener("click", (event) => { if (event.target === menu) menu.close(); });
+    document.body.append(menu);
+    menu.showModal();
+    const box = menu.getBoundingClientRect();
+    menu.style.left = `${Math.max(4, Math.min(at.clientX, innerWidth - box.width - 8))}px`;
+    menu.style.top = `${Math.max(4, Math.min(at.clientY, innerHeight - box.height - 8))}px`;
+    menu.querySelector("button")?.focus();
   }
 
   private boxSelect(begin: number, event: PointerEvent): void {

@@ -32,7 +32,7 @@ export const save = async (): Promise<void> => {
   else $("files").dispatchEvent(new CustomEvent("save-as"));
 };
 export const addKey = async (): Promise<void> => {
-  const answer = await act("key", { time: Math.round(model.time * 1e4) / 1e4 });
+  const answer = await act("key", { time: Math.round(model.time * 1e4) / 1e4, ...(model.partial && model.limb ? { limb: model.limb.joints } : {}) });
   if (answer.ok) model.select([...(model.document?.keys.keys() ?? [])].filter((i) => Math.abs(model.document!.keys[i].time - model.time) < 1e-4));
 };
 export const remove = async (): Promise<void> => {
@@ -60,7 +60,7 @@ export const transport = (stage: Stage, timeline: Timeline): void => {
   const speed = $<HTMLSelectElement>("speed");
   for (const each of SPEEDS) speed.append(el("option", { value: each, text: `${each}×`, selected: each === 1 }));
   speed.addEventListener("change", () => { model.speed = Number(speed.value); });
-  for (const [id, name] of [["loop", "loop"], ["follow", "follow"], ["ghosts", "ghosts"], ["trails", "trails"]] as const) {
+  for (const [id, name] of [["loop", "loop"], ["follow", "follow"], ["ghosts", "ghosts"], ["trails", "trails"], ["partial", "partial"]] as const) {
     const box = $<HTMLInputElement>(id);
     box.checked = model[name];
     box.addEventListener("change", () => { model[name] = box.checked; model.tell("shown"); });

@@ -2,17 +2,24 @@
 
 from __future__ import annotations
 
+import importlib.util
+import io
 import os
+import re
+import shutil
 import signal
 import time
 import tomllib
+from pathlib import Path
 
+import android
 import browser as browsers
 import psutil
 import pytest
 from browser import Studio, Tab
 
 from dynsplines import models
+from dynsplines.exchange.formats import export as exported
 
 pytestmark = [
     pytest.mark.slow,
@@ -106,7 +113,7 @@ def test_an_animators_afternoon(browser, cache, tmp_path):
             page.locator("#panel-problems .flaws button").first.click()
             assert tab.look("studio.model.time") is not None
             tab.changes(lambda: tab.press("Control+z"))
-        assert page.locator("#nothing-wrong").is_visible()
+        tab.until(page.locator("#nothing-wrong").is_visible)
 
         # saved, and there again
         tab.press("Control+s")
@@ -151,6 +158,25 @@ def test_two_tabs_follow_each_other_and_work_survives_whatever_is_killed(browser
     one.until("studio.model.document.keys.length === 12")
     one.changes(lambda: one.press("Control+Shift+z"))
 
+    # one page drags the fifth keyframe while the other one adds a keyframe before it: the same keyframe has moved
+    one.settled()
+    fifth = one.look("studio.model.document.keys[4].time")
+    x, y = one.middle("[data-id=key4]")
+    mouse = one.page.mouse
+    mouse.move(x, y)
+    mouse.down()
+    mouse.move(x + 8, y, steps=2)
+    two.seek(0.05)
+    two.changes(lambda: two.press("k"))
+    one.until("studio.model.document.keys.length === 14")
+    one.changes(mouse.up)
+    times = one.look("studio.model.document.keys.map((key) => key.time)")
+    assert times[1] == 0.05
+    assert times[4] == pytest.approx(0.37)
+    assert fifth < times[5] < fifth + 0.1
+    for _ in range(2):
+        one.changes(lambda: one.press("Control+z"))
+
     # the process that solves is killed: another one goes on
     one.settled()
     (solver,) = [
@@ -165,10 +191,7 @@ def test_two_tabs_follow_each_other_and_work_survives_whatever_is_killed(browser
     one.changes(lambda: one.press("k"))
     assert one.look("studio.model.document.keys.length") == 14
 
-    # a closed tab, a lost line
     two.page.close()
-    one.page.context.set_offline(True)
-    one.page.context.set_offline(False)
 
     # the server is killed: what was not saved is offered again
     time.sleep(0.6)
@@ -196,6 +219,7 @@ def tab(browser, cache, tmp_path_factory):
     clip_in(folder)
     with browsers.studio(folder, "run.toml") as studio:
         found = Tab(browser, studio.address)
+        found.folder = str(folder)
         found.settled()
         yield found
         found.page.close()
@@ -260,6 +284,101 @@ def test_everything_has_a_name_and_is_reached_by_the_keyboard(tab):
     tab.press("Escape")
 
 
+def test_a_line_that_is_lost_in_the_middle_of_an_edit_comes_back_and_nothing_is_lost(browser, tab):
+    page = browser.new_page(viewport={"width": 900, "height": 600})
+    lines, lost = [], []
+
+    def through(line):
+        """What goes both ways, until an edit has gone through: its answer is never heard."""
+        server = line.connect_to_server()
+        lines.append(line)
+
+        def said(message):
+            server.send(message)
+            if '"do":"key"' in str(message) and not lost:
+                lost.append(message)
+                line.close(code=1011)
+                server.close()
+
+        line.on_message(said)
+
+    page.route_web_socket(re.compile("/line"), through)
+    other = Tab.on(page, tab.page.url)
+    before = tab.look("studio.model.document.keys.map((key) => key.time)")
+    other.seek(1.7)
+    other.press("k")
+    other.until("document.getElementById('toast').textContent.includes('was lost')")
+    other.until("document.getElementById('state').textContent !== 'no line to the studio'")
+    other.until(f"studio.model.document.keys.length === {len(before) + 1}")  # done, and once
+    assert len(lines) == 2
+    tab.until(f"studio.model.document.keys.length === {len(before) + 1}")
+    other.changes(lambda: other.press("Control+z"))
+    assert tab.look("studio.model.document.keys.map((key) => key.time)") == before
+    page.close()
+
+
+def test_things_are_made_larger_by_hand(tab):
+    before, page = tab.look("JSON.stringify(studio.model.document.obstacles)"), tab.page
+    tab.press("s")
+    tab.seek(1.62)
+    tab.press("2")
+    tab.changes(page.get_by_role("button", name="+ box").click)
+    page.get_by_role("button", name="box", exact=True).click()
+    tab.shown()
+    box = tab.look("studio.model.document.obstacles.at(-1)")
+    top = tab.look("studio.handles.places()")[4]
+    tab.changes(lambda: tab.drag((top[0], top[1]), (top[0], top[1] - 30)))
+    now = tab.look("studio.model.document.obstacles.at(-1)")
+    grown = now["size"][2] - box["size"][2]
+    assert grown > 0.05
+    assert now["size"][:2] == box["size"][:2]
+    assert now["position"] == pytest.approx([*box["position"][:2], box["position"][2] + grown / 2], abs=2e-3)
+    assert page.locator("#panel-scene").get_by_label("box size z [m]").input_value() == str(now["size"][2])
+    tab.changes(lambda: tab.press("Control+z"))
+    assert tab.look("studio.model.document.obstacles.at(-1)") == box
+    tab.changes(lambda: tab.press("Control+z"))
+    assert tab.look("JSON.stringify(studio.model.document.obstacles)") == before
+    tab.press("Escape")
+
+
+def test_a_keyframe_says_only_the_limb_that_was_dragged_if_one_wants(tab):
+    tab.press("n")
+    tab.seek(1.0)
+    tab.press("3")
+    tab.shown()
+    x, y = tab.grip("left_forearm")
+    tab.changes(lambda: tab.drag((x, y), (x + 12, y - 12)))
+    (key,) = [key for key in tab.look("studio.model.document.keys") if abs(key["time"] - 1.0) < 1e-6]
+    assert set(key["joints"]) == {"left_shoulder", "left_elbow"}
+    assert "root" not in key
+    assert key["others"] == "free"
+    tab.changes(lambda: tab.press("Control+z"))
+    tab.press("n")
+
+
+def test_a_hold_is_drawn_for_the_hand_of_the_arm_that_is_chosen(tab):
+    page = tab.page
+    assert page.locator("[data-hand]").count() == 0
+    tab.look("void (studio.model.joint = 'left_elbow', studio.model.tell('joint'))")
+    row = page.locator("[data-hand='left_hand']")
+    row.wait_for()
+    row.scroll_into_view_if_needed()
+    box = row.bounding_box()
+    left, width = box["x"] + 188 + 16, box["width"] - 188 - 32
+    at = [left + t / 2.2 * width for t in (0.92, 1.15)]
+    tab.drag((at[0], box["y"] + 8), (at[1], box["y"] + 8))
+    menu = page.locator("dialog.menu")
+    names = menu.locator("button").all_inner_texts()
+    assert not {"left_forearm", "left_upper_arm"} & set(names)
+    tab.changes(menu.locator("button").first.click)
+    (hold,) = tab.look("studio.model.document.holds")
+    assert (hold["hand"], hold["body"]) == ("left_hand", names[0])
+    assert (hold["from"], hold["to"]) == (pytest.approx(0.92, abs=0.04), pytest.approx(1.15, abs=0.04))
+    tab.changes(lambda: tab.press("Control+z"))
+    tab.press("Escape")
+    page.locator("[data-hand]").first.wait_for(state="detached")
+
+
 def test_it_fits_windows_of_any_size(tab):
     for width, height in ((1280, 800), (2560, 1440), (420, 800), (900, 600)):
         tab.page.set_viewport_size({"width": width, "height": height})
@@ -275,6 +394,110 @@ def test_words_stand_out_from_what_is_behind_them_dark_and_light(tab):
             for high in ("ink", "soft", "accent", "key", "bad", "good"):
                 assert tab.look(contrast(f"--{high}", f"--{low}")) >= (4.5 if high in ("ink", "soft") else 3.0), high
         assert tab.look(contrast("--on-accent", "--accent")) >= 4.5
+
+
+G1 = "mjlab/asset_zoo/robots/unitree_g1/xmls/g1.xml"
+HANDS = {"android.xml": "left_wrist_roll_link", "g1.xml": "left_wrist_yaw_link"}
+
+
+def robot_in(folder, name):
+    """A robot's model in a folder: ours, or that of a package by others, with its meshes."""
+    if name == "android.xml":
+        (folder / name).write_text(android.ANDROID)
+        return
+    found = importlib.util.find_spec("mjlab")
+    if found is None or found.origin is None:
+        pytest.skip("no package mjlab: pip install --no-deps mjlab")
+    source = (Path(found.origin).parent.parent / G1).parent
+    shutil.copytree(source, folder, dirs_exist_ok=True)
+
+
+def opened(tab, name):
+    """A file of the folder, by the menu."""
+    tab.page.locator("#files").click()
+    tab.page.get_by_role("menuitem", name="Open").click()
+    tab.changes(tab.page.locator("dialog .list button", has_text=re.compile(f"^{re.escape(name)}$")).click, 150)
+
+
+@pytest.mark.parametrize("name", HANDS)
+def test_a_robot_crouches_and_reaches_in_less_than_twenty_actions(tab, name):
+    robot_in(Path(tab.folder), name)
+    actions = 3
+    opened(tab, name)
+    tab.until("studio.model.now.bodies === studio.model.stage.bodies.length")
+    middle = tab.look("0.5 * (studio.model.first + studio.model.last)")
+    hand, pelvis = HANDS[name], tab.look("studio.model.stage.bodies[studio.model.stage.joints[0].body]")
+    place = "studio.stage.placeOf(studio.model.stage.bodies.indexOf('{}'), [0, 0, 0]).toArray()"
+    tab.seek(middle)
+    tab.press("3")
+    tab.shown()
+    low, far = tab.look(place.format(pelvis)), tab.look(place.format(hand))
+    x, y = tab.grip(pelvis)
+    down = tab.on_screen_at([low[0], low[1], low[2] - 0.12])[1] - tab.on_screen(pelvis)[1]
+    tab.changes(lambda: tab.drag((x, y), (x, y + down)))
+    tab.shown()
+    x, y = tab.grip(hand)
+    tab.changes(lambda: tab.drag((x, y), (x - 1.5 * down, y - 0.5 * down)))
+    actions += 4
+    tab.settled()
+    tab.seek(middle)
+    now = tab.look(place.format(pelvis)), tab.look(place.format(hand))
+    assert now[0][2] < low[2] - 0.04
+    assert now[1][0] > far[0] + 0.08
+    soles = [
+        flaw for flaw in tab.look("studio.model.flaws") if flaw["kind"] in ("depth", "ground") and flaw["amount"] > 0.02
+    ]
+    assert soles == []
+    assert actions < 20
+    for _ in range(2):
+        tab.changes(lambda: tab.press("Control+z"))
+
+
+def test_a_recording_is_opened_a_hand_is_moved_and_it_is_saved_and_there_again(tab, saved_run):
+    folder = Path(tab.folder)
+    exported(saved_run, "bvh", folder / "walk.bvh")
+    opened(tab, "walk.bvh")
+    assert tab.look("studio.model.document.recording.file") == "walk.npz"
+    assert tab.look("studio.model.document.keys.length") == 0
+    tab.settled()
+    tab.seek(0.3)
+    tab.press("3")
+    tab.shown()
+    hand = tab.look("studio.model.stage.limbs.find((limb) => limb.name === 'left arm').end")
+    place = f"studio.stage.placeOf({hand}, [0, 0, 0]).toArray()"
+    was, name = tab.look(place), tab.look(f"studio.model.stage.bodies[{hand}]")
+    x, y = tab.grip(name)
+    tab.changes(lambda: tab.drag((x, y), (x - 14, y - 14)))
+    tab.settled()
+    tab.seek(0.3)
+    now = tab.look(place)
+    assert now[2] - was[2] > 0.03
+    tab.page.locator("#files").click()
+    tab.page.get_by_role("menuitem", name="Save as").click()
+    tab.page.locator("dialog button.main").click()
+    tab.until("!studio.model.document.dirty")
+    assert len(tomllib.loads((folder / "walk_edited.toml").read_text())["keyframe"]) == 1
+    opened(tab, "run.toml")
+    opened(tab, "walk_edited.toml")
+    tab.settled()
+    tab.seek(0.3)
+    assert tab.look(place) == pytest.approx(now, abs=5e-3)
+    assert not tab.look("studio.model.document.dirty")
+
+
+@pytest.fixture(scope="module")
+def saved_run():
+    """A shipped clip's raw motion: what a recording is written of."""
+    from rich.console import Console
+
+    from dynsplines.clip import load as clips
+    from dynsplines.solver.solution import Solution
+    from dynsplines.system.progress import Progress
+    from dynsplines.work import Solved
+
+    clip = clips.load("run_and_step")
+    raw = Solution(clip.figure, clip.problem.plain_objective, clip.problem.raw, clip.problem.raw)
+    return Solved(clip, raw, None).saved(Progress(Console(file=io.StringIO())), with_report=False)
 
 
 def contrast(high: str, low: str) -> str:

@@ -48,6 +48,17 @@ def test_a_hand_within_reach_moves_its_arm_alone(clip, poser):
     assert set(poser.said(found.qpos, home)["joints"]) <= {"left_shoulder", "left_elbow"}
 
 
+def test_a_limb_that_is_to_go_alone_does_so_out_of_reach_as_well(clip, poser):
+    home = np.array(clip.keys[-1].state)
+    body = clip.figure.model.body("left_forearm").id
+    goal = placed(clip.figure.model, home).xpos[body] + np.array([1.0, 0, 0])
+    grip = poser.gripped(home, body, np.zeros(3), alone=True)
+    last = home
+    for _ in range(4):
+        last = poser.pulled(grip, goal, last).qpos
+    assert set(poser.said(last, home)["joints"]) == {"left_shoulder"}
+
+
 def test_a_hand_out_of_reach_takes_the_figure_along_but_for_its_soles(clip, poser):
     model, home = clip.figure.model, np.array(clip.keys[-1].state)
     body = model.body("left_forearm").id

@@ -169,6 +169,45 @@ def test_another_host_needs_leave_and_says_what_it_means():
             start.check_host(host, allow_remote=False)
 
 
+def began(session, monkeypatch, **wishes):
+    """What the command says and serves, without a process and without a server."""
+    served, said = [], []
+    monkeypatch.setattr(Session, "start", lambda self: None)
+    monkeypatch.setattr(
+        start, "_serve", lambda session, listening, *door: served.append((listening.getsockname(), *door))
+    )
+    wished = {"host": "127.0.0.1", "port": 0, "browser": False, "allow_remote": False, **wishes}
+    start.run(session.document, say=said.append, **wished)
+    return served[0], said
+
+
+def test_it_listens_on_this_machine_alone_behind_a_new_token_each_time(session, monkeypatch):
+    (place, token, hosts), (address,) = began(session, monkeypatch)
+    assert place[0] == "127.0.0.1"
+    assert address == f"http://127.0.0.1:{place[1]}/?token={token}"
+    assert hosts == {f"{name}:{place[1]}" for name in ("127.0.0.1", "localhost", "[::1]")}
+    assert len(token) >= 32
+    assert began(session, monkeypatch)[0][1] != token
+
+
+def test_one_that_others_reach_says_what_they_can_do(session, monkeypatch):
+    (place, _, hosts), said = began(session, monkeypatch, host="0.0.0.0", allow_remote=True)
+    assert place[0] == "0.0.0.0"
+    assert not {host for host in hosts if host.startswith("0.0.0.0")} - {f"0.0.0.0:{place[1]}"}
+    assert "edits the clip and writes files beside it" in said[1]
+    assert "not encrypted" in said[2]
+
+
+def test_a_page_may_load_and_ask_for_nothing_from_elsewhere_and_be_shown_in_no_other(client):
+    headers = client.get("/", params={"token": TOKEN}).headers
+    policy = headers["content-security-policy"]
+    for words in ("default-src 'none'", "script-src 'self'", "connect-src 'self'", "frame-ancestors 'none'"):
+        assert words in policy
+    assert "unsafe-eval" not in policy
+    assert headers["cache-control"] == "no-store"
+    assert headers["referrer-policy"] == "no-referrer"
+
+
 def test_a_port_that_is_taken_is_told(tmp_path):
     import socket
 

@@ -3,14 +3,21 @@
 from __future__ import annotations
 
 import json
+import pickle
 import struct
+from dataclasses import replace
 
 import numpy as np
 import pytest
 import tiny
 
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.refine.euler_lagrange import residual
+from dynsplines.solver.refine.subdivision import CRITERIA
 from dynsplines.studio import paths
-from dynsplines.studio.solving import Work
+from dynsplines.studio.solving.work import Work
+
+DEVIATION = ("Euler-Lagrange residual", "what a frame promises")
 
 
 class Line:
@@ -69,7 +76,7 @@ def test_an_edited_keyframe_is_solved_on_from_the_present_path(work, tmp_path):
     assert kinds.count("raw") == 1
     again = load(work, tmp_path, tiny.CLIP, 2)  # undone: as it was found before
     first = next(each for each in again if each["is"] == "path" and each["kind"] == "carried")
-    assert first["timeline"].times.size == work.seen[tiny.CLIP].times.size
+    assert pickle.loads(first["timeline"]).times.size == work.seen[tiny.CLIP].times.size
 
 
 @pytest.mark.parametrize(
@@ -120,12 +127,23 @@ def test_curves_are_of_joints_feet_and_terms(work, tmp_path):
     work.do({"do": "curves", "on": True})
     (told,) = work.line.taken()
     groups = {group["name"]: group for group in told["curves"]["groups"]}
-    assert set(groups) == {"angle", "speed", "height of feet", "torque", "E by segment"}
+    assert set(groups) == {"angle", "speed", "height of feet", "torque", "E by segment", *DEVIATION}
     knee = next(each for each in groups["angle"]["series"] if each["name"] == "left_knee")
     at = told["curves"]["time"].index(min(told["curves"]["time"], key=lambda t: abs(t - 0.2)))
     assert knee["after"][at] == pytest.approx(40, abs=1)
     assert len(knee["after"]) == len(told["curves"]["time"])
     assert groups["E by segment"]["series"][0]["name"] == "all"
+
+    # the residual is the solver's own, and where more frames are promised most is where it would insert them
+    objective, timeline = work.clip.problem.objective, work.found.timeline
+    (size,), (promise,) = (groups[name]["series"] for name in DEVIATION)
+    strong = residual(objective, path_of(timeline))
+    duration = told["curves"]["time"][-1] - told["curves"]["time"][0]
+    assert np.mean(10 ** np.array(size["after"]) - 1) * duration == pytest.approx(strong.deviation().sum(), rel=0.2)
+    scores = CRITERIA["weak"](objective, timeline)
+    time = np.array(told["curves"]["time"])
+    inside = time[int(np.argmax(promise["after"]))]
+    assert timeline.times[scores.argmax()] <= inside <= timeline.times[scores.argmax() + 1]
 
 
 def test_the_present_motion_is_kept_for_what_is_made_of_it(work, tmp_path):
@@ -137,3 +155,58 @@ def test_the_present_motion_is_kept_for_what_is_made_of_it(work, tmp_path):
     work.do({"do": "keep", "file": str(tmp_path / "now.npz")})
     assert work.line.taken()[0]["is"] == "kept"
     assert motion.load(tmp_path / "now.npz").timeline.times.size == work.found.timeline.times.size
+
+
+def test_a_search_that_may_have_gone_astray_says_so_and_is_begun_elsewhere_when_nothing_else_is_done(work, tmp_path):
+    load(work, tmp_path, tiny.CLIP, first=True)
+    good, goal = work.found, work.clip.problem.objective
+    assert not work.may_look
+    # a bad place: a path that leads far away, in which the search finds no step down
+    rows = good.timeline.rows.copy()
+    rows[1:-1][~good.timeline.fixed.any(axis=1)] += 0.8
+    bad = good.timeline.with_rows(rows)
+    value = goal.value(path_of(bad))
+    assert value > 3 * good.trace[-1][2]
+    work.found, work._is_near = replace(good, timeline=bad, trace=((1, 0, value, good.trace[-1][3]),)), True
+    work._judge(stop="CONVERGED")
+    (told,) = [each for each in work.line.taken() if each["is"] == "settled"]
+    assert "may have ended in a bad place" in told["astray"]
+    assert work.may_look
+    work.do({"do": "look"})
+    told = work.line.taken()
+    assert goal.value(path_of(work.found.timeline)) == pytest.approx(good.trace[-1][2], rel=0.05)
+    assert {"found", "note"} <= {each.get("kind", each["is"]) for each in told}
+    assert told[-1]["is"] == "settled"
+    assert told[-1]["astray"] is None
+    assert not work.may_look
+
+
+def test_a_path_that_cannot_be_better_is_looked_beside_once(work, tmp_path):
+    load(work, tmp_path, tiny.CLIP, first=True)
+    good = work.found
+    work._before, work._is_near = (good.trace[-1][2] / 10, 0), True
+    work._judge(stop="CONVERGED")
+    assert work.may_look
+    work.line.taken()
+    work.do({"do": "look"})
+    assert work.found is good
+    assert not work.may_look
+    assert "note" not in {each["is"] for each in work.line.taken()}
+
+
+def test_where_somebody_has_stopped_the_search_it_looks_nowhere(work, tmp_path):
+    load(work, tmp_path, tiny.CLIP, first=True)
+    work._before, work._is_near = (1e-9, 0), True
+    work._judge(stop="CONVERGED")
+    work.do({"do": "stop"})
+    assert not work.may_look
+
+
+def test_a_message_that_came_while_a_clip_was_loaded_is_not_kept_waiting(work, tmp_path):
+    load(work, tmp_path, tiny.CLIP, first=True)
+    work.is_awaited = lambda: True
+    told = load(work, tmp_path, tiny.CLIP.replace("[0, 40, 0]", "[0, 44, 0]"), 1)
+    assert [each["kind"] for each in told if each["is"] == "path"] == ["carried", "raw"]
+    assert told[-1]["stop"] == "ASKED"
+    work.is_awaited = lambda: False
+    assert load(work, tmp_path, tiny.CLIP.replace("[0, 40, 0]", "[0, 45, 0]"), 2)[-1]["stop"] != "ASKED"

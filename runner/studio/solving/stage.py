@@ -11,11 +11,11 @@ import numpy as np
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.posing import limb
 
-from ..clip.load import Clip
-from ..clip.posing.places import posable_sites
-from ..exchange.drawn import drawn
-from ..exchange.skeleton import hierarchy
-from ..exchange.triangles import is_still, pieces
+from ...clip.load import Clip
+from ...clip.posing.places import posable_sites
+from ...exchange.drawn import drawn
+from ...exchange.skeleton import hierarchy
+from ...exchange.triangles import is_still, pieces
 
 FLOOR = 40.0  # [m] from its middle to which a floor without end is drawn
 

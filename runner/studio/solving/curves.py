@@ -1,4 +1,4 @@
-"""What is drawn over time beside the timeline: angles, speeds, heights of feet, torques, E."""
+"""What is drawn over time beside the timeline: angles, speeds, heights of feet, torques, E, what is left to gain."""
 
 from __future__ import annotations
 
@@ -14,11 +14,13 @@ from dynsplines.solver.figure.dynamics import generalised_forces, velocities
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.objective import segment_integrals
+from dynsplines.solver.refine.euler_lagrange import residual
+from dynsplines.solver.refine.subdivision import by_weak_form
 from dynsplines.solver.solution import Solution
 from dynsplines.solver.surface.points import arrays_of, places_of
 
-from ..clip.load import Clip
-from ..motion import samples_at
+from ...clip.load import Clip
+from ...motion import samples_at
 
 RATE = 100.0  # [1/s] of a short motion
 MOST = 1500  # samples of a long one
@@ -44,7 +46,25 @@ def curves(clip: Clip, found: Solution) -> dict[str, Any]:
         series = [{"name": each, **{side: told[side][name].get(each, []) for side in told}} for each in names]
         groups.append({"name": name, "unit": unit, "series": series})
     groups.append({"name": "E by segment", "unit": "1/s", "series": _by_term(clip, found, time)})
+    groups += _deviation(clip, sides, time)
     return {"time": time.round(4).tolist(), "groups": groups}
+
+
+def _deviation(clip: Clip, sides: dict[str, Timeline], time: Array) -> list[dict[str, Any]]:
+    """How far a path is from the Euler-Lagrange equation, as |R|; and what another frame in the middle of a segment
+    promises to lower E by, which is where the solver inserts one."""
+    objective, size, promise = clip.problem.objective, {}, {}
+    for side, timeline in sides.items():
+        strong = residual(objective, path_of(timeline))
+        order = np.argsort(strong.t, axis=None)
+        there = np.interp(time, strong.t.ravel()[order], strong.size.ravel()[order])
+        size[side] = _rounded(np.log10(1 + there))  # it is thousands of times larger where a contact begins
+        at = np.clip(np.searchsorted(timeline.times, time, side="right") - 1, 0, timeline.times.size - 2)
+        promise[side] = _rounded(np.maximum(by_weak_form(objective, timeline), 0.0)[at], 6)
+    return [
+        {"name": "Euler-Lagrange residual", "unit": "log10 (1 + |R|)", "series": [{"name": "residual", **size}]},
+        {"name": "what a frame promises", "unit": "E", "series": [{"name": "E less by", **promise}]},
+    ]
 
 
 def _side(clip: Clip, timeline: Timeline, time: Array) -> dict[str, dict[str, list[float]]]:

@@ -7,11 +7,12 @@ from typing import Any
 
 def entry(line: Any, outside: bool) -> None:
     """The process's whole life; outside: whether models may refer to files anywhere."""
-    from ..picture.graphics import do_without
-    from ..system.threads import keep_to_one
+    from ...picture.graphics import do_without
+    from ...system.threads import keep_to_one, without_tools
 
     keep_to_one()
     do_without()
-    from .solving import serve
+    without_tools()
+    from .work import serve
 
     serve(line, outside)

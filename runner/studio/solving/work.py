@@ -7,33 +7,35 @@ from __future__ import annotations
 
 import _thread
 import os
+import pickle
 import signal
 import threading
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from multiprocessing.connection import Connection
 from pathlib import Path
-from queue import SimpleQueue
+from queue import Empty, SimpleQueue
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
 from dynsplines.solver.curve.frame import Frame, Timeline
-from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.inbetween import inbetween, resumed
 from dynsplines.solver.one_thread import one_thread
 from dynsplines.solver.refine.carried import carried
+from dynsplines.solver.search.astray import is_astray
+from dynsplines.solver.search.judgement import best as better
 from dynsplines.solver.search.minimum import Stop, StopSearch
 from dynsplines.solver.solution import Improvement, Solution
 
-from ..clip import load as clips
-from ..clip.load import Clip
-from ..errors import UserError, one_line
-from ..scene.outside import allowed
-from ..system.cache_folder import place as cache
-from . import paths
-from .outline import formats, kinds, outline
+from ...clip import load as clips
+from ...clip.load import Clip
+from ...errors import UserError, one_line
+from ...scene.outside import allowed
+from ...system.cache_folder import place as cache
+from .. import paths
+from ..outline import formats, kinds, outline
 from .stage import stage
 
 if TYPE_CHECKING:
@@ -41,6 +43,8 @@ if TYPE_CHECKING:
 
 SAME = 1e-9  # [s]
 MOST_SEEN = 40  # texts whose paths are remembered
+IDLE = 1.0  # [s] without a message after which a search that may have gone astray is begun elsewhere
+DEARER = 3.0  # times the E before, from which on it may have
 SOONEST = 0.04  # [s] from one path that is sent to the next
 Message = dict[str, Any]
 
@@ -49,13 +53,23 @@ def serve(line: Line, outside: bool) -> None:
     """Until the other end of the line is closed. Ctrl-C in the terminal is for the server alone."""
     inbox: SimpleQueue[Message | None] = SimpleQueue()
     work = Work(line)
+    work.is_awaited = lambda: not inbox.empty()
     signal.signal(signal.SIGINT, work.interrupted)
     threading.Thread(target=_read, args=(line, inbox, work), daemon=True).start()
     line.send({"is": "kinds", "kinds": kinds()})
     with suppress(BrokenPipeError, EOFError, OSError), allowed(outside), one_thread():
-        while (message := inbox.get()) is not None:
+        while (message := _next(inbox, work)) is not None:
             work.do(message)
     os._exit(0)
+
+
+def _next(inbox: SimpleQueue[Message | None], work: Work) -> Message | None:
+    """What comes next; while nothing does, a search that may have gone astray is begun elsewhere."""
+    while work.may_look:
+        with suppress(Empty):
+            return inbox.get(timeout=IDLE)
+        work.do({"do": "look"})
+    return inbox.get()
 
 
 def _read(line: Line, inbox: SimpleQueue[Message | None], work: Work) -> None:
@@ -90,6 +104,10 @@ class Work:
         self._sent = 0.0
         self.has_curves = False
         self.seen: dict[str, Timeline] = {}
+        self.is_awaited: Callable[[], bool] = lambda: False  # whether a message waits already
+        self._is_going, self._is_near = True, False
+        self._astray: str | None = None
+        self._before: tuple[float, int] | None = None  # E, and how much was wrong, when all was well last
 
     def do(self, message: Message) -> None:
         """One message; whatever goes wrong with it is told."""
@@ -110,23 +128,26 @@ class Work:
         revision: int,
         go: bool,
         first: bool,
-        found: Timeline | None = None,
+        found: bytes | None = None,
     ) -> None:
         """A text: its clip, told with its keyframes; then the path through them that is nearest to the present one.
 
         first  whether it was opened just now;  go  whether to search
         found  where to go on from, after this process was begun anew
         """
+        self._is_going, self._astray = go, None
         before, solution = self.clip, self.found
         clip = clips.from_text(text, name=name, where=place, folder=Path(folder), like=None if first else before)
         has_ground = before is not None and clip.figure is before.figure
         self.clip, self.revision = clip, revision
         if not has_ground:
-            self._send({"is": "stage", "stage": stage(clip), "scene": clip.scene, "place": clip.figure.coordinates})
+            figure = pickle.dumps((clip.scene, clip.figure.coordinates))
+            self._send({"is": "stage", "stage": stage(clip), "figure": figure})
         said = outline(text, place)
         self._tell("loaded", revision=revision, notes=list(clip.notes), outline=said, **_shape(clip))
         self._owes_raw = True
-        begin, between = self._begin(before, solution, first=first, found=found)
+        path = None if found is None else pickle.loads(found)  # what this program sent itself
+        begin, between = self._begin(before, solution, first=first, found=path)
         if begin is None:
             self._first(clip, go=go)
             return
@@ -167,7 +188,7 @@ class Work:
     def _first(self, clip: Clip, *, go: bool) -> None:
         """A clip that was just opened: as it was solved before, or searched from its raw spline."""
         self._send_path(clip.problem.raw, "carried")  # something to see
-        from .. import kept  # only here, as below: the figure is on the page by now
+        from ... import kept  # only here, as below: the figure is on the page by now
 
         folder = cache()
         known = None if folder is None else kept.read(folder / f"{kept.key_of(clip)}.npz", clip)
@@ -185,12 +206,14 @@ class Work:
 
     def do_go(self, anew: bool = False) -> None:
         """On with the search from the present path, or from the raw spline."""
+        self._is_going, self._astray = True, None
         if self.clip is not None and self.found is not None:
             fresh = anew or self.found.timeline is self.found.raw
             self._search(None if fresh else self.found.timeline, None)
 
     def do_stop(self) -> None:
-        """Nothing: that a message came has ended the search."""
+        """Nothing but that it stays so: that a message came has ended the search."""
+        self._is_going = False
 
     def do_curves(self, on: bool) -> None:
         """Whether curves are looked at, which take a moment to make."""
@@ -203,9 +226,9 @@ class Work:
         clip, found = self.clip, self.found
         if clip is None or found is None:
             raise UserError("nothing has been solved yet")
-        from .. import motion
-        from ..system.progress import Progress
-        from ..work import Solved
+        from ... import motion
+        from ...system.progress import Progress
+        from ...work import Solved
 
         saved = Solved(clip, found, None).saved(Progress(), with_report=False)
         motion.save(saved, Path(file))
@@ -241,11 +264,17 @@ class Work:
         finally:
             self._is_searching = False
 
+    def _heed(self) -> None:
+        """Ends a search at its beginning where a message came in the moment before: nothing would interrupt it."""
+        if self.is_awaited():
+            raise KeyboardInterrupt
+
     def _search(self, begin: Timeline | None, between: tuple[float, float] | None) -> None:
         """Lowers E as far as it goes, telling every better path; keeps the best, however it ends."""
         clip = self.clip
         assert clip is not None
         self._tell("searching", revision=self.revision)
+        self._is_near = begin is not None
         best: list[Improvement] = []
 
         def improved(improvement: Improvement) -> None:
@@ -255,11 +284,12 @@ class Work:
             if time.monotonic() - self._sent >= SOONEST:
                 self._send_path(improvement.build(), "found", **_course(improvement))
                 self._send_raw()
-            if self._is_asked:
+            if self._is_asked or self.is_awaited():
                 raise StopSearch
 
         found: Solution | None = None
         with self._searching():
+            self._heed()
             if begin is None:
                 found = inbetween(clip.problem, improved=improved)
             else:
@@ -274,8 +304,8 @@ class Work:
         value, parts = (found.trace[-1][2], found.trace[-1][3]) if found.trace else (0.0, {})
         self._send_path(found.timeline, "found", value=value, parts=_plain(parts), evaluation=found.evaluations)
         if begin is None and found.stop is Stop.CONVERGED and (folder := cache()) is not None:
-            from .. import kept
-            from ..work import Solved
+            from ... import kept
+            from ...work import Solved
 
             kept.write(Solved(clip, found, None), folder / f"{kept.key_of(clip)}.npz")
         self._judge(stop=found.stop.name)
@@ -292,17 +322,68 @@ class Work:
         clip, found = self.clip, self.found
         assert clip is not None and found is not None
         self._send_raw()
-        from ..measure.problems import plain, problems
+        from ...measure.problems import plain, problems
 
         wrong = problems(clip, found.timeline, found.raw)
+        self._astray = self._suspected(len(wrong)) if stop in (Stop.CONVERGED.name, Stop.STUCK.name) else None
         if not self._has_told:
             self._has_told = True
             self._tell("formats", **formats())
         self._tell(
-            "settled", revision=self.revision, stop=stop, problems=plain(wrong), frames=found.timeline.times.tolist()
+            "settled",
+            revision=self.revision,
+            stop=stop,
+            problems=plain(wrong),
+            frames=found.timeline.times.tolist(),
+            astray=self._astray,
         )
         if self.has_curves:
             self._send_curves()
+
+    def _suspected(self, wrong: int) -> str | None:
+        """Why the nearest minimum may be a bad one, after a search from the path before; None if nothing says so."""
+        clip, found = self.clip, self.found
+        assert clip is not None and found is not None
+        if not found.trace:
+            return None
+        value, parts = found.trace[-1][2:]
+        before, reason = self._before, None
+        if self._is_near and before is not None:
+            if value > DEARER * before[0]:
+                reason = f"E came to {value:.3g}, where it was {before[0]:.3g} before"
+            elif wrong > before[1]:
+                reason = f"more is wrong than before, {wrong} instead of {before[1]}"
+            elif is_astray(clip.problem.objective, found.timeline, parts):
+                reason = "what constraints cost exceeds what the motion does"
+        if reason is None:
+            self._before = value, wrong
+            return None
+        return f"{reason}: the search may have ended in a bad place. It looks elsewhere when nothing else is done."
+
+    @property
+    def may_look(self) -> bool:
+        """Whether the present path may be in a bad place, and nobody has stopped the search."""
+        return self._is_going and self._astray is not None
+
+    def do_look(self) -> None:
+        """From the raw spline, in silence: what it finds is taken if it is better; either way that is all there is."""
+        clip, now = self.clip, self.found
+        assert clip is not None and now is not None
+        found: Solution | None = None
+        with self._searching():
+            self._heed()
+            found = inbetween(clip.problem)
+        if found is None or found.stop is Stop.ASKED:
+            return
+        self._is_near = False
+        objective = clip.problem.objective
+        if better(objective, [now.timeline, found.timeline]) is found.timeline:
+            self.found = found
+            self._remember(clip.text, found.timeline)
+            value, parts = found.trace[-1][2:]
+            self._send_path(found.timeline, "found", value=value, parts=_plain(parts), evaluation=found.evaluations)
+            self._tell("note", words=f"begun anew, the search found a better path: E {value:.3g}")
+        self._judge(stop=found.stop.name)
 
     def _send_curves(self) -> None:
         if self.clip is not None and self.found is not None:
@@ -317,17 +398,14 @@ class Work:
             self._send_path(self.clip.problem.raw, "raw")
 
     def _send_path(self, timeline: Timeline, stage: str, **told: Any) -> None:
-        """A path as the page plays it, and as the server adds keyframes from it."""
+        """A path as the page plays it; and, packed, as the server adds keyframes from it and gives it back."""
         clip = self.clip
         assert clip is not None
         self._sent = time.monotonic()
-        times = np.array([key.time for key in _said_keys(clip)])
-        inside = np.clip(times, timeline.times[0], timeline.times[-1])
-        qpos = clip.figure.to_qpos(path_of(timeline).at(inside)) if times.size else np.zeros((0, timeline.width))
         header = {"is": "path", "kind": stage, "revision": self.revision, **told}
         header["frames"] = [round(float(t), 5) for t in timeline.times]
         data = paths.packed(clip.figure, timeline, header)
-        self._send({"is": "path", "kind": stage, "data": data, "timeline": _bare(timeline), "keys": qpos, **told})
+        self._send({"is": "path", "kind": stage, "data": data, "timeline": pickle.dumps(_bare(timeline)), **told})
 
     def _tell(self, what: str, **said: Any) -> None:
         self._send({"is": what, **said})

@@ -1,0 +1,222 @@
+// Handles on what stands about, by which it is made larger and smaller: on faces, at ends, on what is round.
+import * as THREE from "three";
+import { short, toast } from "./dom";
+import { edit } from "./link";
+import { model, type Obstacle } from "./model";
+import type { Stage } from "./stage";
+
+type Said = Record<string, unknown>;
+/** Where one is; along what it is drawn, or else anywhere; what the obstacle says when it has been drawn so far, or there. */
+interface Handle { at: THREE.Vector3; along: THREE.Vector3 | null; said: (by: number, to: THREE.Vector3) => Said; }
+
+const NEAR = 11; // [px] from a handle within which it is taken
+const LEAST = 0.02; // [m] of a side
+const AXES = [new THREE.Vector3(1, 0, 0), new THREE.Vector3(0, 1, 0), new THREE.Vector3(0, 0, 1)];
+
+const vector = (given: unknown): THREE.Vector3 => new THREE.Vector3().fromArray((given as number[] | undefined) ?? [0, 0, 0]);
+const rounded = (value: unknown): unknown => (Array.isArray(value) ? value.map((each) => Math.round(1000 * each) / 1000) : typeof value === "number" ? Math.round(1000 * value) / 1000 : value);
+
+export class Handles {
+  private readonly spots = new THREE.Group();
+  private readonly frame = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: 0xffb454, depthTest: false, transparent: true }));
+  private readonly ball = new THREE.SphereGeometry(1, 14, 10);
+  private readonly paint = new THREE.MeshBasicMaterial({ color: 0xffb454, depthTest: false, transparent: true, opacity: 0.95 });
+  private readonly ray = new THREE.Raycaster();
+  private shown: Handle[] = [];
+  private held: { handle: Handle; thing: Obstacle; revision: number; said: Said } | null = null;
+
+  constructor(private readonly stage: Stage) {
+    const { canvas } = stage;
+    this.frame.visible = false;
+    this.frame.renderOrder = 9;
+    stage.extra.add(this.spots, this.frame);
+    canvas.addEventListener("pointerdown", (event) => this.down(event), true);
+    canvas.addEventListener("pointermove", (event) => this.move(event), true);
+    window.addEventListener("pointerup", (event) => void this.up(event));
+    model.on(["joint", "document", "stage"], () => stage.draw());
+    stage.sights.push(() => this.place());
+  }
+
+  get busy(): boolean { return this.held !== null; }
+
+  /** [px] where they are on the page, in order. */
+  places(): number[][] { this.place(); return this.shown.map(({ at }) => this.seen(at)); }
+
+  cancel(): void {
+    this.held = null;
+    this.frame.visible = false;
+    this.stage.orbit.enabled = true;
+    this.stage.draw();
+  }
+
+  private thing(): Obstacle | null {
+    const { obstacle, document } = model;
+    if (!obstacle || model.playing || !this.stage.figure) return null;
+    return document?.obstacles.find((each) => each.kind === obstacle.kind && each.index === obstacle.index) ?? null;
+  }
+
+  /** Where its axes are: its own turn, and the body that it is part of. */
+  private axes(thing: Obstacle): { turn: THREE.Quaternion; out: (point: THREE.Vector3) => THREE.Vector3; within: THREE.Quaternion } {
+    const at = vector(thing.position), pieces = model.stage?.pieces ?? [];
+    const near = (given: number[]) => at.distanceTo(vector(given)) < 1e-4;
+    const piece = pieces.find((each) => each.kind === thing.kind && each.name === thing.name) ?? pieces.find((each) => each.kind === thing.kind && near(each.position));
+    const turn = new THREE.Quaternion().fromArray(piece?.rotation ?? [0, 0, 0, 1]);
+    const group = thing.body && piece ? this.stage.figure!.groups[piece.body] : null;
+    const within = group ? group.quaternion.clone() : new THREE.Quaternion();
+    return { turn, within, out: (point) => (group ? point.clone().applyQuaternion(within).add(group.position) : point.clone()) };
+  }
+
+  private handles(thing: Obstacle): Handle[] {
+    if (thing.kind === "step") return this.ofStep(thing);
+    const { turn, out, within } = this.axes(thing), at = vector(thing.position), radius = thing.radius as number;
+    const handle = (direction: THREE.Vector3, away: number, said: Handle["said"]): Handle => ({
+      at: out(at.clone().addScaledVector(direction, away)), along: direction.clone().applyQuaternion(within), said,
+    });
+    const moved = (direction: THREE.Vector3, by: number) => at.clone().addScaledVector(direction, by / 2).toArray();
+    const wider = (direction: THREE.Vector3) => handle(direction, radius, (by) => ({ radius: Math.max(LEAST / 2, radius + by) }));
+    if (thing.kind === "box") {
+      const size = thing.size as number[];
+      return [0, 1, 2].flatMap((k) => [1, -1].map((sign) => {
+        const direction = AXES[k].clone().multiplyScalar(sign).applyQuaternion(turn);
+        return handle(direction, size[k] / 2, (given) => {
+          const by = Math.max(given, LEAST - size[k]);
+          return { size: size.map((side, i) => (i === k ? side + by : side)), position: moved(direction, by) };
+        });
+      }));
+    }
+    if (thing.kind === "sphere") return AXES.map((axis) => wider(axis));
+    if (thing.from && thing.to) {
+      const ends = [vector(thing.from), vector(thing.to)], along = ends[1].clone().sub(ends[0]).normalize();
+      const side = new THREE.Vector3().crossVectors(along, Math.abs(along.z) < 0.9 ? AXES[2] : AXES[0]).normalize();
+      at.copy(ends[0]).add(ends[1]).multiplyScalar(0.5);
+      return [
+        ...(["from", "to"] as const).map((name, i) => ({ at: out(ends[i]), along: null, said: (_: number, to: THREE.Vector3) => ({ [name]: to.clone().sub(out(new THREE.Vector3())).applyQuaternion(within.clone().invert()).toArray() }) })),
+        wider(side),
+      ];
+    }
+    const length = thing.length as number, long = AXES[2].clone().applyQuaternion(turn);
+    return [
+      ...[1, -1].map((sign) => {
+        const direction = long.clone().multiplyScalar(sign);
+        return handle(direction, length / 2, (given) => {
+          const by = Math.max(given, LEAST - length);
+          return { length: length + by, position: moved(direction, by) };
+        });
+      }),
+      wider(AXES[0].clone().applyQuaternion(turn)),
+    ];
+  }
+
+  private ofStep(thing: Obstacle): Handle[] {
+    const { x, height, y = 0, length = 3, width = 2.4 } = thing as unknown as Record<string, number>;
+    const at = (u: number, v: number, z: number) => new THREE.Vector3(x + u, y + v, z), most = (side: number, by: number) => Math.max(by, LEAST - side);
+    return [
+      { at: at(length / 2, 0, height), along: AXES[2], said: (by) => ({ height: height + most(height, by) }) },
+      { at: at(0, 0, height / 2), along: AXES[0].clone().negate(), said: (by) => ({ x: x - most(length, by), length: length + most(length, by) }) },
+      { at: at(length, 0, height / 2), along: AXES[0], said: (by) => ({ length: length + most(length, by) }) },
+      ...[1, -1].map((sign) => ({
+        at: at(length / 2, (sign * width) / 2, height / 2), along: AXES[1].clone().multiplyScalar(sign),
+        said: (by: number) => ({ width: width + most(width, by), y: y + (sign * most(width, by)) / 2 }),
+      })),
+    ];
+  }
+
+  private place(): void {
+    const thing = this.thing();
+    this.shown = thing && !this.held ? this.handles(thing) : this.held ? this.shown : [];
+    while (this.spots.children.length < this.shown.length) {
+      const spot = new THREE.Mesh(this.ball, this.paint);
+      spot.renderOrder = 11;
+      this.spots.add(spot);
+    }
+    const tall = this.stage.canvas.getBoundingClientRect().height || 1;
+    this.spots.children.forEach((spot, i) => {
+      spot.visible = i < this.shown.length && !this.held;
+      if (!spot.visible) return;
+      spot.position.copy(this.shown[i].at);
+      const away = spot.position.distanceTo(this.stage.camera.position);
+      spot.scale.setScalar((5.5 / tall) * 2 * away * Math.tan((this.stage.camera.fov * Math.PI) / 360));
+    });
+  }
+
+  private seen(point: THREE.Vector3): number[] {
+    const at = point.clone().project(this.stage.camera), box = this.stage.canvas.getBoundingClientRect();
+    return [box.left + ((at.x + 1) / 2) * box.width, box.top + ((1 - at.y) / 2) * box.height, at.z];
+  }
+
+  private found(event: PointerEvent): Handle | null {
+    const away = this.shown.map((handle) => ({ handle, px: this.seen(handle.at) })).filter(({ px }) => px[2] < 1)
+      .map(({ handle, px }) => ({ handle, px: Math.hypot(px[0] - event.clientX, px[1] - event.clientY) }));
+    const nearest = away.sort((a, b) => a.px - b.px)[0];
+    return nearest && nearest.px < NEAR ? nearest.handle : null;
+  }
+
+  private down(event: PointerEvent): void {
+    const thing = this.thing(), handle = thing && event.button === 0 ? this.found(event) : null;
+    if (!thing || !handle) return;
+    event.stopImmediatePropagation();
+    this.stage.orbit.enabled = false;
+    this.stage.canvas.setPointerCapture(event.pointerId);
+    this.held = { handle, thing, revision: model.document!.revision, said: {} };
+  }
+
+  private move(event: PointerEvent): void {
+    const { held } = this;
+    if (!held) {
+      if (event.buttons === 0 && this.shown.length && this.found(event)) { this.stage.canvas.style.cursor = "grab"; event.stopImmediatePropagation(); }
+      return;
+    }
+    event.stopImmediatePropagation();
+    const box = this.stage.canvas.getBoundingClientRect();
+    this.ray.setFromCamera(new THREE.Vector2(((event.clientX - box.left) / box.width) * 2 - 1, 1 - ((event.clientY - box.top) / box.height) * 2), this.stage.camera);
+    const { at, along } = held.handle, { origin, direction } = this.ray.ray;
+    let by = 0, to = at.clone();
+    if (along) {
+      const between = origin.clone().sub(at), b = along.dot(direction), sine = 1 - b * b;
+      if (sine < 1e-4) return; // seen along itself
+      by = (along.dot(between) - b * direction.dot(between)) / sine;
+    } else {
+      const plane = new THREE.Plane().setFromNormalAndCoplanarPoint(this.stage.camera.getWorldDirection(new THREE.Vector3()), at);
+      to = this.ray.ray.intersectPlane(plane, new THREE.Vector3()) ?? to;
+    }
+    held.said = Object.fromEntries(Object.entries(held.handle.said(by, to)).map(([name, value]) => [name, rounded(value)]));
+    toast(Object.entries(held.said).map(([name, value]) => `${name} ${[value].flat().map((each) => short(each as number)).join(" ")} m`).join(", "), "note");
+    this.outline({ ...held.thing, ...held.said } as Obstacle);
+    this.stage.draw();
+  }
+
+  /** How large it would be. */
+  private outline(thing: Obstacle): void {
+    const { frame } = this, { turn, out, within } = this.axes({ ...thing, position: this.held!.thing.position } as Obstacle);
+    const { x, height, y = 0, length = thing.kind === "step" ? 3 : 1, width = 2.4, radius } = thing as unknown as Record<string, number>;
+    frame.geometry.dispose();
+    frame.quaternion.copy(within).multiply(turn);
+    frame.position.copy(out(vector(thing.position)));
+    let whole: THREE.BufferGeometry;
+    if (thing.kind === "step") {
+      whole = new THREE.BoxGeometry(length, width, height);
+      frame.position.set(x + length / 2, y, height / 2);
+      frame.quaternion.identity();
+    } else if (thing.kind === "box") whole = new THREE.BoxGeometry(...(thing.size as [number, number, number]));
+    else if (thing.kind === "sphere") whole = new THREE.IcosahedronGeometry(radius, 1);
+    else {
+      const ends = thing.from && thing.to ? [vector(thing.from), vector(thing.to)] : null;
+      whole = new THREE.CylinderGeometry(radius, radius, ends ? ends[0].distanceTo(ends[1]) : length, 12).rotateX(Math.PI / 2);
+      if (ends) {
+        frame.position.copy(out(ends[0].clone().add(ends[1]).multiplyScalar(0.5)));
+        frame.quaternion.copy(within).multiply(new THREE.Quaternion().setFromUnitVectors(AXES[2], ends[1].clone().sub(ends[0]).normalize()));
+      }
+    }
+    frame.geometry = new THREE.EdgesGeometry(whole, 1);
+    whole.dispose();
+    frame.visible = true;
+  }
+
+  private async up(event: PointerEvent): Promise<void> {
+    const { held } = this;
+    if (!held || event.button !== 0) return;
+    const { thing, said, revision } = held;
+    this.cancel();
+    if (Object.keys(said).length) await edit("set_obstacle", { kind: thing.kind, index: thing.index, said, revision });
+  }
+}

@@ -1,0 +1,73 @@
+"""What a clip's page showed last, kept in the user's folder: seen at once, while the clip is still being loaded.
+
+What the process that solves says later takes its place, so a glimpse that is out of date is gone within seconds; one
+that is damaged is as good as none.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import re
+import struct
+from contextlib import suppress
+from importlib.resources import files
+from pathlib import Path
+
+from ..errors import UserError
+from ..system.cache_folder import make_room, place
+from ..system.output import Replacement
+from .document import Document
+
+FOLDER = "studio"
+OWN = re.compile(r"[0-9a-f]{40}\.view|\.[0-9a-f]{40}\.\w+\.partial\.view")
+LARGEST = 20_000_000  # [bytes] of a figure and its path
+MOST_BYTES = 100_000_000  # of all of them together
+HEAD = struct.Struct("<8sII")
+MAGIC = b"glimpse1"
+
+
+def file_of(document: Document) -> Path | None:
+    """Where that of a document lies, called after its text, its folder and the page; None if nothing is to be kept."""
+    folder = place()
+    if folder is None:
+        return None
+    page = (files("dynsplines.studio") / "built" / "sources.txt").read_bytes()
+    digest = hashlib.blake2b(digest_size=20)
+    for part in (page, str(document.folder).encode(errors="surrogateescape"), document.text.encode()):
+        digest.update(len(part).to_bytes(8, "big") + part)
+    return folder / FOLDER / f"{digest.hexdigest()}.view"
+
+
+def read(file: Path | None) -> tuple[bytes, bytes] | None:
+    """The stage and a path, as pages are sent them; None if there are none that can be believed."""
+    with suppress(OSError, ValueError, KeyError, TypeError, struct.error):
+        if file is None or file.stat().st_size > LARGEST + HEAD.size:
+            return None
+        data = file.read_bytes()
+        magic, first, second = HEAD.unpack_from(data)
+        stage, path = data[HEAD.size : HEAD.size + first], data[HEAD.size + first :]
+        if magic == MAGIC and len(path) == second and _fits(json.loads(stage), path):
+            os.utime(file)  # so that it stays
+            return stage, path
+    return None
+
+
+def _fits(stage: dict[str, list[str]], path: bytes) -> bool:
+    """Whether a path is whole, and of the figure on a stage."""
+    (size,) = struct.unpack_from("<I", path)
+    head = json.loads(path[4 : 4 + size])
+    count, bodies = int(head["count"]), int(head["bodies"])
+    return bodies == len(stage["bodies"]) and len(path) == 4 + size + 4 * count * (7 * bodies + 3)
+
+
+def write(file: Path | None, stage: bytes, path: bytes) -> None:
+    """Keeps them, and lets others go that were not used for longest."""
+    if file is None or len(stage) + len(path) > LARGEST:
+        return
+    with suppress(OSError, UserError):
+        file.parent.mkdir(parents=True, exist_ok=True)
+        with Replacement(file) as temporary:
+            temporary.write_bytes(HEAD.pack(MAGIC, len(stage), len(path)) + stage + path)
+        make_room(file.parent, OWN, MOST_BYTES)

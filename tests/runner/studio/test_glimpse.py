@@ -1,0 +1,104 @@
+"""What a clip showed last is seen at once when it is opened again, and is gone where the clip says something else."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+
+import numpy as np
+import pytest
+
+from dynsplines.studio import glimpse, paths
+from dynsplines.studio.document import Document
+from dynsplines.studio.session import Session
+
+STAGE = json.dumps({"bodies": ["world", "leg"]}).encode()
+
+
+def path_of(kind="found", count=3, bodies=2):
+    head = {"is": "path", "kind": kind, "count": count, "bodies": bodies}
+    return paths.framed(head, np.zeros((count, bodies, 3)), np.zeros((count, bodies, 4)), np.zeros((count, 3)))
+
+
+@pytest.fixture
+def document(tmp_path, monkeypatch):
+    monkeypatch.setenv("DYNSPLINES_CACHE", str(tmp_path / "cache"))
+    return Document("clip", 'figure = "human"\n', tmp_path, saved='figure = "human"\n')
+
+
+@pytest.fixture
+def session(document, monkeypatch):
+    """One whose clip was seen before; its process is never begun."""
+    glimpse.write(glimpse.file_of(document), STAGE, path_of())
+    found = Session(document)
+    monkeypatch.setattr(found.solver, "start", lambda: None)
+    monkeypatch.setattr(found.solver, "send", lambda message: None)
+    found.start()
+    return found
+
+
+def entered(session):
+    told = []
+    session.enter(1, told.append)
+    return told
+
+
+def test_what_was_kept_is_there_for_the_same_text_and_no_other(document):
+    file = glimpse.file_of(document)
+    assert glimpse.read(file) is None
+    glimpse.write(file, STAGE, path_of())
+    assert glimpse.read(file) == (STAGE, path_of())
+    document.commit("another", "change")
+    assert glimpse.read(glimpse.file_of(document)) is None
+
+
+@pytest.mark.parametrize("at", [0, 9, 20, 60, -1])
+def test_one_that_is_damaged_is_as_good_as_none(document, at):
+    file = glimpse.file_of(document)
+    glimpse.write(file, STAGE, path_of())
+    data = bytearray(file.read_bytes())
+    file.write_bytes(bytes(data[:at]))
+    assert glimpse.read(file) is None
+    glimpse.write(file, STAGE, path_of(bodies=5))
+    assert glimpse.read(file) is None  # of another figure
+
+
+def test_nothing_is_kept_where_nothing_is_to_be(document, monkeypatch):
+    monkeypatch.setenv("DYNSPLINES_CACHE", "off")
+    assert glimpse.file_of(document) is None
+    glimpse.write(None, STAGE, path_of())
+    assert glimpse.read(None) is None
+
+
+def test_a_page_gets_it_before_anything_is_loaded_and_keeps_it_until_something_better_comes(session):
+    told = entered(session)
+    assert STAGE in told[0]
+    assert told[1] == path_of()
+    session._heard({"is": "stage", "stage": STAGE})
+    session._heard({"is": "path", "kind": "carried", "data": path_of("carried"), "timeline": b""})
+    session._heard({"is": "path", "kind": "raw", "data": path_of("raw")})
+    assert [each for each in told[2:] if isinstance(each, bytes)] == [path_of("raw")]  # the rest is seen already
+    session._heard({"is": "path", "kind": "found", "data": path_of("found", 4), "timeline": b""})
+    assert told[-1] == path_of("found", 4)
+
+
+def test_a_figure_that_has_changed_takes_its_place(session):
+    told, other = entered(session), json.dumps({"bodies": ["world", "arm"]}).encode()
+    session._heard({"is": "stage", "stage": other})
+    assert other in told[-1]
+    session._heard({"is": "path", "kind": "carried", "data": path_of("carried"), "timeline": b""})
+    assert told[-1] == path_of("carried")
+
+
+def test_where_nothing_is_searched_the_clip_s_own_path_takes_its_place(session):
+    told = entered(session)
+
+    async def heard():
+        session._heard({"is": "stage", "stage": STAGE})
+        session._heard({"is": "path", "kind": "carried", "data": path_of("carried"), "timeline": b""})
+        session._heard({"is": "settled", "stop": "paused", "problems": []})
+
+    asyncio.run(heard())
+    assert path_of("carried") in told
+    assert path_of() not in entered(session)
+    assert glimpse.read(glimpse.file_of(session.document)) == (STAGE, path_of("carried"))

@@ -1,0 +1,95 @@
+"""Two pages at one clip: what one of them says of the fourth keyframe is of that keyframe, whatever the other added."""
+
+from __future__ import annotations
+
+import asyncio
+import tomllib
+
+import pytest
+
+from dynsplines.errors import UserError
+from dynsplines.studio.document import Document
+from dynsplines.studio.numbering import renumbered
+from dynsplines.studio.session import Session
+
+TEXT = (
+    "\n".join(f'[[keyframe]]\ntime = {time}\nothers = "rest"\n' for time in (0.0, 0.1, 0.2, 0.3, 0.4))
+    + '\n[[contact]]\npoint = "heel"\nfrom = 0.1\nto = 0.2\n\n[[contact]]\npoint = "toe"\nfrom = 0.1\nto = 0.3\n'
+)
+
+
+@pytest.fixture
+def session(tmp_path, monkeypatch):
+    """One whose solver takes every text."""
+    found = Session(Document("clip", TEXT, tmp_path))
+
+    def loaded(message):
+        if message["do"] == "load":
+            told = {"is": "loaded", "revision": message["revision"], "outline": {}, "keys": []}
+            asyncio.get_running_loop().call_soon(found._heard, told)
+
+    monkeypatch.setattr(found.solver, "send", loaded)
+    return found
+
+
+def times(session):
+    return [row["time"] for row in tomllib.loads(session.document.text)["keyframe"]]
+
+
+def test_an_edit_of_a_keyframe_finds_it_where_another_page_has_put_it(session):
+    async def both():
+        seen = session.document.revision  # of both
+        await session.edit("add_key", {"said": {"time": 0.15}}, seen)
+        await session.edit("delete_keys", {"keys": [0]}, seen)
+        await session.edit("move_keys", {"moves": [[3, 0.33]]}, seen)
+
+    asyncio.run(both())
+    assert times(session) == [0.1, 0.15, 0.2, 0.33, 0.4]
+
+
+def test_edits_that_come_at_once_are_each_of_what_their_page_saw(session):
+    async def both():
+        await asyncio.gather(
+            session.edit("add_key", {"said": {"time": 0.05}}, 0),
+            session.edit("set_joint", {"key": 3, "joint": "knee", "value": 10}, 0),
+            session.edit("set_contact", {"point": "toe", "begin": 0.1, "end": 0.4, "index": 1}, 0),
+            session.edit("delete_bar", {"kind": "contact", "index": 0}, 0),
+        )
+
+    asyncio.run(both())
+    said = tomllib.loads(session.document.text)
+    assert [row["time"] for row in said["keyframe"] if "joints" in row] == [0.3]
+    assert said["contact"] == [{"point": "toe", "from": 0.1, "to": 0.4}]
+
+
+def test_what_is_gone_is_told_and_nothing_else_is_changed(session):
+    async def both():
+        await session.edit("delete_keys", {"keys": [3]}, 0)
+        before = session.document.text
+        with pytest.raises(UserError, match=r"keyframe 4 is gone, or was changed from elsewhere meanwhile; look again"):
+            await session.edit("move_keys", {"moves": [[3, 0.33]]}, 0)
+        assert session.document.text == before
+        await session.undo()
+        await session.edit("move_keys", {"moves": [[4, 0.5]]}, 0)  # known again
+
+    asyncio.run(both())
+    assert times(session) == [0.0, 0.1, 0.2, 0.3, 0.5]
+
+
+def test_a_revision_that_is_not_of_this_clip_is_refused(session, tmp_path):
+    other = Document("other", TEXT.replace("0.1\n", "0.12\n"), tmp_path)
+
+    async def opened():
+        await session.edit("move_keys", {"moves": [[3, 0.33]]}, 0)
+        seen = session.document.revision
+        await session.reopen(other)
+        with pytest.raises(UserError, match="the clip is another one by now"):
+            await session.edit("delete_keys", {"keys": [1]}, seen)
+
+    asyncio.run(opened())
+    assert len(times(session)) == 5
+
+
+def test_the_same_revision_and_none_are_taken_as_they_are(session):
+    assert renumbered(session.document, None, {"key": 7}) == {"key": 7}
+    assert renumbered(session.document, 0, {"keys": [1, 2]}) == {"keys": [1, 2]}
