@@ -204,6 +204,13 @@ def test_gauss_points_integrate_polynomials_exactly_and_uniform_ones_straight_li
     assert Quadrature("uniform", 200).nodes(times)[0].size == 200
 
 
+@pytest.mark.parametrize("kind", ["gauss", "uniform"])
+def test_one_point_is_a_quadrature_too(kind):
+    t, w = Quadrature(kind, 1).nodes(np.array([0.0, 2.0]))
+    np.testing.assert_allclose([w.sum(), w @ t], [2, 2], rtol=1e-13)
+    assert t.size == (1 if kind == "gauss" else 4)
+
+
 def test_long_spans_are_cut_into_equal_panels():
     quadrature = Quadrature(points=2, longest=0.5)
     np.testing.assert_allclose(quadrature.panels(np.array([0.0, 0.5, 1.7])), [0, 0.5, 0.9, 1.3, 1.7])
