@@ -1,6 +1,7 @@
 """The objective: renormalisation, its gradient in x over whole clips, and the quadrature under it."""
 
 import gc
+from dataclasses import replace
 
 import mujoco
 import numpy as np
@@ -362,6 +363,10 @@ def test_momentary_terms_count_at_their_instants_once_and_in_no_integral(quadrat
     np.testing.assert_array_equal(each[1], w)
     for power in range(4):
         np.testing.assert_allclose(w @ t**power, plain_weights @ plain**power, rtol=1e-13)
+    alone = replace(objective, terms=objective.terms[1:]).nodes(path.spline.times)
+    np.testing.assert_array_equal(alone[0], plain)
+    np.testing.assert_array_equal(alone[1], plain_weights)
+    np.testing.assert_array_equal(alone[2], [plain_weights])
     bell, clock = objective.integrals(path)
     assert bell == pytest.approx(np.sum(1 + rung), rel=1e-13)
     assert clock == pytest.approx(plain_weights @ plain**5, rel=1e-13)
