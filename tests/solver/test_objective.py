@@ -326,8 +326,13 @@ def test_a_weight_that_is_none_is_refused_by_name(weight, figure):
 class Clock(Penalty):
     """t⁵, whatever the figure does."""
 
-    name = property(lambda self: "clock")
-    scale = property(lambda self: Scale(1.0))
+    @property
+    def name(self) -> str:
+        return "clock"
+
+    @property
+    def scale(self) -> Scale:
+        return Scale(1.0)
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: object = 1.0) -> np.ndarray:
         return samples.t**5
@@ -336,9 +341,17 @@ class Clock(Penalty):
 class Bell(Momentary):
     """1 + t at some instants."""
 
-    name = property(lambda self: "bell")
-    scale = property(lambda self: Scale(1.0))
-    times = property(lambda self: np.array([3.0, 0.25, 0.5, 0.5, -1.0, 0.0, 1.1, 2.0]))  # of which two are outside
+    @property
+    def name(self) -> str:
+        return "bell"
+
+    @property
+    def scale(self) -> Scale:
+        return Scale(1.0)
+
+    @property
+    def times(self) -> np.ndarray:
+        return np.array([3.0, 0.25, 0.5, 0.5, -1.0, 0.0, 1.1, 2.0])  # of which two are outside
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: object = 1.0) -> np.ndarray:
         return np.where(np.isin(samples.t, self.instants), 1 + samples.t, 0.0)
