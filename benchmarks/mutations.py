@@ -119,18 +119,23 @@ def mutants_of(path: Path) -> dict[int, list[tuple[int, int]]]:
 
 
 def _told(tree: ast.AST) -> Iterator[ast.AST]:
-    """Parts that change nothing when they change, annotations, decorators (the size of a cache) and messages of errors;
-    and constants of a module, which are choices: others would do as well."""
+    """Parts that change nothing when they change, annotations, decorators (the size of a cache), messages of errors and
+    functions that have a docstring alone, which others stand in for; and constants of a module, which are choices:
+    others would do as well."""
     for node in tree.body if isinstance(tree, ast.Module) else ():
         if isinstance(node, (ast.Assign, ast.AnnAssign)):
             yield from ast.walk(node)
     for node in ast.walk(tree):
-        if isinstance(node, ast.Raise):
+        if isinstance(node, ast.Raise) or (isinstance(node, ast.FunctionDef) and not _does_anything(node)):
             yield from ast.walk(node)
         parts = [getattr(node, "annotation", None), getattr(node, "returns", None)]
         for part in (*parts, *getattr(node, "decorator_list", ())):
             if part is not None:
                 yield from ast.walk(part)
+
+
+def _does_anything(function: ast.FunctionDef) -> bool:
+    return not all(isinstance(each, ast.Expr) and isinstance(each.value, ast.Constant) for each in function.body)
 
 
 def mutated(path: Path, number: int, way: int) -> Mutant:

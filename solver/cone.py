@@ -49,7 +49,7 @@ def unsupplied(w: Array, edges: Array, softness: float) -> Unsupplied:
         promised = -np.einsum("sn,sn->s", slope, step)
         # where the same edges go on pulling, the step ends at the least value
         done = (pulling == pulls).all(axis=1) | (promised <= SETTLED * size)
-        rise = _rise(r + step - own, step, there, change, softness)
+        rise = _rise(own, r, step, there, change, softness)
         far = np.flatnonzero(~done & (rise > FAR * promised))
         if far.size:
             share = promised[far] / (promised[far] + rise[far])
@@ -77,10 +77,10 @@ def _squares(edges: Array, active: Mask) -> Array:
     return np.matmul((edges * active[:, :, None]).swapaxes(1, 2), edges)
 
 
-def _rise(away: Array, step: Array, there: Array, change: Array, softness: float) -> Array:
-    """(S,) the derivative along a step at its end, where r − w is `away` and the edges' Gᵀ r are `there`."""
+def _rise(w: Array, rest: Array, step: Array, there: Array, change: Array, softness: float) -> Array:
+    """(S,) the derivative along a step from rests r (S, n) at its end, where the edges' Gᵀ r are `there`."""
     pulled = np.einsum("sk,sk->s", np.maximum(there, 0), change)
-    return np.einsum("sn,sn->s", away, step) + pulled / softness
+    return np.einsum("sn,sn->s", rest + step - w, step) + pulled / softness
 
 
 def _line_search(step: Array, slope: Array, pull: Array, change: Array, softness: float) -> Array:

@@ -35,7 +35,8 @@ STARTS, SPREAD = 12, 0.4  # poses to begin with at most, and how far scattered o
 ALIKE = 2e-3  # share by which the costs of two rough poses differ that are one
 HOPELESS = 0.05  # [m, rad] by which a rough pose misses its goals where none that meets them is near
 ROUNDS, STALLED = 20, 0.7  # of the multipliers, and the share of what is missed that is left when they lead nowhere
-STEPS, FIRST_DAMPING, MOST_DAMPING = 60, 1e-3, 1e8
+STEPS, FIRST_DAMPING, LEAST_DAMPING, MOST_DAMPING = 60, 1e-3, 1e-12, 1e8
+BOLDER, MORE_CAREFUL = 5, 8  # times less damping after a step that leads down, and times more after another
 PULLS = 12  # steps of a pose that follows a hand
 ROUGHLY, SETTLED = 1e-3, 1e-9  # share of what is left that a step gains where a descent ends: the first, the others
 SMALLEST_STEP = 1e-11
@@ -464,11 +465,11 @@ class _PoseSearch:
             if cost_there < cost:
                 ends = cost - cost_there <= settled * cost and damping <= FIRST_DAMPING
                 qpos, residuals, rows, cost = there, residuals_there, rows_there, cost_there
-                damping = max(damping / 5, 1e-12)
+                damping = max(damping / BOLDER, LEAST_DAMPING)
                 if ends:
                     break
             else:
-                damping *= 8
+                damping *= MORE_CAREFUL
             if np.linalg.norm(step) < SMALLEST_STEP or damping > MOST_DAMPING:
                 break
         return qpos, cost

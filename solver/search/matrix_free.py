@@ -26,8 +26,8 @@ MEND = 4  # times the tolerance: a start over that lowers E by less is the last
 def matrix_free(
     problem: Discretised,
     *,
-    max_evaluations: int = 100,
-    tolerance: float = 1e-6,
+    max_evaluations: int,
+    tolerance: float,
     damping: float,
     improved: Improved | None = None,
 ) -> tuple[Minimum, float]:

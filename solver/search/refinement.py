@@ -25,8 +25,8 @@ def refined(
     problem: Discretised,
     *,
     method: str,
-    max_evaluations: int = 100,
-    tolerance: float = 1e-6,
+    max_evaluations: int,
+    tolerance: float,
     damping: float = FIRST_DAMPING,
     improved: Improved | None = None,
 ) -> tuple[Minimum, float]:

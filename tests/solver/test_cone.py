@@ -82,7 +82,7 @@ def test_a_step_rises_at_its_end_as_the_function_does_by_differences(rng):
 
         there, change = edges.T @ (r + step), edges.T @ step
         assert (there > 0).any() and (there < 0).any()
-        found = _rise((r + step - w)[None], step[None], there[None], change[None], softness)
+        found = _rise(w[None], r[None], step[None], there[None], change[None], softness)
         assert found[0] == pytest.approx((function(1 + 1e-6) - function(1 - 1e-6)) / 2e-6, rel=1e-6)
 
 

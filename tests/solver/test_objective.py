@@ -1,6 +1,7 @@
 """The objective: renormalisation, its gradient in x over whole clips, and the quadrature under it."""
 
 import gc
+from dataclasses import replace
 
 import mujoco
 import numpy as np
@@ -204,6 +205,13 @@ def test_gauss_points_integrate_polynomials_exactly_and_uniform_ones_straight_li
     assert Quadrature("uniform", 200).nodes(times)[0].size == 200
 
 
+@pytest.mark.parametrize("kind", ["gauss", "uniform"])
+def test_one_point_is_a_quadrature_too(kind):
+    t, w = Quadrature(kind, 1).nodes(np.array([0.0, 2.0]))
+    np.testing.assert_allclose([w.sum(), w @ t], [2, 2], rtol=1e-13)
+    assert t.size == (1 if kind == "gauss" else 4)
+
+
 def test_long_spans_are_cut_into_equal_panels():
     quadrature = Quadrature(points=2, longest=0.5)
     np.testing.assert_allclose(quadrature.panels(np.array([0.0, 0.5, 1.7])), [0, 0.5, 0.9, 1.3, 1.7])
@@ -318,8 +326,13 @@ def test_a_weight_that_is_none_is_refused_by_name(weight, figure):
 class Clock(Penalty):
     """t⁵, whatever the figure does."""
 
-    name = property(lambda self: "clock")
-    scale = property(lambda self: Scale(1.0))
+    @property
+    def name(self) -> str:
+        return "clock"
+
+    @property
+    def scale(self) -> Scale:
+        return Scale(1.0)
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: object = 1.0) -> np.ndarray:
         return samples.t**5
@@ -328,9 +341,17 @@ class Clock(Penalty):
 class Bell(Momentary):
     """1 + t at some instants."""
 
-    name = property(lambda self: "bell")
-    scale = property(lambda self: Scale(1.0))
-    times = property(lambda self: np.array([3.0, 0.25, 0.5, 0.5, -1.0, 0.0, 1.1, 2.0]))  # of which two are outside
+    @property
+    def name(self) -> str:
+        return "bell"
+
+    @property
+    def scale(self) -> Scale:
+        return Scale(1.0)
+
+    @property
+    def times(self) -> np.ndarray:
+        return np.array([3.0, 0.25, 0.5, 0.5, -1.0, 0.0, 1.1, 2.0])  # of which two are outside
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: object = 1.0) -> np.ndarray:
         return np.where(np.isin(samples.t, self.instants), 1 + samples.t, 0.0)
@@ -355,6 +376,10 @@ def test_momentary_terms_count_at_their_instants_once_and_in_no_integral(quadrat
     np.testing.assert_array_equal(each[1], w)
     for power in range(4):
         np.testing.assert_allclose(w @ t**power, plain_weights @ plain**power, rtol=1e-13)
+    alone = replace(objective, terms=objective.terms[1:]).nodes(path.spline.times)
+    np.testing.assert_array_equal(alone[0], plain)
+    np.testing.assert_array_equal(alone[1], plain_weights)
+    np.testing.assert_array_equal(alone[2], [plain_weights])
     bell, clock = objective.integrals(path)
     assert bell == pytest.approx(np.sum(1 + rung), rel=1e-13)
     assert clock == pytest.approx(plain_weights @ plain**5, rel=1e-13)

@@ -17,6 +17,11 @@ def penalty_slope(penalty: Penalty, samples: Samples, rng: np.random.Generator) 
     values = penalty.evaluate(samples, cotangent, scale)
     np.testing.assert_array_equal(values, penalty.evaluate(samples))
     gradients = cotangent.gradients()
+    unscaled, ones = Cotangent(samples), Cotangent(samples)
+    penalty.evaluate(samples, unscaled)
+    penalty.evaluate(samples, ones, np.ones(samples.count))
+    for own, expected in zip(unscaled.gradients(), ones.gradients(), strict=True):
+        np.testing.assert_allclose(own, expected, rtol=1e-10, atol=1e-10 * np.abs(expected).max(initial=0.0))
 
     def value(point: np.ndarray) -> float:
         return float(scale @ penalty.evaluate(Samples(samples.figure, *point, t=samples.t)))

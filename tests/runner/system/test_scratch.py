@@ -44,8 +44,8 @@ def holder(place: Path) -> Iterator[Callable[[], tuple[subprocess.Popen[str], Pa
     begun: list[subprocess.Popen[str]] = []
 
     def start() -> tuple[subprocess.Popen[str], Path]:
-        pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE}
-        begun.append(subprocess.Popen([sys.executable, "-c", HOLDER], text=True, **pipes))
+        command = [sys.executable, "-c", HOLDER]
+        begun.append(subprocess.Popen(command, text=True, stdin=subprocess.PIPE, stdout=subprocess.PIPE))
         assert begun[-1].stdout is not None
         return begun[-1], Path(begun[-1].stdout.readline().strip())
 

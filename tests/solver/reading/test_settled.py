@@ -9,7 +9,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.reading.recorded import Recorded
-from dynsplines.solver.reading.settled import ENOUGH, NOTHING, on_the_ground, settled
+from dynsplines.solver.reading.settled import ENOUGH, LOWEST, NOTHING, on_the_ground, settled
 from dynsplines.solver.reading.stances import Stood
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point, places_of
@@ -98,6 +98,17 @@ def test_a_recording_of_another_floor_comes_down_or_up_to_this_one_straight_and_
     way = np.zeros(FIGURE.width)
     way[2] = -over if moves else 0
     np.testing.assert_allclose(found.states, before.states + way, atol=1e-9)
+
+
+@pytest.mark.parametrize("degrees", [[0, 20, 0], [15, 0, 0], [-10, -25, 5]])
+def test_it_is_the_lowest_spot_of_a_sole_whatever_its_radius_over_the_highest_ground_that_comes_down(degrees) -> None:
+    points, stairs = sole(0.01, 0.03, 0.05, 0.02), Plane("stairs", np.array([0.0, 0, 0.1]), FLOOR.normal)
+    before = recorded(1.6, np.radians(degrees))
+    before.states[:, 2] += 0.1 * np.sin(3 * TIMES)
+    for surfaces, ground in (([FLOOR], 0.0), ([FLOOR, stairs], 0.1), ([stairs, FLOOR], 0.1)):
+        found = on_the_ground(before, points, surfaces)
+        lowest = bottoms(before, points).min(axis=0) - ground
+        np.testing.assert_allclose(found.states[:, 2] - before.states[:, 2], -np.percentile(lowest, LOWEST), atol=1e-9)
 
 
 def test_without_points_stances_or_ground_a_recording_stays_what_it_is() -> None:

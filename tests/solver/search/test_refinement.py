@@ -57,7 +57,7 @@ def test_a_shipped_clip_is_as_low_by_nlopt_as_by_gauss_newton_and_its_keyframes_
 @pytest.mark.parametrize("ends", ["free", "periodic"])
 def test_every_method_ends_as_low_as_gauss_newton(rng, method, ends):
     problem = problem_of(rng, ends)
-    found, _ = refined(problem, method=method, tolerance=1e-7)
+    found, _ = refined(problem, method=method, max_evaluations=100, tolerance=1e-7)
     lowest, _ = gauss_newton(problem, tolerance=1e-9)
     assert found.stop is Stop.CONVERGED
     assert found.value <= 1.001 * lowest.value
@@ -73,7 +73,7 @@ def test_a_partial_keyframe_keeps_what_it_fixes_while_the_rest_moves(rng):
     objective = Objective.of(figure, [(CovariantAcceleration(), 1.0)])
     timeline = evenly(raw_timeline(figure, keys), 2)
     problem = objective.on(timeline)
-    found, _ = refined(problem, method="lbfgs", tolerance=1e-9)
+    found, _ = refined(problem, method="lbfgs", max_evaluations=100, tolerance=1e-9)
     assert found.value < 0.99 * problem(problem.unknowns.start).value
     solved = figure.to_qpos(path_of(timeline.with_rows(problem.unknowns.rows(found.x))).at([0.0, 0.5, 1.0]))
     begun = figure.to_qpos(path_of(timeline).at([0.0, 0.5, 1.0]))
@@ -137,7 +137,7 @@ def test_a_stop_asked_for_in_any_phase_keeps_the_best_point(problem, error, at):
         if len(told) == at:
             raise error
 
-    found, _ = refined(problem, method="lbfgs", tolerance=1e-12, improved=improved)
+    found, _ = refined(problem, method="lbfgs", max_evaluations=100, tolerance=1e-12, improved=improved)
     assert found.stop is Stop.ASKED
     assert found.value == told[-1]
     assert len(told) == at
@@ -149,7 +149,7 @@ def test_an_error_in_the_callback_comes_out_as_it_went_in(problem):
             raise ZeroDivisionError("mine")
 
     with pytest.raises(ZeroDivisionError, match="mine"):
-        refined(problem, method="lbfgs", tolerance=1e-12, improved=improved)
+        refined(problem, method="lbfgs", max_evaluations=100, tolerance=1e-12, improved=improved)
 
 
 def test_nlopts_own_names_will_do_in_a_descent(problem):
@@ -164,10 +164,10 @@ def test_a_dense_method_is_left_out_of_large_problems(problem, monkeypatch):
 
     monkeypatch.setattr(refinement, "minimise", never)
     with pytest.raises(AssertionError, match="NLopt was asked"):
-        refined(problem, method="slsqp", tolerance=1e-9)
+        refined(problem, method="slsqp", max_evaluations=100, tolerance=1e-9)
     monkeypatch.setitem(methods.DENSE, "slsqp", problem.unknowns.size - 1)
-    found, _ = refined(problem, method="SLSQP", tolerance=1e-9)
+    found, _ = refined(problem, method="SLSQP", max_evaluations=100, tolerance=1e-9)
     expected, _ = gauss_newton(problem, tolerance=1e-9)
     np.testing.assert_allclose(found.value, expected.value, rtol=1e-6)
     with pytest.raises(AssertionError, match="NLopt was asked"):
-        refined(problem, method="lbfgs", tolerance=1e-9)
+        refined(problem, method="lbfgs", max_evaluations=100, tolerance=1e-9)

@@ -1,5 +1,7 @@
 """What carries the figure when: flights and footings that keyframes tell, and what they do not tell."""
 
+from dataclasses import replace
+
 import mujoco
 import numpy as np
 import pytest
@@ -39,10 +41,15 @@ def key(time: float, x: float, feet: tuple[float, float], *, z: float = 1.0, tip
     return Frame.key(time, [x, 0, height, *turn, *(reach + 1.0)])
 
 
-def tell(*keys: Frame, body: tuple[Point, ...] = ()) -> tuple[tuple[float, float], ...]:
-    timeline = raw_timeline(FIGURE, list(keys))
+def tell(*keys: Frame, body: tuple[Point, ...] = (), later: float = 0.0) -> tuple[tuple[float, float], ...]:
+    """The flights, which are the same if all of it happens a while later."""
+    timeline = raw_timeline(FIGURE, [replace(key, time=key.time + later) for key in keys])
     held = stances(FIGURE, timeline, SOLES, (FLOOR,))
-    return flights(FIGURE, 1, timeline, SOLES, (FLOOR,), held, body)
+    found = flights(FIGURE, 1, timeline, SOLES, (FLOOR,), held, body)
+    if not later:
+        again = tell(*keys, body=body, later=3.0)
+        np.testing.assert_allclose(np.reshape(again, (-1, 2)), np.reshape(found, (-1, 2)) + 3.0, rtol=1e-12)
+    return found
 
 
 def toes(time: float, x: float, raised: tuple[bool, bool]) -> Frame:

@@ -1,5 +1,7 @@
 """Planted points: which keyframes plant one, where it should be in between, the value by hand and the gradient."""
 
+import itertools
+
 import mujoco
 import numpy as np
 import pytest
@@ -111,6 +113,20 @@ def box_keys(figure: Figure, places: list[list[float]], told: list[bool]) -> Tim
         Frame.key(float(i), [*place, *turned], mask) for i, (place, mask) in enumerate(zip(places, masks, strict=True))
     ]
     return raw_timeline(figure, keys)
+
+
+def test_of_several_things_those_lie_still_that_do_not_move_whatever_the_others_do():
+    names = ("first", "second", "third")
+    bodies = "".join(f'<body name="{name}"><freejoint name="{name}"/><geom size=".1"/></body>' for name in names)
+    figure = Figure(mujoco.MjModel.from_xml_string(f"<mujoco><worldbody>{bodies}</worldbody></mujoco>"))
+    for still in itertools.product([False, True], repeat=3):
+        poses = np.tile([0.0, 0, 1, 1, 0, 0, 0], (2, 3, 1))
+        poses[1, ~np.array(still), 0] += 0.3
+        keys = raw_timeline(figure, [Frame.key(float(i), pose.ravel()) for i, pose in enumerate(poses)])
+        found = lying(figure, keys, [1, 2, 3])
+        assert [stance.point.name for stance in found] == [
+            name for name, lies in zip(names, still, strict=True) for _ in range(3 * lies)
+        ]
 
 
 def test_a_thing_lies_still_between_keyframes_that_both_say_the_same_of_it():
