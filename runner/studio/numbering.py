@@ -7,13 +7,12 @@ there are as many as before they are the same, else those that say the same are.
 from __future__ import annotations
 
 import json
-import tomllib
 from collections.abc import Mapping
 from difflib import SequenceMatcher
 from typing import Any
 
 from ..errors import UserError
-from .document import Document
+from .document import Document, parsed
 
 BARS = {"set_contact": "contact", "set_hold": "hold"}  # edits whose `index` is of these tables
 
@@ -63,6 +62,6 @@ def _followed(texts: list[str], kind: str, number: Any) -> Any:
 
 
 def _rows(text: str, kind: str) -> list[str]:
-    said = tomllib.loads(text)
+    said = parsed(text)
     found = said.get(kind, said.get("scene", {}).get(kind, []))
     return [json.dumps(row, sort_keys=True, default=str) for row in found] if isinstance(found, list) else []
