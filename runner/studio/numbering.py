@@ -31,10 +31,11 @@ def renumbered(document: Document, revision: int | None, said: Mapping[str, Any]
 
     if "key" in told:
         told["key"] = now("keyframe", told["key"])
-    if isinstance(told.get("keys"), list | tuple):
-        told["keys"] = [now("keyframe", each) for each in told["keys"]]
-    if edit and isinstance(told.get("keys"), Mapping):
-        told["keys"] = {str(now("keyframe", int(each))): row for each, row in told["keys"].items()}
+    keys = told.get("keys")
+    if isinstance(keys, list | tuple):
+        told["keys"] = [now("keyframe", each) for each in keys]
+    elif isinstance(keys, Mapping):
+        told["keys"] = {str(now("keyframe", int(each))): row for each, row in keys.items()}
     if "moves" in told:
         told["moves"] = [[now("keyframe", index), time] for index, time in told["moves"]]
     kind = BARS.get(edit, told.get("kind"))
