@@ -24,6 +24,11 @@ FILMS = (".mp4", ".webm", ".gif", ".png")  # endings of what is rendered
 Packed = tuple[str, bytes]  # what was done, and the text before it or after it, compressed
 
 
+def parsed(text: str) -> dict[str, Any]:
+    """A text that is known to be TOML, as plain tables."""
+    return tomllib.loads(text)
+
+
 @dataclass
 class Document:
     """A clip's text and its history.
@@ -85,7 +90,7 @@ class Document:
     def tree_rows(self) -> list[dict[str, Any]]:
         """The [[keyframe]] tables as plain ones; of a text that has none, none."""
         if self._rows is None or self._rows[0] != self.revision:
-            self._rows = self.revision, tomllib.loads(self.text).get("keyframe", [])
+            self._rows = self.revision, parsed(self.text).get("keyframe", [])
         return self._rows[1]
 
     def commit(self, text: str, words: str) -> None:

@@ -7,13 +7,12 @@ there are as many as before they are the same, else those that say the same are.
 from __future__ import annotations
 
 import json
-import tomllib
 from collections.abc import Mapping
 from difflib import SequenceMatcher
 from typing import Any
 
 from ..errors import UserError
-from .document import Document
+from .document import Document, parsed
 
 BARS = {"set_contact": "contact", "set_hold": "hold"}  # edits whose `index` is of these tables
 
@@ -32,10 +31,11 @@ def renumbered(document: Document, revision: int | None, said: Mapping[str, Any]
 
     if "key" in told:
         told["key"] = now("keyframe", told["key"])
-    if isinstance(told.get("keys"), list | tuple):
-        told["keys"] = [now("keyframe", each) for each in told["keys"]]
-    if edit and isinstance(told.get("keys"), Mapping):
-        told["keys"] = {str(now("keyframe", int(each))): row for each, row in told["keys"].items()}
+    keys = told.get("keys")
+    if isinstance(keys, list | tuple):
+        told["keys"] = [now("keyframe", each) for each in keys]
+    elif isinstance(keys, Mapping):
+        told["keys"] = {str(now("keyframe", int(each))): row for each, row in keys.items()}
     if "moves" in told:
         told["moves"] = [[now("keyframe", index), time] for index, time in told["moves"]]
     kind = BARS.get(edit, told.get("kind"))
@@ -63,6 +63,6 @@ def _followed(texts: list[str], kind: str, number: Any) -> Any:
 
 
 def _rows(text: str, kind: str) -> list[str]:
-    said = tomllib.loads(text)
+    said = parsed(text)
     found = said.get(kind, said.get("scene", {}).get(kind, []))
     return [json.dumps(row, sort_keys=True, default=str) for row in found] if isinstance(found, list) else []
