@@ -4,8 +4,8 @@ import mujoco
 import numpy as np
 import pytest
 import shipped
+from densities import log_normal
 from faulted import Take
-from scipy.stats import multivariate_normal, norm
 
 from dynsplines.clip.follow.keeping import Ground
 from dynsplines.clip.posing.feet import sole_points
@@ -173,9 +173,10 @@ def test_of_all_ways_to_cut_a_recording_into_stances_the_likeliest_is_taken(rng)
             if not (known[a] and known[b - 1]) or abs(height[at].mean()) > HIGHEST / 2:
                 return np.inf
             # one sample's worth of density, which is of where the middle is, is the first's of what moves, too
-            joint = -multivariate_normal(np.zeros(at.size), size * np.eye(at.size) + 100).logpdf(place[:, at]).sum()
-            alone = -3 * norm(0, 10).logpdf(0)
-            hover = -norm(0, np.hypot(HOVERS, noise / np.sqrt(at.size))).logpdf(height[at].mean()) - np.log(HIGHEST)
+            middle = np.array([height[at].mean()])
+            joint = -sum(log_normal(row, size * np.eye(at.size) + 100) for row in place[:, at])
+            alone = -3 * log_normal(np.zeros(1), np.array([[100.0]]))
+            hover = -log_normal(middle, np.array([[HOVERS**2 + noise**2 / at.size]])) - np.log(HIGHEST)
             return DEAR + joint - alone + hover - moving[at[1:]].sum()
 
         costs = {pair: cost(*pair) for pair in pairs}
@@ -198,6 +199,7 @@ def test_a_stance_on_an_edge_is_on_what_ends_there():
     times = np.arange(40) / FPS
     recorded = Recorded.of(SLED, times, np.column_stack([0 * times, np.full(40, 0.65)]), exact=True)
     (one,) = stood(recorded, [RUNNER], [FLOOR, box])
+    assert one.ground is not None
     assert one.ground.height(np.array([0.0, 0.0, 0.5])) == pytest.approx(0, abs=1e-12)
     assert stood(recorded, [RUNNER], [FLOOR]) == ()
 
