@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from dynsplines import models
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.curve.spline import path_of
@@ -26,7 +27,7 @@ from dynsplines.solver.reading.recorded import Recorded
 from dynsplines.solver.reading.stances import stood
 from dynsplines.solver.surface.points import Point, placed, places_of
 
-from ... import models, motion
+from ... import motion
 from ...errors import UserError
 from ...scene import outside
 from ..table import ClipTable, RecordingTable

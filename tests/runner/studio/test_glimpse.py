@@ -55,6 +55,7 @@ def test_what_was_kept_is_there_for_the_same_text_and_no_other(document):
 @pytest.mark.parametrize("at", [0, 9, 20, 60, -1])
 def test_one_that_is_damaged_is_as_good_as_none(document, at):
     file = glimpse.file_of(document)
+    assert file is not None
     glimpse.write(file, STAGE, path_of())
     data = bytearray(file.read_bytes())
     file.write_bytes(bytes(data[:at]))
