@@ -95,7 +95,7 @@ def cleaned(
     recorded = settled(recorded, stances, ground.surfaces)
     if given is None:
         stances = stood(recorded, ground.points, ground.surfaces)
-    rests = tuple(Rest(*stance) for stance in stances)
+    rests = tuple(Rest(*stance, rolls=True) for stance in stances)
     near = Near(recorded)
     asked = problem(near, ground, rests, near.times())
     if unsure(recorded, ground.points) > NOISY:
@@ -161,7 +161,7 @@ def _second_look(ground: Ground, recorded: Recorded, calmed: Problem) -> tuple[R
     """Of a noisy recording more stances are seen once the surest of them are kept."""
     calm = ground.figure.to_qpos(_curve(calmed).at(recorded.times))
     seen = Recorded.of(ground.figure, recorded.times, calm)
-    return tuple(Rest(*stance) for stance in stood(seen, ground.points, ground.surfaces))
+    return tuple(Rest(*stance, rolls=True) for stance in stood(seen, ground.points, ground.surfaces))
 
 
 def _from(figure: Figure, solution: Solution) -> tuple[Frame, ...]:

@@ -12,13 +12,15 @@ from rich.table import Table
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import Path
+from dynsplines.solver.figure.algebra import cross
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import JointRange, Speed, Support, joint_ranges
 from dynsplines.solver.surface.heights import height_over
-from dynsplines.solver.surface.points import places_of
+from dynsplines.solver.surface.points import arrays_of, body_points, places_of
 
 from ..clip.follow.keeping import Ground
+from ..measure.depths import bunches, depths
 from ..measure.measures import turning, turns
 from .cleaning import Cleaned, Verdict
 
@@ -61,7 +63,7 @@ class Comparison:
         """What was wrong before, and what of it is left."""
         before, after = (Look(self.cleaned, path, self.times) for path in (self.cleaned.before, self.cleaned.after))
         rows = [
-            ("deepest sole", "mm", "depth", DEPTH),
+            ("deepest in anything", "mm", "depth", DEPTH),
             ("slip of a stance, most", "mm", "slip", SLIP),
             ("sole at rest, off the ground", "mm", "hover", HOVER),
             ("joint beyond its range", "°", "range", RANGE),
@@ -163,17 +165,23 @@ class Look:
             yield Samples(self.ground.figure, *self.path.motion(t), t=t)
 
     @cached_property
-    def _soles(self) -> tuple[Array, Array]:
-        """Places (3, p, T) and heights (p, T) [m] of the soles' points."""
-        points = self.ground.points
+    def _soles(self) -> tuple[Array, Array, Array]:
+        """Places (3, p, T) and heights (p, T) [m] of the soles' points, and how far they have rolled (3, p, T) [m]."""
+        points, nothing = self.ground.points, np.zeros((3, 0, self.times.size))
         if not points or not self.ground.surfaces:
-            return np.zeros((3, 0, self.times.size)), np.zeros((0, self.times.size))
-        places = np.concatenate([places_of(points, samples)[0] for samples in self._parts()], axis=2)
-        return places, height_over(self.ground.surfaces, places, np.array([point.radius for point in points]))[0]
+            return nothing, nothing[0], nothing
+        links, _, radius = arrays_of(points)
+        parts = [(places_of(points, samples)[0], samples.links.omega[:, links]) for samples in self._parts()]
+        places, omega = (np.concatenate(some, axis=2) for some in zip(*parts, strict=True))
+        height, up = height_over(self.ground.surfaces, places, radius)
+        speed = radius[:, None] * cross(omega, up)
+        ways = 0.5 * (speed[..., 1:] + speed[..., :-1]) * np.diff(self.times)
+        return places, height, np.concatenate([0 * speed[..., :1], np.cumsum(ways, axis=2)], axis=2)
 
     def _resting(self) -> Iterator[tuple[Array, Array]]:
-        """Places (3, t) and heights (t,) of every stance."""
-        places, heights = self._soles
+        """Of every stance, where what of the point is lowest would be if only its slip moved it (3, t), and heights
+        (t,)."""
+        places, heights, rolled = self._soles
         row = {id(point): i for i, point in enumerate(self.ground.points)}
         for rest in self.cleaned.rests:
             i = row.get(id(rest.point))
@@ -182,11 +190,17 @@ class Look:
                 own = heights[i, during]
                 if rest.ground is not None:
                     own = height_over((rest.ground,), places[:, [i]][..., during], np.array([rest.point.radius]))[0][0]
-                yield places[:, i, during], own
+                yield (places - rolled)[:, i, during], own
 
     @property
     def depth(self) -> float:
-        return 1000 * float(np.maximum(-self._soles[1], 0).max(initial=0.0))
+        """Of all of the figure, its soles among it, in all that is there."""
+        body = bunches((*body_points(self.ground.figure), *self.ground.points))
+        found = 0.0
+        for samples in self._parts():
+            for surface in self.ground.surfaces:
+                found = max(found, *(float(deep.max()) for _, _, deep in depths(body, surface, samples)), 0.0)
+        return 1000 * found
 
     @property
     def slip(self) -> float:

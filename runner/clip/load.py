@@ -56,6 +56,7 @@ from .table import (
     ROTATION,
     ClipTable,
     KeyframeTable,
+    RecordingTable,
     RootTable,
     RotationTable,
     SolveTable,
@@ -72,6 +73,7 @@ TOLERANCE = 1e-3  # relative progress of E at which a search ends
 FRAME_SECONDS = 0.1  # [s] a variable frame at least in the budget of a clip with long segments
 
 AROUND = ("travel", "turn")  # what [solve] says of how a loop comes back
+NEXT = 1e-6  # [s] that a saved keyframe may be beside its time in the text
 SHORTEST = 0.001  # [s] between neighbouring keyframes
 UNEVEN = 10_000  # times that a distance between keyframes may be its neighbour: the spline overshoots by as much
 LONGEST = 600.0  # [s] from the first keyframe to the last
@@ -358,6 +360,8 @@ def answered(saved: Saved) -> Clip:
 
     A motion that breaks its contacts so much that no clip could have them is looked at for them all the same.
     """
+    if saved.text and (table := table_of(saved.text, saved.name)).recording is not None:
+        return _followed_again(saved, table, table.recording)
     try:
         return of_motion(saved, contacts=True)
     except UserError:
@@ -366,6 +370,15 @@ def answered(saved: Saved) -> Clip:
         given = Contacts(given=rests(saved.figure, table.contact, points))
         held = asked(saved.figure, table.hold, points)
         return replace(clip, context=replace(clip.context, contacts=given, holds=held))
+
+
+def _followed_again(saved: Saved, table: ClipTable, said: RecordingTable) -> Clip:
+    """The problem of a motion that follows a recording, which need not be there any more."""
+    given = [row.time for row in table.keyframe]
+    edits = [key for key in saved.keys if np.isclose(key.time, given, rtol=0, atol=NEXT).any()]
+    recording = Followed.of_motion(saved.figure, saved.raw, edits, said, saved.name)
+    clip = _following(recording, saved.name, saved.text, saved.scene, edits, table, saved.fps)
+    return replace(clip, problem=replace(clip.problem, keys=saved.keys))
 
 
 def with_keys(clip: Clip, keys: Sequence[Frame]) -> Clip:

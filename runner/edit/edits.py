@@ -212,7 +212,9 @@ def check_alike(before: Clip | Saved, after: Clip | Saved) -> None:
 def measured(saved: Saved, progress: Progress, edit: str) -> Saved:
     """A motion with the report that belongs to it; `edit` says why no search stopped, where none did."""
     clip = clips.answered(saved)
-    objective = renormalised(clip.problem.plain_objective, saved.raw)
+    objective = clip.problem.plain_objective
+    if clip.settings.renormalise:
+        objective = renormalised(objective, saved.raw)
     evaluations = saved.search.get("evaluations", 0)
     found = Solution(saved.figure, objective, saved.timeline, saved.raw, (), evaluations, stop_of(saved))
     again = Solved(clip, found, saved.search.get("seconds")).saved(progress)

@@ -38,6 +38,7 @@ from dynsplines.solver.surface.points import placed as points_placed
 
 from .bounds import BOUNDS, WHIP_SHARE
 from .depths import bunches, depths
+from .rolling import Rolling
 
 SELF_STRIDE = 4  # limbs in each other take long to look for, and are not missed in a sixtieth of a second
 SAME_DEPTH = 0.002  # [m] by which a sole point may be less deep than a corner of its foot and be named in its place
@@ -287,6 +288,7 @@ class Held:
     kind    "contact" or "stance"
     groups  (n,) the contact or foot that each belongs to
     says    a sentence each
+    rolling of those that roll, how; none at all if none does
     """
 
     kind: str
@@ -294,6 +296,7 @@ class Held:
     groups: Index
     says: tuple[str, ...]
     placed: Mask
+    rolling: tuple[Rolling | None, ...] = ()
     stride: int = 1
 
     def hits(self, samples: Samples) -> Hits:
@@ -301,7 +304,10 @@ class Held:
         for i, stance in enumerate(self.stances):
             at = np.flatnonzero((samples.t >= stance.first) & (samples.t <= stance.last))
             if at.size:
-                away = np.linalg.norm(_places(samples, stance.point, at) - stance.place(samples.t[at]), axis=0)
+                off = _places(samples, stance.point, at) - stance.place(samples.t[at])
+                if self.rolling and (rolling := self.rolling[i]) is not None:
+                    off = off - rolling.way(samples.links.rotation[:, :, stance.point.link, at])
+                away = np.linalg.norm(off, axis=0)
                 far = np.flatnonzero(away > bound)
                 parts.append(Hits(np.full(far.size, i), at[far], away[far]))
         return Hits.joined(parts)

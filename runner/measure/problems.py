@@ -43,6 +43,7 @@ from ..motion import Saved, samples_at
 from . import measures
 from .bounds import BOUNDS
 from .measures import Hits, Measure, Row
+from .rolling import Rolling
 
 RATE = 240.0  # [1/s]: a foot at 4 m/s goes 17 mm from one look to the next
 RUN = 1000  # samples looked at at once, whose arrays do not fill the memory
@@ -138,7 +139,7 @@ def plain(found: Sequence[Flaw]) -> list[dict[str, Any]]:
 
 
 def _found(clip: Clip, timeline: Timeline, raw: Timeline) -> Iterator[Flaw]:
-    clip = _as_keyed(clip)
+    clip = as_keyed(clip)
     figure, path = clip.figure, path_of(timeline)
     key_times = np.array([key.time for key in clip.keys])
     numbers = np.cumsum([bool(key.fixed.any()) for key in clip.keys])
@@ -154,7 +155,7 @@ def _found(clip: Clip, timeline: Timeline, raw: Timeline) -> Iterator[Flaw]:
     yield from _misses(clip, timeline)
 
 
-def _as_keyed(clip: Clip) -> Clip:
+def as_keyed(clip: Clip) -> Clip:
     """Of a recording's frames, which fix nothing, the first and the last: keyframes are what somebody gave."""
     ends = (0, len(clip.keys) - 1)
     keys = tuple(key for k, key in enumerate(clip.keys) if key.fixed.any() or k in ends)
@@ -241,7 +242,12 @@ def _held(clip: Clip, timeline: Timeline) -> Iterator[measures.Held]:
         groups = np.repeat(np.arange(len(pieces)), [len(some) for some in pieces])
         says = [f"contact {stance.point.name} moves {{}} while it should rest" for some in pieces for stance in some]
         flat = tuple(stance for some in pieces for stance in some)
-        yield measures.Held("contact", flat, groups, tuple(says), placed)
+        rolling = tuple(
+            Rolling.of(rest, _in_the_middle(clip, rest, timeline))
+            for rest, some in zip(clip.context.contacts.given, pieces, strict=True)
+            for _ in some
+        )
+        yield measures.Held("contact", flat, groups, tuple(says), placed, rolling if any(rolling) else ())
     told = [
         stance
         for stance in _told(clip, timeline)
@@ -277,9 +283,13 @@ def _pieces(clip: Clip, rest: Rest, known: Sequence[Sequence[Stance]], timeline:
     if said:
         yield from said
         return
-    middle = samples_at(clip.figure, path_of(timeline), np.array([0.5 * (rest.first + rest.last)]))
-    spot = places_of((rest.point,), middle)[0][:, 0, 0]
+    spot = places_of((rest.point,), _in_the_middle(clip, rest, timeline))[0][:, 0, 0]
     yield Stance(rest.point, rest.first, rest.last, spot, spot)
+
+
+def _in_the_middle(clip: Clip, rest: Rest, timeline: Timeline) -> Samples:
+    """One sample, in the middle of a contact."""
+    return samples_at(clip.figure, path_of(timeline), np.array([0.5 * (rest.first + rest.last)]))
 
 
 def _drifts(held: Sequence[measures.Held], key_times: Array, numbers: Index) -> Iterator[Flaw]:

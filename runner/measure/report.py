@@ -19,7 +19,7 @@ from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.algebra import turned
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import Cycle
+from dynsplines.solver.penalty import Cycle, Near
 from dynsplines.solver.refine.displacement import displacement
 from dynsplines.solver.refine.euler_lagrange import residual
 from dynsplines.solver.refine.subdivision import by_weak_form
@@ -31,7 +31,7 @@ from ..clip.load import Clip
 from . import shown
 from .grid import Grid
 from .measured import Seen, lines, side
-from .problems import plain, problems
+from .problems import as_keyed, plain, problems
 from .shown import Line
 
 LOCAL_EVALUATIONS = 25  # that tell what a segment has left to gain
@@ -46,7 +46,8 @@ def report(
     hears of the local solves' progress.
 
     Ctrl-C leaves out the segments, which take longest, and nothing else. Nothing was searched of a recording: it has no
-    segments and nothing left to gain, and is measured once for both sides.
+    segments and nothing left to gain, and is measured once for both sides. What follows a recording has frames where
+    its detail is: they are no keyframes, and there are no segments between them.
     """
     before, searched = Grid.of(clip, motion.raw), not motion.is_raw
     after = Grid.of(clip, motion.timeline) if searched else before
@@ -55,6 +56,8 @@ def report(
         "before": first,
         "after": side(Seen(clip, motion.objective, motion.timeline, after)) if searched else dict(first),
     }
+    follows = any(isinstance(penalty, Near) for penalty, _ in clip.penalties)
+    keys = as_keyed(clip).keys if follows else clip.keys
     drift = np.linalg.norm(_centre_of_mass(after.samples) - _centre_of_mass(before.samples), axis=0)
     sides["after"][DRIFT] = {
         "largest": float(drift.max()),
@@ -65,14 +68,14 @@ def report(
         "clip": clip.name,
         "duration, s": float(before.time[-1] - before.time[0]),
         "left to gain": _left_to_gain(motion) if searched else {},
-        "keyframes": len(clip.keys),
-        "partial keyframes": sum(not key.is_key for key in clip.keys),
+        "keyframes": len(keys),
+        "partial keyframes": sum(not key.is_key for key in keys),
         "variable frames": motion.timeline.variable_count,
         "evaluations": motion.evaluations,
         **({} if seconds is None else {"seconds": seconds}),
         "stopped because": motion.stop.value,
         "cycle": _cycle_report(clip),
-        "segments": _segments(clip, motion, told) if searched else [],
+        "segments": _segments(clip, motion, told) if searched and not follows else [],
         **sides,
     }
 

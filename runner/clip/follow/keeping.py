@@ -16,7 +16,9 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.quadrature import Quadrature
 from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import (
+    BendLimits,
     Contact,
     Footing,
     JointRange,
@@ -33,11 +35,12 @@ from dynsplines.solver.penalty import (
 )
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface import Surface, static_surfaces
-from dynsplines.solver.surface.points import Point, body_points
+from dynsplines.solver.surface.points import Point, arrays_of, body_points, places_of
 
 from ...errors import UserError, unknown
 from ..contacts import ROUNDING
-from ..posing.feet import sole_points
+from ..context import knees_and_elbows
+from ..posing.feet import rounded, sole_points
 from ..posing.places import Places
 from ..table import ContactTable
 
@@ -48,6 +51,7 @@ WEIGHTS = {
     "clearance": 1e8,
     "resting": 1e8,  # 1 for a slide of 2 mm/s
     "range": 1e7,  # 1 for 0.02°
+    "bend": 1e7,
     "self": 1e6,
     "speed": 1e5,  # 1 for 0.2 °/s
     "support": 1000.0,  # 1 for a thirtieth of the weight
@@ -56,9 +60,10 @@ LONGEST_PANEL, POINTS = 0.05, 3  # [s], of Gauss's rule
 TOLERANCE = 1e-2  # relative progress of E at which a search ends
 INSIDE = 0.015  # [rad, m] of a joint's range that is kept as a margin
 NEXT_TO = 0.008  # [s] from a keyframe, half of what frames are apart at least
+RARE = 2.0  # per cent of poses whose knees and elbows nobody asks
 LOOKED_AT = 50  # poses in which it is looked for what stands on the ground
 SLOWER = 0.95  # of a speed that joints may have: what is soft gives a little
-ANKLE = 0.02  # [m] beside a joint's own thickness: what is so near to a sole's link moves with it
+FLUSH = 0.0005  # [m] that what is beside a sole may be below it
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,6 +73,7 @@ class Ground:
     points    of its soles;  surfaces  what it stands on and stays out of
     apart     its limbs are kept out of each other, too, which takes twice as long
     speed     [rad/s] that its joints turn at most, if any
+    bends     its knees and elbows on ball joints, which bend the right way: as far beyond as the recording does itself
     """
 
     figure: Figure
@@ -75,24 +81,53 @@ class Ground:
     surfaces: tuple[Surface, ...]
     apart: bool = False
     speed: float | None = None
+    bends: BendLimits | None = None
 
     @property
     def clear(self) -> tuple[Point, ...]:
-        """The points of the body that stay out of things, but for feet and ankles, which the soles speak for."""
-        links = self.figure.links
-        soles = {point.link for point in self.points}
+        """The points of the body that stay out of things, but for what of feet and ankles is below the soles at rest:
+        there the soles speak for them."""
+        figure, body = self.figure, body_points(self.figure)
+        if not body or not self.points:
+            return body
+        heights = self._at_rest((*body, *self.points))
+        soles = np.array([point.link for point in self.points])
+        lowest = {link: heights[len(body) :][soles == link].min() for link in np.unique(soles).tolist()}
 
-        def is_ankle(point: Point) -> bool:
-            near = [link for link in soles if links[link].parent == point.link]
-            return any(np.linalg.norm(links[k].offset - point.position) <= 2 * point.radius + ANKLE for k in near)
+        def is_below(point: Point, height: float) -> bool:
+            feet = [link for link in lowest if point.link in (link, figure.links[link].parent)]
+            return any(height < lowest[link] - FLUSH for link in feet)
 
-        return tuple(p for p in body_points(self.figure) if p.link not in soles and not is_ankle(p))
+        return tuple(
+            p for p, height in zip(body, heights[: len(body)].tolist(), strict=True) if not is_below(p, height)
+        )
+
+    def _at_rest(self, points: tuple[Point, ...]) -> Array:
+        """(n,) [m] how high the undersides of points are when the figure is as its model has it."""
+        still = Samples.still(self.figure, self.figure.to_state(self.figure.model.qpos0[None]))
+        return places_of(points, still)[0][2, :, 0] - arrays_of(points)[2]
 
 
 def ground_of(figure: Figure, qpos: Array) -> Ground:
     """What a figure stands with and on, by poses (T, nq)."""
     some = qpos[:: max(1, len(qpos) // LOOKED_AT)]
-    return Ground(figure, sole_points(figure, some), tuple(static_surfaces(figure.model)))
+    soles = tuple(rounded(figure, point) for point in sole_points(figure, some))
+    return Ground(figure, soles, tuple(static_surfaces(figure.model)), bends=_bends(figure, some))
+
+
+def _bends(figure: Figure, qpos: Array) -> BendLimits | None:
+    """The limits of knees and elbows: those of any clip, or what nearly all of the poses (T, nq) are within."""
+    usual = BendLimits(tuple(knees_and_elbows(figure)))
+    if not usual.joints:
+        return None
+    flexion, *aside = usual.angles(Samples.still(figure, figure.to_state(qpos)))
+    sideways, twist = (float(np.percentile(np.abs(angle), 100 - RARE)) for angle in aside)
+    return replace(
+        usual,
+        least=min(usual.least, float(np.percentile(flexion, RARE))),
+        sideways=max(usual.sideways, sideways),
+        twist=max(usual.twist, twist),
+    )
 
 
 def rests_of(ground: Ground, tables: Sequence[ContactTable], span: tuple[float, float], where: str) -> tuple[Rest, ...]:
@@ -108,7 +143,7 @@ def rests_of(ground: Ground, tables: Sequence[ContactTable], span: tuple[float, 
             raise UserError(
                 f"{name}: {table.start:g} to {table.end:g} s is not within the recording, {span[0]:g} to {span[1]:g} s"
             )
-        found.append(Rest(point, table.start, table.end))
+        found.append(Rest(point, table.start, table.end, rolls=True))
     return tuple(found)
 
 
@@ -152,6 +187,8 @@ def penalties_of(ground: Ground, rests: Sequence[Rest]) -> list[Penalty]:
             found.append(Support.of(figure, int(figure.tables.free_links[0]), footings, ()))
     if ranges := joint_ranges(figure):
         found.append(JointRange(tuple(map(_inside, ranges))))
+    if ground.bends is not None:
+        found.append(ground.bends)
     if ground.speed is not None:
         found.append(Speed.of(figure, SLOWER * ground.speed))
     own = SelfContact.of(figure, 0.0) if ground.apart else None

@@ -33,6 +33,8 @@ STEEP = 0.5  # of a slide's way, how much of it goes up
 UPRIGHT = 0.8  # of the tallest pose, one that is looked at, too
 SAME = 1e-3  # [m] poses as tall as each other
 CORNERS = 4  # points a foot, at most
+ROUND = (int(mujoco.mjtGeom.mjGEOM_SPHERE), int(mujoco.mjtGeom.mjGEOM_CAPSULE))
+SKIN = 0.1  # of a sphere's radius that a mark may be off its skin
 
 
 def sole_points(figure: Figure, qpos: Array) -> tuple[Point, ...]:
@@ -69,6 +71,30 @@ def _grown(figure: Figure, point: Point) -> Point:
         if link == point.link and np.linalg.norm(point.position - centre) < 0.5 * radius:
             return Point(point.name, link, centre, radius)
     return point
+
+
+def rounded(figure: Figure, point: Point) -> Point:
+    """A mark on the skin of a sphere or a capsule of its link, as a sphere as thick as that: what the foot rolls on."""
+    if point.radius:
+        return point
+    model, best = figure.model, point
+    for geom in movers(model):
+        if model.geom_type[geom] not in ROUND:
+            continue
+        radius, half = float(model.geom_size[geom, 0]), float(model.geom_size[geom, 1])
+        way = np.zeros(3) if model.geom_type[geom] == ROUND[0] else quat.rotated(model.geom_quat[geom], np.eye(3)[2])
+        link, ends = figure.point_on_link(
+            int(model.geom_bodyid[geom]), model.geom_pos[geom] + np.outer((-half, half), way)
+        )
+        if link != point.link:
+            continue
+        along = ends[1] - ends[0]
+        share = np.clip((point.position - ends[0]) @ along / max(along @ along, 1e-12), 0, 1)
+        centre = ends[0] + share * along
+        off = abs(np.linalg.norm(point.position - centre) - radius)
+        if off < SKIN * radius and radius > best.radius:
+            best = Point(point.name, link, centre, radius)
+    return best
 
 
 def _lowest(figure: Figure, qpos: Array) -> tuple[Point, ...]:

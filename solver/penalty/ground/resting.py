@@ -1,6 +1,7 @@
 """Resting points: at rest on a surface from one time to another, wherever that is.
 
-For contacts whose spot nobody has said. Where keyframes say the spot, see `planted`.
+For contacts whose spot nobody has said. Where keyframes say the spot, see `planted`. A foot that is round, as heels and
+the tips of shoes are, rolls: what rests of it is its lowest point, which may be another one at every instant.
 """
 
 from __future__ import annotations
@@ -25,17 +26,22 @@ SETTLING = 0.05  # [s]: a speed counts like the way it makes in so long
 
 @dataclass(frozen=True)
 class Rest:
-    """A point that rests from `first` to `last` [s]; on a plane, or else on whatever is below it."""
+    """A point that rests from `first` to `last` [s]; on a plane, or else on whatever is below it.
+
+    rolls  a sphere may turn on the ground as a wheel does; else its centre rests
+    """
 
     point: Point
     first: float
     last: float
     ground: Plane | None = None
+    rolls: bool = False
 
 
 @dataclass(frozen=True)
 class Resting(Penalty):
-    """Σ over rests of (0.05 s)² |v|² + h² [m²], v the point's velocity, h its height over the surface below it."""
+    """Σ over rests of (0.05 s)² |v|² + h² [m²], h the height of a point, or sphere, over the surface below it, v the
+    velocity of what of it rests: that of its centre or, if it rolls, v_centre − r ω × n, n the way up."""
 
     rests: tuple[Rest, ...]
     surfaces: tuple[Surface, ...]
@@ -52,22 +58,25 @@ class Resting(Penalty):
         values = np.zeros(samples.count)
         scale = scale + values
         for rest, at in self._during(samples.t):
-            height, up, offset, velocity = self._seen(samples, rest, at)
+            height, up, offset, foot, velocity = self._seen(samples, rest, at)
             values[at] += SETTLING**2 * dot(velocity, velocity) + height**2
             if into is None:
                 continue
-            add_by_velocity(into, rest.point.link, at, offset, 2 * SETTLING**2 * scale[at] * velocity)
+            by_velocity = 2 * SETTLING**2 * scale[at] * velocity
+            add_by_velocity(into, rest.point.link, at, offset, by_velocity)
+            if rest.rolls:
+                into.buffer("omega")[:, rest.point.link, at] += cross(foot - offset, by_velocity)
             into.add_forces(rest.point.link * samples.count + at, offset, 2 * scale[at] * height * up)
         return values
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
         for rest, at in self._during(samples.t):
-            _, up, offset, _ = self._seen(samples, rest, at)
+            _, up, offset, foot, _ = self._seen(samples, rest, at)
             links = np.full(at.size, rest.point.link)
             into.add_rows(at, scale[at], point_gradients(samples, at, links, offset, up)[:, None], (0,))
             for direction in np.eye(3):
                 ways = np.repeat(direction[:, None], at.size, axis=1)
-                rows = velocity_gradients(samples, at, links, offset, ways)
+                rows = velocity_gradients(samples, at, links, foot, ways)
                 into.add_rows(at, SETTLING**2 * scale[at], rows, (0, 1))
 
     def _during(self, t: Array) -> list[tuple[Rest, Index]]:
@@ -75,11 +84,13 @@ class Resting(Penalty):
         during = [(rest, np.flatnonzero((t >= rest.first) & (t <= rest.last))) for rest in self.rests]
         return [(rest, at) for rest, at in during if at.size]
 
-    def _seen(self, samples: Samples, rest: Rest, at: Index) -> tuple[Array, Array, Array, Array]:
-        """Height (P,), its gradient, the offset and the velocity (3, P) of a point at samples `at` (P,)."""
+    def _seen(self, samples: Samples, rest: Rest, at: Index) -> tuple[Array, Array, Array, Array, Array]:
+        """Height (P,), its gradient (3, P), the offsets of a point and of what of it rests, and the velocity of that,
+        (3, P) each, at samples `at` (P,)."""
         links, point = samples.links, rest.point
         offset = np.einsum("ijp,j->ip", links.rotation[:, :, point.link, at], point.position)
         below = self.surfaces if rest.ground is None else (rest.ground,)
         height, up = height_over(below, (links.x[:, point.link, at] + offset)[:, None], np.array([point.radius]))
-        velocity = links.x_d[:, point.link, at] + cross(links.omega[:, point.link, at], offset)
-        return height[0], up[:, 0], offset, velocity
+        foot = offset - point.radius * up[:, 0] if rest.rolls else offset
+        velocity = links.x_d[:, point.link, at] + cross(links.omega[:, point.link, at], foot)
+        return height[0], up[:, 0], offset, foot, velocity

@@ -23,11 +23,12 @@ FLOOR = Plane("floor", -50 * UP, UP)
 
 def case(figure: Figure, rng: np.random.Generator) -> tuple[Samples, Resting]:
     samples = at_times(random_samples(figure, rng, 6), np.linspace(0, 1, 6))
-    last = len(figure.links) - 1
+    last, slope = len(figure.links) - 1, Plane("slope", -50 * UP + 3 * TILT, TILT)
     rests = (
-        Rest(Point("a", 1, np.array([0.1, 0.2, -0.3]), 0.05), 0.1, 0.5),
+        Rest(Point("a", 1, np.array([0.1, 0.2, -0.3]), 0.05), 0.1, 0.5, rolls=True),
         Rest(Point("b", last, UP), 0.3, 1.0),
-        Rest(Point("c", last, np.array([0.2, 0.1, 0.0]), 0.02), 0.1, 0.9, Plane("slope", -50 * UP + 3 * TILT, TILT)),
+        Rest(Point("c", last, np.array([0.2, 0.1, 0.0]), 0.02), 0.1, 0.9, slope, rolls=True),
+        Rest(Point("d", last, np.array([0.0, 0.1, 0.2]), 0.03), 0.2, 0.8),
     )
     return samples, Resting(rests, (FLOOR,))
 
@@ -38,8 +39,9 @@ def test_the_value_by_hand(figure, rng):
     for rest in resting.rests:
         links = samples.links
         offset = np.einsum("ijs,j->is", links.rotation[:, :, rest.point.link], rest.point.position)
-        velocity = links.x_d[:, rest.point.link] + np.cross(links.omega[:, rest.point.link].T, offset.T).T
         place, normal = links.x[:, rest.point.link] + offset, UP if rest.ground is None else TILT
+        lowest = offset - rest.rolls * rest.point.radius * normal[:, None]
+        velocity = links.x_d[:, rest.point.link] + np.cross(links.omega[:, rest.point.link].T, lowest.T).T
         height = normal @ (place + 50 * UP[:, None]) - (3 if rest.ground else 0) - rest.point.radius
         during = (samples.t >= rest.first) & (samples.t <= rest.last)
         expected += during * (height**2 + SETTLING**2 * np.sum(velocity**2, axis=0))
@@ -62,9 +64,10 @@ def test_its_curvature_is_that_of_height_and_velocity(figure, rng):
         offset = np.einsum("ijs,j->is", samples.links.rotation[:, :, rest.point.link, at], rest.point.position)
         ways = [np.repeat(direction[:, None], at.size, axis=1) for direction in np.eye(3)]
         up = np.repeat((UP if rest.ground is None else TILT)[:, None], at.size, axis=1)
+        lowest = offset - rest.rolls * rest.point.radius * up
         moved = [phi[at, :1] * point_gradients(samples, at, link, offset, up)]
         for direction in ways:
-            rows = velocity_gradients(samples, at, link, offset, direction)
+            rows = velocity_gradients(samples, at, link, lowest, direction)
             moved.append(SETTLING * np.einsum("po,pon->pn", phi[at, :2], rows))
         for part in moved:
             expected = expected + 2 * np.einsum("p,pm,pn->mn", scale[at], part, part)
@@ -89,3 +92,21 @@ def test_a_foot_rests_where_nobody_said_that_it_should():
 
     assert direction(0.0) > 0.3
     assert direction(3000.0) < 0.01
+
+
+def test_a_sphere_that_rests_rolls_without_a_slip():
+    model = mujoco.MjModel.from_xml_string(
+        '<mujoco><worldbody><body><freejoint/><geom size=".1"/></body></worldbody></mujoco>'
+    )
+    figure, floor = Figure(model), Plane("floor", np.zeros(3), UP)
+    resting = Resting((Rest(Point("ball", 1, np.zeros(3), 0.1), 0.0, 1.0, rolls=True),), (floor,))
+    turning = 2.0  # [rad/s] about y
+
+    def sliding(speed: float) -> float:
+        y = np.array([[0.0, 0, 0.1, 1, 0, 0, 0]])
+        y_d = np.array([[speed, 0, 0, 0, 0, turning / 2, 0]])
+        samples = Samples(figure, y, y_d, 0 * y, t=np.array([0.5]))
+        return float(resting.evaluate(samples)[0])
+
+    assert sliding(0.1 * turning) < 1e-20
+    np.testing.assert_allclose(sliding(0.0), SETTLING**2 * (0.1 * turning) ** 2)
