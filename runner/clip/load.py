@@ -26,7 +26,7 @@ from dynsplines.solver.curve.quadrature import Quadrature
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.figure.figure import Figure, FigureError, JointKind, quaternion_columns
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.penalty import Penalty, Placed
+from dynsplines.solver.penalty import Penalty, Placed, Support
 from dynsplines.solver.posing import entries
 from dynsplines.solver.problem import FEW, Problem, Settings
 from dynsplines.solver.refine.subdivision import CRITERIA
@@ -441,7 +441,9 @@ def _following(
     except (TimelineError, ValueError) as error:
         raise UserError(f"{where}: {error}") from None
     contacts = Contacts(rests=kept, given=kept)
-    context = Context(figure, timeline, ground.surfaces, where, points=ground.points, contacts=contacts)
+    bends = () if ground.bends is None else ground.bends.joints
+    support = next((penalty for penalty, _ in problem.penalties if isinstance(penalty, Support)), None)
+    context = Context(figure, timeline, ground.surfaces, where, ground.points, bends, contacts, support=support)
     return Clip(name, text, scene, fps or table.fps, problem, context, ())
 
 

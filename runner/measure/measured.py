@@ -40,10 +40,12 @@ from dynsplines.solver.surface.touch import counts_all
 from ..clip.load import Clip
 from ..motion import samples_at
 from . import shown
+from .depths import depth
 from .exactness import keyframe_error
 from .grid import RATE, Grid
 from .hold_report import hold_rows, in_carried
 from .penetration import lowest, penetration, self_penetration
+from .rolling import Rolling
 from .shown import Line
 from .swings import swings
 
@@ -119,8 +121,10 @@ def _point_depths(clip: Clip, grid: Grid) -> dict[str, float]:
     if not clip.context.points or not clip.context.surfaces:
         return {}
     centres, _, _ = places_of(clip.context.points, grid.samples)
-    depth = np.max([surface.inside(centres) for surface in clip.context.surfaces], axis=0)
-    return {point.name: float(d) for point, d in zip(clip.context.points, depth.max(axis=1), strict=True)}
+    radii = np.array([point.radius for point in clip.context.points])
+    found = [depth(surface, centres, radii) for surface in clip.context.surfaces]
+    deepest = np.maximum(np.max(found, axis=0), 0.0).max(axis=1)
+    return {point.name: float(d) for point, d in zip(clip.context.points, deepest, strict=True)}
 
 
 def _bend_report(clip: Clip, grid: Grid) -> dict[str, dict[str, float]]:
@@ -226,8 +230,11 @@ def _contact_report(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
     out = []
     for rest in clip.context.contacts.given:
         time = np.linspace(rest.first, rest.last, max(3, round((rest.last - rest.first) * RATE)))
-        centres, _, _ = places_of((rest.point,), samples_at(clip.figure, path_of(timeline), time))
+        samples = samples_at(clip.figure, path_of(timeline), time)
+        centres, _, _ = places_of((rest.point,), samples)
         track = centres[:, 0]
+        if (rolling := Rolling.of(rest, samples, time.size // 2)) is not None:
+            track = track - rolling.way(samples.links.rotation[:, :, rest.point.link])
         moved = float(np.linalg.norm(track - track[:, [time.size // 2]], axis=0).max())
         path = float(np.linalg.norm(np.diff(track, axis=1), axis=0).sum())
         speed = path / (rest.last - rest.first)

@@ -26,12 +26,12 @@ class Rolling:
     from_: Array
 
     @classmethod
-    def of(cls, rest: Rest, samples: Samples) -> Rolling | None:
-        """That of a rest that rolls, in its place at the first of the samples; None for others."""
+    def of(cls, rest: Rest, samples: Samples, at: int = 0) -> Rolling | None:
+        """That of a rest that rolls, in its place at one of the samples; None for others."""
         if not rest.rolls:
             return None
         up = UP if rest.ground is None else rest.ground.normal
-        return cls(rest.point.radius * up, samples.links.rotation[:, :, rest.point.link, 0])
+        return cls(rest.point.radius * up, samples.links.rotation[:, :, rest.point.link, at])
 
     def way(self, rotation: Array) -> Array:
         """(3, k) [m] that the middle goes if the link turns to (3, 3, k) about one axis all the time."""
