@@ -6,6 +6,9 @@ with time (T,) and qpos (T, nq) beside NAME.xml. Faults, all at once and at 30 i
 a second each, every axis of its place and of every rotation has white noise of 1 cm and 2°, two gaps of ten images, a
 T-pose of half a second in front. A true motion whose soles rest over its own floor, or in it, by the middle of their
 heights when they are slow, is set down on it first: ten captured clips hover by up to 15 cm.
+
+What rests, and how fast it skates, is told by the marks of the soles, where a figure has some; how deep it is, by all
+that it is made of; what hovers, by the round soles that roll under the marks.
 """
 
 from __future__ import annotations
@@ -23,9 +26,11 @@ from rich.console import Console
 
 from dynsplines import kept
 from dynsplines.clean.cleaning import Cleaned, cleaned
+from dynsplines.clean.comparing import Look
 from dynsplines.clean.repairs import repaired
 from dynsplines.clip import load as clips
 from dynsplines.clip.follow.keeping import Ground, ground_of
+from dynsplines.clip.posing.feet import sole_points
 from dynsplines.exchange.skeleton import hierarchy
 from dynsplines.exchange.skeleton.roles import roles
 from dynsplines.measure.measures import turning, turns
@@ -81,10 +86,15 @@ def truths(effort: Effort) -> Iterator[Truth]:
 
 def set_down(truth: Truth) -> Truth:
     """With its slow soles on the ground."""
-    height, speed = soles_of(truth, ground_of(truth.figure, truth.qpos))
+    height, speed = soles_of(truth, marked(ground_of(truth.figure, truth.qpos), truth.qpos))
     qpos = truth.qpos.copy()
     qpos[:, 2] -= np.median(height[speed < STILL])
     return replace(truth, qpos=qpos)
+
+
+def marked(ground: Ground, qpos: Array) -> Ground:
+    """With the marks of the soles themselves in place of what rolls under them."""
+    return replace(ground, points=sole_points(ground.figure, qpos))
 
 
 def faulty(truth: Truth, rng: np.random.Generator, *, straight: bool) -> tuple[Array, Array]:
@@ -177,20 +187,22 @@ def scored(truth: Truth, rng: np.random.Generator, *, straight: bool) -> Score:
     ground = ground_of(figure, mended.qpos)
     found = cleaned(ground, mended)
     spent = time.perf_counter() - begin
+    marks = marked(ground, mended.qpos)
+    assert [point.name for point in marks.points] == [point.name for point in ground.points]
     here = (truth.time >= found.before.span[0]) & (truth.time <= found.before.span[1])
     t = truth.time[here]
     after, before = found.after.at(t), found.before.at(t)
     true = figure.to_state(truth.qpos[here])
     wanted = ends(figure, true, found)
     off = [float(np.linalg.norm(ends(figure, s, found) - wanted, axis=0).mean()) for s in (before, after)]
-    rests = resting(Truth(truth.name, figure, t, truth.qpos[here]), ground)
+    rests = resting(Truth(truth.name, figure, t, truth.qpos[here]), marks)
     both = rests[:, 1:] & rests[:, :-1]
     skates = [
-        float(np.linalg.norm(np.diff(soles(figure, ground, s)[0][:2], axis=2), axis=0)[both].mean() * FPS) if both.any()
+        float(np.linalg.norm(np.diff(soles(figure, marks, s)[0][:2], axis=2), axis=0)[both].mean() * FPS) if both.any()
         else 0.0 for s in (after, true)
     ]  # fmt: skip
     fine = np.linspace(t[0], t[-1], 4 * t.size)
-    places, heights = soles(figure, ground, found.after.at(fine))
+    places, _ = soles(figure, ground, found.after.at(fine))
     stand = np.zeros((len(ground.points), t.size), bool)
     hover = 0.0
     for rest in found.rests:
@@ -206,7 +218,7 @@ def scored(truth: Truth, rng: np.random.Generator, *, straight: bool) -> Score:
         after=off[1],
         skate=skates[0],
         own_skate=skates[1],
-        depth=max(-float(heights.min(initial=0.0)), 0.0),
+        depth=Look(found, found.after, fine).depth / 1000,
         hover=hover,
         peak=peaks[0] / peaks[1],
         found=_hits(rests, stand, LEAST),
@@ -265,7 +277,7 @@ def measure(effort: Effort) -> Section:
                    float(np.mean([s.after / s.before for s in scores])), NEAR),
             Target(f"{drift}: skate while truly resting", 100 * float(np.mean([s.skate for s in scores])), SKATE,
                    unit="cm/s"),
-            Target(f"{drift}: deepest sole", 1000 * max(s.depth for s in scores), DEPTH, unit="mm"),
+            Target(f"{drift}: deepest of the figure", 1000 * max(s.depth for s in scores), DEPTH, unit="mm"),
             Target(f"{drift}: hover of resting soles", 1000 * max(s.hover for s in scores), HOVER, unit="mm"),
             Target(f"{drift}: peak joint acceleration | the true one", max(s.peak for s in scores), PEAK),
             Target(f"{drift}: share of true stances found", float(found[0] / max(found[1], 1)), FOUND, least=True),

@@ -2,6 +2,7 @@
 
 repairs    gaps, jumps, samples that come twice or are no numbers, rest poses: found, told and bridged
 cleaning   a repaired recording, its stances, and the motion near it that keeps to them
+sinking    how deep a figure is in what is round it, and where a search did not see it
 comparing  before and after: depth, slip, ranges, accelerations, forces, and how far what has moved
 running    the command `clean`: from a recording's file to a clean one
 """

@@ -22,11 +22,13 @@ from dynsplines.solver.solution import Improvement, Solution
 
 from ..clip.follow.keeping import Ground, problem
 from .repairs import Repaired
+from .sinking import unseen
 
 NOISY = 0.008  # [m] of the soles' places, from which on stances are looked for twice
 SOFTEST, SOFTER = (1e-3, 0.03), (0.03,)  # shares of the weights of all else, for a first look, and for the next
 ROUGHLY = 0.1  # relative progress of E at which such a search ends
 FAR = 0.04  # [s]
+LOOKS = 3  # between the samples of a search, at most
 STRICTER, TRIES = 2.0, 7  # how much more the recording counts every time that something is too far off it
 
 
@@ -104,7 +106,8 @@ def cleaned(
             rests = _second_look(ground, recorded, asked)
             asked = replace(problem(near, ground, rests, near.times()), keys=_with(asked, rests))
         asked = _eased(asked, near, SOFTER, improved)
-    found = Cleaned(ground, before, recorded, rests, asked, inbetween(asked, improved=improved))
+    asked, solution = _out_of_edges(ground, asked, inbetween(asked, improved=improved), improved)
+    found = Cleaned(ground, before, recorded, rests, asked, solution)
     if within is None:
         return found
     off = verdict(found).off
@@ -122,6 +125,20 @@ def cleaned(
         if told.off < off:
             found, off = closer, told.off
     return found
+
+
+def _out_of_edges(
+    ground: Ground, asked: Problem, solution: Solution, improved: Callable[[Improvement], None] | None
+) -> tuple[Problem, Solution]:
+    """The search gone on with more frames where something went through an edge between two samples, and is seen now."""
+    for _ in range(LOOKS):
+        times = solution.timeline.times
+        more = unseen(ground, path_of(solution.timeline), times)
+        if not more.size:
+            break
+        asked = replace(asked, keys=_at(asked.figure, path_of(solution.timeline), np.union1d(times, more)))
+        solution = inbetween(asked, improved=improved)
+    return asked, solution
 
 
 def _eased(
@@ -147,8 +164,13 @@ def _with(asked: Problem, rests: Sequence[Rest]) -> tuple[Frame, ...]:
     for time in ends:
         if min(abs(time - other) for other in times) > FAR:
             times.append(time)
-    everything, qpos = np.ones(figure.width, bool), figure.to_qpos(path.at(np.array(sorted(times))))
-    return tuple(Frame(time, pose, ~everything, everything) for time, pose in zip(sorted(times), qpos, strict=True))
+    return _at(figure, path, np.array(sorted(times)))
+
+
+def _at(figure: Figure, path: Path, times: Array) -> tuple[Frame, ...]:
+    """Frames of a path, to go on from."""
+    everything, qpos = np.ones(figure.width, bool), figure.to_qpos(path.at(times))
+    return tuple(Frame(time, pose, ~everything, everything) for time, pose in zip(times, qpos, strict=True))
 
 
 def _curve(asked: Problem) -> Path:

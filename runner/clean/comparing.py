@@ -17,12 +17,12 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import JointRange, Speed, Support, joint_ranges
 from dynsplines.solver.surface.heights import height_over
-from dynsplines.solver.surface.points import arrays_of, body_points, places_of
+from dynsplines.solver.surface.points import arrays_of, places_of
 
 from ..clip.follow.keeping import Ground
-from ..measure.depths import bunches, depths
 from ..measure.measures import turning, turns
 from .cleaning import Cleaned, Verdict
+from .sinking import depth
 
 RATE = 120.0  # [1/s]
 RUN = 1000  # samples looked at at once
@@ -194,13 +194,7 @@ class Look:
 
     @property
     def depth(self) -> float:
-        """Of all of the figure, its soles among it, in all that is there."""
-        body = bunches((*body_points(self.ground.figure), *self.ground.points))
-        found = 0.0
-        for samples in self._parts():
-            for surface in self.ground.surfaces:
-                found = max(found, *(float(deep.max()) for _, _, deep in depths(body, surface, samples)), 0.0)
-        return 1000 * found
+        return 1000 * float(depth(self.ground, self.path, self.times).max(initial=0.0))
 
     @property
     def slip(self) -> float:

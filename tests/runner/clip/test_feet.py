@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from dynsplines.clip.contacts import contacts
-from dynsplines.clip.posing.feet import sole_points
+from dynsplines.clip.posing.feet import rounded, sole_points
 from dynsplines.clip.table import ContactTable
 from dynsplines.errors import UserError
 from dynsplines.solver.curve.frame import Frame
@@ -129,3 +129,24 @@ def test_of_a_kick_the_feet_are_found_in_a_pose_that_stands_on_both():
     kick[[9, 10]] = [0.6, -1.4]
     found = sole_points(figure, kick[None])
     assert {point.name.split()[0] for point in found} == {"l_sole", "r_sole"}
+
+
+@pytest.mark.parametrize(
+    ("foot", "centre", "radius"),
+    [
+        (SPHERE + SITE, (0, 0, -0.3), 0.04),
+        ('<geom type="capsule" size=".04" fromto="-.1 0 -.3 .1 0 -.3"/><site name="{name}_toe" pos=".07 0 -.339"/>',
+         (0.07, 0, -0.3), 0.04),
+        (SPHERE + '<site name="{name}_toe" pos="0 0 -.36"/>', (0, 0, -0.36), 0.0),
+        ('<geom type="box" size=".1 .04 .04" pos="0 0 -.3"/>' + SITE, (0, 0, -0.34), 0.0),
+    ],
+)  # fmt: skip
+def test_a_mark_on_what_is_round_is_as_round_as_that(foot, centre, radius):
+    """A mark beside its skin, or on a box, stays a point."""
+    figure = figure_of(TWO, foot)
+    marks = sole_points(figure, NONE)
+    assert {mark.radius for mark in marks} == {0.0}
+    for mark in marks:
+        found = rounded(figure, mark)
+        np.testing.assert_allclose((*found.position, found.radius), (*centre, radius), atol=1e-9)
+        assert (found.name, found.link) == (mark.name, mark.link)

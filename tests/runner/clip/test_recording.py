@@ -10,13 +10,15 @@ from command import commanded
 
 from dynsplines import Keyframe, build, motion
 from dynsplines.clip import load as clips
+from dynsplines.edit.edits import measured
 from dynsplines.errors import UserError
-from dynsplines.measure.problems import problems
+from dynsplines.measure.penetration import penetration
 from dynsplines.motion import Saved
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import Near
 from dynsplines.system.progress import Progress
+from dynsplines.work import Solved
 
 REACH = """
 figure = "human"
@@ -208,7 +210,8 @@ def test_a_loop_that_ships_is_followed_as_often_as_the_clip_says(tmp_path):
 def test_a_walk_steps_on_to_a_kerb_and_only_keyframes_that_somebody_gave_are_told_of(tmp_path):
     """Contacts lie far from some keyframes, whose poses are found all the same; feet stay out of the kerb."""
     clip = clips.from_text(KERB + ON_IT, name="kerb", folder=tmp_path)
-    solution = inbetween(clip.problem)
+    solved = Solved(clip, inbetween(clip.problem), None)
+    solution = solved.motion
     path, model = path_of(solution.timeline), clip.figure.model
     soles = [model.nbody + model.site(f"{side}_{part}").id for side in ("left", "right") for part in ("heel", "toe")]
     times = np.linspace(0, 3.24, 300)
@@ -216,5 +219,15 @@ def test_a_walk_steps_on_to_a_kerb_and_only_keyframes_that_somebody_gave_are_tol
     over = at[..., 2] - np.where(at[..., 0] > 2.63, 0.12, 0.0)
     assert over.min() > -0.01
     assert at[-1, 0, 2] == pytest.approx(0.12, abs=1e-6)
-    told = problems(clip, solution.timeline, clip.problem.raw)
-    assert {flaw.keyframe for flaw in told} <= {None, 1, 2, 3}, [flaw.text for flaw in told]
+    assert [flaw.text for flaw in solved.problems] == []
+    found = penetration(model, times, clip.figure.to_qpos(path.at(times)))
+    assert found.deepest < 0.004, found.worst()
+    saved = solved.saved(Progress(), with_report=False)
+    report = measured(saved, Progress(), "").report
+    assert report["problems"] == []
+    assert (report["keyframes"], report["partial keyframes"]) == (4, 4)
+    assert report["segments"] == []
+    assert all(joint["backward"] < 1 for joint in report["after"]["joints"].values())
+    assert all(contact["moved, m"] < 0.005 for contact in report["after"]["contacts"])
+    whole = report["after"]["objective"]
+    assert whole == pytest.approx(solution.objective.value(path), rel=0.2)  # the recording is known by its frames

@@ -1,0 +1,48 @@
+"""How deep a figure is in what is round it along a path, and between which frames it passes there unseen."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.spline import Path
+from dynsplines.solver.figure.kinematics import Samples
+
+from ..clip.follow.keeping import NEXT_TO, Ground
+from ..measure.depths import bunches, depths
+
+RATE = 240.0  # [1/s]
+RUN = 1000  # samples looked at at once
+DEEP = 0.0015  # [m] that a search should not have let pass
+
+
+def depth(ground: Ground, path: Path, times: Array) -> Array:
+    """(T,) [m] of the deepest of all of the figure that is meant to stay out, its soles among it, at times (T,)."""
+    body, found = bunches((*ground.clear, *ground.points)), np.zeros(times.size)
+    for first in range(0, times.size, RUN):
+        t = times[first : first + RUN]
+        samples = Samples(ground.figure, *path.motion(t), t=t)
+        for surface in ground.surfaces:
+            for _, at, deep in depths(body, surface, samples):
+                found[first + at] = np.maximum(found[first + at], deep.max(axis=0))
+    return found
+
+
+def unseen(ground: Ground, path: Path, frames: Array) -> Array:
+    """(k,) [s] times for more frames, where a foot goes through an edge between the samples of a search.
+
+    frames  (M,) [s] those that there are
+    """
+    first, last = path.span
+    times = np.linspace(first, last, max(2, round((last - first) * RATE) + 1))
+    deep = depth(ground, path, times)
+    under = np.flatnonzero(deep > DEEP)
+    runs = np.split(under, np.flatnonzero(np.diff(under) > 1) + 1) if under.size else []
+    found = list[float]()
+    for run in runs:
+        worst = float(times[run[deep[run].argmax()]])
+        after = int(np.clip(np.searchsorted(frames, worst), 1, frames.size - 1))
+        about = frames[max(0, after - 2) : after + 2]
+        wanted = [worst] if np.abs(frames - worst).min() > NEXT_TO else (0.5 * (about[1:] + about[:-1])).tolist()
+        found += [t for t in wanted if np.abs(frames - t).min() > NEXT_TO]
+    return np.unique(found)
