@@ -144,7 +144,7 @@ def test_of_a_kick_the_feet_are_found_in_a_pose_that_stands_on_both():
 def test_a_mark_on_what_is_round_is_as_round_as_that(foot, centre, radius):
     """A mark beside its skin, or on a box, stays a point."""
     figure = figure_of(TWO, foot)
-    marks = sole_points(figure, NONE)
+    marks = sole_points(figure, figure.model.qpos0[None])
     assert {mark.radius for mark in marks} == {0.0}
     for mark in marks:
         found = rounded(figure, mark)

@@ -227,7 +227,7 @@ def test_a_walk_steps_on_to_a_kerb_and_only_keyframes_that_somebody_gave_are_tol
     assert report["problems"] == []
     assert (report["keyframes"], report["partial keyframes"]) == (4, 4)
     assert report["segments"] == []
-    assert all(joint["backward"] < 1 for joint in report["after"]["joints"].values())
+    assert all(joint["backward"] < 1 for joint in report["after"]["bends, degrees"].values())
     assert all(contact["moved, m"] < 0.005 for contact in report["after"]["contacts"])
     whole = report["after"]["objective"]
     assert whole == pytest.approx(solution.objective.value(path), rel=0.2)  # the recording is known by its frames
