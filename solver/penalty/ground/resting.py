@@ -7,16 +7,18 @@ the tips of shoes are, rolls: what rests of it is its lowest point, which may be
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
-from ...array import Array, Index
+from ...array import Array, Index, Mask
 from ...figure.adjoint import Cotangent
 from ...figure.algebra import cross, dot
 from ...figure.kinematics import Samples
 from ...surface import Plane, Surface
 from ...surface.heights import height_over
-from ...surface.points import Point
+from ...surface.points import Point, arrays_of
 from ..curvature import Curvature
 from ..penalty import Penalty, Scale
 from .contact import add_by_velocity, point_gradients, velocity_gradients
@@ -55,42 +57,98 @@ class Resting(Penalty):
         return Scale(1e-4, is_violation=True, is_sharp=True)
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
-        values = np.zeros(samples.count)
-        scale = scale + values
-        for rest, at in self._during(samples.t):
-            height, up, offset, foot, velocity = self._seen(samples, rest, at)
-            values[at] += SETTLING**2 * dot(velocity, velocity) + height**2
-            if into is None:
-                continue
-            by_velocity = 2 * SETTLING**2 * scale[at] * velocity
-            add_by_velocity(into, rest.point.link, at, offset, by_velocity)
-            if rest.rolls:
-                into.buffer("omega")[:, rest.point.link, at] += cross(foot - offset, by_velocity)
-            into.add_forces(rest.point.link * samples.count + at, offset, 2 * scale[at] * height * up)
+        seen = self._seen(samples)
+        own = SETTLING**2 * dot(seen.velocity, seen.velocity) + seen.height**2
+        values = np.bincount(seen.at, own, samples.count)
+        if into is None or not seen.at.size:
+            return values
+        weight = 2 * (scale + np.zeros(samples.count))[seen.at]
+        by_velocity = SETTLING**2 * weight * seen.velocity
+        for first in self._points:
+            some = np.flatnonzero(self._same[seen.which] == first)
+            self._add_by_velocity(into, seen, some, by_velocity[:, some])
+        into.add_forces(seen.link * samples.count + seen.at, seen.offset, weight * seen.height * seen.up)
         return values
 
+    @staticmethod
+    def _add_by_velocity(into: Cotangent, seen: _Seen, some: Index, gradient: Array) -> None:
+        """Adds gradients (3, p) with respect to velocities, of some pairs that are of one point."""
+        if not some.size:
+            return
+        link, (at, place) = int(seen.link[some[0]]), np.unique(seen.at[some], return_inverse=True)
+        total, turning, arm = np.zeros((3, 3, at.size))
+        np.add.at(total, (slice(None), place), gradient)
+        np.add.at(turning, (slice(None), place), cross(seen.foot[:, some] - seen.offset[:, some], gradient))
+        arm[:, place] = seen.offset[:, some]
+        add_by_velocity(into, link, at, arm, total)
+        if turning.any():
+            into.buffer("omega")[:, link, at] += turning
+
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
-        for rest, at in self._during(samples.t):
-            _, up, offset, foot, _ = self._seen(samples, rest, at)
-            links = np.full(at.size, rest.point.link)
-            into.add_rows(at, scale[at], point_gradients(samples, at, links, offset, up)[:, None], (0,))
-            for direction in np.eye(3):
-                ways = np.repeat(direction[:, None], at.size, axis=1)
-                rows = velocity_gradients(samples, at, links, foot, ways)
-                into.add_rows(at, SETTLING**2 * scale[at], rows, (0, 1))
+        seen = self._seen(samples)
+        if not seen.at.size:
+            return
+        rows = point_gradients(samples, seen.at, seen.link, seen.offset, seen.up)
+        into.add_rows(seen.at, scale[seen.at], rows[:, None], (0,))
+        at, link, foot = (np.repeat(each, 3, axis=-1) for each in (seen.at, seen.link, seen.foot))
+        rows = velocity_gradients(samples, at, link, foot, np.tile(np.eye(3), seen.at.size))
+        into.add_rows(at, SETTLING**2 * scale[at], rows, (0, 1))
 
-    def _during(self, t: Array) -> list[tuple[Rest, Index]]:
-        """The rests with the samples at times t (S,) that they hold for, where there are any."""
-        during = [(rest, np.flatnonzero((t >= rest.first) & (t <= rest.last))) for rest in self.rests]
-        return [(rest, at) for rest, at in during if at.size]
+    @cached_property
+    def _same(self) -> Index:
+        """(n,) the first rest of the same point, of every rest."""
+        known: dict[tuple[int, bytes], int] = {}
+        keys = [(rest.point.link, rest.point.position.tobytes()) for rest in self.rests]
+        return np.array([known.setdefault(key, i) for i, key in enumerate(keys)], np.intp)
 
-    def _seen(self, samples: Samples, rest: Rest, at: Index) -> tuple[Array, Array, Array, Array, Array]:
-        """Height (P,), its gradient (3, P), the offsets of a point and of what of it rests, and the velocity of that,
-        (3, P) each, at samples `at` (P,)."""
-        links, point = samples.links, rest.point
-        offset = np.einsum("ijp,j->ip", links.rotation[:, :, point.link, at], point.position)
-        below = self.surfaces if rest.ground is None else (rest.ground,)
-        height, up = height_over(below, (links.x[:, point.link, at] + offset)[:, None], np.array([point.radius]))
-        foot = offset - point.radius * up[:, 0] if rest.rolls else offset
-        velocity = links.x_d[:, point.link, at] + cross(links.omega[:, point.link, at], foot)
-        return height[0], up[:, 0], offset, foot, velocity
+    @cached_property
+    def _points(self) -> list[int]:
+        """The first rests of all points."""
+        return sorted(set(self._same.tolist()))
+
+    @cached_property
+    def _grounds(self) -> tuple[Mask, Array, Array]:
+        """Which rests have a plane of their own (n,), the planes' normals (3, n), and how far along these they are
+        (n,) [m]."""
+        planes = [rest.ground for rest in self.rests]
+        normals = np.array([np.zeros(3) if plane is None else plane.normal for plane in planes]).reshape(-1, 3).T
+        along = [0.0 if plane is None else float(plane.normal @ plane.point) for plane in planes]
+        return np.array([plane is not None for plane in planes], bool), normals, np.array(along)
+
+    def _during(self, t: Array) -> tuple[Index, Index]:
+        """Pairs of a rest and a sample at times t (S,) that it holds for, (P,) each, in order of the samples."""
+        first, last = np.array([(rest.first, rest.last) for rest in self.rests]).reshape(-1, 2).T
+        at, which = np.nonzero((t[:, None] >= first) & (t[:, None] <= last))
+        return which, at
+
+    def _seen(self, samples: Samples) -> _Seen:
+        which, at = self._during(samples.t)
+        own, positions, radii = arrays_of([rest.point for rest in self.rests])
+        links, link, radius = samples.links, own[which], radii[which]
+        offset = np.einsum("ijp,jp->ip", links.rotation[:, :, link, at], positions[:, which])
+        place = links.x[:, link, at] + offset
+        has_plane, normals, along = self._grounds
+        up = normals[:, which]
+        height = dot(up, place) - along[which] - radius
+        below = np.flatnonzero(~has_plane[which])
+        if below.size:
+            found, ways = height_over(self.surfaces, place[:, below, None], radius[below])
+            height[below], up[:, below] = found[:, 0], ways[..., 0]
+        rolls = np.array([rest.rolls for rest in self.rests], bool)[which]
+        foot = offset - radius * rolls * up
+        velocity = links.x_d[:, link, at] + cross(links.omega[:, link, at], foot)
+        return _Seen(which, at, link, height, up, offset, foot, velocity)
+
+
+class _Seen(NamedTuple):
+    """Pairs of a rest and a sample (P,), the links, the points' heights (P,) and the gradients of these (3, P), the
+    offsets (3, P) of the points and of what of them rests, and the velocities (3, P) of that."""
+
+    which: Index
+    at: Index
+    link: Index
+    height: Array
+    up: Array
+    offset: Array
+    foot: Array
+    velocity: Array
