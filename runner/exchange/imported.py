@@ -13,6 +13,7 @@ from dynsplines.solver.curve.frame import TimelineError
 
 from ..clip import load as clips
 from ..motion import Saved
+from ..scene.assets import taken_along
 from ..scene.compose import compose, figure_spec
 from ..system.progress import Progress
 from ..work import unsolved
@@ -52,6 +53,8 @@ def taken(
     """
     progress = progress or Progress()
     spec = None if figure is None else figure_spec(figure)
+    if spec is not None:
+        spec.assets = dict(taken_along(spec))  # by the names that compose gives them: MuJoCo knows its meshes again
     model = None if spec is None else spec.compile()
     if kind is None or isinstance(kind, str):
         told = recording(source, kind, model=model, fps=fps, scale=scale)
