@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
+from rich.console import Console
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline
@@ -16,6 +18,7 @@ from dynsplines.solver.solution import Improvement
 from .. import motion
 from ..clip import load as clips
 from ..clip.follow.keeping import ground_of, rests_of
+from ..clip.follow.recording import Moving
 from ..clip.obstacles import obstacles
 from ..clip.table import MapTable, SceneTable, SurroundingsTable
 from ..clip.text import written
@@ -24,6 +27,7 @@ from ..exchange import formats, gaps
 from ..exchange.imported import taken
 from ..exchange.skeleton import retarget
 from ..motion import Saved
+from ..scene import outside
 from ..scene.assets import Scene
 from ..scene.compose import Step, compose
 from ..system.output import Replacement, check_new, check_target
@@ -84,6 +88,29 @@ def run(
             progress.say(line)
     progress.say(f"wrote {target}")
     return target
+
+
+def moving(file: Path, figure: str, scene: SceneTable) -> Moving:
+    """The motion that a clip in a scene follows, of a figure's recording; raises UserError."""
+    if not file.is_file():
+        raise UserError(f"no file '{file}'")
+    if (form := formats.by_ending(file)) is None or not form.reads:
+        known = ", ".join(each.ending for each in formats.readers().values())
+        raise UserError(
+            f"'{file}' is neither a motion, .npz, nor a clip, .toml, nor a recording by its ending ({known}); "
+            f"`dynsplines clean` or `import` makes a motion of others"
+        )
+    seen = file.stat()
+    asked = scene.model_dump_json(by_alias=True, exclude_unset=True)
+    return _moving(file, figure, asked, (seen.st_mtime_ns, seen.st_size), outside.is_allowed())
+
+
+@lru_cache(maxsize=2)
+def _moving(file: Path, figure: str, scene: str, _state: tuple[int, int], _allowed: bool) -> Moving:
+    """Remembered as long as the file stays as it is: whoever edits a clip reads it again and again."""
+    around, silent = SurroundingsTable(scene=SceneTable.model_validate_json(scene)), Progress(Console(quiet=True))
+    saved = _cleaned(_read(Source(file, figure), around, silent), around, None, silent, apart=False)[1]
+    return Moving(saved.figure, saved.timeline, saved.fps)
 
 
 def made(source: Source, within: float | None, progress: Progress) -> tuple[Cleaned, Saved]:

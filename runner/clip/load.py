@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextvars import ContextVar
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from importlib import import_module
 from itertools import pairwise
 from pathlib import Path
 from typing import Any, TypeVar
@@ -73,6 +74,7 @@ TOLERANCE = 1e-3  # relative progress of E at which a search ends
 FRAME_SECONDS = 0.1  # [s] a variable frame at least in the budget of a clip with long segments
 
 AROUND = ("travel", "turn")  # what [solve] says of how a loop comes back
+CLEANING = "dynsplines.clean.running"  # what makes a motion of another program's recording
 NEXT = 1e-6  # [s] that a saved keyframe may be beside its time in the text
 SHORTEST = 0.001  # [s] between neighbouring keyframes
 UNEVEN = 10_000  # times that a distance between keyframes may be its neighbour: the spline overshoots by as much
@@ -111,6 +113,14 @@ class Clip:
     def keys(self) -> tuple[Frame, ...]:
         """The keyframes."""
         return tuple(self.problem.keys)
+
+    @property
+    def said(self) -> tuple[Frame, ...]:
+        """The keyframes that somebody gave: of a clip that follows a recording, none of the recording's own frames."""
+        table = table_of(self.text, self.context.where) if "recording" in self.text else None
+        if table is None or table.recording is None:
+            return self.keys
+        return _edits(self.keys, table)
 
     @property
     def penalties(self) -> tuple[tuple[Penalty, float], ...]:
@@ -219,7 +229,8 @@ def from_text(
     else:
         scene, figure = _ground(table, where, folder, figure_file, spec)
     missed: list[str] = []
-    recording = followed(table, figure, folder, where, _solved)
+    sources = _Sources(table, figure_file or _place(table.figure, folder))
+    recording = followed(table, figure, folder, where, sources)
     base = None if recording is None else recording.pose
     keys, placed = _keys(figure, lying(table), _stander(figure, table, where), where, missed, base)
     if missed and unmet is None:
@@ -231,21 +242,50 @@ def from_text(
     return _clip(name, text, scene, figure, fps or table.fps, keys, table, where, placed)
 
 
-def _solved(source: str, where: str) -> Moving:
-    """The motion of a clip that another one follows; raises UserError, also for one that follows itself."""
-    before = _following_now.get()
-    name = source if source in models.clips() else str(Path(source).resolve())
-    if name in before:
-        raise UserError(f"{where}: '{source}' follows itself")
-    token = _following_now.set((*before, name))
-    try:
-        clip = load(source)
-        solution = inbetween(clip.problem)
-    except UserError as error:
-        raise UserError(f"{where}: {error}") from None
-    finally:
-        _following_now.reset(token)
-    return Moving(clip.figure, solution.timeline, clip.fps)
+def _place(figure: str, folder: Path | None) -> str:
+    """A figure as it is called from anywhere: its name, or its path from a clip's folder."""
+    return figure if figure in models.figures() or folder is None else str(folder / figure)
+
+
+@dataclass(frozen=True)
+class _Sources:
+    """What a clip may follow beside a motion file: other clips, and files of other programs.
+
+    figure  its name, or where its MJCF is
+    """
+
+    table: ClipTable
+    figure: str
+
+    def solved(self, name: str, where: str) -> Moving:
+        """Raises UserError, also for a clip that follows itself."""
+        before = _following_now.get()
+        own = name if name in models.clips() else str(Path(name).resolve())
+        if own in before:
+            raise UserError(f"{where}: '{name}' follows itself")
+        token = _following_now.set((*before, own))
+        try:
+            return _shipped(name) if name in models.clips() else _moved(load(name))
+        except UserError as error:
+            raise UserError(f"{where}: {error}") from None
+        finally:
+            _following_now.reset(token)
+
+    def cleaned(self, file: Path, where: str) -> Moving:
+        cleaning = import_module(CLEANING)  # by its name: it stands on clips, and not under them
+        try:
+            return cleaning.moving(file, self.figure, self.table.scene)
+        except UserError as error:
+            raise UserError(f"{where}: {error}") from None
+
+
+@lru_cache(maxsize=4)
+def _shipped(name: str) -> Moving:
+    return _moved(load(name))
+
+
+def _moved(clip: Clip) -> Moving:
+    return Moving(clip.figure, inbetween(clip.problem).timeline, clip.fps)
 
 
 def _ground(
@@ -374,11 +414,16 @@ def answered(saved: Saved) -> Clip:
 
 def _followed_again(saved: Saved, table: ClipTable, said: RecordingTable) -> Clip:
     """The problem of a motion that follows a recording, which need not be there any more."""
-    given = [row.time for row in table.keyframe]
-    edits = [key for key in saved.keys if np.isclose(key.time, given, rtol=0, atol=NEXT).any()]
+    edits = _edits(saved.keys, table)
     recording = Followed.of_motion(saved.figure, saved.raw, edits, said, saved.name)
-    clip = _following(recording, saved.name, saved.text, saved.scene, edits, table, saved.fps)
+    clip = _following(recording, saved.name, saved.text, saved.scene, list(edits), table, saved.fps)
     return replace(clip, problem=replace(clip.problem, keys=saved.keys))
+
+
+def _edits(keys: Sequence[Frame], table: ClipTable) -> tuple[Frame, ...]:
+    """Those of the keys that a text gives."""
+    given = [row.time for row in table.keyframe]
+    return tuple(key for key in keys if np.isclose(key.time, given, rtol=0, atol=NEXT).any())
 
 
 def with_keys(clip: Clip, keys: Sequence[Frame]) -> Clip:

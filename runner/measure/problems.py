@@ -142,7 +142,8 @@ def _found(clip: Clip, timeline: Timeline, raw: Timeline) -> Iterator[Flaw]:
     clip = as_keyed(clip)
     figure, path = clip.figure, path_of(timeline)
     key_times = np.array([key.time for key in clip.keys])
-    numbers = np.cumsum([bool(key.fixed.any()) for key in clip.keys])
+    said = {key.time for key in clip.said}
+    numbers = np.cumsum([key.time in said for key in clip.keys])
     held = list(_held(clip, timeline))
     ends = [t for each in held for stance in each.stances for t in (stance.first, stance.last)]
     ends += [t for hold in clip.context.holds for t in (hold.first, hold.last)]
@@ -156,9 +157,14 @@ def _found(clip: Clip, timeline: Timeline, raw: Timeline) -> Iterator[Flaw]:
 
 
 def as_keyed(clip: Clip) -> Clip:
-    """Of a recording's frames, which fix nothing, the first and the last: keyframes are what somebody gave."""
-    ends = (0, len(clip.keys) - 1)
-    keys = tuple(key for k, key in enumerate(clip.keys) if key.fixed.any() or k in ends)
+    """Of a recording's frames, which nobody gave, the first and the last beside the keyframes."""
+    said, ends = {key.time for key in clip.said}, (0, len(clip.keys) - 1)
+    nothing = np.zeros(clip.figure.width, bool)
+    keys = tuple(
+        key if key.time in said else replace(key, fixed=nothing)
+        for k, key in enumerate(clip.keys)
+        if key.time in said or k in ends
+    )
     return clip if len(keys) == len(clip.keys) else replace(clip, problem=replace(clip.problem, keys=keys))
 
 

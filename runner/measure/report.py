@@ -31,7 +31,7 @@ from ..clip.load import Clip
 from . import shown
 from .grid import Grid
 from .measured import Seen, lines, side
-from .problems import as_keyed, plain, problems
+from .problems import plain, problems
 from .shown import Line
 
 LOCAL_EVALUATIONS = 25  # that tell what a segment has left to gain
@@ -57,7 +57,6 @@ def report(
         "after": side(Seen(clip, motion.objective, motion.timeline, after)) if searched else dict(first),
     }
     follows = any(isinstance(penalty, Near) for penalty, _ in clip.penalties)
-    keys = as_keyed(clip).keys if follows else clip.keys
     drift = np.linalg.norm(_centre_of_mass(after.samples) - _centre_of_mass(before.samples), axis=0)
     sides["after"][DRIFT] = {
         "largest": float(drift.max()),
@@ -68,8 +67,8 @@ def report(
         "clip": clip.name,
         "duration, s": float(before.time[-1] - before.time[0]),
         "left to gain": _left_to_gain(motion) if searched else {},
-        "keyframes": len(keys),
-        "partial keyframes": sum(not key.is_key for key in keys),
+        "keyframes": len(clip.said),
+        "partial keyframes": sum(not key.is_key for key in clip.said),
         "variable frames": motion.timeline.variable_count,
         "evaluations": motion.evaluations,
         **({} if seconds is None else {"seconds": seconds}),

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
@@ -147,20 +147,27 @@ class Followed:
         return float(np.linalg.norm(places[:, 0, 0] - places[:, 0, 1])) > MOVED
 
 
-def followed(
-    table: ClipTable, figure: Figure, folder: Path | None, where: str, solved: Callable[[str, str], Moving]
-) -> Followed | None:
-    """The recording that a clip follows, if any; raises UserError for a file that is none of its figure's motions.
+class Sources(Protocol):
+    """What a clip may follow beside a motion file."""
 
-    solved  solves a clip that ships or a clip file, by its name or path; what errors call it
-    """
+    def solved(self, name: str, where: str) -> Moving:
+        """The motion of a clip that ships or of a clip file, by its name or path; where is how errors call it."""
+        ...
+
+    def cleaned(self, file: Path, where: str) -> Moving:
+        """That of another program's file, made physical on the clip's figure in its scene."""
+        ...
+
+
+def followed(table: ClipTable, figure: Figure, folder: Path | None, where: str, sources: Sources) -> Followed | None:
+    """The recording that a clip follows, if any; raises UserError for a file that is none of its figure's motions."""
     said = table.recording
     if said is None:
         return None
     for line in _unfit(table):
         raise UserError(f"{where}: {line}")
     here = f"{where}: recording"
-    taken = _read(said, folder or Path(), here, solved)
+    taken = _read(said, folder or Path(), here, sources)
     joints = [[link.name for link in each.links[1:]] for each in (figure, taken.figure)]
     if joints[0] != joints[1] or taken.figure.width != figure.width:
         raise UserError(f"{here}: '{said.file}' is of another figure: {', '.join(joints[1][:6])}, ...")
@@ -174,20 +181,17 @@ def followed(
     return Followed(recorded, _clip_time(timeline.times, said, here, time[0]), said, where)
 
 
-def _read(said: RecordingTable, folder: Path, here: str, solved: Callable[[str, str], Moving]) -> Moving:
+def _read(said: RecordingTable, folder: Path, here: str, sources: Sources) -> Moving:
     """The motion in a file, or that of a clip."""
     if said.file in models.clips():
-        return solved(said.file, here)
+        return sources.solved(said.file, here)
     file = folder / said.file
-    if file.suffix not in (".npz", ".toml"):
-        raise UserError(
-            f"{here}: '{said.file}' is neither a motion file, .npz, which `dynsplines clean` or `import` makes of "
-            f"recordings, nor a clip, .toml, nor one that ships: {', '.join(models.clips())}"
-        )
     if not outside.is_allowed() and not outside.lies_in(file, folder):
         raise UserError(f"{here}: '{said.file}' lies outside the clip's folder; --allow-outside lets it be read")
     if file.suffix == ".toml":
-        return solved(str(file), here)
+        return sources.solved(str(file), here)
+    if file.suffix != ".npz" or (file.is_file() and not motion.is_motion(str(file))):
+        return sources.cleaned(file, here)
     saved = motion.load(file)
     return Moving(saved.figure, saved.timeline, saved.fps)
 

@@ -41,7 +41,6 @@ from .stage import stage
 if TYPE_CHECKING:
     Line = Connection[Any, Any]
 
-SAME = 1e-9  # [s]
 MOST_SEEN = 40  # texts whose paths are remembered
 IDLE = 1.0  # [s] without a message after which a search that may have gone astray is begun elsewhere
 DEARER = 3.0  # times the E before, from which on it may have
@@ -434,7 +433,7 @@ def _shape(clip: Clip) -> dict[str, Any]:
     return {
         "keys": [
             {"time": key.time, "qpos": key.state.tolist(), "fixed": key.fixed.tolist(), "known": key.known.tolist()}
-            for key in _said_keys(clip)
+            for key in clip.said
         ],
         "stances": [
             {"point": each.point.name, "from": float(each.first), "to": float(each.last)}
@@ -444,14 +443,6 @@ def _shape(clip: Clip) -> dict[str, Any]:
         "ends": clip.ends,
         "weights": {penalty.name: float(weight) for penalty, weight in clip.penalties},
     }
-
-
-def _said_keys(clip: Clip) -> list[Frame]:
-    """The keyframes of the clip's text: of one that edits a recording, none of the recording's own instants."""
-    if not _follows(clip):
-        return list(clip.keys)
-    said = [row.time for row in clips.table_of(clip.text, clip.context.where).keyframe]
-    return [key for key in clip.keys if any(abs(key.time - time) < SAME for time in said)]
 
 
 def _follows(clip: Clip) -> bool:
