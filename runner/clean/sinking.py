@@ -8,12 +8,13 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import Path
 from dynsplines.solver.figure.kinematics import Samples
 
-from ..clip.follow.keeping import NEXT_TO, Ground
+from ..clip.follow.keeping import LONGEST_PANEL, NEXT_TO, POINTS, Ground
 from ..measure.depths import bunches, depths
 
 RATE = 240.0  # [1/s]
 RUN = 1000  # samples looked at at once
-DEEP = 0.0015  # [m] that a search should not have let pass
+DEEP = 0.001  # [m] that a search should not have let pass
+SEEN = LONGEST_PANEL / POINTS  # [s] that the samples of a search are apart: what lasts longer it has seen
 
 
 def depth(ground: Ground, path: Path, times: Array) -> Array:
@@ -40,6 +41,8 @@ def unseen(ground: Ground, path: Path, frames: Array) -> Array:
     runs = np.split(under, np.flatnonzero(np.diff(under) > 1) + 1) if under.size else []
     found = list[float]()
     for run in runs:
+        if run.size / RATE > SEEN:
+            continue
         worst = float(times[run[deep[run].argmax()]])
         after = int(np.clip(np.searchsorted(frames, worst), 1, frames.size - 1))
         about = frames[max(0, after - 2) : after + 2]

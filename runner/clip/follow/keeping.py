@@ -48,7 +48,7 @@ WEIGHTS = {
     "near": 1.0,
     "unit": 1e4,
     "contact": 1e8,  # 1 for 0.1 mm of depth
-    "clearance": 4e8,  # 1 for 0.05 mm: what rests may rather hover
+    "clearance": 2e8,  # what rests may rather hover than sink
     "resting": 1e8,  # 1 for a slide of 2 mm/s
     "range": 1e7,  # 1 for 0.02°
     "bend": 1e7,
