@@ -45,6 +45,17 @@ def places(figure: Figure) -> Mask:
     return out
 
 
+def between(figure: Figure, first: Array, last: Array, known: Mask) -> Array:
+    """(K, N) ways from states to others (K, N) in what is known of these (K, N): rotation vectors in the first three
+    columns of quaternions, in the links' own axes, and differences in all else."""
+    ways = np.where(known, last - first, 0.0)
+    for columns in figure.tables.quaternion_columns.T:
+        turn = quat.rotation_vector(quat.product(quat.inverse(first[:, columns]), last[:, columns]))
+        whole = known[:, columns].all(axis=1)
+        ways[:, columns] = np.pad(np.where(whole[:, None], turn, 0.0), ((0, 0), (0, 1)))
+    return ways
+
+
 @dataclass(frozen=True, eq=False)
 class Recorded:
     """A figure's recorded motion.
@@ -83,6 +94,14 @@ class Recorded:
         """With the link of a quaternion turned by another (4,), in its own axes, at all times."""
         states = np.array(self.states)
         states[:, columns] = quat.product(states[:, columns], turn)
+        return replace(self, states=states)
+
+    def bent(self, ways: Array) -> Recorded:
+        """Every sample on its way (T, N), as `between` tells ways."""
+        states = self.states + ways
+        for columns in self.figure.tables.quaternion_columns.T:
+            turn = quat.from_rotation_vector(ways[:, columns[:3]])
+            states[:, columns] = quat.product(self.states[:, columns], turn)
         return replace(self, states=states)
 
     @cached_property

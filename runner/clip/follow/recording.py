@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
@@ -23,7 +23,7 @@ from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Near, Rest
 from dynsplines.solver.penalty.motion.near import FINEST
 from dynsplines.solver.problem import Problem
-from dynsplines.solver.reading.recorded import Recorded
+from dynsplines.solver.reading.recorded import Recorded, between
 from dynsplines.solver.reading.stances import stood
 from dynsplines.solver.surface.points import Point, placed, places_of
 
@@ -39,6 +39,7 @@ EASE = 0.4  # [s] before and after a keyframe, where a clip does not say
 DETAIL = 0.02  # of f over a segment that may be left out: less than a millimetre
 MOVED = 0.02  # [m] by which a keyframe puts a point that the recording has standing: it stands there no more
 INNER, MARGIN = 0.75, 6  # of a blend: frames beyond are fixed, so many to its end, for the spline rings on a little
+TOLERANCE = 1e-3  # relative progress of E at which a search ends: an edit begins far from what it asks for
 ROUNDING = 1e-9  # [s]
 NONE = ("hold",)  # tables that a clip with a recording cannot have
 
@@ -92,7 +93,7 @@ class Followed:
         """What is to be solved, and the stances in it: those of the recording, but where a clip speaks of the point, or
         a keyframe moves it."""
         width = self.table.blend or EASE
-        near = Near(self.recorded, tuple((edit.time, width) for edit in edits))
+        near = Near(self._warped(edits), tuple((edit.time, width) for edit in edits))
         read = stood(self.recorded, ground.points, ground.surfaces)
         rests = [
             rest for rest in (Rest(*one, rolls=True) for one in read) if not self._is_void(rest, edits, given, width)
@@ -100,7 +101,25 @@ class Followed:
         asked = problem(near, ground, [*rests, *given], self._times(near, edits), edits)
         weights = [(p, self.table.weight * w if p is near else w) for p, w in asked.penalties]
         keys = [self._kept(frame, edits) for frame in asked.keys]
-        return replace(asked, keys=tuple(keys), penalties=tuple(weights)), (*rests, *given)
+        settings = replace(asked.settings, tolerance=TOLERANCE)
+        return replace(asked, keys=tuple(keys), penalties=tuple(weights), settings=settings), (*rests, *given)
+
+    def _warped(self, edits: Sequence[Frame]) -> Recorded:
+        """The recording bent through the poses of keyframes, and back to itself before and after them (A. Witkin and
+        Z. Popović 1995): joint by joint, and the root with all that it carries."""
+        recorded = self.recorded
+        if not edits:
+            return recorded
+        keys = sorted(edits, key=lambda edit: edit.time)
+        times, known = np.array([key.time for key in keys]), np.array([key.known for key in keys], bool)
+        wanted = recorded.figure.to_state(np.array([key.state for key in keys]))
+        ways = between(recorded.figure, recorded.path.at(times), wanted, known)
+        reach = EASE if self.table.blend is None else INNER * self.table.blend
+        ends = [t for way in (-reach, reach) for t in times + way if np.abs(times - t).min() >= reach - ROUNDING]
+        every = np.concatenate([times, ends])
+        order = np.argsort(every)
+        curve = _smooth(every[order], np.vstack([ways, np.zeros((len(ends), ways.shape[1]))])[order])
+        return recorded.bent(curve(np.clip(recorded.times, every.min(), every.max())))
 
     def _times(self, near: Near, edits: Sequence[Frame]) -> Array:
         """(M,) [s] of frames: where nothing changes the recording's own, where something does as many as it takes."""
@@ -250,9 +269,7 @@ def _clip_time(time: Array, said: RecordingTable, where: str, begin: float | Non
 
 def _warp(own: Array, clip: Array) -> Callable[[Array], Array]:
     """A rising, smooth curve through moments, straight on beyond them."""
-    from scipy.interpolate import PchipInterpolator  # only here: it takes a while
-
-    curve = PchipInterpolator(own, clip)
+    curve = _smooth(own, clip)
     slopes = curve(own[[0, -1]], 1)
 
     def mapped(t: Array) -> Array:
@@ -261,6 +278,13 @@ def _warp(own: Array, clip: Array) -> Callable[[Array], Array]:
         return np.asarray(inside + slopes[0] * before + slopes[1] * after)
 
     return mapped
+
+
+def _smooth(times: Array, values: Array) -> Any:
+    """A curve through values (K, ...) at times (K,) that swings beyond none of them (SciPy's)."""
+    from scipy.interpolate import PchipInterpolator  # only here: it takes a while
+
+    return PchipInterpolator(times, values)
 
 
 def _same(one: Point, other: Point) -> bool:
