@@ -65,6 +65,7 @@ class Solved:
             **({} if self.seconds is None else {"seconds": self.seconds}),
             "stop": motion.stop.name,
             "stopped because": motion.stop.value,
+            **({"stances": stances} if (stances := self.clip.stances) else {}),
             **({"own penalties": [penalty.name for penalty, _ in self.clip.own]} if self.clip.own else {}),
         }
 

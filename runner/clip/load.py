@@ -43,7 +43,7 @@ from ..scene.configuration import first_wrong
 from .constraints import chosen, constraints, posing_bends
 from .contacts import Contacts, rests
 from .context import Context
-from .follow.keeping import ground_of, rests_of
+from .follow.keeping import ground_of, rests_of, stances_in, stances_of
 from .follow.recording import Followed, Moving, followed
 from .holds import asked
 from .obstacles import obstacles
@@ -117,10 +117,17 @@ class Clip:
     @property
     def said(self) -> tuple[Frame, ...]:
         """The keyframes that somebody gave: of a clip that follows a recording, none of the recording's own frames."""
-        table = table_of(self.text, self.context.where) if "recording" in self.text else None
-        if table is None or table.recording is None:
-            return self.keys
-        return _edits(self.keys, table)
+        return _edits(self.keys, table_of(self.text, self.context.where)) if self.follows else self.keys
+
+    @property
+    def follows(self) -> bool:
+        """Whether it follows a recording, whose own instants are frames that nobody set."""
+        return "recording" in self.text and table_of(self.text, self.context.where).recording is not None
+
+    @property
+    def stances(self) -> list[dict[str, Any]]:
+        """What stands when, of a clip that follows a recording, in plain words; nothing of others."""
+        return stances_of(self.context.contacts.given) if self.follows else []
 
     @property
     def penalties(self) -> tuple[tuple[Penalty, float], ...]:
@@ -415,8 +422,9 @@ def answered(saved: Saved) -> Clip:
 def _followed_again(saved: Saved, table: ClipTable, said: RecordingTable) -> Clip:
     """The problem of a motion that follows a recording, which need not be there any more."""
     edits = _edits(saved.keys, table)
-    recording = Followed.of_motion(saved.figure, saved.raw, edits, said, saved.name)
-    clip = _following(recording, saved.name, saved.text, saved.scene, list(edits), table, saved.fps)
+    recording = Followed.of_motion(saved.figure, saved.raw, said, saved.name)
+    known = saved.search.get("stances")
+    clip = _following(recording, saved.name, saved.text, saved.scene, list(edits), table, saved.fps, known)
     return replace(clip, problem=replace(clip.problem, keys=saved.keys))
 
 
@@ -471,13 +479,24 @@ def _clip(
 
 
 def _following(
-    recording: Followed, name: str, text: str, scene: Scene, edits: list[Frame], table: ClipTable, fps: float | None
+    recording: Followed,
+    name: str,
+    text: str,
+    scene: Scene,
+    edits: list[Frame],
+    table: ClipTable,
+    fps: float | None,
+    known: object = None,
 ) -> Clip:
-    """A clip whose keyframes edit a recording."""
+    """A clip whose keyframes edit a recording.
+
+    known  the stances that it was found to have before, as `Clip.stances` tells them
+    """
     figure, where = recording.recorded.figure, recording.where
     ground = ground_of(figure, figure.to_qpos(recording.recorded.states))
     given = rests_of(ground, table.contact, recording.recorded.path.span, where)
-    problem, kept = recording.problem(ground, edits, given)
+    rests = None if known is None else stances_in(known, ground, where)
+    problem, kept = recording.problem(ground, edits, given if rests is None else (), rests)
     said = {entry.kind: entry.said["weight"] for entry in table.penalty if "weight" in entry.said}
     weighted = tuple((p, w * said.get(p.name, 1.0)) for p, w in problem.penalties)
     problem = replace(problem, penalties=weighted)

@@ -26,6 +26,7 @@ from dynsplines.solver.penalty import (
     Coupled,
     JointRange,
     Placement,
+    Rolling,
     SelfContact,
     closures,
     couplings,
@@ -45,7 +46,6 @@ from .exactness import keyframe_error
 from .grid import RATE, Grid
 from .hold_report import hold_rows, in_carried
 from .penetration import lowest, penetration, self_penetration
-from .rolling import Rolling
 from .shown import Line
 from .swings import swings
 
@@ -234,7 +234,7 @@ def _contact_report(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
         centres, _, _ = places_of((rest.point,), samples)
         track = centres[:, 0]
         if (rolling := Rolling.of(rest, samples, time.size // 2)) is not None:
-            track = track - rolling.way(samples.links.rotation[:, :, rest.point.link])
+            track = track - rolling.way(samples.links.Q[:, rest.point.link])
         moved = float(np.linalg.norm(track - track[:, [time.size // 2]], axis=0).max())
         path = float(np.linalg.norm(np.diff(track, axis=1), axis=0).sum())
         speed = path / (rest.last - rest.first)

@@ -24,6 +24,7 @@ from dynsplines.solver.penalty import (
     Hold,
     JointRange,
     Rest,
+    Rolling,
     SelfContact,
     Stance,
     closures,
@@ -38,7 +39,6 @@ from dynsplines.solver.surface.points import placed as points_placed
 
 from .bounds import BOUNDS, WHIP_SHARE
 from .depths import bunches, depths
-from .rolling import Rolling
 
 SELF_STRIDE = 4  # limbs in each other take long to look for, and are not missed in a sixtieth of a second
 SAME_DEPTH = 0.002  # [m] by which a sole point may be less deep than a corner of its foot and be named in its place
@@ -306,7 +306,7 @@ class Held:
             if at.size:
                 off = _places(samples, stance.point, at) - stance.place(samples.t[at])
                 if self.rolling and (rolling := self.rolling[i]) is not None:
-                    off = off - rolling.way(samples.links.rotation[:, :, stance.point.link, at])
+                    off = off - rolling.way(samples.links.Q[:, stance.point.link, at])
                 away = np.linalg.norm(off, axis=0)
                 far = np.flatnonzero(away > bound)
                 parts.append(Hits(np.full(far.size, i), at[far], away[far]))

@@ -26,6 +26,7 @@ from dynsplines.solver.penalty import (
     Planted,
     Rest,
     Resting,
+    Rolling,
     SelfContact,
     Stance,
     Sum,
@@ -43,7 +44,6 @@ from ..motion import Saved, samples_at
 from . import measures
 from .bounds import BOUNDS
 from .measures import Hits, Measure, Row
-from .rolling import Rolling
 
 RATE = 240.0  # [1/s]: a foot at 4 m/s goes 17 mm from one look to the next
 RUN = 1000  # samples looked at at once, whose arrays do not fill the memory

@@ -19,7 +19,7 @@ from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.algebra import turned
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import Cycle, Near
+from dynsplines.solver.penalty import Cycle
 from dynsplines.solver.refine.displacement import displacement
 from dynsplines.solver.refine.euler_lagrange import residual
 from dynsplines.solver.refine.subdivision import by_weak_form
@@ -56,7 +56,6 @@ def report(
         "before": first,
         "after": side(Seen(clip, motion.objective, motion.timeline, after)) if searched else dict(first),
     }
-    follows = any(isinstance(penalty, Near) for penalty, _ in clip.penalties)
     drift = np.linalg.norm(_centre_of_mass(after.samples) - _centre_of_mass(before.samples), axis=0)
     sides["after"][DRIFT] = {
         "largest": float(drift.max()),
@@ -74,7 +73,7 @@ def report(
         **({} if seconds is None else {"seconds": seconds}),
         "stopped because": motion.stop.value,
         "cycle": _cycle_report(clip),
-        "segments": _segments(clip, motion, told) if searched and not follows else [],
+        "segments": _segments(clip, motion, told) if searched and not clip.follows else [],
         **sides,
     }
 

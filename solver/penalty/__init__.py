@@ -31,6 +31,7 @@ from .ground.planted import lying as lying
 from .ground.planted import stances as stances
 from .ground.resting import Rest as Rest
 from .ground.resting import Resting as Resting
+from .ground.resting import Rolling as Rolling
 from .ground.skate import Bound as Bound
 from .ground.skate import Skate as Skate
 from .ground.support import Support as Support

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -34,7 +35,7 @@ from dynsplines.solver.penalty import (
     joint_ranges,
 )
 from dynsplines.solver.problem import Problem, Settings
-from dynsplines.solver.surface import Surface, static_surfaces
+from dynsplines.solver.surface import Plane, Surface, static_surfaces
 from dynsplines.solver.surface.points import Point, arrays_of, body_points, places_of
 
 from ...errors import UserError, unknown
@@ -144,6 +145,37 @@ def rests_of(ground: Ground, tables: Sequence[ContactTable], span: tuple[float, 
                 f"{name}: {table.start:g} to {table.end:g} s is not within the recording, {span[0]:g} to {span[1]:g} s"
             )
         found.append(Rest(point, table.start, table.end, rolls=True))
+    return tuple(found)
+
+
+def stances_of(rests: Sequence[Rest]) -> list[dict[str, Any]]:
+    """Stances in plain words, for a file."""
+    return [
+        {
+            "point": rest.point.name,
+            "from, s": rest.first,
+            "to, s": rest.last,
+            **({} if rest.ground is None else {"on": [*rest.ground.point.tolist(), *rest.ground.normal.tolist()]}),
+        }
+        for rest in rests
+    ]
+
+
+def stances_in(said: object, ground: Ground, where: str) -> tuple[Rest, ...]:
+    """Stances from such words; raises UserError, where first, for what are none."""
+    places, own, found = Places(ground.figure, ground.points), {p.name: p for p in ground.points}, list[Rest]()
+    try:
+        for row in said if isinstance(said, list) else [None]:
+            first, last, plane = float(row["from, s"]), float(row["to, s"]), np.array(row.get("on", []), float)
+            if not first < last or plane.shape not in ((0,), (6,)) or not np.isfinite([first, last, *plane]).all():
+                raise ValueError
+            on = Plane("ground", plane[:3], plane[3:]) if plane.size else None
+            point = own.get(row["point"]) or places.point(row["point"])
+            if point is None:
+                raise ValueError
+            found.append(Rest(point, first, last, on, rolls=True))
+    except (TypeError, ValueError, KeyError, AttributeError):
+        raise UserError(f"{where}: its stances are none of this figure's") from None
     return tuple(found)
 
 

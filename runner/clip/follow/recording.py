@@ -16,7 +16,7 @@ import numpy as np
 from dynsplines import models
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
-from dynsplines.solver.curve.spline import natural_spline, path_of
+from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.edit.retime import repeated
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
@@ -65,17 +65,12 @@ class Followed:
     where: str
 
     @classmethod
-    def of_motion(
-        cls, figure: Figure, raw: Timeline, edits: Sequence[Frame], table: RecordingTable, where: str
-    ) -> Followed:
-        """What a motion followed, by where its search began: the recording, but for the frames that edits made."""
-        edited = np.array([edit.time for edit in edits])
-        own = [k for k, t in enumerate(raw.times) if not np.any(np.abs(edited - t) < ROUNDING)]
-        path = natural_spline(raw.times[own], raw.states[own])
-        first, last = float(raw.times[0]), float(raw.times[-1])
+    def of_motion(cls, figure: Figure, raw: Timeline, table: RecordingTable, where: str) -> Followed:
+        """What a motion followed, by where its search began: the recording, bent through the poses of keyframes."""
+        path, (first, last) = path_of(raw), raw.times[[0, -1]].tolist()
         time = np.linspace(first, last, max(2, round((last - first) * RATE) + 1))
         qpos = motion.continuous(figure, figure.to_qpos(path.at(time)))
-        return cls(Recorded.of(figure, time, qpos, exact=True), raw.times[own], table, where)
+        return cls(Recorded.of(figure, time, qpos, exact=True), raw.times, table, where)
 
     def pose(self, time: float) -> Array:
         """qpos (nq,) at a time [s] of the clip. Raises UserError for one that the recording does not reach."""
@@ -88,16 +83,19 @@ class Followed:
         return self.recorded.figure.to_qpos(self.recorded.path.at(np.array([time])))[0]
 
     def problem(
-        self, ground: Ground, edits: Sequence[Frame], given: Sequence[Rest]
+        self, ground: Ground, edits: Sequence[Frame], given: Sequence[Rest], known: Sequence[Rest] | None = None
     ) -> tuple[Problem, tuple[Rest, ...]]:
         """What is to be solved, and the stances in it: those of the recording, but where a clip speaks of the point, or
-        a keyframe moves it."""
+        a keyframe moves it.
+
+        known  them all, if they are
+        """
         width = self.table.blend or EASE
         near = Near(self._warped(edits), tuple((edit.time, width) for edit in edits))
-        read = stood(self.recorded, ground.points, ground.surfaces)
-        rests = [
-            rest for rest in (Rest(*one, rolls=True) for one in read) if not self._is_void(rest, edits, given, width)
-        ]
+        rests = [] if known is None else list(known)
+        if known is None:
+            own = (Rest(*one, rolls=True) for one in stood(self.recorded, ground.points, ground.surfaces))
+            rests = [rest for rest in own if not self._is_void(rest, edits, given, width)]
         asked = problem(near, ground, [*rests, *given], self._times(near, edits), edits)
         weights = [(p, self.table.weight * w if p is near else w) for p, w in asked.penalties]
         keys = [self._kept(frame, edits) for frame in asked.keys]

@@ -171,7 +171,7 @@ class Work:
         if (
             first
             or timeline is None
-            or _follows(clip)
+            or clip.follows
             or timeline.width != clip.figure.width
             or timeline.ends != clip.ends
         ):
@@ -443,11 +443,6 @@ def _shape(clip: Clip) -> dict[str, Any]:
         "ends": clip.ends,
         "weights": {penalty.name: float(weight) for penalty, weight in clip.penalties},
     }
-
-
-def _follows(clip: Clip) -> bool:
-    """Whether a clip's keyframes edit a recording, whose own instants are frames that nobody set."""
-    return "recording" in clip.text and clips.table_of(clip.text, clip.context.where).recording is not None
 
 
 def _edited(before: Clip | None, clip: Clip) -> tuple[float, float] | None:

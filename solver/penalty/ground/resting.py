@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ... import quaternion as quat
 from ...array import Array, Index, Mask
 from ...figure.adjoint import Cotangent
 from ...figure.algebra import cross, dot
@@ -23,6 +24,7 @@ from ..curvature import Curvature
 from ..penalty import Penalty, Scale
 from .contact import add_by_velocity, point_gradients, velocity_gradients
 
+UP = np.array([0.0, 0, 1])  # of level ground
 SETTLING = 0.05  # [s]: a speed counts like the way it makes in so long
 
 
@@ -38,6 +40,30 @@ class Rest:
     last: float
     ground: Plane | None = None
     rolls: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Rolling:
+    """A sphere of a link that rolls on a plane: what its middle moves while nothing of it slips.
+
+    arm   (3,) [m] from what of the sphere is lowest to its middle
+    start (4,) how the link is turned where the middle counts as in its place
+    """
+
+    arm: Array
+    start: Array
+
+    @classmethod
+    def of(cls, rest: Rest, samples: Samples, at: int = 0) -> Rolling | None:
+        """That of a rest that rolls, in its place at one of the samples; None for others."""
+        if not rest.rolls:
+            return None
+        up = UP if rest.ground is None else rest.ground.normal
+        return cls(rest.point.radius * up, samples.links.Q[:, rest.point.link, at])
+
+    def way(self, turned: Array) -> Array:
+        """(3, k) [m] that the middle goes if the link turns to (4, k), quaternions, about one axis all the time."""
+        return cross(quat.rotation_vector(quat.product(turned.T, quat.inverse(self.start))).T, self.arm[:, None])
 
 
 @dataclass(frozen=True)

@@ -1,5 +1,6 @@
 """[recording]: keyframes that edit a motion are exact, the rest stays as it was, and its detail is followed."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import mujoco
@@ -8,10 +9,11 @@ import pytest
 import shipped
 from command import commanded
 
-from dynsplines import Keyframe, build, motion
+from dynsplines import Keyframe, build, motion, work
 from dynsplines.clip import load as clips
 from dynsplines.edit.edits import measured
 from dynsplines.errors import UserError
+from dynsplines.exchange import formats
 from dynsplines.measure.penetration import penetration
 from dynsplines.motion import Saved
 from dynsplines.solver.curve.spline import path_of
@@ -111,7 +113,8 @@ def test_what_of_the_recording_comes_when_is_as_the_clip_says(folder, saved, sai
     ("text", "told"),
     [
         (BARE.replace("run.npz", "none.npz"), "none.npz"),
-        (BARE.replace("run.npz", "walk.bvh"), "'walk.bvh' is neither a motion file, .npz"),
+        (BARE.replace("run.npz", "walk.bvh"), "walk.bvh'"),
+        (BARE.replace("run.npz", "itself.toml~"), "itself.toml~'"),
         (BARE.replace("run.npz", "../run.npz"), "lies outside the clip's folder"),
         (BARE + "from = 1.0\nto = 9.0", "are no part of it; it lasts from 0 to 2.2 s"),
         (BARE + "times = [[0, 0], [1, 0]]", "both rise"),
@@ -193,6 +196,61 @@ sites.left_toe = ["free", 0.09, 0.20]
 """
 
 
+BVH = """
+figure = "human"
+[recording]
+file = "{file}"
+blend = 0.3
+[[keyframe]]
+time = 0.4
+joints.right_shoulder = {{rotvec = [0, -60, 0]}}
+"""
+
+
+def test_a_recording_of_another_program_is_cleaned_and_followed(folder, saved):
+    formats.export(saved, "bvh", folder / "run.bvh", fps=60)
+    clip = clips.from_text(BVH.format(file="run.bvh"), name="edit", folder=folder)
+    [edit] = clip.said
+    assert edit.time == 0.4
+    near = clip.problem.penalties[0][0]
+    assert isinstance(near, Near)
+    at = np.array([0.3, 1.2])
+    own, wanted = (saved.figure.to_qpos(path.at(at)) for path in (near.recorded.path, path_of(saved.timeline)))
+    np.testing.assert_allclose(own[:, :3], wanted[:, :3], atol=0.05)
+    again = clips.from_text(BVH.format(file="run.bvh"), name="edit", folder=folder)
+    assert np.array_equal(again.keys[5].state, clip.keys[5].state)
+    (folder / "run.xyz").write_bytes(b"")
+    with pytest.raises(UserError, match="neither a motion"):
+        clips.from_text(BVH.format(file="run.xyz"), name="edit", folder=folder)
+
+
+def test_a_keyframe_of_an_arm_leaves_the_body_as_it_was(folder, saved):
+    """The recording is bent through the arm's pose: the trunk does not make up for it."""
+    text = BARE + "[scene]\nstep = {x = 2.90, height = 0.35}\n[[keyframe]]\ntime = 1.0\n"
+    text += "joints.right_shoulder = {rotvec = [0, -140, 0]}\n"
+    clip = clips.from_text(text, name="wave", folder=folder)
+    path = path_of(inbetween(clip.problem).timeline)
+    times = np.array([0.85, 1.0, 1.15])
+    was, now = (bodies(saved.figure, each, times) for each in (path_of(saved.timeline), path))
+    body = {name: saved.figure.model.body(name).id for name in ("chest", "right_forearm", "left_foot")}
+    turned = [np.linalg.norm(now[1][:, body["chest"]] - was[1][:, body["chest"]], axis=1).max()]
+    assert turned[0] < 0.2
+    assert np.linalg.norm(now[0][:, body["left_foot"]] - was[0][:, body["left_foot"]], axis=1).max() < 0.03
+    assert np.linalg.norm(now[0][1, body["right_forearm"]] - was[0][1, body["right_forearm"]]) > 0.5
+
+
+@pytest.mark.parametrize("change", [[{}], {"a": 1}, [{"point": "left_toe", "from, s": 1, "to, s": 0}], 3])
+def test_stances_that_a_strangers_file_makes_up_are_refused_or_do_no_harm(folder, change):
+    clip = clips.from_text(KERB, name="kerb", folder=folder)
+    found = work.unsolved(clip).saved(Progress(), with_report=False)
+    with pytest.raises(UserError, match="stances"):
+        clips.answered(replace(found, search={"stances": change}))
+    kept = clips.answered(replace(found, search={"stances": clip.stances}))
+    assert [(r.point.name, r.first, r.last) for r in kept.context.contacts.given] == [
+        (r.point.name, r.first, r.last) for r in clip.context.contacts.given
+    ]
+
+
 def test_a_loop_that_ships_is_followed_as_often_as_the_clip_says(tmp_path):
     """To its very end, three periods on, where it began but for its way."""
     clip = clips.from_text(KERB, name="kerb", folder=tmp_path)
@@ -225,9 +283,9 @@ def test_a_walk_steps_on_to_a_kerb_and_only_keyframes_that_somebody_gave_are_tol
     saved = solved.saved(Progress(), with_report=False)
     report = measured(saved, Progress(), "").report
     assert report["problems"] == []
-    assert (report["keyframes"], report["partial keyframes"]) == (4, 4)
+    assert (report["keyframes"], report["partial keyframes"]) == (3, 3)
     assert report["segments"] == []
     assert all(joint["backward"] < 1 for joint in report["after"]["bends, degrees"].values())
     assert all(contact["moved, m"] < 0.005 for contact in report["after"]["contacts"])
     whole = report["after"]["objective"]
-    assert whole == pytest.approx(solution.objective.value(path), rel=0.2)  # the recording is known by its frames
+    assert whole == pytest.approx(solution.objective.value(path), rel=0.05)  # the recording is known by its frames
