@@ -26,8 +26,12 @@ QUICK_REPEATS = 2
 
 
 def people() -> list[str]:
-    """The clips that ship whose figure is the human."""
-    return [name for name in models.clips() if tomllib.loads(models.clip_text(name))["figure"] == "human"]
+    """The clips that ship whose figure is the human, but for those that edit others."""
+    return [name for name in models.clips() if _is_keyed(tomllib.loads(models.clip_text(name)))]
+
+
+def _is_keyed(clip: dict[str, Any]) -> bool:
+    return clip["figure"] == "human" and "recording" not in clip
 
 
 @dataclass(frozen=True)
