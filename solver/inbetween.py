@@ -25,7 +25,7 @@ from .problem import Problem, Settings, guide_of
 from .refine.cut import Cut
 from .refine.subdivision import CRITERIA, midpoints, split
 from .refine.windows import Assembly, is_long, windows
-from .search.astray import FAR, farthest, is_astray, is_dear, is_violent
+from .search.astray import is_astray, is_dear, is_far, is_violent
 from .search.descent import Descent
 from .search.judgement import best
 from .search.minimum import Stop
@@ -178,7 +178,7 @@ class _Loop:
         starts: list[Callable[[], Timeline]] = [lambda: timeline, lambda: straightened(figure, timeline)]
         if self.settings.max_evaluations == 1:
             return starts[:1]
-        if farthest(figure, timeline) > FAR:
+        if is_far(self.objective, timeline):
             starts.reverse()
         return [
             *starts,

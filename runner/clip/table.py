@@ -187,7 +187,8 @@ class SolveTable(Table):
 class RecordingTable(Table):
     """A motion that was recorded, which keyframes edit: what of it, when, and how much it counts.
 
-    file    a motion (.npz), a clip (.toml) or the name of one that ships;  repeat  how often a loop comes
+    file    a motion (.npz), a recording (.bvh, ...), a clip (.toml) or the name of one that ships
+    repeat  how often a loop comes
     start, end  [s] what of it is used;  at  [s] when that begins in the clip;  speed  times as fast
     times   [s, s] moments of the recording and when they come in the clip, in place of at and speed
     weight  how much it counts;  blend  [s] before and after every keyframe, outside of which nothing is changed

@@ -13,11 +13,11 @@ import numpy as np
 from ..array import Array
 from ..curve.arcs import straight
 from ..curve.frame import Timeline
-from ..curve.spline import path_of
+from ..curve.spline import Path, path_of
 from ..figure.figure import Figure
 from ..figure.kinematics import Samples
 from ..objective import Objective
-from ..penalty import Contact
+from ..penalty import Contact, Near
 from ..surface import Box, Plane
 
 DEAR = 2.0  # times what motion cost on the raw spline: from here on another way round an obstacle may be less
@@ -29,7 +29,13 @@ LOOKS = 4  # a segment between frames of which something is fixed
 def is_astray(objective: Objective, timeline: Timeline, parts: Mapping[str, float]) -> bool:
     """Whether a timeline that was searched should not be the last word; `parts` are the terms of its E by name."""
     figure = objective.figure
-    return is_violent(objective, parts) or farthest(figure, timeline) > FAR or longest(figure, timeline) > LONG
+    return is_violent(objective, parts) or is_far(objective, timeline) or longest(figure, timeline) > LONG
+
+
+def is_far(objective: Objective, timeline: Timeline) -> bool:
+    """Whether a limb is far from where its neighbouring keyframes have it, or from what was recorded."""
+    recorded = next((t.penalty.recorded.path for t in objective.terms if isinstance(t.penalty, Near)), None)
+    return farthest(objective.figure, timeline, recorded) > FAR
 
 
 def is_violent(objective: Objective, parts: Mapping[str, float]) -> bool:
@@ -54,15 +60,15 @@ def _is_obstructed(objective: Objective) -> bool:
     return any(not isinstance(each, Plane) and not (isinstance(each, Box) and each.buried) for each in surfaces)
 
 
-def farthest(figure: Figure, timeline: Timeline) -> float:
-    """How far a joint is off the straight way between frames of which something is fixed, seen from its root, beside
-    the figure's size."""
+def farthest(figure: Figure, timeline: Timeline, recorded: Path | None = None) -> float:
+    """How far a joint is off what was recorded, or else off the straight way between frames of which something is
+    fixed, seen from its root, beside the figure's size."""
     given = np.flatnonzero(timeline.fixed.any(axis=1))
     if given.size < 2:
         return 0.0
     times = timeline.times[given]
     t = _looks(times)
-    there = straight(figure, times, timeline.states[given], t)
+    there = straight(figure, times, timeline.states[given], t) if recorded is None else recorded.at(t)
     apart = _from_root(figure, path_of(timeline).at(t)) - _from_root(figure, there)
     size = float(np.linalg.norm(_from_root(figure, figure.to_state(figure.model.qpos0[None])), axis=0).max())
     return float(np.linalg.norm(apart, axis=0).max()) / size if size > 0 else 0.0
