@@ -25,6 +25,7 @@ export class Timeline {
   private drag: Drag | null = null;
   private preview = new Map<number, number>(); // times of keyframes that are being dragged
   private redraw = 0;
+  private ticked = ""; // which variable frames are drawn, and where
 
   constructor() {
     this.box.append(this.ruler, this.rows, this.band, this.head);
@@ -163,6 +164,9 @@ export class Timeline {
   /** Variable frames, which come and go while it optimises. */
   private ticks(): void {
     const shown = (model.course?.frames ?? []).filter((time) => time >= this.begin && time <= this.end);
+    const now = `${shown}|${this.begin}|${this.end}|${this.width}`;
+    if (now === this.ticked) return;
+    this.ticked = now;
     this.frames.replaceChildren(...shown.map((time) => {
       const tick = el("i", { class: "frame" });
       tick.style.left = `${this.x(time)}px`;
