@@ -8,6 +8,7 @@ import { COARSE, FINE, Shapes } from "../scene/shapes";
 import { DAY, DUSK, drawingOn, Surroundings } from "../scene/surroundings";
 import { VIEWS } from "../scene/views";
 import { $ } from "./dom";
+import { isAwaiting } from "./link";
 import { model } from "./model";
 
 const MELT = 140; // [ms] in which one path melts into the next
@@ -193,7 +194,7 @@ export class Stage {
       this.then = model.playing ? stamp : null;
     } else this.then = null;
     this.orbit.update();
-    const searching = this.software && model.status.state === "searching";
+    const searching = this.software && (model.status.state === "searching" || model.status.state === "loaded" || isAwaiting());
     const yields = searching && !this.override && stamp - this.moved < (model.playing ? LEAVE : LEAVE_STILL);
     if (!this.figure || !(model.now || this.override) || yields) {
       this.stamp = stamp;
