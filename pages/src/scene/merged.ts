@@ -35,6 +35,7 @@ export class Merged {
     geometry.setIndex(faces);
     this.mesh = new THREE.Mesh(geometry, material);
     Object.assign(this.mesh, { castShadow: true, receiveShadow: true, frustumCulled: false, matrixAutoUpdate: false });
+    this.mesh.raycast = () => {}; // it is of no one body: what is taken hold of are their own meshes
   }
 
   put(pose: Pose): void {
