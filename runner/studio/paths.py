@@ -50,12 +50,12 @@ def poses(model: mujoco.MjModel, qpos: Array) -> tuple[NDArray[np.float32], NDAr
     """Positions (T, B, 3), rotations (T, B, 4) xyzw and centres of mass (T, 3) of poses qpos (T, nq)."""
     data, count = mujoco.MjData(model), len(qpos)
     position = np.empty((count, model.nbody, 3), np.float32)
-    rotation = np.empty((count, model.nbody, 4), np.float32)
-    centre = np.empty((count, 3), np.float32)
-    masses = model.body_mass / max(float(model.body_mass.sum()), 1e-12)
+    turned = np.empty((count, model.nbody, 4), np.float32)  # as MuJoCo has them, wxyz
+    middle = np.empty((count, model.nbody, 3))
+    here, places, turns, middles = data.qpos, data.xpos, data.xquat, data.xipos
     for i, pose in enumerate(qpos):
-        data.qpos[:] = pose
+        here[:] = pose
         mujoco.mj_kinematics(model, data)
-        position[i], rotation[i] = data.xpos, np.roll(data.xquat, -1, axis=-1)
-        centre[i] = masses @ data.xipos
-    return position, rotation, centre
+        position[i], turned[i], middle[i] = places, turns, middles
+    masses = model.body_mass / max(float(model.body_mass.sum()), 1e-12)
+    return position, turned[..., [1, 2, 3, 0]], np.einsum("b,tbi->ti", masses, middle).astype(np.float32)

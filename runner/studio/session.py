@@ -77,9 +77,9 @@ class Session:
 
     def start(self) -> None:
         """Starts the process and gives it the clip; what it says waits until somebody listens."""
-        self.solver.start()
-        self._load(self.document.text, self.document.revision, first=True)
         seen = glimpse.read(glimpse.file_of(self.document))
+        self.solver.start(is_seen=seen is not None)
+        self._load(self.document.text, self.document.revision, first=True)
         if seen is not None:
             self._is_glimpse, self._stage, self._paths["found"] = True, _told_stage(seen[0]), seen[1]
 

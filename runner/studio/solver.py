@@ -40,11 +40,11 @@ class Solver:
         """Whether there is a process."""
         return self._process is not None
 
-    def start(self) -> None:
-        """Starts the process; what it needs is imported over there."""
+    def start(self, *, is_seen: bool = False) -> None:
+        """Starts the process; what it needs is imported over there, at leisure if something is seen already."""
         spawn = multiprocessing.get_context("spawn")
         self._line, theirs = spawn.Pipe()
-        self._process = spawn.Process(target=entry, args=(theirs, is_allowed()), daemon=True, name="solver")
+        self._process = spawn.Process(target=entry, args=(theirs, is_allowed(), is_seen), daemon=True, name="solver")
         try:
             with ctrl_c_blocked():
                 self._process.start()

@@ -99,7 +99,7 @@ def _own_addresses() -> list[str]:
 def _bound(host: str, port: int) -> socket.socket:
     """A socket that listens; raises UserError for a port that is taken."""
     family = socket.AF_INET6 if ":" in host else socket.AF_INET
-    listening = socket.socket(family, socket.SOCK_STREAM)
+    listening = socket.socket(family, socket.SOCK_STREAM, socket.IPPROTO_TCP)  # said so, or asyncio lets words wait
     listening.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
         listening.bind((host, port))

@@ -6,6 +6,7 @@ import type { Part, Piece, Shapes } from "./shapes";
 export interface Pose { position: ArrayLike<number>; rotation: ArrayLike<number>; }
 
 const OUTLINED = 90; // triangles of a body in its shadow
+const ROUGH = 240; // triangles of a body where few points are drawn
 
 export const UNSEEN = 1; // the layer of what is only taken hold of
 
@@ -32,6 +33,7 @@ export class Figure {
   readonly planes: { mesh: THREE.Mesh; part: Part }[] = [];
   readonly merged: Merged | null = null;
   readonly outline: Merged | null = null; // of few triangles, for its shadow
+  private readonly rough: Merged | null = null; // of fewer, in place of the merged one
 
   /** veils: materials of a ghost; none for the figure itself, which may be one mesh */
   constructor(bodies: string[], pieces: Piece[], shapes: Shapes, veils?: THREE.Material[], merge = false) {
@@ -39,8 +41,10 @@ export class Figure {
     const parts = shapes.parts(pieces), joined = merge ? parts.filter((part) => part.joined) : [];
     if (joined.length) {
       this.merged = new Merged(joined, joined[0].material);
-      this.outline = new Merged(joined, joined[0].material, OUTLINED);
-      this.root.add(this.merged.mesh);
+      this.outline = new Merged(joined, joined[0].material, OUTLINED, true);
+      this.rough = new Merged(joined, joined[0].material, ROUGH);
+      this.root.add(this.merged.mesh, this.rough.mesh);
+      this.isRough = false;
     }
     for (const part of parts) {
       (veils ?? [part.material]).forEach((paint, order) => {
@@ -60,6 +64,13 @@ export class Figure {
     this.root.removeFromParent();
     this.merged?.dispose();
     this.outline?.dispose();
+    this.rough?.dispose();
+  }
+
+  /** Whether it is drawn with fewer triangles; poses that are put count from here on. */
+  set isRough(yes: boolean) {
+    if (this.merged) this.merged.mesh.visible = !yes;
+    if (this.rough) this.rough.mesh.visible = yes;
   }
 
   /** Bodies where a pose has them: positions (B, 3) and rotations (B, 4) xyzw, one after the other. */
@@ -68,7 +79,7 @@ export class Figure {
       group.position.fromArray(pose.position as number[], 3 * body);
       group.quaternion.fromArray(pose.rotation as number[], 4 * body);
     });
-    this.merged?.put(pose);
+    for (const mesh of [this.merged, this.rough]) if (mesh?.mesh.visible) mesh.put(pose);
     this.outline?.put(pose);
   }
 }

@@ -31,17 +31,19 @@ export interface Fineness { sag: number; least: number; most: number; faces: num
 export const FINE: Fineness = { sag: 0.0006, least: 10, most: 40, faces: 40_000, plain: false };
 export const COARSE: Fineness = { sag: 0.004, least: 6, most: 12, faces: 1000, plain: true };
 
-/** A mesh of fewer triangles, about so many: corners that lie in one cell of a grid become one (Rossignac, Borrel 1993). */
-export const clustered = (points: Float32Array, faces: Uint32Array, most: number): THREE.BufferGeometry => {
+/** A mesh of fewer triangles, about so many: corners that lie in one cell of a grid become one (Rossignac, Borrel 1993),
+ * if they have the same colour. */
+export const clustered = (points: Float32Array, faces: Uint32Array, most: number, colours?: ArrayLike<number>): THREE.BufferGeometry => {
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
   points.forEach((value, i) => { low[i % 3] = Math.min(low[i % 3], value); high[i % 3] = Math.max(high[i % 3], value); });
   const sides = high.map((value, k) => Math.max(value - low[k], 1e-6));
   const [x, y, z] = sides, cell = Math.sqrt((2 * (x * y + y * z + z * x) * 2) / most); // two triangles a cell of its hull
-  const found = new Map<string, number>(), sums: number[] = [], counts: number[] = [];
+  const found = new Map<string, number>(), sums: number[] = [], counts: number[] = [], painted: number[] = [];
   const of = Array.from({ length: points.length / 3 }, (_, i) => {
-    const key = [0, 1, 2].map((k) => Math.floor((points[3 * i + k] - low[k]) / cell)).join();
+    const colour = colours ? [colours[3 * i], colours[3 * i + 1], colours[3 * i + 2]] : [];
+    const key = [0, 1, 2].map((k) => Math.floor((points[3 * i + k] - low[k]) / cell)).concat(colour).join();
     let at = found.get(key);
-    if (at === undefined) { at = found.size; found.set(key, at); sums.push(0, 0, 0); counts.push(0); }
+    if (at === undefined) { at = found.size; found.set(key, at); sums.push(0, 0, 0); counts.push(0); painted.push(...colour); }
     for (let k = 0; k < 3; k++) sums[3 * at + k] += points[3 * i + k];
     counts[at] += 1;
     return at;
@@ -53,6 +55,7 @@ export const clustered = (points: Float32Array, faces: Uint32Array, most: number
   }
   const geometry = new THREE.BufferGeometry();
   geometry.setAttribute("position", new THREE.BufferAttribute(Float32Array.from(sums, (sum, i) => sum / counts[Math.floor(i / 3)]), 3));
+  if (colours) geometry.setAttribute("color", new THREE.BufferAttribute(Float32Array.from(painted), 3));
   geometry.setIndex(kept);
   geometry.computeVertexNormals();
   return geometry;
@@ -105,7 +108,7 @@ export class Shapes {
     if (single) {
       const material = this.look(first), geometry = this.moved(first, true);
       const map = (material as THREE.MeshLambertMaterial).map;
-      const plain = first.kind === "plane" && first.colour[3] === 1 ? new THREE.MeshBasicMaterial({ map }) : undefined;
+      const plain = first.kind === "plane" && first.colour[3] === 1 ? new THREE.MeshBasicMaterial({ map: map && this.cheaper(map) }) : undefined;
       if (plain) plain.userData.own = (material as THREE.MeshLambertMaterial).color;
       return { body: first.body, geometry, material, casts, joined: false, plain };
     }
@@ -115,6 +118,16 @@ export class Shapes {
     let material = this.looks.get(key);
     if (!material) this.looks.set(key, (material = this.painted({ vertexColors: true }, roughness)));
     return { body: first.body, geometry, material, casts, joined: true };
+  }
+
+  /** A picture of which a point is found in one of its sizes, where two are half of what a floor costs a processor. */
+  private cheaper(map: THREE.Texture): THREE.Texture {
+    const image = map.image as HTMLImageElement, found = map.clone();
+    found.minFilter = THREE.LinearMipmapNearestFilter;
+    if (image.complete) found.needsUpdate = true;
+    else image.addEventListener("load", () => { found.needsUpdate = true; });
+    this.pictures.push(found);
+    return found;
   }
 
   /** A piece's geometry in its body's axes: with its picture's places, or its colour at every point. */

@@ -11,7 +11,7 @@ export interface Drawing { canvas: HTMLCanvasElement; renderer: THREE.WebGLRende
 /** What draws on a canvas, and whether that is the processor alone, which is asked for less; throws where there is no
  * WebGL 2. The canvas may be another one in its place: smooth edges are for those who do not draw by the processor. */
 export const drawingOn = (given: HTMLCanvasElement): Drawing => {
-  const wishes = { alpha: false, antialias: false, stencil: false, powerPreference: "high-performance" } as const;
+  const wishes = { alpha: false, antialias: false, stencil: true, powerPreference: "high-performance" } as const; // shadows laid flat count on it
   const about = (gl: WebGL2RenderingContext): boolean => {
     const known = gl.getExtension("WEBGL_debug_renderer_info");
     return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(String(gl.getParameter(known ? known.UNMASKED_RENDERER_WEBGL : gl.RENDERER)));
@@ -23,7 +23,7 @@ export const drawingOn = (given: HTMLCanvasElement): Drawing => {
     canvas = given.cloneNode() as HTMLCanvasElement;
     given.replaceWith(canvas);
     context.getExtension("WEBGL_lose_context")?.loseContext();
-    context = canvas.getContext("webgl2", { ...wishes, antialias: true }) as WebGL2RenderingContext;
+    context = canvas.getContext("webgl2", { ...wishes, antialias: true, stencil: false }) as WebGL2RenderingContext;
   }
   const renderer = new THREE.WebGLRenderer({ canvas, context });
   renderer.setPixelRatio(software ? 1 : Math.min(window.devicePixelRatio, 2));
@@ -48,7 +48,9 @@ export class Surroundings {
     this.dome = new THREE.SphereGeometry(150 + 20 * extent, 32, 24).rotateX(Math.PI / 2);
     this.dome.setAttribute("color", new THREE.BufferAttribute(new Float32Array(this.dome.attributes.position.count * 3), 3));
     const paint = { vertexColors: true, side: THREE.BackSide, fog: false, toneMapped: false };
-    this.scene.add(new THREE.Mesh(this.dome, new THREE.MeshBasicMaterial(paint)));
+    const sky = new THREE.Mesh(this.dome, new THREE.MeshBasicMaterial(paint));
+    sky.renderOrder = 1; // after all that hides it
+    this.scene.add(sky);
     this.scene.fog = new THREE.Fog(0, 4 + 2 * extent, 22 + 6 * extent);
     const { sun } = this;
     sun.castShadow = true;

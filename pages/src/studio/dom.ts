@@ -45,6 +45,9 @@ export const icon = (name: string): SVGSVGElement => {
   return svg;
 };
 
+/** Says something where it is not said already: what is not changed is not drawn again. */
+export const say = (where: Element, text: string): void => { if (where.textContent !== text) where.textContent = text; };
+
 /** A button with an icon; its name is for the tooltip and for screen readers. */
 export const button = (name: string, title: string, onclick: () => void, keys = ""): HTMLButtonElement => {
   const made = el("button", { type: "button", class: "tool", title: keys ? `${title} (${keys})` : title, "aria-label": title, onclick });

@@ -13,6 +13,9 @@ let number = 0;
 let pause = 250;
 const NUMBERED = new Set(["edit", "pin", "free", "rest", "mirror", "copy"]); // what is asked by numbers of a revision
 
+/** Whether the studio is at work on something that was asked: a processor that draws leaves it to that. */
+export const isAwaiting = (): boolean => waiting.size > 0;
+
 /** Asks for something; the answer says what was done or why not, and never throws. */
 export const ask = (what: string, said: Told = {}): Promise<Answer> => new Promise((resolve) => {
   if (!socket || socket.readyState !== WebSocket.OPEN) {

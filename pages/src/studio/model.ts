@@ -18,7 +18,7 @@ export interface Outline {
 }
 export interface KeyState { time: number; qpos: number[]; fixed: boolean[]; known: boolean[]; }
 export interface Loaded {
-  keys: KeyState[]; stances: { point: string; from: number; to: number }[]; flights: [number, number][]; notes: string[];
+  revision: number; keys: KeyState[]; stances: { point: string; from: number; to: number }[]; flights: [number, number][]; notes: string[];
   ends: string; weights: Record<string, number>;
 }
 export interface Joint {

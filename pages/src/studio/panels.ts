@@ -117,7 +117,6 @@ const pose = (): void => {
   others.addEventListener("change", () => void edit("set_others", { key, revision, value: others.value }));
   const time = field("time", said.time, "s", (value) => void edit("move_keys", { moves: [[key, value]], revision }).then((answer) => { if (answer.ok) model.seek(value); else pose(); }), 1 / model.fps);
   const focused = (window.document.activeElement as HTMLElement | null)?.getAttribute("aria-label");
-  const scroll = box.scrollTop;
   box.replaceChildren(
     el("div", { class: "heading" }, el("h2", { text: `Keyframe ${key + 1}` }), el("label", {}, "at ", time, " s")),
     el("div", { class: "buttons" },
@@ -129,8 +128,7 @@ const pose = (): void => {
     ...["sites", "bodies"].flatMap((group) => Object.entries((said as any)[group] ?? {}).map(([name, place]) =>
       el("div", { class: "line place" }, el("span", { text: `${name} → ${JSON.stringify(place)}` }),
         ...(group === "sites" ? [el("button", { type: "button", text: "let go", onclick: () => void edit("set_place", { key, revision, site: name, position: null }) })] : [])))),
-    ...stage.joints.map((joint) => poseRow(key, joint)));
-  box.scrollTop = scroll;
+    ...stage.joints.map((joint) => poseRow(key, joint))); // it stays scrolled: to ask how far would lay out all of it twice
   if (model.joint !== chosen) {
     chosen = model.joint;
     box.querySelector(".joint.selected")?.scrollIntoView({ block: "nearest" });
@@ -245,7 +243,11 @@ export const beginPanels = (): void => {
     if (now !== last) { last = now; pose(); }
   };
   model.on(["time", "joint"], posed);
-  model.on(["loaded", "stage", "document"], () => { last = ""; posed(); });
+  model.on(["loaded", "stage", "document"], () => {
+    if (model.document?.revision !== model.loaded?.revision) return; // the rest of what was edited follows at once
+    last = "";
+    posed();
+  });
   model.on(["settled", "status"], problems);
   model.on(["kinds", "document", "loaded", "settled"], weights);
   let soon = 0;

@@ -8,17 +8,20 @@ import { COARSE, FINE, Shapes } from "../scene/shapes";
 import { DAY, DUSK, drawingOn, Surroundings } from "../scene/surroundings";
 import { VIEWS } from "../scene/views";
 import { $ } from "./dom";
+import { isAwaiting } from "./link";
 import { model } from "./model";
-import { Screen } from "./screen";
 
 const MELT = 140; // [ms] in which one path melts into the next
 const MOST_GHOSTS = 14;
 const SLOW = 45; // [ms] an image while something moves, from which on it has fewer points
-const FAST = 18; // [ms] from which on it has more again
+const FAST = 18; // [ms] from which on, so many times in a row, it has more again
+const SURE = 30;
 const REST = 220; // [ms] after the last movement until it is drawn with all of them
-const LEAVE = 60; // [ms] from one image to the next that a processor which draws leaves to the search while it plays
+const REST_SEARCHING = 900; // by a processor that searches meanwhile
+const LEAVE = 90; // [ms] from one image to the next that a processor which draws leaves to the search while it plays
 const LEAVE_STILL = 130; // while it does not: a better path is all that there is to be seen
-const LEAST = 0.4; // of the points along either side
+const SCALES = [0.4, 0.55, 0.75, 1]; // of the points along either side: few steps, for each takes a canvas anew
+const ROUGH = 0.75; // up to which the figure itself has fewer triangles, too
 const SHARP = 1.4; // of them when all is still, by a processor: edges are smooth
 
 type Side = { figure: Figure; path: () => Path | null };
@@ -44,8 +47,8 @@ export class Stage {
   private melting: { from: Path; began: number } | null = null;
   private previous: Path | null = null;
   private wanted = true;
-  private readonly screen = this.software ? new Screen(this.renderer) : null;
-  private scale = this.software ? 0.55 : 1; // of the points along either side, while something moves
+  private step = this.software ? 1 : SCALES.length - 1; // of the scales, while something moves
+  private quick = 0; // images in a row that came fast
   private drawnAt = 1;
   private cast: Cast | null = null;
   private stamp = 0;
@@ -191,16 +194,17 @@ export class Stage {
       this.then = model.playing ? stamp : null;
     } else this.then = null;
     this.orbit.update();
-    const yields = this.software && !this.override && model.status.state === "searching" && stamp - this.moved < (model.playing ? LEAVE : LEAVE_STILL);
+    const searching = this.software && (model.status.state === "searching" || model.status.state === "loaded" || isAwaiting());
+    const yields = searching && !this.override && stamp - this.moved < (model.playing ? LEAVE : LEAVE_STILL);
     if (!this.figure || !(model.now || this.override) || yields) {
       this.stamp = stamp;
       return;
     }
     if (this.wanted) {
       this.pace(stamp);
-      this.render(stamp, this.scale);
+      this.render(stamp, SCALES[this.step]);
       this.moved = stamp;
-    } else if (this.drawnAt < this.finest && stamp - this.moved > REST) this.render(stamp, this.finest);
+    } else if (this.drawnAt < this.finest && stamp - this.moved > (searching ? REST_SEARCHING : REST)) this.render(stamp, this.finest);
     this.stamp = stamp;
   };
 
@@ -210,8 +214,12 @@ export class Stage {
   private pace(stamp: number): void {
     const gap = stamp - this.stamp;
     if (stamp - this.moved > 2 * REST) return;
-    if (gap > SLOW) this.scale = Math.max(LEAST, this.scale * (gap > 2.5 * SLOW ? 0.7 : 0.88));
-    else if (gap < FAST) this.scale = Math.min(1, this.scale * 1.02);
+    this.quick = gap < FAST ? this.quick + 1 : 0;
+    if (gap > SLOW) this.step = Math.max(0, this.step - (gap > 2.5 * SLOW ? 2 : 1));
+    else if (this.quick >= SURE) {
+      this.quick = 0;
+      this.step = Math.min(SCALES.length - 1, this.step + 1);
+    }
   }
 
   /** What a processor draws while something moves: no lights on the floor, a shadow laid flat; else all of it. */
@@ -234,11 +242,11 @@ export class Stage {
 
   private render(stamp: number, scale: number): void {
     this.wanted = false;
-    const rounded = Math.round(scale * 20) / 20;
-    if (!this.screen && rounded !== this.drawnAt) this.renderer.setPixelRatio(rounded * Math.min(window.devicePixelRatio, 2));
-    this.drawnAt = rounded;
+    if (scale !== this.drawnAt) this.renderer.setPixelRatio(scale * (this.software ? 1 : Math.min(window.devicePixelRatio, 2)));
+    this.drawnAt = scale;
     const pose = this.pose(stamp);
     if (this.figure && pose) {
+      this.figure.isRough = this.software && scale <= ROUGH;
       this.figure.put(pose);
       this.still?.put(pose);
       this.figure.root.visible = model.which !== "before" || this.override !== null;
@@ -258,36 +266,29 @@ export class Stage {
     this.centre.copy(here);
     this.around.follow(here);
     for (const sight of this.sights) sight();
-    this.simplified(rounded < this.finest);
-    const { renderer, screen } = this, scene = this.around.scene;
-    if (screen) screen.show(rounded, (wide, high) => { if (model.which === "side") this.renderHalves(wide, high); else renderer.render(scene, this.camera); });
-    else if (model.which === "side") this.renderHalves(...renderer.getSize(new THREE.Vector2()).toArray());
+    this.simplified(scale < this.finest);
+    const { renderer } = this, scene = this.around.scene;
+    if (model.which === "side") this.renderHalves(...renderer.getSize(new THREE.Vector2()).toArray());
     else renderer.render(scene, this.camera);
     this.images += 1;
   }
 
   /** Before on the left, after on the right, of so many points. */
   private renderHalves(wide: number, high: number): void {
-    const { renderer, camera, screen } = this, half = Math.floor(wide / 2);
-    renderer.setScissorTest(!screen);
+    const { renderer, camera } = this, half = Math.floor(wide / 2);
+    renderer.setScissorTest(true);
     camera.aspect = half / high;
     camera.updateProjectionMatrix();
     const before = this.sides.before?.figure, after = this.figure;
     for (const [left, first] of [[0, true], [half, false]] as [number, boolean][]) {
-      if (screen) screen.part(left, half, high);
-      else {
-        renderer.setViewport(left, 0, half, high);
-        renderer.setScissor(left, 0, half, high);
-      }
+      renderer.setViewport(left, 0, half, high);
+      renderer.setScissor(left, 0, half, high);
       if (first && before && after && model.raw) after.put(model.raw.at(model.time));
       else if (after && model.now) after.put(model.now.at(model.time));
       renderer.render(this.around.scene, camera);
     }
-    if (screen) screen.whole();
-    else {
-      renderer.setScissorTest(false);
-      renderer.setViewport(0, 0, wide, high);
-    }
+    renderer.setScissorTest(false);
+    renderer.setViewport(0, 0, wide, high);
     camera.aspect = wide / high;
     camera.updateProjectionMatrix();
   }

@@ -25,6 +25,8 @@ export class Timeline {
   private drag: Drag | null = null;
   private preview = new Map<number, number>(); // times of keyframes that are being dragged
   private redraw = 0;
+  private wide = 0; // [px] of the box, asked for once a size: the answer has all that was changed laid out
+  private ticked = ""; // which variable frames are drawn, and where
 
   constructor() {
     this.box.append(this.ruler, this.rows, this.band, this.head);
@@ -37,7 +39,7 @@ export class Timeline {
       span = now;
     });
     model.on("time", () => this.point());
-    new ResizeObserver(() => this.draw()).observe(this.box);
+    new ResizeObserver(() => { this.wide = 0; this.draw(); }).observe(this.box);
     this.box.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
     this.box.addEventListener("pointerdown", (event) => this.down(event));
     window.addEventListener("pointermove", (event) => this.drag?.move(this.timeAt(event), event));
@@ -48,7 +50,10 @@ export class Timeline {
     });
   }
 
-  private get width(): number { return Math.max(50, this.box.clientWidth - LABEL - 2 * PAD); }
+  private get width(): number {
+    this.wide ||= this.box.clientWidth;
+    return Math.max(50, this.wide - LABEL - 2 * PAD);
+  }
   private x(time: number): number { return LABEL + PAD + ((time - this.begin) / (this.end - this.begin)) * this.width; }
   private timeAt(event: PointerEvent | WheelEvent): number {
     const left = this.box.getBoundingClientRect().left;
@@ -163,6 +168,9 @@ export class Timeline {
   /** Variable frames, which come and go while it optimises. */
   private ticks(): void {
     const shown = (model.course?.frames ?? []).filter((time) => time >= this.begin && time <= this.end);
+    const now = `${shown}|${this.begin}|${this.end}|${this.width}`;
+    if (now === this.ticked) return;
+    this.ticked = now;
     this.frames.replaceChildren(...shown.map((time) => {
       const tick = el("i", { class: "frame" });
       tick.style.left = `${this.x(time)}px`;

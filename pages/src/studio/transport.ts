@@ -1,11 +1,12 @@
 // Play, scrub, loop, speed; undo, redo, save; the state of the search.
-import { $, button, el, short } from "./dom";
+import { $, button, el, say, short } from "./dom";
 import { act, connected, offer, task } from "./link";
 import { model, type Which } from "./model";
 import type { Stage } from "./stage";
 import type { Timeline } from "./timeline";
 
 const PLAY = "M7 4.5v15l12.500-7.500z", PAUSE = "M6 4.5h4.200v15H6zM13.800 4.500H18v15h-4.200z";
+const READ = 120; // [ms] that a number stays while it plays: one that changes faster is not read, and drawing it costs as much as the figure
 const SPEEDS = [0.1, 0.25, 0.5, 1, 1.5, 2];
 const STATES: Record<string, string> = {
   loading: "loading …", loaded: "loaded", searching: "optimising", settled: "converged", refused: "refused", gone: "gone",
@@ -78,18 +79,25 @@ export const transport = (stage: Stage, timeline: Timeline): void => {
   $("go").addEventListener("click", () => void act(model.status.go ? "stop" : "go"));
   $("anew").addEventListener("click", () => void act("go", { anew: true }));
 
+  const now = el("b"), whole = el("span");
+  $("clock").replaceChildren(now, whole);
+  let told = -Infinity;
   model.on(["time", "path"], () => {
-    icon.setAttribute("d", model.playing ? PAUSE : PLAY);
-    $("clock").replaceChildren(el("b", { text: model.time.toFixed(2) }), ` / ${model.last.toFixed(2)} s`);
-    $("image").textContent = `image ${Math.round((model.time - model.first) * model.fps)}`;
+    const sign = model.playing ? PAUSE : PLAY;
+    if (icon.getAttribute("d") !== sign) icon.setAttribute("d", sign);
+    else if (model.playing && performance.now() - told < READ) return;
+    told = performance.now();
+    say(now, model.time.toFixed(2));
+    say(whole, ` / ${model.last.toFixed(2)} s`);
+    say($("image"), `image ${Math.round((model.time - model.first) * model.fps)}`);
   });
   const state = (): void => {
     const { status, course } = model;
     const said = status.state === "settled" ? ENDS[status.stop ?? ""] ?? "converged" : STATES[status.state] ?? status.state;
-    $("state").textContent = connected ? said : "no line to the studio";
+    say($("state"), connected ? said : "no line to the studio");
     $("state").dataset.state = connected ? status.state : "gone";
-    $("energy").textContent = course?.value === undefined ? "" : `E ${course.value >= 1000 ? course.value.toExponential(2) : short(course.value)}`;
-    $("go").textContent = status.go ? "Stop" : "Go on";
+    say($("energy"), course?.value === undefined ? "" : `E ${course.value >= 1000 ? course.value.toExponential(2) : short(course.value)}`);
+    say($("go"), status.go ? "Stop" : "Go on");
     $("go").title = status.go ? "stop optimising, now and after edits (G)" : "optimise, now and after edits (G)";
   };
   model.on(["status", "path", "line"], state);

@@ -2,17 +2,35 @@
 
 from __future__ import annotations
 
+from functools import partial
+from importlib import import_module
 from typing import Any
 
+HEAVY = (  # what takes longest to import, in pieces of a few tenths of a second
+    "scipy.sparse",
+    "scipy.linalg",
+    "mujoco",
+    "dynsplines.solver.inbetween",
+    "dynsplines.clip.table",
+    "dynsplines.clip.load",
+    "dynsplines.studio.solving.work",
+)
+PATIENCE = 2.5  # [s] that imports let the page go first, which has something to show already
 
-def entry(line: Any, outside: bool) -> None:
-    """The process's whole life; outside: whether models may refer to files anywhere."""
+
+def entry(line: Any, outside: bool, is_seen: bool) -> None:
+    """The process's whole life.
+
+    outside  whether models may refer to files anywhere
+    is_seen  whether pages have something to show before this process says anything
+    """
     from ...picture.graphics import do_without
     from ...system.threads import keep_to_one, without_tools
+    from ...system.yielding import yielding
 
     keep_to_one()
     do_without()
-    without_tools()
+    yielding([without_tools, *(partial(import_module, name) for name in HEAVY)], PATIENCE if is_seen else 0.0)
     from .work import serve
 
     serve(line, outside)

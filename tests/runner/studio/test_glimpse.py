@@ -31,9 +31,11 @@ def session(document, monkeypatch):
     """One whose clip was seen before; its process is never begun."""
     glimpse.write(glimpse.file_of(document), STAGE, path_of())
     found = Session(document)
-    monkeypatch.setattr(found.solver, "start", lambda: None)
+    begun = []
+    monkeypatch.setattr(found.solver, "start", lambda is_seen: begun.append(is_seen))
     monkeypatch.setattr(found.solver, "send", lambda message: None)
     found.start()
+    assert begun == [True]  # it may take its time
     return found
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import json
+import socket
 import warnings
 
 import pytest
@@ -221,3 +222,23 @@ def test_a_port_that_is_taken_is_told(tmp_path):
 def test_undo_with_nothing_to_undo_is_refused(session):
     with pytest.raises(UserError, match="nothing to undo"):
         asyncio.run(session.undo())
+
+
+def test_words_of_the_server_do_not_wait_for_each_other():
+    """A small message after another one would wait for a sign of life from the page, 40 ms on Linux."""
+
+    async def delays():
+        told = asyncio.get_running_loop().create_future()
+        listening = start._bound("127.0.0.1", 0)
+
+        def came(reader, writer):
+            told.set_result(writer.get_extra_info("socket").getsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY))
+            writer.close()
+
+        async with await asyncio.start_server(came, sock=listening):
+            _, writer = await asyncio.open_connection(*listening.getsockname()[:2])
+            found = await told
+            writer.close()
+        return found == 0
+
+    assert not asyncio.run(delays())
