@@ -101,7 +101,7 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
     "[recording]": (
         table.RecordingTable,
         {
-            "file": "a motion (.npz), a recording (.bvh, ...) or a clip (.toml) beside the clip, or the name of a clip that ships",
+            "file": "a motion (.npz), a recording (.bvh, ...) or a clip beside the clip, or the name of one that ships",
             "repeat": "how often a loop comes",
             "from": "s of the recording, what is used of it",
             "to": "s",

@@ -51,8 +51,8 @@ def between(figure: Figure, first: Array, last: Array, known: Mask) -> Array:
     ways = np.where(known, last - first, 0.0)
     for columns in figure.tables.quaternion_columns.T:
         turn = quat.rotation_vector(quat.product(quat.inverse(first[:, columns]), last[:, columns]))
-        whole = known[:, columns].all(axis=1)
-        ways[:, columns] = np.pad(np.where(whole[:, None], turn, 0.0), ((0, 0), (0, 1)))
+        whole = np.all(known[:, columns], axis=1, keepdims=True)
+        ways[:, columns] = np.pad(np.where(whole, turn, 0.0), ((0, 0), (0, 1)))
     return ways
 
 

@@ -164,8 +164,10 @@ def stances_of(rests: Sequence[Rest]) -> list[dict[str, Any]]:
 def stances_in(said: object, ground: Ground, where: str) -> tuple[Rest, ...]:
     """Stances from such words; raises UserError, where first, for what are none."""
     places, own, found = Places(ground.figure, ground.points), {p.name: p for p in ground.points}, list[Rest]()
+    if not isinstance(said, list):
+        raise UserError(f"{where}: its stances are no list")
     try:
-        for row in said if isinstance(said, list) else [None]:
+        for row in said:
             first, last, plane = float(row["from, s"]), float(row["to, s"]), np.array(row.get("on", []), float)
             if not first < last or plane.shape not in ((0,), (6,)) or not np.isfinite([first, last, *plane]).all():
                 raise ValueError

@@ -85,7 +85,7 @@ class Resting(Penalty):
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         seen = self._seen(samples)
         own = SETTLING**2 * dot(seen.velocity, seen.velocity) + seen.height**2
-        values = np.bincount(seen.at, own, samples.count)
+        values: Array = np.bincount(seen.at, own, samples.count).astype(float)
         if into is None or not seen.at.size:
             return values
         weight = 2 * (scale + np.zeros(samples.count))[seen.at]
@@ -102,13 +102,13 @@ class Resting(Penalty):
         if not some.size:
             return
         link, (at, place) = int(seen.link[some[0]]), np.unique(seen.at[some], return_inverse=True)
-        total, turning, arm = np.zeros((3, 3, at.size))
-        np.add.at(total, (slice(None), place), gradient)
-        np.add.at(turning, (slice(None), place), cross(seen.foot[:, some] - seen.offset[:, some], gradient))
-        arm[:, place] = seen.offset[:, some]
-        add_by_velocity(into, link, at, arm, total)
+        total, turning, arm = np.zeros((3, at.size, 3))
+        np.add.at(total, place, gradient.T)
+        np.add.at(turning, place, cross(seen.foot[:, some] - seen.offset[:, some], gradient).T)
+        arm[place] = seen.offset[:, some].T
+        add_by_velocity(into, link, at, arm.T, total.T)
         if turning.any():
-            into.buffer("omega")[:, link, at] += turning
+            into.buffer("omega")[:, link, at] += turning.T
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
         seen = self._seen(samples)
@@ -116,7 +116,7 @@ class Resting(Penalty):
             return
         rows = point_gradients(samples, seen.at, seen.link, seen.offset, seen.up)
         into.add_rows(seen.at, scale[seen.at], rows[:, None], (0,))
-        at, link, foot = (np.repeat(each, 3, axis=-1) for each in (seen.at, seen.link, seen.foot))
+        at, link, foot = np.repeat(seen.at, 3), np.repeat(seen.link, 3), np.repeat(seen.foot, 3, axis=1)
         rows = velocity_gradients(samples, at, link, foot, np.tile(np.eye(3), seen.at.size))
         into.add_rows(at, SETTLING**2 * scale[at], rows, (0, 1))
 

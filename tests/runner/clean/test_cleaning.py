@@ -62,7 +62,8 @@ def test_soles_stand_still_on_the_ground_and_nothing_shakes(clean):
 
 def test_nothing_of_the_figure_is_deep_in_the_ground(clean):
     """By MuJoCo's own distances, all geoms looked at."""
-    times = np.linspace(*clean.after.span, 200)
+    first, last = clean.after.span
+    times = np.linspace(first, last, 200)
     found = [
         penetration(clean.figure.model, times, clean.figure.to_qpos(p.at(times))) for p in (clean.before, clean.after)
     ]

@@ -29,6 +29,7 @@ def case(figure: Figure, rng: np.random.Generator) -> tuple[Samples, Resting]:
         Rest(Point("b", last, UP), 0.3, 1.0),
         Rest(Point("c", last, np.array([0.2, 0.1, 0.0]), 0.02), 0.1, 0.9, slope, rolls=True),
         Rest(Point("d", last, np.array([0.0, 0.1, 0.2]), 0.03), 0.2, 0.8),
+        Rest(Point("c again", last, np.array([0.2, 0.1, 0.0]), 0.02), 0.5, 1.0, rolls=True),
     )
     return samples, Resting(rests, (FLOOR,))
 
