@@ -7,7 +7,7 @@ from scipy.spatial.transform import Rotation
 from scipy.stats import multivariate_normal
 
 from dynsplines.solver.figure.figure import Figure, Link
-from dynsplines.solver.reading.recorded import LIVELINESS, Recorded, groups, places
+from dynsplines.solver.reading.recorded import LIVELINESS, Recorded, between, groups, places
 
 TIMES = np.linspace(0.3, 3.3, 181)
 
@@ -159,3 +159,25 @@ def test_moved_and_turned_all_poses_are_by_as_much(rng):
     before, after = (Rotation.from_quat(one.states[:, 7:], scalar_first=True) for one in (recorded, turned))
     np.testing.assert_allclose((before.inv() * after).as_rotvec(), [[0.3, 0.2, -0.1]] * TIMES.size, atol=1e-9)
     np.testing.assert_array_equal(turned.states[:, :7], recorded.states[:, :7])
+
+
+def test_a_recording_bent_by_its_way_to_another_is_that_and_goes_there_by_even_turns(figure, rng):
+    """In what is known; half of the way is half of the turn, by SciPy's rotations."""
+    one, other = (Recorded.of(figure, TIMES, swung(figure, rng)) for _ in range(2))
+    known = np.ones(one.states.shape, bool)
+    ways = between(figure, one.states, other.states, known)
+    quaternions = figure.tables.quaternion_columns.T
+    for share in (1.0, 0.5):
+        bent = one.bent(share * ways).states
+        for columns in quaternions:
+            start, end, found = (
+                Rotation.from_quat(np.roll(states[:, columns], -1, axis=1))
+                for states in (one.states, other.states, bent)
+            )
+            wanted = start * Rotation.from_rotvec(share * (start.inv() * end).as_rotvec())
+            assert (wanted.inv() * found).magnitude().max() < 1e-7
+        rest = np.setdiff1d(np.arange(figure.width), np.concatenate([*quaternions, np.zeros(0, int)]).astype(int))
+        wanted = one.states + share * (other.states - one.states)
+        np.testing.assert_allclose(bent[:, rest], wanted[:, rest], atol=1e-12)
+    nothing = between(figure, one.states, other.states, ~known)
+    np.testing.assert_allclose(one.bent(nothing).states, one.states, atol=1e-12)
