@@ -26,6 +26,7 @@ export const drawingOn = (given: HTMLCanvasElement): Drawing => {
     context = canvas.getContext("webgl2", { ...wishes, antialias: true, stencil: false }) as WebGL2RenderingContext;
   }
   const renderer = new THREE.WebGLRenderer({ canvas, context });
+  renderer.debug.checkShaderErrors = false; // they are known to be right, and to ask waits for each of them
   renderer.setPixelRatio(software ? 1 : Math.min(window.devicePixelRatio, 2));
   renderer.shadowMap.enabled = true;
   renderer.shadowMap.type = software ? THREE.BasicShadowMap : THREE.PCFShadowMap;

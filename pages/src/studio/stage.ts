@@ -49,7 +49,8 @@ export class Stage {
   private wanted = true;
   private step = this.software ? 1 : SCALES.length - 1; // of the scales, while something moves
   private quick = 0; // images in a row that came fast
-  private drawnAt = 1;
+  private drawnAt = 0; // the scale of the last image; none yet
+  private size = ""; // [px] of the canvas as it was last asked for: to ask again waits until all that was drawn is done
   private cast: Cast | null = null;
   private stamp = 0;
   private moved = 0;
@@ -77,6 +78,7 @@ export class Stage {
       this.draw();
     });
     new ResizeObserver(() => this.resize()).observe(this.canvas.parentElement!);
+    this.take(SCALES[this.step]);
     this.resize();
     requestAnimationFrame(this.tick);
   }
@@ -242,8 +244,7 @@ export class Stage {
 
   private render(stamp: number, scale: number): void {
     this.wanted = false;
-    if (scale !== this.drawnAt) this.renderer.setPixelRatio(scale * (this.software ? 1 : Math.min(window.devicePixelRatio, 2)));
-    this.drawnAt = scale;
+    this.take(scale);
     const pose = this.pose(stamp);
     if (this.figure && pose) {
       this.figure.isRough = this.software && scale <= ROUGH;
@@ -293,9 +294,16 @@ export class Stage {
     camera.updateProjectionMatrix();
   }
 
+  /** A canvas of so many points for each of the screen's. */
+  private take(scale: number): void {
+    if (scale !== this.drawnAt) this.renderer.setPixelRatio(scale * (this.software ? 1 : Math.min(window.devicePixelRatio, 2)));
+    this.drawnAt = scale;
+  }
+
   private resize(): void {
-    const box = this.canvas.parentElement!.getBoundingClientRect();
-    if (!box.width || !box.height) return;
+    const box = this.canvas.parentElement!.getBoundingClientRect(), size = `${box.width} × ${box.height}`;
+    if (!box.width || !box.height || size === this.size) return;
+    this.size = size;
     this.renderer.setSize(box.width, box.height, false);
     this.camera.aspect = box.width / box.height;
     this.camera.updateProjectionMatrix();
