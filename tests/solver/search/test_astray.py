@@ -19,9 +19,21 @@ from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.objective import Objective
-from dynsplines.solver.penalty import Contact, CovariantAcceleration, Penalty, RootAcceleration, UnitMagnitude
+from dynsplines.solver.penalty import Contact, CovariantAcceleration, Near, Penalty, RootAcceleration, UnitMagnitude
+from dynsplines.solver.reading.recorded import Recorded
 from dynsplines.solver.refine.subdivision import evenly
-from dynsplines.solver.search.astray import DEAR, FAR, LONG, LOOKS, farthest, is_astray, is_dear, is_violent, longest
+from dynsplines.solver.search.astray import (
+    DEAR,
+    FAR,
+    LONG,
+    LOOKS,
+    farthest,
+    is_astray,
+    is_dear,
+    is_far,
+    is_violent,
+    longest,
+)
 from dynsplines.solver.search.judgement import best, common_grid
 from dynsplines.solver.search.minimum import Stop, StopSearch
 from dynsplines.solver.surface import Plane, Sphere
@@ -55,7 +67,7 @@ def first_search(keys: list[Frame], monkeypatch: pytest.MonkeyPatch) -> Solution
     with monkeypatch.context() as patch:
         patch.setattr(VERB, "is_astray", lambda *_: False)
         patch.setattr(VERB, "is_dear", lambda *_: False)
-        patch.setattr(VERB, "farthest", lambda *_: 0.0)
+        patch.setattr(VERB, "is_far", lambda *_: False)
         return inbetween(Problem(LIMB, keys, TERMS))
 
 
@@ -101,6 +113,22 @@ def test_how_far_a_joint_is_off_the_straight_way_is_what_mujoco_says(coordinates
     found = farthest(figure, timeline)
     np.testing.assert_allclose(found, np.linalg.norm(apart, axis=2).max() / size, rtol=1e-9)
     assert found > 0.1
+
+
+def test_what_follows_a_recording_is_far_when_it_is_far_from_that():
+    figure, times = hinged(), np.linspace(0, 1, 60)
+    raw = evenly(raw_timeline(figure, [Frame.key(t, [0.0, 0.0]) for t in (0, 1)]), 1)
+    rows = np.array(raw.rows)
+    rows[1, 0] = np.pi
+    round_it = raw.with_rows(rows)
+    near = {
+        name: Objective.of(figure, [(Near(Recorded.of(figure, times, path_of(t).at(times), exact=True)), 1.0)])
+        for name, t in (("still", raw), ("round", round_it))
+    }
+    assert is_far(near["still"], round_it)
+    assert not is_far(near["still"], raw)
+    assert is_far(near["round"], raw)
+    assert not is_far(near["round"], round_it)
 
 
 def test_a_limb_turned_round_is_far_and_a_figure_that_is_carried_off_is_not():
@@ -156,7 +184,7 @@ def test_motion_that_costs_twice_what_the_raw_spline_does_is_dear_where_there_is
 @pytest.fixture
 def from_raw(monkeypatch) -> None:
     """The search begins from the raw spline, however far off."""
-    monkeypatch.setattr(VERB, "farthest", lambda *_: 0.0)
+    monkeypatch.setattr(VERB, "is_far", lambda *_: False)
 
 
 @pytest.mark.slow
@@ -311,7 +339,7 @@ def test_what_came_out_well_but_dear_is_searched_once_more_without_bends_to_begi
 
 def test_a_single_evaluation_leaves_the_raw_spline_as_it_is(monkeypatch):
     """However bad it is: what is written to be reproduced is not exchanged for a straight one."""
-    monkeypatch.setattr(VERB, "FAR", 0.0)
+    monkeypatch.setattr(VERB, "is_far", lambda *_: True)
     monkeypatch.setattr(VERB, "is_astray", lambda *_: True)
     monkeypatch.setattr(VERB, "straightened", lambda *_: pytest.fail("it began from elsewhere"))
     figure = Figure(mujoco.MjModel.from_xml_string(BALL_TREE))
