@@ -20,7 +20,7 @@ from dynsplines.solver.reading.settled import on_the_ground, settled
 from dynsplines.solver.reading.stances import Stood, stood, unsure
 from dynsplines.solver.solution import Improvement, Solution
 
-from ..clip.follow.keeping import Ground, problem
+from ..clip.follow.keeping import Ground, loose, problem
 from .repairs import Repaired
 from .sinking import unseen
 
@@ -132,11 +132,12 @@ def _out_of_edges(
 ) -> tuple[Problem, Solution]:
     """The search gone on with more frames where something went through an edge between two samples, and is seen now."""
     for _ in range(LOOKS):
-        times = solution.timeline.times
-        more = unseen(ground, path_of(solution.timeline), times)
+        path, times = path_of(solution.timeline), solution.timeline.times
+        more = unseen(ground, path, times)
         if not more.size:
             break
-        asked = replace(asked, keys=_at(asked.figure, path_of(solution.timeline), np.union1d(times, more)))
+        times = np.union1d(times, more)
+        asked = replace(asked, keys=loose(asked.figure, times, path.at(times)))
         solution = inbetween(asked, improved=improved)
     return asked, solution
 
@@ -164,13 +165,7 @@ def _with(asked: Problem, rests: Sequence[Rest]) -> tuple[Frame, ...]:
     for time in ends:
         if min(abs(time - other) for other in times) > FAR:
             times.append(time)
-    return _at(figure, path, np.array(sorted(times)))
-
-
-def _at(figure: Figure, path: Path, times: Array) -> tuple[Frame, ...]:
-    """Frames of a path, to go on from."""
-    everything, qpos = np.ones(figure.width, bool), figure.to_qpos(path.at(times))
-    return tuple(Frame(time, pose, ~everything, everything) for time, pose in zip(times, qpos, strict=True))
+    return loose(figure, np.array(sorted(times)), path.at(np.array(sorted(times))))
 
 
 def _curve(asked: Problem) -> Path:
@@ -188,10 +183,7 @@ def _second_look(ground: Ground, recorded: Recorded, calmed: Problem) -> tuple[R
 
 def _from(figure: Figure, solution: Solution) -> tuple[Frame, ...]:
     """Frames to go on from."""
-    everything = np.ones(figure.width, bool)
-    return tuple(
-        Frame(frame.time, figure.to_qpos(frame.state), ~everything, everything) for frame in solution.timeline.frames
-    )
+    return loose(figure, solution.timeline.times, solution.timeline.states)
 
 
 def _by_state(figure: Figure, known: Mask) -> Array:

@@ -12,20 +12,18 @@ from rich.table import Table
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import Path
-from dynsplines.solver.figure.algebra import cross
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import JointRange, Speed, Support, joint_ranges
+from dynsplines.solver.penalty import JointRange, Rolling, Speed, Support, joint_ranges
 from dynsplines.solver.surface.heights import height_over
 from dynsplines.solver.surface.points import arrays_of, places_of
 
 from ..clip.follow.keeping import Ground
 from ..measure.measures import turning, turns
 from .cleaning import Cleaned, Verdict
-from .sinking import depth
+from .sinking import along, depth
 
 RATE = 120.0  # [1/s]
-RUN = 1000  # samples looked at at once
 SLIP, DEPTH, HOVER = 5.0, 2.0, 5.0  # [mm] of what is sound
 RANGE = 0.5  # [°] beyond a joint's range, likewise
 
@@ -100,11 +98,10 @@ class Comparison:
         """How far pelvis, hands and feet are off what was recorded, farthest first."""
         figure, found = self.cleaned.figure, list[Farthest]()
         links = followed(figure)
-        off = []
-        for first in range(0, self.times.size, RUN):
-            t = self.times[first : first + RUN]
-            one, other = (_tips(figure, path, t, links) for path in (self.cleaned.recorded.path, self.cleaned.after))
-            off.append(np.linalg.norm(one - other, axis=0))
+        sides = (along(figure, path, self.times) for path in (self.cleaned.recorded.path, self.cleaned.after))
+        off = [
+            np.linalg.norm(_tips(one, links) - _tips(other, links), axis=0) for one, other in zip(*sides, strict=True)
+        ]
         for link, row in zip(links, np.concatenate(off, axis=1), strict=True):
             high, at = float(np.percentile(row, 95)), int(row.argmax())
             name = figure.model.body(figure.links[link].body).name or figure.links[link].name
@@ -142,11 +139,10 @@ def followed(figure: Figure) -> list[int]:
     return [*roots, *ends]
 
 
-def _tips(figure: Figure, path: Path, t: Array, links: list[int]) -> Array:
+def _tips(samples: Samples, links: list[int]) -> Array:
     """(3, n, T) [m] the middle of links' masses."""
-    samples = Samples(figure, *path.motion(t))
-    places, _ = samples.links.points(np.array(links), np.array([figure.links[i].centre for i in links]).T)
-    return places
+    centres = np.array([samples.figure.links[i].centre for i in links]).T
+    return samples.links.points(np.array(links), centres)[0]
 
 
 class Look:
@@ -160,28 +156,22 @@ class Look:
         return self.cleaned.ground
 
     def _parts(self) -> Iterator[Samples]:
-        for first in range(0, self.times.size, RUN):
-            t = self.times[first : first + RUN]
-            yield Samples(self.ground.figure, *self.path.motion(t), t=t)
+        return along(self.ground.figure, self.path, self.times)
 
     @cached_property
     def _soles(self) -> tuple[Array, Array, Array]:
-        """Places (3, p, T) and heights (p, T) [m] of the soles' points, and how far they have rolled (3, p, T) [m]."""
-        points, nothing = self.ground.points, np.zeros((3, 0, self.times.size))
+        """Places (3, p, T) and heights (p, T) [m] of the soles' points, and how their links are turned (4, p, T)."""
+        points = self.ground.points
         if not points or not self.ground.surfaces:
-            return nothing, nothing[0], nothing
+            return np.zeros((3, 0, self.times.size)), np.zeros((0, self.times.size)), np.zeros((4, 0, self.times.size))
         links, _, radius = arrays_of(points)
-        parts = [(places_of(points, samples)[0], samples.links.omega[:, links]) for samples in self._parts()]
-        places, omega = (np.concatenate(some, axis=2) for some in zip(*parts, strict=True))
-        height, up = height_over(self.ground.surfaces, places, radius)
-        speed = radius[:, None] * cross(omega, up)
-        ways = 0.5 * (speed[..., 1:] + speed[..., :-1]) * np.diff(self.times)
-        return places, height, np.concatenate([0 * speed[..., :1], np.cumsum(ways, axis=2)], axis=2)
+        parts = [(places_of(points, samples)[0], samples.links.Q[:, links]) for samples in self._parts()]
+        places, turned = (np.concatenate(some, axis=2) for some in zip(*parts, strict=True))
+        return places, height_over(self.ground.surfaces, places, radius)[0], turned
 
     def _resting(self) -> Iterator[tuple[Array, Array]]:
-        """Of every stance, where what of the point is lowest would be if only its slip moved it (3, t), and heights
-        (t,)."""
-        places, heights, rolled = self._soles
+        """Of every stance, places as they would be if the point slipped and did not roll (3, t), and heights (t,)."""
+        places, heights, turned = self._soles
         row = {id(point): i for i, point in enumerate(self.ground.points)}
         for rest in self.cleaned.rests:
             i = row.get(id(rest.point))
@@ -190,7 +180,9 @@ class Look:
                 own = heights[i, during]
                 if rest.ground is not None:
                     own = height_over((rest.ground,), places[:, [i]][..., during], np.array([rest.point.radius]))[0][0]
-                yield (places - rolled)[:, i, during], own
+                its_turns = turned[:, i, during]
+                rolling = Rolling.of(rest, its_turns[:, its_turns.shape[1] // 2])
+                yield places[:, i, during] - rolling.way(its_turns), own
 
     @property
     def depth(self) -> float:

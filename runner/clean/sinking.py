@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import Path
+from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 
 from ..clip.follow.keeping import LONGEST_PANEL, NEXT_TO, POINTS, Ground
@@ -17,16 +20,22 @@ DEEP = 0.001  # [m] that a search should not have let pass
 SEEN = LONGEST_PANEL / POINTS  # [s] that the samples of a search are apart: what lasts longer it has seen
 
 
-def depth(ground: Ground, path: Path, times: Array) -> Array:
-    """(T,) [m] of the deepest of all of the figure that is meant to stay out, its soles among it, at times (T,)."""
-    body, found = bunches((*ground.clear, *ground.points)), np.zeros(times.size)
+def along(figure: Figure, path: Path, times: Array) -> Iterator[Samples]:
+    """Samples of a path at times (T,) [s], some at once: those of ten minutes would not fit into the memory."""
     for first in range(0, times.size, RUN):
         t = times[first : first + RUN]
-        samples = Samples(ground.figure, *path.motion(t), t=t)
+        yield Samples(figure, *path.motion(t), t=t)
+
+
+def depth(ground: Ground, path: Path, times: Array) -> Array:
+    """(T,) [m] of the deepest of all of the figure that is meant to stay out, its soles among it, at times (T,)."""
+    body, found = bunches((*ground.clear, *ground.points)), list[Array]()
+    for samples in along(ground.figure, path, times):
+        found.append(np.zeros(samples.count))
         for surface in ground.surfaces:
             for _, at, deep in depths(body, surface, samples):
-                found[first + at] = np.maximum(found[first + at], deep.max(axis=0))
-    return found
+                found[-1][at] = np.maximum(found[-1][at], deep.max(axis=0))
+    return np.concatenate(found)
 
 
 def unseen(ground: Ground, path: Path, frames: Array) -> Array:

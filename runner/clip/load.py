@@ -495,8 +495,8 @@ def _following(
     figure, where = recording.recorded.figure, recording.where
     ground = ground_of(figure, figure.to_qpos(recording.recorded.states))
     given = rests_of(ground, table.contact, recording.recorded.path.span, where)
-    rests = None if known is None else stances_in(known, ground, where)
-    problem, kept = recording.problem(ground, edits, given if rests is None else (), rests)
+    kept = recording.stances(ground, edits, given) if known is None else stances_in(known, ground, where)
+    problem = recording.problem(ground, edits, kept)
     said = {entry.kind: entry.said["weight"] for entry in table.penalty if "weight" in entry.said}
     weighted = tuple((p, w * said.get(p.name, 1.0)) for p, w in problem.penalties)
     problem = replace(problem, penalties=weighted)

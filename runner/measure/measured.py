@@ -232,9 +232,8 @@ def _contact_report(clip: Clip, timeline: Timeline) -> list[dict[str, Any]]:
         time = np.linspace(rest.first, rest.last, max(3, round((rest.last - rest.first) * RATE)))
         samples = samples_at(clip.figure, path_of(timeline), time)
         centres, _, _ = places_of((rest.point,), samples)
-        track = centres[:, 0]
-        if (rolling := Rolling.of(rest, samples, time.size // 2)) is not None:
-            track = track - rolling.way(samples.links.Q[:, rest.point.link])
+        turned = samples.links.Q[:, rest.point.link]
+        track = centres[:, 0] - Rolling.of(rest, turned[:, time.size // 2]).way(turned)
         moved = float(np.linalg.norm(track - track[:, [time.size // 2]], axis=0).max())
         path = float(np.linalg.norm(np.diff(track, axis=1), axis=0).sum())
         speed = path / (rest.last - rest.first)

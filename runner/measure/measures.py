@@ -288,7 +288,7 @@ class Held:
     kind    "contact" or "stance"
     groups  (n,) the contact or foot that each belongs to
     says    a sentence each
-    rolling of those that roll, how; none at all if none does
+    rolling how each rolls; none at all if none does
     """
 
     kind: str
@@ -296,7 +296,7 @@ class Held:
     groups: Index
     says: tuple[str, ...]
     placed: Mask
-    rolling: tuple[Rolling | None, ...] = ()
+    rolling: tuple[Rolling, ...] = ()
     stride: int = 1
 
     def hits(self, samples: Samples) -> Hits:
@@ -305,8 +305,8 @@ class Held:
             at = np.flatnonzero((samples.t >= stance.first) & (samples.t <= stance.last))
             if at.size:
                 off = _places(samples, stance.point, at) - stance.place(samples.t[at])
-                if self.rolling and (rolling := self.rolling[i]) is not None:
-                    off = off - rolling.way(samples.links.Q[:, stance.point.link, at])
+                if self.rolling:
+                    off -= self.rolling[i].way(samples.links.Q[:, stance.point.link, at])
                 away = np.linalg.norm(off, axis=0)
                 far = np.flatnonzero(away > bound)
                 parts.append(Hits(np.full(far.size, i), at[far], away[far]))

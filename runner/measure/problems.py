@@ -139,7 +139,7 @@ def plain(found: Sequence[Flaw]) -> list[dict[str, Any]]:
 
 
 def _found(clip: Clip, timeline: Timeline, raw: Timeline) -> Iterator[Flaw]:
-    clip = as_keyed(clip)
+    clip = _as_keyed(clip)
     figure, path = clip.figure, path_of(timeline)
     key_times = np.array([key.time for key in clip.keys])
     said = {key.time for key in clip.said}
@@ -156,7 +156,7 @@ def _found(clip: Clip, timeline: Timeline, raw: Timeline) -> Iterator[Flaw]:
     yield from _misses(clip, timeline)
 
 
-def as_keyed(clip: Clip) -> Clip:
+def _as_keyed(clip: Clip) -> Clip:
     """Of a recording's frames, which nobody gave, the first and the last beside the keyframes."""
     said, ends = {key.time for key in clip.said}, (0, len(clip.keys) - 1)
     nothing = np.zeros(clip.figure.width, bool)
@@ -243,17 +243,16 @@ def _held(clip: Clip, timeline: Timeline) -> Iterator[measures.Held]:
     figure, fixed = clip.figure, np.array([key.fixed for key in clip.keys])
     placed = measures.links_placed(figure, fixed)
     known = [part.stances for part in _parts(clip) if isinstance(part, Planted)]
-    pieces = [list(_pieces(clip, rest, known, timeline)) for rest in clip.context.contacts.given]
-    if pieces:
+    rests = clip.context.contacts.given
+    if rests:
+        middle = samples_at(figure, path_of(timeline), np.array([0.5 * (rest.first + rest.last) for rest in rests]))
+        spots = np.diagonal(places_of([rest.point for rest in rests], middle)[0], axis1=1, axis2=2)
+        pieces = [list(_pieces(rest, known, spot)) for rest, spot in zip(rests, spots.T, strict=True)]
         groups = np.repeat(np.arange(len(pieces)), [len(some) for some in pieces])
         says = [f"contact {stance.point.name} moves {{}} while it should rest" for some in pieces for stance in some]
         flat = tuple(stance for some in pieces for stance in some)
-        rolling = tuple(
-            Rolling.of(rest, _in_the_middle(clip, rest, timeline))
-            for rest, some in zip(clip.context.contacts.given, pieces, strict=True)
-            for _ in some
-        )
-        yield measures.Held("contact", flat, groups, tuple(says), placed, rolling if any(rolling) else ())
+        rolling = tuple(Rolling.of(rests[k], middle.links.Q[:, rests[k].point.link, k]) for k in groups.tolist())
+        yield measures.Held("contact", flat, groups, tuple(says), placed, rolling)
     told = [
         stance
         for stance in _told(clip, timeline)
@@ -282,20 +281,11 @@ def _same(stance: Stance, rest: Rest) -> bool:
     return bool(meet and same)
 
 
-def _pieces(clip: Clip, rest: Rest, known: Sequence[Sequence[Stance]], timeline: Timeline) -> Iterator[Stance]:
-    """Where a contact's point is to be: as somebody says, else where it is in the middle of the contact."""
+def _pieces(rest: Rest, known: Sequence[Sequence[Stance]], middle: Array) -> Iterator[Stance]:
+    """Where a contact's point is to be: as somebody says, else where it is in the middle of the contact, (3,) [m]."""
     said = [s for some in known for s in some if _same(s, rest) and s.first >= rest.first - ROUNDING]
     said = [stance for stance in said if stance.last <= rest.last + ROUNDING]
-    if said:
-        yield from said
-        return
-    spot = places_of((rest.point,), _in_the_middle(clip, rest, timeline))[0][:, 0, 0]
-    yield Stance(rest.point, rest.first, rest.last, spot, spot)
-
-
-def _in_the_middle(clip: Clip, rest: Rest, timeline: Timeline) -> Samples:
-    """One sample, in the middle of a contact."""
-    return samples_at(clip.figure, path_of(timeline), np.array([0.5 * (rest.first + rest.last)]))
+    yield from said or [Stance(rest.point, rest.first, rest.last, middle, middle)]
 
 
 def _drifts(held: Sequence[measures.Held], key_times: Array, numbers: Index) -> Iterator[Flaw]:

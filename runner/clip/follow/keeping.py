@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -84,7 +85,7 @@ class Ground:
     speed: float | None = None
     bends: BendLimits | None = None
 
-    @property
+    @cached_property
     def clear(self) -> tuple[Point, ...]:
         """The points of the body that stay out of things, but for what of feet and ankles is below the soles at rest:
         there the soles speak for them."""
@@ -184,15 +185,20 @@ def stances_in(said: object, ground: Ground, where: str) -> tuple[Rest, ...]:
 def problem(near: Near, ground: Ground, rests: Sequence[Rest], times: Array, edits: Sequence[Frame] = ()) -> Problem:
     """The recording that is near, and all else: frames at times (M,) [s], keyframes that are edits among them."""
     figure, path = near.recorded.figure, near.recorded.path
-    nothing, everything = np.zeros(figure.width, bool), np.ones(figure.width, bool)
-    given = np.array([edit.time for edit in edits])
-    free = _clear(times, given)
-    frames = [Frame(t, q, nothing, everything) for t, q in zip(free, figure.to_qpos(path.at(free)), strict=True)]
+    free = _clear(times, np.array([edit.time for edit in edits]))
+    frames = loose(figure, free, path.at(free))
     keys = sorted([*edits, *frames], key=lambda frame: frame.time)
     quadrature = Quadrature("gauss", POINTS, LONGEST_PANEL)
     settings = Settings(variable=0, frames=0, tolerance=TOLERANCE, renormalise=False, quadrature=quadrature)
     penalties = [(penalty, WEIGHTS[penalty.name]) for penalty in (near, *penalties_of(ground, rests))]
     return Problem(figure, tuple(keys), tuple(penalties), settings)
+
+
+def loose(figure: Figure, times: Array, states: Array) -> tuple[Frame, ...]:
+    """Frames of which nothing is fixed, at times (M,) [s], to go on from states (M, N)."""
+    everything = np.ones(figure.width, bool)
+    poses = zip(times, figure.to_qpos(states), strict=True)
+    return tuple(Frame(time, qpos, ~everything, everything) for time, qpos in poses)
 
 
 def _clear(times: Array, given: Array) -> Array:

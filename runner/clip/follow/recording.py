@@ -67,10 +67,12 @@ class Followed:
     @classmethod
     def of_motion(cls, figure: Figure, raw: Timeline, table: RecordingTable, where: str) -> Followed:
         """What a motion followed, by where its search began: the recording, bent through the poses of keyframes."""
-        path, (first, last) = path_of(raw), raw.times[[0, -1]].tolist()
-        time = np.linspace(first, last, max(2, round((last - first) * RATE) + 1))
-        qpos = motion.continuous(figure, figure.to_qpos(path.at(time)))
-        return cls(Recorded.of(figure, time, qpos, exact=True), raw.times, table, where)
+        return cls(Recorded.of(figure, *_taken_down(Moving(figure, raw, RATE)), exact=True), raw.times, table, where)
+
+    @property
+    def width(self) -> float:
+        """[s] before and after a keyframe."""
+        return self.table.blend or EASE
 
     def pose(self, time: float) -> Array:
         """qpos (nq,) at a time [s] of the clip. Raises UserError for one that the recording does not reach."""
@@ -82,25 +84,19 @@ class Followed:
             )
         return self.recorded.figure.to_qpos(self.recorded.path.at(np.array([time])))[0]
 
-    def problem(
-        self, ground: Ground, edits: Sequence[Frame], given: Sequence[Rest], known: Sequence[Rest] | None = None
-    ) -> tuple[Problem, tuple[Rest, ...]]:
-        """What is to be solved, and the stances in it: those of the recording, but where a clip speaks of the point, or
-        a keyframe moves it.
+    def stances(self, ground: Ground, edits: Sequence[Frame], given: Sequence[Rest]) -> tuple[Rest, ...]:
+        """Those of the recording, but where a clip speaks of the point, or a keyframe moves it; and those given."""
+        own = (Rest(*one, rolls=True) for one in stood(self.recorded, ground.points, ground.surfaces))
+        return (*(rest for rest in own if not self._is_void(rest, edits, given)), *given)
 
-        known  them all, if they are
-        """
-        width = self.table.blend or EASE
-        near = Near(self._warped(edits), tuple((edit.time, width) for edit in edits))
-        rests = [] if known is None else list(known)
-        if known is None:
-            own = (Rest(*one, rolls=True) for one in stood(self.recorded, ground.points, ground.surfaces))
-            rests = [rest for rest in own if not self._is_void(rest, edits, given, width)]
-        asked = problem(near, ground, [*rests, *given], self._times(near, edits), edits)
+    def problem(self, ground: Ground, edits: Sequence[Frame], rests: Sequence[Rest]) -> Problem:
+        """What is to be solved, with these stances."""
+        near = Near(self._warped(edits), tuple((edit.time, self.width) for edit in edits))
+        asked = problem(near, ground, rests, self._times(near, edits), edits)
         weights = [(p, self.table.weight * w if p is near else w) for p, w in asked.penalties]
         keys = [self._kept(frame, edits) for frame in asked.keys]
         settings = replace(asked.settings, tolerance=TOLERANCE)
-        return replace(asked, keys=tuple(keys), penalties=tuple(weights), settings=settings), (*rests, *given)
+        return replace(asked, keys=tuple(keys), penalties=tuple(weights), settings=settings)
 
     def _warped(self, edits: Sequence[Frame]) -> Recorded:
         """The recording bent through the poses of keyframes, and back to itself before and after them (A. Witkin and
@@ -141,9 +137,9 @@ class Followed:
         far = all(abs(frame.time - edit.time) >= INNER * self.table.blend for edit in edits)
         return Frame.key(frame.time, frame.state) if far else frame
 
-    def _is_void(self, rest: Rest, edits: Sequence[Frame], given: Sequence[Rest], width: float) -> bool:
+    def _is_void(self, rest: Rest, edits: Sequence[Frame], given: Sequence[Rest]) -> bool:
         """Whether a stance of the recording is none in the clip, or lies where nothing changes."""
-        point = rest.point
+        point, width = rest.point, self.width
         if self.table.blend is not None and not any(
             rest.first < edit.time + width and edit.time - width < rest.last for edit in edits
         ):

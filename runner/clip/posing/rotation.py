@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
-
 import numpy as np
 
 from dynsplines.solver import quaternion as quat
@@ -33,7 +31,7 @@ def plain_quaternion(table: RotationTable, where: str) -> Array:
     if table.order is not None and table.euler is None:
         raise UserError(f"{where}: order goes with euler, not with {given[0]}")
     if table.rotvec is not None:
-        return _from_rotvec(np.asarray(table.rotvec, float).tobytes()).copy()
+        return quat.from_rotation_vector(np.radians(table.rotvec))
     if table.quat is not None:
         if np.linalg.norm(table.quat) < 1e-6:
             raise UserError(f"{where}: the quaternion is zero")
@@ -47,12 +45,3 @@ def plain_quaternion(table: RotationTable, where: str) -> Array:
     for letter, angle in zip(order, np.radians(angles), strict=True):
         out = quat.product(out, quat.from_rotation_vector(angle * np.eye(3)["xyz".index(letter)]))
     return out
-
-
-@lru_cache(maxsize=4096)
-def _from_rotvec(degrees: bytes) -> Array:
-    """The quaternion of a rotation vector, not to be changed: an edited clip says nearly all that it said before.
-
-    degrees  its three float64, to the last bit: equal numbers of other bits are other rotations
-    """
-    return quat.from_rotation_vector(np.radians(np.frombuffer(degrees)))

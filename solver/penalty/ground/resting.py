@@ -54,12 +54,10 @@ class Rolling:
     start: Array
 
     @classmethod
-    def of(cls, rest: Rest, samples: Samples, at: int = 0) -> Rolling | None:
-        """That of a rest that rolls, in its place at one of the samples; None for others."""
-        if not rest.rolls:
-            return None
+    def of(cls, rest: Rest, start: Array) -> Rolling:
+        """That of a rest, in its place where its link is turned so (4,); what does not roll has no arm."""
         up = UP if rest.ground is None else rest.ground.normal
-        return cls(rest.point.radius * up, samples.links.Q[:, rest.point.link, at])
+        return cls(rest.rolls * rest.point.radius * up, start)
 
     def way(self, turned: Array) -> Array:
         """(3, k) [m] that the middle goes if the link turns to (4, k), quaternions, about one axis all the time."""
@@ -90,8 +88,9 @@ class Resting(Penalty):
             return values
         weight = 2 * (scale + np.zeros(samples.count))[seen.at]
         by_velocity = SETTLING**2 * weight * seen.velocity
-        for first in self._points:
-            some = np.flatnonzero(self._same[seen.which] == first)
+        same = self._same[seen.which]
+        for first in np.unique(same):
+            some = np.flatnonzero(same == first)
             self._add_by_velocity(into, seen, some, by_velocity[:, some])
         into.add_forces(seen.link * samples.count + seen.at, seen.offset, weight * seen.height * seen.up)
         return values
@@ -99,8 +98,6 @@ class Resting(Penalty):
     @staticmethod
     def _add_by_velocity(into: Cotangent, seen: _Seen, some: Index, gradient: Array) -> None:
         """Adds gradients (3, p) with respect to velocities, of some pairs that are of one point."""
-        if not some.size:
-            return
         link, (at, place) = int(seen.link[some[0]]), np.unique(seen.at[some], return_inverse=True)
         total, turning, arm = np.zeros((3, at.size, 3))
         np.add.at(total, place, gradient.T)
@@ -126,11 +123,6 @@ class Resting(Penalty):
         known: dict[tuple[int, bytes], int] = {}
         keys = [(rest.point.link, rest.point.position.tobytes()) for rest in self.rests]
         return np.array([known.setdefault(key, i) for i, key in enumerate(keys)], np.intp)
-
-    @cached_property
-    def _points(self) -> list[int]:
-        """The first rests of all points."""
-        return sorted(set(self._same.tolist()))
 
     @cached_property
     def _grounds(self) -> tuple[Mask, Array, Array]:
