@@ -9,7 +9,7 @@ the world by hinges.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import mujoco
@@ -33,7 +33,6 @@ STEEP = 0.5  # of a slide's way, how much of it goes up
 UPRIGHT = 0.8  # of the tallest pose, one that is looked at, too
 SAME = 1e-3  # [m] poses as tall as each other
 CORNERS = 4  # points a foot, at most
-ROUND = (int(mujoco.mjtGeom.mjGEOM_SPHERE), int(mujoco.mjtGeom.mjGEOM_CAPSULE))
 SKIN = 0.1  # of a sphere's radius that a mark may be off its skin
 
 
@@ -63,13 +62,9 @@ def _near_ground(figure: Figure, points: Sequence[Point], qpos: Array) -> bool:
 
 def _grown(figure: Figure, point: Point) -> Point:
     """A site in the middle of a sphere of its link, as thick as that: a foot is meant, not a point of its sole."""
-    model = figure.model
-    spheres = model.geom_type == int(mujoco.mjtGeom.mjGEOM_SPHERE)
-    for geom in (geom for geom in movers(model) if spheres[geom]):
-        link, centre = figure.point_on_link(int(model.geom_bodyid[geom]), model.geom_pos[geom])
-        radius = float(model.geom_size[geom, 0])
-        if link == point.link and np.linalg.norm(point.position - centre) < 0.5 * radius:
-            return Point(point.name, link, centre, radius)
+    for (centre, other), radius in _round(figure, point.link):
+        if np.array_equal(centre, other) and np.linalg.norm(point.position - centre) < 0.5 * radius:
+            return Point(point.name, point.link, centre, radius)
     return point
 
 
@@ -77,24 +72,28 @@ def rounded(figure: Figure, point: Point) -> Point:
     """A mark on the skin of a sphere or a capsule of its link, as a sphere as thick as that: what the foot rolls on."""
     if point.radius:
         return point
-    model, best = figure.model, point
-    for geom in movers(model):
-        if model.geom_type[geom] not in ROUND:
-            continue
-        radius, half = float(model.geom_size[geom, 0]), float(model.geom_size[geom, 1])
-        way = np.zeros(3) if model.geom_type[geom] == ROUND[0] else quat.rotated(model.geom_quat[geom], np.eye(3)[2])
-        link, ends = figure.point_on_link(
-            int(model.geom_bodyid[geom]), model.geom_pos[geom] + np.outer((-half, half), way)
-        )
-        if link != point.link:
-            continue
-        along = ends[1] - ends[0]
-        share = np.clip((point.position - ends[0]) @ along / max(along @ along, 1e-12), 0, 1)
-        centre = ends[0] + share * along
+    best = point
+    for (first, last), radius in _round(figure, point.link):
+        along = last - first
+        share = np.clip((point.position - first) @ along / max(along @ along, 1e-12), 0, 1)
+        centre = first + share * along
         off = abs(np.linalg.norm(point.position - centre) - radius)
         if off < SKIN * radius and radius > best.radius:
-            best = Point(point.name, link, centre, radius)
+            best = Point(point.name, point.link, centre, radius)
     return best
+
+
+def _round(figure: Figure, link: int) -> Iterator[tuple[Array, float]]:
+    """The ends (2, 3) [m] of a link's spheres, which are one, and capsules, and their radii [m]."""
+    model, sphere = figure.model, int(mujoco.mjtGeom.mjGEOM_SPHERE)
+    for geom in movers(model):
+        body, kind = int(model.geom_bodyid[geom]), int(model.geom_type[geom])
+        if figure.body_link[body] != link or kind not in (sphere, int(mujoco.mjtGeom.mjGEOM_CAPSULE)):
+            continue
+        half = 0.0 if kind == sphere else float(model.geom_size[geom, 1])
+        way = half * quat.rotated(model.geom_quat[geom], np.eye(3)[2])
+        _, ends = figure.point_on_link(body, model.geom_pos[geom] + np.stack([-way, way]))
+        yield ends, float(model.geom_size[geom, 0])
 
 
 def _lowest(figure: Figure, qpos: Array) -> tuple[Point, ...]:
