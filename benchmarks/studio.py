@@ -33,12 +33,13 @@ ROUND = "new Promise((r) => requestAnimationFrame(() => requestAnimationFrame(r)
 SETTLED = "studio.model.status.state === 'settled'"
 KEY = 4  # the keyframe that is edited
 PULLS = 200  # poses of a drag
+SHARES = (0.3, 0.8)  # of a loop of 16 by 20 cm that a drag goes: every one ends elsewhere, so that no path is remembered
 MINUTES = float(os.environ.get("STUDIO_MINUTES", "30"))  # of the long run, which is told with its figures
-DRAG = """async ([body, count]) => {
+DRAG = """async ([body, count, share]) => {
   const place = studio.stage.placeOf(body, [0, 0, 0]).toArray(), times = [], trips = [];
   await studio.ask('grip', { time: studio.model.time, body, offset: [0, 0, 0] });
   for (let i = 0; i < count; i++) {
-    const a = 2 * Math.PI * i / count, asked = performance.now();
+    const a = 2 * Math.PI * share * i / count, asked = performance.now();
     const at = [place[0] + 0.08 * (Math.cos(a) - 1), place[1] + 0.05 * Math.sin(2 * a), place[2] + 0.1 * Math.sin(a)];
     const answer = await studio.ask('drag', { position: at });
     times.push(answer.ms);
@@ -124,10 +125,11 @@ def first_figure(browser: Any, folder: Path) -> float:
 def edits(page: Any, repeats: int, pulls: int) -> dict[str, list[float]]:
     """Poses of a drag, and what comes after it is let go."""
     found: dict[str, list[float]] = {"server": [], "trip": [], "first": [], "converged": []}
-    for _ in range(repeats):
+    for i in range(repeats):
         page.evaluate(f"studio.model.seek(studio.model.document.keys[{KEY}].time)")
         body = page.evaluate("studio.model.stage.bodies.indexOf('left_foot')")
-        times, trips = page.evaluate(DRAG, [body, pulls])
+        share = SHARES[0] + (SHARES[1] - SHARES[0]) * i / max(repeats - 1, 1)
+        times, trips = page.evaluate(DRAG, [body, pulls, share])
         found["server"] += times
         found["trip"] += trips
         first, converged, _ = page.evaluate(RELEASE, ["drop", {"time": page.evaluate("studio.model.time")}])

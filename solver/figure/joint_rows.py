@@ -58,24 +58,40 @@ class _Points:
             out[:, 0, columns] = (self.direction * self.on[free]).T
 
     def _axes(self, out: Array, *, rates: bool) -> None:
-        """Hinges and slides."""
-        tables, motion, at = self.tables, self.motion, self.at
-        direction = self.direction[:, None]
-        for hinge, links, columns in (
-            (True, tables.hinge_links, tables.hinge_columns),
-            (False, tables.slide_links, tables.slide_columns),
+        """Hinges and slides: a row is the screw of an axis on the wrench that `direction` makes at the point."""
+        wrench = np.concatenate([cross(self.place, self.direction), self.direction])
+        turning = cross(self._velocity, self.direction) if rates else None
+        for links, columns, first in (
+            (self.tables.hinge_links, self.tables.hinge_columns, 0),
+            (self.tables.slide_links, self.tables.slide_columns, 3),  # of whose screws the first half is nought
         ):
             if not links.size:
                 continue
-            axis = turned(motion.rotation[:, :, links], tables.axis[:, links])
-            e, on = axis[:, :, at], self.on[links]
-            lever = self.place[:, None] - motion.anchor[:, links][:, :, at]
-            out[:, 0, columns] = (dot(direction, cross(e, lever) if hinge else e) * on).T
-            if rates:
-                e_d = cross(motion.omega[:, links], axis)[:, :, at]
-                if hinge:
-                    e_d = cross(e_d, lever) + cross(e, self._velocity[:, None] - self._anchor_velocity(links))
-                out[:, 1, columns] = (dot(direction, e_d) * on).T
+            screw, screw_d = self._screws(links, is_hinge=first == 0, rates=rates)
+            for link in np.unique(self.link):
+                some, own = np.flatnonzero(self.link == link), np.flatnonzero(self.tables.path[link, links] > 0)
+                there, at = np.ix_(some, columns[own]), self.at[some]
+                seen = screw[:, own][:, :, at]
+                out[:, 0][there] = _on(seen, wrench[first:, some])
+                if rates:
+                    assert screw_d is not None and turning is not None
+                    out[:, 1][there] = _on(screw_d[:, own][:, :, at], wrench[first:, some])
+                    if first == 0:
+                        out[:, 1][there] += _on(seen[:3], turning[:, some])
+
+    def _screws(self, links: Index, *, is_hinge: bool, rates: bool) -> tuple[Array, Array | None]:
+        """The screws (6, n, S) of axes e through anchors a, e and a × e, of slides e alone (3, n, S); and how fast they
+        change."""
+        motion = self.motion
+        e = turned(motion.rotation[:, :, links], self.tables.axis[:, links])
+        e_d = cross(motion.omega[:, links], e) if rates else None
+        if not is_hinge:
+            return e, e_d
+        a = motion.anchor[:, links]
+        screw = np.concatenate([e, cross(a, e)])
+        if e_d is None:
+            return screw, None
+        return screw, np.concatenate([e_d, cross(self._anchor_velocities[:, links], e) + cross(a, e_d)])
 
     def _quaternions(self, out: Array, *, rates: bool) -> None:
         tables, motion, at = self.tables, self.motion, self.at
@@ -127,3 +143,8 @@ class _Points:
     def _anchor_velocity(self, links: Index) -> Array:
         """(3, n, P) of some links' anchors."""
         return self._anchor_velocities[:, links][:, :, self.at]
+
+
+def _on(screws: Array, wrenches: Array) -> Array:
+    """(P, n): screws (k, n, P), each on its point's wrench (k, P)."""
+    return np.einsum("knp,kp->pn", screws, wrenches)
