@@ -10,14 +10,14 @@ Jacobian rows that go through the figure's kinematics come from its adjoint swee
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable
 
 import numpy as np
 
 from ..array import Array, Index
 from ..figure.adjoint import Cotangent
 from ..figure.kinematics import Samples
+from .one_sided import OneSided
 
 ROWS_AT_ONCE = 400  # copies of samples that an adjoint sweep takes at once: they stay in cache
 DIFFERENCE = 1e-6  # of a state's size, between the gradients of a difference
@@ -63,8 +63,8 @@ class Curvature:
     def add_sides(self, sides: OneSided, scale: Array) -> None:
         """One-sided residuals, those of them that count."""
         active = np.flatnonzero(sides.value > 0)
-        active = active[np.argsort(sides.at[active], kind="stable")]
-        self.add_rows(sides.at[active], scale[sides.at[active]], sides.rows[active, None], (0,))
+        order, at = np.argsort(sides.at[active], kind="stable"), sides.at[active]
+        self.add_rows(at[order], scale[at[order]], sides.taken(active)[order, None], (0,))
 
     def rows(self, phi: Array) -> list[tuple[Index, Array]]:
         """Residuals by the coefficients of K directions phi (S, 3, K): samples (P,) and rows (P, K N)."""
@@ -127,28 +127,6 @@ class Curvature:
 def _apart(shape: tuple[int, ...]) -> tuple[int, int, int, int]:
     """(S, K, K) -> (K, 1, K, 1)."""
     return shape[1], 1, shape[2], 1
-
-
-@dataclass(frozen=True)
-class OneSided:
-    """Residuals that count on one side only: each adds max(0, value + row · δy)² when the state moves by δy.
-
-    at     (P,) sample of each
-    value  (P,) how far it is over its bound, negative below
-    rows   (P, N) its gradient with respect to y
-    """
-
-    at: Index
-    value: Array
-    rows: Array
-
-    @classmethod
-    def none(cls, samples: Samples) -> OneSided:
-        return cls(np.zeros(0, np.intp), np.zeros(0), np.zeros((0, samples.y.shape[1])))
-
-    @classmethod
-    def joined(cls, parts: Sequence[OneSided]) -> OneSided:
-        return cls(*(np.concatenate([getattr(part, name) for part in parts]) for name in ("at", "value", "rows")))
 
 
 def jacobian(samples: Samples, at: Index, seeded: Callable[[Samples, Cotangent, Index], None]) -> Array:

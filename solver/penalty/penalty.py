@@ -15,7 +15,8 @@ from ..array import Array, Index
 from ..curve.frame import Timeline
 from ..figure.adjoint import Cotangent
 from ..figure.kinematics import Samples
-from .curvature import Curvature, OneSided, add_differences
+from .curvature import Curvature, add_differences
+from .one_sided import OneSided
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,8 @@ import numpy as np
 from ..array import Array
 from ..figure.adjoint import Cotangent
 from ..figure.kinematics import Samples
-from .curvature import Curvature, OneSided
+from .curvature import Curvature
+from .one_sided import OneSided
 from .penalty import Penalty, Scale
 
 

@@ -32,6 +32,7 @@ from ..curve.spline import DEGREE, Path, Piece, Sampling, Spline
 from ..figure.kinematics import Samples
 from ..objective import Discretised, Term
 from ..penalty.curvature import Curvature
+from ..penalty.one_sided import OneSided
 
 POINTS = 2  # a span: smooth terms' curvature is no E
 SPANS_AT_ONCE, SPAN_ENTRIES = 32, 2000  # least, and by columns: their blocks stay in cache
@@ -320,13 +321,11 @@ def middle(values: Array) -> float:
 class OneSidedTerms:
     """The one-sided residuals of all terms: each adds weight max(0, value + row · δy)², δy the step at its sample.
 
-    value, weight  (P,);  rows  (P, N);  at  (P,) the sample of each, rising
+    sides   of all terms, one after the other;  weight  (P,)
     """
 
-    value: Array
+    sides: OneSided
     weight: Array
-    rows: Array
-    at: Index
     sampling: Sampling
 
     @classmethod
@@ -340,51 +339,50 @@ class OneSidedTerms:
         parts = [(term.factor, sides) for term, sides in found if sides is not None and sides.at.size]
         if not parts:
             return None
-        at = np.concatenate([sides.at for _, sides in parts])
-        order = np.argsort(at, kind="stable")
-        weight = np.concatenate([np.full(sides.at.size, factor) for factor, sides in parts]) * problem.weights[at]
-        value = np.concatenate([sides.value for _, sides in parts])
-        rows = np.concatenate([sides.rows for _, sides in parts])
-        return cls(value[order], weight[order], rows[order], at[order], problem.sampling)
+        sides = OneSided.joined([sides for _, sides in parts])
+        factor = np.concatenate([np.full(sides.at.size, factor) for factor, sides in parts])
+        return cls(sides, factor * problem.weights[sides.at], problem.sampling)
 
-    @cached_property
-    def _runs(self) -> list[tuple[int, slice]]:
-        """The samples that have any residual, and which these are."""
-        edges = [0, *(np.flatnonzero(np.diff(self.at)) + 1).tolist(), self.at.size]
-        return [(int(self.at[a]), slice(a, b)) for a, b in pairwise(edges)]
+    @property
+    def value(self) -> Array:
+        """(P,)"""
+        return self.sides.value
 
     def changed(self, step: Array) -> Array:
         """(P,): how the residuals change with a step (M + 2, N) of the coefficients."""
-        moved, change = self.sampling.bases[0] @ step, np.empty(self.at.size)
-        for sample, run in self._runs:
-            np.dot(self.rows[run], moved[sample], out=change[run])
-        return change
+        moved = self.sampling.bases[0] @ step
+        return np.concatenate([rows.moved(moved) for rows in self.sides.gradients])
 
     def pulled_back(self, forces: Array) -> Array:
         """(M + 2, N): the gradient of forces · residuals, forces (P,)."""
-        gathered = np.zeros((self.sampling.t.size, self.rows.shape[1]))
-        some = np.flatnonzero(forces)
-        if some.size:
-            at = self.at[some]
-            first = np.flatnonzero(np.diff(at, prepend=-1))
-            gathered[at[first]] = np.add.reduceat(forces[some, None] * self.rows[some], first)
-        return self.sampling.bases[0].T @ gathered
+        count = self.sampling.t.size
+        pulled = [rows.pulled_back(forces[run], count) for run, rows in self.sides.parts()]
+        return self.sampling.bases[0].T @ np.add.reduce(pulled)
 
     def spans(self, some: Mask, factor: Array) -> Iterator[tuple[int, Array]]:
-        """Of some (P,) residuals, each times its factor: a span, and rows (A, 4 N) over its coefficients.
+        """Of some (P,) residuals, each times its factor: a span, and rows (A, 4 N) over its coefficients with their
+        Σ rowᵀrow.
 
-        A few at a time: those of all spans together would be four times the memory of `rows`.
+        A few at a time: those of all spans together would be four times the memory of the rows of the states.
         """
-        chosen = np.flatnonzero(some)
-        span = self.sampling.first[self.at[chosen]]
-        width = LOCAL * self.rows.shape[1]
+        found = []
+        for run, rows in self.sides.parts():
+            own = np.flatnonzero(some[run])
+            if own.size:
+                found.append(rows.squared(own, factor[run][own]))
+        if not found:
+            return
+        at, rows = np.concatenate([at for at, _ in found]), np.concatenate([rows for _, rows in found])
+        order = np.argsort(at, kind="stable")
+        span = self.sampling.first[at[order]]
+        width = LOCAL * rows.shape[1]
         few = max(1, ENTRIES_AT_ONCE // width)
-        edges = [0, *(np.flatnonzero(np.diff(span)) + 1).tolist(), chosen.size]
+        edges = [0, *(np.flatnonzero(np.diff(span)) + 1).tolist(), order.size]
         for a, b in pairwise(edges):
             for first in range(a, b, few):
-                own = chosen[first : min(first + few, b)]
-                bases = self.sampling.values[self.at[own], 0] * factor[own, None]
-                yield int(span[first]), (bases[:, :, None] * self.rows[own, None, :]).reshape(own.size, width)
+                own = order[first : min(first + few, b)]
+                bases = self.sampling.values[at[own], 0]
+                yield int(span[first]), (bases[:, :, None] * rows[own, None, :]).reshape(own.size, width)
 
 
 class Proposal(NamedTuple):

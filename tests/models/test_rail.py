@@ -23,7 +23,8 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Contact, Sum, UnitMagnitude
-from dynsplines.solver.penalty.curvature import Curvature, OneSided
+from dynsplines.solver.penalty.curvature import Curvature
+from dynsplines.solver.penalty.one_sided import OneSided
 from dynsplines.solver.surface import Capsule, Ellipsoid, Sphere
 from dynsplines.solver.surface.cover import covering_points
 from dynsplines.system.progress import Progress

@@ -20,7 +20,8 @@ from dynsplines.solver.penalty import (
     Torque,
     UnitMagnitude,
 )
-from dynsplines.solver.penalty.curvature import Curvature, OneSided
+from dynsplines.solver.penalty.curvature import Curvature
+from dynsplines.solver.penalty.one_sided import OneSided
 from dynsplines.solver.surface.points import places_of
 
 STEP_SIZE = 1e-5

@@ -12,7 +12,7 @@ import numpy as np
 from ...array import Array, Index
 from ...curve.frame import Timeline
 from ...figure.adjoint import Cotangent, attached_pulled_back
-from ...figure.algebra import applied, dot
+from ...figure.algebra import applied, cross, dot
 from ...figure.figure import Figure
 from ...figure.jacobian_rows import has_point_rows, point_rows, velocity_rows
 from ...figure.joint_rows import any_point_rows, any_velocity_rows
@@ -20,10 +20,12 @@ from ...figure.kinematics import Samples
 from ...surface import Surface
 from ...surface.points import Point, arrays_of, placed, places_of
 from ..allowance import Allowance
-from ..curvature import Curvature, OneSided
+from ..curvature import Curvature
+from ..one_sided import OneSided, Rows
 from ..penalty import Penalty, Scale
 
 NEAR = 0.03  # [m] within which a point may touch after one step of the search
+FREEDOMS = 6  # of a link's motion
 ROUNDING = 1e-9  # [s] a keyframe may be outside an interval that it is meant to begin or end
 MOST_TOGETHER = 64  # points that one sphere stands for; a limb of capsules has 10-30
 
@@ -223,13 +225,30 @@ class Contact(Penalty):
             beyond = about[kept, 0] - NEAR * np.sqrt(dot(way_about, way_about))
             depth = np.where(inside, depth[:, 0], np.minimum(beyond, 0))
             direction = np.where(inside, direction[..., 0], way_about)
-            link, at = np.divmod(flat[kept % flat.size], samples.count)
+            pairs = flat[kept % flat.size]
+            at = pairs % samples.count
             direction, leg = self._in_world(samples, at, direction, centres[:, kept, 0])
-            rows = point_gradients(samples, at, link, arms[:, kept], direction)
+            rows = self._rows(samples, pairs, arms[:, kept], direction, leg)
+            parts.append(OneSided(at, depth, (rows,)))
+        return OneSided.joined(parts) if parts else OneSided.none()
+
+    def _rows(self, samples: Samples, pairs: Index, arms: Array, direction: Array, leg: Array) -> Rows:
+        """The gradients of direction · p (3, P), p at arms (3, P) on the links of pairs (P,), link · S + sample, seen
+        from `leg` (3, P) on the carrier; by way of the links' motions, where these are fewer."""
+        motions, of = np.unique(pairs, return_inverse=True)
+        link, at = np.divmod(motions, samples.count)
+        if pairs.size <= FREEDOMS * motions.size:
+            link, at = link[of], at[of]
+            rows = point_gradients(samples, at, link, arms, direction)
             if self.carrier:
                 rows -= point_gradients(samples, at, np.full(at.size, self.carrier), leg, direction)
-            parts.append(OneSided(at, depth, rows))
-        return OneSided.joined(parts) if parts else OneSided.none(samples)
+            return Rows.plain(at, rows)
+        basis = motion_gradients(samples, at, link, np.zeros((3, at.size)))
+        if self.carrier:
+            x = samples.links.x
+            there = x[:, link, at] - x[:, self.carrier, at]
+            basis -= motion_gradients(samples, at, np.full(at.size, self.carrier), there)
+        return Rows(of, np.concatenate([direction, cross(arms, direction)]).T, at, basis)
 
 
 def neighbours(positions: Array, some: Index) -> list[Index]:
@@ -246,6 +265,20 @@ def point_gradients(samples: Samples, at: Index, link: Index, offset: Array, dir
     """(P, N): the gradient of direction · p for points p at an offset (3, P) on their links, at samples `at` (P,)."""
     rows = point_rows if has_point_rows(samples.figure) else any_point_rows
     return rows(samples, at, link, offset, direction)
+
+
+def motion_gradients(samples: Samples, at: Index, link: Index, offset: Array) -> Array:
+    """(P, 6, N): how points at an offset (3, P) on their links move, and how the links turn, about the world's axes."""
+    axes, count = np.eye(3), at.size
+    moved = [point_gradients(samples, at, link, offset, np.tile(axis[:, None], count)) for axis in axes]
+    turned = [
+        point_gradients(
+            samples, at, link, offset + axes[(i + 1) % 3][:, None], np.tile(axes[(i + 2) % 3][:, None], count)
+        )
+        - moved[(i + 2) % 3]
+        for i in range(3)
+    ]
+    return np.stack([*moved, *turned], axis=1)
 
 
 def velocity_gradients(samples: Samples, at: Index, link: Index, offset: Array, direction: Array) -> Array:

@@ -21,7 +21,8 @@ from ...figure.algebra import cross, gathered
 from ...figure.figure import Figure, on_links, quaternion_columns
 from ...figure.kinematics import Samples
 from ..allowance import Allowance
-from ..curvature import Curvature, OneSided, jacobian
+from ..curvature import Curvature, jacobian
+from ..one_sided import OneSided
 from ..penalty import Penalty, Scale
 
 NEAR = np.radians(4)  # within which a bound may be passed after one step of the search
@@ -155,7 +156,7 @@ class BendLimits(Penalty):
             seeds[angle[rows], joint[rows], np.arange(rows.size)] = sign[rows]
             self._pull_back(copies, cotangent, self._seen(copies)[1], seeds)
 
-        return OneSided(at, excess[side, joint, at], jacobian(samples, at, seeded)[:, 0])
+        return OneSided.plain(at, excess[side, joint, at], jacobian(samples, at, seeded)[:, 0])
 
     def _pull_back(self, samples: Samples, into: Cotangent, seen: Seen, gradient: Array) -> None:
         world, frame, (x, z, _), v, planar, p = seen

@@ -19,7 +19,8 @@ from ...figure.algebra import add_at, dot, hamilton, vector_product
 from ...figure.figure import Figure, JointKind, quaternion_columns
 from ...figure.kinematics import Samples
 from ..allowance import Allowance
-from ..curvature import Curvature, OneSided, jacobian
+from ..curvature import Curvature, jacobian
+from ..one_sided import OneSided
 from ..penalty import Penalty, Scale
 
 NEAR = {JointKind.BALL: np.radians(4), JointKind.HINGE: np.radians(4), JointKind.SLIDE: 0.03}
@@ -123,13 +124,13 @@ class JointRange(Penalty):
             joint, at = np.nonzero(over > -near)
             rows = np.zeros((at.size, samples.y.shape[1]))
             rows[np.arange(at.size), columns[joint]] = sign
-            parts.append(OneSided(at, over[joint, at], rows))
+            parts.append(OneSided.plain(at, over[joint, at], rows))
         return parts
 
     def _ball_sides(self, samples: Samples) -> OneSided:
         _, balls = self._which
         if not balls.size:
-            return OneSided.none(samples)
+            return OneSided.none()
         _, angle, rate, axis = self._turned(samples)
         over = angle - self._limits(samples.t, balls)[1]
         joint, at = np.nonzero(over > -NEAR[JointKind.BALL])
@@ -140,7 +141,7 @@ class JointRange(Penalty):
             seeds[:, joint[rows], np.arange(rows.size)] = direction[:, rows]
             self._pull_back(copies, cotangent, seeds)
 
-        return OneSided(at, over[joint, at], jacobian(samples, at, seeded)[:, 0])
+        return OneSided.plain(at, over[joint, at], jacobian(samples, at, seeded)[:, 0])
 
     @cached_property
     def _which(self) -> tuple[Index, Index]:

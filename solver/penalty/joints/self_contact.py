@@ -24,8 +24,9 @@ from ...figure.figure import Figure
 from ...figure.kinematics import Samples
 from ...surface.cover import filling_spheres
 from ...surface.touch import movers
-from ..curvature import Curvature, OneSided
+from ..curvature import Curvature
 from ..ground.contact import point_gradients
+from ..one_sided import OneSided
 from ..penalty import Penalty, Scale
 
 NEAR = 0.03  # [m] within which capsules may touch after one step of the search
@@ -122,10 +123,10 @@ class SelfContact(Penalty):
             return None
         met = self.meetings(samples, NEAR)
         if met is None:
-            return OneSided.none(samples)
+            return OneSided.none()
         rows = point_gradients(samples, met.at, met.first, met.first_arm, -met.apart)
         rows += point_gradients(samples, met.at, met.last, met.last_arm, met.apart)
-        return OneSided(met.at, met.depth, rows)
+        return OneSided.plain(met.at, met.depth, rows)
 
     def meetings(self, samples: Samples, near: float) -> Meeting | None:
         """The pairs of capsules less than `near` [m] apart, or None."""

@@ -1,0 +1,135 @@
+"""Residuals that count on one side only, like depths: each adds max(0, value + row · δy)² when the state moves by δy.
+
+Many points of a link move as it moves: their rows are combinations of the few rows of its motion, and are kept so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..array import Array, Index
+
+ENTRIES_AT_ONCE = 500_000  # of copies, 4 MB
+FAINT = 1e-13  # of a matrix's trace, so that Cholesky's factor exists
+TINY = 1e-300  # where it is nought
+
+
+@dataclass(frozen=True, eq=False)
+class Rows:
+    """Gradients of P residuals with respect to y: row p is shares_p · basis_r, r = of_p.
+
+    of, shares      (P,), (P, k)
+    at, basis       (R,) samples and (R, k, N)
+    """
+
+    of: Index
+    shares: Array
+    at: Index
+    basis: Array
+
+    @classmethod
+    def plain(cls, at: Index, rows: Array) -> Rows:
+        """Rows (P, N) at samples (P,), none of which is a combination of others."""
+        return cls(np.arange(at.size), np.ones((at.size, 1)), at, rows[:, None])
+
+    def taken(self, some: Index) -> Array:
+        """(A, N) some rows."""
+        if self.shares.shape[1] == 1:
+            return self.shares[some] * self.basis[self.of[some], 0]
+        return np.einsum("ak,akn->an", self.shares[some], self.basis[self.of[some]])
+
+    def moved(self, change: Array) -> Array:
+        """(P,): how the residuals change if y does by (S, N)."""
+        seen = np.empty(self.basis.shape[:2])
+        few = max(1, ENTRIES_AT_ONCE // self.basis.shape[2])
+        for first in range(0, len(seen), few):
+            run = slice(first, first + few)
+            np.einsum("rkn,rn->rk", self.basis[run], change[self.at[run]], out=seen[run])
+        return np.einsum("pk,pk->p", self.shares, seen[self.of])
+
+    def pulled_back(self, forces: Array, count: int) -> Array:
+        """(S, N): the gradient of forces · residuals, forces (P,)."""
+        out = np.zeros((count, self.basis.shape[2]))
+        some = np.flatnonzero(forces)
+        if not some.size:
+            return out
+        of, shares = self.of[some], forces[some, None] * self.shares[some]
+        total = np.stack([np.bincount(of, share, len(self.basis)) for share in shares.T], axis=1)
+        felt = np.flatnonzero(total.any(axis=1))
+        felt = felt[np.argsort(self.at[felt], kind="stable")]
+        first = np.flatnonzero(np.diff(self.at[felt], prepend=-1))
+        rows = np.einsum("rk,rkn->rn", total[felt], self.basis[felt])
+        out[self.at[felt[first]]] = np.add.reduceat(rows, first)
+        return out
+
+    def squared(self, some: Index, factor: Array) -> tuple[Index, Array]:
+        """Samples (A,) and rows (A, N) with the same Σ rowᵀrow at every sample as some rows, each times its factor."""
+        k = self.shares.shape[1]
+        of, shares = self.of[some], factor[:, None] * self.shares[some]
+        many = np.bincount(of, minlength=len(self.basis)) > k
+        is_alone = ~many[of]
+        at, rows = self.at[of[is_alone]], np.einsum("ak,akn->an", shares[is_alone], self.basis[of[is_alone]])
+        if not many.any():
+            return at, rows
+        together = np.flatnonzero(~is_alone)
+        together = together[np.argsort(of[together], kind="stable")]
+        first = np.flatnonzero(np.diff(of[together], prepend=-1))
+        shares, which = shares[together], of[together[first]]
+        square = np.add.reduceat(shares[:, :, None] * shares[:, None, :], first)
+        square += FAINT * np.trace(square, axis1=1, axis2=2)[:, None, None] * np.eye(k) + TINY * np.eye(k)
+        half = np.linalg.cholesky(square).swapaxes(1, 2) @ self.basis[which]
+        return np.append(at, np.repeat(self.at[which], k)), np.concatenate([rows, half.reshape(-1, half.shape[2])])
+
+
+@dataclass(frozen=True, eq=False)
+class OneSided:
+    """Such residuals.
+
+    at        (P,) sample of each
+    value     (P,) how far it is over its bound, negative below
+    gradients of the residuals, one after the other in parts
+    """
+
+    at: Index
+    value: Array
+    gradients: tuple[Rows, ...]
+
+    @classmethod
+    def plain(cls, at: Index, value: Array, rows: Array) -> OneSided:
+        """With rows (P, N), none of which is a combination of others."""
+        return cls(at, value, (Rows.plain(at, rows),))
+
+    @classmethod
+    def none(cls) -> OneSided:
+        """None at present."""
+        return cls(np.zeros(0, np.intp), np.zeros(0), ())
+
+    @classmethod
+    def joined(cls, parts: Sequence[OneSided]) -> OneSided:
+        """One after the other."""
+        at, value = (np.concatenate([getattr(part, name) for part in parts]) for name in ("at", "value"))
+        return cls(at, value, tuple(rows for part in parts for rows in part.gradients))
+
+    @property
+    def rows(self) -> Array:
+        """(P, N): all gradients."""
+        return self.taken(np.arange(self.at.size))
+
+    def parts(self) -> Iterator[tuple[slice, Rows]]:
+        """Which residuals have which gradients."""
+        first = 0
+        for rows in self.gradients:
+            yield slice(first, first + rows.of.size), rows
+            first += rows.of.size
+
+    def taken(self, some: Index) -> Array:
+        """(A, N) the gradients of some, which rise."""
+        found = []
+        for run, rows in self.parts():
+            own = some[np.searchsorted(some, run.start) : np.searchsorted(some, run.stop)] - run.start
+            if own.size:
+                found.append(rows.taken(own))
+        return np.concatenate(found) if found else np.zeros((0, 0))
