@@ -181,8 +181,9 @@ def _read(source: Source, around: SurroundingsTable, progress: Progress) -> _Rea
             said = {"figure": dict(met[0].figure), "recording": dict(met[0].recording)}
             temporary.write_text(f"{HEADING}{written(said)}", encoding="utf-8")
         progress.say(f"wrote {source.map}")
-    step = around.scene.step
-    scene = compose(found.spec, None if step is None else Step(**step.model_dump()), obstacles(around.scene))
+    said = around.scene.step
+    step = None if said is None else Step(**said.model_dump())
+    scene = compose(found.spec, step, obstacles(around.scene), bare=found.model)
     return _Read(found.name, scene, found.time, found.qpos, found.fps)
 
 

@@ -23,11 +23,12 @@ from .formats import Reader, read_by, recording, stem
 
 @dataclass(frozen=True)
 class Taken:
-    """What a file of others holds, on a figure: name; spec, the figure; time (T,) [s] and qpos (T, nq); fps [1/s];
-    loops, the file says that its last sample is the first again, moved on."""
+    """What a file of others holds, on a figure: name; spec, the figure, and its model if it has been compiled; time
+    (T,) [s] and qpos (T, nq); fps [1/s]; loops, the file says that its last sample is the first again, moved on."""
 
     name: str
     spec: mujoco.MjSpec
+    model: mujoco.MjModel | None
     time: Array
     qpos: Array
     fps: float
@@ -63,10 +64,11 @@ def taken(
     told = gaps.left_out(told, source)
     for note in told.notes:
         progress.say(f"note: {note}")
-    spec = mujoco.MjSpec.from_string(told.mjcf, assets=dict(told.assets)) if told.mjcf is not None else spec
+    if told.mjcf is not None:
+        spec, model = mujoco.MjSpec.from_string(told.mjcf, assets=dict(told.assets)), None
     assert spec is not None, "a reader gives a figure or asks for one"
     rate = told.fps or (float(np.round(1 / np.median(np.diff(told.time)), 6)) if told.time.size > 1 else 30.0)
-    return Taken(stem(source), spec, told.time, told.qpos, rate, told.loops)
+    return Taken(stem(source), spec, model, told.time, told.qpos, rate, told.loops)
 
 
 def imported(
@@ -86,7 +88,7 @@ def imported(
     """
     progress = progress or Progress()
     told = taken(source, kind, figure=figure, fps=fps, scale=scale, progress=progress)
-    found = clips.from_qpos(told.name, compose(told.spec), told.time, told.qpos, told.fps, source.name)
+    found = clips.from_qpos(told.name, compose(told.spec, bare=told.model), told.time, told.qpos, told.fps, source.name)
     if told.loops:
         try:
             return unsolved(found.asking(ends="periodic")).saved(progress, with_report=False)

@@ -91,15 +91,23 @@ def spec_joint_names(spec: mujoco.MjSpec) -> list[str]:
     return names_of_joints(given, bodies)
 
 
-def compose(spec: mujoco.MjSpec, step: Step | None = None, obstacles: Sequence[Obstacle] = ()) -> Scene:
+def compose(
+    spec: mujoco.MjSpec,
+    step: Step | None = None,
+    obstacles: Sequence[Obstacle] = (),
+    *,
+    bare: mujoco.MjModel | None = None,
+) -> Scene:
     """A figure on its stage, complete with the files it refers to; from it alone the model is compiled from now on.
+
+    bare  the figure compiled, if it has been: one with large meshes takes its time
 
     Without the model's own <keyframe> elements: MuJoCo writes them with few digits and leaves out some.
     """
     assets = taken_along(spec)
     for key in list(spec.keys):
         remove(spec, key)
-    bare = _compiled(spec, assets)
+    bare = _compiled(spec, assets) if bare is None else bare
     has_floor = bool(grounds(bare))
     is_staged = has_floor and any(material.name == PREFIX + "step" for material in spec.materials)  # by an earlier call
     stage = _stage(spec, bare, has_floor=has_floor)

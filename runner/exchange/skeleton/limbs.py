@@ -55,19 +55,26 @@ def bend(model: mujoco.MjModel, qpos: Array, limb: Limb, carried: Array) -> Arra
     qpos, low, high = qpos.copy(), *_ranges(model, limb)
     spread = {body: TURN_OF_END if body == limb.bodies[-1] else TURN for body in limb.turns}
     best, least = qpos.copy(), np.full(len(qpos), np.inf)
+    going = np.arange(len(qpos))  # images whose limb still moves
     for _ in range(STEPS):
-        seen = _bent(model, qpos, limb.bodies, carried)
-        off, rows = [(limb.about - seen.end) / PLACE], [np.cross(seen.axes, seen.end[:, None] - seen.anchors) / PLACE]
+        now = qpos[going]
+        seen = _bent(model, now, limb.bodies, carried[going])
+        off = [(limb.about[going] - seen.end) / PLACE]
+        rows = [np.cross(seen.axes, seen.end[:, None] - seen.anchors) / PLACE]
         for body, wanted in limb.turns.items():
-            off.append(quat.rotation_vector(quat.product(wanted, quat.conjugate(seen.turn[body]))) / spread[body])
+            short = quat.product(wanted[going], quat.conjugate(seen.turn[body]))
+            off.append(quat.rotation_vector(short) / spread[body])
             above = np.array([limb.bodies.index(each) <= limb.bodies.index(body) for each in seen.moved])
             rows.append(np.where(above[:, None], seen.axes, 0.0) / spread[body])
         left, jacobian = np.concatenate(off, axis=1), np.concatenate(rows, axis=2)  # (T, R), (T, D, R)
         cost = np.sum(left**2, axis=1)
-        best[cost < least], least = qpos[cost < least], np.minimum(cost, least)
-        step = _step(jacobian, left, _values(model, qpos, limb.bodies), low, high)
-        _move(model, qpos, limb.bodies, step, low, high)
-        if np.abs(step).max(initial=0.0) < STILL:
+        better = cost < least[going]
+        best[going[better]], least[going[better]] = now[better], cost[better]
+        step = _step(jacobian, left, _values(model, now, limb.bodies), low, high)
+        _move(model, now, limb.bodies, step, low, high)
+        qpos[going] = now
+        going = going[np.abs(step).max(axis=1, initial=0.0) >= STILL]
+        if not going.size:
             break
     return best
 
