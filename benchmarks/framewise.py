@@ -6,8 +6,9 @@ Without the first, walks and runs of ours are written as BVH and read again; wit
 mink gets the same map: of every sample the places of hands and feet about shoulders and hips, scaled by the lengths of
 arms and legs, that of the pelvis, and the rotations of all bodies that the map knows, weighed about as GMR weighs them,
 in the joints' ranges, from where the sample before ended. Both are measured by the same functions, on the same stances.
-Both stand on the floor that `retarget` finds; mink's
-samples are joined by a spline. How far hands and feet are off is told beside these places.
+Both stand on the floor that `retarget` finds; mink's samples are joined by a spline. How far hands and feet are off is
+told beside these places. mink is given the robot's model ready, `retarget` reads and compiles it with its meshes: the
+last column leaves out what that takes.
 """
 
 from __future__ import annotations
@@ -36,6 +37,8 @@ from dynsplines.exchange import formats
 from dynsplines.exchange.skeleton import bvh_file, hierarchy
 from dynsplines.exchange.skeleton.captured import Captured
 from dynsplines.exchange.skeleton.roles import roles
+from dynsplines.scene.assets import taken_along
+from dynsplines.scene.compose import compose, figure_spec
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import Path as Curve
 from dynsplines.solver.curve.spline import natural_spline
@@ -168,11 +171,21 @@ def measured(found: Cleaned, path: Curve, goal: Goal) -> tuple[float, ...]:
     return look.depth, look.slip, median, high, look.range, look.jerk, look.force
 
 
+def reading(robot: str) -> float:
+    """[s] that it takes to read a robot, to put it on a stage and to compile both, as `retarget` does."""
+    begin = time.perf_counter()
+    spec = figure_spec(robot)
+    spec.assets = dict(taken_along(spec))
+    model = spec.compile()
+    clips.figure_of(compose(spec, bare=model), robot)
+    return time.perf_counter() - begin
+
+
 def measure(effort: Effort) -> Section:
     section = Section(
         "Recordings on a robot: with `retarget`, and with mink, frame by frame.",
         ("recording", "by", "deepest [mm]", "slip [mm]", "off: median [cm]", "95 % [cm]", "beyond ranges [°]",
-         "jerk [m/s³]", "force [weight]", "× real time"),
+         "jerk [m/s³]", "force [weight]", "× real time", "× real time, model read"),
     )  # fmt: skip
     mink = peer("mink")
     if mink is None:
@@ -180,6 +193,7 @@ def measure(effort: Effort) -> Section:
     robot = os.environ.get("DYNSPLINES_ROBOT", "human")
     ours: list[Array] = []
     theirs: list[Array] = []
+    reading(robot)  # once before all: MuJoCo keeps what it makes of meshes
     with tempfile.TemporaryDirectory() as folder:
         for file in recordings(effort, Path(folder)):
             effort.tell(file.stem)
@@ -190,7 +204,8 @@ def measure(effort: Effort) -> Section:
             goal = Goal.of(file, found)
             row = measured(found, found.after, goal)
             ours.append(np.array(row))
-            section.add(file.stem, "ours", *row, (last - first) / spent)
+            length, took = last - first, reading(robot)
+            section.add(file.stem, "ours", *row, length / spent, length / (spent - took))
             if mink is None:
                 continue
             begin = time.perf_counter()
@@ -198,7 +213,7 @@ def measure(effort: Effort) -> Section:
             spent = time.perf_counter() - begin
             row = measured(found, natural_spline(goal.t, Recorded.of(found.figure, goal.t, qpos).states), goal)
             theirs.append(np.array(row))
-            section.add(file.stem, "mink", *row, (last - first) / spent)
+            section.add(file.stem, "mink", *row, np.nan, length / spent)
     most, mine = np.max(ours, axis=0), np.array(ours)
     section.targets = [
         Target("deepest in anything", most[0], 2.0, unit="mm"),

@@ -33,7 +33,7 @@ ROUND = "new Promise((r) => requestAnimationFrame(() => requestAnimationFrame(r)
 SETTLED = "studio.model.status.state === 'settled'"
 KEY = 4  # the keyframe that is edited
 PULLS = 200  # poses of a drag
-SHARES = (0.3, 0.8)  # of a loop of 16 by 20 cm that a drag goes: every one ends elsewhere, so that no path is remembered
+SHARES = (0.3, 0.8)  # of a loop of 16 by 20 cm that a drag goes: each ends elsewhere, or a path would be remembered
 MINUTES = float(os.environ.get("STUDIO_MINUTES", "30"))  # of the long run, which is told with its figures
 DRAG = """async ([body, count, share]) => {
   const place = studio.stage.placeOf(body, [0, 0, 0]).toArray(), times = [], trips = [];
