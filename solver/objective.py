@@ -191,7 +191,8 @@ class Objective:
 
 
 def segment_integrals(objective: Objective, path: Path, times: Array) -> Array:
-    """(segments, terms): every term's share of E between neighbouring times."""
+    """(segments, terms): every term's share of E between neighbouring times; an instant is of the segment that it
+    begins, the last one of the last."""
     knots = np.asarray(path.spline.times)
     knots = knots[(knots >= times[0]) & (knots <= times[-1])]
     edges = np.union1d(knots, times)
@@ -206,7 +207,7 @@ def segment_integrals(objective: Objective, path: Path, times: Array) -> Array:
         first += samples.count
     for k, term in enumerate(objective.terms):
         at = instants_of(term.penalty)
-        at = at[(at >= times[0]) & (at <= times[-1])]
+        at = at[(at >= times[0]) & ((at < times[-1]) | (at == path.spline.times[-1]))]
         if at.size:
             segment = np.clip(np.searchsorted(times, at, side="right") - 1, 0, times.size - 2)
             np.add.at(out[:, k], segment, term.factor * term.penalty.evaluate(objective.samples(path, at)))

@@ -6,6 +6,7 @@ Kalman filter" (2017), §2; derivatives of the inverse are eqs. 14-17 of the pap
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -61,6 +62,11 @@ def _turned(w: Any, x: Any, y: Any, z: Any, a: Any, b: Any, c: Any) -> tuple[Any
 def from_rotation_vector(v: ArrayLike) -> Array:
     """exp(v/2): the unit quaternion that turns by |v| [rad] about v, (..., 3) -> (..., 4)."""
     v = np.asarray(v, float)
+    if v.ndim == 1:
+        x, y, z = v.tolist()
+        half = 0.5 * math.hypot(x, y, z)
+        share = 0.5 * math.sin(half) / half if half else 0.5
+        return np.array([math.cos(half), share * x, share * y, share * z])
     half = 0.5 * np.linalg.norm(v, axis=-1, keepdims=True)
     return np.concatenate([np.cos(half), 0.5 * np.sinc(half / np.pi) * v], axis=-1)
 

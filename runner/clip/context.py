@@ -77,8 +77,8 @@ class Context:
         held: Sequence[HoldTable] = (),
     ) -> Context:
         """What keyframes and tables say, before anything is asked of it by [[penalty]] tables."""
-        whole = [figure.to_qpos(frame.state) for frame in keys.frames if frame.fixed.all()]
-        points = sole_points(figure, np.reshape(whole, (-1, figure.width)))
+        whole = [frame.state for frame in keys.frames if frame.fixed.all()]
+        points = sole_points(figure, figure.to_qpos(np.reshape(whole, (-1, figure.width))))
         given = contacts(figure, keys, tables, where, points, surfaces)
         bends = tuple(knees_and_elbows(figure))
         return cls(

@@ -18,6 +18,7 @@ from ..curve.spline import path_of
 from ..objective import Objective, segment_integrals
 
 REACH, HELD = 1, 1  # segments on either side of what was edited that move, and beyond them those that are held
+ROUNDING = 1e-9  # [s] between the time of a keyframe and that of the part's end
 FEWEST = 3  # segments that must be left out, or all of the clip is searched
 
 
@@ -75,6 +76,6 @@ class Cut:
 
     def elsewhere(self, objective: Objective, timeline: Timeline, keys: Array) -> Array:
         """(terms,) what the segments outside the part add to the terms of E."""
-        parts = segment_integrals(objective, path_of(timeline), keys)
-        outside = (keys[:-1] < self.begin - 1e-9) | (keys[1:] > self.end + 1e-9)
-        return parts[outside].sum(axis=0)
+        runs = keys[keys <= self.begin + ROUNDING], keys[keys >= self.end - ROUNDING]
+        parts = [segment_integrals(objective, path_of(timeline), run) for run in runs if run.size > 1]
+        return np.add.reduce([part.sum(axis=0) for part in parts])

@@ -33,6 +33,7 @@ STEEP = 0.5  # of a slide's way, how much of it goes up
 UPRIGHT = 0.8  # of the tallest pose, one that is looked at, too
 SAME = 1e-3  # [m] poses as tall as each other
 CORNERS = 4  # points a foot, at most
+ROUND = (int(mujoco.mjtGeom.mjGEOM_SPHERE), int(mujoco.mjtGeom.mjGEOM_CAPSULE))
 SKIN = 0.1  # of a sphere's radius that a mark may be off its skin
 
 
@@ -62,8 +63,8 @@ def _near_ground(figure: Figure, points: Sequence[Point], qpos: Array) -> bool:
 
 def _grown(figure: Figure, point: Point) -> Point:
     """A site in the middle of a sphere of its link, as thick as that: a foot is meant, not a point of its sole."""
-    for (centre, other), radius in _round(figure, point.link):
-        if np.array_equal(centre, other) and np.linalg.norm(point.position - centre) < 0.5 * radius:
+    for (centre, _), radius in _round(figure, point.link, ROUND[:1]):
+        if np.linalg.norm(point.position - centre) < 0.5 * radius:
             return Point(point.name, point.link, centre, radius)
     return point
 
@@ -73,7 +74,7 @@ def rounded(figure: Figure, point: Point) -> Point:
     if point.radius:
         return point
     best = point
-    for (first, last), radius in _round(figure, point.link):
+    for (first, last), radius in _round(figure, point.link, ROUND):
         along = last - first
         share = np.clip((point.position - first) @ along / max(along @ along, 1e-12), 0, 1)
         centre = first + share * along
@@ -83,16 +84,16 @@ def rounded(figure: Figure, point: Point) -> Point:
     return best
 
 
-def _round(figure: Figure, link: int) -> Iterator[tuple[Array, float]]:
+def _round(figure: Figure, link: int, kinds: Sequence[int]) -> Iterator[tuple[Array, float]]:
     """The ends (2, 3) [m] of a link's spheres, which are one, and capsules, and their radii [m]."""
-    model, sphere = figure.model, int(mujoco.mjtGeom.mjGEOM_SPHERE)
-    for geom in movers(model):
-        body, kind = int(model.geom_bodyid[geom]), int(model.geom_type[geom])
-        if figure.body_link[body] != link or kind not in (sphere, int(mujoco.mjtGeom.mjGEOM_CAPSULE)):
+    model = figure.model
+    wanted = (figure.body_link[model.geom_bodyid] == link) & np.isin(model.geom_type, kinds)
+    for geom in movers(model) if wanted.any() else ():
+        if not wanted[geom]:
             continue
-        half = 0.0 if kind == sphere else float(model.geom_size[geom, 1])
+        half = 0.0 if model.geom_type[geom] == ROUND[0] else float(model.geom_size[geom, 1])
         way = half * quat.rotated(model.geom_quat[geom], np.eye(3)[2])
-        _, ends = figure.point_on_link(body, model.geom_pos[geom] + np.stack([-way, way]))
+        _, ends = figure.point_on_link(int(model.geom_bodyid[geom]), model.geom_pos[geom] + np.stack([-way, way]))
         yield ends, float(model.geom_size[geom, 0])
 
 

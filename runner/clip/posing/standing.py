@@ -152,8 +152,8 @@ class Stander:
             timeline = self.timeline(keys, self.ends)
         except TimelineError:
             return None
-        whole = [self.figure.to_qpos(frame.state) for frame in timeline.frames if frame.is_key]
-        soles = sole_points(self.figure, np.reshape(whole, (-1, self.figure.width)))
+        whole = [frame.state for frame in timeline.frames if frame.is_key]
+        soles = sole_points(self.figure, self.figure.to_qpos(np.reshape(whole, (-1, self.figure.width))))
         tables = list(_during(self.tables, *timeline.times[[0, -1]].tolist()))
         found = contacts(self.figure, timeline, tables, self.where, soles, self.surfaces)
         held = holds(self.figure, timeline, self.held, self.where, soles)
