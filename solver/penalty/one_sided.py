@@ -35,10 +35,15 @@ class Rows:
         """Rows (P, N) at samples (P,), none of which is a combination of others."""
         return cls(np.arange(at.size), np.ones((at.size, 1)), at, rows[:, None])
 
+    @property
+    def is_plain(self) -> bool:
+        """Whether every row is one of the basis, in its order."""
+        return self.shares.shape[1] == 1
+
     def taken(self, some: Index) -> Array:
         """(A, N) some rows."""
-        if self.shares.shape[1] == 1:
-            return self.shares[some] * self.basis[self.of[some], 0]
+        if self.is_plain:
+            return self.basis[some, 0]
         return np.einsum("ak,akn->an", self.shares[some], self.basis[self.of[some]])
 
     def moved(self, change: Array) -> Array:
@@ -48,7 +53,7 @@ class Rows:
         for first in range(0, len(seen), few):
             run = slice(first, first + few)
             np.einsum("rkn,rn->rk", self.basis[run], change[self.at[run]], out=seen[run])
-        return np.einsum("pk,pk->p", self.shares, seen[self.of])
+        return seen[:, 0] if self.is_plain else np.einsum("pk,pk->p", self.shares, seen[self.of])
 
     def pulled_back(self, forces: Array, count: int) -> Array:
         """(S, N): the gradient of forces · residuals, forces (P,)."""
@@ -56,17 +61,26 @@ class Rows:
         some = np.flatnonzero(forces)
         if not some.size:
             return out
-        of, shares = self.of[some], forces[some, None] * self.shares[some]
-        total = np.stack([np.bincount(of, share, len(self.basis)) for share in shares.T], axis=1)
-        felt = np.flatnonzero(total.any(axis=1))
-        felt = felt[np.argsort(self.at[felt], kind="stable")]
-        first = np.flatnonzero(np.diff(self.at[felt], prepend=-1))
-        rows = np.einsum("rk,rkn->rn", total[felt], self.basis[felt])
-        out[self.at[felt[first]]] = np.add.reduceat(rows, first)
+        if self.is_plain:
+            felt, rows = some, forces[some, None] * self.basis[some, 0]
+        else:
+            total = np.zeros((len(self.basis), self.shares.shape[1]))
+            for k, share in enumerate(self.shares[some].T):
+                total[:, k] = np.bincount(self.of[some], forces[some] * share, len(self.basis))
+            felt = np.unique(self.of[some])
+            rows = np.einsum("rk,rkn->rn", total[felt], self.basis[felt])
+        at = self.at[felt]
+        if np.any(at[1:] < at[:-1]):
+            order = np.argsort(at, kind="stable")
+            at, rows = at[order], rows[order]
+        first = np.flatnonzero(np.diff(at, prepend=-1))
+        out[at[first]] = np.add.reduceat(rows, first)
         return out
 
     def squared(self, some: Index, factor: Array) -> tuple[Index, Array]:
         """Samples (A,) and rows (A, N) with the same Σ rowᵀrow at every sample as some rows, each times its factor."""
+        if self.is_plain:
+            return self.at[some], factor[:, None] * self.basis[some, 0]
         k = self.shares.shape[1]
         of, shares = self.of[some], factor[:, None] * self.shares[some]
         many = np.bincount(of, minlength=len(self.basis)) > k
@@ -124,6 +138,19 @@ class OneSided:
         for rows in self.gradients:
             yield slice(first, first + rows.of.size), rows
             first += rows.of.size
+
+    def sorted(self) -> tuple[OneSided, Index]:
+        """The plain ones as one part, by sample, before all others; and the order (P,) that this puts them in."""
+        plain = [(run, rows) for run, rows in self.parts() if rows.is_plain]
+        others = [(run, rows) for run, rows in self.parts() if not rows.is_plain]
+        if not plain:
+            return self, np.arange(self.at.size)
+        place = np.concatenate([np.arange(run.start, run.stop) for run, _ in plain])
+        own = np.argsort(self.at[place], kind="stable")
+        basis = np.concatenate([rows.basis[:, 0] for _, rows in plain])[own]
+        order = np.concatenate([place[own], *(np.arange(run.start, run.stop) for run, _ in others)])
+        rows = Rows.plain(self.at[place[own]], basis), *(rows for _, rows in others)
+        return OneSided(self.at[order], self.value[order], rows), order
 
     def taken(self, some: Index) -> Array:
         """(A, N) the gradients of some, which rise."""

@@ -339,8 +339,8 @@ class OneSidedTerms:
         parts = [(term.factor, sides) for term, sides in found if sides is not None and sides.at.size]
         if not parts:
             return None
-        sides = OneSided.joined([sides for _, sides in parts])
-        factor = np.concatenate([np.full(sides.at.size, factor) for factor, sides in parts])
+        sides, order = OneSided.joined([sides for _, sides in parts]).sorted()
+        factor = np.concatenate([np.full(sides.at.size, factor) for factor, sides in parts])[order]
         return cls(sides, factor * problem.weights[sides.at], problem.sampling)
 
     @property

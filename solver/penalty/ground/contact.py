@@ -26,6 +26,7 @@ from ..penalty import Penalty, Scale
 
 NEAR = 0.03  # [m] within which a point may touch after one step of the search
 FREEDOMS = 6  # of a link's motion
+MANY = 2  # times as many points, and rows of motions are worth their combinations
 ROUNDING = 1e-9  # [s] a keyframe may be outside an interval that it is meant to begin or end
 MOST_TOGETHER = 64  # points that one sphere stands for; a limb of capsules has 10-30
 
@@ -237,7 +238,7 @@ class Contact(Penalty):
         from `leg` (3, P) on the carrier; by way of the links' motions, where these are fewer."""
         motions, of = np.unique(pairs, return_inverse=True)
         link, at = np.divmod(motions, samples.count)
-        if pairs.size <= FREEDOMS * motions.size:
+        if pairs.size <= MANY * FREEDOMS * motions.size:
             link, at = link[of], at[of]
             rows = point_gradients(samples, at, link, arms, direction)
             if self.carrier:
