@@ -19,7 +19,7 @@ from .array import Array
 from .curve.arcs import straightened
 from .curve.frame import Timeline
 from .curve.spline import path_of
-from .objective import Evaluation, Objective
+from .objective import Evaluation, Objective, segment_integrals
 from .one_thread import one_thread
 from .problem import Problem, Settings, guide_of
 from .refine.cut import Cut
@@ -56,13 +56,13 @@ def resumed(
     problem: Problem,
     begin: Timeline,
     *,
-    between: tuple[float, float] | None = None,
+    between: Sequence[tuple[float, float]] = (),
     improved: Callable[[Improvement], None] | None = None,
 ) -> Solution:
     """As `inbetween`, on from a path that is nearly good, such as one that was found before a keyframe was moved.
 
     begin    through the keyframes of the problem, with variable frames, see `refine.carried`
-    between  [s] what alone was edited: the search keeps to the segments that this reaches
+    between  [s] what alone was edited, one stretch after the other: the search keeps to the segments that they reach
 
     It ends in the nearest minimum: nothing is searched from elsewhere, as `inbetween` does where that is a heap.
     """
@@ -124,23 +124,40 @@ class _Loop:
             first = min(first, led, key=lambda timeline: self.objective.value(path_of(timeline)))
         return self.searched(first, len(raw.frames) - 1, settings.frames)
 
-    def on_from(self, raw: Timeline, begin: Timeline, between: tuple[float, float] | None) -> Timeline:
-        """The nearest minimum from a timeline, in all of it or in what an edit reaches."""
+    def on_from(self, raw: Timeline, begin: Timeline, between: Sequence[tuple[float, float]]) -> Timeline:
+        """The nearest minimum from a timeline, in all of it or in what edits reach."""
         segments, budget = len(raw.frames) - 1, self.settings.frames
-        cut = None if between is None else Cut.about(begin, raw.times, between)
-        if cut is None and is_long(raw):
-            cut = Cut.about(begin, raw.times, (float(raw.times[0]), float(raw.times[-1])))
-        if cut is not None:
-            return self._on_from_cut(cut, begin, raw, budget)
+        if not between and is_long(raw):
+            between = [(float(raw.times[0]), float(raw.times[-1]))]
+        if between and all(Cut.about(begin, raw.times, span) is not None for span in between):
+            several = len(between) > 1
+            parts = segment_integrals(self.objective, path_of(begin), raw.times) if several else None
+            for span in between:
+                cut = Cut.about(begin, raw.times, span)
+                assert cut is not None, "as above: keyframes alone decide"
+                begin = self._on_from_cut(cut, begin, raw, budget, parts)
+                if self.stop is Stop.ASKED:
+                    break
+                if parts is not None:
+                    inside = cut.inside(raw.times)
+                    edges = raw.times[inside.start : inside.stop + 1]
+                    parts[inside] = segment_integrals(self.objective, path_of(begin), edges)
+                self.damping = FIRST_DAMPING
+            return begin
         end = self.run(begin, segments, None if budget is None else max(budget, begin.variable_count))[-1]
         self.stop = end.stop
         return end.timeline
 
-    def _on_from_cut(self, cut: Cut, begin: Timeline, raw: Timeline, budget: int | None) -> Timeline:
-        """The whole timeline with a part of it at its nearest minimum."""
+    def _on_from_cut(
+        self, cut: Cut, begin: Timeline, raw: Timeline, budget: int | None, parts: Array | None
+    ) -> Timeline:
+        """The whole timeline with a part of it at its nearest minimum.
+
+        parts  (segments, terms) of E where edits began, if there are several
+        """
         self.since, self.until = cut.first, cut.last
         self.whole = cut.around(begin)
-        self.elsewhere = cut.elsewhere(self.objective, begin, raw.times)
+        self.elsewhere = cut.elsewhere(self.objective, begin, raw.times, parts)
         room = None if budget is None else max(cut.part.variable_count, budget * cut.segments // (len(raw.frames) - 1))
         return self.whole(self.run(cut.part, cut.segments, room)[-1].timeline)
 

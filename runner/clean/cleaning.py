@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
@@ -12,7 +12,7 @@ from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import Path, natural_spline, path_of
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
-from dynsplines.solver.inbetween import inbetween
+from dynsplines.solver.inbetween import inbetween, resumed
 from dynsplines.solver.penalty import Near, Rest, UnitMagnitude
 from dynsplines.solver.problem import Problem
 from dynsplines.solver.reading.recorded import Recorded
@@ -28,6 +28,7 @@ NOISY = 0.008  # [m] of the soles' places, from which on stances are looked for 
 SOFTEST, SOFTER = (1e-3, 0.03), (0.03,)  # shares of the weights of all else, for a first look, and for the next
 ROUGHLY = 0.1  # relative progress of E at which such a search ends
 FAR = 0.04  # [s]
+ABOUT, AT_ONCE = 0.15, 2.0  # [s] on either side of such a frame that the path is searched again, and the most of it
 LOOKS = 3  # between the samples of a search, at most
 STRICTER, TRIES = 2.0, 7  # how much more the recording counts every time that something is too far off it
 
@@ -130,7 +131,10 @@ def cleaned(
 def _out_of_edges(
     ground: Ground, asked: Problem, solution: Solution, improved: Callable[[Improvement], None] | None
 ) -> tuple[Problem, Solution]:
-    """The search gone on with more frames where something went through an edge between two samples, and is seen now."""
+    """The search gone on with more frames where something went through an edge between two samples, and is seen now.
+
+    Only about there, unless that is nearly everywhere.
+    """
     for _ in range(LOOKS):
         path, times = path_of(solution.timeline), solution.timeline.times
         more = unseen(ground, path, times)
@@ -138,8 +142,19 @@ def _out_of_edges(
             break
         times = np.union1d(times, more)
         asked = replace(asked, keys=loose(asked.figure, times, path.at(times)))
-        solution = inbetween(asked, improved=improved)
+        solution = resumed(asked, asked.raw, between=list(_stretches(more)), improved=improved)
     return asked, solution
+
+
+def _stretches(times: Array) -> Iterator[tuple[float, float]]:
+    """[s] what is searched again about times that rise: together what is close, but no more than a window at once."""
+    first = last = float(times[0])
+    for time in times[1:].tolist():
+        if time - last > 4 * ABOUT or time - first > AT_ONCE:
+            yield first - ABOUT, last + ABOUT
+            first = time
+        last = time
+    yield first - ABOUT, last + ABOUT
 
 
 def _eased(

@@ -74,8 +74,19 @@ class Cut:
         inside = [frame for frame in part.frames if self.first < frame.time < self.last]
         return Timeline(tuple(sorted((*outside, *inside), key=lambda f: f.time)), timeline.end_slope, timeline.ends)
 
-    def elsewhere(self, objective: Objective, timeline: Timeline, keys: Array) -> Array:
-        """(terms,) what the segments outside the part add to the terms of E."""
-        runs = keys[keys <= self.begin + ROUNDING], keys[keys >= self.end - ROUNDING]
+    def elsewhere(self, objective: Objective, timeline: Timeline, keys: Array, known: Array | None = None) -> Array:
+        """(terms,) what the segments outside the part add to the terms of E.
+
+        known  (segments, terms) what segments between keyframes add, where it is known
+        """
+        inside = self.inside(keys)
+        if known is not None:
+            return known.sum(axis=0) - known[inside].sum(axis=0)
+        runs = keys[: inside.start + 1], keys[inside.stop :]
         parts = [segment_integrals(objective, path_of(timeline), run) for run in runs if run.size > 1]
         return np.add.reduce([part.sum(axis=0) for part in parts])
+
+    def inside(self, keys: Array) -> slice:
+        """Which segments between keyframes the part has."""
+        first, last = np.searchsorted(keys, [self.begin - ROUNDING, self.end - ROUNDING])
+        return slice(int(first), int(last))

@@ -292,7 +292,8 @@ class Work:
             if begin is None:
                 found = inbetween(clip.problem, improved=improved)
             else:
-                found = resumed(clip.problem, begin, between=between, improved=improved)
+                edited = () if between is None else (between,)
+                found = resumed(clip.problem, begin, between=edited, improved=improved)
         if found is None and best:
             found = Solution(clip.figure, clip.problem.objective, best[0].build(), clip.problem.raw, stop=Stop.ASKED)
         if found is None:

@@ -131,7 +131,7 @@ def test_a_search_goes_on_from_it_and_keeps_what_an_edit_does_not_reach(clip, fo
     problem = replace(clip.problem, keys=keys, settings=replace(clip.settings, max_evaluations=4, frames=0))
     begin = carried(clip.figure, found.timeline, clip.keys, keys, problem.raw)
     seen = []
-    solution = resumed(problem, begin, between=(keys[2].time, keys[4].time), improved=seen.append)
+    solution = resumed(problem, begin, between=[(keys[2].time, keys[4].time)], improved=seen.append)
     values = [each.value for each in seen]
     assert values == sorted(values, reverse=True)
     assert len(values) > 1
@@ -142,6 +142,36 @@ def test_a_search_goes_on_from_it_and_keeps_what_an_edit_does_not_reach(clip, fo
     late = begin.times > 1.2
     at = np.isin(solution.timeline.times, begin.times[late])
     np.testing.assert_array_equal(solution.timeline.states[at], begin.states[late])
+
+
+@pytest.mark.slow
+def test_several_stretches_are_searched_one_after_the_other_and_nothing_between_them_moves(clip, found):
+    rng, times = np.random.default_rng(5), np.array([key.time for key in clip.keys])
+    stretches = [(times[1], times[2]), (times[-3], times[-2])]
+    cuts = [Cut.about(found.timeline, times, span) for span in stretches]
+    assert cuts[0] is not None
+    assert cuts[1] is not None
+    assert cuts[0].last < cuts[1].first
+    shaken = tuple(
+        replace(frame, state=frame.state + 1e-3 * rng.normal(size=frame.state.size)) if frame.is_variable else frame
+        for frame in found.timeline.frames
+    )
+    begin = replace(found.timeline, frames=shaken)
+    problem = replace(clip.problem, settings=replace(clip.settings, max_evaluations=4, frames=0))
+    seen = []
+    solution = resumed(problem, begin, between=stretches, improved=seen.append)
+    values = [each.value for each in seen]
+    assert values == sorted(values, reverse=True)
+    value = problem.objective.value(path_of(solution.timeline))
+    assert value < problem.objective.value(path_of(resumed(problem, begin, between=stretches[:1]).timeline))
+    np.testing.assert_allclose(values[-1], value, rtol=0.05)
+    t, free = solution.timeline.times, np.zeros(begin.times.size, bool)
+    np.testing.assert_array_equal(t, begin.times)
+    for cut in cuts:
+        free |= (t > cut.first) & (t < cut.last)
+    np.testing.assert_array_equal(solution.timeline.states[~free], begin.states[~free])
+    assert np.any(solution.timeline.states[free] != begin.states[free])
+    assert met(clip.figure, solution.timeline, clip.keys) < 1e-9
 
 
 def test_a_cut_is_none_where_an_edit_reaches_nearly_all(clip, found):
