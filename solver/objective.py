@@ -199,12 +199,10 @@ def segment_integrals(objective: Objective, path: Path, times: Array) -> Array:
     t, w = gauss_nodes(edges, NODES)
     out = np.zeros((times.size - 1, len(objective.terms)))
     segment = np.clip(np.searchsorted(times, t, side="right") - 1, 0, times.size - 2)
-    first = 0
-    for samples in objective.samples(path, t).parts(run_of(objective.figure)):
-        some = slice(first, first + samples.count)
+    for piece in Sampling.of(path.spline, t).pieces(run_of(objective.figure)):
+        samples, some = Samples(objective.figure, *piece.samples(path.coefficients), t=piece.t), piece.which
         for k, term in enumerate(objective.terms):
             np.add.at(out[:, k], segment[some], term.factor * w[some] * term.penalty.evaluate(samples))
-        first += samples.count
     for k, term in enumerate(objective.terms):
         at = instants_of(term.penalty)
         at = at[(at >= times[0]) & ((at < times[-1]) | (at == path.spline.times[-1]))]

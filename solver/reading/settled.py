@@ -6,13 +6,13 @@ on its toes all along. Both are constants of the recording, and no motion.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from .. import quaternion as quat
 from ..array import Array, Mask
-from ..figure.figure import JointKind, quaternion_columns
+from ..figure.figure import Figure, JointKind, quaternion_columns
 from ..figure.kinematics import Samples
 from ..surface import Surface
 from ..surface.heights import height_over
@@ -24,6 +24,7 @@ LOWEST, ELSEWHERE = 2.0, 0.05  # per cent of samples that may be deeper; [m] tha
 NOTHING = 0.001  # [m] that is left as it is
 MOST = np.radians(25)  # a sole that is off by more than this stands on its toes
 ENOUGH = 5  # samples in which all of a sole stands
+RUN = 1000  # samples looked at at once
 
 
 def settled(recorded: Recorded, stances: Sequence[Stood], surfaces: Sequence[Surface]) -> Recorded:
@@ -33,8 +34,7 @@ def settled(recorded: Recorded, stances: Sequence[Stood], surfaces: Sequence[Sur
     for link in {one.point.link for one in stances}:
         recorded = _levelled(recorded, [one for one in stances if one.point.link == link], link)
     points = _points(stances)
-    states = recorded.path.at(recorded.times)
-    places, _, _ = places_of(points, Samples.still(recorded.figure, states))
+    places = _places(recorded, points)
     height, _ = height_over(surfaces, places, np.array([point.radius for point in points]))
     standing = np.array([_during(recorded.times, [one for one in stances if one.point is point]) for point in points])
     lift = -float(np.median(height[standing])) if standing.any() else 0.0
@@ -45,8 +45,7 @@ def on_the_ground(recorded: Recorded, points: Sequence[Point], surfaces: Sequenc
     """Raised or lowered as a whole if it is far in the ground or over it all the time: another's floor is elsewhere."""
     if not points or not surfaces:
         return recorded
-    states = recorded.bridged
-    places, _, _ = places_of(points, Samples.still(recorded.figure, states))
+    places = _places(recorded, points)
     radii = np.array([[point.radius] for point in points])
     lowest = np.min([surface.height(places) for surface in surfaces], axis=0) - radii
     lift = -float(np.percentile(lowest.min(axis=0), LOWEST))
@@ -63,9 +62,8 @@ def _levelled(recorded: Recorded, stances: Sequence[Stood], link: int) -> Record
     flat = np.all([_during(recorded.times, [one for one in stances if one.point is point]) for point in points], axis=0)
     if flat.sum() < ENOUGH:
         return recorded
-    states = recorded.path.at(recorded.times)[flat]
-    rotation = Samples.still(figure, states).links.rotation[:, :, link]
-    up = _unit(rotation[2].mean(axis=1))
+    vertical = [samples.links.rotation[2, :, link] for samples in _runs(figure, recorded.bridged[flat])]
+    up = _unit(np.concatenate(vertical, axis=1).mean(axis=1))
     _, positions, radii = arrays_of(points)
     bottom = (positions - radii * up[:, None]).T
     if len(points) == 2:
@@ -78,6 +76,19 @@ def _levelled(recorded: Recorded, stances: Sequence[Stood], link: int) -> Record
         return recorded
     turn = quat.normalised(np.append(1 + start @ end, np.cross(start, end)))
     return recorded.turned(columns, turn)
+
+
+def _runs(figure: Figure, states: Array) -> Iterator[Samples]:
+    """Poses (T, N), some at once: those of ten minutes would not fit into the memory."""
+    for first in range(0, len(states), RUN):
+        yield Samples.still(figure, states[first : first + RUN])
+
+
+def _places(recorded: Recorded, points: Sequence[Point]) -> Array:
+    """(3, n, T) [m] where points are on the most likely curve at the samples."""
+    return np.concatenate(
+        [places_of(points, samples)[0] for samples in _runs(recorded.figure, recorded.bridged)], axis=2
+    )
 
 
 def _points(stances: Sequence[Stood]) -> list[Point]:

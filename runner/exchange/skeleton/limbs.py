@@ -23,6 +23,7 @@ TURN, TURN_OF_END = np.radians(15), np.radians(4)  # [rad] likewise parts of the
 STEPS, LONGEST = 30, 0.3  # of least squares; [rad] of a joint in one
 DAMPING = 5.0  # [1/rad²] of a step, beside residuals that count one as above
 STILL = 1e-4  # [rad] a step that is none
+RUN = 2000  # images bent at once
 
 
 @dataclass(frozen=True)
@@ -33,6 +34,10 @@ class Limb:
     bodies: Sequence[int]
     about: Array
     turns: Mapping[int, Array]
+
+    def during(self, run: slice) -> Limb:
+        """In some images."""
+        return Limb(self.bodies, self.about[run], {body: turn[run] for body, turn in self.turns.items()})
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,6 +57,12 @@ def bend(model: mujoco.MjModel, qpos: Array, limb: Limb, carried: Array) -> Arra
 
     carried  (T, 4) how what it hangs on is turned in the world
     """
+    runs = [slice(first, first + RUN) for first in range(0, len(qpos), RUN)]
+    return np.concatenate([_bend(model, qpos[run], limb.during(run), carried[run]) for run in runs])
+
+
+def _bend(model: mujoco.MjModel, qpos: Array, limb: Limb, carried: Array) -> Array:
+    """The same of a few images: all of ten minutes at once would not fit into the memory."""
     qpos, low, high = qpos.copy(), *_ranges(model, limb)
     spread = {body: TURN_OF_END if body == limb.bodies[-1] else TURN for body in limb.turns}
     best, least = qpos.copy(), np.full(len(qpos), np.inf)
