@@ -90,10 +90,14 @@ def sampled(figure: Figure, timeline: Timeline, fps: float) -> Sampled:
     first, last = float(timeline.times[0]), float(timeline.times[-1])
     count = sample_count(last - first, fps)
     time, path = first + np.arange(count) / fps, path_of(timeline)
-    parts = [samples_at(figure, path, time[i : i + AT_ONCE]) for i in range(0, count, AT_ONCE)]
-    qpos = np.concatenate([figure.to_qpos(part.y) for part in parts])
-    qvel, qacc = (np.concatenate(rows) for rows in zip(*map(velocities, parts), strict=True))
+    found = [_configurations(samples_at(figure, path, time[i : i + AT_ONCE])) for i in range(0, count, AT_ONCE)]
+    qpos, qvel, qacc = (np.concatenate(rows) for rows in zip(*found, strict=True))
     return Sampled(time, continuous(figure, qpos), qvel, qacc)
+
+
+def _configurations(samples: Samples) -> tuple[Array, Array, Array]:
+    """qpos, qvel and qacc: of a long motion the samples, with all that is made of them, would fill the memory."""
+    return samples.figure.to_qpos(samples.y), *velocities(samples)
 
 
 def sample_count(duration: float, fps: float) -> int:

@@ -78,14 +78,16 @@ def run(
         raise UserError(f"'{target}' is what is read; give another -o")
     check_new(target, overwrite=overwrite)
     result, saved = made(source, within, progress)
+    table = Comparison(result).table()
+    missed = () if within is None else tuple(_missed(result, within))
+    del result  # as large as all that is written
     if form is None:
         motion.save(saved, target)
     else:
         formats.export(saved, form.name, target, overwrite=overwrite, tell=progress.say)
-    progress.console.print(Comparison(result).table())
-    if within is not None:
-        for line in _missed(result, within):
-            progress.say(line)
+    progress.console.print(table)
+    for line in missed:
+        progress.say(line)
     progress.say(f"wrote {target}")
     return target
 
@@ -241,5 +243,5 @@ def _saved(result: Cleaned, found: _Read) -> Saved:
     exact = Timeline(tuple(Frame.many(timeline.times, timeline.states, everything)), timeline.end_slope, timeline.ends)
     times = np.union1d(result.before.spline.times, timeline.times)
     recorded = figure.to_qpos(result.before.at(times))
-    raw = raw_timeline(figure, [Frame.key(t, q) for t, q in zip(times, recorded, strict=True)])
+    raw = raw_timeline(figure, Frame.many(times, recorded, np.ones(recorded.shape, bool)))
     return Saved(found.name, "", found.scene, figure, found.fps, tuple(result.frames), exact, raw, [], {})

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from scipy.sparse.linalg import SuperLU
 
 DEGREE = 3  # cubic: the least that is C²
+FELT = 100  # knots away, where 2⁻¹⁰⁰ of a value is left
 SHORT = 150  # coefficients up to which a dense inverse is quicker than a sparse solve
 Complex = NDArray[np.complex128]
 TAYLOR = np.arange(2, -1, -1)[:, None] + np.arange(DEGREE + 1)  # powers of (t - knot) in y, y', y'' by coefficient
@@ -352,7 +353,13 @@ def spline_of(timeline: Timeline) -> Spline:
 
 
 def natural_end_slopes(times: Array, values: Array) -> Array:
-    """(2, N): the slopes of `natural_spline` at its first and its last time."""
+    """(2, N): the slopes of `natural_spline` at its first and its last time.
+
+    What a value says of a slope fades by at least a half a knot, so those far away say nothing that a number can hold.
+    """
+    if times.size > 2 * FELT:
+        first, last = (natural_end_slopes(times[run], values[run]) for run in (slice(FELT), slice(-FELT, None)))
+        return np.array([first[0], last[1]])
     h = np.diff(times)
     rise = 3 * np.diff(values, axis=0) / h[:, None]
     if times.size == 2:

@@ -130,7 +130,10 @@ def test_states_and_slopes_are_the_inverse_of_coefficients_and_have_their_transp
     np.testing.assert_allclose(summed, rows, atol=1e-9)
 
 
-@pytest.mark.parametrize("times", [TIMES, TIMES[:3], TIMES[:2], UNEVEN], ids=len)
+MANY = np.cumsum(10.0 ** np.random.default_rng(3).uniform(-3, 0, 450))  # farther than both ends are felt
+
+
+@pytest.mark.parametrize("times", [TIMES, TIMES[:3], TIMES[:2], UNEVEN, MANY], ids=len)
 def test_the_natural_end_slopes_are_those_of_the_natural_spline(rng, times):
     states = rng.normal(size=(times.size, 3))
     expected = CubicSpline(times, states, bc_type="natural")(times[[0, -1]], 1)
