@@ -29,6 +29,7 @@ SOFTEST, SOFTER = (1e-3, 0.03), (0.03,)  # shares of the weights of all else, fo
 ROUGHLY = 0.1  # relative progress of E at which such a search ends
 FAR = 0.04  # [s]
 ABOUT, AT_ONCE = 0.15, 2.0  # [s] on either side of such a frame that the path is searched again, and the most of it
+LONG = 60.0  # [s] from which on a recording is not searched again as a whole
 LOOKS = 3  # between the samples of a search, at most
 STRICTER, TRIES = 2.0, 7  # how much more the recording counts every time that something is too far off it
 
@@ -133,7 +134,7 @@ def _out_of_edges(
 ) -> tuple[Problem, Solution]:
     """The search gone on with more frames where something went through an edge between two samples, and is seen now.
 
-    Only about there, unless that is nearly everywhere.
+    Of a long recording only about there: all of it anew comes out a little better, and takes as long again.
     """
     for _ in range(LOOKS):
         path, times = path_of(solution.timeline), solution.timeline.times
@@ -142,7 +143,10 @@ def _out_of_edges(
             break
         times = np.union1d(times, more)
         asked = replace(asked, keys=loose(asked.figure, times, path.at(times)))
-        solution = resumed(asked, asked.raw, between=list(_stretches(more)), improved=improved)
+        if times[-1] - times[0] < LONG:
+            solution = inbetween(asked, improved=improved)
+        else:
+            solution = resumed(asked, asked.raw, between=list(_stretches(more)), improved=improved)
     return asked, solution
 
 

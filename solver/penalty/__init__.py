@@ -2,6 +2,7 @@
 
 penalty    what one is                       squares   one that gives residuals has all the rest from there
 curvature  what they say of E's second derivatives     sum      some as one
+one_sided  residuals that count on one side only
 check      is one what it says?
 allowance  what keyframes violate is let pass
 motion, ground, joints  the soft constraints themselves
