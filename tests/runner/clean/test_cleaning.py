@@ -6,7 +6,7 @@ import pytest
 import shipped
 from faulted import Take
 
-from dynsplines.clean import sinking
+from dynsplines.clean import cleaning, sinking
 from dynsplines.clean.cleaning import Cleaned, cleaned
 from dynsplines.clean.comparing import Comparison, verdict
 from dynsplines.clean.repairs import repaired
@@ -106,6 +106,25 @@ def test_hands_and_feet_are_nearer_to_the_true_motion(take):
         return float(np.linalg.norm(places[0] - places[1], axis=0).mean())
 
     assert off(found.after) < 0.6 * off(before)
+
+
+def test_a_long_recording_is_searched_again_about_what_was_unseen_alone(take, bad, monkeypatch):
+    ground, whole = ground_of(take.figure, bad), repaired(take.figure, take.time, bad, "bad")
+    monkeypatch.setattr(cleaning, "LONG", 0.0)
+    monkeypatch.setattr(cleaning, "unseen", lambda *_: np.zeros(0))
+    before = cleaned(ground, whole).solution.timeline
+    at = 0.5 * (before.times[3] + before.times[4])
+    found = [np.array([at]), np.zeros(0)]
+    monkeypatch.setattr(cleaning, "unseen", lambda *_: found.pop(0))
+    after = cleaned(ground, whole).solution.timeline
+    assert not found
+    assert at in after.times
+    far, near = before.times > at + 0.6, np.abs(before.times - at) < 0.1
+    assert far.sum() > 3
+    poses, same = take.figure.to_qpos(before.states), np.isin(after.times, before.times)
+    off = np.abs(take.figure.to_qpos(after.states)[same] - poses).max(axis=1)
+    assert off[far].max() < 1e-9
+    assert off[near].max() > 1e-6
 
 
 def test_the_steps_of_the_scene_are_stood_on(take, clean):
