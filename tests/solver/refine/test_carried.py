@@ -149,9 +149,10 @@ def test_several_stretches_are_searched_one_after_the_other_and_nothing_between_
     rng, times = np.random.default_rng(5), np.array([key.time for key in clip.keys])
     stretches = [(times[1], times[2]), (times[-3], times[-2])]
     cuts = [Cut.about(found.timeline, times, span) for span in stretches]
-    assert cuts[0] is not None
-    assert cuts[1] is not None
-    assert cuts[0].last < cuts[1].first
+    first, second = cuts
+    assert first is not None
+    assert second is not None
+    assert first.last < second.first
     shaken = tuple(
         replace(frame, state=frame.state + 1e-3 * rng.normal(size=frame.state.size)) if frame.is_variable else frame
         for frame in found.timeline.frames
@@ -167,7 +168,7 @@ def test_several_stretches_are_searched_one_after_the_other_and_nothing_between_
     np.testing.assert_allclose(values[-1], value, rtol=0.05)
     t, free = solution.timeline.times, np.zeros(begin.times.size, bool)
     np.testing.assert_array_equal(t, begin.times)
-    for cut in cuts:
+    for cut in (first, second):
         free |= (t > cut.first) & (t < cut.last)
     np.testing.assert_array_equal(solution.timeline.states[~free], begin.states[~free])
     assert np.any(solution.timeline.states[free] != begin.states[free])
