@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from .posing import Grip, Poser
 
 AT = 1e-6  # [s] nearer to it, one is at a keyframe
+RESTS = 0.1  # [s] without another pose after which a drag may be about to end where it is
 
 
 class Actions:
@@ -26,15 +27,28 @@ class Actions:
         self._last: Any = None
         self._home: Any = None
         self._body = 0
+        self._time, self._is_partial = 0.0, False
+        self._rest: asyncio.TimerHandle | None = None
 
     async def poser(self) -> Poser:
         """What poses the present figure."""
         return await asyncio.to_thread(prepared, self.session)
 
     async def grip(
-        self, *, time: float, body: int, offset: Sequence[float], plant: bool = True, alone: bool = False
+        self,
+        *,
+        time: float,
+        body: int,
+        offset: Sequence[float],
+        plant: bool = True,
+        alone: bool = False,
+        partial: bool = False,
     ) -> dict[str, Any]:
-        """Takes hold of a point of a body at a time of the clip; alone: of its limb and no more."""
+        """Takes hold of a point of a body at a time of the clip; alone: of its limb and no more.
+
+        partial  as it will be let go with
+        """
+        self._moves_on(time, partial)
         poser, qpos = await self.poser(), self.at(time)
         self._home, self._last, self._body = qpos, qpos, int(body)
         self._grip = await asyncio.to_thread(poser.gripped, qpos, int(body), offset, plant=plant, alone=alone)
@@ -44,19 +58,23 @@ class Actions:
         """The pose with that point at a place [m]: positions and rotations of every body, and what is missed [m]."""
         if self._grip is None:
             raise UserError("nothing is held; press the mouse on a limb first")
+        self._moves_on()
         poser = await self.poser()
         begin = time.perf_counter()
         found = await asyncio.to_thread(poser.pulled, self._grip, position, self._last)
         self._last = found.qpos
         told = _bodies(poser, found.qpos)
+        self._rests()
         return {**told, "missed": round(found.worst, 5), "ms": round(1e3 * (time.perf_counter() - begin), 2)}
 
-    async def turn(self, *, time: float, joint: str, turn: Sequence[float]) -> dict[str, Any]:
+    async def turn(self, *, time: float, joint: str, turn: Sequence[float], partial: bool = False) -> dict[str, Any]:
         """The pose with one joint turned: as `drag`."""
+        self._moves_on(time, partial)
         poser = await self.poser()
         if self._grip is not None or self._home is None:
             self._grip, self._home = None, self.at(time)
         self._last = poser.turned(self._home, joint, turn)
+        self._rests()
         return _bodies(poser, self._last)
 
     async def drop(self, *, time: float, partial: bool = False) -> str:
@@ -64,20 +82,25 @@ class Actions:
 
         partial  a new one says only what was moved, and leaves the rest to the optimiser
         """
+        self._time, self._is_partial = time, partial
+        self._keep_still()
         if self._last is None or self._home is None:
             return ""
-        poser = await self.poser()
-        home, last, grip = self._home, self._last, self._grip
+        edit = self._meant(await self.poser())
         self._grip = self._home = self._last = None
-        index, said, revision = self.key_at(time), poser.said(last, home), self.session.document.revision
+        return "" if edit is None else await self.session.edit(*edit)
+
+    def _meant(self, poser: Poser) -> tuple[str, dict[str, Any], int | None] | None:
+        """The edit that letting go now would be, as `Session.edit` takes it; None where nothing has moved."""
+        home, last, index = self._home, self._last, self.key_at(self._time)
+        said = poser.said(last, home)
         if not said["joints"] and "root" not in said:
-            return ""
+            return None
+        if index is None and self._is_partial:
+            return "add_key", {"said": self._whole_limb(poser, {**said, "time": self._time}, last)}, None
         if index is None:
-            moved = {**said, "time": time} if partial else {**poser.said(last), "time": time}
-            return await self.session.edit(
-                "add_key", {"said": self._whole_limb(poser, moved, last) if partial else moved}
-            )
-        named = poser.limb_names(self._body) if grip is not None else set()
+            return "add_key", {"said": {**poser.said(last), "time": self._time}}, None
+        named = poser.limb_names(self._body) if self._grip is not None else set()
         if "root" in said:
             said = poser.said(last)  # all of it: what holds on to the root comes along
             named = None
@@ -86,7 +109,33 @@ class Actions:
             name for group in ("sites", "bodies") for name in row.get(group, {}) if named is None or name in named
         ]
         said = self._kept_free(index, said, home, last, poser) if named is None else said
-        return await self.session.edit("set_pose", {"key": index, "places": places, **said}, revision)
+        return "set_pose", {"key": index, "places": places, **said}, self.session.document.revision
+
+    def _moves_on(self, time: float | None = None, partial: bool = False) -> None:
+        """The pose is another from now on, and no more is to be done about the last one."""
+        if time is not None:
+            self._time, self._is_partial = time, partial
+        self._keep_still()
+        self.session.wait()
+
+    def _keep_still(self) -> None:
+        """Nothing is searched that is not searched yet."""
+        if self._rest is not None:
+            self._rest.cancel()
+            self._rest = None
+
+    def _rests(self) -> None:
+        """If no other pose is asked for in a moment, what letting go would come to is searched already."""
+        self._keep_still()
+        self._rest = asyncio.get_running_loop().call_later(RESTS, self._foresee)
+
+    def _foresee(self) -> None:
+        known = self.session.poser
+        if self._last is None or self._home is None or known is None or known[0] != self.session.stages:
+            return
+        edit = self._meant(known[1])
+        if edit is not None:
+            self.session.foresee(*edit)
 
     def _whole_limb(self, poser: Poser, said: dict[str, Any], qpos: Any) -> dict[str, Any]:
         """With all joints of the limb that was dragged, moved or not: what it does is said."""
@@ -105,6 +154,7 @@ class Actions:
 
     async def cancel(self) -> str:
         """Lets go, and nothing has happened."""
+        self._moves_on()
         self._grip = self._home = self._last = None
         return ""
 

@@ -6,6 +6,7 @@ import asyncio
 import json
 import pickle
 from collections.abc import Callable
+from contextlib import suppress
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -62,7 +63,7 @@ class Session:
         self._trying: Message | None = None
         self._keeper: asyncio.TimerHandle | None = None
         self._curved: set[int] = set()
-        self._is_glimpse = False
+        self._is_glimpse = self._is_foreseeing = False
         self._glimpsed: str | None = None
 
     @property
@@ -138,23 +139,43 @@ class Session:
 
         revision  that its numbers are of, where another may be the present one
         """
-        from .edits import EDITS  # only here, as in `document`
-
-        if name not in EDITS:
-            raise UserError(f"no edit '{name}'; there are: {', '.join(EDITS)}")
         async with self._lock:
-            said = renumbered(self.document, revision, said, name)
-            tree = self.document.tree()
-            try:
-                words = EDITS[name](tree, **said)
-            except TypeError as error:
-                raise UserError(f"{name}: {one_line(error)}") from None
-            text = tree.as_string()
+            text, words = self._edited(name, said, revision)
             if text != self.document.text:
                 verdict = await self._tried(text)
                 self.document.commit(text, words)
                 self._changed(verdict)
             return words
+
+    def _edited(self, name: str, said: Message, revision: int | None) -> tuple[str, str]:
+        """The text after an edit, and what it does in words."""
+        from .edits import EDITS  # only here, as in `document`
+
+        if name not in EDITS:
+            raise UserError(f"no edit '{name}'; there are: {', '.join(EDITS)}")
+        said = renumbered(self.document, revision, said, name)
+        tree = self.document.tree()
+        try:
+            words = EDITS[name](tree, **said)
+        except TypeError as error:
+            raise UserError(f"{name}: {one_line(error)}") from None
+        return tree.as_string(), words
+
+    def foresee(self, name: str, said: Message, revision: int | None = None) -> None:
+        """Has searched in silence what an edit would come to that may be made next, if nothing else is to be done."""
+        if not self.go or self._lock.locked() or self.status["state"] != "settled":
+            return
+        with suppress(UserError):
+            text, _ = self._edited(name, said, revision)
+            if text != self.document.text:
+                self._is_foreseeing = True
+                self.solver.send({"do": "foresee", **self._named(text)})
+
+    def wait(self) -> None:
+        """Ends the search of what was foreseen: something else will be."""
+        if self._is_foreseeing:
+            self._is_foreseeing = False
+            self.solver.send({"do": "wait"})
 
     async def undo(self) -> str:
         """Back by one edit."""
@@ -225,18 +246,14 @@ class Session:
         return verdict
 
     def _load(self, text: str, revision: int, *, first: bool = False, found: Any = None) -> None:
-        document = self.document
-        self._trying = {
-            "do": "load",
-            "text": text,
-            "name": document.name,
-            "place": document.place,
-            "folder": str(document.folder),
-            "revision": revision,
-            "go": self.go,
-            "first": first,
-        }
+        self._is_foreseeing = False
+        self._trying = {"do": "load", **self._named(text), "revision": revision, "go": self.go, "first": first}
         self.solver.send(self._trying if found is None else {**self._trying, "found": found})
+
+    def _named(self, text: str) -> Message:
+        """A text, what messages about it call it, and the folder that its files are in."""
+        document = self.document
+        return {"text": text, "name": document.name, "place": document.place, "folder": str(document.folder)}
 
     def _changed(self, verdict: Message) -> None:
         """Tells everybody, and has unsaved work written soon."""

@@ -13,6 +13,7 @@ import threading
 import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
+from dataclasses import replace
 from multiprocessing.connection import Connection
 from pathlib import Path
 from queue import Empty, SimpleQueue
@@ -36,6 +37,7 @@ from ...scene.outside import allowed
 from ...system.cache_folder import place as cache
 from .. import paths
 from ..outline import formats, kinds, outline
+from .foreseen import Foreseen
 from .stage import stage
 
 if TYPE_CHECKING:
@@ -106,6 +108,7 @@ class Work:
         self.is_awaited: Callable[[], bool] = lambda: False  # whether a message waits already
         self._is_going, self._is_near = True, False
         self._astray: str | None = None
+        self._foreseen: Foreseen | None = None
         self._before: tuple[float, int] | None = None  # E, and how much was wrong, when all was well last
 
     def do(self, message: Message) -> None:
@@ -136,7 +139,14 @@ class Work:
         """
         self._is_going, self._astray = go, None
         before, solution = self.clip, self.found
-        clip = clips.from_text(text, name=name, where=place, folder=Path(folder), like=None if first else before)
+        known, self._foreseen = self._foreseen, None
+        if known is not None and (first or found is not None or not known.is_of(text, before)):
+            known = None
+        if known is not None:
+            clip = known.clip
+        else:
+            like = None if first else before
+            clip = clips.from_text(text, name=name, where=place, folder=Path(folder), like=like)
         has_ground = before is not None and clip.figure is before.figure
         self.clip, self.revision = clip, revision
         if not has_ground:
@@ -145,8 +155,11 @@ class Work:
         said = outline(text, place)
         self._tell("loaded", revision=revision, notes=list(clip.notes), outline=said, **_shape(clip))
         self._owes_raw = True
+        if known is not None:
+            self._go_on(known, go=go)
+            return
         path = None if found is None else pickle.loads(found)  # what this program sent itself
-        begin, between = self._begin(before, solution, first=first, found=path)
+        begin, between = self._begin(clip, before, solution, first=first, found=path)
         if begin is None:
             self._first(clip, go=go)
             return
@@ -157,12 +170,42 @@ class Work:
         else:
             self._judge(stop="paused")
 
+    def do_foresee(self, text: str, name: str, place: str, folder: str) -> None:
+        """Searches what a text would come to, in silence; any message ends that. What it found waits for the text."""
+        before, self._foreseen = self.clip, None
+        if before is None or not self._is_going:
+            return
+        with suppress(Exception):  # which is told when the text is said
+            clip = clips.from_text(text, name=name, where=place, folder=Path(folder), like=before)
+            begin, between = self._begin(clip, before, self.found, first=False, found=None)
+            if clip.figure is before.figure and begin is not None:
+                ahead = self._foreseen = Foreseen(before, clip, begin, between)
+                found = self._lowered(clip, begin, between, lambda improvement: None)
+                if found is not None and found.evaluations > 1:  # the first is of where it begins
+                    self._foreseen = replace(ahead, found=found)
+
+    def do_wait(self) -> None:
+        """Nothing: that a message came has ended the search of what was foreseen."""
+
+    def _go_on(self, known: Foreseen, *, go: bool) -> None:
+        """With a clip that was foreseen, from what was found of it."""
+        clip, found = known.clip, known.found
+        if found is None:
+            self.found = Solution(clip.figure, clip.problem.objective, known.begin, clip.problem.raw)
+            self._send_path(known.begin, "carried")
+        else:
+            self._is_near = True
+            self._take(found)
+        stop = Stop.ASKED if found is None else found.stop
+        if go and stop is Stop.ASKED:
+            self._search(known.begin if found is None else found.timeline, known.between)
+        else:
+            self._judge(stop=stop.name if go else "paused")
+
     def _begin(
-        self, before: Clip | None, solution: Solution | None, *, first: bool, found: Timeline | None
+        self, clip: Clip, before: Clip | None, solution: Solution | None, *, first: bool, found: Timeline | None
     ) -> tuple[Timeline | None, tuple[float, float] | None]:
-        """Where the search of the present clip begins, and what alone was edited; nowhere if all of it is new."""
-        clip = self.clip
-        assert clip is not None
+        """Where the search of a clip begins, and what alone was edited; nowhere if all of it is new."""
         seen = self.seen.get(clip.text)
         if seen is not None and not first:  # undone or done again
             return seen, None if before is None else _edited(before, clip)
@@ -274,41 +317,63 @@ class Work:
         assert clip is not None
         self._tell("searching", revision=self.revision)
         self._is_near = begin is not None
-        best: list[Improvement] = []
 
         def improved(improvement: Improvement) -> None:
-            best[:] = [improvement]
             if begin is not None and improvement.evaluation == 1:
                 return  # where it begins is seen already
             if time.monotonic() - self._sent >= SOONEST:
                 self._send_path(improvement.build(), "found", **_course(improvement))
                 self._send_raw()
-            if self._is_asked or self.is_awaited():
-                raise StopSearch
 
-        found: Solution | None = None
-        with self._searching():
-            self._heed()
-            if begin is None:
-                found = inbetween(clip.problem, improved=improved)
-            else:
-                edited = () if between is None else (between,)
-                found = resumed(clip.problem, begin, between=edited, improved=improved)
-        if found is None and best:
-            found = Solution(clip.figure, clip.problem.objective, best[0].build(), clip.problem.raw, stop=Stop.ASKED)
+        found = self._lowered(clip, begin, between, improved)
         if found is None:
             self._judge(stop="ASKED")
             return
-        self.found = found
-        self._remember(clip.text, found.timeline)
-        value, parts = (found.trace[-1][2], found.trace[-1][3]) if found.trace else (0.0, {})
-        self._send_path(found.timeline, "found", value=value, parts=_plain(parts), evaluation=found.evaluations)
+        self._take(found)
         if begin is None and found.stop is Stop.CONVERGED and (folder := cache()) is not None:
             from ... import kept
             from ...work import Solved
 
             kept.write(Solved(clip, found, None), folder / f"{kept.key_of(clip)}.npz")
         self._judge(stop=found.stop.name)
+
+    def _lowered(
+        self,
+        clip: Clip,
+        begin: Timeline | None,
+        between: tuple[float, float] | None,
+        improved: Callable[[Improvement], None],
+    ) -> Solution | None:
+        """What a search of a clip comes to, or had come to when a message ended it; None if it had come to nothing.
+
+        begin     None for the raw spline;  between  [s] what alone was edited, None where more was
+        improved  gets every better path
+        """
+        best: list[Improvement] = []
+
+        def seen(improvement: Improvement) -> None:
+            best[:] = [improvement]
+            improved(improvement)
+            if self._is_asked or self.is_awaited():
+                raise StopSearch
+
+        with self._searching():
+            self._heed()
+            if begin is None:
+                return inbetween(clip.problem, improved=seen)
+            return resumed(clip.problem, begin, between=() if between is None else (between,), improved=seen)
+        if not best:
+            return None
+        return Solution(clip.figure, clip.problem.objective, best[0].build(), clip.problem.raw, stop=Stop.ASKED)
+
+    def _take(self, found: Solution) -> None:
+        """The present path from now on."""
+        clip = self.clip
+        assert clip is not None
+        self.found = found
+        self._remember(clip.text, found.timeline)
+        value, parts = (found.trace[-1][2], found.trace[-1][3]) if found.trace else (0.0, {})
+        self._send_path(found.timeline, "found", value=value, parts=_plain(parts), evaluation=found.evaluations)
 
     def _remember(self, text: str, timeline: Timeline) -> None:
         """What was found for a text, in case that somebody comes back to it; of the last few texts."""
@@ -378,10 +443,8 @@ class Work:
         self._is_near = False
         objective = clip.problem.objective
         if better(objective, [now.timeline, found.timeline]) is found.timeline:
-            self.found = found
-            self._remember(clip.text, found.timeline)
-            value, parts = found.trace[-1][2:]
-            self._send_path(found.timeline, "found", value=value, parts=_plain(parts), evaluation=found.evaluations)
+            self._take(found)
+            value = found.trace[-1][2]
             self._tell("note", words=f"begun anew, the search found a better path: E {value:.3g}")
         self._judge(stop=found.stop.name)
 

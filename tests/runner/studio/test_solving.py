@@ -10,6 +10,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import tiny
+from spoken import Line, load
 
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.refine.euler_lagrange import residual
@@ -20,34 +21,10 @@ from dynsplines.studio.solving.work import Work
 DEVIATION = ("Euler-Lagrange residual", "what a frame promises")
 
 
-class Line:
-    """Keeps what is sent."""
-
-    def __init__(self):
-        self.sent = []
-
-    def send(self, message):
-        self.sent.append(message)
-
-    def taken(self):
-        found, self.sent = self.sent, []
-        return found
-
-
 @pytest.fixture
 def work(tmp_path):
     tiny.written(tmp_path)
     return Work(Line())
-
-
-def load(work, folder, text, revision=0, *, first=False, go=True):
-    work.do(
-        {
-            "do": "load", "text": text, "name": "tiny", "place": "tiny.toml", "folder": str(folder),
-            "revision": revision, "go": go, "first": first,
-        }
-    )  # fmt: skip
-    return work.line.taken()
 
 
 def test_a_text_becomes_a_figure_keyframes_better_and_better_paths_and_a_verdict(work, tmp_path):
