@@ -48,7 +48,7 @@ class Document:
     _back: list[Packed] = field(default_factory=list)
     _forth: list[Packed] = field(default_factory=list)
     _seen: deque[tuple[int, bytes]] = field(default_factory=lambda: deque(maxlen=MOST_SINCE))
-    _rows: tuple[int, list[dict[str, Any]]] | None = None
+    _plain: tuple[int, dict[str, Any]] | None = None  # a revision as plain tables
 
     @property
     def is_dirty(self) -> bool:
@@ -85,13 +85,14 @@ class Document:
         """The text in blocks, to be changed; raises UserError for what is no TOML."""
         from .edits.tables import Blocks  # only here: what takes texts apart is not needed to show one
 
-        return Blocks.of(self.text, self.place)
+        known = self._plain
+        return Blocks.of(self.text, self.place, known[1] if known is not None and known[0] == self.revision else None)
 
     def tree_rows(self) -> list[dict[str, Any]]:
         """The [[keyframe]] tables as plain ones; of a text that has none, none."""
-        if self._rows is None or self._rows[0] != self.revision:
-            self._rows = self.revision, parsed(self.text).get("keyframe", [])
-        return self._rows[1]
+        if self._plain is None or self._plain[0] != self.revision:
+            self._plain = self.revision, parsed(self.text)
+        return self._plain[1].get("keyframe", [])
 
     def commit(self, text: str, words: str) -> None:
         """Takes a text as the present one; `words` say what was done."""

@@ -65,6 +65,7 @@ class Session:
         self._curved: set[int] = set()
         self._is_glimpse = self._is_foreseeing = False
         self._glimpsed: str | None = None
+        self._foreseen: tuple[tuple[Any, ...], tuple[str, str]] | None = None  # an edit that may come; text and words
 
     @property
     def timeline(self) -> Any:
@@ -140,7 +141,9 @@ class Session:
         revision  that its numbers are of, where another may be the present one
         """
         async with self._lock:
-            text, words = self._edited(name, said, revision)
+            asked = self.document.revision, name, said, revision
+            known, self._foreseen = self._foreseen, None
+            text, words = known[1] if known is not None and known[0] == asked else self._edited(name, said, revision)
             if text != self.document.text:
                 verdict = await self._tried(text)
                 self.document.commit(text, words)
@@ -166,8 +169,9 @@ class Session:
         if not self.go or self._lock.locked() or self.status["state"] != "settled":
             return
         with suppress(UserError):
-            text, _ = self._edited(name, said, revision)
+            text, words = self._edited(name, said, revision)
             if text != self.document.text:
+                self._foreseen = (self.document.revision, name, said, revision), (text, words)
                 self._is_foreseeing = True
                 self.solver.send({"do": "foresee", **self._named(text)})
 

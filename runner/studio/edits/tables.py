@@ -62,10 +62,13 @@ class Blocks:
     blocks: list[Block] = field(default_factory=list)
 
     @classmethod
-    def of(cls, text: str, where: str) -> Blocks:
-        """Raises UserError for what is no TOML, or is written in a way that cannot be edited by blocks."""
+    def of(cls, text: str, where: str, said: Mapping[str, Any] | None = None) -> Blocks:
+        """Raises UserError for what is no TOML, or is written in a way that cannot be edited by blocks.
+
+        said  what it says, where that is known
+        """
         try:
-            said = tomllib.loads(text)
+            said = tomllib.loads(text) if said is None else said
         except (tomllib.TOMLDecodeError, RecursionError, ValueError) as error:
             raise UserError(f"{where}: not valid TOML: {error}") from None
         heads = [found for found in HEADER.finditer(text) if len(found[1]) == len(found[3])]

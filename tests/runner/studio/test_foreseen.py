@@ -144,16 +144,30 @@ async def dragged(session, *, height=0.3, rests=0.2, partial=False, time=0.2):
     return hand
 
 
-def test_a_hand_that_rests_has_searched_what_it_says_when_it_lets_go(session):
+def test_a_hand_that_rests_has_searched_what_it_says_when_it_lets_go(session, monkeypatch):
     async def told():
         hand = await dragged(session)
         foreseen, document = session.solver.last("foresee"), session.document.text
         assert foreseen is not None
         assert document == tiny.CLIP
         assert session.document.revision == 0
+        monkeypatch.setattr(session, "_edited", None)  # nothing is to be taken apart again
         await hand.drop(time=0.2)
         assert session.document.text == foreseen["text"] == session.solver.last("load")["text"]
         assert session.solver.last("wait") is None
+
+    asyncio.run(told())
+
+
+def test_what_somebody_else_says_meanwhile_is_kept(session):
+    async def told():
+        hand = await dragged(session)
+        await session.edit("set_joint", {"key": 2, "joint": "left_knee", "value": {"rotvec": [0, 7, 0]}})
+        await hand.drop(time=0.2)
+        rows = session.document.tree_rows()
+        assert rows[2]["joints"]["left_knee"]["rotvec"] == [0, 7, 0]
+        assert rows[1]["root"]["position"] != [0.1, 0, "free"]
+        assert session.document.text != session.solver.last("foresee")["text"]
 
     asyncio.run(told())
 
