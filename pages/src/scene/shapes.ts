@@ -38,16 +38,31 @@ export const clustered = (points: Float32Array, faces: Uint32Array, most: number
   points.forEach((value, i) => { low[i % 3] = Math.min(low[i % 3], value); high[i % 3] = Math.max(high[i % 3], value); });
   const sides = high.map((value, k) => Math.max(value - low[k], 1e-6));
   const [x, y, z] = sides, cell = Math.sqrt((2 * (x * y + y * z + z * x) * 2) / most); // two triangles a cell of its hull
-  const found = new Map<string, number>(), sums: number[] = [], counts: number[] = [], painted: number[] = [];
-  const of = Array.from({ length: points.length / 3 }, (_, i) => {
-    const colour = colours ? [colours[3 * i], colours[3 * i + 1], colours[3 * i + 2]] : [];
-    const key = [0, 1, 2].map((k) => Math.floor((points[3 * i + k] - low[k]) / cell)).concat(colour).join();
+  const found = new Map<number, number>(), sums: number[] = [], counts: number[] = [], painted: number[] = [];
+  const shades = new Map<number, number>();
+  const shade = (i: number): number => { // of its colour, a number of its own
+    if (!colours) return 0;
+    const mixed = (Math.round(1000 * colours[i]) * 1024 + Math.round(1000 * colours[i + 1])) * 1024 + Math.round(1000 * colours[i + 2]);
+    let number = shades.get(mixed);
+    if (number === undefined) shades.set(mixed, (number = shades.size));
+    return number;
+  };
+  const along = sides.map((side) => Math.floor(side / cell) + 1), of = new Uint32Array(points.length / 3);
+  for (let n = 0, i = 0; i < points.length; n++, i += 3) {
+    const u = Math.floor((points[i] - low[0]) / cell), v = Math.floor((points[i + 1] - low[1]) / cell);
+    const w = Math.floor((points[i + 2] - low[2]) / cell), key = ((shade(i) * along[2] + w) * along[1] + v) * along[0] + u;
     let at = found.get(key);
-    if (at === undefined) { at = found.size; found.set(key, at); sums.push(0, 0, 0); counts.push(0); painted.push(...colour); }
-    for (let k = 0; k < 3; k++) sums[3 * at + k] += points[3 * i + k];
+    if (at === undefined) {
+      at = found.size;
+      found.set(key, at);
+      sums.push(0, 0, 0);
+      counts.push(0);
+      if (colours) painted.push(colours[i], colours[i + 1], colours[i + 2]);
+    }
+    for (let k = 0; k < 3; k++) sums[3 * at + k] += points[i + k];
     counts[at] += 1;
-    return at;
-  });
+    of[n] = at;
+  }
   const kept: number[] = [];
   for (let i = 0; i < faces.length; i += 3) {
     const [a, b, c] = [of[faces[i]], of[faces[i + 1]], of[faces[i + 2]]];

@@ -27,7 +27,7 @@ export const drawingOn = (given: HTMLCanvasElement): Drawing => {
   }
   const renderer = new THREE.WebGLRenderer({ canvas, context });
   renderer.debug.checkShaderErrors = false; // they are known to be right, and to ask waits for each of them
-  renderer.setPixelRatio(software ? 1 : Math.min(window.devicePixelRatio, 2));
+  if (!software) renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2)); // one to begin with
   renderer.shadowMap.enabled = true;
   renderer.shadowMap.type = software ? THREE.BasicShadowMap : THREE.PCFShadowMap;
   renderer.toneMapping = THREE.NeutralToneMapping;

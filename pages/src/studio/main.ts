@@ -21,6 +21,7 @@ const themed = (): void => {
   document.documentElement.dataset.theme = wanted;
 };
 themed();
+connect(); // what it tells comes when all of this has been done
 
 try {
   const stage = new Stage();
@@ -44,7 +45,6 @@ try {
   model.on("stage", () => { $("waiting").hidden = true; });
   model.on("status", () => { if (!model.stage && model.status.words) { $("waiting").textContent = model.status.words; $("waiting").hidden = false; } });
   model.tell("theme");
-  connect();
   // For tests and measures
   Object.assign(window, { studio: { ask, model, stage, hands, handles, gizmo, timeline } });
 } catch (error) {

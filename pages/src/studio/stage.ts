@@ -17,7 +17,7 @@ const SLOW = 45; // [ms] an image while something moves, from which on it has fe
 const FAST = 18; // [ms] from which on, so many times in a row, it has more again
 const SURE = 30;
 const REST = 220; // [ms] after the last movement until it is drawn with all of them
-const REST_SEARCHING = 900; // by a processor that searches meanwhile
+const REST_SEARCHING = 900; // by a processor that loads or searches meanwhile
 const LEAVE = 90; // [ms] from one image to the next that a processor which draws leaves to the search while it plays
 const LEAVE_STILL = 130; // while it does not: a better path is all that there is to be seen
 const SCALES = [0.4, 0.55, 0.75, 1]; // of the points along either side: few steps, for each takes a canvas anew
@@ -49,8 +49,8 @@ export class Stage {
   private wanted = true;
   private step = this.software ? 1 : SCALES.length - 1; // of the scales, while something moves
   private quick = 0; // images in a row that came fast
-  private drawnAt = 0; // the scale of the last image; none yet
-  private size = ""; // [px] of the canvas as it was last asked for: to ask again waits until all that was drawn is done
+  private drawnAt = SCALES[this.step]; // the scale of the last image, or of the first
+  private box = [0, 0]; // [px] of the canvas on the page
   private cast: Cast | null = null;
   private stamp = 0;
   private moved = 0;
@@ -78,7 +78,6 @@ export class Stage {
       this.draw();
     });
     new ResizeObserver(() => this.resize()).observe(this.canvas.parentElement!);
-    this.take(SCALES[this.step]);
     this.resize();
     requestAnimationFrame(this.tick);
   }
@@ -197,6 +196,7 @@ export class Stage {
     } else this.then = null;
     this.orbit.update();
     const searching = this.software && (model.status.state === "searching" || model.status.state === "loaded" || isAwaiting());
+    const loading = this.software && model.status.state === "loading";
     const yields = searching && !this.override && stamp - this.moved < (model.playing ? LEAVE : LEAVE_STILL);
     if (!this.figure || !(model.now || this.override) || yields) {
       this.stamp = stamp;
@@ -206,7 +206,7 @@ export class Stage {
       this.pace(stamp);
       this.render(stamp, SCALES[this.step]);
       this.moved = stamp;
-    } else if (this.drawnAt < this.finest && stamp - this.moved > (searching ? REST_SEARCHING : REST)) this.render(stamp, this.finest);
+    } else if (this.drawnAt < this.finest && stamp - this.moved > (searching || loading ? REST_SEARCHING : REST)) this.render(stamp, this.finest);
     this.stamp = stamp;
   };
 
@@ -296,15 +296,22 @@ export class Stage {
 
   /** A canvas of so many points for each of the screen's. */
   private take(scale: number): void {
-    if (scale !== this.drawnAt) this.renderer.setPixelRatio(scale * (this.software ? 1 : Math.min(window.devicePixelRatio, 2)));
+    if (scale === this.drawnAt) return;
     this.drawnAt = scale;
+    this.sized();
+  }
+
+  /** The canvas as large as it is to be: all that it takes at once, for each change of it waits for all that was drawn. */
+  private sized(): void {
+    const [wide, high] = this.box, scale = this.drawnAt * (this.software ? 1 : Math.min(window.devicePixelRatio, 2));
+    if (wide && high) this.renderer.setDrawingBufferSize(wide, high, scale);
   }
 
   private resize(): void {
-    const box = this.canvas.parentElement!.getBoundingClientRect(), size = `${box.width} × ${box.height}`;
-    if (!box.width || !box.height || size === this.size) return;
-    this.size = size;
-    this.renderer.setSize(box.width, box.height, false);
+    const box = this.canvas.parentElement!.getBoundingClientRect();
+    if (!box.width || !box.height || (box.width === this.box[0] && box.height === this.box[1])) return;
+    this.box = [box.width, box.height];
+    this.sized();
     this.camera.aspect = box.width / box.height;
     this.camera.updateProjectionMatrix();
     this.draw();
