@@ -1,6 +1,7 @@
 """A long clip in windows: every segment is kept once, and what comes out is the whole clip as one solve finds it."""
 
 from dataclasses import dataclass, replace
+from importlib import import_module
 from itertools import pairwise
 
 import numpy as np
@@ -221,6 +222,23 @@ def test_no_frame_that_a_window_added_is_lost(told):
 def test_the_budget_of_variable_frames_is_kept_in_windows_too(short, frames):
     settings = Settings(variable=1, frames=frames, threshold=0.0, max_evaluations=10)
     assert inbetween(Problem(FIGURE, long_keys(), penalties(), settings)).timeline.variable_count <= frames
+
+
+@pytest.mark.slow
+def test_without_a_budget_a_window_has_at_most_so_many_frames_for_each_of_its_segments(short, monkeypatch):
+    module, asked = import_module("dynsplines.solver.inbetween"), []
+    monkeypatch.setattr(module, "MOST_FRAMES", 3)
+    searched = module._Loop.searched
+
+    def seen(loop, timeline, *told):
+        found = searched(loop, timeline, *told)
+        asked.append(found.variable_count)
+        return found
+
+    monkeypatch.setattr(module._Loop, "searched", seen)
+    settings = Settings(variable=1, threshold=0.0, max_evaluations=5)
+    inbetween(Problem(FIGURE, long_keys(), penalties(), settings))
+    assert asked == [3 * (window.last - window.first) for window in windows(SEGMENTS)]
 
 
 class Counted(CovariantAcceleration):
