@@ -16,7 +16,7 @@ from scipy.spatial.transform import Rotation
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.edit.thin import Bound, Recorded, _lasting, natural_splines, refined, thin
+from dynsplines.solver.edit.thin import Bound, Recorded, _lasting, _moved, natural_splines, refined, thin
 from dynsplines.solver.figure.figure import Figure
 
 WIDE = Bound(0.08, np.radians(10))
@@ -393,3 +393,19 @@ def test_a_single_joints_motion_has_at_most_one_keyframe_more_than_the_fewest(se
     assert len(kept) <= fewest(recorded, len(kept)) + 1
     assert not any(holds(recorded, tuple(k for k in kept if k != gone)) for gone in kept[1:-1])
     assert told
+
+
+@pytest.mark.parametrize("at", [1, 2, 3])
+@pytest.mark.parametrize("wrong", [1, 2, 3])
+def test_a_keyframe_that_stands_wrong_is_moved_whichever_side_of_the_one_that_went_it_is_on(wrong, at):
+    figure, times, knots = Figure(mujoco.MjModel.from_xml_string(SWAY)), np.linspace(0, 1, 41), [0, 10, 20, 30, 40]
+    motion = CubicSpline(times[knots], [0, 1, -1, 1, 0], bc_type="natural")(times)
+    recorded = Recorded(figure, times, motion[:, None], Bound(0.02, 1.0), "free")
+    assert holds(recorded, tuple(knots))
+    displaced = [*knots]
+    displaced[wrong] += 2
+    assert not holds(recorded, tuple(displaced))
+    moved = _moved(recorded, displaced, at)
+    assert moved is not None
+    assert holds(recorded, tuple(moved))
+    assert len(moved) == len(knots)
