@@ -1,5 +1,7 @@
 """The verb: E falls from callback to callback, keyframes are exact in every one, any stop leaves a usable motion."""
 
+from importlib import import_module
+
 import mujoco
 import numpy as np
 import pytest
@@ -292,3 +294,18 @@ def test_the_clock_does_not_matter(rng):
         paths.append(motion.at(pace * np.linspace(0, 3, 40)))
     for path in paths[1:]:
         assert np.degrees(quat.angle_between(path, paths[0])).max() < 0.1
+
+
+@pytest.mark.parametrize(("is_dear", "is_astray", "rounds"), [(False, False, 1), (True, False, 2), (False, True, 4)])
+def test_what_came_out_dear_is_searched_once_more_and_what_went_astray_from_everywhere(
+    monkeypatch, is_dear, is_astray, rounds
+):
+    module, begun = import_module("dynsplines.solver.inbetween"), []
+    monkeypatch.setattr(module, "is_dear", lambda *told: is_dear)
+    monkeypatch.setattr(module, "is_astray", lambda *told: is_astray)
+    monkeypatch.setattr(module, "is_violent", lambda *told: True)
+    run = _Loop.run
+    monkeypatch.setattr(_Loop, "run", lambda loop, begin, *told: begun.append(begin) or run(loop, begin, *told))
+    settings = Settings(variable=1, frames=4, max_evaluations=3)
+    inbetween(Problem(hinged(), hinge_keys(), [(CovariantAcceleration(), 1.0)], settings))
+    assert len(begun) == rounds
