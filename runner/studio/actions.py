@@ -57,6 +57,7 @@ class Actions:
         if self._grip is not None or self._home is None:
             self._grip, self._home = None, self.at(time)
         self._last = poser.turned(self._home, joint, turn)
+        self._body = next(int(link.body) for link in poser.figure.links[1:] if link.name == joint)
         return _bodies(poser, self._last)
 
     async def drop(self, *, time: float, partial: bool = False) -> str:
@@ -67,29 +68,43 @@ class Actions:
         if self._last is None or self._home is None:
             return ""
         poser = await self.poser()
-        home, last, grip = self._home, self._last, self._grip
+        home, last = self._home, self._last
         self._grip = self._home = self._last = None
         index, said, revision = self.key_at(time), poser.said(last, home), self.session.document.revision
-        if not said["joints"] and "root" not in said:
+        if not any(said.values()):
             return ""
         if index is None:
-            moved = {**said, "time": time} if partial else {**poser.said(last), "time": time}
-            return await self.session.edit(
-                "add_key", {"said": self._whole_limb(poser, moved, last) if partial else moved}
-            )
-        named = poser.limb_names(self._body) if grip is not None else set()
-        if "root" in said:
-            said = poser.said(last)  # all of it: what holds on to the root comes along
-            named = None
+            moved = self._whole_limb(poser, said, last) if partial else poser.said(last)
+            return await self.session.edit("add_key", {"said": {**moved, "time": time}})
+        if "root" in said:  # all of it: what holds on to the root comes along
+            said = self._kept_free(index, poser.said(last), home, last, poser)
+            told = {"places": self._placed(index), **said}
+        else:
+            told = self._let_go(index, _named(said, poser), last, poser, said)
+        return await self.session.edit("set_pose", {"key": index, **told}, revision)
+
+    def _placed(self, index: int) -> list[str]:
+        """The sites and bodies for which a keyframe says where they are."""
         row = self._row(index)
-        places = [
-            name for group in ("sites", "bodies") for name in row.get(group, {}) if named is None or name in named
-        ]
-        said = self._kept_free(index, said, home, last, poser) if named is None else said
-        return await self.session.edit("set_pose", {"key": index, "places": places, **said}, revision)
+        return [name for group in ("sites", "bodies") for name in row.get(group, {})]
+
+    def _let_go(self, index: int, names: set[str], qpos: Any, poser: Poser, said: dict[str, Any]) -> dict[str, Any]:
+        """What is said of some joints of a keyframe, without the places that these decide.
+
+        What such a place has decided, joints of its limb and the root, is said in its stead, as a pose (nq,) has it.
+        """
+        row, fixed = self._row(index), self.session.loaded["keys"][index]["fixed"]
+        places = [name for name in self._placed(index) if poser.ways(name)[0] & names]
+        decided = {joint for name in places for joint in poser.ways(name)[1]} - set(row.get("joints", {}))
+        if places and "root" not in row and poser.root is not None:
+            decided |= {poser.root}
+        free = {link.name for link in poser.figure.links[1:] if not fixed[link.qpos]}
+        instead = poser.among(poser.said(qpos), decided - names - free)
+        joined = {group: {**instead.get(group, {}), **said.get(group, {})} for group in ("joints", "root", "roots")}
+        return {"places": places, "joints": joined.pop("joints"), **{k: v for k, v in joined.items() if v}}
 
     def _whole_limb(self, poser: Poser, said: dict[str, Any], qpos: Any) -> dict[str, Any]:
-        """With all joints of the limb that was dragged, moved or not: what it does is said."""
+        """With all joints of the limb that was dragged or turned, moved or not: what it does is said."""
         limb = poser.limb_names(self._body)
         own = {name: value for name, value in poser.said(qpos)["joints"].items() if name in limb}
         return {**said, "joints": {**own, **said["joints"]}}
@@ -97,11 +112,8 @@ class Actions:
     def _kept_free(self, index: int, said: Any, home: Any, last: Any, poser: Poser) -> Any:
         """Without joints that the keyframe leaves free and that the drag did not move."""
         fixed = self.session.loaded["keys"][index]["fixed"]
-        moved = poser.said(last, home)
-        free = {
-            link.name for link in poser.figure.links[1:] if not fixed[link.qpos] and link.name not in moved["joints"]
-        }
-        return {**said, "joints": {name: value for name, value in said["joints"].items() if name not in free}}
+        moved = _named(poser.said(last, home), poser)
+        return poser.among(said, {link.name for link in poser.figure.links[1:] if fixed[link.qpos]} | moved)
 
     async def cancel(self) -> str:
         """Lets go, and nothing has happened."""
@@ -113,8 +125,8 @@ class Actions:
         poser = await self.poser()
         said = poser.said(self.at(time))
         if limb is not None:
-            said = {"joints": {name: value for name, value in said["joints"].items() if name in limb}}
-            if not said["joints"]:
+            said = poser.among(said, limb)
+            if not any(said.values()):
                 raise UserError("none of these joints can be said alone; give another limb")
         return await self.session.edit("add_key", {"said": {"time": time, **said}})
 
@@ -122,30 +134,37 @@ class Actions:
         """A keyframe's joints as at rest; where the root is stays."""
         poser = await self.poser()
         key, revision = self._now(revision, key=key)["key"], self.session.document.revision
-        said = poser.said(poser.figure.model.qpos0)
-        places = [name for group in ("sites", "bodies") for name in self._row(key).get(group, {})]
-        told = {"key": key, "joints": said["joints"], "places": places, "words": "pose as at rest"}
-        return await self.session.edit("set_pose", told, revision)
+        joints = poser.said(poser.figure.model.qpos0)["joints"]
+        told = self._let_go(key, set(joints), self._state(key), poser, {"joints": joints})
+        told["places"] = self._placed(key)
+        return await self.session.edit("set_pose", {"key": key, **told, "words": "pose as at rest"}, revision)
 
     async def pin(self, *, key: int, joints: Sequence[str], revision: int | None = None) -> str:
         """Joints of a keyframe fixed as the present path has them."""
         poser = await self.poser()
         key, revision = self._now(revision, key=key)["key"], self.session.document.revision
-        qpos = self.at(float(self._row(key)["time"]))
-        said = poser.said(qpos)
-        told: dict[str, Any] = {name: value for name, value in said["joints"].items() if name in joints}
-        root = {"root": said["root"]} if any(name not in said["joints"] for name in joints) and "root" in said else {}
+        row = self._row(key)
+        said = poser.among(poser.said(self.at(float(row["time"]))), joints)
+        given = {*joints, *row.get("joints", {}), *row.get("roots", {}), *([poser.root] if "root" in row else [])}
+        places = [name for name in self._placed(key) if poser.ways(name)[0] <= given]  # which joints say by now
         words = f"pin {', '.join(joints[:2])}" + (" ..." if len(joints) > 2 else "")
-        return await self.session.edit("set_pose", {"key": key, "joints": told, **root, "words": words}, revision)
+        return await self.session.edit("set_pose", {"key": key, **said, "places": places, "words": words}, revision)
 
     async def free(self, *, key: int, joints: Sequence[str], revision: int | None = None) -> str:
-        """Joints of a keyframe left to the optimiser."""
+        """Joints of a keyframe left to the optimiser, and with them the places that they decide."""
         poser = await self.poser()
-        roots = {link.name for link in poser.figure.links[1:] if link.kind.name == "FREE"}
-        free: dict[str, Any] = {name: "free" for name in joints if name not in roots}
-        root = {"root": {"position": "free", "rotation": "free"}} if any(name in roots for name in joints) else {}
+        key, revision = self._now(revision, key=key)["key"], self.session.document.revision
+        said: dict[str, Any] = {"joints": {}, "root": {}, "roots": {}}
+        whole = {"position": "free", "rotation": "free"}
+        for link in poser.figure.links[1:]:
+            if link.name == poser.root and link.name in joints:
+                said["root"] = whole
+            elif link.name in joints:
+                is_body = link.kind.name == "FREE"
+                said["roots" if is_body else "joints"][link.name] = whole if is_body else "free"
+        told = self._let_go(key, set(joints), self._state(key), poser, said)
         words = f"free {', '.join(joints[:2])}" + (" ..." if len(joints) > 2 else "")
-        return await self.session.edit("set_pose", {"key": key, "joints": free, **root, "words": words}, revision)
+        return await self.session.edit("set_pose", {"key": key, **told, "words": words}, revision)
 
     async def mirror(self, *, keys: Sequence[int], revision: int | None = None) -> str:
         """Left and right of keyframes exchanged."""
@@ -185,6 +204,13 @@ class Actions:
             raise UserError("there is no path yet; wait for the clip to load")
         inside = float(np.clip(time, timeline.times[0], timeline.times[-1]))
         return figure.to_qpos(path_of(timeline).at(np.array([inside])))[0]
+
+    def _state(self, index: int) -> Any:
+        """(nq,) a keyframe as it was loaded, with what was found for its places."""
+        import numpy as np
+
+        self._row(index)
+        return np.array(self.session.loaded["keys"][index]["qpos"], float)
 
     def key_at(self, time: float) -> int | None:
         """The number, from 0, of the keyframe at a time."""
@@ -231,6 +257,12 @@ def _bodies(poser: Poser, qpos: Any) -> dict[str, Any]:
 
     position, rotation, _ = poses(poser.figure.model, qpos[None])
     return {"position": position[0].round(5).ravel().tolist(), "rotation": rotation[0].round(6).ravel().tolist()}
+
+
+def _named(said: dict[str, Any], poser: Poser) -> set[str]:
+    """The joints of which something is said."""
+    root = {poser.root} if poser.root is not None and said.get("root") else set()
+    return {*said["joints"], *said.get("roots", {}), *root}
 
 
 def _plain(row: Any) -> dict[str, Any]:
