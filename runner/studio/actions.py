@@ -25,26 +25,36 @@ class Actions:
         self._grip: Grip | None = None
         self._last: Any = None
         self._home: Any = None
+        self._turned: tuple[float, str] | None = None
         self._body = 0
 
     async def poser(self) -> Poser:
         """What poses the present figure."""
         return await asyncio.to_thread(prepared, self.session)
 
+    async def _same_poser(self) -> Poser:
+        """What poses the figure that is held; raises UserError where another page has opened or made another one."""
+        poser = await self.poser()
+        if len(self._home) != poser.figure.width:
+            await self.cancel()
+            raise UserError("the figure has other joints by now; take hold of it again")
+        return poser
+
     async def grip(
         self, *, time: float, body: int, offset: Sequence[float], plant: bool = True, alone: bool = False
     ) -> dict[str, Any]:
         """Takes hold of a point of a body at a time of the clip; alone: of its limb and no more."""
         poser, qpos = await self.poser(), self.at(time)
-        self._home, self._last, self._body = qpos, qpos, int(body)
-        self._grip = await asyncio.to_thread(poser.gripped, qpos, int(body), offset, plant=plant, alone=alone)
-        return {"planted": [goal.name for goal in self._grip.planted]}
+        await self.cancel()
+        grip = await asyncio.to_thread(poser.gripped, qpos, int(body), offset, plant=plant, alone=alone)
+        self._grip, self._home, self._last, self._body = grip, qpos, qpos, int(body)
+        return {"planted": [goal.name for goal in grip.planted]}
 
     async def drag(self, *, position: Sequence[float]) -> dict[str, Any]:
         """The pose with that point at a place [m]: positions and rotations of every body, and what is missed [m]."""
         if self._grip is None:
             raise UserError("nothing is held; press the mouse on a limb first")
-        poser = await self.poser()
+        poser = await self._same_poser()
         begin = time.perf_counter()
         found = await asyncio.to_thread(poser.pulled, self._grip, position, self._last)
         self._last = found.qpos
@@ -53,10 +63,11 @@ class Actions:
 
     async def turn(self, *, time: float, joint: str, turn: Sequence[float]) -> dict[str, Any]:
         """The pose with one joint turned: as `drag`."""
-        poser = await self.poser()
-        if self._grip is not None or self._home is None:
-            self._grip, self._home = None, self.at(time)
-        self._last = poser.turned(self._home, joint, turn)
+        poser, turned = await self.poser(), (float(time), joint)
+        if turned != self._turned or self._home is None:
+            await self.cancel()
+            self._home, self._turned = self.at(time), turned
+        self._last = (await self._same_poser()).turned(self._home, joint, turn)
         self._body = next(int(link.body) for link in poser.figure.links[1:] if link.name == joint)
         return _bodies(poser, self._last)
 
@@ -67,9 +78,9 @@ class Actions:
         """
         if self._last is None or self._home is None:
             return ""
-        poser = await self.poser()
+        poser = await self._same_poser()
         home, last = self._home, self._last
-        self._grip = self._home = self._last = None
+        await self.cancel()
         index, said, revision = self.key_at(time), poser.said(last, home), self.session.document.revision
         if not any(said.values()):
             return ""
@@ -117,7 +128,7 @@ class Actions:
 
     async def cancel(self) -> str:
         """Lets go, and nothing has happened."""
-        self._grip = self._home = self._last = None
+        self._grip = self._home = self._last = self._turned = None
         return ""
 
     async def key(self, *, time: float, limb: Sequence[str] | None = None) -> str:

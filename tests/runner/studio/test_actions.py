@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import asyncio
+import re
 import tomllib
 
 import numpy as np
 import pytest
 
 from dynsplines.clip import load as clips
+from dynsplines.errors import UserError
 from dynsplines.studio.actions import Actions
 from dynsplines.studio.document import Document
 from dynsplines.studio.session import Session
@@ -207,6 +209,32 @@ def test_further_free_bodies_are_placed_by_the_name_of_their_joint(session):
     row = tomllib.loads(session.document.text)["keyframe"][1]
     assert row["roots"]["crate"] == {"position": [1, 0, "free"], "rotation": {"rotvec": [0, 0, 0]}}
     assert row["root"]["position"] == [0.1, 0, 0.85]
+
+
+def test_a_turn_that_was_let_go_leaves_nothing_to_the_next_one(session):
+    turn = [np.cos(0.2), 0, np.sin(0.2), 0]
+    some = ("turn", {"time": 0, "joint": "hip", "turn": turn})
+    other = ("turn", {"time": 0.5, "joint": "knee", "turn": turn})
+    before, after, _ = done(session, some, other, ("drop", {"time": 0.5}))
+    same(before, after, set(COLUMNS) - {"knee"})
+
+
+def test_a_figure_that_has_other_joints_by_now_is_not_posed_as_the_one_that_was_held(session, tmp_path):
+    (tmp_path / "bare.xml").write_text(re.sub(r"<body name=.crate.*</body>", "", FIGURE))
+
+    async def life():
+        session._load(session.document.text, 0, first=True)
+        await asyncio.sleep(0.01)
+        actions = Actions(session, 1)
+        await actions.grip(time=0.5, body=5, offset=[0, 0, 0])
+        text = re.sub(r"roots.*\n", "", CLIP).replace("leg.xml", "bare.xml")
+        await session.replace(text, "another figure")
+        await asyncio.sleep(0.01)
+        with pytest.raises(UserError, match="other joints by now"):
+            await actions.drag(position=[1, 0, 1])
+        assert await actions.drop(time=0.5) == ""
+
+    asyncio.run(life())
 
 
 def test_a_free_body_has_a_row_of_its_own(tmp_path):
