@@ -29,7 +29,8 @@ class Actions:
         self._body = 0
 
     async def poser(self) -> Poser:
-        """What poses the present figure."""
+        """What poses the present figure, as soon as the path is of the present text."""
+        await self.session.caught_up()
         return await asyncio.to_thread(prepared, self.session)
 
     async def _same_poser(self) -> Poser:

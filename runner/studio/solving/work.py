@@ -105,6 +105,7 @@ class Work:
         self.seen: dict[str, Timeline] = {}
         self.is_awaited: Callable[[], bool] = lambda: False  # whether a message waits already
         self._is_going, self._is_near = True, False
+        self._is_cut = False  # whether a message has ended the last search
         self._astray: str | None = None
         self._before: tuple[float, int] | None = None  # E, and how much was wrong, when all was well last
 
@@ -117,6 +118,8 @@ class Work:
         except Exception as error:  # a mistake of ours: the page tells it and goes on
             words = f"a mistake of dynsplines, not of yours: {type(error).__name__}: {one_line(error)}"
             self._tell("refused", revision=message.get("revision"), words=words)
+        if self._is_cut and self._is_going and not self.is_awaited():
+            self._go_on()  # what ended the search asked for something else, or was refused
 
     def do_load(
         self,
@@ -206,6 +209,9 @@ class Work:
     def do_go(self, anew: bool = False) -> None:
         """On with the search from the present path, or from the raw spline."""
         self._is_going, self._astray = True, None
+        self._go_on(anew=anew)
+
+    def _go_on(self, *, anew: bool = False) -> None:
         if self.clip is not None and self.found is not None:
             fresh = anew or self.found.timeline is self.found.raw
             self._search(None if fresh else self.found.timeline, None)
@@ -274,6 +280,7 @@ class Work:
         assert clip is not None
         self._tell("searching", revision=self.revision)
         self._is_near = begin is not None
+        self._is_cut = False
         best: list[Improvement] = []
 
         def improved(improvement: Improvement) -> None:
@@ -294,6 +301,7 @@ class Work:
             else:
                 edited = () if between is None else (between,)
                 found = resumed(clip.problem, begin, between=edited, improved=improved)
+        self._is_cut = found is None or found.stop is Stop.ASKED
         if found is None and best:
             found = Solution(clip.figure, clip.problem.objective, best[0].build(), clip.problem.raw, stop=Stop.ASKED)
         if found is None:
@@ -405,7 +413,8 @@ class Work:
         header = {"is": "path", "kind": stage, "revision": self.revision, **told}
         header["frames"] = [round(float(t), 5) for t in timeline.times]
         data = paths.packed(clip.figure, timeline, header)
-        self._send({"is": "path", "kind": stage, "data": data, "timeline": pickle.dumps(_bare(timeline)), **told})
+        packed = pickle.dumps(_bare(timeline))
+        self._send({"is": "path", "kind": stage, "revision": self.revision, "data": data, "timeline": packed, **told})
 
     def _tell(self, what: str, **said: Any) -> None:
         self._send({"is": what, **said})

@@ -76,7 +76,8 @@ class Here:
         self.session, self.work = session, Work(self)
 
     def send(self, message):
-        asyncio.get_running_loop().call_soon(self.session._heard, message)
+        wait = 0.05 if message["is"] == "path" and message["revision"] else 0.0  # after an edit
+        asyncio.get_running_loop().call_later(wait, self.session._heard, message)
 
     def asked(self, message):
         self.work.do(message)
@@ -235,6 +236,18 @@ def test_a_figure_that_has_other_joints_by_now_is_not_posed_as_the_one_that_was_
         assert await actions.drop(time=0.5) == ""
 
     asyncio.run(life())
+
+
+def test_what_follows_an_edit_at_once_is_of_the_path_after_it(session):
+    async def life():
+        session._load(session.document.text, 0, first=True)
+        await asyncio.sleep(0.01)
+        await session.edit("set_root", {"key": 1, "position": [0.13, 0, 0.85]})
+        await Actions(session, 1).pin(key=1, joints=["root"])
+
+    asyncio.run(life())
+    row = tomllib.loads(session.document.text)["keyframe"][1]
+    assert row["root"]["position"] == pytest.approx([0.13, 0, 0.85], abs=1e-5)
 
 
 def test_a_free_body_has_a_row_of_its_own(tmp_path):
