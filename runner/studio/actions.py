@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import time
 from collections.abc import Sequence
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 from ..errors import UserError, unknown
@@ -26,13 +27,23 @@ class Actions:
         self._grip: Grip | None = None
         self._last: Any = None
         self._home: Any = None
+        self._turned: tuple[float, str] | None = None
         self._body = 0
         self._time, self._is_partial = 0.0, False
         self._rest: asyncio.TimerHandle | None = None
 
     async def poser(self) -> Poser:
-        """What poses the present figure."""
+        """What poses the present figure, as soon as the path is of the present text."""
+        await self.session.caught_up()
         return await asyncio.to_thread(prepared, self.session)
+
+    async def _same_poser(self) -> Poser:
+        """What poses the figure that is held; raises UserError where another page has opened or made another one."""
+        poser = await self.poser()
+        if len(self._home) != poser.figure.width:
+            await self.cancel()
+            raise UserError("the figure has other joints by now; take hold of it again")
+        return poser
 
     async def grip(
         self,
@@ -50,16 +61,17 @@ class Actions:
         """
         self._moves_on(time, partial)
         poser, qpos = await self.poser(), self.at(time)
-        self._home, self._last, self._body = qpos, qpos, int(body)
-        self._grip = await asyncio.to_thread(poser.gripped, qpos, int(body), offset, plant=plant, alone=alone)
-        return {"planted": [goal.name for goal in self._grip.planted]}
+        self._release()
+        grip = await asyncio.to_thread(poser.gripped, qpos, int(body), offset, plant=plant, alone=alone)
+        self._grip, self._home, self._last, self._body = grip, qpos, qpos, int(body)
+        return {"planted": [goal.name for goal in grip.planted]}
 
     async def drag(self, *, position: Sequence[float]) -> dict[str, Any]:
         """The pose with that point at a place [m]: positions and rotations of every body, and what is missed [m]."""
         if self._grip is None:
             raise UserError("nothing is held; press the mouse on a limb first")
         self._moves_on()
-        poser = await self.poser()
+        poser = await self._same_poser()
         begin = time.perf_counter()
         found = await asyncio.to_thread(poser.pulled, self._grip, position, self._last)
         self._last = found.qpos
@@ -70,10 +82,12 @@ class Actions:
     async def turn(self, *, time: float, joint: str, turn: Sequence[float], partial: bool = False) -> dict[str, Any]:
         """The pose with one joint turned: as `drag`."""
         self._moves_on(time, partial)
-        poser = await self.poser()
-        if self._grip is not None or self._home is None:
-            self._grip, self._home = None, self.at(time)
-        self._last = poser.turned(self._home, joint, turn)
+        poser, turned = await self.poser(), (float(time), joint)
+        if turned != self._turned or self._home is None:
+            self._release()
+            self._home, self._turned = self.at(time), turned
+        self._last = (await self._same_poser()).turned(self._home, joint, turn)
+        self._body = next(int(link.body) for link in poser.figure.links[1:] if link.name == joint)
         self._rests()
         return _bodies(poser, self._last)
 
@@ -86,30 +100,28 @@ class Actions:
         self._keep_still()
         if self._last is None or self._home is None:
             return ""
-        edit = self._meant(await self.poser())
-        self._grip = self._home = self._last = None
+        edit, poser = None, await self._same_poser()
+        try:
+            edit = self._meant(poser)
+        finally:
+            self._release()
         return "" if edit is None else await self.session.edit(*edit)
 
     def _meant(self, poser: Poser) -> tuple[str, dict[str, Any], int | None] | None:
         """The edit that letting go now would be, as `Session.edit` takes it; None where nothing has moved."""
         home, last, index = self._home, self._last, self.key_at(self._time)
         said = poser.said(last, home)
-        if not said["joints"] and "root" not in said:
+        if not any(said.values()):
             return None
-        if index is None and self._is_partial:
-            return "add_key", {"said": self._whole_limb(poser, {**said, "time": self._time}, last)}, None
         if index is None:
-            return "add_key", {"said": {**poser.said(last), "time": self._time}}, None
-        named = poser.limb_names(self._body) if self._grip is not None else set()
-        if "root" in said:
-            said = poser.said(last)  # all of it: what holds on to the root comes along
-            named = None
-        row = self._row(index)
-        places = [
-            name for group in ("sites", "bodies") for name in row.get(group, {}) if named is None or name in named
-        ]
-        said = self._kept_free(index, said, home, last, poser) if named is None else said
-        return "set_pose", {"key": index, "places": places, **said}, self.session.document.revision
+            moved = self._whole_limb(poser, said, last) if self._is_partial else poser.said(last)
+            return "add_key", {"said": {**moved, "time": self._time}}, None
+        if "root" in said:  # all of it: what holds on to the root comes along
+            said = self._kept_free(index, poser.said(last), home, last, poser)
+            told = {"places": self._placed(index), **said}
+        else:
+            told = self._let_go(index, _named(said, poser), last, poser, said)
+        return "set_pose", {"key": index, **told}, self.session.document.revision
 
     def _moves_on(self, time: float | None = None, partial: bool = False) -> None:
         """The pose is another from now on, and no more is to be done about the last one."""
@@ -133,12 +145,33 @@ class Actions:
         known = self.session.poser
         if self._last is None or self._home is None or known is None or known[0] != self.session.stages:
             return
-        edit = self._meant(known[1])
-        if edit is not None:
-            self.session.foresee(*edit)
+        with suppress(UserError, LookupError):  # of a keyframe that is gone
+            edit = self._meant(known[1]) if len(self._home) == known[1].figure.width else None
+            if edit is not None:
+                self.session.foresee(*edit)
+
+    def _placed(self, index: int) -> list[str]:
+        """The sites and bodies for which a keyframe says where they are."""
+        row = self._row(index)
+        return [name for group in ("sites", "bodies") for name in row.get(group, {})]
+
+    def _let_go(self, index: int, names: set[str], qpos: Any, poser: Poser, said: dict[str, Any]) -> dict[str, Any]:
+        """What is said of some joints of a keyframe, without the places that these decide.
+
+        What such a place has decided, joints of its limb and the root, is said in its stead, as a pose (nq,) has it.
+        """
+        row, fixed = self._row(index), self.session.loaded["keys"][index]["fixed"]
+        places = [name for name in self._placed(index) if poser.ways(name)[0] & names]
+        decided = {joint for name in places for joint in poser.ways(name)[1]} - set(row.get("joints", {}))
+        if places and "root" not in row and poser.root is not None:
+            decided |= {poser.root}
+        free = {link.name for link in poser.figure.links[1:] if not fixed[link.qpos]}
+        instead = poser.among(poser.said(qpos), decided - names - free)
+        joined = {group: {**instead.get(group, {}), **said.get(group, {})} for group in ("joints", "root", "roots")}
+        return {"places": places, "joints": joined.pop("joints"), **{k: v for k, v in joined.items() if v}}
 
     def _whole_limb(self, poser: Poser, said: dict[str, Any], qpos: Any) -> dict[str, Any]:
-        """With all joints of the limb that was dragged, moved or not: what it does is said."""
+        """With all joints of the limb that was dragged or turned, moved or not: what it does is said."""
         limb = poser.limb_names(self._body)
         own = {name: value for name, value in poser.said(qpos)["joints"].items() if name in limb}
         return {**said, "joints": {**own, **said["joints"]}}
@@ -146,25 +179,25 @@ class Actions:
     def _kept_free(self, index: int, said: Any, home: Any, last: Any, poser: Poser) -> Any:
         """Without joints that the keyframe leaves free and that the drag did not move."""
         fixed = self.session.loaded["keys"][index]["fixed"]
-        moved = poser.said(last, home)
-        free = {
-            link.name for link in poser.figure.links[1:] if not fixed[link.qpos] and link.name not in moved["joints"]
-        }
-        return {**said, "joints": {name: value for name, value in said["joints"].items() if name not in free}}
+        moved = _named(poser.said(last, home), poser)
+        return poser.among(said, {link.name for link in poser.figure.links[1:] if fixed[link.qpos]} | moved)
 
     async def cancel(self) -> str:
         """Lets go, and nothing has happened."""
         self._moves_on()
-        self._grip = self._home = self._last = None
+        self._release()
         return ""
+
+    def _release(self) -> None:
+        self._grip = self._home = self._last = self._turned = None
 
     async def key(self, *, time: float, limb: Sequence[str] | None = None) -> str:
         """A keyframe from the present path; of some joints alone, if they are given."""
         poser = await self.poser()
         said = poser.said(self.at(time))
         if limb is not None:
-            said = {"joints": {name: value for name, value in said["joints"].items() if name in limb}}
-            if not said["joints"]:
+            said = poser.among(said, limb)
+            if not any(said.values()):
                 raise UserError("none of these joints can be said alone; give another limb")
         return await self.session.edit("add_key", {"said": {"time": time, **said}})
 
@@ -172,30 +205,37 @@ class Actions:
         """A keyframe's joints as at rest; where the root is stays."""
         poser = await self.poser()
         key, revision = self._now(revision, key=key)["key"], self.session.document.revision
-        said = poser.said(poser.figure.model.qpos0)
-        places = [name for group in ("sites", "bodies") for name in self._row(key).get(group, {})]
-        told = {"key": key, "joints": said["joints"], "places": places, "words": "pose as at rest"}
-        return await self.session.edit("set_pose", told, revision)
+        joints = poser.said(poser.figure.model.qpos0)["joints"]
+        told = self._let_go(key, set(joints), self._state(key), poser, {"joints": joints})
+        told["places"] = self._placed(key)
+        return await self.session.edit("set_pose", {"key": key, **told, "words": "pose as at rest"}, revision)
 
     async def pin(self, *, key: int, joints: Sequence[str], revision: int | None = None) -> str:
         """Joints of a keyframe fixed as the present path has them."""
         poser = await self.poser()
         key, revision = self._now(revision, key=key)["key"], self.session.document.revision
-        qpos = self.at(float(self._row(key)["time"]))
-        said = poser.said(qpos)
-        told: dict[str, Any] = {name: value for name, value in said["joints"].items() if name in joints}
-        root = {"root": said["root"]} if any(name not in said["joints"] for name in joints) and "root" in said else {}
+        row = self._row(key)
+        said = poser.among(poser.said(self.at(float(row["time"]))), joints)
+        given = {*joints, *row.get("joints", {}), *row.get("roots", {}), *([poser.root] if "root" in row else [])}
+        places = [name for name in self._placed(key) if poser.ways(name)[0] <= given]  # which joints say by now
         words = f"pin {', '.join(joints[:2])}" + (" ..." if len(joints) > 2 else "")
-        return await self.session.edit("set_pose", {"key": key, "joints": told, **root, "words": words}, revision)
+        return await self.session.edit("set_pose", {"key": key, **said, "places": places, "words": words}, revision)
 
     async def free(self, *, key: int, joints: Sequence[str], revision: int | None = None) -> str:
-        """Joints of a keyframe left to the optimiser."""
+        """Joints of a keyframe left to the optimiser, and with them the places that they decide."""
         poser = await self.poser()
-        roots = {link.name for link in poser.figure.links[1:] if link.kind.name == "FREE"}
-        free: dict[str, Any] = {name: "free" for name in joints if name not in roots}
-        root = {"root": {"position": "free", "rotation": "free"}} if any(name in roots for name in joints) else {}
+        key, revision = self._now(revision, key=key)["key"], self.session.document.revision
+        said: dict[str, Any] = {"joints": {}, "root": {}, "roots": {}}
+        whole = {"position": "free", "rotation": "free"}
+        for link in poser.figure.links[1:]:
+            if link.name == poser.root and link.name in joints:
+                said["root"] = whole
+            elif link.name in joints:
+                is_body = link.kind.name == "FREE"
+                said["roots" if is_body else "joints"][link.name] = whole if is_body else "free"
+        told = self._let_go(key, set(joints), self._state(key), poser, said)
         words = f"free {', '.join(joints[:2])}" + (" ..." if len(joints) > 2 else "")
-        return await self.session.edit("set_pose", {"key": key, "joints": free, **root, "words": words}, revision)
+        return await self.session.edit("set_pose", {"key": key, **told, "words": words}, revision)
 
     async def mirror(self, *, keys: Sequence[int], revision: int | None = None) -> str:
         """Left and right of keyframes exchanged."""
@@ -235,6 +275,13 @@ class Actions:
             raise UserError("there is no path yet; wait for the clip to load")
         inside = float(np.clip(time, timeline.times[0], timeline.times[-1]))
         return figure.to_qpos(path_of(timeline).at(np.array([inside])))[0]
+
+    def _state(self, index: int) -> Any:
+        """(nq,) a keyframe as it was loaded, with what was found for its places."""
+        import numpy as np
+
+        self._row(index)
+        return np.array(self.session.loaded["keys"][index]["qpos"], float)
 
     def key_at(self, time: float) -> int | None:
         """The number, from 0, of the keyframe at a time."""
@@ -281,6 +328,12 @@ def _bodies(poser: Poser, qpos: Any) -> dict[str, Any]:
 
     position, rotation, _ = poses(poser.figure.model, qpos[None])
     return {"position": position[0].round(5).ravel().tolist(), "rotation": rotation[0].round(6).ravel().tolist()}
+
+
+def _named(said: dict[str, Any], poser: Poser) -> set[str]:
+    """The joints of which something is said."""
+    root = {poser.root} if poser.root is not None and said.get("root") else set()
+    return {*said["joints"], *said.get("roots", {}), *root}
 
 
 def _plain(row: Any) -> dict[str, Any]:

@@ -5,7 +5,7 @@ A limb that reaches goes alone. One that does not takes the whole figure along, 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -24,6 +24,7 @@ from dynsplines.solver.surface.points import Point
 
 from ..clip.constraints import posing_bends
 from ..clip.posing.feet import sole_points
+from ..clip.posing.places import Places
 from ..clip.table import PenaltyTable
 from ..clip.text import rotation
 from ..errors import UserError, unknown
@@ -121,24 +122,52 @@ class Poser:
         return out
 
     def said(self, qpos: Array, home: Array | None = None) -> dict[str, Any]:
-        """What a keyframe has to say for a pose, {"joints", "root"}: of all joints, or of those not as at home."""
+        """What a keyframe has to say for a pose: of all joints, or of those not as at home.
+
+        {"joints"}, and {"root"} and {"roots"} where there is something to say of the first free body and of others
+        """
         joints: dict[str, Any] = {}
         root: dict[str, Any] = {}
-        first = next((link for link in self.figure.links[1:] if link.kind is JointKind.FREE), None)
+        roots: dict[str, Any] = {}
         for index, link in enumerate(self.figure.links[1:], start=1):
             own = entries(self.figure, index)
             if home is not None and np.abs(qpos[own] - home[own]).max() < MOVED:
                 continue
             if link.kind is JointKind.FREE:
-                if link is first:
-                    root["position"] = [round(float(x), DIGITS + 2) for x in qpos[own][:3]]
-                    root["rotation"] = _short(qpos[own][3:])
+                place = [round(float(x), DIGITS + 2) for x in qpos[own][:3]]
+                told = {"position": place, "rotation": _short(qpos[own][3:])}
+                if link.name == self.root:
+                    root = told
+                else:
+                    roots[link.name] = told
             elif link.kind is JointKind.BALL:
                 joints[link.name] = _short(qpos[own])
             else:
                 value = float(qpos[link.qpos])
                 joints[link.name] = round(np.degrees(value) if link.kind is JointKind.HINGE else value, DIGITS + 1)
-        return {"joints": joints, **({"root": root} if root else {})}
+        return {"joints": joints, **({"root": root} if root else {}), **({"roots": roots} if roots else {})}
+
+    @cached_property
+    def root(self) -> str | None:
+        """The joint of the first free body, which keyframes call the root; None where there is none."""
+        return next((link.name for link in self.figure.links[1:] if link.kind is JointKind.FREE), None)
+
+    def among(self, said: dict[str, Any], names: Collection[str]) -> dict[str, Any]:
+        """What is said of some joints, by name, those of free bodies among them."""
+        kept = {group: {k: v for k, v in said.get(group, {}).items() if k in names} for group in ("joints", "roots")}
+        root = {"root": said["root"]} if self.root in names and "root" in said else {}
+        return {"joints": kept["joints"], **root, **({"roots": kept["roots"]} if kept["roots"] else {})}
+
+    def ways(self, place: str) -> tuple[set[str], set[str]]:
+        """The joints that decide where a place is, of all and of its own limb; none of one that is not known."""
+        body = self._places.body(place)
+        found = ([], []) if body is None else (chain(self.figure, body), limb(self.figure, body))
+        whole, own = ({self.figure.links[link].name for link in links} for links in found)
+        return whole, own
+
+    @cached_property
+    def _places(self) -> Places:
+        return Places(self.figure, self.soles)
 
     def limb_names(self, body: int) -> set[str]:
         """Names of all that lies on the limb of a body: sites, soles, bodies, joints."""

@@ -20,6 +20,7 @@ from .solver import Solver
 Message = dict[str, Any]
 Send = Callable[[str | bytes], None]
 VERDICT = 60.0  # [s] that loading an edited clip may take
+CATCHING_UP = 5.0  # [s] that somebody waits at most for a path of the present text
 KEEPING = 0.4  # [s] after an edit that unsaved work is written
 LATEST = ("raw", "carried", "found")  # kinds of paths, of each of which the last is what one who comes late sees
 
@@ -60,6 +61,8 @@ class Session:
         self._verdict: asyncio.Future[Message] | None = None
         self._kept: asyncio.Future[str] | None = None
         self._lock = asyncio.Lock()
+        self._pathed = -1  # the revision that the present path is of
+        self._waiting: set[asyncio.Future[None]] = set()
         self._trying: Message | None = None
         self._keeper: asyncio.TimerHandle | None = None
         self._curved: set[int] = set()
@@ -71,6 +74,18 @@ class Session:
     def timeline(self) -> Any:
         """The present path, taken out of its wrapping where it is needed: that takes the solver's imports."""
         return None if self._timeline is None else pickle.loads(self._timeline)  # what this program sent itself
+
+    async def caught_up(self) -> None:
+        """Until the present path is of the present text: it comes a moment after an edit was taken."""
+        while self._timeline is not None and self._pathed < self.document.revision:
+            waiting: asyncio.Future[None] = asyncio.get_running_loop().create_future()
+            self._waiting.add(waiting)
+            try:
+                await asyncio.wait_for(waiting, CATCHING_UP)
+            except TimeoutError:
+                return
+            finally:
+                self._waiting.discard(waiting)
 
     @property
     def figure(self) -> Any:
@@ -357,7 +372,9 @@ class Session:
 
     def _heard_path(self, message: Message) -> None:
         if message["kind"] != "raw":
-            self._timeline = message["timeline"]
+            self._timeline, self._pathed = message["timeline"], message["revision"]
+            for waiting in [each for each in self._waiting if not each.done()]:
+                waiting.set_result(None)
         if message["kind"] == "carried" and self._is_glimpse:
             self._paths["carried"] = message["data"]
             return  # pages have what was found before

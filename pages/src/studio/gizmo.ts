@@ -2,14 +2,37 @@
 import * as THREE from "three";
 import { TransformControls } from "three/examples/jsm/controls/TransformControls.js";
 import { act, ask, edit } from "./link";
-import { model } from "./model";
+import { model, type Obstacle } from "./model";
 import type { Stage } from "./stage";
+
+const rounded = (place: THREE.Vector3): number[] => place.toArray().map((value) => Math.round(1000 * value) / 1000);
+const ends = ({ from, to }: Obstacle): THREE.Vector3[] => [from, to].map((end) => new THREE.Vector3().fromArray(end as number[]));
+
+/** Where the arrows of an obstacle are: in its middle, on a step's front edge. */
+const placeOf = (thing: Obstacle): THREE.Vector3 | undefined => {
+  if (thing.kind === "step") return new THREE.Vector3(thing.x as number, (thing.y as number) ?? 0, thing.height as number);
+  if (thing.position) return new THREE.Vector3().fromArray(thing.position as number[]);
+  if (!thing.from || !thing.to) return undefined;
+  const [from, to] = ends(thing);
+  return from.add(to).multiplyScalar(0.5);
+};
+
+/** What it says when its arrows have been drawn to a place. */
+const movedTo = (thing: Obstacle, place: THREE.Vector3): Record<string, unknown> => {
+  const [x, y, z] = rounded(place);
+  if (thing.kind === "step") return { x, y, height: Math.max(0.02, z) };
+  if (thing.position) return { position: [x, y, z] };
+  const by = place.clone().sub(placeOf(thing)!), [from, to] = ends(thing);
+  return { from: rounded(from.add(by)), to: rounded(to.add(by)) };
+};
 
 export class Gizmo {
   private readonly controls: TransformControls;
   private readonly handle = new THREE.Object3D();
   private readonly begin = new THREE.Quaternion();
   private revision = 0;
+  private time = 0; // when it was taken
+  private held: Obstacle | undefined; // as it was when it was taken
   private dragging = false;
   private waiting = false;
   private again = false;
@@ -32,16 +55,15 @@ export class Gizmo {
   }
 
   private place(): void {
-    const shown = (model.joint !== null || model.obstacle !== null) && !model.playing && this.stage.figure !== null;
-    if (!shown) {
-      if (this.controls.object) { this.controls.detach(); this.controls.enabled = false; }
+    const { figure } = this.stage, thing = model.joint === null ? this.thing() : undefined, at = thing && placeOf(thing);
+    const joint = model.stage?.joints.find((each) => each.name === model.joint);
+    if (model.playing || !figure || !(joint ?? at)) {
+      this.hide();
       return;
     }
     if (this.dragging) return;
-    if (model.joint !== null) {
-      const joint = model.stage?.joints.find((each) => each.name === model.joint);
-      if (!joint) return;
-      const group = this.stage.figure!.groups[joint.body];
+    if (joint) {
+      const group = figure.groups[joint.body];
       this.handle.position.copy(this.stage.placeOf(joint.body, joint.anchor));
       this.handle.quaternion.copy(group.quaternion);
       this.controls.setMode("rotate");
@@ -51,11 +73,8 @@ export class Gizmo {
       this.controls.showY = !single || main === 1;
       this.controls.showZ = !single || main === 2;
       this.controls.setSpace("local");
-    } else {
-      const thing = this.thing();
-      const at = thing?.position as number[] | undefined;
-      if (!thing || (!at && thing.kind !== "step")) return;
-      this.handle.position.fromArray(at ?? [thing.x as number, (thing.y as number) ?? 0, thing.height as number]);
+    } else if (at) {
+      this.handle.position.copy(at);
       this.handle.quaternion.identity();
       this.controls.setMode("translate");
       Object.assign(this.controls, { showX: true, showY: true, showZ: true });
@@ -65,7 +84,20 @@ export class Gizmo {
     this.controls.enabled = true;
   }
 
-  private thing() {
+  /** Nothing to hold any more; what was being turned or moved is as it was. */
+  private hide(): void {
+    const { dragging } = this;
+    this.dragging = this.again = false;
+    if (dragging) this.controls.pointerUp(null); // it hears no more of the mouse's own
+    if (this.controls.object) { this.controls.detach(); this.controls.enabled = false; }
+    if (!dragging) return;
+    this.stage.orbit.enabled = true;
+    this.stage.override = null;
+    void ask("cancel");
+    this.stage.draw();
+  }
+
+  private thing(): Obstacle | undefined {
     const { obstacle, document } = model;
     return document?.obstacles.find((each) => each.kind === obstacle?.kind && each.index === obstacle?.index);
   }
@@ -75,6 +107,8 @@ export class Gizmo {
     this.revision = model.document?.revision ?? 0;
     this.stage.orbit.enabled = false;
     this.begin.copy(this.handle.quaternion);
+    this.held = this.thing();
+    this.time = model.time;
   }
 
   private changed(): void {
@@ -82,7 +116,7 @@ export class Gizmo {
     if (this.waiting) { this.again = true; return; }
     const turn = this.handle.quaternion.clone().multiply(this.begin.clone().invert());
     this.waiting = true;
-    void ask("turn", { time: model.time, joint: model.joint, turn: [turn.w, turn.x, turn.y, turn.z], partial: model.partial }).then((answer) => {
+    void ask("turn", { time: this.time, joint: model.joint, turn: [turn.w, turn.x, turn.y, turn.z], partial: model.partial }).then((answer) => {
       this.waiting = false;
       if (answer.ok && this.dragging) {
         this.stage.override = { position: answer.position as number[], rotation: answer.rotation as number[] };
@@ -94,13 +128,13 @@ export class Gizmo {
 
   private async end(): Promise<void> {
     while (this.waiting) await new Promise((resolve) => window.setTimeout(resolve, 4));
+    if (!this.dragging) return; // let go meanwhile
     this.dragging = false;
     this.stage.orbit.enabled = true;
-    if (model.joint !== null) await act("drop", { time: model.time, partial: model.partial });
-    else if (model.obstacle) {
-      const [x, y, z] = this.handle.position.toArray().map((value) => Math.round(1000 * value) / 1000);
-      const said = model.obstacle.kind === "step" ? { x, y, height: Math.max(0.02, z) } : { position: [x, y, z] };
-      await edit("set_obstacle", { kind: model.obstacle.kind, index: model.obstacle.index, said, revision: this.revision });
+    if (model.joint !== null) await act("drop", { time: this.time, partial: model.partial });
+    else if (model.obstacle && this.held) {
+      const { kind, index } = model.obstacle;
+      await edit("set_obstacle", { kind, index, said: movedTo(this.held, this.handle.position), revision: this.revision });
     }
     this.stage.override = null;
     this.stage.draw();

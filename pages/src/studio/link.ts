@@ -1,7 +1,7 @@
 // The line to the server: what is asked gets an answer; what is told goes to the model. It comes back when it is lost.
 import { Path } from "../scene/path";
 import { toast } from "./dom";
-import { model, type Course } from "./model";
+import { model, type Course, type Obstacle } from "./model";
 
 export interface Answer { ok: boolean; words?: string; [key: string]: unknown; }
 type Told = Record<string, any>;
@@ -66,6 +66,15 @@ const HEARD: Record<string, (told: Told) => void> = {
       if (bars(before).length !== bars(model.document).length) {
         const index = bars(model.document).findIndex((bar) => JSON.stringify(bar) === was);
         model.bar = index < 0 ? null : { kind: model.bar.kind, index };
+      }
+    }
+    if (model.obstacle) {
+      const { kind, index } = model.obstacle, of = (document: typeof before) => (document?.obstacles ?? []).filter((each) => each.kind === kind);
+      const plain = (thing: Obstacle | undefined) => JSON.stringify({ ...thing, index: 0 }), was = plain(of(before)[index]), now = of(model.document);
+      if (of(before).length !== now.length) {
+        const found = now.findIndex((each) => plain(each) === was);
+        model.obstacle = found < 0 ? null : { kind, index: found };
+        model.tell("joint");
       }
     }
     model.tell("document");

@@ -54,11 +54,12 @@ const poseRow = (key: number, joint: Joint): HTMLElement => {
   const start = joint.kind === "free" ? joint.qpos + 3 : joint.qpos;
   const fixed = state.fixed[start];
   const numbers = values(joint, state.qpos);
-  const explicit = joint.kind === "free" ? said.root?.rotation !== undefined : said.joints?.[joint.name] !== undefined;
+  const further = joint === model.stage!.joints.find((each) => each.kind === "free") ? "" : joint.name; // a free body beside the root
+  const explicit = joint.kind === "free" || said.joints?.[joint.name] !== undefined;
   const mode = fixed ? "pin" : "free";
   const choice = el("select", { class: "mode", "aria-label": `${joint.name}: pinned, free, or as the rest of the keyframe`, title: "pinned: exactly so; free: the optimiser says; others: as the keyframe has what it does not name" });
   for (const [value, text] of [["pin", "pinned"], ["free", "free"], ...(joint.kind === "free" ? [] : [["none", `others (${said.others})`]])]) {
-    choice.append(el("option", { value, text, selected: value === (explicit || joint.kind === "free" ? mode : "none") }));
+    choice.append(el("option", { value, text, selected: value === (explicit ? mode : "none") }));
   }
   choice.addEventListener("change", () => {
     if (choice.value === "none") void edit("set_joint", { key, revision, joint: joint.name, value: null });
@@ -73,7 +74,7 @@ const poseRow = (key: number, joint: Joint): HTMLElement => {
     now[i] = value;
     if (joint.kind === "free") {
       const axes = now.slice(0, 3).map((each, k) => (k !== i && !state.fixed[joint.qpos + k] ? "free" : each));
-      void edit("set_root", { key, revision, ...(i < 3 ? { position: axes } : { rotation: { rotvec: now.slice(3) } }) }).then(panels.pose);
+      void edit("set_root", { key, revision, joint: further, ...(i < 3 ? { position: axes } : { rotation: { rotvec: now.slice(3) } }) }).then(panels.pose);
     } else if (joint.kind === "ball") void edit("set_joint", { key, revision, joint: joint.name, value: { rotvec: now } as Rotation }).then(panels.pose);
     else void edit("set_joint", { key, revision, joint: joint.name, value }).then(panels.pose);
   };
@@ -90,7 +91,7 @@ const poseRow = (key: number, joint: Joint): HTMLElement => {
         "aria-label": `${joint.name} ${names[i]}: ${axisFixed ? "pinned; press to free it" : "free; press to pin it"}`, title: axisFixed ? "free this axis" : "pin this axis",
         onclick: () => {
           const axes = numbers.slice(0, 3).map((each, k) => ((k === i ? axisFixed : !state.fixed[joint.qpos + k]) ? "free" : each));
-          void edit("set_root", { key, revision, position: axes });
+          void edit("set_root", { key, revision, joint: further, position: axes });
         },
       }));
     }

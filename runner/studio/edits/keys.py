@@ -7,7 +7,7 @@ from itertools import pairwise
 from typing import Any
 
 from ...errors import UserError
-from .tables import DOTTED, Blocks, add, fill, number, put, remove, row
+from .tables import DOTTED, Blocks, add, drop_dotted, number, put, put_dotted, remove, row
 
 EDITS = ("move_keys", "add_key", "delete_keys", "paste_keys", "replace_keys")
 SAME = 1e-9  # [s]
@@ -93,11 +93,24 @@ def paste_keys(tree: Blocks, *, copied: Sequence[Mapping[str, Any]], at: float) 
 
 
 def replace_keys(tree: Blocks, *, keys: Mapping[str, Mapping[str, Any]], words: str) -> str:
-    """Keyframes by number that say something else from now on, at their times; the comments at their heads stay."""
+    """Keyframes by number that say something else from now on, at their times; what they said before keeps its line."""
     for index, said in keys.items():
         table = row(tree, "keyframe", int(index))
-        for group in (*DOTTED, "others"):
-            if group in table:
-                del table[group]
-        fill(table, {key: value for key, value in said.items() if key != "time"})
+        for group in DOTTED:
+            for name in [each for each in table.get(group, {}) if each not in said.get(group, {})]:
+                drop_dotted(table, group, name)
+        if "others" in table and "others" not in said:
+            del table["others"]
+        for key, value in said.items():
+            _say(table, key, value)
     return words
+
+
+def _say(table: Any, key: str, value: Any) -> None:
+    """What a keyframe says under a key from now on, where that is something else; its time stays."""
+    if key in DOTTED and isinstance(value, Mapping):
+        for name, entry in value.items():
+            if table.get(key, {}).get(name) != entry:
+                put_dotted(table, key, str(name), entry)
+    elif key != "time" and table.get(key) != value:
+        put(table, key, value)

@@ -34,23 +34,27 @@ def _turned(value: Any, what: str) -> Any:
     return number(value, what)
 
 
-def set_root(tree: Blocks, *, key: int, position: Any = None, rotation: Any = None, name: str = "") -> str:
-    """Where the root is, each axis a number [m] or "free", and how it is turned; further free bodies by name."""
+def set_root(tree: Blocks, *, key: int, position: Any = None, rotation: Any = None, joint: str = "") -> str:
+    """Where the root is, each axis a number [m] or "free", and how it is turned; further free bodies by their joint."""
     table = row(tree, "keyframe", key)
-    said: dict[str, Any] = {}
-    if position is not None:
-        said["position"] = _axes(position, "the root's position")
-    if rotation is not None:
-        said["rotation"] = _turned(rotation, "the root's rotation")
-    for part, value in said.items():
-        if not name:
-            put_dotted(table, "root", part, value)
-        elif name in table.get("roots", {}):
-            put(table["roots"][name], part, value)
-        else:
-            put_dotted(table, "roots", name, {part: value})
-    what = name or "the root"
+    parts = {"position": position, "rotation": rotation}
+    said = {part: value for part, value in parts.items() if value is not None}
+    _put_body(table, joint, said)
+    what = joint or "the root"
     return f"free {what}" if all(value == "free" for value in said.values()) else f"place {what}"
+
+
+def _put_body(table: Any, joint: str, said: Mapping[str, Any]) -> None:
+    """Where a free body is and how it is turned: the root, or that of a joint."""
+    what = joint or "the root"
+    for part, value in said.items():
+        value = _axes(value, f"{what}'s position") if part == "position" else _turned(value, f"{what}'s rotation")
+        if not joint:
+            put_dotted(table, "root", part, value)
+        elif joint in table.get("roots", {}):
+            put(table["roots"][joint], part, value)
+        else:
+            put_dotted(table, "roots", joint, {part: value})
 
 
 def _axes(position: Any, what: str) -> Any:
@@ -67,16 +71,19 @@ def set_pose(
     key: int,
     joints: Mapping[str, Any],
     root: Mapping[str, Any] | None = None,
+    roots: Mapping[str, Mapping[str, Any]] | None = None,
     places: Sequence[str] = (),
     words: str = "pose the figure",
 ) -> str:
-    """Many joints at once, and the root; places are names of sites and bodies that no longer say where they are."""
+    """Many joints at once, the root, and further free bodies by their joints.
+
+    places  names of sites and bodies that no longer say where they are
+    """
     table = row(tree, "keyframe", key)
     for name, value in joints.items():
         put_dotted(table, "joints", name, _turned(value, name))
-    for part, value in (root or {}).items():
-        value = _axes(value, "the root's position") if part == "position" else _turned(value, "the root's rotation")
-        put_dotted(table, "root", part, value)
+    for joint, said in {"": root or {}, **(roots or {})}.items():
+        _put_body(table, joint, said)
     for name in places:
         drop_dotted(table, "sites", name)
         drop_dotted(table, "bodies", name)

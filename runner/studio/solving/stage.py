@@ -81,6 +81,8 @@ def _sole(figure: Figure, point: Any) -> dict[str, Any]:
 def limbs(figure: Figure) -> list[dict[str, Any]]:
     """The figure's limbs, each the joints up to where another one branches off, and the trunk: rows of the timeline.
 
+    A free body other than the figure's own root has a row of its own.
+
     end  the body at its end, which is dragged
     """
     parents = figure.tables.parents
@@ -95,11 +97,19 @@ def limbs(figure: Figure) -> list[dict[str, Any]]:
         joints = [figure.links[j].name for j in reversed(links)]
         found.append({"name": _called(figure, links), "joints": joints, "end": int(body)})
         taken |= set(links)
-    trunk = [i for i in range(1, len(figure.links)) if i not in taken]
+    bodies = [i for i in range(1, len(figure.links)) if figure.links[i].kind is JointKind.FREE and i not in carries]
+    bodies = [i for i in bodies if i not in taken and i != _root(figure)]
+    trunk = [i for i in range(1, len(figure.links)) if i not in taken and i not in bodies]
     if trunk:
         names = [figure.links[i].name for i in trunk]
         found.insert(0, {"name": "root and trunk", "joints": names, "end": int(figure.links[trunk[0]].body)})
-    return found
+    own = [figure.links[i] for i in bodies]
+    return found + [{"name": link.name, "joints": [link.name], "end": int(link.body)} for link in own]
+
+
+def _root(figure: Figure) -> int:
+    """The link of the first free body; 0 where there is none."""
+    return next((i for i, link in enumerate(figure.links) if i and link.kind is JointKind.FREE), 0)
 
 
 def _called(figure: Figure, links: list[int]) -> str:

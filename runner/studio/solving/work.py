@@ -107,6 +107,7 @@ class Work:
         self.seen: dict[str, Timeline] = {}
         self.is_awaited: Callable[[], bool] = lambda: False  # whether a message waits already
         self._is_going, self._is_near = True, False
+        self._is_cut = False  # whether a message has ended the last search
         self._astray: str | None = None
         self._foreseen: Foreseen | None = None
         self._before: tuple[float, int] | None = None  # E, and how much was wrong, when all was well last
@@ -120,6 +121,8 @@ class Work:
         except Exception as error:  # a mistake of ours: the page tells it and goes on
             words = f"a mistake of dynsplines, not of yours: {type(error).__name__}: {one_line(error)}"
             self._tell("refused", revision=message.get("revision"), words=words)
+        if self._is_cut and self._is_going and not self.is_awaited():
+            self._go_on()  # what ended the search asked for something else, or was refused
 
     def do_load(
         self,
@@ -148,7 +151,7 @@ class Work:
             like = None if first else before
             clip = clips.from_text(text, name=name, where=place, folder=Path(folder), like=like)
         has_ground = before is not None and clip.figure is before.figure
-        self.clip, self.revision = clip, revision
+        self.clip, self.revision, self._is_cut = clip, revision, False
         if not has_ground:
             figure = pickle.dumps((clip.scene, clip.figure.coordinates))
             self._send({"is": "stage", "stage": stage(clip), "figure": figure})
@@ -156,7 +159,7 @@ class Work:
         self._tell("loaded", revision=revision, notes=list(clip.notes), outline=said, **_shape(clip))
         self._owes_raw = True
         if known is not None:
-            self._go_on(known, go=go)
+            self._take_up(known, go=go)
             return
         path = None if found is None else pickle.loads(found)  # what this program sent itself
         begin, between = self._begin(clip, before, solution, first=first, found=path)
@@ -187,8 +190,8 @@ class Work:
     def do_wait(self) -> None:
         """Nothing: that a message came has ended the search of what was foreseen."""
 
-    def _go_on(self, known: Foreseen, *, go: bool) -> None:
-        """With a clip that was foreseen, from what was found of it."""
+    def _take_up(self, known: Foreseen, *, go: bool) -> None:
+        """A clip that was foreseen, from what was found of it."""
         clip, found = known.clip, known.found
         if found is None:
             self.found = Solution(clip.figure, clip.problem.objective, known.begin, clip.problem.raw)
@@ -249,6 +252,9 @@ class Work:
     def do_go(self, anew: bool = False) -> None:
         """On with the search from the present path, or from the raw spline."""
         self._is_going, self._astray = True, None
+        self._go_on(anew=anew)
+
+    def _go_on(self, *, anew: bool = False) -> None:
         if self.clip is not None and self.found is not None:
             fresh = anew or self.found.timeline is self.found.raw
             self._search(None if fresh else self.found.timeline, None)
@@ -317,6 +323,7 @@ class Work:
         assert clip is not None
         self._tell("searching", revision=self.revision)
         self._is_near = begin is not None
+        self._is_cut = False
 
         def improved(improvement: Improvement) -> None:
             if begin is not None and improvement.evaluation == 1:
@@ -326,6 +333,7 @@ class Work:
                 self._send_raw()
 
         found = self._lowered(clip, begin, between, improved)
+        self._is_cut = found is None or found.stop is Stop.ASKED
         if found is None:
             self._judge(stop="ASKED")
             return
@@ -468,7 +476,8 @@ class Work:
         header = {"is": "path", "kind": stage, "revision": self.revision, **told}
         header["frames"] = [round(float(t), 5) for t in timeline.times]
         data = paths.packed(clip.figure, timeline, header)
-        self._send({"is": "path", "kind": stage, "data": data, "timeline": pickle.dumps(_bare(timeline)), **told})
+        packed = pickle.dumps(_bare(timeline))
+        self._send({"is": "path", "kind": stage, "revision": self.revision, "data": data, "timeline": packed, **told})
 
     def _tell(self, what: str, **said: Any) -> None:
         self._send({"is": what, **said})

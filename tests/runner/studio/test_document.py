@@ -135,6 +135,18 @@ def test_comments_and_order_stay():
     assert said["penalty"] == [{"kind": "bend", "weight": 3}]
 
 
+def test_a_keyframe_that_says_something_else_keeps_its_remarks_and_the_lines_that_stay():
+    found = document()
+    said = {"time": 0.0, "root": {"position": [0.0, 0, 0.93]}, "joints": {"right_hip": {"rotvec": [0, -70, 0]}}}
+    edited(found, "replace_keys", {"keys": {"0": {**said, "others": "rest"}}, "words": "mirror a keyframe"})
+    assert "root.position = [0.0, 0, 0.93]        # stands\n" in found.text
+    assert tomllib.loads(found.text)["keyframe"][0] == {**said, "others": "rest"}
+    moved = {**said, "root": {"position": [0.0, 0.1, 0.93]}}
+    edited(found, "replace_keys", {"keys": {"0": moved}, "words": "mirror a keyframe"})
+    assert "root.position = [0.0, 0.1, 0.93]        # stands\n" in found.text
+    assert tomllib.loads(found.text)["keyframe"][0] == moved
+
+
 @pytest.mark.parametrize(
     ("name", "said", "words"),
     [

@@ -78,10 +78,10 @@ def test_a_page_gets_it_before_anything_is_loaded_and_keeps_it_until_something_b
     assert STAGE in told[0]
     assert told[1] == path_of()
     session._heard({"is": "stage", "stage": STAGE})
-    session._heard({"is": "path", "kind": "carried", "data": path_of("carried"), "timeline": b""})
-    session._heard({"is": "path", "kind": "raw", "data": path_of("raw")})
+    session._heard({"is": "path", "kind": "carried", "revision": 0, "data": path_of("carried"), "timeline": b""})
+    session._heard({"is": "path", "kind": "raw", "revision": 0, "data": path_of("raw")})
     assert [each for each in told[2:] if isinstance(each, bytes)] == [path_of("raw")]  # the rest is seen already
-    session._heard({"is": "path", "kind": "found", "data": path_of("found", 4), "timeline": b""})
+    session._heard({"is": "path", "kind": "found", "revision": 0, "data": path_of("found", 4), "timeline": b""})
     assert told[-1] == path_of("found", 4)
 
 
@@ -89,7 +89,7 @@ def test_a_figure_that_has_changed_takes_its_place(session):
     told, other = entered(session), json.dumps({"bodies": ["world", "arm"]}).encode()
     session._heard({"is": "stage", "stage": other})
     assert other in told[-1]
-    session._heard({"is": "path", "kind": "carried", "data": path_of("carried"), "timeline": b""})
+    session._heard({"is": "path", "kind": "carried", "revision": 0, "data": path_of("carried"), "timeline": b""})
     assert told[-1] == path_of("carried")
 
 
@@ -98,7 +98,7 @@ def test_where_nothing_is_searched_the_clip_s_own_path_takes_its_place(session):
 
     async def heard():
         session._heard({"is": "stage", "stage": STAGE})
-        session._heard({"is": "path", "kind": "carried", "data": path_of("carried"), "timeline": b""})
+        session._heard({"is": "path", "kind": "carried", "revision": 0, "data": path_of("carried"), "timeline": b""})
         session._heard({"is": "settled", "stop": "paused", "problems": []})
 
     asyncio.run(heard())

@@ -341,6 +341,53 @@ def test_things_are_made_larger_by_hand(tab):
     tab.press("Escape")
 
 
+def ring(tab):
+    """[px] where a ring about the chosen joint can be taken."""
+    tab.shown()
+    tab.until("studio.gizmo.controls.object !== undefined")
+    x, y = tab.look(
+        """(() => { const b = studio.stage.canvas.getBoundingClientRect(), p = studio.gizmo.handle.position.clone();
+        p.project(studio.stage.camera);
+        return [b.left + (p.x + 1) / 2 * b.width, b.top + (1 - p.y) / 2 * b.height]; })()"""
+    )
+    for away in range(12, 60):
+        tab.page.mouse.move(x + away, y)
+        if tab.look("studio.gizmo.controls.axis") in ("X", "Y", "Z", "E"):
+            return x + away, y
+    raise AssertionError("no ring there")
+
+
+def test_a_turn_is_let_go_by_escape_and_the_camera_and_the_next_one_go_on(tab):
+    tab.seek(0.26)
+    tab.press("2")
+    choose = "void (studio.model.joint = 'left_knee', studio.model.tell('joint'))"
+    tab.look(choose)
+    x, y = ring(tab)
+    tab.page.mouse.down()
+    tab.page.mouse.move(x, y - 30, steps=4)
+    tab.until("studio.stage.override !== null")
+    before = tab.revision
+    tab.press("Escape")
+    tab.page.mouse.up()
+    tab.until("studio.stage.override === null && studio.stage.orbit.enabled")
+    assert tab.revision == before
+    tab.look(choose)
+    x, y = ring(tab)
+    tab.changes(lambda: tab.drag((x, y), (x, y - 30)))
+    tab.changes(lambda: tab.press("Control+z"))
+    tab.press("Escape")
+
+
+def test_arrows_go_when_what_they_move_is_gone(tab):
+    tab.press("s")
+    tab.changes(tab.page.get_by_role("button", name="+ capsule").click)
+    tab.look("void (studio.model.obstacle = {kind: 'capsule', index: 0}, studio.model.tell('joint'))")
+    tab.until("studio.gizmo.controls.object !== undefined")
+    tab.changes(lambda: tab.press("Control+z"))
+    tab.until("studio.model.obstacle === null && studio.gizmo.controls.object === undefined")
+    tab.press("p")
+
+
 def test_a_keyframe_says_only_the_limb_that_was_dragged_if_one_wants(tab):
     tab.press("n")
     tab.seek(1.0)

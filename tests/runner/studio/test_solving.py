@@ -187,3 +187,34 @@ def test_a_message_that_came_while_a_clip_was_loaded_is_not_kept_waiting(work, t
     assert told[-1]["stop"] == "ASKED"
     work.is_awaited = lambda: False
     assert load(work, tmp_path, tiny.CLIP.replace("[0, 40, 0]", "[0, 45, 0]"), 2)[-1]["stop"] != "ASKED"
+
+
+@pytest.mark.parametrize(
+    "asked",
+    [
+        {"do": "curves", "on": True},
+        {"do": "keep", "file": "now.npz"},
+        {"do": "load", "text": "figure = 1", "name": "tiny", "place": "tiny.toml", "folder": ".", "revision": 1,
+         "go": True, "first": False},
+    ],
+)  # fmt: skip
+def test_a_search_goes_on_after_a_message_that_did_not_ask_to_end_it(work, tmp_path, asked):
+    work.is_awaited = lambda: True
+    assert load(work, tmp_path, tiny.CLIP, first=True)[-1]["stop"] == "ASKED"
+    work.is_awaited = lambda: False
+    told = {**asked, "file": str(tmp_path / "now.npz")} if "file" in asked else asked
+    work.do(told)
+    ends = [each["stop"] for each in work.line.taken() if each["is"] == "settled"]
+    assert ends
+    assert "ASKED" not in ends
+    work.do({"do": "curves", "on": False})
+    assert work.line.taken() == []  # nothing is left to search
+
+
+def test_a_search_that_was_stopped_stays_so(work, tmp_path):
+    work.is_awaited = lambda: True
+    load(work, tmp_path, tiny.CLIP, first=True)
+    work.is_awaited = lambda: False
+    work.do({"do": "stop"})
+    work.do({"do": "curves", "on": True})
+    assert {each["is"] for each in work.line.taken()} == {"curves"}

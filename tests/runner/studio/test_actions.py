@@ -1,0 +1,259 @@
+"""What a page does to keyframes whose feet are given by place, and to free bodies beside the figure."""
+
+from __future__ import annotations
+
+import asyncio
+import re
+import tomllib
+
+import numpy as np
+import pytest
+
+from dynsplines.clip import load as clips
+from dynsplines.errors import UserError
+from dynsplines.studio.actions import Actions
+from dynsplines.studio.document import Document
+from dynsplines.studio.session import Session
+from dynsplines.studio.solving.stage import limbs
+from dynsplines.studio.solving.work import Work
+
+FIGURE = """
+<mujoco model="leg">
+  <compiler angle="degree"/>
+  <worldbody>
+    <body name="pelvis" pos="0 0 1"><freejoint name="root"/>
+      <geom name="trunk" type="sphere" size=".1" mass="4"/>
+      <body name="thigh"><joint name="hip" axis="0 1 0" range="-90 90"/>
+        <geom name="thigh" type="capsule" size=".04" fromto="0 0 0 0 0 -.4" mass="1"/>
+        <body name="shin" pos="0 0 -.4"><joint name="knee" axis="0 1 0" range="0 140"/>
+          <geom name="shin" type="capsule" size=".04" fromto="0 0 0 0 0 -.4" mass="1"/>
+          <body name="foot" pos="0 0 -.4"><joint name="ankle" axis="0 1 0" range="-60 60"/>
+            <geom name="sole" type="capsule" size=".03" fromto="0 0 -.05 .15 0 -.05" mass=".5"/>
+            <site name="toe" pos=".15 0 -.05"/>
+          </body>
+        </body>
+      </body>
+    </body>
+    <body name="crate" pos="1 0 .2"><freejoint name="crate"/><geom name="crate" size=".1" mass="1"/></body>
+  </worldbody>
+</mujoco>
+"""
+
+CLIP = """figure = "leg.xml"
+
+[[keyframe]]
+time = 0
+root.position = [0, 0, 0.85]
+root.rotation = {rotvec = [0, 0, 0]}
+roots.crate = {position = [1, 0, 0.1], rotation = {rotvec = [0, 0, 0]}}
+joints.hip = -20
+joints.knee = 40
+joints.ankle = -20
+
+[[keyframe]]                            # the toe is where it was
+time = 0.5
+root.position = [0.1, 0, 0.85]          # forward
+root.rotation = {rotvec = [0, 0, 0]}
+roots.crate = {position = [1, 0, 0.1], rotation = {rotvec = [0, 0, 0]}}
+joints.ankle = -15
+sites.toe = [0.16, 0, 0.05]
+
+[[keyframe]]
+time = 1
+root.position = [0.2, 0, 0.85]
+root.rotation = {rotvec = [0, 0, 0]}
+joints.hip = -20
+joints.knee = 40
+joints.ankle = -20
+"""
+COLUMNS = {"root": slice(0, 7), "hip": slice(7, 8), "knee": slice(8, 9), "ankle": slice(9, 10), "crate": slice(10, 17)}
+
+
+class Here:
+    """A solver in this process: what it says is heard in the same loop."""
+
+    def __init__(self, session):
+        self.session, self.work = session, Work(self)
+
+    def send(self, message):
+        wait = 0.05 if message["is"] == "path" and message["revision"] else 0.0  # after an edit
+        asyncio.get_running_loop().call_later(wait, self.session._heard, message)
+
+    def asked(self, message):
+        self.work.do(message)
+
+
+@pytest.fixture
+def session(tmp_path, monkeypatch):
+    (tmp_path / "leg.xml").write_text(FIGURE)
+    found = Session(Document("leg", CLIP, tmp_path), go=False)
+    monkeypatch.setattr(found.solver, "send", Here(found).asked)
+    return found
+
+
+def done(session, *deeds):
+    """What actions of one page leave of the second keyframe: as it was and is told, and what the text says of it."""
+
+    async def life():
+        session._load(session.document.text, 0, first=True)
+        await asyncio.sleep(0.01)
+        before, actions = session.loaded["keys"][1], Actions(session, 1)
+        for name, said in deeds:
+            await getattr(actions, name)(**said)
+        return before
+
+    before = asyncio.run(life())
+    return before, session.loaded["keys"][1], tomllib.loads(session.document.text)["keyframe"][1]
+
+
+def fixed(key):
+    return {name for name, columns in COLUMNS.items() if np.all(key["fixed"][columns])}
+
+
+def same(before, after, names):
+    for name in names:
+        np.testing.assert_allclose(after["qpos"][COLUMNS[name]], before["qpos"][COLUMNS[name]], atol=1e-4)
+
+
+def test_a_joint_that_a_place_has_decided_is_free_when_it_is_freed_and_the_rest_of_its_limb_stays(session):
+    before, after, row = done(session, ("free", {"key": 1, "joints": ["knee"]}))
+    assert fixed(before) == set(COLUMNS)
+    assert fixed(after) == set(COLUMNS) - {"knee"}
+    same(before, after, {"root", "hip", "ankle", "crate"})
+    assert "sites" not in row
+    assert row["joints"]["ankle"] == -15  # as it was said
+
+
+def test_all_that_is_freed_is_free(session):
+    _, after, _ = done(session, ("free", {"key": 1, "joints": list(COLUMNS)}))
+    assert not any(after["fixed"])
+
+
+def test_a_free_body_beside_the_root_is_freed_and_pinned_alone(session):
+    before, after, row = done(session, ("free", {"key": 1, "joints": ["crate"]}))
+    assert fixed(after) == set(COLUMNS) - {"crate"}
+    assert row["root"]["position"] == [0.1, 0, 0.85]
+    _, again, _ = done(session, ("pin", {"key": 1, "joints": ["crate"]}))
+    assert fixed(again) == set(COLUMNS)
+    same(before, again, COLUMNS)
+
+
+def test_a_limb_that_a_place_has_decided_is_pinned_as_it_is(session):
+    before, after, row = done(session, ("pin", {"key": 1, "joints": list(COLUMNS)}))
+    assert fixed(after) == set(COLUMNS)
+    same(before, after, COLUMNS)
+    assert "sites" not in row
+
+
+@pytest.mark.parametrize("joint", ["hip", "knee", "ankle"])
+def test_a_joint_that_is_turned_goes_where_it_was_shown_and_takes_no_other_along(session, joint):
+    turn = [np.cos(0.1), 0, np.sin(0.1), 0]
+    before, after, row = done(session, ("turn", {"time": 0.5, "joint": joint, "turn": turn}), ("drop", {"time": 0.5}))
+    assert fixed(after) == set(COLUMNS)
+    same(before, after, set(COLUMNS) - {joint})
+    assert after["qpos"][COLUMNS[joint]][0] == pytest.approx(before["qpos"][COLUMNS[joint]][0] + 0.2, abs=1e-4)
+    assert "sites" not in row
+
+
+def test_a_shin_is_dragged_where_its_foot_is_given_by_place(session):
+    grip = {"time": 0.5, "body": 3, "offset": [0, 0, -0.2]}
+    drag = {"position": [0.25, 0, 0.35]}
+    before, after, _ = done(session, ("grip", grip), ("drag", drag), ("drop", {"time": 0.5}))
+    assert fixed(after) == set(COLUMNS)
+    same(before, after, {"root", "ankle", "crate"})
+
+
+def test_what_is_free_beside_the_figure_is_dragged_at_a_keyframe_and_between_two(session):
+    body, deeds = 5, []
+    for time in (0.5, 0.75):
+        deeds += [("grip", {"time": time, "body": body, "offset": [0, 0, 0]}), ("drag", {"position": [1, 0.3, 0.4]})]
+        deeds.append(("drop", {"time": time}))
+    before, after, row = done(session, *deeds)
+    assert row["roots"]["crate"]["position"] == pytest.approx([1, 0.3, 0.4], abs=1e-3)
+    assert row["sites"] == {"toe": [0.16, 0, 0.05]}
+    same(before, after, set(COLUMNS) - {"crate"})
+    new = tomllib.loads(session.document.text)["keyframe"][2]
+    assert new["time"] == 0.75
+    assert new["roots"]["crate"]["position"] == pytest.approx([1, 0.3, 0.4], abs=1e-3)
+
+
+def test_a_keyframe_at_rest_is_where_its_places_had_it(session):
+    said = "root.position = [0.1, 0, 0.85]          # forward\nroot.rotation = {rotvec = [0, 0, 0]}\n"
+    session.document.text = CLIP.replace(said, "", 1)
+    before, after, _ = done(session, ("rest", {"key": 1}))
+    assert fixed(before) == fixed(after) == set(COLUMNS)
+    same(before, after, {"root", "crate"})
+    np.testing.assert_allclose(after["qpos"][7:10], 0, atol=1e-6)
+
+
+def test_a_limb_alone_has_the_root_that_is_on_it(session):
+    _, _, _ = done(session, ("key", {"time": 0.25, "limb": ["root"]}))
+    row = tomllib.loads(session.document.text)["keyframe"][1]
+    assert set(row) == {"time", "root"}
+
+
+def test_a_new_keyframe_of_one_limb_says_the_limb_that_was_turned(session):
+    turn = [np.cos(0.1), 0, np.sin(0.1), 0]
+    grip = ("grip", {"time": 0.25, "body": 5, "offset": [0, 0, 0]})
+    deeds = (grip, ("cancel", {}), ("turn", {"time": 0.25, "joint": "knee", "turn": turn}))
+    done(session, *deeds, ("drop", {"time": 0.25, "partial": True}))
+    assert set(tomllib.loads(session.document.text)["keyframe"][1]["joints"]) == {"hip", "knee"}
+
+
+def test_further_free_bodies_are_placed_by_the_name_of_their_joint(session):
+    async def life():
+        session._load(session.document.text, 0, first=True)
+        await asyncio.sleep(0.01)
+        await session.edit("set_root", {"key": 1, "joint": "crate", "position": [1, 0, "free"]})
+
+    asyncio.run(life())
+    row = tomllib.loads(session.document.text)["keyframe"][1]
+    assert row["roots"]["crate"] == {"position": [1, 0, "free"], "rotation": {"rotvec": [0, 0, 0]}}
+    assert row["root"]["position"] == [0.1, 0, 0.85]
+
+
+def test_a_turn_that_was_let_go_leaves_nothing_to_the_next_one(session):
+    turn = [np.cos(0.2), 0, np.sin(0.2), 0]
+    some = ("turn", {"time": 0, "joint": "hip", "turn": turn})
+    other = ("turn", {"time": 0.5, "joint": "knee", "turn": turn})
+    before, after, _ = done(session, some, other, ("drop", {"time": 0.5}))
+    same(before, after, set(COLUMNS) - {"knee"})
+
+
+def test_a_figure_that_has_other_joints_by_now_is_not_posed_as_the_one_that_was_held(session, tmp_path):
+    (tmp_path / "bare.xml").write_text(re.sub(r"<body name=.crate.*</body>", "", FIGURE))
+
+    async def life():
+        session._load(session.document.text, 0, first=True)
+        await asyncio.sleep(0.01)
+        actions = Actions(session, 1)
+        await actions.grip(time=0.5, body=5, offset=[0, 0, 0])
+        text = re.sub(r"roots.*\n", "", CLIP).replace("leg.xml", "bare.xml")
+        await session.replace(text, "another figure")
+        await asyncio.sleep(0.01)
+        with pytest.raises(UserError, match="other joints by now"):
+            await actions.drag(position=[1, 0, 1])
+        assert await actions.drop(time=0.5) == ""
+
+    asyncio.run(life())
+
+
+def test_what_follows_an_edit_at_once_is_of_the_path_after_it(session):
+    async def life():
+        session._load(session.document.text, 0, first=True)
+        await asyncio.sleep(0.01)
+        await session.edit("set_root", {"key": 1, "position": [0.13, 0, 0.85]})
+        await Actions(session, 1).pin(key=1, joints=["root"])
+
+    asyncio.run(life())
+    row = tomllib.loads(session.document.text)["keyframe"][1]
+    assert row["root"]["position"] == pytest.approx([0.13, 0, 0.85], abs=1e-5)
+
+
+def test_a_free_body_has_a_row_of_its_own(tmp_path):
+    (tmp_path / "leg.xml").write_text(FIGURE)
+    figure = clips.from_text(CLIP, name="leg", folder=tmp_path).figure
+    assert [(limb["name"], limb["joints"]) for limb in limbs(figure)] == [
+        ("root … ankle", ["root", "hip", "knee", "ankle"]),
+        ("crate", ["crate"]),
+    ]
