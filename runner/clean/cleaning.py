@@ -22,9 +22,10 @@ from dynsplines.solver.solution import Improvement, Solution
 
 from ..clip.follow.keeping import Ground, loose, problem
 from .repairs import Repaired
-from .sinking import unseen
+from .sinking import depth, unseen
 
 NOISY = 0.008  # [m] of the soles' places, from which on stances are looked for twice
+DEEP, OFTEN = 0.04, 30.0  # [m] in the ground likewise, when soles are on it: tips of stiff feet; [1/s] looked at
 SOFTEST, SOFTER = (1e-3, 0.03), (0.03,)  # shares of the weights of all else, for a first look, and for the next
 ROUGHLY = 0.1  # relative progress of E at which such a search ends
 FAR = 0.04  # [s]
@@ -107,6 +108,7 @@ def cleaned(
         if given is None:
             rests = _second_look(ground, recorded, asked)
             asked = replace(problem(near, ground, rests, near.times()), keys=_with(asked, rests))
+    if unsure(recorded, ground.points) > NOISY or _is_deep(ground, recorded):
         asked = _eased(asked, near, SOFTER, improved)
     asked, solution = _out_of_edges(ground, asked, inbetween(asked, improved=improved), improved)
     found = Cleaned(ground, before, recorded, rests, asked, solution)
@@ -159,6 +161,13 @@ def _stretches(times: Array) -> Iterator[tuple[float, float]]:
             first = time
         last = time
     yield first - ABOUT, last + ABOUT
+
+
+def _is_deep(ground: Ground, recorded: Recorded) -> bool:
+    """Whether the recording is far in what it stands on, set down as it is."""
+    first, last = recorded.path.span
+    times = np.linspace(first, last, max(2, round((last - first) * OFTEN)))
+    return bool(depth(ground, recorded.path, times).max() > DEEP)
 
 
 def _eased(

@@ -12,9 +12,10 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import TimelineError
 
 from ..clip import load as clips
+from ..errors import UserError
 from ..motion import Saved
 from ..scene.assets import taken_along
-from ..scene.compose import compose, figure_spec
+from ..scene.compose import compose, figure_spec, first_line, quietly
 from ..system.progress import Progress
 from ..work import unsolved
 from . import gaps
@@ -56,7 +57,7 @@ def taken(
     spec = None if figure is None else figure_spec(figure)
     if spec is not None:
         spec.assets = dict(taken_along(spec))  # by the names that compose gives them: MuJoCo knows its meshes again
-    model = None if spec is None else spec.compile()
+    model = None if spec is None else _compiled(spec, str(figure))
     if kind is None or isinstance(kind, str):
         told = recording(source, kind, model=model, fps=fps, scale=scale)
     else:
@@ -69,6 +70,15 @@ def taken(
     assert spec is not None, "a reader gives a figure or asks for one"
     rate = told.fps or (float(np.round(1 / np.median(np.diff(told.time)), 6)) if told.time.size > 1 else 30.0)
     return Taken(stem(source), spec, model, told.time, told.qpos, rate, told.loops)
+
+
+def _compiled(spec: mujoco.MjSpec, figure: str) -> mujoco.MjModel:
+    """Raises UserError if MuJoCo cannot, as of a robot that names a floor which only its scene has."""
+    try:
+        with quietly():
+            return spec.compile()
+    except ValueError as error:
+        raise UserError(f"{figure}: MuJoCo cannot compile it: {first_line(error)}") from None
 
 
 def imported(

@@ -59,9 +59,14 @@ def remove(spec: mujoco.MjSpec, element: Any) -> None:
 def portable_text(spec: mujoco.MjSpec) -> str:
     """A compiled model's text that older versions read as well: without attributes that say what they take for granted.
 
+    Without materials that there are none of, too: a class within another whose material is given up by material="" is
+    written as if it kept it.
+
     Before 3.3.3 or so MuJoCo writes the elevations of a height field upside down; here they are turned back.
     """
     text = re.sub(r"<light [^>]*>", lambda found: _plain_light(found[0]), spec.to_xml())
+    materials = {material.name for material in spec.materials}
+    text = re.sub(r' material="([^"]*)"', lambda found: found[0] if found[1] in materials else "", text)
     text = re.sub(r"<texture [^>]*>", lambda found: found[0].replace(' colorspace="auto"', ""), text)
     return re.sub(r"<hfield [^>]*>", lambda found: _upright(found[0]), text) if _turns_height_fields() else text
 

@@ -2,9 +2,9 @@
 
 Sites count if one of them at least is as low as the figure itself; points that muscles run through never do.
 
-Feet are the ends of a figure's limbs that are lowest when it stands tallest: at rest or in one of its keyframes. A
-figure whose trunk is as low has none, nor one with a single limb, unless a plane holds it up, nor one that hangs on
-the world by hinges.
+Feet are the ends of a figure's limbs that are lowest when it stands tallest: at rest or in one of its keyframes; at
+rest if it is nearly as tall there, since whoever walks is tallest on the tips of his toes. A figure whose trunk is as
+low has none, nor one with a single limb, unless a plane holds it up, nor one that hangs on the world by hinges.
 """
 
 from __future__ import annotations
@@ -27,10 +27,12 @@ from .places import posable_sites
 SOLES = ("heel", "toe")
 LOW = 0.1  # of a figure's height, how far above its lowest point a foot may be
 THICK = 0.02  # the same of the points of a foot above its lowest
+THIN, HALF = (0.0015, 0.003, 0.006), 0.45  # the same of those on which it stands, if they are so much of its extent
 SUNK = 0.005  # of the height of a figure with muscles, how far above its lowest point a site named as a sole may be
 LEVEL = 0.002  # [m] by which what carries toes may be above them
 STEEP = 0.5  # of a slide's way, how much of it goes up
 UPRIGHT = 0.8  # of the tallest pose, one that is looked at, too
+NEARLY = 0.9  # of the tallest pose, from which on the one at rest is taken
 SAME = 1e-3  # [m] poses as tall as each other
 CORNERS = 4  # points a foot, at most
 ROUND = (int(mujoco.mjtGeom.mjGEOM_SPHERE), int(mujoco.mjtGeom.mjGEOM_CAPSULE))
@@ -137,6 +139,7 @@ def _feet(figure: Figure, root: int, points: Sequence[Point], qpos: Array) -> li
     places, _ = samples.links.points(links, positions)
     bottom = places[2] - radii[:, None]
     tall = samples.links.x[2, root] - bottom.min(axis=0)
+    tall[0] = max(tall[0], tall.max()) if tall[0] >= NEARLY * tall.max() else tall[0]
     order = np.argsort(-np.where(tall > tall.max() - SAME, np.inf, tall), kind="stable")
     fewest = 2 if figure.links[root].kind is JointKind.FREE else 1
     for pose in order[tall[order] >= UPRIGHT * tall.max()]:
@@ -159,8 +162,25 @@ def _feet_in(figure: Figure, root: int, points: Sequence[Point], places: Array, 
         if not carries and least <= bottom.min() + LOW * height:
             if foot == root:
                 return []
-            found += _corners(figure, points, own[bottom[own] <= bottom[own].min() + THICK * height], places)
+            found += _corners(figure, points, _sole(own, bottom[own], places[:2], height), places)
     return found
+
+
+def _sole(own: Index, bottom: Array, places: Array, height: float) -> Index:
+    """Of a foot's points, whose bottoms are (n,) [m] high, those that touch a floor: round edges of it do not.
+
+    places  (2, N) [m] of all points on the floor;  height  [m] of the figure
+    """
+    above = bottom - bottom.min()
+    thick = own[above <= THICK * height]
+    middle = places[:, thick].mean(axis=1, keepdims=True)
+    axes = np.linalg.svd(places[:, thick] - middle)[0]
+    extent = np.ptp(axes.T @ places[:, thick], axis=1)
+    for share in THIN:
+        some = own[above <= share * height]
+        if np.all(np.ptp(axes.T @ places[:, some], axis=1) >= HALF * extent):
+            return some
+    return thick
 
 
 def _corners(figure: Figure, points: Sequence[Point], some: Index, places: Array) -> list[Point]:

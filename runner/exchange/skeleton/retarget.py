@@ -26,6 +26,7 @@ from dynsplines.solver.array import Array, Index
 
 from ...errors import UserError
 from . import hierarchy
+from .branches import completed
 from .captured import Captured
 from .limbs import Limb, bend
 from .roles import as_said, lineage, roles
@@ -66,8 +67,9 @@ class _Standing:
     def of(cls, model: mujoco.MjModel) -> _Standing:
         rest = hierarchy.rest(model)
         parents = [int(p) - 1 for p in model.body_parentid[1:]]
-        found = roles(hierarchy.names(model)[1:], parents)
-        return cls(model, rest.position[0], rest.rotation[0], {role: 1 + body for role, body in found.items()})
+        found = {role: 1 + body for role, body in roles(hierarchy.names(model)[1:], parents).items()}
+        place, turn = rest.position[0], rest.rotation[0]
+        return cls(model, place, turn, completed(model, found, place, turn))
 
     def joint_of(self, role: str) -> Array:
         """(3,) where a part of a limb is hung up: a robot's hip is a body for each hinge, which lie apart."""
@@ -80,8 +82,24 @@ class _Standing:
             return np.array([1.0, 0, 0, 0])
         return swing(self.bone(role), self.bone(above), np.array([0.0, 1, 0]))
 
+    def bracket(self, side: str) -> Array:
+        """(3,) [m] how far aside of its first hinge a hip holds the thigh, if the foot cannot roll: it stands flat only
+        under a leg that goes straight down from there."""
+        if len(hierarchy.joints(self.model, self._below(f"{side}_shin", f"{side}_foot"))) > 1:
+            return np.zeros(3)
+        first, thigh = self.joint_of(f"{side}_thigh"), self.place[self.roles[f"{side}_thigh"]]
+        down = _unit(self.place[self.roles[f"{side}_shin"]] - thigh)
+        return (thigh - first) - down * (down @ (thigh - first))
+
+    def _below(self, upper: str, lower: str) -> list[int]:
+        """The bodies from below one part to another; none if there is no other."""
+        chain = hierarchy.above(self.model, self.roles[lower], itself=True) if lower in self.roles else []
+        return [body for body in chain if body > self.roles[upper]]
+
     def along_limb(self, role: str) -> Array:
         """(3,) where a limb goes through: hung up at hip and knee, and ends where hand and foot themselves are."""
+        if role.endswith("thigh"):
+            return self.joint_of(role) + self.bracket(role.partition("_")[0])
         return self.place[self.roles[role]] if role.endswith(ENDS) else self.joint_of(role)
 
     def first_of(self, role: str) -> int:
@@ -154,8 +172,9 @@ def onto(captured: Captured, model: mujoco.MjModel, where: str) -> tuple[Array, 
             raise UserError(
                 f"{where}: among {what} none is a {missing[0].replace('_', ' ')} by its name: {_some(listed)}"
             )
-    if model.jnt_type[0] != mujoco.mjtJoint.mjJNT_FREE or model.jnt_bodyid[0] != _root(standing):
-        raise UserError(f"{where}: the figure's root, '{model.body(_root(standing)).name}', needs a free joint")
+    root = _root(standing)
+    if model.jnt_type[0] != mujoco.mjtJoint.mjJNT_FREE or model.jnt_bodyid[0] != root:
+        raise UserError(f"{where}: the figure's root, '{names[root]}', needs a free joint")
     shared = [role for role in standing.roles if role in captured.roles]
     upright = _stands(captured)
     alignment = _upright(captured, standing, shared) if upright else _by_bends(captured, standing, shared)
@@ -170,10 +189,10 @@ def onto(captured: Captured, model: mujoco.MjModel, where: str) -> tuple[Array, 
         for role in shared
     }
     qpos = _angles(model, turns)
-    leg = float(np.mean([_leg({role: p[i] for role, i in captured.roles.items()}) for p in captured.position]))
+    leg = float(np.mean([_leg({role: p[captured.roles[role]] for role in shared}) for p in captured.position]))
     if not leg > 0:
         raise UserError(f"{where}: its legs are without length, which would tell how large it is")
-    scale = _leg({role: standing.along_limb(role) for role in standing.roles}) / leg
+    scale = _leg({role: standing.along_limb(role) for role in shared}) / leg
     for limb in _limbs(captured, standing, turns, scale):
         above = hierarchy.above(model, limb.bodies[0])
         qpos = bend(model, qpos, limb, _forward(model, qpos, above, np.tile([1.0, 0, 0, 0], (len(qpos), 1))))
@@ -183,9 +202,8 @@ def onto(captured: Captured, model: mujoco.MjModel, where: str) -> tuple[Array, 
     toes_of_feet = [role for role in ("left_toe", "right_toe") if role in captured.roles]
     told = {joint for role in (*shared, *toes_of_feet) for joint in lineage(captured.roles[role], captured.parents)}
     lost = [name for i, name in enumerate(captured.names) if i not in told]
-    still = [
-        hierarchy.names(model)[body] for body in range(1, model.nbody) if model.body_jntnum[body] and body not in turns
-    ]
+    moved = {above for body in turns for above in hierarchy.above(model, body, itself=True)}
+    still = [names[body] for body in range(1, model.nbody) if model.body_jntnum[body] and body not in moved]
     toes = " and ".join(captured.names[captured.roles[f"{side}_toe"]] for side in bent)
     notes += [f"the figure has no toes: what {toes} bend turns its feet"] if bent else []
     notes += [f"without a counterpart in the figure: {_some(lost)}"] if lost else []
@@ -205,6 +223,10 @@ def _limbs(captured: Captured, standing: _Standing, turns: Mapping[int, Array], 
         theirs = max(_length(captured.at_zero[joints]), SHORTEST)
         size = scale if parts is LEG else _length([standing.along_limb(role) for role in chain]) / theirs
         about = captured.position[:, joints[-1]] - captured.position[:, joints[0]]
+        pelvis = standing.roles.get("pelvis", -1)
+        if parts is LEG and pelvis in turns:
+            own = quat.rotated(quat.conjugate(standing.turn[pelvis]), standing.bracket(side))
+            about = about + quat.rotated(turns[pelvis], own) / size
         yield Limb(bodies, size * about, {body: turns[body] for body in bodies if body in turns})
 
 
@@ -248,8 +270,8 @@ def _some(names: list[str]) -> str:
 
 
 def _root(standing: _Standing) -> int:
-    """The body that carries the figure."""
-    body = standing.roles["pelvis"]
+    """The body that carries the figure's legs."""
+    body = standing.roles.get("pelvis", standing.roles["left_thigh"])
     while standing.model.body_parentid[body]:
         body = int(standing.model.body_parentid[body])
     return body

@@ -14,11 +14,11 @@ SIDES = {"left": "left", "l": "left", "lft": "left", "right": "right", "r": "rig
 WORDS = {
     "clavicle": ("clavicle", "collar", "collarbone", "shouldercollar"),
     "upper_arm": ("upperarm", "uparm", "uarm", "humerus", "shldr", "armupper", "upperarmlink"),
-    "forearm": ("forearm", "lowerarm", "lowarm", "farm", "elbow", "radius", "armlower", "loarm"),
+    "forearm": ("forearm", "lowerarm", "lowarm", "farm", "elbow", "radius", "ulna", "armlower", "loarm"),
     "hand": ("hand", "wrist"),
     "thigh": ("thigh", "upleg", "upperleg", "uleg", "femur", "legupper", "hipthigh"),
     "shin": ("shin", "lowerleg", "lowleg", "calf", "tibia", "knee", "shank", "leglower", "loleg"),
-    "foot": ("foot", "ankle"),
+    "foot": ("foot", "ankle", "talus"),
     "toe": ("toe", "toes", "toebase", "ball", "forefoot"),
 }
 MIDDLE = {
@@ -88,13 +88,19 @@ def roles(names: Sequence[str], parents: Sequence[int]) -> dict[str, int]:
         same = [i for i, part in enumerate(parts) if part == parts[first] and hinged[i]]
         if hinged[first] and all(first in lineage(i, parents) for i in same):
             found[role] = max(same, key=lambda i: len(lineage(i, parents)))
+    return with_trunk(found, names, parents)
+
+
+def with_trunk(found: Mapping[str, int], names: Sequence[str], parents: Sequence[int]) -> dict[str, int]:
+    """With pelvis and chest, where they are told by the legs and arms that are found."""
+    out, words = dict(found), [split(name)[1] for name in names]
     for role, limb in (("pelvis", "thigh"), ("chest", "upper_arm")):
         ends = [found[f"{side}_{limb}"] for side in ("left", "right") if f"{side}_{limb}" in found]
         if len(ends) == 2:
             shared = [i for i in lineage(ends[0], parents)[1:] if i in lineage(ends[1], parents)]
             if shared:
-                found[role] = _trunk(role, shared, [word for _, word in parts])
-    return found
+                out[role] = _trunk(role, shared, words)
+    return out
 
 
 def as_said(found: Mapping[str, int], said: Mapping[str, str], names: Sequence[str], whose: str) -> dict[str, int]:

@@ -13,6 +13,7 @@ from command import Command, commanded
 
 from dynsplines import models, motion
 from dynsplines.edit.edits import repeated
+from dynsplines.errors import UserError
 from dynsplines.exchange import formats
 from dynsplines.exchange.skeleton import bvh_file, hierarchy, retarget
 from dynsplines.exchange.skeleton.captured import Captured
@@ -165,6 +166,64 @@ def test_what_has_no_legs_or_no_skeleton_is_told(command, files, tmp_path, monke
     assert done.code == 2
     assert "none is a left thigh" in done.last
     assert command("retarget", files / "walk.bvh", "--to", "spinner", "--write-map").last.endswith("--map FILE")
+
+
+def test_only_what_nothing_turns_is_said_to_be_kept_at_rest(files):
+    """Not the bodies of a hip that turn one after the other above the thigh."""
+    captured = Captured.of(bvh_file.read(files / "walk.bvh")[0])
+    text = ANDROID.replace("<geom", '<body name="antenna"><joint/><geom size=".01"/></body><geom', 1)
+    _, notes = retarget.onto(captured, mujoco.MjModel.from_xml_string(text), "walk.bvh")
+    assert [note for note in notes if "kept at rest" in note] == [
+        "without a counterpart in the file, kept at rest: antenna, left_wrist_roll_link, right_wrist_roll_link"
+    ]
+
+
+def test_how_large_it_is_is_told_by_the_parts_that_both_have(files):
+    """A leg whose foot is called something else is as long as the recording's to the knee."""
+    captured = Captured.of(bvh_file.read(files / "walk.bvh")[0])
+    scales = []
+    for text in (ANDROID, ANDROID.replace("_ankle_pitch_link", "_mount").replace("_ankle_roll_link", "_base")):
+        with retarget.by(retarget.Map()) as used:
+            _, notes = retarget.onto(captured, mujoco.MjModel.from_xml_string(text), "walk.bvh")
+        scales.append(float(notes[0].split()[2].rstrip(",")))
+    assert "left_foot" not in used[0].figure and "left_foot" in used[0].recording
+    assert scales[1] == pytest.approx(scales[0], rel=0.1)
+
+
+def test_a_hip_that_holds_the_thigh_aside_keeps_the_leg_upright_if_the_foot_cannot_roll(files):
+    """Its sole would stand on an edge. A foot that rolls comes where the recording has it about the hip."""
+    captured = Captured.of(bvh_file.read(files / "walk.bvh")[0])
+    aside = re.sub(
+        r'(name="(left|right)_hip_yaw_link")', lambda m: f'{m[1]} pos="0 {"" if m[2] == "left" else "-"}.1 0"', ANDROID
+    )
+    stiff = re.sub(r'<joint name="\w+_ankle_roll" [^>]*>', "", aside)
+    tilt = []
+    for text in (aside, stiff):
+        model = mujoco.MjModel.from_xml_string(text)
+        qpos, _ = retarget.onto(captured, model, "walk.bvh")
+        found = Bodies.of(model, qpos, np.zeros((len(qpos), model.nv)))
+        down = quat.rotated(found.rotation[:, model.body("left_knee_link").id], np.array([0.0, 0, -1]))
+        tilt.append(np.degrees(np.median(np.abs(np.arcsin(down[:, 1])))))
+    assert tilt[1] < 0.5 * tilt[0], tilt
+
+
+def test_legs_that_hang_on_the_world_are_told(files):
+    captured = Captured.of(bvh_file.read(files / "walk.bvh")[0])
+    text = re.sub(r"<freejoint[^>]*>|<body name=.pelvis. pos=.0 0 .79.>", "", ANDROID).replace(
+        "</body></worldbody>", "</worldbody>"
+    )
+    with pytest.raises(UserError, match="the figure's root, 'left_hip_pitch_link', needs a free joint"):
+        retarget.onto(captured, mujoco.MjModel.from_xml_string(text), "walk.bvh")
+
+
+def test_a_robot_that_needs_its_scene_is_told(command, files, tmp_path, monkeypatch):
+    """MuJoCo reads it, but cannot compile it without the floor that it names."""
+    monkeypatch.chdir(tmp_path)
+    pair = '<contact><pair geom1="left_sole_0" geom2="floor"/></contact></mujoco>'
+    (tmp_path / "robot.xml").write_text(ANDROID.replace("</mujoco>", pair), encoding="utf-8")
+    done = command("retarget", files / "walk.bvh", "--to", "robot.xml")
+    assert done.code == 2
+    assert "robot.xml: MuJoCo cannot compile it" in done.last and "'floor' not found" in done.last
 
 
 @pytest.mark.slow

@@ -32,6 +32,10 @@ def figure_of(legs: dict[str, tuple[float, float]], foot: str, joint: str = "<fr
     return Figure(mujoco.MjModel.from_xml_string(text))
 
 
+ROUND = """<body name="{name}_ankle" pos="0 0 -.3"><joint name="{name}_ankle" axis="0 1 0"/>
+  <geom name="{name}_in" type="cylinder" size=".02" fromto="-.06 -.02 -.03 .15 -.02 -.03"/>
+  <geom name="{name}_out" type="cylinder" size=".02" fromto="-.06 .02 -.03 .15 .02 -.03"/></body>"""
+
 FOUR = {"fl": (0.3, 0.1), "fr": (0.3, -0.1), "bl": (-0.3, 0.1), "br": (-0.3, -0.1)}
 TWO = {"l": (0.0, 0.1), "r": (0.0, -0.1)}
 NONE = np.zeros((0, 0))
@@ -50,6 +54,24 @@ def test_a_quadruped_stands_on_its_spheres():
 
 def test_a_humanoid_of_hinges_stands_on_the_corners_of_its_soles():
     assert soles(figure_of(TWO, BOX)) == [f"{side}_sole {k}" for side in "lr" for k in (1, 2, 3, 4)]
+
+
+def test_who_is_tallest_on_the_tips_of_his_toes_stands_on_his_soles():
+    """A robot's sole stands straight up and down in a pose that is a little taller than the one at rest."""
+    figure = figure_of(TWO, BOX)
+    tips = figure.model.qpos0.copy()
+    tips[figure.model.joint("r_ankle").qposadr[0]] = np.radians(80)
+    at_rest, seen = sole_points(figure, np.zeros((0, figure.width))), sole_points(figure, tips[None])
+    assert [point.name for point in seen] == [point.name for point in at_rest]
+    np.testing.assert_allclose([p.position for p in seen], [p.position for p in at_rest])
+
+
+def test_feet_with_round_edges_stand_on_what_touches_the_floor():
+    """Not on the sides of cylinders that lie, which reach farther to the corners of the foot."""
+    points = sole_points(figure_of(TWO, ROUND), np.zeros((0, 13)))
+    assert len(points) == 8
+    np.testing.assert_allclose([point.position[2] for point in points], -0.05, atol=1e-9)
+    assert np.ptp([point.position[0] for point in points]) == pytest.approx(0.21)
 
 
 def test_sites_that_are_called_toe_or_heel_go_first():

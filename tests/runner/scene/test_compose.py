@@ -217,3 +217,13 @@ def test_a_wall_alone_is_no_floor():
         FIGURE.replace("<worldbody>", '<worldbody><geom name="wall" type="plane" zaxis="1 0 0" size="1 1 1"/>', 1)
     )
     assert named(model, "geom") == {"trunk", "shin", "wall", "floor"}
+
+
+def test_a_class_that_gives_up_a_material_which_is_not_there_is_read_again():
+    """MuJoCo takes such a model, and writes it without the material="" that saves it."""
+    text = """<mujoco><default><default class="hidden"><geom material="glass"/>
+      <default class="foot"><geom material="" size=".1"/></default></default></default>
+      <worldbody><body><freejoint/><geom name="sole" class="foot"/></body></worldbody></mujoco>"""
+    scene = compose(mujoco.MjSpec.from_string(text))
+    again = mujoco.MjModel.from_xml_string(scene.mjcf, dict(scene.assets))
+    assert again.geom("sole").size[0] == 0.1

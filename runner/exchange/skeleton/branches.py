@@ -1,0 +1,186 @@
+"""Arms and legs of a figure whose names tell nothing: by its tree and by where its bodies are at rest.
+
+Limbs come in pairs, alike in all lengths, and hang on one body. Legs are the pair that reaches lowest, arms the one
+that hangs highest. A knee or elbow is the joint with the longest stretches before and after it; hinges that turn about
+the limb's own line do not end a stretch: robots have these half-way along upper arms and thighs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+
+import mujoco
+import numpy as np
+
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+
+from . import hierarchy
+from .roles import lineage, split, with_trunk
+
+LEAST = 3  # joints of a limb
+ALIKE = 0.03  # of a limb's length that its counterpart may differ
+ALONG = 0.85  # cosine of a hinge to the limb's line about which it turns
+HANGING = 0.7  # of a leg's length that its end is below its beginning
+SIDES = ("left", "right")
+PARTS = {"leg": ("thigh", "shin", "foot"), "arm": ("upper_arm", "forearm", "hand")}
+
+
+@dataclass(frozen=True)
+class _Chain:
+    """Bodies that move one on the other; places (N, 3) [m] at rest of each, and of the limb's tip, in the world."""
+
+    bodies: Sequence[int]
+    places: Array
+
+    @property
+    def length(self) -> float:
+        return float(np.linalg.norm(np.diff(self.places, axis=0), axis=1).sum())
+
+
+def completed(model: mujoco.MjModel, found: Mapping[str, int], place: Array, turn: Array) -> dict[str, int]:
+    """Bodies by role as their names tell; a limb of which these do not tell upper and lower part is found by the tree.
+
+    place (nbody, 3) [m], turn (nbody, 4)  of the bodies at rest
+    """
+    by_tree = limbs(model, place, turn)
+    names, parents = hierarchy.names(model), [-1, *model.body_parentid[1:].tolist()]
+    out, changed = dict(found), False
+    for parts in PARTS.values():
+        told = [f"{side}_{part}" for side in SIDES for part in parts[:2]]
+        if all(role in found for role in told) or not all(role in by_tree for role in told):
+            continue
+        changed = True
+        for side in SIDES:
+            upper, lower, end = (f"{side}_{part}" for part in parts)
+            out |= {upper: by_tree[upper], lower: by_tree[lower]}
+            if end in out and by_tree[lower] not in lineage(out[end], parents)[1:]:
+                del out[end]
+            if end not in out and end in by_tree:
+                out[end] = by_tree[end]
+    if not changed:
+        return out
+    trunk = {role: body for role, body in out.items() if role not in ("pelvis", "chest")}
+    return {role: body for role, body in with_trunk(trunk, names, parents).items() if body}
+
+
+def limbs(model: mujoco.MjModel, place: Array, turn: Array) -> dict[str, int]:
+    """Bodies by role, "left_thigh" to "right_hand", of those limbs that are found; place (nbody, 3), turn (nbody, 4).
+
+    None at all if it stands on more than two legs.
+    """
+    pairs = list(_pairs(model, place, turn))
+    legs = min(pairs, key=lambda pair: pair[0].places[-1][2], default=None)
+    if legs is None or legs[0].places[0][2] - legs[0].places[-1][2] < HANGING * legs[0].length:
+        return {}
+    ground, size = legs[0].places[-1][2], legs[0].length
+    higher = [pair for pair in pairs if pair is not legs and pair[0].places[0][2] > legs[0].places[0][2] + 0.1 * size]
+    arms = max(higher, key=lambda pair: pair[0].places[0][2], default=None)
+    others = [pair for pair in pairs if pair is not legs and pair is not arms]
+    if any(pair[0].places[-1][2] < ground + 0.1 * size for pair in others):
+        return {}
+    found = _parts(model, legs, turn, PARTS["leg"])
+    return found if arms is None else found | _parts(model, arms, turn, PARTS["arm"])
+
+
+def _pairs(model: mujoco.MjModel, place: Array, turn: Array) -> Iterator[tuple[_Chain, _Chain]]:
+    """Limbs that hang on one body and are alike, those of the left first."""
+    for body in range(1, model.nbody):
+        below = np.flatnonzero(model.body_parentid[1:] == body) + 1
+        chains = [chain for child in below.tolist() if (chain := _chain(model, child, place, turn)) is not None]
+        for one, other in combinations(chains, 2):
+            if _are_alike(one, other):
+                first_is_left = _is_left(model, one, other)
+                yield (one, other) if first_is_left else (other, one)
+
+
+def _chain(model: mujoco.MjModel, body: int, place: Array, turn: Array) -> _Chain | None:
+    """The bodies with joints from one on, along what reaches farthest, to where fingers part; None of too few."""
+    bodies = list[int]()
+    while True:
+        if model.body_jntnum[body]:
+            bodies.append(body)
+        below = [child for child in np.flatnonzero(model.body_parentid == body).tolist() if _moving(model, child)]
+        if len(below) != 1:
+            break
+        body = below[0]
+    if len(hierarchy.joints(model, bodies)) < LEAST or len(bodies) < 2:
+        return None
+    end = bodies[-1]
+    geoms = np.flatnonzero(model.geom_bodyid == end)
+    middle = model.geom_pos[geoms].mean(axis=0) if geoms.size else np.zeros(3)
+    tip = place[end] + quat.rotated(turn[end], middle)
+    return _Chain(bodies, np.concatenate([place[bodies], tip[None]]))
+
+
+def _moving(model: mujoco.MjModel, top: int) -> bool:
+    """Whether a body has joints, or anything that hangs on it."""
+    inside = {top}
+    for body in range(top, model.nbody):
+        if body == top or int(model.body_parentid[body]) in inside:
+            inside.add(body)
+            if model.body_jntnum[body]:
+                return True
+    return False
+
+
+def _are_alike(one: _Chain, other: _Chain) -> bool:
+    """Whether two limbs are of the same lengths and begin and end at the same heights."""
+    if len(one.bodies) != len(other.bodies) or not one.length > 0:
+        return False
+    gaps = [np.linalg.norm(np.diff(chain.places, axis=0), axis=1) for chain in (one, other)]
+    near = ALIKE * one.length
+    level = np.abs(one.places[[0, -1], 2] - other.places[[0, -1], 2]).max()
+    apart = np.linalg.norm(one.places[0] - other.places[0])
+    return bool(np.abs(gaps[0] - gaps[1]).max() < near and level < near and apart > near)
+
+
+def _is_left(model: mujoco.MjModel, one: _Chain, other: _Chain) -> bool:
+    """Whether a limb is the left one of two: by any name of a body or joint along them, or by where it is."""
+    for chain, side in ((one, "left"), (other, "right"), (one, "right"), (other, "left")):
+        names = [model.body(body).name for body in chain.bodies]
+        names += [model.joint(joint).name for joint in hierarchy.joints(model, chain.bodies)]
+        if side in {split(name)[0] for name in names}:
+            return side == ("left" if chain is one else "right")
+    return bool(one.places[0][1] > other.places[0][1])
+
+
+def _parts(
+    model: mujoco.MjModel, pair: tuple[_Chain, _Chain], turn: Array, parts: tuple[str, str, str]
+) -> dict[str, int]:
+    """Upper part, lower part and end of two limbs; the end only where there is a joint below the lower part's."""
+    out = dict[str, int]()
+    for side, chain in zip(SIDES, pair, strict=True):
+        middle = _middle(model, chain, turn)
+        if middle is None:
+            return {}
+        above, at, last = chain.bodies[middle - 1], chain.bodies[middle], chain.bodies[-1]
+        out |= {f"{side}_{parts[0]}": above, f"{side}_{parts[1]}": at}
+        if last != at:
+            out[f"{side}_{parts[2]}"] = last
+    return out
+
+
+def _middle(model: mujoco.MjModel, chain: _Chain, turn: Array) -> int | None:
+    """The number in a chain of the knee or elbow: the longest stretches meet there."""
+    ends = [0]  # of stretches
+    for i in range(1, len(chain.bodies)):
+        line = chain.places[i] - chain.places[ends[-1]]
+        if not _turns_about(model, chain.bodies[i], turn, line):
+            ends.append(i)
+    ends.append(len(chain.places) - 1)
+    sizes = np.linalg.norm(np.diff(chain.places[ends], axis=0), axis=1)
+    if sizes.size < 2:
+        return None
+    return ends[1 + int(np.minimum(sizes[:-1], sizes[1:]).argmax())]
+
+
+def _turns_about(model: mujoco.MjModel, body: int, turn: Array, line: Array) -> bool:
+    """Whether a body only turns about a line."""
+    joints = hierarchy.joints(model, [body])
+    if len(joints) != 1 or model.jnt_type[joints[0]] != mujoco.mjtJoint.mjJNT_HINGE:
+        return False
+    axis = quat.rotated(turn[body], model.jnt_axis[joints[0]])
+    return bool(abs(axis @ line) > ALONG * max(float(np.linalg.norm(line)), 1e-9))
