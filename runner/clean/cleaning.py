@@ -103,12 +103,13 @@ def cleaned(
     rests = tuple(Rest(*stance, rolls=True) for stance in stances)
     near = Near(recorded)
     asked = problem(near, ground, rests, near.times())
-    if unsure(recorded, ground.points) > NOISY:
+    is_noisy = unsure(recorded, ground.points) > NOISY
+    if is_noisy:
         asked = _eased(asked, near, SOFTEST, improved)
         if given is None:
             rests = _second_look(ground, recorded, asked)
             asked = replace(problem(near, ground, rests, near.times()), keys=_with(asked, rests))
-    if unsure(recorded, ground.points) > NOISY or _is_deep(ground, recorded):
+    if is_noisy or _is_deep(ground, recorded):
         asked = _eased(asked, near, SOFTER, improved)
     asked, solution = _out_of_edges(ground, asked, inbetween(asked, improved=improved), improved)
     found = Cleaned(ground, before, recorded, rests, asked, solution)
