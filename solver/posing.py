@@ -497,12 +497,17 @@ class _PoseSearch:
             np.concatenate([near[1], weight * by_off, firm[:, None] * by_over]),
         )
 
+    @cached_property
+    def _by_near(self) -> Array:
+        """(n, n) how the weighed distance from home changes with a step."""
+        return np.diag(self.weights)
+
     def _linearised(self, qpos: Array) -> tuple[Part, Part, Part]:
         """How far a pose is from home, from the goals, and over its bounds (below zero: within), with derivatives."""
         self._place(qpos)
         from_home = np.zeros(self.model.nv)
         mujoco.mj_differentiatePos(self.model, from_home, 1.0, self.home, qpos)
-        near, off = [(self.weights * from_home[self.dofs], np.diag(self.weights))], []
+        near, off = [(self.weights * from_home[self.dofs], self._by_near)], []
         for goal in self.goals:
             missed, rows = goal.missed(self.model, self.data), goal.rows(self.model, self.data)
             off.append((missed, rows[:, self.dofs]))
@@ -529,6 +534,11 @@ def _step(residuals: Array, rows: Array, damping: float, *, is_exact: bool) -> A
             pass
     system = np.vstack([rows, np.diag(np.sqrt(squares))])
     return np.asarray(np.linalg.lstsq(system, np.append(-residuals, 0 * squares), rcond=None)[0], float)
+
+
+def _crossed(a: Array, b: Array) -> Array:
+    """a × b, (..., 3)."""
+    return a[..., [1, 2, 0]] * b[..., [2, 0, 1]] - a[..., [2, 0, 1]] * b[..., [1, 2, 0]]
 
 
 def _joined(parts: Sequence[Part]) -> Part:
@@ -649,24 +659,19 @@ class _Bends:
         parent, child = self._axes
         turned = np.einsum("nij,nbi->bnj", quat.matrices(qpos[self.columns]), parent)  # the parent's axes in the child
         (x, z, y), (a, b, q) = np.einsum("bnj,cnj->cbn", turned, child)
-        (dx, dz, dy), (da, db, dq) = np.cross(child[:, None], turned)  # by turns about the child's axes, (n, 3) each
+        # how these six change with turns about the child's axes, (6, n, 3): dx, dz, dy, da, db, dq
+        slopes = _crossed(child[:, None], turned).reshape(6, x.size, 3)
         planar = np.maximum(np.hypot(x, z), 1e-9)
         p = (x * b - z * a) / planar
-
-        def part(*terms: tuple[Array, Array]) -> Array:
-            return sum((share[:, None] * slope for share, slope in terms), np.zeros((x.size, 3)))
-
-        d_planar = part((x / planar, dx), (z / planar, dz))
-        d_p = part((b / planar, dx), (x / planar, db), (-a / planar, dz), (-z / planar, da), (-p / planar, d_planar))
         both = np.maximum(p**2 + q**2, 1e-18)
         flexion, sideways, twist = np.arctan2(x, z), np.arctan2(y, planar), np.arctan2(p, q)
-        slopes = (
-            part((z / planar**2, dx), (-x / planar**2, dz)),
-            part((planar, dy), (-y, d_planar)),
-            part((q / both, d_p), (-p / both, dq)),
-        )
+        by_six, square, of_p = np.zeros((3, 6, x.size)), planar**2, q / both / planar
+        by_six[0, :2] = z / square, -x / square
+        by_six[1, :3] = -y * x / planar, -y * z / planar, planar
+        by_six[2, 0], by_six[2, 1] = of_p * (b - p * x / planar), -of_p * (a + p * z / planar)
+        by_six[2, 3:] = -of_p * z, of_p * x, -p / both
         by = np.zeros((3, x.size, nv))
-        by[:, np.arange(x.size)[:, None], self.dofs] = slopes
+        by[:, np.arange(x.size)[:, None], self.dofs] = np.einsum("ksn,snj->knj", by_six, slopes)
         limits = self.limits
         over = [limits.least - flexion]
         for value, bound in ((sideways, limits.sideways), (twist, limits.twist)):

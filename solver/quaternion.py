@@ -18,6 +18,7 @@ from .array import Array
 _PRODUCT = np.zeros((16, 4))
 _PRODUCT[[0, 1, 4, 2, 8, 3, 12, 11, 13, 6], [0, 1, 1, 2, 2, 3, 3, 1, 2, 3]] = 1
 _PRODUCT[[5, 10, 15, 14, 7, 9], [0, 0, 0, 1, 2, 3]] = -1
+TINY = 1e-9  # vector part of a unit quaternion whose sine is as good as itself
 
 
 def product(p: ArrayLike, q: ArrayLike) -> Array:
@@ -73,11 +74,17 @@ def from_rotation_vector(v: ArrayLike) -> Array:
 
 def rotation_vector(q: ArrayLike) -> Array:
     """2 log(q / |q|), of length at most π [rad]: (..., 4) -> (..., 3)."""
+    if isinstance(q, np.ndarray) and q.ndim == 1 and q.any():
+        w, x, y, z = q.tolist() if q[0] >= 0 else (-q).tolist()
+        vector = math.hypot(x, y, z)
+        size = math.hypot(w, vector)
+        share = 2 * math.atan2(vector, w) / vector if vector >= TINY * size else 2 / size
+        return np.array([share * x, share * y, share * z])
     q = normalised(q)
     q = np.where(q[..., :1] < 0, -q, q)
     vector = np.linalg.norm(q[..., 1:], axis=-1, keepdims=True)
     angle = 2 * np.arctan2(vector, q[..., :1])
-    tiny = vector < 1e-9
+    tiny = vector < TINY
     return q[..., 1:] * np.where(tiny, 2.0, angle / np.where(tiny, 1.0, vector))
 
 
@@ -119,13 +126,13 @@ def angular_acceleration(q: ArrayLike, q_d: ArrayLike, q_dd: ArrayLike) -> Array
 def matrices(q: ArrayLike) -> Array:
     """Rotation matrices (..., 3, 3) of quaternions (..., 4) of any length."""
     q = np.asarray(q, float)
-    w, x, y, z = np.moveaxis(q / np.sqrt(np.einsum("...i,...i->...", q, q))[..., None], -1, 0)
-    rows = [
-        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-    ]
-    return np.moveaxis(np.array(rows), (0, 1), (-2, -1))
+    unit = np.asarray(q / np.sqrt(np.einsum("...i,...i->...", q, q))[..., None], float)
+    w, x, y, z = (unit[..., i] for i in range(4))
+    out = np.empty((*w.shape, 3, 3))
+    out[..., 0, 0], out[..., 0, 1], out[..., 0, 2] = 1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)
+    out[..., 1, 0], out[..., 1, 1], out[..., 1, 2] = 2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)
+    out[..., 2, 0], out[..., 2, 1], out[..., 2, 2] = 2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)
+    return out
 
 
 def right_matrix(q: ArrayLike) -> Array:

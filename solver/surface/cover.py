@@ -8,6 +8,8 @@ in capsules and cylinders, rectangles in boxes, and in an ellipsoid of half axes
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import mujoco
 import numpy as np
 
@@ -28,6 +30,7 @@ HIDDEN = 0.0002  # [m]
 Spheres = tuple[Array, Array]
 
 
+@lru_cache(maxsize=2)  # whoever edits a clip asks for them again and again
 def covering_points(figure: Figure) -> tuple[Point, ...]:
     """Spheres that fill the solid geoms of the figure's links; those inside another one of their link are left out."""
     model = figure.model

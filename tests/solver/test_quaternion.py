@@ -146,3 +146,14 @@ def test_angular_velocity_and_acceleration_do_not_feel_the_quaternions_length(se
     omega, alpha = quat.angular_velocity(q, q_d), quat.angular_acceleration(q, q_d, q_dd)
     np.testing.assert_allclose(quat.angular_velocity(*scaled[:2]), omega, atol=1e-10, rtol=1e-10)
     np.testing.assert_allclose(quat.angular_acceleration(*scaled), alpha, atol=1e-8, rtol=1e-9)
+
+
+@pytest.mark.parametrize("size", [1e-3, 1.0, 30.0])
+@pytest.mark.parametrize("vector", [0.0, 1e-13, 1e-9, 1e-3, 1.0])
+def test_the_rotation_vector_of_one_is_that_of_many_and_scipys(vector, size):
+    rng = np.random.default_rng(3)
+    for real in (1.0, -1.0, 1e-12):
+        q = size * np.append(real, vector * rng.normal(size=3))
+        one = quat.rotation_vector(q)
+        np.testing.assert_allclose(one, quat.rotation_vector(q[None])[0], rtol=1e-12, atol=1e-300)
+        np.testing.assert_allclose(one, Rotation.from_quat(q[[1, 2, 3, 0]]).as_rotvec(), rtol=1e-6, atol=1e-12)
