@@ -13,8 +13,17 @@ let number = 0;
 let pause = 250;
 const NUMBERED = new Set(["edit", "pin", "free", "rest", "mirror", "copy"]); // what is asked by numbers of a revision
 
+const POSES = new Set(["grip", "drag", "turn"]); // what is asked to be drawn at once
+let change = 0; // number of what was asked last that may change the clip
+
+/** When [ms] that was asked; the path that comes of it is worth more than images before it. */
+export let changed = 0;
+
 /** Whether the studio is at work on something that was asked: a processor that draws leaves it to that. */
 export const isAwaiting = (): boolean => waiting.size > 0;
+
+/** Whether that is a change of the clip. */
+export const isChanging = (): boolean => waiting.has(change);
 
 /** Asks for something; the answer says what was done or why not, and never throws. */
 export const ask = (what: string, said: Told = {}): Promise<Answer> => new Promise((resolve) => {
@@ -24,6 +33,10 @@ export const ask = (what: string, said: Told = {}): Promise<Answer> => new Promi
   }
   number += 1;
   waiting.set(number, resolve);
+  if (!POSES.has(what)) {
+    change = number;
+    changed = performance.now();
+  }
   const seen = NUMBERED.has(what) ? { revision: model.document?.revision } : {};
   socket.send(JSON.stringify({ do: what, id: number, ...seen, ...said }, (_, value) => (Number.isNaN(value) ? "NaN" : value)));
 });

@@ -8,7 +8,7 @@ import { COARSE, FINE, Shapes } from "../scene/shapes";
 import { DAY, DUSK, drawingOn, Surroundings } from "../scene/surroundings";
 import { VIEWS } from "../scene/views";
 import { $ } from "./dom";
-import { isAwaiting } from "./link";
+import { changed, isAwaiting, isChanging } from "./link";
 import { model } from "./model";
 
 const MELT = 140; // [ms] in which one path melts into the next
@@ -197,7 +197,7 @@ export class Stage {
     this.orbit.update();
     const searching = this.software && (model.status.state === "searching" || model.status.state === "loaded" || isAwaiting());
     const loading = this.software && model.status.state === "loading";
-    const yields = searching && !this.override && stamp - this.moved < (model.playing ? LEAVE : LEAVE_STILL);
+    const yields = searching && (!this.override || isChanging()) && stamp - Math.max(this.moved, changed) < (model.playing ? LEAVE : LEAVE_STILL);
     if (!this.figure || !(model.now || this.override) || yields) {
       this.stamp = stamp;
       return;
