@@ -2,9 +2,11 @@
 
 import mujoco
 import numpy as np
+import pytest
 from penalty_slope import penalty_slope
 from random_samples import at_times, random_samples
 
+from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
@@ -12,7 +14,7 @@ from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import CovariantAcceleration, Rest, Resting, RootAcceleration, UnitMagnitude
 from dynsplines.solver.penalty.curvature import Curvature
 from dynsplines.solver.penalty.ground.contact import point_gradients, velocity_gradients
-from dynsplines.solver.penalty.ground.resting import SETTLING
+from dynsplines.solver.penalty.ground.resting import SETTLING, Rolling
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point
@@ -111,3 +113,13 @@ def test_a_sphere_that_rests_rolls_without_a_slip():
 
     assert sliding(0.1 * turning) < 1e-20
     np.testing.assert_allclose(sliding(0.0), SETTLING**2 * (0.1 * turning) ** 2)
+
+
+@pytest.mark.parametrize("angle", [-0.7, 0.0, 1.2])
+def test_a_sphere_that_rolls_goes_as_far_as_it_has_turned(angle):
+    start = quat.from_rotation_vector([0.2, -0.4, 0.9])
+    turned = quat.product(quat.from_rotation_vector([0, angle, 0]), start)[:, None]
+    for rolls, ground, way in ((True, None, 1.0), (True, Plane("floor", np.zeros(3), UP), 1.0), (False, None, 0.0)):
+        rest = Rest(Point("ball", 1, np.zeros(3), 0.05), 0.0, 1.0, ground, rolls)
+        found = Rolling.of(rest, start).way(turned)
+        np.testing.assert_allclose(found[:, 0], [way * 0.05 * angle, 0, 0], atol=1e-12)
