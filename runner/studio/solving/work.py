@@ -47,6 +47,7 @@ MOST_SEEN = 40  # texts whose paths are remembered
 IDLE = 1.0  # [s] without a message after which a search that may have gone astray is begun elsewhere
 DEARER = 3.0  # times the E before, from which on it may have
 SOONEST = 0.04  # [s] from one path that is sent to the next
+QUICK = 0.3  # [s] a clip that takes longer to load is not foreseen: whatever is said then would wait for it
 Message = dict[str, Any]
 
 
@@ -110,6 +111,7 @@ class Work:
         self._is_cut = False  # whether a message has ended the last search
         self._astray: str | None = None
         self._foreseen: Foreseen | None = None
+        self._took = 0.0  # [s] that an edit took to load last
         self._before: tuple[float, int] | None = None  # E, and how much was wrong, when all was well last
 
     def do(self, message: Message) -> None:
@@ -145,11 +147,7 @@ class Work:
         known, self._foreseen = self._foreseen, None
         if known is not None and (first or found is not None or not known.is_of(text, before)):
             known = None
-        if known is not None:
-            clip = known.clip
-        else:
-            like = None if first else before
-            clip = clips.from_text(text, name=name, where=place, folder=Path(folder), like=like)
+        clip = known.clip if known is not None else self._loaded(text, name, place, folder, None if first else before)
         has_ground = before is not None and clip.figure is before.figure
         self.clip, self.revision, self._is_cut = clip, revision, False
         if not has_ground:
@@ -173,13 +171,20 @@ class Work:
         else:
             self._judge(stop="paused")
 
+    def _loaded(self, text: str, name: str, place: str, folder: str, like: Clip | None) -> Clip:
+        """The clip of a text, like the one that it was edited from; raises UserError."""
+        begun = time.monotonic()
+        clip = clips.from_text(text, name=name, where=place, folder=Path(folder), like=like)
+        self._took = time.monotonic() - begun if like is not None else 0.0  # with no figure to be read
+        return clip
+
     def do_foresee(self, text: str, name: str, place: str, folder: str) -> None:
         """Searches what a text would come to, in silence; any message ends that. What it found waits for the text."""
         before, self._foreseen = self.clip, None
-        if before is None or not self._is_going:
+        if before is None or not self._is_going or self._took > QUICK:
             return
         with suppress(Exception):  # which is told when the text is said
-            clip = clips.from_text(text, name=name, where=place, folder=Path(folder), like=before)
+            clip = self._loaded(text, name, place, folder, before)
             begin, between = self._begin(clip, before, self.found, first=False, found=None)
             if clip.figure is before.figure and begin is not None:
                 ahead = self._foreseen = Foreseen(before, clip, begin, between)

@@ -93,6 +93,14 @@ def test_what_is_no_clip_is_told_when_it_is_said_and_not_before(work, tmp_path):
     assert load(work, tmp_path, text, 1)[-1]["is"] == "refused"
 
 
+def test_nothing_is_foreseen_where_a_clip_takes_its_time_to_load(work, tmp_path, monkeypatch):
+    """Whatever is said meanwhile would wait for it."""
+    monkeypatch.setattr("dynsplines.studio.solving.work.QUICK", 1e-6)
+    load(work, tmp_path, tiny.CLIP + "\n", 1)
+    foresee(work, tmp_path, EDITED)
+    assert kinds(load(work, tmp_path, EDITED, 2))[0] == "carried"
+
+
 def test_nothing_is_foreseen_where_the_search_was_stopped(work, tmp_path):
     load(work, tmp_path, tiny.CLIP, go=False)
     foresee(work, tmp_path, EDITED)
