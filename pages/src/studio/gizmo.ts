@@ -1,6 +1,7 @@
 // Rings about a joint that turn it; the server says what pose that is.
 import * as THREE from "three";
 import { TransformControls } from "three/examples/jsm/controls/TransformControls.js";
+import { axesOf } from "./axes";
 import { act, ask, edit } from "./link";
 import { model, type Obstacle } from "./model";
 import type { Stage } from "./stage";
@@ -55,7 +56,8 @@ export class Gizmo {
   }
 
   private place(): void {
-    const { figure } = this.stage, thing = model.joint === null ? this.thing() : undefined, at = thing && placeOf(thing);
+    const { figure } = this.stage, thing = model.joint === null ? this.thing() : undefined;
+    const own = thing && placeOf(thing), at = thing && own && axesOf(this.stage, thing).out(own);
     const joint = model.stage?.joints.find((each) => each.name === model.joint);
     if (model.playing || !figure || !(joint ?? at)) {
       this.hide();
@@ -134,7 +136,7 @@ export class Gizmo {
     if (model.joint !== null) await act("drop", { time: this.time, partial: model.partial });
     else if (model.obstacle && this.held) {
       const { kind, index } = model.obstacle;
-      await edit("set_obstacle", { kind, index, said: movedTo(this.held, this.handle.position), revision: this.revision });
+      await edit("set_obstacle", { kind, index, said: movedTo(this.held, axesOf(this.stage, this.held).into(this.handle.position)), revision: this.revision });
     }
     this.stage.override = null;
     this.stage.draw();

@@ -1,5 +1,6 @@
 // Handles on what stands about, by which it is made larger and smaller: on faces, at ends, on what is round.
 import * as THREE from "three";
+import { axesOf } from "./axes";
 import { short, toast } from "./dom";
 import { edit } from "./link";
 import { model, type Obstacle } from "./model";
@@ -55,20 +56,9 @@ export class Handles {
     return document?.obstacles.find((each) => each.kind === obstacle.kind && each.index === obstacle.index) ?? null;
   }
 
-  /** Where its axes are: its own turn, and the body that it is part of. */
-  private axes(thing: Obstacle): { turn: THREE.Quaternion; out: (point: THREE.Vector3) => THREE.Vector3; within: THREE.Quaternion } {
-    const at = vector(thing.position), pieces = model.stage?.pieces ?? [];
-    const near = (given: number[]) => at.distanceTo(vector(given)) < 1e-4;
-    const piece = pieces.find((each) => each.kind === thing.kind && each.name === thing.name) ?? pieces.find((each) => each.kind === thing.kind && near(each.position));
-    const turn = new THREE.Quaternion().fromArray(piece?.rotation ?? [0, 0, 0, 1]);
-    const group = thing.body && piece ? this.stage.figure!.groups[piece.body] : null;
-    const within = group ? group.quaternion.clone() : new THREE.Quaternion();
-    return { turn, within, out: (point) => (group ? point.clone().applyQuaternion(within).add(group.position) : point.clone()) };
-  }
-
   private handles(thing: Obstacle): Handle[] {
     if (thing.kind === "step") return this.ofStep(thing);
-    const { turn, out, within } = this.axes(thing), at = vector(thing.position), radius = thing.radius as number;
+    const { turn, out, into, within } = axesOf(this.stage, thing), at = vector(thing.position), radius = thing.radius as number;
     const handle = (direction: THREE.Vector3, away: number, said: Handle["said"]): Handle => ({
       at: out(at.clone().addScaledVector(direction, away)), along: direction.clone().applyQuaternion(within), said,
     });
@@ -90,7 +80,7 @@ export class Handles {
       const side = new THREE.Vector3().crossVectors(along, Math.abs(along.z) < 0.9 ? AXES[2] : AXES[0]).normalize();
       at.copy(ends[0]).add(ends[1]).multiplyScalar(0.5);
       return [
-        ...(["from", "to"] as const).map((name, i) => ({ at: out(ends[i]), along: null, said: (_: number, to: THREE.Vector3) => ({ [name]: to.clone().sub(out(new THREE.Vector3())).applyQuaternion(within.clone().invert()).toArray() }) })),
+        ...(["from", "to"] as const).map((name, i) => ({ at: out(ends[i]), along: null, said: (_: number, to: THREE.Vector3) => ({ [name]: into(to).toArray() }) })),
         wider(side),
       ];
     }
@@ -187,7 +177,7 @@ export class Handles {
 
   /** How large it would be. */
   private outline(thing: Obstacle): void {
-    const { frame } = this, { turn, out, within } = this.axes({ ...thing, position: this.held!.thing.position } as Obstacle);
+    const { frame } = this, { turn, out, within } = axesOf(this.stage, { ...thing, position: this.held!.thing.position } as Obstacle);
     const { x, height, y = 0, length = thing.kind === "step" ? 3 : 1, width = 2.4, radius } = thing as unknown as Record<string, number>;
     frame.geometry.dispose();
     frame.quaternion.copy(within).multiply(turn);

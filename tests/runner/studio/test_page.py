@@ -16,6 +16,7 @@ import android
 import browser as browsers
 import psutil
 import pytest
+import tiny
 from browser import Studio, Tab
 
 from dynsplines import models
@@ -530,6 +531,34 @@ def test_a_recording_is_opened_a_hand_is_moved_and_it_is_saved_and_there_again(t
     tab.seek(0.3)
     assert tab.look(place) == pytest.approx(now, abs=5e-3)
     assert not tab.look("studio.model.document.dirty")
+
+
+CRATE = """
+[[scene.box]]
+body = "crate"
+name = "side"
+position = [0.3, 0, 0.1]
+size = [0.1, 0.1, 0.2]
+mass = 1
+"""
+
+
+def test_what_is_part_of_a_thing_that_moves_is_moved_in_its_axes(tab):
+    folder = Path(tab.folder)
+    placed = "\nroots.crate = {position = [1, 0.5, 0], rotation = {rotvec = [0, 0, 90]}}"
+    text = re.sub(r"\ntime = [0-9.]+", lambda found: found[0] + placed, tiny.CLIP)
+    tiny.written(folder, text.replace("[[keyframe]]", CRATE + "\n[[keyframe]]", 1), "crate.toml")
+    opened(tab, "crate.toml")
+    tab.until("studio.model.now.bodies === studio.model.stage.bodies.length")
+    tab.settled()
+    tab.look(
+        "void (studio.model.joint = null, studio.model.obstacle = {kind: 'box', index: 0}, studio.model.tell('joint'))"
+    )
+    tab.until("studio.gizmo.controls.object !== undefined")
+    assert tab.look("studio.gizmo.handle.position.toArray()") == pytest.approx([1, 0.8, 0.1], abs=1e-3)
+    tab.look("void studio.gizmo.start()")
+    tab.changes(lambda: tab.look("void (studio.gizmo.handle.position.x += 0.1, studio.gizmo.end())"))
+    assert tab.look("studio.model.document.obstacles[0].position") == pytest.approx([0.3, -0.1, 0.1], abs=2e-3)
 
 
 @pytest.fixture(scope="module")

@@ -1,0 +1,25 @@
+// The axes that a thing on the stage is said in: the world's, or those of the body that it is a part of.
+import * as THREE from "three";
+import { model, type Obstacle } from "./model";
+import type { Stage } from "./stage";
+
+/** turn: its own in those axes; within: theirs in the world; out and into: places from there to the world, and back. */
+export interface Axes {
+  turn: THREE.Quaternion; within: THREE.Quaternion;
+  out: (point: THREE.Vector3) => THREE.Vector3; into: (point: THREE.Vector3) => THREE.Vector3;
+}
+
+export const axesOf = (stage: Stage, thing: Obstacle): Axes => {
+  const at = new THREE.Vector3().fromArray((thing.position as number[] | undefined) ?? [0, 0, 0]), pieces = model.stage?.pieces ?? [];
+  const near = (given: number[]) => at.distanceTo(new THREE.Vector3().fromArray(given)) < 1e-4;
+  const piece = pieces.find((each) => each.kind === thing.kind && each.name === thing.name) ?? pieces.find((each) => each.kind === thing.kind && near(each.position));
+  const body = thing.body === undefined || thing.body === null ? -1 : model.stage?.bodies.indexOf(thing.body as string) ?? -1;
+  const group = stage.figure?.groups[body];
+  const within = group ? group.quaternion.clone() : new THREE.Quaternion(), place = group ? group.position.clone() : new THREE.Vector3();
+  return {
+    turn: new THREE.Quaternion().fromArray(piece?.rotation ?? [0, 0, 0, 1]),
+    within,
+    out: (point) => point.clone().applyQuaternion(within).add(place),
+    into: (point) => point.clone().sub(place).applyQuaternion(within.clone().invert()),
+  };
+};
