@@ -7,15 +7,19 @@ the other end of a pipe. How to protect a scheduler elsewhere is for whoever run
 
 from __future__ import annotations
 
+import asyncio
 import logging
 from collections.abc import Iterator
+from concurrent.futures import Future
 from contextlib import ExitStack, contextmanager, suppress
+from threading import Thread
 from typing import cast
 
 import dask.config
 from distributed import Client, Scheduler, SpecCluster, Worker
 from distributed.system import MEMORY_LIMIT
 from distributed.utils import silence_logging_cmgr
+from tornado.ioloop import IOLoop
 
 from ..errors import UserError, one_line
 from ..system.progress import Progress
@@ -26,6 +30,7 @@ from .crew import Crew
 WITHIN = "inproc://"
 CONNECT_SECONDS = 10  # [s] until a cluster that is named is told to be missing
 CLOSE_SECONDS = 10  # [s] that workers have to end by themselves
+BEGIN_SECONDS = 120  # [s] that a thread may need to begin, on a machine that has much else to do
 CALM = {  # what Dask watches of itself every few milliseconds would cost a tenth of a small clip
     "distributed.worker.profile.enabled": False,
     "distributed.admin.tick.interval": "1s",
@@ -45,8 +50,9 @@ def opened(batch: str, workers: int, scheduler: str | None, progress: Progress) 
         with ctrl_c_blocked():  # for their threads and processes: Ctrl-C is ours alone
             stack.enter_context(dask.config.set(CALM))
             stack.enter_context(silence_logging_cmgr(logging.CRITICAL))  # what matters is told otherwise
-            address = scheduler or _local(workers, stack)
-            client = _connected(address)
+            loop = stack.enter_context(_looping())
+            address = scheduler or _local(workers, loop, stack)
+            client = _connected(address, loop)
             stack.callback(client.close, timeout=CLOSE_SECONDS)
         if scheduler is not None:
             progress.say(f"Dask: {address}, {len(threads(client))} workers{_dashboard(client)}")
@@ -61,6 +67,38 @@ def opened(batch: str, workers: int, scheduler: str | None, progress: Progress) 
             if scheduler is not None:
                 with suppress(Exception):  # it may be what has just gone
                     client.unregister_worker_plugin(batch)
+
+
+@contextmanager
+def _looping() -> Iterator[IOLoop]:
+    """An event loop in a thread of its own, for all parts of Dask alike.
+
+    Dask would begin one for each, with ten seconds to do so, and leave that of a client which reaches nobody.
+    """
+    begun: Future[tuple[IOLoop, asyncio.Event]] = Future()
+
+    async def life() -> None:
+        over = asyncio.Event()
+        begun.set_result((IOLoop.current(), over))
+        await over.wait()
+        asyncio.get_running_loop().set_exception_handler(lambda *_: None)  # what Dask leaves behind matters no more
+
+    def run() -> None:
+        try:
+            asyncio.run(life())
+        except BaseException as error:
+            if begun.done():
+                raise
+            begun.set_exception(error)
+
+    thread = Thread(target=run, name="Dask's event loop", daemon=True)
+    thread.start()
+    loop, over = begun.result(BEGIN_SECONDS)
+    try:
+        yield loop
+    finally:
+        loop.add_callback(over.set)
+        thread.join(CLOSE_SECONDS)
 
 
 class _Unheard:
@@ -78,7 +116,7 @@ class _Worker(_Unheard, Worker):
     """A worker alike."""
 
 
-def _local(workers: int, stack: ExitStack) -> str:
+def _local(workers: int, loop: IOLoop, stack: ExitStack) -> str:
     """The address of a scheduler in this process, with a worker of so many threads; all goes with the stack."""
     stack.enter_context(dask.config.set({"temporary-directory": str(stack.enter_context(scratch()))}))
     ours: dict[str, object] = {"protocol": WITHIN, "dashboard": False}
@@ -86,15 +124,27 @@ def _local(workers: int, stack: ExitStack) -> str:
     cluster = SpecCluster(
         workers={0: {"cls": _Worker, "options": worker}},
         scheduler={"cls": _Scheduler, "options": ours},
+        loop=loop,
         silence_logs=logging.CRITICAL,  # type: ignore[arg-type]
     )
     stack.callback(cluster.close, timeout=CLOSE_SECONDS)
     return str(cluster.scheduler_address)
 
 
-def _connected(address: str) -> Client:
+class _Client(Client):
+    """A client that closes where it cannot begin. Dask's would do so when it is collected, be its loop gone or not."""
+
+    def __init__(self, address: str, loop: IOLoop) -> None:
+        try:
+            super().__init__(address, loop=loop, timeout=CONNECT_SECONDS, set_as_default=False, direct_to_workers=False)
+        except BaseException:
+            self.close(timeout=CLOSE_SECONDS)
+            raise
+
+
+def _connected(address: str, loop: IOLoop) -> Client:
     try:
-        return Client(address, timeout=CONNECT_SECONDS, set_as_default=False, direct_to_workers=False)
+        return _Client(address, loop)
     except (OSError, ValueError) as error:
         raise UserError(f"no Dask scheduler answers at '{address}': {one_line(error)}") from None
 
