@@ -12,6 +12,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Protocol
+from weakref import WeakKeyDictionary
 
 import mujoco
 import numpy as np
@@ -20,6 +21,7 @@ from . import quaternion as quat
 from .array import Array, Index, Mask
 from .figure.figure import Figure, JointKind
 from .penalty.joints.bend import BendLimits, bent
+from .remembered import Remembered, content
 from .surface.points import Point
 
 MET, EXACT = 1e-6, 1e-9  # [m, rad] a goal that is missed by no more is met; what is aimed at
@@ -40,6 +42,7 @@ BOLDER, MORE_CAREFUL = 5, 8  # times less damping after a step that leads down, 
 PULLS = 12  # steps of a pose that follows a hand
 ROUGHLY, SETTLED = 1e-3, 1e-9  # share of what is left that a step gains where a descent ends: the first, the others
 SMALLEST_STEP = 1e-11
+MOST_REMEMBERED = 1000  # poses of a figure
 SQUARED = 3e3  # weight up to which normal equations are exact enough
 
 Part = tuple[Array, Array]  # values (k,) and their derivatives (k, n)
@@ -237,8 +240,8 @@ def posed(
     free, there = np.asarray(free, bool), np.array(qpos, float)
     fixed, missed, tried = np.zeros(figure.width, bool), np.zeros(len(goals)), 0
     for some in _apart(figure, free, goals):
-        found = _posed(_PoseSearch(figure, there, free, tuple(goals[i] for i in some), bends, beyond), starts)
-        there, fixed, tried = found.qpos, fixed | found.fixed, max(tried, found.starts)
+        found = _known(figure, there, free, tuple(goals[i] for i in some), bends, beyond, starts)
+        there, fixed, tried = np.where(found.fixed, found.qpos, there), fixed | found.fixed, max(tried, found.starts)
         missed[some] = found.missed
     return Posed(there, fixed, missed, tried)
 
@@ -259,6 +262,29 @@ def pulled(
     if not search.dofs.size:
         return search.result(search.home)
     return search.result(search.near(np.array(begin, float), steps))
+
+
+_poses: WeakKeyDictionary[Figure, Remembered[Posed]] = WeakKeyDictionary()
+
+
+def _known(
+    figure: Figure,
+    home: Array,
+    free: Mask,
+    goals: tuple[Goal, ...],
+    bends: BendLimits | None,
+    beyond: float,
+    starts: int,
+) -> Posed:
+    """The pose for goals that depend on one another, found or remembered; what they do not depend on is at rest.
+
+    So it depends on nothing but what it is asked for: whoever edits a clip asks for most of its poses again.
+    """
+    own = reached(figure, goals)
+    home, free = np.where(own, home, figure.model.qpos0), free & own
+    asked = content((home, free, goals, bends, beyond, starts))
+    poses = _poses.setdefault(figure, Remembered(MOST_REMEMBERED))
+    return poses.of(asked, lambda: _posed(_PoseSearch(figure, home, free, goals, bends, beyond), starts))
 
 
 def _posed(search: _PoseSearch, starts: int) -> Posed:

@@ -21,7 +21,7 @@ from ..figure.figure import Figure, JointKind, Link, quaternion_columns
 from .closing import closed
 from .frame import Frame, Timeline, TimelineError
 from .seam import Seam, sameness
-from .spline import Spline, natural_end_slopes, natural_spline, spline_of
+from .spline import Sampling, Spline, natural_end_slopes, spline_of
 from .winding import signs
 
 
@@ -234,14 +234,14 @@ def raw_timeline(
     plain = Timeline(tuple(keys), np.zeros((2, figure.width)))
     states = np.array(plain.states)
     rest = np.array(figure.model.qpos0)
-    told = plain.known
+    told, gaps = plain.known, _Gaps(plain.times)
     for link in figure.links[1:]:
         if link.kind is JointKind.FREE:
             for column in range(link.qpos, link.qpos + 3):
-                _filled(plain.times, states, told, slice(column, column + 1), rest)
+                gaps.fill(states, told, slice(column, column + 1), rest)
         columns = quaternion_columns(link)
         if columns is None:
-            _filled(plain.times, states, told, slice(link.qpos, link.qpos + 1), rest)
+            gaps.fill(states, told, slice(link.qpos, link.qpos + 1), rest)
             continue
         known = told[:, columns].all(axis=1)
         base = bases(figure, states, link)
@@ -250,7 +250,7 @@ def raw_timeline(
             states[~known, columns] = quat.product(base[~known], rest[columns])
             if known.any():
                 states[known, columns] = _laid_along(link, plain.times[known], base[known], states[known, columns])
-                _filled(plain.times, states, told, columns, states[0])
+                gaps.fill(states, told, columns, states[0])
                 states[:, columns] = quat.normalised(states[:, columns])
         if seam is not None and link.kind is JointKind.FREE:
             states[-1, columns] = seam.linear(states[0])[columns]
@@ -296,20 +296,37 @@ def _laid_along(link: Link, times: Array, base: Array, track: Array) -> Array:
     return track * signs(times, relative, spins=link.kind is JointKind.FREE)[:, None]
 
 
-def _filled(times: Array, states: Array, told: Mask, columns: slice, rest: Array) -> None:
-    """Fills the columns at frames that leave them out, from the natural spline of the others, held beyond its ends."""
-    known = told[:, columns].all(axis=1)
-    if known.all():
-        return
-    if not known.any():
-        states[:, columns] = rest[columns]
-    elif known.sum() == 1:
-        states[~known, columns] = states[known, columns]
-    else:
-        t, own = times[known], states[known, columns]
-        between = ~known & (times > t[0]) & (times < t[-1])
-        states[between, columns] = natural_spline(t, own).at(times[between])
-        states[times < t[0], columns], states[times > t[-1], columns] = own[0], own[-1]
+class _Gaps:
+    """Frames that leave something out: of all columns that the same ones do, the spline is made once."""
+
+    def __init__(self, times: Array) -> None:
+        self.times = times
+        self._made: dict[bytes, tuple[Mask, Sampling]] = {}
+
+    def fill(self, states: Array, told: Mask, columns: slice, rest: Array) -> None:
+        """Fills columns at the frames that leave them out, from the natural spline of the others, held beyond its
+        ends."""
+        known: Mask = np.asarray(told[:, columns].all(axis=1))
+        if known.all():
+            return
+        if not known.any():
+            states[:, columns] = rest[columns]
+        elif known.sum() == 1:
+            states[~known, columns] = states[known, columns]
+        else:
+            own, (between, sampling) = states[known, columns], self._between(known)
+            t = sampling.spline.times
+            states[between, columns] = sampling.samples(np.concatenate([own, natural_end_slopes(t, own)]))[0]
+            states[self.times < t[0], columns], states[self.times > t[-1], columns] = own[0], own[-1]
+
+    def _between(self, known: Mask) -> tuple[Mask, Sampling]:
+        """The frames between those that are known, and a spline through these, seen at them."""
+        key = known.tobytes()
+        if key not in self._made:
+            t = self.times[known]
+            between = ~known & (self.times > t[0]) & (self.times < t[-1])
+            self._made[key] = between, Sampling.of(Spline(t), self.times[between])
+        return self._made[key]
 
 
 def _check(figure: Figure, keys: list[Frame]) -> None:

@@ -129,7 +129,7 @@ def test_every_file_says_what_it_is(path):
 STRATA = {
     "solver": """
         array
-        quaternion cone one_thread
+        quaternion cone one_thread remembered
         figure
         curve surface
         reading

@@ -17,7 +17,6 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, TimelineError
-from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.penalty import Placed
 from dynsplines.solver.posing import (
@@ -121,14 +120,14 @@ def with_pose(
     where they stand before and after.
     """
     try:
-        path = stander.timeline(keys, "periodic") if stander.ends == "periodic" else raw_timeline(figure, list(keys))
+        path = stander.timeline(keys)
     except TimelineError as error:
         raise UserError(f"{where}: {error}") from None
     key = keys[k]
     home = np.where(key.fixed, key.state, figure.to_qpos(path.states[k]))
     for columns in figure.tables.quaternion_columns.T:
         home[columns] = quat.normalised(home[columns])
-    also = stander.beside(keys, k, goals)
+    also = stander.beside(path, key, k, goals)
     found = posed(figure, home, ~key.fixed, [*goals, *also], stander.bends) if also else None
     if found is None or not found.is_met:
         found = posed(figure, home, ~key.fixed, goals, stander.bends)

@@ -103,11 +103,13 @@ class Stander:
     def ends(self) -> str:
         return self.solve.ends
 
-    def timeline(self, keys: Sequence[Frame], ends: str) -> Timeline:
+    def timeline(self, keys: Sequence[Frame]) -> Timeline:
         """The keyframes' timeline; of a loop, as it comes back. Raises TimelineError."""
         slope, solve = np.zeros((2, self.figure.width)), self.solve
+        if self.ends != "periodic":  # what is wrong with a travel or a turn there the clip complains of
+            return raw_timeline(self.figure, list(keys), self.ends, slope)
         turn = None if solve.turn is None else float(np.radians(solve.turn))
-        return raw_timeline(self.figure, list(keys), ends, slope, solve.travel, turn)
+        return raw_timeline(self.figure, list(keys), self.ends, slope, solve.travel, turn)
 
     def stood(self, keys: Sequence[Frame], left: Sequence[Placed]) -> list[Frame]:
         """The keyframes, what the partial ones leave free posed as far as it is beyond doubt.
@@ -116,8 +118,9 @@ class Stander:
         """
         if all(key.is_key for key in keys):
             return list(keys)
-        seen = self.seen(keys)
-        if seen is None:
+        try:
+            seen = self.seen(self.timeline(keys))
+        except TimelineError:  # which the clip complains of
             return list(keys)
         count = len(keys) - (self.ends == "periodic")  # the last keyframe of a loop is the first
         return [
@@ -125,16 +128,18 @@ class Stander:
             for k in range(len(keys))
         ]
 
-    def beside(self, keys: Sequence[Frame], k: int, goals: Sequence[Goal]) -> list[Goal]:
-        """Goals of the feet that stand in keyframe k, other limbs than those that it gives goals of its own.
+    def beside(self, timeline: Timeline, key: Frame, k: int, goals: Sequence[Goal]) -> list[Goal]:
+        """Goals of the feet that stand in keyframe k of a timeline, other limbs than those that it gives goals of its
+        own.
 
         Only of feet that those goals move too: of others `stood` takes care.
         """
-        figure, free = self.figure, ~keys[k].fixed
+        figure, free = self.figure, ~key.fixed
         own = reached(figure, goals)
         busy = {link for goal in goals for link in limb(figure, goal.body(figure.model))}
-        if not free[own].any() or (seen := self.seen(keys)) is None:
+        if not free[own].any():
             return []
+        seen = self.seen(timeline)
         found: list[Goal] = []
         for foot in seen.standing(k):
             more = foot.goals(figure)
@@ -146,12 +151,8 @@ class Stander:
                 found.append(goal)
         return found
 
-    def seen(self, keys: Sequence[Frame]) -> _Seen | None:
-        """What keyframes tell of feet; None where they make no timeline, which the clip complains of."""
-        try:
-            timeline = self.timeline(keys, self.ends)
-        except TimelineError:
-            return None
+    def seen(self, timeline: Timeline) -> _Seen:
+        """What keyframes tell of feet."""
         whole = [frame.state for frame in timeline.frames if frame.is_key]
         soles = sole_points(self.figure, self.figure.to_qpos(np.reshape(whole, (-1, self.figure.width))))
         tables = list(_during(self.tables, *timeline.times[[0, -1]].tolist()))

@@ -1,0 +1,50 @@
+"""What was found before and is asked for again: the last few answers, by what they depend on."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from collections.abc import Callable, Hashable
+from dataclasses import fields, is_dataclass
+from threading import Lock
+from typing import Any, Generic, TypeVar
+
+import numpy as np
+
+Answer = TypeVar("Answer")
+
+
+class Remembered(Generic[Answer]):
+    """The last answers, so many at most. They are given out as they are: nobody may change them."""
+
+    def __init__(self, most: int) -> None:
+        self._most = most
+        self._answers: OrderedDict[Hashable, Answer] = OrderedDict()
+        self._lock = Lock()
+
+    def __len__(self) -> int:
+        return len(self._answers)
+
+    def of(self, asked: Hashable, find: Callable[[], Answer]) -> Answer:
+        """The answer to what is asked, found if it is not known; an exception is no answer."""
+        with self._lock:
+            if asked in self._answers:
+                self._answers.move_to_end(asked)
+                return self._answers[asked]
+        answer = find()
+        with self._lock:
+            self._answers[asked] = answer
+            if len(self._answers) > self._most:
+                self._answers.popitem(last=False)
+        return answer
+
+
+def content(value: Any) -> Hashable:
+    """What two values have in common if they are the same to the bit: arrays, dataclasses and sequences by what is in
+    them, all else by itself."""
+    if isinstance(value, np.ndarray):
+        return value.dtype.str, value.shape, value.tobytes()
+    if isinstance(value, list | tuple):
+        return type(value), *(content(each) for each in value)
+    if is_dataclass(value) and not isinstance(value, type):
+        return type(value), *(content(getattr(value, each.name)) for each in fields(value))
+    return value

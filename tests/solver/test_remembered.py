@@ -1,0 +1,139 @@
+"""What is asked for again: answers by what they depend on, and poses that are not searched twice."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import mujoco
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
+
+from dynsplines import models
+from dynsplines.clip import load
+from dynsplines.solver import posing
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.figure.figure import Figure, quaternion_columns
+from dynsplines.solver.posing import PointGoal, Posed, SiteGoal, entries, posed, reached
+from dynsplines.solver.remembered import Remembered, content
+
+
+@dataclass(frozen=True, eq=False)
+class Told:
+    name: str
+    values: Array
+
+
+def human() -> Figure:
+    return Figure(mujoco.MjModel.from_xml_string(models.figure_text("human")))
+
+
+def test_an_answer_is_found_once_and_the_one_that_was_asked_for_longest_ago_goes():
+    found: list[int] = []
+
+    def find(n: int) -> int:
+        found.append(n)
+        return 10 * n
+
+    some: Remembered[int] = Remembered(2)
+    assert [some.of(n, lambda n=n: find(n)) for n in (1, 2, 1, 3, 1, 2)] == [10, 20, 10, 30, 10, 20]
+    assert found == [1, 2, 3, 2]
+    assert len(some) == 2
+
+
+def test_an_exception_is_no_answer():
+    some: Remembered[int] = Remembered(2)
+    with pytest.raises(ZeroDivisionError):
+        some.of("a", lambda: 1 // 0)
+    assert some.of("a", lambda: 7) == 7
+
+
+@given(arrays(float, 3), arrays(float, 3), st.text(max_size=2), st.text(max_size=2))
+def test_content_is_the_same_where_every_bit_is(a, b, one, other):
+    are_alike = a.tobytes() == b.tobytes() and one == other
+    assert (content(Told(one, a)) == content(Told(other, b))) == are_alike
+    assert (content([one, (a,)]) == content([other, (b,)])) == are_alike
+    assert hash(content([Told(one, a), None, 1.5])) == hash(content([Told(one, a.copy()), None, 1.5]))
+
+
+def test_content_tells_kinds_and_shapes_apart():
+    values = np.arange(4.0)
+    assert content(values) != content(values.reshape(2, 2))
+    assert content(values) != content(values.astype(np.float32))
+    assert content((1.0, 2.0)) != content([1.0, 2.0])
+    place = np.zeros(3)
+    assert content(SiteGoal("a", place)) != content(PointGoal("a", 1, place, place))
+
+
+def test_a_pose_is_searched_once_for_a_figure_and_depends_on_what_its_goals_do_alone(monkeypatch):
+    figure, rng = human(), np.random.default_rng(1)
+    data = mujoco.MjData(figure.model)
+    mujoco.mj_kinematics(figure.model, data)
+    goals = [SiteGoal("left_hand", data.site("left_hand").xpos + np.array([0.2, 0, 0.3]))]
+    home, free = np.array(figure.model.qpos0), np.ones(figure.width, bool)
+    free[:7] = False
+    first = posed(figure, home, free, goals)
+    assert first.is_met
+    other = np.array(home)
+    for link in figure.links[1:]:
+        columns = quaternion_columns(link)
+        if columns is not None and not reached(figure, goals)[columns].any():
+            other[columns] = quat.normalised(rng.normal(size=4))
+    fresh = posed(human(), other, free, goals)
+
+    def never(*_: object) -> None:
+        pytest.fail("searched again")
+
+    monkeypatch.setattr(posing, "_posed", never)
+    again = posed(figure, other, free, goals)
+    own = reached(figure, goals)
+    assert np.array_equal(again.qpos, fresh.qpos)
+    assert np.array_equal(again.qpos[own], first.qpos[own])
+    assert np.array_equal(again.qpos[~own], other[~own])
+
+
+def test_a_pose_that_anything_it_depends_on_differs_for_is_another():
+    figure = human()
+    data = mujoco.MjData(figure.model)
+    mujoco.mj_kinematics(figure.model, data)
+    place = data.site("left_hand").xpos + np.array([0.2, 0, 0.3])
+    goals, home, free = [SiteGoal("left_hand", place)], np.array(figure.model.qpos0), np.ones(figure.width, bool)
+    free[:7] = False
+    first = posed(figure, home, free, goals).qpos
+    assert not np.array_equal(posed(figure, home, free, [SiteGoal("left_hand", place + 1e-3)]).qpos, first)
+    elbow = next(i for i, link in enumerate(figure.links) if link.name == "left_elbow")
+    held = np.array(free)
+    held[entries(figure, elbow)] = False
+    assert not np.array_equal(posed(figure, home, held, goals).qpos, first)
+    bent = np.array(home)
+    columns = quaternion_columns(figure.links[elbow])
+    bent[columns] = quat.from_rotation_vector(np.array([0, -0.5, 0]))
+    assert not np.array_equal(posed(figure, bent, free, goals).qpos, first)
+
+
+@pytest.mark.slow
+def test_an_edit_of_a_clip_keyed_by_places_searches_few_of_its_poses_and_gives_what_the_text_alone_does(monkeypatch):
+    clip = load.load("carry_box")
+    text = clip.text.replace("left_hand = [0.32, 0.25, 0.58]", "left_hand = [0.32, 0.25, 0.6]", 1)
+    assert text != clip.text
+    searched: list[int] = []
+    search = posing._posed
+
+    def counted(asked: posing._PoseSearch, starts: int) -> Posed:
+        searched.append(1)
+        return search(asked, starts)
+
+    monkeypatch.setattr(posing, "_posed", counted)
+    edited = load.from_text(text, name="carry_box", like=clip)
+    few, _ = len(searched), searched.clear()
+    heavier = text.replace("weight = ", "weight = 1", 1)
+    assert heavier != text
+    load.from_text(heavier, name="carry_box", like=edited)
+    assert not searched
+    fresh = load.from_text(text, name="carry_box")
+    assert 0 < few < len(searched) / 2
+    for one, other in zip(edited.keys, fresh.keys, strict=True):
+        assert np.array_equal(one.state, other.state)
