@@ -149,13 +149,17 @@ def test_a_loop_stays_a_loop_in_its_clip(walk, tmp_path):
 
 @pytest.mark.slow
 def test_the_solved_motion_keeps_the_bound_where_that_is_asked(walk, tmp_path):
-    source, target, step = tmp_path / "step.npz", tmp_path / "step.toml", edits.trimmed(walk, 0.1, 0.45)
+    source, target, step = tmp_path / "step.npz", tmp_path / "step.toml", edits.trimmed(walk, 0.1, 0.25)
     motion.save(step, source)
+    run(source, tmp_path / "spline.toml")
     run(source, target, solve=True)
-    found = clip.load(str(target))
-    again = work.solve(found, Progress()).saved(Progress(), with_report=False)
-    assert again.timeline.variable_count > 0
-    assert apart(step, again) <= 0.02 * (1 + 1e-6)
+    off = []
+    for file in (tmp_path / "spline.toml", target):
+        again = work.solve(clip.load(str(file)), Progress()).saved(Progress(), with_report=False)
+        assert again.timeline.variable_count > 0
+        off.append(apart(step, again))
+    assert off[0] > 0.02  # as few keyframes as its spline needs are too few for what is searched
+    assert off[1] <= 0.02 * (1 + 1e-6)
 
 
 @pytest.mark.slow
