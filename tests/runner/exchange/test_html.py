@@ -134,6 +134,7 @@ def tab(saved, tmp_path_factory):
         window.close()
 
 
+@pytest.mark.slow
 def test_in_a_browser_it_plays_and_its_slider_moves_the_figure(tab, saved):
     page, heard, target = tab
     assert page.evaluate("player.playing")
@@ -157,6 +158,7 @@ def test_in_a_browser_it_plays_and_its_slider_moves_the_figure(tab, saved):
     assert [url for url in heard if url != target.as_uri() and not url.startswith(("data:", "blob:"))] == []
 
 
+@pytest.mark.slow
 def test_in_a_browser_the_figure_shows_and_moves_in_the_picture(tab):
     page, _, _ = tab
     from io import BytesIO
