@@ -5,6 +5,7 @@ from __future__ import annotations
 # isort: off
 import bytecode  # noqa: F401 - before all that is ours
 import one_thread  # noqa: F401 - before NumPy
+import signals_heard  # noqa: F401
 # isort: on
 
 import io

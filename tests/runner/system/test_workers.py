@@ -9,6 +9,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 
 import crew
@@ -159,7 +160,8 @@ def at_work(tmp_path: Path, request: pytest.FixtureRequest) -> Iterator[tuple[su
     )
     assert process.stdout is not None
     yield process, [int(word) for word in process.stdout.readline().split()]
-    process.kill()
+    with suppress(ProcessLookupError):
+        os.killpg(process.pid, signal.SIGKILL)  # workers that are left would keep its streams open, for ever
     process.communicate()
 
 
