@@ -49,7 +49,7 @@ class Cut:
         last = keys.size - 1
         low = int(np.searchsorted(keys, between[0], side="right")) - 1
         high = int(np.searchsorted(keys, between[1], side="left"))
-        inner = max(low - REACH, 0), min(high + REACH, last)
+        inner = low - REACH, high + REACH
         outer = max(inner[0] - HELD, 0), min(inner[1] + HELD, last)
         if last - (outer[1] - outer[0]) < FEWEST:
             return None

@@ -1,5 +1,6 @@
 """The verb: E falls from callback to callback, keyframes are exact in every one, any stop leaves a usable motion."""
 
+from dataclasses import replace
 from importlib import import_module
 
 import mujoco
@@ -10,12 +11,12 @@ from hinged import PENALTIES, hinge_keys, hinged
 from random_keys import TIMES, closed, distance_from_key, partial_keys, random_keys
 
 from dynsplines.solver import quaternion as quat
-from dynsplines.solver.curve.frame import Frame, TimelineError
+from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.curve.quadrature import Quadrature
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.inbetween import _Loop, inbetween
+from dynsplines.solver.inbetween import _Loop, inbetween, resumed
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import Contact, CovariantAcceleration, UnitMagnitude
 from dynsplines.solver.problem import Problem, Settings
@@ -309,3 +310,76 @@ def test_what_came_out_dear_is_searched_once_more_and_what_went_astray_from_ever
     settings = Settings(variable=1, frames=4, max_evaluations=3)
     inbetween(Problem(hinged(), hinge_keys(), [(CovariantAcceleration(), 1.0)], settings))
     assert len(begun) == rounds
+
+
+def many_hinge_keys() -> list[Frame]:
+    angles = np.random.default_rng(2).normal(size=(13, 2))
+    return [Frame.key(0.5 * i, pose) for i, pose in enumerate(angles)]
+
+
+def resumed_between(*between: tuple[float, float], **settings: object) -> tuple[Problem, Timeline, Solution, list]:
+    """A problem of twelve segments, where a search began, what it came to, and what it told."""
+    chosen = Settings(**{"frames": 0, "max_evaluations": 3, **settings})  # type: ignore[arg-type]
+    problem = Problem(hinged(), many_hinge_keys(), PENALTIES, chosen)
+    rng, seen = np.random.default_rng(4), []
+    even = split(problem.raw, problem.raw.times[:-1] + 0.25)
+    begin = replace(
+        even,
+        frames=tuple(replace(f, state=f.state + 0.3 * rng.normal(size=2)) if f.is_variable else f for f in even.frames),
+    )
+    return problem, begin, resumed(problem, begin, between=between, improved=seen.append), seen
+
+
+@pytest.mark.parametrize("between", [((2.0, 2.5),), ((0.5, 0.5), (4.5, 4.5)), ((1.5, 1.5), (2.0, 2.0))])
+def test_a_search_that_goes_on_between_some_times_moves_what_they_reach_and_tells_e_of_the_whole(between):
+    problem, begin, found, seen = resumed_between(*between)
+    t = begin.times
+    reached = np.any([(t > first - 0.5 - 1e-9) & (t < last + 0.5 + 1e-9) for first, last in between], axis=0)
+    np.testing.assert_array_equal(found.timeline.times, t)
+    np.testing.assert_array_equal(found.timeline.states[~reached], begin.states[~reached])
+    moved = begin.fixed.any(axis=1)
+    assert np.all(np.any(found.timeline.states != begin.states, axis=1)[reached & ~moved])
+    values = [each.value for each in seen]
+    assert np.all(np.diff(values) < 0)
+    assert found.evaluations == 3 * len(between)
+    assert values[-1] == pytest.approx(problem.objective.value(path_of(found.timeline)), rel=5e-3)
+    first = values[0]
+    assert first == pytest.approx(problem.objective.value(path_of(begin)), rel=5e-3)
+    for each in seen:
+        assert sum(each.parts.values()) == pytest.approx(each.value)
+
+
+def test_where_one_of_several_edits_reaches_nearly_all_or_none_is_told_all_of_the_clip_is_searched():
+    for between in ((), ((0.5, 0.5), (0.5, 5.0))):
+        problem, begin, found, _ = resumed_between(*between)
+        free = ~begin.fixed.any(axis=1)
+        assert np.all(np.any(found.timeline.states != begin.states, axis=1)[free])
+        assert found.evaluations == 3
+        assert found.stop is Stop.BUDGET
+        assert problem.objective.value(path_of(found.timeline)) < problem.objective.value(path_of(begin))
+
+
+def test_a_part_has_its_share_of_the_budget_of_frames_but_keeps_what_it_has():
+    """Of twelve segments a part of five moves three: 24 frames leave ten for it, and it begins with three."""
+    for budget, more in ((0, 0), (24, 7), (26, 7), (36, 12)):
+        _, begin, found, _ = resumed_between((2.0, 2.5), frames=budget, threshold=0.0, batch=100.0)
+        assert found.timeline.variable_count - begin.variable_count == more
+        new = np.setdiff1d(found.timeline.times, begin.times)
+        assert np.all((new > 1.5) & (new < 3.0))
+
+
+def test_ctrl_c_between_two_parts_ends_it_and_keeps_what_the_first_came_to():
+    seen = []
+
+    def stop(each: Improvement) -> None:
+        seen.append(each)
+        if len(seen) == 2:
+            raise StopSearch
+
+    problem, begin, _, _ = resumed_between((0.5, 0.5))
+    found = resumed(problem, begin, between=[(0.5, 0.5), (5.0, 5.0)], improved=stop)
+    assert found.stop is Stop.ASKED
+    assert len(seen) == 2
+    late = begin.times > 2
+    np.testing.assert_array_equal(found.timeline.states[late], begin.states[late])
+    assert np.any(found.timeline.states[~late] != begin.states[~late])

@@ -72,6 +72,8 @@ def test_what_either_end_of_a_loop_fixes_is_where_it_was_there_and_a_travel_and_
     begun, ended = ends[0].state, ends[-1].state
     np.testing.assert_allclose(begun[:3], given[:3], atol=1e-12)
     np.testing.assert_allclose(ended[:3], end[:3], atol=1e-12)
+    if way in ("both", "first"):
+        np.testing.assert_array_equal(begun[:3], given[:3])
     for found, expected in ((begun, given), (ended, end)):
         np.testing.assert_allclose(abs(found[3:7] @ expected[3:7]), 1, atol=1e-12)
         np.testing.assert_allclose(abs(found[7:] @ expected[7:]), 1, atol=1e-12)

@@ -151,18 +151,20 @@ def test_a_stance_lasts_from_when_the_point_has_come_to_rest_until_it_leaves(bef
     assert found[0].last == pytest.approx((before + 40) / FPS, abs=1.01 / FPS)
 
 
-def test_of_all_ways_to_cut_a_recording_into_stances_the_likeliest_is_taken(rng):
-    """All ways, one by one, each by the densities of its samples: a stance's about a middle that is anywhere, the
-    others' as they come when the point moves, the height of a stance beside heights anywhere up to 0.3 m."""
+@pytest.mark.parametrize(("rate", "most", "rough"), [(FPS, 9, 0.02), (4.0, 4, 0.02), (FPS, 9, 0.08)])
+def test_of_all_ways_to_cut_a_recording_into_stances_the_likeliest_is_taken(rate, most, rough, rng):
+    """All ways, of stances of a second at most, one by one, each by the densities of its samples: a stance's about a
+    middle that is anywhere, the others' as they come when the point moves, the height of a stance beside heights
+    anywhere up to 0.3 m."""
     count = 9
-    pairs = [(a, b) for a in range(count) for b in range(a + 2, count + 1)]
+    pairs = [(a, b) for a in range(count) for b in range(a + 2, min(count, a + most) + 1)]
 
     def ways(first: int) -> list[list[tuple[int, int]]]:
         return [[], *([(a, b), *rest] for a, b in pairs if a >= first for rest in ways(b))]
 
-    every, seen, times = ways(0), set(), np.arange(count) / FPS
-    for _ in range(40):
-        noise, steps = rng.uniform(0, 0.02), rng.normal(size=(3, count)) * rng.choice([0.002, 0.1], count)
+    every, seen, times = ways(0), set(), np.arange(count) / rate
+    for _ in range(20):
+        noise, steps = rng.uniform(0, rough), rng.normal(size=(3, count)) * rng.choice([0.002, 0.1], count)
         place, height = np.cumsum(steps, axis=1) + rng.normal(0, noise, (3, count)), rng.uniform(0, 0.1, count)
         known = rng.random(count) < 0.85
         size = noise**2 + ROLLS**2
@@ -183,7 +185,7 @@ def test_of_all_ways_to_cut_a_recording_into_stances_the_likeliest_is_taken(rng)
         least = min(every, key=lambda runs, costs=costs: sum(costs[run] for run in runs))
         assert _cut(times, place, height, moving, known, noise) == least
         seen.add(len(least))
-    assert seen >= {0, 1, 2}
+    assert seen >= ({0, 1, 2} if most == count else {1, 2, 3})
 
 
 def test_a_run_loses_the_ends_at_which_it_is_not_slow():

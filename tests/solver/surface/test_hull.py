@@ -3,6 +3,8 @@ MuJoCo's distance, and vertical lines sampled point by point."""
 
 from __future__ import annotations
 
+import itertools
+
 import mujoco
 import numpy as np
 import pytest
@@ -142,6 +144,14 @@ def test_a_cube_has_six_planes_of_its_twelve_triangles_and_each_edge_once():
     np.testing.assert_allclose(np.sort(offsets), [0, 0, 0, 1, 1, 1], atol=1e-9)
     assert len(CUBE._edges) == 12 + 6  # 6 diagonals of its faces
     assert pytest.approx(np.sqrt(3)) == CUBE._size
+
+
+def test_an_edge_is_one_whichever_corner_its_triangles_begin_with():
+    """Of a tetrahedron, whose six edges lie in two triangles each, all 81 ways to write these."""
+    corners, faces = np.eye(4)[:, 1:].T, [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
+    for ways in itertools.product(range(3), repeat=4):
+        turned = np.array([np.roll(face, way) for face, way in zip(faces, ways, strict=True)])
+        assert Hull("tetrahedron", corners, turned)._edges.tolist() == [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]]
 
 
 def test_what_is_buried_has_no_way_out_below_but_has_them_at_the_sides():

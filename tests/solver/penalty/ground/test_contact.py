@@ -14,6 +14,8 @@ from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Contact
+from dynsplines.solver.penalty.ground import contact as contact_module
+from dynsplines.solver.penalty.ground.contact import neighbours
 from dynsplines.solver.surface import Box, static_surfaces
 from dynsplines.solver.surface.points import Point, body_points, site_points
 
@@ -66,6 +68,57 @@ def test_surfaces_and_points_add_up_one_by_one(figure, rng):
     every = Contact(points, (FLOOR, BLOCK, STEP)).evaluate(samples)
     single = sum(Contact((p,), (s,)).evaluate(samples) for p in points for s in (FLOOR, BLOCK, STEP))
     np.testing.assert_allclose(every, single, rtol=1e-12)
+
+
+@pytest.mark.parametrize("carrier", [0, 1])
+def test_by_way_of_their_links_motions_the_rows_of_many_points_are_what_they_are_one_by_one(
+    carrier, figure, rng, monkeypatch
+):
+    """A cloud in the floor, or in a slope that the first link carries: the same residuals, rows and pull-back."""
+    samples = random_samples(figure, rng, 4)
+    samples.y[:, 2] = 0
+    links = range(1 + carrier, len(figure.links))
+    points = tuple(Point("cloud", i, 0.3 * rng.normal(size=3), 0.1) for i in links for _ in range(30))
+    contact, found = Contact(points, (FLOOR, SLOPE), carrier=carrier), []
+    if not points:
+        pytest.skip("nothing beside what carries the surfaces")
+    for many in (1000, 0):
+        monkeypatch.setattr(contact_module, "MANY", many)
+        sides = contact.sides(samples)
+        assert sides is not None
+        found.append(sides)
+    one_by_one, by_motion = found
+    assert all(rows.is_plain for rows in one_by_one.gradients)
+    assert not any(rows.is_plain for rows in by_motion.gradients)
+    np.testing.assert_array_equal(by_motion.at, one_by_one.at)
+    np.testing.assert_array_equal(by_motion.value, one_by_one.value)
+    np.testing.assert_allclose(by_motion.rows, one_by_one.rows, atol=1e-9)
+
+
+@pytest.mark.parametrize(("count", "is_plain"), [(12, True), (13, False)])
+def test_a_links_motion_is_worth_its_six_rows_from_more_than_twice_as_many_points(count, is_plain, rng):
+    figure = Figure(mujoco.MjModel.from_xml_string(LEG))
+    samples = random_samples(figure, rng, 3)
+    samples.y[:, 2] = -9
+    points = tuple(Point("cloud", 1, 0.1 * rng.normal(size=3)) for _ in range(count))
+    sides = Contact(points, (FLOOR,)).sides(samples)
+    assert sides is not None
+    assert sides.at.size == 3 * count
+    assert [rows.is_plain for rows in sides.gradients] == [is_plain]
+
+
+def test_points_that_one_sphere_stands_for_are_64_at_most_neighbours_across_where_they_spread_farthest(rng):
+    places = rng.normal(size=(3, 200)) * np.array([[1.0], [5.0], [0.2]])
+    some = np.sort(rng.permutation(200)[:150])
+    found = neighbours(places, some)
+    assert [part.size for part in found] == [37, 38, 37, 38]
+    np.testing.assert_array_equal(np.sort(np.concatenate(found)), some)
+    low, high = np.concatenate(found[:2]), np.concatenate(found[2:])
+    assert places[1, low].max() < places[1, high].min()
+    assert [part.size for part in neighbours(places, some[:64])] == [64]
+    assert [part.size for part in neighbours(places, some[:65])] == [32, 33]
+    level = np.zeros((3, 70))
+    assert [part.tolist() for part in neighbours(level, np.arange(70))] == [list(range(35)), list(range(35, 70))]
 
 
 def test_it_does_not_feel_the_quaternions_length(figure, rng):
