@@ -20,6 +20,7 @@ MOST_STEPS = 60  # of the active set
 SETTLED = 1e-14  # promised decrease beside |w|² at which a step is the last one
 FAR = 0.5  # of the slope at a step's start, with the other sign, at its end: too far
 SECANTS = 8  # steps after which one that goes too far is shortened by the exact line search
+TINY = 1e-300  # a slope that does not rise
 
 
 class Unsupplied(NamedTuple):
@@ -112,4 +113,4 @@ def _line_search(step: Array, slope: Array, pull: Array, change: Array, softness
     rise = np.where(last, rises[row, which] + jumps[row, which], rises[row, which])
     low = np.where(last, turns[row, which], turns[row, which] - gaps[row, which])
     value = np.where(last, at_turns[row, which], at_turns[row, which] - rises[row, which] * gaps[row, which])
-    return np.where(straight > 0, low - value / np.maximum(rise, 1e-300), 1.0)
+    return np.where(straight > 0, low - value / np.maximum(rise, TINY), 1.0)

@@ -44,6 +44,9 @@ ROUGHLY, SETTLED = 1e-3, 1e-9  # share of what is left that a step gains where a
 SMALLEST_STEP = 1e-11
 MOST_REMEMBERED = 1000  # poses of a figure
 SQUARED = 3e3  # weight up to which normal equations are exact enough
+UPRIGHT, UNSEEN = 1e-12, 1e-12  # sine of a tilt that has no direction; square of a row that no joint has a part in
+NARROW = 1e-9  # [rad, m] a range or a turn that is none
+ALONG, FLAT = 1e-9, 1e-18  # sine of the angle to its hinge axis at which a limb has no flexion, and its square
 
 Part = tuple[Array, Array]  # values (k,) and their derivatives (k, n)
 
@@ -150,7 +153,7 @@ class BodyGoal:
         up = quat.rotated(quat.product(here, quat.inverse(_at_rest(model, self.body(model)))), [0.0, 0, 1])
         tilt = np.cross([0.0, 0, 1], up)
         length = float(np.linalg.norm(tilt))
-        if length < 1e-12:
+        if length < UPRIGHT:
             return np.array([0.0 if up[2] > 0 else np.pi, 0.0])
         return tilt[:2] * np.arctan2(length, up[2]) / length
 
@@ -397,7 +400,7 @@ class _PoseSearch:
         dofs, weights = [], []
         for i in links:
             link = self.figure.links[i]
-            turn = TRUNK if np.count_nonzero(self.figure.tables.parents[1:] == i) > 1 else 1.0
+            turn = TRUNK if np.count_nonzero(self.figure.tables.parents == i) > 1 else 1.0
             size = {JointKind.FREE: 6, JointKind.BALL: 3, JointKind.HINGE: 1, JointKind.SLIDE: 1}[link.kind]
             shift = {JointKind.FREE: 3, JointKind.SLIDE: 1}.get(link.kind, 0)
             for k in range(size):  # a dof of a position has an entry of its own, those of a turn have one for all
@@ -550,7 +553,7 @@ def _step(residuals: Array, rows: Array, damping: float, *, is_exact: bool) -> A
 
     is_exact  by orthogonal rather than normal equations, for weights that are far apart
     """
-    squares = damping * np.maximum(np.einsum("rn,rn->n", rows, rows), 1e-12)
+    squares = damping * np.maximum(np.einsum("rn,rn->n", rows, rows), UNSEEN)
     if not is_exact:
         normal = rows.T @ rows
         normal.flat[:: squares.size + 1] += squares
@@ -599,7 +602,7 @@ class _Ranges:
         simple = [link for link in links if link.kind is not JointKind.BALL]
         limits = model.jnt_range[[link.joint for link in simple]].reshape(-1, 2)
         columns = np.array([link.qpos for link in simple], np.intp)
-        share = (model.qpos0[columns] - limits[:, 0]) / np.maximum(np.ptp(limits, axis=1), 1e-9)
+        share = (model.qpos0[columns] - limits[:, 0]) / np.maximum(np.ptp(limits, axis=1), NARROW)
         hinges = np.array([link.kind is JointKind.HINGE for link in simple], bool)
         ways = hinges * (1.0 * (share < ONE_SIDED) - (share > 1 - ONE_SIDED))
         margin = np.minimum(INSIDE, np.ptp(limits, axis=1) / 4) - beyond * hinges
@@ -632,7 +635,7 @@ class _Ranges:
             turn = quat.rotation_vector(qpos[self.balls])
             angle = np.sqrt(np.einsum("bi,bi->b", turn, turn))
             over[:balls] = angle - self.most
-            rows[np.arange(balls)[:, None], self.turns] = turn / np.maximum(angle, 1e-9)[:, None]
+            rows[np.arange(balls)[:, None], self.turns] = turn / np.maximum(angle, NARROW)[:, None]
         at, upper = qpos[self.simple], balls + np.arange(simple)
         over[upper], over[upper + simple] = at - self.limits[:, 1], self.limits[:, 0] - at
         rows[upper, self.places], rows[upper + simple, self.places] = 1.0, -1.0
@@ -687,9 +690,9 @@ class _Bends:
         (x, z, y), (a, b, q) = np.einsum("bnj,cnj->cbn", turned, child)
         # how these six change with turns about the child's axes, (6, n, 3): dx, dz, dy, da, db, dq
         slopes = _crossed(child[:, None], turned).reshape(6, x.size, 3)
-        planar = np.maximum(np.hypot(x, z), 1e-9)
+        planar = np.maximum(np.hypot(x, z), ALONG)
         p = (x * b - z * a) / planar
-        both = np.maximum(p**2 + q**2, 1e-18)
+        both = np.maximum(p**2 + q**2, FLAT)
         flexion, sideways, twist = np.arctan2(x, z), np.arctan2(y, planar), np.arctan2(p, q)
         by_six, square, of_p = np.zeros((3, 6, x.size)), planar**2, q / both / planar
         by_six[0, :2] = z / square, -x / square

@@ -24,6 +24,8 @@ from .search.minimum import Optimiser
 FEW, MORE = 2, 3  # variable frames in a segment to begin with: of any clip, of one that is solved window by window
 TINY = 0.05  # of the spacing of frames beside it: a segment so short needs none, and with some E is hard to lower
 SPACING = 0.3  # [s] between the frames to begin with in a long segment, so that it can follow what is beside it
+# unless told: share of the mean E from which a segment is split; evaluations in a round, relative progress in it
+THRESHOLD, MOST_EVALUATIONS, TOLERANCE = 1e-3, 250, 1e-5
 
 
 @dataclass(frozen=True)
@@ -46,11 +48,11 @@ class Settings:
     variable: int | None = None
     frames: int | None = None
     criterion: str = "weak"
-    threshold: float = 1e-3
+    threshold: float = THRESHOLD
     batch: float = 1.0
     method: str | Optimiser = NEWTON
-    max_evaluations: int = 250
-    tolerance: float = 1e-5
+    max_evaluations: int = MOST_EVALUATIONS
+    tolerance: float = TOLERANCE
     renormalise: bool = True
     quadrature: Quadrature = field(default_factory=Quadrature)
 

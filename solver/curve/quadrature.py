@@ -16,6 +16,7 @@ from ..array import Array
 
 LEAST_PER_SPAN = 4  # samples in the shortest span between frames, of even sampling
 MOST_SAMPLES = 100_000  # of even sampling, for memory's sake
+ROUNDING = 1e-9  # of a panel or a sample: a span that is a whole number of them long has as many
 
 
 @dataclass(frozen=True)
@@ -41,7 +42,7 @@ class Quadrature:
         """Sample times (S,) [s] and weights (S,) [s] for a spline with knots at `times`."""
         if self.kind == "uniform":
             length = times[-1] - times[0]
-            count = max(self.points, int(np.ceil(LEAST_PER_SPAN * length / np.diff(times).min() - 1e-9)))
+            count = max(self.points, int(np.ceil(LEAST_PER_SPAN * length / np.diff(times).min() - ROUNDING)))
             if count > MOST_SAMPLES:
                 raise ValueError(f"uniform quadrature would take {count} samples; use 'gauss' for uneven times")
             return times[0] + length * (np.arange(count) + 0.5) / count, np.full(count, length / count)
@@ -49,7 +50,7 @@ class Quadrature:
 
     def panels(self, times: Array) -> Array:
         """Edges [s] of the panels: the knots, and equal cuts of spans that are too long."""
-        cuts = np.maximum(np.ceil(np.diff(times) / self.longest - 1e-9), 1).astype(int)
+        cuts = np.maximum(np.ceil(np.diff(times) / self.longest - ROUNDING), 1).astype(int)
         if np.all(cuts == 1):
             return np.asarray(times, float)
         number = np.arange(cuts.sum()) - np.repeat(np.cumsum(cuts) - cuts, cuts)

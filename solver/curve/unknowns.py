@@ -24,6 +24,9 @@ from .seam import Seam, sameness
 from .spline import Sampling, Spline, natural_end_slopes, spline_of
 from .winding import signs
 
+NOUGHT = 1e-9  # length of a quaternion that says nothing
+SURELY_MORE = 1e-17  # a square that is far enough above that length's for a quick look at all keyframes
+
 
 @dataclass(frozen=True, eq=False)
 class Unknowns:
@@ -338,7 +341,7 @@ def _check(figure: Figure, keys: list[Frame]) -> None:
         q = np.array([frame.state for frame in keys]).reshape(-1, figure.width)[:, columns]
         known = told.all(axis=1)
         whole = all(np.array_equal(mask.all(axis=1), mask.any(axis=1)) for mask in (fixed, told))
-        if whole and np.all(np.einsum("kin,kin->kn", q, q)[known] > 1e-17):
+        if whole and np.all(np.einsum("kin,kin->kn", q, q)[known] > SURELY_MORE):
             return
     for number, frame in enumerate(keys, start=1):
         _check_masks(figure, frame, number)
@@ -355,5 +358,5 @@ def _check_masks(figure: Figure, frame: Frame, number: int) -> None:
         mask = frame.known[columns]
         if any(some[columns].any() and not some[columns].all() for some in (frame.fixed, frame.known)):
             raise TimelineError(f"{place}: the quaternion of '{link.name}' is fixed whole or not at all")
-        if mask.all() and not np.linalg.norm(frame.state[columns]) > 1e-9:
+        if mask.all() and not np.linalg.norm(frame.state[columns]) > NOUGHT:
             raise TimelineError(f"{place}: the quaternion of '{link.name}' is zero")

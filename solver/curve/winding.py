@@ -14,6 +14,7 @@ from .. import quaternion as quat
 from ..array import Array, Mask
 
 NEARLY_HALF = np.radians(150.0)
+TINY = 1e-9  # [rad] a turn that has no axis
 
 
 def signs(times: Array, relative: Array, *, spins: bool) -> Array:
@@ -39,7 +40,7 @@ def _steadiest(times: Array, steps: Array, angle: Array, unsure: Mask) -> Mask:
     steps  (K − 1, 3) the shortest arcs [rad], in the joint's own axes at either end of a segment
     """
     spans = np.diff(times)
-    rates = np.stack([steps, steps - 2 * np.pi * steps / np.maximum(angle, 1e-9)[:, None]], axis=1)
+    rates = np.stack([steps, steps - 2 * np.pi * steps / np.maximum(angle, TINY)[:, None]], axis=1)
     rates /= spans[:, None, None]
     cost = np.array([0.0, 0.0 if unsure[0] else np.inf])
     came = np.zeros((spans.size, 2), int)

@@ -18,6 +18,7 @@ from .figure import Figure
 from .kinematics import Samples
 
 STANDARD_GRAVITY = 9.81  # [m/s²] where a model has none
+MASSLESS = 1e-12  # [kg]
 
 
 class RootWrench:
@@ -55,7 +56,7 @@ def tree_mass(figure: Figure, root: int) -> tuple[float, Array]:
     """The mass [kg] of a free link with all beyond it, and each link's share of it (L,)."""
     masses = figure.tables.mass * figure.tables.path[:, root]
     total = float(masses.sum())
-    return total, masses / max(total, 1e-12)
+    return total, masses / max(total, MASSLESS)
 
 
 def weight(figure: Figure, root: int) -> float:
@@ -72,4 +73,4 @@ def height(figure: Figure, root: int) -> float:
     mass, share = tree_mass(figure, root)
     away = inverse.centre[:, :, 0] - (inverse.centre[:, :, 0] @ share)[:, None]
     own = np.einsum("iil,l->", inverse.inertia[..., 0], figure.tables.path[:, root]) / 2
-    return float(np.sqrt(12 * (np.sum(share * np.sum(away**2, axis=0)) + own / max(mass, 1e-12))))
+    return float(np.sqrt(12 * (np.sum(share * np.sum(away**2, axis=0)) + own / max(mass, MASSLESS))))

@@ -28,6 +28,8 @@ FAINT, FINE = np.radians(0.5), 0.002  # [rad], [m] least noise, of a sample of 1
 ROBUST = 2.5  # noises off, from which a sample is trusted less
 UNLIKE = 8.0  # times as far from its neighbours' middle as the usual sample: one that the first curve leaves out
 ROUNDS = 4  # of trusting samples by how far off they are
+AGREES = 1e-12  # noises off, that are none
+SPARSE = 1e-9  # of the largest weight, added to all: a curve is told by its acceleration alone where nothing is known
 
 
 def groups(figure: Figure) -> list[Index]:
@@ -173,7 +175,7 @@ class Recorded:
                 smooth[:, columns], lively[columns] = self._likeliest(columns, trust[:, columns[0]] / noise**2)
                 off = np.linalg.norm(self.states[:, columns] - smooth[:, columns], axis=1) / noise
                 bound = ROBUST * np.sqrt(columns.size)
-                believed = np.minimum(1.0, bound / np.maximum(off, 1e-12)) ** 2
+                believed = np.minimum(1.0, bound / np.maximum(off, AGREES)) ** 2
                 trust[:, columns] = self.known[:, columns] * believed[:, None]
                 if believed.min() == 1:
                     break
@@ -205,7 +207,7 @@ class Recorded:
         inner = 0.5 * (h[1:] + h[:-1])
         rows = np.stack([1 / h[:-1], -1 / h[:-1] - 1 / h[1:], 1 / h[1:]]) / np.sqrt(inner * prior)
         band = np.zeros((count, 3))
-        band[:, 0] = weight + 1e-9 * max(float(weight.max()), 1.0)
+        band[:, 0] = weight + SPARSE * max(float(weight.max()), 1.0)
         for a in range(3):
             for b in range(a, 3):
                 band[a : count - 2 + a, b - a] += rows[a] * rows[b]

@@ -33,6 +33,7 @@ BLURRED = 0.03  # [s]: the noise of places by so much is that of speeds, once th
 SURE = 3.0  # noises that two samples may be apart
 INTERRUPTED = 0.1  # [s] between runs that may be one stance
 SAME = 0.03  # [m] between the middles of neighbouring runs that are one stance
+INSTANT = 1e-3 / FINEST  # [s] before and after a moment, between which a speed is measured
 
 
 class Stood(NamedTuple):
@@ -90,8 +91,7 @@ def _seen(recorded: Recorded, points: Sequence[Point]) -> _Seen:
 
 def _speeds(recorded: Recorded, points: Sequence[Point], times: Array) -> Array:
     """(p, T) [m/s] of points of the smoothed motion at times (T,)."""
-    apart = 1e-3 / FINEST
-    ends = [np.clip(times + way, *recorded.path.span) for way in (-apart, apart)]
+    ends = [np.clip(times + way, *recorded.path.span) for way in (-INSTANT, INSTANT)]
     before, after = (places_of(points, Samples.still(recorded.figure, recorded.path.at(t)))[0] for t in ends)
     return np.linalg.norm(after - before, axis=0) / (ends[1] - ends[0])
 

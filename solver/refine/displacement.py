@@ -20,6 +20,8 @@ from ..search.descent import optimised
 from .euler_lagrange import residual
 
 NODES = 6  # a span, of Gauss's rule
+# of the search for the optimum of a segment, unless told: variable frames in it, evaluations, relative progress
+VARIABLE, MOST_EVALUATIONS, TOLERANCE = 3, 60, 1e-7
 
 
 @dataclass(frozen=True)
@@ -40,9 +42,9 @@ def displacement(
     objective: Objective,
     timeline: Timeline,
     *,
-    variable: int = 3,
-    max_evaluations: int = 60,
-    tolerance: float = 1e-7,
+    variable: int = VARIABLE,
+    max_evaluations: int = MOST_EVALUATIONS,
+    tolerance: float = TOLERANCE,
     told: Callable[[int, int], None] | None = None,
 ) -> Displacement:
     """δ of every segment by a local solve with `variable` frames inside it, to a relative tolerance of its own E.

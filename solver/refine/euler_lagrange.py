@@ -25,6 +25,7 @@ GRADIENT_NODES, HESSIAN_NODES = 5, 2  # a span, of the weak form's first and sec
 WINDOW, ENTRIES = 60, 200_000  # spans whose curvature is held in memory at once, at most, and by N² for wide figures
 REACH = 4  # spans to either side in which what a frame moves is counted
 FAINT = 1e-9  # of a Hessian's size, added to its diagonal
+TINY = 1e-300  # size of a Hessian that is nought
 
 
 def covariant_residual(path: Path, t: Array, unit_weight: float) -> Array:
@@ -122,7 +123,7 @@ class WeakForm:
         place = np.searchsorted(spline.times, candidates)
         gradient, hessian = self._gradients(spline)[place], self._hessians(spline, place)
         width = gradient.shape[1]
-        size = np.maximum(np.einsum("cnn->c", hessian) / width, 1e-300)
+        size = np.maximum(np.einsum("cnn->c", hessian) / width, TINY)
         hessian += FAINT * size[:, None, None] * np.eye(width)
         return 0.5 * np.sum(gradient * np.linalg.solve(hessian, gradient[:, :, None])[:, :, 0], axis=1)
 

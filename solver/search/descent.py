@@ -7,11 +7,12 @@ from functools import partial
 from ..curve.frame import Timeline
 from ..objective import Discretised, Objective
 from . import methods
-from .minimum import Improved, Minimum, Optimiser, Stop
+from .minimum import MOST_EVALUATIONS, TOLERANCE, Improved, Minimum, Optimiser, Stop
 from .newton import FIRST_DAMPING, gauss_newton
 
 WIDEST = 150  # columns of the state for which a step of Newton's is worth its matrices, squares of these
 
+FINE = 1e-7  # relative progress at which a timeline is at its minimum, unless told
 NEWTON = "newton"
 METHODS = {
     NEWTON: "Gauss-Newton steps on banded matrices",
@@ -47,8 +48,8 @@ class Descent:
         self,
         *,
         method: str | Optimiser = NEWTON,
-        max_evaluations: int = 300,
-        tolerance: float = 1e-6,
+        max_evaluations: int = MOST_EVALUATIONS,
+        tolerance: float = TOLERANCE,
         improved: Improved | None = None,
     ) -> Minimum:
         """The Minimum, its x in the unknowns of the timeline; `improved` gets (evaluation, Evaluation, x)."""
@@ -79,7 +80,7 @@ def _optimiser(method: str | Optimiser, problem: Discretised) -> Optimiser:
 
 
 def optimised(
-    objective: Objective, timeline: Timeline, *, max_evaluations: int = 300, tolerance: float = 1e-7
+    objective: Objective, timeline: Timeline, *, max_evaluations: int = MOST_EVALUATIONS, tolerance: float = FINE
 ) -> Timeline:
     """The timeline with its variable frames at the nearest minimum of E. Ctrl-C goes on to the caller."""
     descent = Descent(objective, timeline)

@@ -12,6 +12,9 @@ from ..objective import Discretised, Evaluation
 
 Improved = Callable[[int, Evaluation, Array], None]
 
+TOLERANCE = 1e-6  # of a search, unless told: relative progress at which it ends
+MOST_EVALUATIONS = 300  # of a search, unless told
+
 
 class Stop(Enum):
     """Why a minimisation ended, and what the caller can do about it."""

@@ -14,9 +14,10 @@ import numpy as np
 
 from ..array import Array
 from ..objective import Discretised, Evaluation
-from .minimum import Improved, Minimum, Stop, StopSearch
+from .minimum import TOLERANCE, Improved, Minimum, Stop, StopSearch
 from .quadratic import Layout, Model, Proposal
 
+MOST_STEPS = 100  # evaluations, unless told
 FIRST_DAMPING = 1.0  # E's own curvature in y'' is one
 LEAST_DAMPING, MOST_DAMPING = 1e-6, 1e9  # between Newton's step and hardly any
 WELL, BADLY = 0.7, 0.25  # of the decrease that a step promised: damp less from here, more below
@@ -29,8 +30,8 @@ SUDDEN, SURE, UNSEEN = 0.1, 0.02, 2.0
 def gauss_newton(
     problem: Discretised,
     *,
-    max_evaluations: int = 100,
-    tolerance: float = 1e-6,
+    max_evaluations: int = MOST_STEPS,
+    tolerance: float = TOLERANCE,
     damping: float = FIRST_DAMPING,
     improved: Improved | None = None,
 ) -> tuple[Minimum, float]:

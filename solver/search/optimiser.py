@@ -12,7 +12,7 @@ import numpy as np
 
 from ..array import Array
 from .methods import METHODS
-from .minimum import Minimum, Stop, StopSearch
+from .minimum import MOST_EVALUATIONS, TOLERANCE, Minimum, Stop, StopSearch
 
 # NLopt's general failure is a class of its own in 2.11 and no RuntimeError
 FAILURES = (nlopt.RoundoffLimited, RuntimeError, getattr(nlopt, "runtime_error", RuntimeError))
@@ -23,6 +23,7 @@ INFINITELY_BAD = 1e300  # E where it is no number: NLopt cannot do with infinity
 DAMPINGS = (1.0, 1e-2, 1e-4)  # of the first step, tried in turn
 NEGLIGIBLE = 1e-3  # of the first value: a step that changes less ends a search
 ROUNDING = 1e-12  # of a value that is nought
+STILL = 1e-12  # of x: a step that moves it by less ends a run
 
 
 def algorithm(method: str) -> int:
@@ -39,8 +40,8 @@ def minimise(
     x0: Array,
     *,
     method: str = "lbfgs",
-    max_evaluations: int = 300,
-    tolerance: float = 1e-6,
+    max_evaluations: int = MOST_EVALUATIONS,
+    tolerance: float = TOLERANCE,
     improved: Callable[[int, float, Array], None] | None = None,
 ) -> Minimum:
     """Minimises fun(x) -> (value, gradient) from x0 (n,).
@@ -84,7 +85,7 @@ def _attempt(search: _NloptSearch, number: int, tolerance: float, damping: float
     search.damping = damping
     optimiser.set_ftol_rel(tolerance)
     optimiser.set_ftol_abs(damping * NEGLIGIBLE * tolerance)
-    optimiser.set_xtol_rel(1e-12)
+    optimiser.set_xtol_rel(STILL)
     optimiser.set_maxeval(max(search.budget - search.count, 1))
     try:
         optimiser.optimize(search.best_x.copy())

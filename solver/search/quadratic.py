@@ -43,6 +43,8 @@ MOST_CHANGES = 15  # of which one-sided residuals count
 SETTLED = 0.05  # of the model's decrease: a change that gains less is the last
 ENTRIES_AT_ONCE = 2_000_000  # of rows over four coefficients, 16 MB
 LOCAL = DEGREE + 1  # B-splines that a sample sees
+LEAST = 1e-12  # median of a curvature, where that is nought
+SHORTEST = 1e-3  # of a step to the minimum of one piece: one that must be shorter yet leads nowhere
 
 Picked = Index | slice
 
@@ -438,11 +440,11 @@ class Model:
         for term, sampling in problem.instants:
             layout.add_rows(room, (seen(sampling.whole, [term], np.ones(sampling.t.size)), sampling.whole))
         diagonal = layout.diagonal(room)[:, 0]
-        size = max(middle(diagonal), 1e-12)
+        size = max(middle(diagonal), LEAST)
         diagonal += FAINT * size
         self.held *= STIFF * size
         self.held += room
-        return max(middle(np.concatenate(sizes)), 1e-12) if scale is None else scale
+        return max(middle(np.concatenate(sizes)), LEAST) if scale is None else scale
 
     def minimised(self, damping: float) -> Proposal:
         """The minimum of m with λ = damping."""
@@ -484,7 +486,7 @@ class Model:
                 there = over + share * (over_target - over)
                 force = pull + share * (pull_target - pull)
                 worth = float(np.sum((self.gradient + 0.5 * force) * at) + sided.weight @ np.maximum(there, 0) ** 2)
-                if worth <= previous or share < 1e-3:
+                if worth <= previous or share < SHORTEST:
                     break
                 share /= 2
             if worth > previous:

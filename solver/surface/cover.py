@@ -19,6 +19,7 @@ from ..figure.figure import Figure
 from ..figure.naming import geom_name
 from . import hull_of
 from .points import Point, mesh_vertices
+from .solid import TINY
 from .touch import movers
 
 GAP = 0.001  # [m] by which something straight may dip in between two spheres
@@ -26,6 +27,8 @@ CLOSEST = 0.02  # [m] between the points of sharp edges
 FINEST = 16  # points from end to end of a mesh, at most
 CORNERS = 60  # of a mesh's hull, at most
 HIDDEN = 0.0002  # [m]
+CLOSE = 0.001  # [m] between the centres of spheres, however small they are
+SQUARED = 1e-24  # [m²] the square of a length that is none
 
 Spheres = tuple[Array, Array]
 
@@ -102,7 +105,7 @@ def _mesh(model: mujoco.MjModel, geom: int) -> Spheres:
 
 def _spread(half: float, radius: float, gap: float) -> Array:
     """Places from −half to half, as close as spheres of a radius need to be."""
-    pace = max(2 * np.sqrt(2 * radius * gap), 1e-3) if radius > 0 else CLOSEST
+    pace = max(2 * np.sqrt(2 * radius * gap), CLOSE) if radius > 0 else CLOSEST
     return np.linspace(-half, half, int(np.ceil(2 * half / pace)) + 1) if half > 0 else np.zeros(1)
 
 
@@ -116,7 +119,7 @@ def _cylinder(radius: float, half: float, gap: float) -> Spheres:
     inner = min(radius, half)
     x, y = (part.ravel() for part in np.meshgrid(*[_spread(radius - inner, inner, gap)] * 2))
     size = np.hypot(x, y)
-    shrink = np.where(size > 0, np.maximum(np.abs(x), np.abs(y)) / np.maximum(size, 1e-12), 1.0)  # squares to rings
+    shrink = np.where(size > 0, np.maximum(np.abs(x), np.abs(y)) / np.maximum(size, TINY), 1.0)  # squares to rings
     rest, _ = _along(half - inner, inner, gap)
     middle = np.array([[a, b, z] for a, b in zip(x * shrink, y * shrink, strict=True) for z in rest[:, 2]])
     count = max(8, int(np.ceil(2 * np.pi * radius / CLOSEST)))
@@ -147,11 +150,11 @@ def _ellipsoid(half: Array, gap: float) -> Spheres:
     long, wide = (a * a - c * c) / a, (b * b - c * c) / b
     x, y = (part.ravel() for part in np.meshgrid(_spread(long, c, gap), _spread(wide, c, gap)))
     # rings of the grid on the ellipse, so that its rim is met wherever the grid ends
-    reach = np.maximum(np.abs(x) / max(long, 1e-12), np.abs(y) / max(wide, 1e-12))
-    size = np.hypot(x / max(long, 1e-12), y / max(wide, 1e-12))
-    shrink = np.where(size > 0, reach / np.maximum(size, 1e-12), 1.0)
+    reach = np.maximum(np.abs(x) / max(long, TINY), np.abs(y) / max(wide, TINY))
+    size = np.hypot(x / max(long, TINY), y / max(wide, TINY))
+    shrink = np.where(size > 0, reach / np.maximum(size, TINY), 1.0)
     x, y = x * shrink, y * shrink
-    left = 1 - x**2 / max(a * a - c * c, 1e-24) - y**2 / max(b * b - c * c, 1e-24)
+    left = 1 - x**2 / max(a * a - c * c, SQUARED) - y**2 / max(b * b - c * c, SQUARED)
     centres = np.zeros((x.size, 3))
     centres[:, order[0]], centres[:, order[1]] = x, y
     return centres, c * np.sqrt(np.maximum(left, 0))

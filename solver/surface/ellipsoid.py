@@ -14,6 +14,8 @@ from ..array import Array
 from .solid import Solid, lengths, roots
 
 STEPS = 60  # of Newton, at most
+ASIDE = 1e-12  # of the shortest half axis: how far a point in a plane of symmetry is moved out of it
+SETTLED = 1e-14  # of the unknown: a step of Newton that is no longer is the last
 
 
 @dataclass(frozen=True)
@@ -50,7 +52,7 @@ class Ellipsoid(Solid):
         shortest = float(self.half.min())
         offset = half**2 - shortest**2
         # a point in a plane of symmetry is moved out of it by next to nothing: inside, two points are nearest then
-        there = np.maximum(np.abs(local), 1e-12 * shortest)
+        there = np.maximum(np.abs(local), ASIDE * shortest)
         pull = half * there
         s = np.max(pull - offset, axis=0)  # t + the least a²
         for _ in range(STEPS):
@@ -58,7 +60,7 @@ class Ellipsoid(Solid):
             squared = share * share
             step = (squared.sum(axis=0) - 1) / (2 * np.sum(squared / (s + offset), axis=0))
             s += np.maximum(step, 0)
-            if np.all(step <= 1e-14 * s):
+            if np.all(step <= SETTLED * s):
                 break
         share = pull / (s + offset)
         return np.copysign(half * share / np.sqrt(np.sum(share * share, axis=0)), local)

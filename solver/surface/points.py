@@ -23,6 +23,7 @@ from .touch import movers
 DIRECTIONS = 600  # in which a link's outermost spheres are looked for
 MOST_BETWEEN = 1000  # spheres along a capsule; no limb is 750 times as long as it is thick
 MESH_DIRECTIONS = 150  # the same of the vertices of a mesh
+SPACING, THIN = 0.75, 0.01  # radii between spheres along a capsule; [m] the least radius that counts there
 
 
 @dataclass(frozen=True)
@@ -89,7 +90,7 @@ def body_points(figure: Figure) -> tuple[Point, ...]:
 def _between(a: Point, b: Point) -> list[Point]:
     """Spheres along a capsule between its ends, three quarters of a radius apart."""
     length = float(np.linalg.norm(b.position - a.position))
-    count = int(min(MOST_BETWEEN, length / (0.75 * max(a.radius, 0.01))))
+    count = int(min(MOST_BETWEEN, length / (SPACING * max(a.radius, THIN))))
     shares = np.arange(1, count) / count
     return [Point(a.name, a.link, a.position + share * (b.position - a.position), a.radius) for share in shares]
 

@@ -17,7 +17,7 @@ from .height_field import HeightField
 from .hull import Hull
 from .plane import Plane
 from .surface import GROUNDED, UPRIGHT, Surface
-from .touch import solids
+from .touch import LEVEL, solids
 
 DOWN = 10.0  # [m] by which what stands on the floor goes on below it: no way out downwards
 
@@ -28,7 +28,7 @@ def static_surfaces(model: mujoco.MjModel) -> tuple[Surface, ...]:
     mujoco.mj_kinematics(model, data)
     ids = solids(model)
     planes = [_plane(model, data, g) for g in ids if model.geom_type[g] == mujoco.mjtGeom.mjGEOM_PLANE]
-    floor = max((p.point[2] for p in planes if p.normal[2] > 0.99), default=-np.inf)
+    floor = max((p.point[2] for p in planes if p.normal[2] > LEVEL), default=-np.inf)
     found = [_solid(model, g, data.geom_xpos[g].copy(), data.geom_xmat[g].reshape(3, 3).copy(), floor) for g in ids]
     return (*planes, *(solid for solid in found if solid is not None))
 

@@ -28,6 +28,7 @@ ALOFT = 0.05  # [m] over which all soles are in the air beyond doubt
 STRAY = 0.15  # [m] that keyframes in the air may be off the free fall between the ends of the flight
 STEP = 0.2  # [s] that a foot is on the ground for in a running step
 DOWN = 2.0  # [m/s] at which a foot comes down for a step and is lifted after it
+TURNED = 0.3  # of the angle between them, by which ways across a normal are turned so that no two points tie
 Interval = tuple[float, float]
 
 
@@ -112,7 +113,7 @@ def _around(normal: Array, count: int = 8) -> Array:
     """(3, count): unit vectors across a normal (3,), all round, a little turned so that no two points tie."""
     across = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
     across /= np.linalg.norm(across)
-    angle = 2 * np.pi * (np.arange(count) + 0.3) / count
+    angle = 2 * np.pi * (np.arange(count) + TURNED) / count
     both = np.column_stack([across, np.cross(normal, across)])
     return np.asarray(both @ np.array([np.cos(angle), np.sin(angle)]), float)
 

@@ -26,6 +26,7 @@ from .contact import point_gradients
 
 TOUCHING = 0.05  # [m] that the lowest point of a keyframe on the ground may be over it
 NEGLIGIBLE = 1e-9  # of the lowest point's share
+REACH, BLEND = 0.05, 0.01  # [m] unless told
 Interval = tuple[float, float]
 _Shares = tuple[Index, Index, Array, Array, Array]  # points and samples (q,), shares (q,), arms and ways up (3, q)
 
@@ -44,8 +45,8 @@ class Grounded(Penalty):
     points: tuple[Point, ...]
     surfaces: tuple[Surface, ...]
     intervals: tuple[Interval, ...]
-    reach: float = 0.05
-    blend: float = 0.01
+    reach: float = REACH
+    blend: float = BLEND
 
     @property
     def name(self) -> str:

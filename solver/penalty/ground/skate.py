@@ -29,6 +29,7 @@ STRIDDEN = 0.08  # [m] between two neighbouring keyframes, from which on a point
 SHORTLY = 0.25  # [s] between them, up to which it cannot stand on the way as well
 LONG = 0.45  # [s] between two keyframes, from which on they tell less of where feet stand in between
 WORTH = 1e-3  # [m² rad⁻² s²]: 3 cm/s of a point on the ground count like half a radian per s²
+REACH = 0.04  # [m] unless told
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,7 +73,7 @@ class Skate(Penalty):
 
     points: tuple[Point, ...]
     surfaces: tuple[Surface, ...]
-    reach: float = 0.04
+    reach: float = REACH
     bound: Bound | None = None
 
     @property

@@ -27,6 +27,7 @@ from .flight import A_TENTH, rows_of_wrench, within
 from .footing import Footing, Interval
 
 EDGES = 4  # of the pyramid that stands for a friction cone
+FRICTION, SOFTNESS = 0.8, 1e-4  # unless told: coefficient; beside the squared edges of the cones
 
 
 class _Found(NamedTuple):
@@ -66,8 +67,8 @@ class Support(Penalty):
     flights: tuple[Interval, ...]
     unit: float
     length: float
-    friction: float = 0.8
-    softness: float = 1e-4
+    friction: float = FRICTION
+    softness: float = SOFTNESS
 
     @property
     def name(self) -> str:
@@ -80,7 +81,7 @@ class Support(Penalty):
         root: int,
         footings: Sequence[Footing],
         flights: Sequence[Interval],
-        friction: float = 0.8,
+        friction: float = FRICTION,
     ) -> Support:
         return cls(root, tuple(footings), tuple(flights), weight(figure, root), height(figure, root), friction)
 

@@ -26,6 +26,7 @@ from ..one_sided import OneSided
 from ..penalty import Penalty, Scale
 
 NEAR = np.radians(4)  # within which a bound may be passed after one step of the search
+ALONG, SQUARED = 1e-9, 1e-18  # sine of the angle to its hinge axis at which a limb has no flexion, and its square
 Seen = tuple[Array, Array, Array, Array, Array, Array]
 
 
@@ -162,7 +163,7 @@ class BendLimits(Penalty):
         world, frame, (x, z, _), v, planar, p = seen
         flexion_bar, sideways_bar, twist_bar = gradient
         q = v[2]
-        both = np.maximum(p**2 + q**2, 1e-18)
+        both = np.maximum(p**2 + q**2, SQUARED)
         # what v and u get along the parent's axes
         bars = np.empty((2, *v.shape))
         p_bar = twist_bar * q / (both * planar)
@@ -191,7 +192,7 @@ def bent(figure: Figure, joints: Sequence[Bend], relative: Array) -> Array:
 def _bent(u: Array, v: Array) -> tuple[Array, Array, Array]:
     """The three angles of axes u and v along the parent's (3, ...), and |(x, z)| and p, the normal's part of v."""
     x, z, y = u
-    planar = np.maximum(np.hypot(x, z), 1e-9)
+    planar = np.maximum(np.hypot(x, z), ALONG)
     p = (x * v[1] - z * v[0]) / planar
     angles = np.empty(u.shape)
     np.arctan2(x, z, out=angles[0])

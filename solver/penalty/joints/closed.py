@@ -24,6 +24,7 @@ from ..ground.contact import point_gradients
 from ..penalty import Penalty, Scale
 
 TORQUE_SCALE = 10  # of a weld's numbers: nought leaves rotations alone
+UNTURNED = np.array([1.0, 0, 0, 0])
 ARM = 0.1  # [m] from the middle of a weld to the points that hold its rotation
 
 
@@ -116,9 +117,8 @@ def _frames(model: mujoco.MjModel, equality: int, *, weld: bool) -> list[tuple[i
     ids, data = (int(model.eq_obj1id[equality]), int(model.eq_obj2id[equality])), model.eq_data[equality]
     if int(model.eq_objtype[equality]) == int(mujoco.mjtObj.mjOBJ_SITE):
         return [(int(model.site_bodyid[s]), np.array(model.site_pos[s]), np.array(model.site_quat[s])) for s in ids]
-    still = np.array([1.0, 0, 0, 0])
     if not weld:
-        return [(ids[0], np.array(data[:3]), still), (ids[1], np.array(data[3:6]), still)]
+        return [(ids[0], np.array(data[:3]), UNTURNED), (ids[1], np.array(data[3:6]), UNTURNED)]
     # the anchor in the second body, then in the first, and how the second is turned in it
     anchor, place, turn = np.array(data[:3]), np.array(data[3:6]), quat.normalised(np.array(data[6:10]))
-    return [(ids[0], place, turn), (ids[1], anchor, still)]
+    return [(ids[0], place, turn), (ids[1], anchor, UNTURNED)]

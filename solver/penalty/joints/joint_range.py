@@ -25,6 +25,7 @@ from ..penalty import Penalty, Scale
 
 NEAR = {JointKind.BALL: np.radians(4), JointKind.HINGE: np.radians(4), JointKind.SLIDE: 0.03}
 ROUNDING = np.radians(0.5)  # ε
+TINY = 1e-300  # sine of half an angle that has no axis
 
 
 @dataclass(frozen=True)
@@ -184,7 +185,7 @@ class JointRange(Penalty):
         angle = 2 * np.arctan2(sine, np.abs(w))
         left = 2 * np.arctan2(np.abs(w), sine)
         rounded = np.hypot(left, ROUNDING)
-        axis = along * np.where(w < 0, -1.0, 1.0) / np.maximum(sine, 1e-300)
+        axis = along * np.where(w < 0, -1.0, 1.0) / np.maximum(sine, TINY)
         return angle, np.pi - rounded, left / rounded, axis
 
     def _pull_back(self, samples: Samples, into: Cotangent, torque: Array) -> None:

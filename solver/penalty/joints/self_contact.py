@@ -33,6 +33,8 @@ NEAR = 0.03  # [m] within which capsules may touch after one step of the search
 GAP = 0.008  # [m] by which spheres may leave a geom unfilled
 HAIR = 0.015  # [m] by which what is left out may stick out of a thicker shape
 PARALLEL = 1e-16  # squared sine of an angle below which it cannot be told where along them two segments are nearest
+CROSSING = 1e-12  # [m] between axes that meet: any way apart is as good as another
+FARTHEST = 0.01  # [m] up to which MuJoCo is asked how far two geoms are apart, of which the sign counts
 
 
 @dataclass(frozen=True)
@@ -198,7 +200,7 @@ class SelfContact(Penalty):
         apart = d + s * u - t * v
         gap = np.sqrt(dot(apart, apart))
         depth = radii[a[i]] + radii[b[j]] + self.margin - gap
-        direction = np.where(gap > 1e-12, apart / np.maximum(gap, 1e-12), np.array([[0.0], [0], [1]]))
+        direction = np.where(gap > CROSSING, apart / np.maximum(gap, CROSSING), np.array([[0.0], [0], [1]]))
         arms = a_arm[:, i, k] + s * u, b_arm[:, j, k] + t * v
         return Meeting(at[k], np.full(k.size, first), np.full(k.size, last), *arms, depth, direction)
 
@@ -286,5 +288,5 @@ def _overlapping(model: mujoco.MjModel, geoms: set[int]) -> set[tuple[int, int]]
     return {
         (int(ids[i]), int(ids[j]))
         for i, j in np.argwhere(np.triu(close, 1))
-        if mujoco.mj_geomDistance(model, data, int(ids[i]), int(ids[j]), 0.01, None) < 0
+        if mujoco.mj_geomDistance(model, data, int(ids[i]), int(ids[j]), FARTHEST, None) < 0
     }

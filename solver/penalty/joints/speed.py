@@ -14,6 +14,8 @@ from ...figure.kinematics import Samples
 from ..curvature import Curvature, jacobian
 from ..penalty import Penalty, Scale
 
+STILL = 1e-12  # [rad/s] a turn that has no axis
+
 
 @dataclass(frozen=True, eq=False)
 class Speed(Penalty):
@@ -70,7 +72,7 @@ class Speed(Penalty):
         """Unit vectors (3, J, S) along which joints turn, and how much too fast (J, S) [rad/s]."""
         relative = self._relative(samples)
         size = np.linalg.norm(relative, axis=0)
-        return relative / np.maximum(size, 1e-12), np.maximum(size - self.limits[:, None], 0.0)
+        return relative / np.maximum(size, STILL), np.maximum(size - self.limits[:, None], 0.0)
 
     def _pull_back(self, samples: Samples, into: Cotangent, bar: Array) -> None:
         buffer = into.buffer("omega")

@@ -27,6 +27,7 @@ from .posture import apart
 
 FRAMES = 8  # variable frames a period that a path needs to follow a cycle
 LITTLE = np.radians(5)  # [rad] off in one joint that counts as little
+ROUNDING = 1e-9  # of a frame: a segment that is a whole number of them long has as many
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,7 +95,7 @@ class Cycle(Guide):
         """The cycle itself where variable frames are, a period's in eight frames if there may be so many."""
         fixed = [frame for frame in timeline.frames if not frame.is_variable]
         edges, apart = np.array([frame.time for frame in fixed]), self.rhythm.period / FRAMES
-        counts = np.ceil(np.diff(edges) / apart - 1e-9).astype(int) - 1
+        counts = np.ceil(np.diff(edges) / apart - ROUNDING).astype(int) - 1
         present = np.histogram(timeline.times, edges)[0] - 1
         present[-1] -= 1  # whose last edge counts too
         counts = np.maximum(counts, present)

@@ -134,7 +134,7 @@ class Near(Guide):
     def ends(self) -> tuple[Index, Array]:
         """The links that end limbs (n,), and the middle of their masses on them (3, n)."""
         parents, links = self.recorded.figure.tables.parents, self.recorded.figure.links
-        ends = np.array([i for i in range(1, len(links)) if not np.any(parents[1:] == i)], np.intp)
+        ends = np.array([i for i in range(1, len(links)) if not np.any(parents == i)], np.intp)
         return ends, np.array([links[i].centre for i in ends]).reshape(-1, 3).T
 
     def _ends_off(self, samples: Samples) -> Iterator[tuple[int, Array, Array, Array]]:

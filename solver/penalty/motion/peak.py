@@ -21,6 +21,7 @@ from ..penalty import Penalty, Scale
 
 POWER = 4  # of squared accelerations: eighth powers of accelerations
 NEGLIGIBLE = 1e-3  # of the largest residual's gradient
+STILL = 1e-12  # [rad/s²] a turn that has no axis
 
 
 @dataclass(frozen=True)
@@ -66,7 +67,7 @@ def relative_accelerations(samples: Samples) -> tuple[Array, Array]:
     relative = np.zeros_like(links.alpha)
     relative[:, joints] = links.alpha[:, joints] - links.alpha[:, samples.figure.tables.parents[joints]]
     sizes = np.sqrt(np.einsum("ils,ils->ls", relative, relative))
-    return relative / np.maximum(sizes, 1e-12), sizes
+    return relative / np.maximum(sizes, STILL), sizes
 
 
 def _turning(samples: Samples) -> Index:

@@ -20,6 +20,8 @@ from ...figure.kinematics import Samples
 from ..curvature import Curvature, jacobian
 from ..penalty import Penalty, Scale
 
+SETTLING = 0.3  # [s] unless told
+
 
 @dataclass(frozen=True)
 class Posture(Penalty):
@@ -28,7 +30,7 @@ class Posture(Penalty):
     settling  [s] a joint's acceleration and its velocity over so long count alike
     """
 
-    settling: float = 0.3
+    settling: float = SETTLING
 
     @property
     def name(self) -> str:

@@ -35,8 +35,6 @@ class Torque(Penalty):
         is_ball = np.zeros((len(samples.figure.links), 1))
         is_ball[balls] = 1
         moment = inverse.moment * is_ball
-        motors = [(tables.hinge_links, tables.hinge_columns, inverse.moment)]
-        motors += [(tables.slide_links, tables.slide_columns, inverse.force)]
         armature = tables.armature[balls][:, None]
         parents, spin = tables.parents[balls], None
         if armature.any():
@@ -46,9 +44,10 @@ class Torque(Penalty):
         values = np.einsum("ils,ils->s", moment, moment)
         moment_bar = np.multiply(moment, 2 * scale, out=moment)
         force_bar = np.zeros_like(inverse.force) if tables.slide_links.size else None
-        for (indices, columns, source), target in zip(motors, (moment_bar, force_bar), strict=True):
-            if not indices.size or target is None:
-                continue
+        motors = [(tables.hinge_links, tables.hinge_columns, inverse.moment, moment_bar)]
+        if force_bar is not None:
+            motors.append((tables.slide_links, tables.slide_columns, inverse.force, force_bar))
+        for indices, columns, source, target in motors:
             axis = (links.rotation[:, :, indices] * tables.axis[None, :, indices, None]).sum(axis=1)
             own = tables.armature[indices]
             effort = dot(axis, source[:, indices]) + own[:, None] * samples.columns(columns, 2)

@@ -12,6 +12,8 @@ from ...figure.kinematics import Samples
 from ..curvature import Curvature
 from ..penalty import Penalty, Scale
 
+EPSILON = 1e-3  # unless told
+
 
 @dataclass(frozen=True)
 class UnitMagnitude(Penalty):
@@ -23,7 +25,7 @@ class UnitMagnitude(Penalty):
     """
 
     form: str = "square"
-    epsilon: float = 1e-3
+    epsilon: float = EPSILON
     most: float = 1.0
 
     @property
