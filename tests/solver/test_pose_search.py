@@ -17,6 +17,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.penalty import Bend, BendLimits
 from dynsplines.solver.posing import (
+    BENT,
     INSIDE,
     MET,
     PER_METRE,
@@ -283,6 +284,19 @@ def test_as_many_poses_to_begin_with_as_asked_for_all_inside_the_ranges_and_the_
     assert len(different) == count
     again = list(searching(figure, home).starts_around(count))
     np.testing.assert_array_equal(again, starts)  # the same command finds the same pose
+
+
+def test_scattered_poses_to_begin_with_bend_their_joints_by_something_between_the_least_and_the_most_of_starts(rng):
+    figure = figure_of(RANGED)
+    bends = bends_of(figure)
+    search = searching(figure, somewhere(figure.model, rng), bends.limits)
+    knee = entries(figure, bends.limits.joints[0].link)
+    starts = list(search.starts_around(40))[2:]
+    found = np.array([bends._angles(start[knee][None])[0, 0] for start in starts])
+    assert found.min() >= BENT[0] - 1e-9
+    assert found.min() < np.radians(30)
+    least = np.unique(np.round(found[found < BENT[-1]], 6))
+    assert least.size > 20, "drawn anew every time"
 
 
 def test_poses_to_begin_with_are_home_bent_less_and_more_or_home_alone_where_nothing_bends_one_way(rng):

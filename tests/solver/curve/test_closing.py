@@ -67,7 +67,12 @@ def test_what_either_end_of_a_loop_fixes_is_where_it_was_there_and_a_travel_and_
     end[:3] += travel
     turned = about * Rotation.from_quat(given[3:7], scalar_first=True)
     end[3:7] = turned.as_quat(scalar_first=True)
-    keys = [Frame.key(0.0, given, masks[0]), Frame.key(0.5, given), Frame.key(1.0, end, masks[1])]
+    anywhere = np.array([9, 9, 9, *np.full(8, 0.5)])  # in what neither says nothing may be read
+    keys = [
+        Frame.key(0.0, np.where(masks[0], given, anywhere), masks[0]),
+        Frame.key(0.5, given),
+        Frame.key(1.0, np.where(masks[1], end, anywhere), masks[1]),
+    ]
     ends, seam = closed(figure, keys, travel, turn)
     begun, ended = ends[0].state, ends[-1].state
     np.testing.assert_allclose(begun[:3], given[:3], atol=1e-12)

@@ -136,3 +136,13 @@ def test_gravity_is_the_models_unless_it_is_switched_off():
     np.testing.assert_array_equal(figure_of(text.format("")).gravity, [0, 1, -3])
     np.testing.assert_array_equal(figure_of(text.format('<flag gravity="disable"/>')).gravity, [0, 0, 0])
     np.testing.assert_array_equal(figure_of(text.format('<flag contact="disable"/>')).gravity, [0, 1, -3])
+
+
+@pytest.mark.parametrize("axis", range(3))
+def test_a_figure_has_turns_if_a_body_is_turned_at_rest_about_any_axis_and_has_none_if_none_is(axis):
+    for angle in (0.0, 0.3):
+        turned = np.zeros(3)
+        turned[axis] = angle
+        text = CHAIN.format("ball").replace("<body ", f'<body euler="{turned[0]} {turned[1]} {turned[2]}" ')
+        figure = figure_of(text.replace("<worldbody>", '<compiler angle="radian"/><worldbody>', 1), "world")
+        assert figure.tables.has_turns == (angle != 0)

@@ -5,10 +5,14 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from figures import ONE_BALL, figure_of
+from hinged import hinged
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline
-from dynsplines.solver.search.judgement import ABOUT, CLOSEST, FINER, common_grid
+from dynsplines.solver.curve.quadrature import Quadrature
+from dynsplines.solver.objective import Objective
+from dynsplines.solver.penalty import CovariantAcceleration
+from dynsplines.solver.search.judgement import ABOUT, AS_GOOD, CLOSEST, FINER, best, common_grid
 
 QUATERNIONS = figure_of(ONE_BALL).tables.quaternion_columns.T
 
@@ -66,3 +70,40 @@ def test_a_flip_at_the_very_ends_puts_no_sample_outside_the_clip():
         assert edges[-1] == 1.0
         assert np.all(np.diff(edges) > 0)
         assert edges.size > 1 + FINER
+
+
+def bent(by: float) -> Timeline:
+    """Two frames of two hinges at rest, and one between them that is off."""
+    times, states = np.array([0.0, 1, 2]), np.array([[0.0, 0], [by, 0], [0, 0]])
+    return Timeline(tuple(Frame.many(times, states, np.ones((3, 2), bool))), np.zeros((2, 2)), "clamped")
+
+
+def test_the_best_is_the_first_of_those_whose_e_is_as_good_as_the_least():
+    """E of a hinge is the square of how far it is off."""
+    objective = Objective.of(hinged(), [(CovariantAcceleration(), 1.0)])
+    hair = 1 + 0.5 * AS_GOOD
+    least, within, beyond, far = (bent(by) for by in (1.0, np.sqrt(hair), np.sqrt(1 + 2 * AS_GOOD), 2.0))
+    for timelines, wanted in (
+        ((far, least, within), least),
+        ((far, within, least), within),
+        ((beyond, least, far), least),
+        ((least, beyond), least),
+        ((far,), far),
+    ):
+        assert best(objective, timelines) is wanted
+
+
+def test_paths_are_judged_by_the_samples_of_all_of_them_close_about_flips_unless_these_are_even(monkeypatch):
+    seen = []
+    value = Objective.value
+    monkeypatch.setattr(
+        Objective, "value", lambda self, path, times=None: seen.append(times) or value(self, path, times)
+    )
+    aside, way = np.array([0, 1e-2, 0, 0]), np.array([2.0, 0, 0, 0])
+    timelines = [line(np.array([0.0, x, 2.0]), aside - 0.4 * way, aside + 0.6 * way) for x in (0.5, 1.0)]
+    for quadrature, quaternions in ((Quadrature(), QUATERNIONS), (Quadrature("uniform", 50), ())):
+        seen.clear()
+        best(Objective.of(figure_of(ONE_BALL), [(CovariantAcceleration(), 1.0)], quadrature=quadrature), timelines)
+        assert len(seen) == 2
+        for times in seen:
+            np.testing.assert_array_equal(times, common_grid(timelines, quaternions))

@@ -69,6 +69,14 @@ def test_over_the_edge_of_a_surface_is_over_it_and_a_last_digit_farther_out_is_n
         assert np.isinf(surface.height(beside)).all()
 
 
+@pytest.mark.parametrize("buried", [False, True])
+def test_in_a_box_one_is_below_its_top_as_far_as_its_bottom_and_in_one_that_is_buried_however_deep(buried):
+    box = Box("b", np.array([0.0, 0, 3]), np.diag([1.0, -1.0, -1.0]), np.array([0.5, 0.75, 0.25]), buried=buried)
+    for z, over in ((3.5, True), (2.75 + DIGIT * 2, True), (2.75, buried), (2.0, buried)):
+        found = box.height(np.array([[[0.5]], [[-0.75]], [[z]]])).item()
+        assert found == (z - 3.25 if over else np.inf)
+
+
 def test_along_a_lying_bar_one_is_over_it_up_to_its_ends_and_across_it_up_to_its_radius():
     for bar, end in (
         (Cylinder("y", np.zeros(3), np.array([1.0, 0, 0]), 1.0, 0.5), (1.0, 0.5)),
