@@ -59,9 +59,9 @@ def test_every_segment_is_compared_with_its_own_optimum_between_places_and_speed
 
 def test_less_is_saved_in_few_evaluations_and_to_a_rough_tolerance(shaken):
     objective, timeline = shaken
-    whole, brief, rough = (
-        displacement(objective, timeline, **told) for told in ({}, {"max_evaluations": 2}, {"tolerance": 0.5})
-    )
+    whole = displacement(objective, timeline)
+    brief = displacement(objective, timeline, max_evaluations=2)
+    rough = displacement(objective, timeline, tolerance=0.5)
     for found in (brief, rough):
         assert np.all(found.found <= whole.found * (1 + 1e-6))
         assert found.found.sum() < whole.found.sum() * (1 - 1e-9)
