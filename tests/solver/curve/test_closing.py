@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
-from dynsplines.solver.curve.closing import closed
+from dynsplines.solver.curve.closing import SAME, closed
 from dynsplines.solver.curve.frame import Frame, TimelineError
 from dynsplines.solver.curve.unknowns import raw_timeline
 
@@ -127,3 +127,14 @@ def test_a_loop_that_turns_about_a_place_that_nobody_gives_is_refused_by_the_nam
         keys = [Frame.key(0, pose, known), Frame.key(1, last, known)]
         with pytest.raises(TimelineError, match=f"x and y of '{name}' given in its first or its last keyframe"):
             closed(figure, keys, None, None)
+
+
+def test_ends_of_a_loop_may_differ_by_what_rounding_does_and_by_no_more():
+    figure, pose = figure_of(BALL), np.array([0.0, 0, 0, 1, 0, 0, 0])
+    for z, agree in ((SAME, True), (-SAME, True), (np.nextafter(SAME, 1), False)):
+        keys = [Frame.key(0, pose), Frame.key(1, pose + z * np.eye(7)[2])]
+        if agree:
+            np.testing.assert_array_equal(closed(figure, keys, None, None)[0][1].state, pose)
+        else:
+            with pytest.raises(TimelineError, match="along z"):
+                closed(figure, keys, None, None)

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from closed_forms import WOOD
 from curvature_of import assembled, assert_near, curvature_of, jacobians
-from figures import BALL_TREE
+from figures import BALL_TREE, TINY, figure_of
 from oracles import mujoco_forces
 from penalty_slope import penalty_slope, scaled_like
 from random_samples import at_times, random_samples
@@ -21,7 +21,7 @@ from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.wrench import RootWrench, height, weight
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import CovariantAcceleration, Flight, Penalty, RootAcceleration
-from dynsplines.solver.penalty.ground.flight import rows_of_wrench
+from dynsplines.solver.penalty.ground.flight import rows_of_wrench, within
 from dynsplines.solver.problem import Problem, Settings
 
 G = 9.81
@@ -89,13 +89,23 @@ def test_no_flight_costs_nothing(figure, rng):
 
 @pytest.mark.slow
 def test_the_curvature_is_twice_the_square_of_the_residuals_jacobian(figure, rng):
-    samples = at_times(random_samples(figure, rng, 4), np.linspace(0.1, 1.3, 4))
-    flight = Flight.of(figure, 1, ((0.0, 0.6), (1.2, 1.4)), 0.4)
+    assert_curvature(figure, rng, 0.4)
+
+
+@pytest.mark.parametrize("angular", [0.0, 0.4])
+@pytest.mark.parametrize("coordinates", ["world", "joint"])
+def test_so_it_is_of_two_bodies_with_a_moment_and_without(coordinates, angular, rng):
+    assert_curvature(figure_of(TINY, coordinates), rng, angular)
+
+
+def assert_curvature(figure: Figure, rng: np.random.Generator, angular: float) -> None:
+    samples = at_times(random_samples(figure, rng, 4), np.array([0.1, 0.5, 0.9, 1.3]))
+    flight = Flight.of(figure, 1, ((0.0, 0.6), (1.2, 1.4)), angular)
     aloft = np.array([1.0, 1, 0, 1])
 
     def residuals(seen: Samples) -> Array:
         wrench = RootWrench(seen, 1)
-        both = np.concatenate([wrench.force, np.sqrt(0.4) * wrench.moment / height(figure, 1)])
+        both = np.concatenate([wrench.force, np.sqrt(angular) * wrench.moment / height(figure, 1)])
         return (both * aloft).T / weight(figure, 1)
 
     np.testing.assert_allclose(np.sum(residuals(samples) ** 2, axis=1), flight.evaluate(samples), rtol=1e-9)
@@ -103,6 +113,13 @@ def test_the_curvature_is_twice_the_square_of_the_residuals_jacobian(figure, rng
     moved = np.einsum("sron,soa->sran", jacobians(residuals, samples), phi).reshape(4, 6, -1)
     expected = 2 * scale[:, None, None] * np.einsum("srx,sry->sxy", moved, moved)
     assert_near(assembled(curvature_of(flight, samples, scale), phi), expected)
+
+
+def test_a_flight_lasts_from_its_first_moment_to_its_last():
+    t = np.array([0.0, 0.25, 0.5, 0.75, 1.0, 2.0])
+    assert within(((0.25, 0.5), (1.0, 1.0)), t).tolist() == [False, True, True, False, True, False]
+    assert within(((0.0, 0.75), (0.5, 2.0)), t).all()
+    assert not within((), t).any()
 
 
 @pytest.mark.parametrize("pushed", [False, True])

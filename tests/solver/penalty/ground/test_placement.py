@@ -77,7 +77,15 @@ def test_it_does_not_feel_the_quaternions_length(figure, rng):
 @pytest.mark.slow
 @pytest.mark.parametrize("closed", [False, True])
 def test_the_curvature_is_twice_the_square_of_the_residuals_jacobian(figure, rng, closed):
-    figure = Figure(mujoco.MjModel.from_xml_string(WOOD), "world") if closed else figure
+    assert_curvature(Figure(mujoco.MjModel.from_xml_string(WOOD), "world") if closed else figure, rng)
+
+
+@pytest.mark.parametrize("coordinates", ["world", "joint"])
+def test_so_it_is_of_two_bodies(coordinates, rng):
+    assert_curvature(figure_of(TINY, coordinates), rng)
+
+
+def assert_curvature(figure: Figure, rng: np.random.Generator) -> None:
     placement, samples = placement_of(figure, 0.5, 1.0), some(figure, rng)
 
     def away(there: Samples) -> Array:

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from closed_forms import WOOD
 from curvature_of import assembled, assert_near, curvature_of, jacobians
-from figures import BALL_TREE
+from figures import BALL_TREE, TINY
 from penalty_slope import penalty_slope, scaled_like
 from random_samples import random_samples
 from small_problems import turning
@@ -19,6 +19,8 @@ from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import CovariantAcceleration, PeakAcceleration, UnitMagnitude
 from dynsplines.solver.refine.subdivision import evenly
 from dynsplines.solver.search.descent import optimised
+
+SLOW = pytest.mark.slow
 
 
 def sizes(samples: Samples) -> Array:
@@ -56,8 +58,7 @@ def test_of_a_hinge_it_is_the_eighth_power_of_its_acceleration():
     np.testing.assert_allclose(second, 56 * 1.5**6)
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("text", [BALL_TREE, WOOD])
+@pytest.mark.parametrize("text", [TINY, pytest.param(BALL_TREE, marks=SLOW), pytest.param(WOOD, marks=SLOW)])
 def test_the_curvature_is_that_of_the_fourth_powers_times_seven_quarters(rng, text):
     for coordinates in ("world", "joint"):
         figure = Figure(mujoco.MjModel.from_xml_string(text), coordinates)
