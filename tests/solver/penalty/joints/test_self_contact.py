@@ -23,7 +23,7 @@ from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import SelfContact
-from dynsplines.solver.penalty.joints.self_contact import NEAR, nearest_on_segments
+from dynsplines.solver.penalty.joints.self_contact import NEAR, Bar, nearest_on_segments
 from dynsplines.system.progress import Progress
 
 SPIDER = """
@@ -147,6 +147,22 @@ def test_so_are_neighbours_in_the_model_and_those_that_only_touch_are_not():
     figure = Figure(mujoco.MjModel.from_xml_string(f"<mujoco><worldbody>{text}</worldbody></mujoco>"))
     pairs = {"".join(sorted(figure.model.geom(g).name for g in pair)) for pair in SelfContact.of(figure).geom_pairs.T}
     assert pairs == {"ac", "ad", "bc", "bd"}
+
+
+@pytest.mark.parametrize("margin", [0.0, 0.02, 0.2])
+def test_pairs_are_told_from_where_they_are_as_near_as_they_may_soon_meet_margin_and_all(margin):
+    """Two spheres of a tenth of a metre, apart along x: they meet at their radii and the margin."""
+    bars = (Bar(0, 1, np.zeros(3), np.eye(3)[2], 0.0, 0.1), Bar(1, 2, np.zeros(3), np.eye(3)[2], 0.0, 0.1))
+    text = '<body><freejoint/><geom size=".1"/></body>'
+    figure = Figure(mujoco.MjModel.from_xml_string(f"<mujoco><worldbody>{2 * text}</worldbody></mujoco>"))
+    penalty, gaps = SelfContact(bars, np.array([[0], [1]]), margin), np.array([NEAR + 1e-6, NEAR - 1e-6, 1e-6, -0.01])
+    states = np.tile(np.array([0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0.0]), (4, 1))
+    states[:, 7] = 0.2 + margin + gaps
+    samples = Samples(figure, states, 0 * states, 0 * states)
+    sides = sides_of(penalty, samples)
+    assert sides.at.tolist() == [1, 2, 3]
+    np.testing.assert_allclose(sides.value, -gaps[1:], atol=1e-12)
+    np.testing.assert_allclose(penalty.evaluate(samples), [0, 0, 0, 1e-4], atol=1e-12)
 
 
 numbers = st.floats(-1, 1)
