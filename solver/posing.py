@@ -20,7 +20,7 @@ import numpy as np
 from . import quaternion as quat
 from .array import Array, Index, Mask
 from .figure.figure import Figure, JointKind
-from .penalty.joints.bend import BendLimits, bent
+from .penalty.joints.bend import ALONG, FLAT, BendLimits, bent
 from .remembered import Remembered, content
 from .surface.points import Point
 
@@ -46,7 +46,6 @@ MOST_REMEMBERED = 1000  # poses of a figure
 SQUARED = 3e3  # weight up to which normal equations are exact enough
 UPRIGHT, UNSEEN = 1e-12, 1e-12  # sine of a tilt that has no direction; square of a row that no joint has a part in
 NARROW = 1e-9  # [rad, m] a range or a turn that is none
-ALONG, FLAT = 1e-9, 1e-18  # sine of the angle to its hinge axis at which a limb has no flexion, and its square
 
 Part = tuple[Array, Array]  # values (k,) and their derivatives (k, n)
 

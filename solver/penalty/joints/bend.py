@@ -26,7 +26,7 @@ from ..one_sided import OneSided
 from ..penalty import Penalty, Scale
 
 NEAR = np.radians(4)  # within which a bound may be passed after one step of the search
-ALONG, SQUARED = 1e-9, 1e-18  # sine of the angle to its hinge axis at which a limb has no flexion, and its square
+ALONG, FLAT = 1e-9, 1e-18  # sine of the angle to its hinge axis at which a limb has no flexion, and its square
 Seen = tuple[Array, Array, Array, Array, Array, Array]
 
 
@@ -163,7 +163,7 @@ class BendLimits(Penalty):
         world, frame, (x, z, _), v, planar, p = seen
         flexion_bar, sideways_bar, twist_bar = gradient
         q = v[2]
-        both = np.maximum(p**2 + q**2, SQUARED)
+        both = np.maximum(p**2 + q**2, FLAT)
         # what v and u get along the parent's axes
         bars = np.empty((2, *v.shape))
         p_bar = twist_bar * q / (both * planar)
