@@ -9,7 +9,8 @@ Constants that a module begins with are left alone: they are choices, each with 
 A mutation is a float times 1.001, an integer one up or down, a comparison, a sign or a product turned round, `and` for
 `or`. No file is touched: a process of its own compiles the mutated source under the name of the module and runs pytest
 in itself, in a time that is bounded: first the tests that are named after the module, then those that use it, then the
-rest of its folder. A line each says caught, survived or hung; the last line is their sum; results can be kept as JSON.
+rest of its folder, and with --all the solver's other fast tests. A line each says caught, survived or hung; the last line is
+their sum; results can be kept as JSON.
 """
 
 from __future__ import annotations
@@ -120,14 +121,18 @@ def mutants_of(path: Path) -> dict[int, list[tuple[int, int]]]:
 
 def _told(tree: ast.AST) -> Iterator[ast.AST]:
     """Parts that change nothing when they change, annotations, decorators (the size of a cache), messages of errors and
-    functions that have a docstring alone, which others stand in for; and constants of a module, which are choices:
-    others would do as well."""
+    functions that have a docstring alone, which others stand in for; the −1 of `reshape`, for which any negative number
+    does; and constants of a module, which are choices: others would do as well."""
     for node in tree.body if isinstance(tree, ast.Module) else ():
         if isinstance(node, (ast.Assign, ast.AnnAssign)):
             yield from ast.walk(node)
     for node in ast.walk(tree):
         if isinstance(node, ast.Raise) or (isinstance(node, ast.FunctionDef) and not _does_anything(node)):
             yield from ast.walk(node)
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == "reshape":
+            for each in (part for word in node.args for part in ast.walk(word)):
+                if isinstance(each, ast.UnaryOp) and isinstance(each.op, ast.USub):
+                    yield from ast.walk(each)
         parts = [getattr(node, "annotation", None), getattr(node, "returns", None)]
         for part in (*parts, *getattr(node, "decorator_list", ())):
             if part is not None:
@@ -173,13 +178,13 @@ def module_name(path: str) -> str:
     return "dynsplines." + path.removesuffix(".py").replace("/", ".").removesuffix(".__init__")
 
 
-def tests_of(path: str) -> list[list[str]]:
+def tests_of(path: str, *, whole: bool = False) -> list[list[str]]:
     """Files of tests for a file of the solver: those named after it; those of its folder, or of one that this lies in,
-    that use it; others that do, those that use it most; then the rest of its folder, which may reach it in other ways.
-    """
+    that use it; others that do, those that use it most; then the rest of its folder, which may reach it in other ways;
+    and at last all others of the solver, where they are asked for."""
     package, module = Path(path).parent, module_name(path)
     named = (f"test_{Path(path).stem}.py", f"test_{package.name}_{Path(path).stem}.py")
-    files = sorted(file for folder in MIRRORS for file in (TESTS / folder).rglob("test_*.py"))
+    files = [file for folder in MIRRORS for file in sorted((TESTS / folder).rglob("test_*.py"))]
     first = [file for file in files if file.name in named]
     used = {file: _uses(file, module, _public(path)) for file in files if file not in first}
     ranked = sorted((file for file in used if used[file]), key=lambda file: -used[file])
@@ -188,7 +193,9 @@ def tests_of(path: str) -> list[list[str]]:
     near = [file for file in ranked if file.parent in above]
     others = [file for file in ranked if file not in near][:IMPORTERS]
     rest = [file for file in beside if not used[file]]
-    return [[_told_from(file) for file in group] for group in (first, near, others, rest) if group]
+    tried = {*first, *near, *others, *rest}
+    left = [file for file in files if whole and file not in tried and TESTS / "solver" in file.parents]
+    return [[_told_from(file) for file in group] for group in (first, near, others, rest, left) if group]
 
 
 def _public(path: str) -> set[str]:
@@ -271,8 +278,9 @@ def _run(mutant: Mutant | None, tests: list[str]) -> int:
         "addopts=--import-mode=importlib",
     ]
     words += ["-W", "ignore::pytest.PytestAssertRewriteWarning", "--hypothesis-seed=0", "--no-header", "--tb=no"]
-    with open(os.devnull, "w") as sink, contextlib.redirect_stdout(sink), contextlib.redirect_stderr(sink):  # noqa: PTH123
-        return int(pytest.main([*words, *(str(TESTS / name) for name in tests)]))
+    sink = open(os.devnull, "w")  # noqa: PTH123, SIM115  # as long as the process is there
+    sys.stdout = sys.stderr = sink
+    return int(pytest.main([*words, *(str(TESTS / name) for name in tests)]))
 
 
 def begun(mutant: Mutant | None, tests: list[str], seconds: float) -> int:
@@ -287,8 +295,7 @@ def begun(mutant: Mutant | None, tests: list[str], seconds: float) -> int:
         code = _run(mutant, tests)
     except BaseException:  # a mutant may do anything; whatever ends the tests has caught it
         code = 1
-    finally:
-        os._exit(code)
+    os._exit(code)
 
 
 def ended(number: int, seconds: float) -> int | None:
@@ -312,17 +319,17 @@ def sound(names: tuple[str, ...], seconds: float) -> bool:
     return ended(begun(None, list(names), seconds), seconds) in (0, NOTHING_TO_RUN)
 
 
-def judged(mutant: Mutant, seconds: float) -> Outcome:
+def judged(mutant: Mutant, seconds: float, *, whole: bool = False) -> Outcome:
     """A mutant against one group of tests after another, until one catches it or the time is over."""
     start, verdict, tried = time.monotonic(), SURVIVED, []
-    for names in tests_of(mutant.path):
+    for names in tests_of(mutant.path, whole=whole):
         tried += names
-        whole = seconds * len(names)
-        code = ended(begun(mutant, names, whole), whole)
+        most = seconds * len(names)
+        code = ended(begun(mutant, names, most), most)
         if code is None:
             verdict = HUNG
         elif code not in (0, NOTHING_TO_RUN):
-            if not sound(tuple(names), whole):
+            if not sound(tuple(names), most):
                 raise SystemExit(f"{', '.join(names)}: one of them fails, or hangs, as it is")
             verdict = CAUGHT
         if verdict != SURVIVED:
@@ -343,6 +350,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--count", type=int, default=200)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--all", action="store_true", help="try what survives on all of the solver's fast tests")
     parser.add_argument("--skip", type=int, default=0, help="of those chosen, the first so many")
     parser.add_argument("--seconds", type=float, default=SECONDS, help="of a core, for each file of tests")
     parser.add_argument(
@@ -360,7 +368,7 @@ def main() -> None:
     _without_shrinking()
     found: Counter[str] = Counter()
     for mutant in chosen(asked.count, asked.seed, asked.only)[asked.skip :]:
-        outcome = judged(mutant, asked.seconds)
+        outcome = judged(mutant, asked.seconds, whole=asked.all)
         found[outcome.verdict] += 1
         where = f"{outcome.path}:{outcome.line}"
         print(f"{outcome.verdict:8} {outcome.seconds:6.1f} s  {where}  {outcome.before} → {outcome.after}", flush=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -73,7 +74,7 @@ def of_clip(effort: Effort) -> list[dict[str, Any]]:
         return inbetween(problem.asking(settings=settings).problem, improved=improved)
 
     def settings(**more: Any) -> Settings:
-        return Settings(**{"quadrature": CLIP_QUADRATURE, "max_evaluations": 1000, "tolerance": 1e-6, **more})
+        return replace(Settings(quadrature=CLIP_QUADRATURE, max_evaluations=1000, tolerance=1e-6), **more)
 
     effort.tell("run_and_step, the fine optimum")
     fine = solve(settings(variable=effort.count(CLIP_FINEST, 6), frames=0))

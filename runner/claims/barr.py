@@ -77,7 +77,8 @@ class Discrete:
         place = 4 * np.arange(len(blocks))[:, None] + np.arange(12)
         i, j = np.repeat(place, 12, axis=1).ravel(), np.tile(place, (1, 12)).ravel()
         keep = (4 * self.free[:, None] + np.arange(4)).ravel()
-        return sparse.csr_matrix((blocks.ravel(), (i, j)), shape=(self.start.size,) * 2)[keep][:, keep]
+        whole = sparse.csr_matrix((blocks.ravel(), (i, j)), shape=(self.start.size,) * 2)
+        return sparse.csr_matrix(whole[np.ix_(keep, keep)])
 
     def by_slsqp(self) -> Array:
         """Dense sequential quadratic programming with exact derivatives, of the kind that the paper's peer had."""

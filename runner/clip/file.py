@@ -28,7 +28,7 @@ def write(saved: Saved, target: Path, *, note: str = "", exact: bool = False, ov
     if saved.text:
         said = tables(clips.table_of(saved.text, saved.name))
     else:
-        said = {"figure": shipped_scene(saved.scene), "fps": saved.fps, "solve": _ends(saved)}
+        said: dict[str, Any] = {"figure": shipped_scene(saved.scene), "fps": saved.fps, "solve": _ends(saved)}
         said["keyframe"] = keyframe_tables(saved.figure, saved.keys)
     if exact:
         said["solve"] = said.get("solve", {}) | AS_SPLINE

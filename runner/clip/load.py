@@ -407,8 +407,10 @@ def answered(saved: Saved) -> Clip:
 
     A motion that breaks its contacts so much that no clip could have them is looked at for them all the same.
     """
-    if saved.text and (table := table_of(saved.text, saved.name)).recording is not None:
-        return _followed_again(saved, table, table.recording)
+    if saved.text:
+        table = table_of(saved.text, saved.name)
+        if table.recording is not None:
+            return _followed_again(saved, table, table.recording)
     try:
         return of_motion(saved, contacts=True)
     except UserError:
@@ -621,7 +623,7 @@ def _settings(solve: SolveTable, times: Sequence[float]) -> Settings:
     begin = solve.variable
     if begin is None and solve.frames is not None:
         begin = min(FEW, solve.frames // (len(times) - 1))
-    chosen = {
+    chosen: dict[str, Any] = {
         "variable": begin,
         "frames": solve.frames,
         "criterion": solve.criterion,

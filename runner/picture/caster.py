@@ -115,7 +115,7 @@ class Single:
                 left[met] = False
             edge[left] = aside[left]  # thinner than a ray: it faces the eye
             sides.append(edge)
-        normal = np.cross(*sides)
+        normal = np.cross(sides[0], sides[1])
         return normal / np.maximum(np.linalg.norm(normal, axis=1), np.finfo(float).tiny)[:, None]
 
     def blocked(self, start: Array, towards: Array, reach: Array, *, static: bool) -> Bools:

@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import cached_property
 from itertools import pairwise
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -97,7 +97,7 @@ class Samples:
         self.t = np.zeros(len(self.y)) if t is None else np.asarray(t, float)
         # what `links` holds on to: never the samples themselves, whose arrays would wait for the garbage collector
         self._states = States(figure, self.y, self.y_d, self.y_dd)
-        self._once: dict[object, object] = {}
+        self._once: dict[Callable[[LinkMotion], Any], Any] = {}
 
     @classmethod
     def still(cls, figure: Figure, y: ArrayLike, t: ArrayLike | None = None) -> Samples:
@@ -151,7 +151,7 @@ class Samples:
         """What is made of the links' motion, made once for all that ask; it may hold on to that, not to the samples."""
         if make not in self._once:
             self._once[make] = make(self.links)
-        return self._once[make]  # pyright: ignore[reportReturnType]  # what `make` gave
+        return self._once[make]
 
 
 class LinkMotion:

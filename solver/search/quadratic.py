@@ -20,7 +20,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise, product
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -215,7 +215,7 @@ class Layout:
         if unknowns.ties is not None:
             tied = held & np.diff(unknowns.ties.indptr).reshape(free.shape).any(axis=1)
             for i in np.flatnonzero(tied):
-                own = unknowns.matrix[i * self.width : (i + 1) * self.width]
+                own: Any = unknowns.matrix[i * self.width : (i + 1) * self.width]  # SciPy does not say what a slice is
                 moves = own[:, np.unique(own.indices)].toarray()
                 each = np.tile(weights[i][:, None], self.width)
                 self._hold(room, first[i] + np.arange(DEGREE), each, np.eye(self.width) - moves @ np.linalg.pinv(moves))

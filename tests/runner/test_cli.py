@@ -619,7 +619,7 @@ def test_a_file_that_is_no_motion_is_one_line(run, tmp_path, motion_file, comman
 
 def test_a_motion_that_was_never_measured_is_measured_when_asked(run, tmp_path, motion_file):
     with np.load(motion_file) as data:
-        np.savez(tmp_path / "m.npz", **{**data, "report": "{}"})
+        np.savez(tmp_path / "m.npz", **{**data, "report": "{}"})  # type: ignore[arg-type]
     done = run("report", "m.npz", "--json")
     assert done.code == 0
     assert json.loads(done.out)["after"]["keyframe error"] < 1e-9
@@ -629,7 +629,7 @@ def test_a_motion_that_was_never_measured_is_measured_when_asked(run, tmp_path, 
 @pytest.mark.parametrize("content", ['{"before": {}, "curves": {}}', '{"before": 1, "after": 2, "curves": 3}'])
 def test_a_motion_with_half_a_report_is_one_line(run, tmp_path, motion_file, command, content):
     with np.load(motion_file) as data:
-        np.savez(tmp_path / "m.npz", **{**data, "report": content})
+        np.savez(tmp_path / "m.npz", **{**data, "report": content})  # type: ignore[arg-type]
     with nothing_written(tmp_path):
         assert_refused(run(command, "m.npz"), "m.npz", "its report is not complete")
 
@@ -966,7 +966,7 @@ def test_a_report_of_an_older_file_has_its_problems_too(run, tmp_path, motion_fi
     with np.load(motion_file) as data:
         old = json.loads(str(data["report"]))
         del old["problems"]
-        np.savez(tmp_path / "m.npz", **{**data, "report": json.dumps(old), "search": "{}"})
+        np.savez(tmp_path / "m.npz", **{**data, "report": json.dumps(old), "search": "{}"})  # type: ignore[arg-type]
     told = json.loads(run("report", "m.npz", "--json").out)
     assert [each["name"] for each in told["problems"]] == ["left_knee"]
 

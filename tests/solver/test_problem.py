@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 import pytest
@@ -12,14 +13,15 @@ from dynsplines.solver.problem import SPACING, Settings
 
 @pytest.mark.parametrize("name", ["variable", "frames", "max_evaluations", "tolerance", "batch", "threshold"])
 def test_the_least_that_may_be_asked_for_is_taken_and_less_is_refused(name):
-    least, less = {
+    bounds: dict[str, Any] = {
         "variable": (0, -1),
         "frames": (0, -1),
         "max_evaluations": (1, 0),
         "tolerance": (1e-300, 0.0),
         "batch": (1e-300, 0.0),
         "threshold": (0.0, -1e-300),
-    }[name]
+    }
+    least, less = bounds[name]
     assert getattr(Settings(**{name: least}), name) == least
     with pytest.raises(ValueError, match="settings: "):
         Settings(**{name: less})

@@ -8,6 +8,7 @@ import os
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path, PurePosixPath
+from typing import Any
 
 import mujoco
 import numpy as np
@@ -79,7 +80,7 @@ def meshed(tmp_path: Path) -> Saved:
     return work.unsolved(clip.load(str(model(tmp_path / "model")))).saved(told(), with_report=False)
 
 
-def tampered(saved: Saved, target: Path, **changes: object) -> Path:
+def tampered(saved: Saved, target: Path, **changes: Any) -> Path:
     """A motion's file with other arrays in it; `mjcf` is a table of what is put for what."""
     motion.save(saved, target)
     with np.load(target) as data:
@@ -89,7 +90,7 @@ def tampered(saved: Saved, target: Path, **changes: object) -> Path:
     for old, new in said.items():
         assert old in str(arrays["mjcf"])
         arrays["mjcf"] = np.array(str(arrays["mjcf"]).replace(old, new))
-    np.savez(target, **{**arrays, **changes})
+    np.savez(target, **{**arrays, **changes})  # type: ignore[arg-type]
     return target
 
 
@@ -147,7 +148,7 @@ def test_a_recording_that_brings_its_figure_reads_no_file_beside_its_own(meshed:
     secret = tmp_path / "secret.stl"
     secret.write_bytes(stl(0.3))
     other = str(arrays["mjcf"]).replace('"bone.stl"', f'"{secret.as_posix()}"')
-    np.savez(target, **{**arrays, "mjcf": np.array(other)})
+    np.savez(target, **{**arrays, "mjcf": np.array(other)})  # type: ignore[arg-type]
     with pytest.raises(UserError, match=r"refers to '.*secret\.stl', which it does not bring along"):
         dynsplines.import_motion(target)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from rich.console import Console
@@ -42,7 +43,7 @@ class Measured:
     acceleration: float
 
 
-def solved(problem: Clip, **settings: int) -> work.Solved:
+def solved(problem: Clip, **settings: Any) -> work.Solved:
     problem = problem.asking(settings=replace(problem.settings, **settings))
     return work.solve(problem, Progress(Console(file=io.StringIO())))
 

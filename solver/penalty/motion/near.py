@@ -13,7 +13,7 @@ from ...array import Array, Index
 from ...curve.frame import Frame, Timeline
 from ...curve.quadrature import gauss_nodes
 from ...curve.spline import natural_spline
-from ...figure.adjoint import Cotangent
+from ...figure.adjoint import OF_THE_STATE, Cotangent
 from ...figure.figure import Figure, JointKind, quaternion_columns
 from ...figure.kinematics import Samples
 from ...reading.recorded import Recorded
@@ -67,7 +67,7 @@ class Near(Guide):
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         off, weights = self._off(samples)
         if into is not None:
-            for name, part, weight in zip(("y", "y_d", "y_dd"), off, weights, strict=True):
+            for (name, _, _), part, weight in zip(OF_THE_STATE, off, weights, strict=True):
                 into.absorb(name, (2 * np.reshape(scale, (-1, 1))) * weight * part)
         values = np.einsum("ksn,ksn->s", weights * off, off)
         for link, offset, away, weight in self._ends_off(samples):

@@ -6,6 +6,7 @@ import io
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 from rich.console import Console
@@ -41,7 +42,7 @@ def left(manifest: Manifest, options: Options = Options(), bounds: Bounds = Boun
     return [clip.name for clip in plan.left]
 
 
-def end(manifest: Manifest, name: str, **changes: object) -> Entry:
+def end(manifest: Manifest, name: str, **changes: Any) -> Entry:
     """A clip's end is written down."""
     entry = replace(Manifest.of(manifest.path.parent).entries[name], **changes)
     again = Manifest.of(manifest.path.parent)

@@ -6,6 +6,7 @@ import io
 import re
 import tomllib
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -235,7 +236,10 @@ def test_a_clip_written_again_says_the_same():
 
 
 def test_odd_names_and_texts_survive_being_written():
-    said = {"figure": 'a "quoted" \\ ünïcode\x7f\n', "scene": {"odd key": [1, 2.5, True, {"a b": "free"}]}}
+    said: dict[str, Any] = {
+        "figure": 'a "quoted" \\ ünïcode\x7f\n',
+        "scene": {"odd key": [1, 2.5, True, {"a b": "free"}]},
+    }
     said["keyframe"] = [{"time": 1e-9, "joints": {"left knee": {"quat": [1.0, 0.0, -0.0, 1e300]}, "b": "free"}}]
     assert tomllib.loads(written(said)) == said
 

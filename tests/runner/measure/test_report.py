@@ -83,7 +83,13 @@ def test_nothing_in_the_floor_is_told_as_nothing(tmp_path):
 
 
 def test_a_foot_that_wanders_between_two_planted_keyframes_slides_as_far_as_it_does(tmp_path):
-    keys = [(-0.5, 0, 0, 0.1), (0, 0, 0, 0.1), (0.5, 0.3, 0, 0.4), (1, 0, 0.02, 0.1), (1.5, 0, 0.02, 0.1)]
+    keys = [
+        (-0.5, 0.0, 0.0, 0.1),
+        (0.0, 0.0, 0.0, 0.1),
+        (0.5, 0.3, 0.0, 0.4),
+        (1.0, 0.0, 0.02, 0.1),
+        (1.5, 0.0, 0.02, 0.1),
+    ]
     solved = unsolved(tmp_path, keys)
     stances = side(solved)["stances"]
     assert [(s["from, s"], s["to, s"]) for s in stances] == [(-0.5, 0), (1, 1.5)]

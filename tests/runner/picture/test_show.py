@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -15,7 +17,7 @@ W, H = 48, 32
 
 
 def look(**more) -> Look:
-    return Look(**{"width": W, "height": H, "fps": 10.0, "camera": "high"} | more)
+    return replace(Look(W, H, fps=10.0, camera="high"), **more)
 
 
 def shot(saved: Saved, **more) -> list[np.ndarray]:
@@ -103,7 +105,7 @@ def test_ghosts_add_the_keyframes_to_every_image(saved):
 
 @pytest.mark.slow
 def test_figure_six_shows_keyframes_darker_than_what_is_between(saved):
-    empty = Saved(**{**saved.__dict__, "keys": ()})
+    empty = replace(saved, keys=())
     everything = figure_six(saved, look(width=96, height=64), RAYS)
     keys = figure_six(saved, look(width=96, height=64, only="keys"), RAYS)
     none = figure_six(empty, look(width=96, height=64, only="keys"), RAYS)
@@ -129,7 +131,7 @@ def test_an_unknown_camera_is_refused_with_those_there_are(saved):
 
 @pytest.mark.parametrize("camera", ["side", "front", "three_quarter", "back"])
 def test_every_view_has_the_figure_in_the_picture(saved, camera):
-    empty = Saved(**{**saved.__dict__, "keys": ()})
+    empty = replace(saved, keys=())
     with_figure = figure_six(saved, look(camera=camera, only="keys"), RAYS)
     assert apart(with_figure, figure_six(empty, look(camera=camera, only="keys"), RAYS)) > 10
 

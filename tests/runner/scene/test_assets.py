@@ -97,7 +97,7 @@ def test_a_motion_file_of_the_first_format_still_loads(motion_file, tmp_path):
     old = tmp_path / "old.npz"
     with np.load(motion_file) as data:
         assert "asset_names" not in data
-        np.savez(old, **{**data, "format_version": 1})
+        np.savez(old, **{**data, "format_version": 1})  # type: ignore[arg-type]
     assert motion.load(old).scene.assets == {}
 
 
@@ -106,7 +106,7 @@ def test_a_motion_file_with_damaged_assets_is_refused(model, damage, tmp_path):
     target, bad = tmp_path / "it.npz", tmp_path / "bad.npz"
     motion.save(work.unsolved(clip.load(str(model))).saved(told(), with_report=False), target)
     with np.load(target) as data:
-        np.savez(bad, **{**data, damage: np.zeros(3)})
+        np.savez(bad, **{**data, damage: np.zeros(3)})  # type: ignore[arg-type]
     with pytest.raises(UserError, match="its arrays do not fit together"):
         motion.load(bad)
     with zipfile.ZipFile(target) as file:

@@ -6,6 +6,7 @@ import asyncio
 import json
 import socket
 import warnings
+from typing import Any
 
 import pytest
 
@@ -177,7 +178,7 @@ def began(session, monkeypatch, **wishes):
     monkeypatch.setattr(
         start, "_serve", lambda session, listening, *door: served.append((listening.getsockname(), *door))
     )
-    wished = {"host": "127.0.0.1", "port": 0, "browser": False, "allow_remote": False, **wishes}
+    wished: dict[str, Any] = {"host": "127.0.0.1", "port": 0, "browser": False, "allow_remote": False, **wishes}
     start.run(session.document, say=said.append, **wished)
     return served[0], said
 

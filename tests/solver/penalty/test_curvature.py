@@ -30,7 +30,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
-from dynsplines.solver.figure.adjoint import Cotangent
+from dynsplines.solver.figure.adjoint import OF_THE_STATE, Cotangent
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.objective import Objective
@@ -165,7 +165,7 @@ class Plain(Penalty):
         z = np.hstack([samples.y, samples.y_d, samples.y_dd])
         pull = z @ self.matrix
         if into is not None:
-            for name, part in zip(("y", "y_d", "y_dd"), np.split(pull, 3, axis=1), strict=True):
+            for (name, _, _), part in zip(OF_THE_STATE, np.split(pull, 3, axis=1), strict=True):
                 into.accumulate(name, np.reshape(scale, (-1, 1)) * part)
         return 0.5 * np.sum(z * pull, axis=1)
 

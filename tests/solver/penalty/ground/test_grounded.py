@@ -13,6 +13,7 @@ from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import (
     CovariantAcceleration,
     Grounded,
+    Penalty,
     RootAcceleration,
     UnitMagnitude,
     grounded_intervals,
@@ -88,7 +89,11 @@ def on_a_path(heights: list[float], weight: float, flights: tuple = ()) -> float
     figure = Figure(mujoco.MjModel.from_xml_string(BALL))
     keys = [Frame.key(0.5 * i, [0.5 * i, 0, z + 0.1, 1, 0, 0, 0]) for i, z in enumerate(heights)]
     intervals = grounded_intervals(figure, raw_timeline(figure, keys), (FOOT,), (FLOOR,), flights)
-    penalties = [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0), (UnitMagnitude(), 1.0)]
+    penalties: list[tuple[Penalty, float]] = [
+        (CovariantAcceleration(), 1.0),
+        (RootAcceleration(), 1.0),
+        (UnitMagnitude(), 1.0),
+    ]
     penalties.append((Grounded((FOOT,), (FLOOR,), intervals), weight))
     motion = inbetween(Problem(figure, keys, penalties, Settings(tolerance=1e-4)))
     middle = 0.5 * (len(heights) - 1) * np.linspace(1 / 3, 2 / 3, 200)
