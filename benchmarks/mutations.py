@@ -9,8 +9,8 @@ Constants that a module begins with are left alone: they are choices, each with 
 A mutation is a float times 1.001, an integer one up or down, a comparison, a sign or a product turned round, `and` for
 `or`. No file is touched: a process of its own compiles the mutated source under the name of the module and runs pytest
 in itself, in a time that is bounded: first the tests that are named after the module, then those that use it, then the
-rest of its folder, and with --all the solver's other fast tests. A line each says caught, survived or hung; the last line is
-their sum; results can be kept as JSON.
+rest of its folder, and with --all the solver's other fast tests. A line each says caught, survived or hung; the last
+line is their sum; results can be kept as JSON.
 """
 
 from __future__ import annotations
