@@ -83,7 +83,9 @@ class Settings:
         """Variable frames to begin with in every one of so many segments between keyframes."""
         if self.variable is not None:
             return self.variable
-        return max(FEW, min(MORE, (self.frames or MORE * segments) // segments)) if in_windows else FEW
+        if not in_windows:
+            return FEW
+        return MORE if self.frames is None else max(FEW, min(MORE, self.frames // segments))
 
 
 @dataclass(frozen=True, eq=False)

@@ -33,7 +33,7 @@ def closed(figure: Figure, keys: list[Frame], travel: ArrayLike | None, turn: fl
     own = first.fixed | (first.known & ~last.fixed)
     for x, heading in zip(figure.tables.position_columns[0], headings, strict=True):
         if heading:
-            own[x : x + 2] = _has_place(first, x) or not _has_place(last, x)
+            own[x : x + 2] = _has_place(first, x)
     state = np.where(own, first.state, seam.moved(last.state, -1))
     begin, end = state, seam.moved(state)
     apart = np.maximum(np.abs(end - last.state) * last.fixed, np.abs(begin - first.state) * first.fixed)

@@ -84,7 +84,7 @@ class Recorded:
         """
         figure, model = self.figure, self.figure.model
         names = [model.body(i).name or f"body {i}" for i in range(model.nbody)]
-        found = [(names[i], figure.point_on_link(i, np.zeros(3))) for i in range(1, model.nbody)]
+        found = [(name, figure.point_on_link(i, np.zeros(3))) for i, name in enumerate(names)]
         for i in range(model.nsite):
             place = figure.point_on_link(int(model.site_bodyid[i]), model.site_pos[i])
             found.append((model.site(i).name or f"site {i} of {names[model.site_bodyid[i]]}", place))

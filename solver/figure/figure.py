@@ -340,16 +340,15 @@ class Tables:
         def of_kind(*kinds: JointKind) -> Index:
             return np.array([i for i, link in enumerate(links) if i and link.kind in kinds], np.intp)
 
-        def columns(indices: Index, start: int, size: int, free_shift: int = 0) -> Index:
-            firsts = [links[i].qpos + (free_shift if links[i].kind is JointKind.FREE else 0) + start for i in indices]
-            return (np.array(firsts, np.intp)[None, :] + np.arange(size)[:, None]).reshape(size, len(indices))
+        def firsts(indices: Index) -> Index:
+            return np.array([links[i].qpos for i in indices], np.intp)
 
         balls = of_kind(JointKind.FREE, JointKind.BALL)
         free, hinges, slides = of_kind(JointKind.FREE), of_kind(JointKind.HINGE), of_kind(JointKind.SLIDE)
         turns = np.array([link.turn for link in links])
         offset = np.array([np.zeros(3) if link.kind is JointKind.FREE else link.offset for link in links]).T
         centre = np.array([link.centre for link in links]).T
-        blocks = columns(balls, 0, 4, free_shift=3)
+        blocks = firsts(balls) + 3 * np.isin(balls, free) + np.arange(4)[:, None]  # a free joint begins with its place
         in_world = _upright(links)
         if figure.coordinates == "joint":
             in_world &= np.array([link.kind is JointKind.FREE for link in links])
@@ -361,10 +360,10 @@ class Tables:
             quaternion_links=balls,
             free_links=free,
             ball_links=of_kind(JointKind.BALL),
-            position_columns=columns(free, 0, 3),
-            hinge_columns=columns(hinges, 0, 1)[0],
+            position_columns=firsts(free) + np.arange(3)[:, None],
+            hinge_columns=firsts(hinges),
             hinge_links=hinges,
-            slide_columns=columns(slides, 0, 1)[0],
+            slide_columns=firsts(slides),
             slide_links=slides,
             parents=parents,
             path=path,

@@ -13,6 +13,7 @@ from .penalty import Penalty
 SAMPLES = 5  # random ones that a gradient is tried on
 STEPS = np.array([1e-3, 1e-4])
 STEEP = 1.9  # of the Taylor slope: 2 of an exact gradient, 1 of a wrong one
+SCALES = 0.5, 2.0  # between which the samples' factors are
 LINEAR = 1e-10  # of the size of what is compared: remainders as small are rounding, where f_j is linear or flat
 
 
@@ -23,7 +24,7 @@ def check(penalty: Penalty, figure: Figure, *, seed: int = 0) -> None:
     """
     rng, name = np.random.default_rng(seed), penalty.name
     samples = _random(figure, rng)
-    scale, cotangent = rng.uniform(0.5, 2.0, SAMPLES), Cotangent(samples)
+    scale, cotangent = rng.uniform(*SCALES, SAMPLES), Cotangent(samples)
     values = penalty.evaluate(samples, cotangent, scale)
     if np.shape(values) != (SAMPLES,):
         raise ValueError(f"penalty '{name}': values of {SAMPLES} samples are {np.shape(values)}, not ({SAMPLES},)")

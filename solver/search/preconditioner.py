@@ -26,7 +26,7 @@ class Preconditioner:
 
     layout: Layout
     factor: Array
-    value: float = 1.0
+    value: float
 
     @property
     def size(self) -> int:

@@ -119,9 +119,9 @@ def test_a_loop_that_turns_about_a_place_that_nobody_gives_is_refused_by_the_nam
     figure = figure_of(two.replace("<freejoint/>", '<freejoint name="ball"/>'))
     pose = np.array([0, 0, 1, 1, 0, 0, 0, 2, 2, 2, 1, 0, 0, 0.0])
     about = quat.from_rotation_vector(np.array([0, 0, 0.5]))
-    for first, name in ((0, "ball"), (7, "cup")):
+    for first, place, name in ((0, 0, "ball"), (0, 1, "ball"), (7, 7, "cup"), (7, 8, "cup")):
         known = np.ones(14, bool)
-        known[first] = False
+        known[place] = False
         last = np.array(pose)
         last[first + 3 : first + 7] = quat.product(about, pose[first + 3 : first + 7])
         keys = [Frame.key(0, pose, known), Frame.key(1, last, known)]

@@ -8,11 +8,17 @@ from figures import BALL_TREE, EVERY_JOINT, with_armature
 from random_samples import random_samples
 
 from dynsplines.solver.array import Array, Index
-from dynsplines.solver.figure.adjoint import Cotangent
+from dynsplines.solver.figure.adjoint import Cotangent, attached_pulled_back
 from dynsplines.solver.figure.algebra import cross
 from dynsplines.solver.figure.dynamics import InverseDynamics
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.figure.jacobian_rows import has_moment_rows, has_point_rows, moment_rows, point_rows
+from dynsplines.solver.figure.jacobian_rows import (
+    has_moment_rows,
+    has_point_rows,
+    moment_rows,
+    point_rows,
+    velocity_rows,
+)
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty.curvature import jacobian
 
@@ -53,6 +59,24 @@ def test_rows_of_points_are_the_differences_of_where_the_points_are(closed, rng)
         by = h * np.eye(closed.width)[column]
         expected[:, column] = (heights(samples.y + by) - heights(samples.y - by)) / (2 * h)
     assert_near(found, expected, 1e-8)
+
+
+def test_rows_of_velocities_are_those_of_the_adjoint_sweep(closed, rng):
+    samples = random_samples(closed, rng)
+    at, link, offset, direction = some_points(closed, samples, rng)
+
+    def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
+        here = np.arange(rows.size)
+        along, arms = np.zeros((2, 3, rows.size, rows.size))
+        along[:, here, here], arms[:, here, here] = direction[:, rows], offset[:, rows]
+        cotangent.buffer("x_d")[:, link[rows], here] = direction[:, rows]
+        attached_pulled_back(cotangent, arms, (None, along, None), link[rows])
+
+    expected = jacobian(samples, at, seeded)
+    found = velocity_rows(samples, at, link, offset, direction)
+    assert not expected[:, 2].any()
+    assert_near(found, expected[:, :2], 1e-12)
+    np.testing.assert_allclose(found[:, 1], point_rows(samples, at, link, offset, direction), atol=1e-12)
 
 
 def test_no_points_have_no_rows(closed, rng):

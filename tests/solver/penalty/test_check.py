@@ -57,6 +57,19 @@ class Odd(Power):
         return values
 
 
+def test_it_is_looked_at_at_five_times_of_the_first_second():
+    seen: list[Array] = []
+
+    class Watched(Power):
+        def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+            seen.append(samples.t)
+            return super().evaluate(samples, into, scale)
+
+    check(Watched(2), FIGURE)
+    for times in seen:
+        np.testing.assert_allclose(times[:5], [0, 0.2, 0.4, 0.6, 0.8])
+
+
 @pytest.mark.parametrize("penalty", [CovariantAcceleration(), RootAcceleration(), Torque(), UnitMagnitude()])
 def test_soft_constraints_that_ship_pass(penalty):
     check(penalty, FIGURE)

@@ -139,7 +139,7 @@ def test_a_clip_in_windows_costs_what_the_whole_costs_and_meets_its_keyframes(en
 
 def test_windows_begin_with_their_whole_budget_up_to_three_frames_a_segment_unless_told():
     assert Settings().in_each(9, in_windows=False) == 2
-    assert [Settings(frames=n).in_each(9, in_windows=True) for n in (None, 5, 18, 27, 100)] == [3, 2, 2, 3, 3]
+    assert [Settings(frames=n).in_each(9, in_windows=True) for n in (None, 0, 5, 18, 27, 100)] == [3, 2, 2, 2, 3, 3]
     assert Settings(variable=1, frames=100).in_each(9, in_windows=True) == 1
 
 

@@ -162,6 +162,7 @@ def test_constraints_that_cost_more_than_all_motion_does_are_violent_and_less_ar
     assert is_violent(objective, {"covariant": 0.5, "unit": 0.0, "bend": 3.1})
     assert not is_violent(objective, {"covariant": 5.0, "unit": 0.0, "bend": 3.1})
     assert not is_violent(objective, {"covariant": 50.0})
+    assert not is_violent(objective, {"covariant": 5.0, "bend": 5.0})  # as much is not more
 
 
 def test_motion_that_costs_twice_what_the_raw_spline_does_is_dear_where_there_is_something_to_go_round():

@@ -291,6 +291,13 @@ def test_where_next_to_nothing_is_left_of_e_a_decrease_is_measured_against_a_tho
         assert not search.is_negligible(1.01e-3 * 1e-3 * first, 1e-3)
 
 
+def test_where_e_is_nothing_so_is_every_decrease(rng):
+    search = Search(problem_of(rng), 10, FIRST_DAMPING, None)
+    search.value = search.first = 0.0
+    assert search.is_negligible(0.0, 1e-3)
+    assert not search.is_negligible(1e-300, 1e-3)
+
+
 def test_the_damping_that_was_left_is_where_a_descent_goes_on(rng):
     problem = problem_of(rng)
     descent = Descent(problem.objective, problem.timeline, damping=3.0)
