@@ -373,6 +373,10 @@ def test_a_window_begins_as_the_clip_has_it_and_put_back_unchanged_changes_nothi
     beyond = times[window.first] if window.held < window.first else -np.inf
     expected = [f.time for f in assembly.frames if f.is_variable and max(own.span[0], beyond) < f.time <= own.span[1]]
     assert free == expected
+    held = [frame.time for frame in opened.frames if not frame.is_variable]
+    within = [f.time for f in assembly.frames if own.span[0] <= f.time <= own.span[1] and f.time not in free]
+    assert len(held) == len(within) + (window.held > 0)  # one more beside a cut
+    assert held[:1] + held[1 + (window.held > 0) :] == within
     whole = assembly.around(window)(opened)
     np.testing.assert_array_equal(whole.times, assembly.timeline().times)
     t = np.linspace(times[0], times[-1], 300)

@@ -251,6 +251,20 @@ def test_with_one_sided_residuals_the_step_minimises_the_convex_model(rng, ends,
     assert np.linalg.norm(step - best) < 0.01 * np.linalg.norm(best)
 
 
+@pytest.mark.parametrize("kind", ONE_SIDES)
+def test_its_first_change_goes_to_the_minimum_of_the_piece_it_begins_on(rng, kind, monkeypatch):
+    """Of what E is if the residuals that count at first, and no others, go on counting; here that lowers the model."""
+    problem, x = one_sided_problem(rng, "free", kind)
+    dense = Dense(problem, x)
+    monkeypatch.setattr("dynsplines.solver.search.quadratic.MOST_CHANGES", 1)
+    step, _, _ = Model(Layout(problem), x, problem(x).gradient).minimised(0.0)
+    assert dense(step)[0] < dense(np.zeros(x.size))[0]
+    counts = dense.value > 0
+    pull = dense.rows.T @ (2 * dense.weight * counts * (dense.value + dense.rows @ step))
+    slope = dense.gradient + dense.hessian @ step + pull
+    assert np.abs(slope).max() < 1e-4 * np.abs(problem(x).gradient).max()
+
+
 @pytest.mark.parametrize("seed", [2, 4, 8])
 def test_so_it_does_where_whole_newton_steps_would_raise_the_model(seed, monkeypatch):
     rng = np.random.default_rng(seed)
