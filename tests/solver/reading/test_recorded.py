@@ -127,6 +127,15 @@ def test_one_or_two_samples_are_their_own_curve(count):
     np.testing.assert_array_equal(recorded._fitted(np.arange(3), np.ones(count), 1.0)[0], recorded.states[:, :3])
 
 
+def test_three_samples_are_drawn_towards_a_line():
+    figure = figure_of(TINY)
+    qpos = np.tile(figure.model.qpos0, (3, 1))
+    qpos[1, 0] += 1.0
+    recorded = Recorded(figure, 0.1 * np.arange(3), figure.to_state(qpos), np.ones((3, 11)))
+    smooth, _ = recorded._fitted(np.array([0]), np.ones(3), 1e-6)
+    np.testing.assert_allclose(smooth[:, 0] - qpos[0, 0], 1 / 3, atol=1e-3)  # so lively they are a line: their mean
+
+
 def test_what_is_recorded_together_are_places_of_roots_quaternions_and_single_joints():
     figure = figure_of(EVERY_JOINT)
     found = groups(figure)
