@@ -349,7 +349,7 @@ def reached(figure: Figure, goals: Sequence[Goal]) -> Mask:
 def limb(figure: Figure, body: int) -> list[int]:
     """The links from a body's own towards the root, up to where another limb branches off."""
     links = chain(figure, body)
-    branches = np.bincount(figure.tables.parents[1:], minlength=len(figure.links))
+    branches = np.bincount(figure.tables.parents, minlength=len(figure.links))
     forks = [i for i, link in enumerate(links) if i > 0 and branches[link] > 1]
     return links[: forks[0]] if forks else links
 

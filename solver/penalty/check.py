@@ -12,7 +12,7 @@ from .penalty import Penalty
 
 SAMPLES = 5  # random ones that a gradient is tried on
 STEPS = np.array([1e-3, 1e-4])
-STEEP = 1.9  # of the Taylor slope: 2 of an exact gradient, 1 of a wrong one
+EXACT, STEEP = 2.0, 1.9  # Taylor slopes: of an exact gradient, and the least that passes; a wrong one has 1
 SCALES = 0.5, 2.0  # between which the samples' factors are
 LINEAR = 1e-10  # of the size of what is compared: remainders as small are rounding, where f_j is linear or flat
 
@@ -55,5 +55,5 @@ def _taylor_slope(penalty: Penalty, samples: Samples, scale: Array, gradient: Ar
     first, rise = value(0.0), float(np.sum(gradient * direction))
     remainders = np.array([abs(value(step) - first - step * rise) for step in STEPS])
     if np.all(remainders < LINEAR * max(abs(first), abs(rise), 1.0)):
-        return 2.0
+        return EXACT
     return float(np.diff(np.log(remainders + np.finfo(float).tiny))[0] / np.diff(np.log(STEPS))[0])

@@ -126,7 +126,8 @@ class Curvature:
 
 def _apart(shape: tuple[int, ...]) -> tuple[int, int, int, int]:
     """(S, K, K) -> (K, 1, K, 1)."""
-    return shape[1], 1, shape[2], 1
+    size = shape[-1]
+    return size, 1, size, 1
 
 
 def jacobian(samples: Samples, at: Index, seeded: Callable[[Samples, Cotangent, Index], None]) -> Array:

@@ -165,6 +165,20 @@ def test_a_period_is_one_unless_told_and_takes_what_hangs_from_the_root_with_it(
     np.testing.assert_allclose(back, points, atol=1e-12)
 
 
+def test_of_two_free_bodies_the_first_says_how_points_are_carried_and_by_how_much_a_period_turns(rng):
+    one = '<body><freejoint/><geom size=".1"/></body>'
+    figure = figure_of(f"<mujoco><worldbody>{one}{one}</worldbody></mujoco>")
+    abouts = [quat.from_rotation_vector(np.array([0, 0, angle])) for angle in (0.4, -0.7)]
+    first = np.array([1.0, 2, 3, 1, 0, 0, 0, -1, 0, 2, 1, 0, 0, 0])
+    last = np.concatenate(
+        [[*(quat.rotated(about, first[i : i + 3]) + i + 1), *about] for about, i in zip(abouts, (0, 7), strict=True)]
+    )
+    seam = Seam.between(figure, first, last)
+    np.testing.assert_allclose(seam.turn(), abouts[0], atol=1e-12)
+    points = rng.normal(size=(5, 3))
+    np.testing.assert_allclose(seam.carried(figure, points), quat.rotated(abouts[0], points) + 1, atol=1e-12)
+
+
 def test_a_loop_of_a_figure_without_a_free_body_carries_no_point_and_turns_nothing(rng):
     figure = figure_of('<mujoco><worldbody><body><joint type="ball"/><geom size=".1"/></body></worldbody></mujoco>')
     seam = Seam.between(figure, np.array([1.0, 0, 0, 0]), np.array([1.0, 0, 0, 0]))
