@@ -131,7 +131,7 @@ def test_three_samples_are_drawn_towards_a_line():
     figure = figure_of(TINY)
     qpos = np.tile(figure.model.qpos0, (3, 1))
     qpos[1, 0] += 1.0
-    recorded = Recorded(figure, 0.1 * np.arange(3), figure.to_state(qpos), np.ones((3, 11)))
+    recorded = Recorded(figure, np.array([0.0, 0.1, 0.2]), figure.to_state(qpos), np.ones((3, 11)))
     smooth, _ = recorded._fitted(np.array([0]), np.ones(3), 1e-6)
     np.testing.assert_allclose(smooth[:, 0] - qpos[0, 0], 1 / 3, atol=1e-3)  # so lively they are a line: their mean
 
