@@ -40,6 +40,7 @@ from dynsplines.solver.penalty import (
     Spot,
     Stance,
     Sum,
+    Torque,
     Upright,
 )
 from dynsplines.solver.penalty.joints.self_contact import Bar, SelfContact
@@ -121,6 +122,13 @@ def test_a_clip_that_is_played_slower_costs_less_by_the_power_that_its_scale_say
     assert values.any()
     np.testing.assert_allclose(penalty.evaluate(slower) * 3.0**penalty.scale.time_power, values, rtol=1e-9)
     assert not penalty.scale.is_violation
+
+
+def test_a_newton_metre_counts_as_the_reference_of_torques_says():
+    arm = '<body><joint type="hinge" axis="0 1 0"/><geom size=".001" pos="0.1 0 0" mass="1"/></body>'
+    figure = figure_of(f'<mujoco><option gravity="0 0 -10"/><worldbody>{arm}</worldbody></mujoco>')
+    y = np.zeros((1, figure.width))
+    np.testing.assert_allclose(Torque().evaluate(Samples(figure, y, y, y)), Torque().scale.reference, rtol=1e-12)
 
 
 def test_two_radians_a_unit_of_spacing_squared_count_as_the_references_of_accelerations_say():
