@@ -111,6 +111,7 @@ def test_the_places_of_a_pose_that_can_be_taken_are_met_again(seed):
     goals.append(BodyGoal("chest", wanted.body("chest").xquat.copy()))
     found = posed(figure, figure.model.qpos0, everything(figure), goals, BENDS)
     assert found.is_met
+    assert found.starts == 0
     there = seen(figure, found.qpos)
     for goal in goals:
         if isinstance(goal, SiteGoal):

@@ -75,6 +75,28 @@ def test_the_spheres_of_a_body_reach_as_far_as_its_shapes_in_every_direction():
         assert short.max() < 2e-3
 
 
+ONE_SHAPE = """
+<mujoco><worldbody><body pos="0 0 1"><freejoint/><geom name="it" type="{}" size="{}" pos=".1 0 0"/></body></worldbody>
+</mujoco>"""
+
+
+def test_a_cylinders_rims_are_eight_points_each_all_round_it():
+    points = body_points(figure_of(ONE_SHAPE.format("cylinder", ".2 .5")))
+    places = np.array([point.position for point in points]) - [0.1, 0, 0]
+    assert {point.radius for point in points} == {0}
+    expected = [(0.2 * np.cos(a), 0.2 * np.sin(a), z) for z in (-0.5, 0.5) for a in np.radians(range(0, 360, 45))]
+    assert len(places) == 16
+    for place in expected:
+        assert np.linalg.norm(places - place, axis=1).min() < 1e-12
+
+
+def test_an_ellipsoid_is_small_spheres_at_its_tips():
+    points = body_points(figure_of(ONE_SHAPE.format("ellipsoid", ".1 .2 .4")))
+    assert {point.radius for point in points} == {0.1}
+    places = {tuple(np.round(point.position - [0.1, 0, 0], 12).tolist()) for point in points}
+    assert {(0, 0.1, 0), (0, -0.1, 0), (0, 0, 0.3), (0, 0, -0.3)} <= places
+
+
 LIMB = """
 <mujoco><worldbody><body pos="0 0 1"><freejoint/><geom name="limb" type="capsule" size=".03" fromto="0 0 0 0 0 -.4"/>
   <geom name="lump" type="sphere" size="{size}" pos="0 0 {z}"/></body></worldbody></mujoco>"""
