@@ -69,6 +69,11 @@ class Gait:
                 best, gain = rhythm, rhythm.gain - OUTSIDE * outside
         return best
 
+    @property
+    def _periods(self) -> tuple[float, float]:
+        """[s] between which the period of a cycle is."""
+        return SHORTER * self.usual_period, LONGER * self.usual_period
+
     def _without(self, first: int, last: int) -> Gait:
         """Without so many of the first and of the last keyframes."""
         if not first + last:
@@ -84,7 +89,7 @@ class Gait:
         poses = PoseVectors.of(self.figure, self.keys)
         if poses is None or not FEWEST <= poses.times.size <= MOST:
             return None
-        shortest, longest = SHORTER * self.usual_period, LONGER * self.usual_period
+        shortest, longest = self._periods
         longest = min(longest, poses.sides / 2 * (poses.times[-1] - poses.times[0]) / CYCLES)
         sure = [r for r in self.candidates(Process(poses), (shortest, longest), GAIN) if r.slip <= SLIP]
         best = max(sure, key=lambda rhythm: rhythm.gain, default=None)
@@ -95,10 +100,8 @@ class Gait:
         poses = PoseVectors.of(self.figure, self.keys)
         if poses is None:
             return None
-        shortest, longest = ANY_PERIOD
-        if self._may_walk:
-            shortest, longest = SHORTER * self.usual_period, LONGER * self.usual_period
-        found = self.candidates(Process(poses), (shortest, longest), -np.inf)
+        between = self._periods if self._may_walk else ANY_PERIOD
+        found = self.candidates(Process(poses), between, -np.inf)
         return min(found, key=lambda rhythm: (rhythm.slip > SLIP, -rhythm.gain), default=None)
 
     def given(self, period: float) -> Rhythm | None:

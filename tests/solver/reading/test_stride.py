@@ -12,7 +12,7 @@ from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.reading.pose_vectors import PoseVectors
 from dynsplines.solver.reading.rhythm import Process
-from dynsplines.solver.reading.stride import GRAVITY, Gait, _refined
+from dynsplines.solver.reading.stride import ANY_PERIOD, GAIN, GRAVITY, LONGER, SHORTER, Gait, _refined
 from dynsplines.solver.surface import Plane
 
 
@@ -73,6 +73,22 @@ def test_candidates_come_likeliest_first_between_the_periods_asked_for_and_above
     given = seen.given(0.9)
     assert given is not None
     assert given.period == 0.9
+
+
+def test_periods_are_looked_for_from_a_share_of_the_usual_one_to_a_multiple_of_it(monkeypatch):
+    seen, asked = gait(WALK, 0.3), []
+    monkeypatch.setattr(Gait, "candidates", lambda self, process, between, least: asked.append((between, least)) or [])
+    assert seen.likeliest() is None
+    assert seen.told() is None
+    usual = seen.usual_period
+    assert asked[0] == ((SHORTER * usual, LONGER * usual), -np.inf)
+    (shortest, longest), least = asked[1]
+    assert shortest == SHORTER * usual
+    assert shortest < longest <= LONGER * usual
+    assert least == GAIN
+    still = gait(WALK * (np.arange(WALK.shape[1]) != 0), 0.3)
+    assert still.likeliest() is None
+    assert asked[-1] == (ANY_PERIOD, -np.inf)
 
 
 def test_feet_slide_by_as_much_as_the_body_is_carried_along_besides_whatever_the_ground_is_called():
