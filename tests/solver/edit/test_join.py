@@ -155,6 +155,21 @@ def test_a_motion_that_follows_keeps_its_heights(rng):
     np.testing.assert_allclose(place.timeline(figure, after).states[:, 2], after.states[:, 2], rtol=1e-12)
 
 
+def test_of_two_free_bodies_the_first_says_where_a_motion_goes_on():
+    one = '<body><freejoint/><geom size=".1"/></body>'
+    figure = figure_of(f"<mujoco><worldbody>{one}{one}</worldbody></mujoco>")
+
+    def moving(first: float, second: float) -> Timeline:
+        """From 0 to 1 s, straight on along x at 1 m/s; the second body as fast along y."""
+        states = [[first + t, 0, 1, 1, 0, 0, 0, 5, second + t, 1, 1, 0, 0, 0] for t in (0.0, 1.0)]
+        slope = np.eye(14)[0] + np.eye(14)[8]
+        return Timeline(tuple(Frame.key(float(t), state) for t, state in enumerate(states)), np.stack([slope, slope]))
+
+    place = following(figure, moving(0.0, 0.0), moving(7.0, -3.0), LENGTH)
+    np.testing.assert_allclose(place.turn, [1, 0, 0, 0], atol=1e-12)
+    np.testing.assert_allclose(place.shift, [1 + LENGTH - 7, 0, 0], atol=1e-12)
+
+
 def test_heading_is_the_turn_about_z_under_any_tilt(rng):
     for angle in (0.0, 1.0, -2.5, 3.0):
         turn = quat.from_rotation_vector([0, 0, angle])
