@@ -1,8 +1,12 @@
 """Allowances: straight lines between keyframes, and what bends and depths make of them."""
 
+from dataclasses import replace
+
 import mujoco
 import numpy as np
 import pytest
+from bends import limits_of
+from figures import BALL_TREE, figure_of
 from penalty_slope import penalty_slope
 from random_samples import at_times, random_samples
 
@@ -110,3 +114,21 @@ def test_gradients_with_allowances_have_taylor_slope_two(figure, rng):
     assert penalty_slope(contact, samples, rng) > 1.95
     depth = floor.point[2] - centres[2] + np.array([0.05, 0.1])[:, None] - allowed.at(samples.t)
     np.testing.assert_allclose(contact.evaluate(samples), np.sum(np.maximum(depth, 0) ** 2, axis=0), rtol=1e-9)
+
+
+def test_bends_are_allowed_beyond_each_of_their_five_bounds_what_is_told_for_it(rng):
+    figure = figure_of(BALL_TREE)
+    samples = at_times(random_samples(figure, rng, 40), np.linspace(0, 1, 40))
+    limits = limits_of(figure)
+    allowed = Allowance(np.array([0.0, 0.4, 1]), rng.uniform(0.1, 0.9, (5, len(limits.joints), 3)))
+    term = replace(limits, allowed=allowed)
+    flexion, sideways, twist = limits.angles(samples)
+    least, aside, turned = limits.least, limits.sideways, limits.twist
+    over = np.array([least - flexion, sideways - aside, -sideways - aside, twist - turned, -twist - turned])
+    over = np.maximum(over - allowed.at(samples.t), 0)
+    assert over.any(axis=(1, 2)).all()
+    np.testing.assert_allclose(term.evaluate(samples), np.sum(over**2, axis=(0, 1)), rtol=1e-12)
+    sides = term.sides(samples)
+    assert sides is not None
+    counted = np.bincount(sides.at, np.maximum(sides.value, 0) ** 2, samples.count)
+    np.testing.assert_allclose(counted, term.evaluate(samples), rtol=1e-12)
