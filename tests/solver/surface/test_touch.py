@@ -12,7 +12,7 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.surface import static_surfaces
 from dynsplines.solver.surface.cover import covering_points
 from dynsplines.solver.surface.points import body_points
-from dynsplines.solver.surface.touch import bolted, counts_all, movers, solids
+from dynsplines.solver.surface.touch import bolted, counts_all, grounds, movers, solids
 
 ARM = """
 <mujoco><asset><mesh name="rock" vertex="0 0 0 .1 0 0 0 .1 0 0 0 .1 .1 .1 .1"/></asset>
@@ -40,6 +40,16 @@ def test_what_is_only_to_be_seen_and_what_a_programme_moves_do_not_count():
     assert named(model, solids(model)) == ["floor", "wall", "base"]
     assert named(model, movers(model)) == ["one", "two", "cart", "lift", "die"]
     assert [surface.name for surface in static_surfaces(model)] == ["floor", "wall", "base"]
+
+
+def test_floors_are_the_planes_that_no_programme_moves_and_that_face_up():
+    plane = '<geom name="{}" type="plane" size="1 1 1" euler="{} 0 0"/>'
+    turned = {"floor": 0, "ramp": 7, "steep": 9, "wall": 90, "ceiling": 180}
+    planes = "".join(plane.format(name, angle) for name, angle in turned.items())
+    mark = f'<body mocap="true">{plane.format("mark", 0)}</body>'
+    box = '<geom name="box" type="box" size="1 1 1"/>'
+    model = mujoco.MjModel.from_xml_string(f"<mujoco><worldbody>{planes}{box}{mark}</worldbody></mujoco>")
+    assert named(model, grounds(model)) == ["floor", "ramp"]  # 8 degrees lie between
 
 
 def test_limbs_are_bolted_to_what_they_are_in_at_rest_unless_they_can_leave_it():
