@@ -128,7 +128,7 @@ def lines(found: Sequence[Flaw], file: object = None) -> list[str]:
     out = []
     for problem in first[:MOST_TOLD]:
         others = told.get((problem.kind, problem.keyframe or 0), 1) - 1
-        out.append(f"problem: {problem.text}" + (f"; {others} more of it are" if others else ""))
+        out.append(f"problem: {problem.text}" + (f"; {others} more like it there" if others else ""))
     more = len(first) - MOST_TOLD
     return [*out, f"... and {more} more" + (f": dynsplines report {file}" if file else "")] if more > 0 else out
 

@@ -346,7 +346,7 @@ def test_of_many_lines_the_worst_are_told_and_the_rest_counted():
 def test_limbs_that_one_keyframe_sinks_are_one_line():
     found = wrong(read(SQUAT))
     (line,) = problems.lines(found)
-    assert line == f"problem: {found[0].text}; {len(found) - 1} more of it are"
+    assert line == f"problem: {found[0].text}; {len(found) - 1} more like it there"
     assert len(found) == 4
 
 
