@@ -125,11 +125,16 @@ class Tab:
         return int(self.look("studio.model.document.revision"))
 
     def changes(self, deed: Callable[[], object], seconds: float = 60.0) -> None:
-        """Does something, and waits until the document has changed and its path is on the page."""
+        """Does something, and waits until the document has changed, its path is on the page and the timeline drawn."""
         before = self.revision
         deed()
         now = "studio.model.document.revision"
         self.until(f"{now} !== {before} && studio.model.loaded.revision === {now}", seconds)
+        self.drawn()
+
+    def drawn(self) -> None:
+        """Until the page has drawn what it knows by now: rows of the timeline are made anew, once an image."""
+        self.look("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(null))))")
 
     def press(self, keys: str) -> None:
         self.page.keyboard.press(keys)
@@ -180,6 +185,7 @@ class Tab:
 
     def middle(self, selector: str) -> tuple[float, float]:
         """[px] of an element's middle."""
+        self.drawn()
         box = self.page.locator(selector).bounding_box()
         return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
 

@@ -411,11 +411,13 @@ def test_a_hold_is_drawn_for_the_hand_of_the_arm_that_is_chosen(tab):
     row = page.locator("[data-hand='left_hand']")
     row.wait_for()
     row.scroll_into_view_if_needed()
+    tab.drawn()
     box = row.bounding_box()
     left, width = box["x"] + 188 + 16, box["width"] - 188 - 32
     at = [left + t / 2.2 * width for t in (0.92, 1.15)]
     tab.drag((at[0], box["y"] + 8), (at[1], box["y"] + 8))
     menu = page.locator("dialog.menu")
+    menu.wait_for()
     names = menu.locator("button").all_inner_texts()
     assert not {"left_forearm", "left_upper_arm"} & set(names)
     tab.changes(menu.locator("button").first.click)
