@@ -134,7 +134,11 @@ class Tab:
 
     def drawn(self) -> None:
         """Until the page has drawn what it knows by now: rows of the timeline are made anew, once an image."""
-        self.look("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(null))))")
+        self.look(
+            """new Promise((done, fail) => {
+              setTimeout(() => fail(new Error("nothing was drawn for 60 s")), 60000);
+              requestAnimationFrame(() => requestAnimationFrame(() => done(null))); })"""
+        )
 
     def press(self, keys: str) -> None:
         self.page.keyboard.press(keys)
