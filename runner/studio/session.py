@@ -365,7 +365,10 @@ class Session:
             self._status("refused", words=message["words"])
 
     def _judge(self, message: Message) -> bool:
+        """Takes what is said of the text that is tried, and not of the one before, which a new process hears again."""
         if self._verdict is None or self._verdict.done():
+            return False
+        if self._trying is not None and message.get("revision") not in (None, self._trying["revision"]):
             return False
         self._verdict.set_result(message)
         return True

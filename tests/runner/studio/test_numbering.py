@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import json
 import tomllib
 
 import pytest
@@ -93,3 +94,26 @@ def test_a_revision_that_is_not_of_this_clip_is_refused(session, tmp_path):
 def test_the_same_revision_and_none_are_taken_as_they_are(session):
     assert renumbered(session.document, None, {"key": 7}) == {"key": 7}
     assert renumbered(session.document, 0, {"keys": [1, 2]}) == {"keys": [1, 2]}
+
+
+def test_what_a_new_process_says_of_the_text_before_is_no_answer_to_an_edit(session, monkeypatch):
+    """It hears that text once more; both its answers may come at once."""
+    told = []
+    session.enter(1, told.append)
+
+    def heard(message):
+        if message["do"] == "load":
+            loop = asyncio.get_running_loop()
+            for revision in (message["revision"] - 1, message["revision"]):
+                said = {"is": "loaded", "revision": revision, "outline": {"of": revision}, "keys": []}
+                loop.call_soon(session._heard, said)
+
+    monkeypatch.setattr(session.solver, "send", heard)
+    asyncio.run(session.edit("add_key", {"said": {"time": 0.15}}))
+    messages = [json.loads(each) for each in told]
+    documents = [each for each in messages if each["is"] == "document"]
+    loaded = [each["revision"] for each in messages if each["is"] == "loaded"]
+    assert (documents[-1]["revision"], documents[-1]["of"]) == (1, 1)
+    assert loaded[-1] == 1
+    assert all(each["of"] <= each["revision"] for each in documents)
+    assert times(session) == [0.0, 0.1, 0.15, 0.2, 0.3, 0.4]
