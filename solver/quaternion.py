@@ -66,7 +66,7 @@ def from_rotation_vector(v: ArrayLike) -> Array:
     if v.ndim == 1:
         x, y, z = v.tolist()
         half = 0.5 * math.hypot(x, y, z)
-        share = 0.5 * math.sin(half) / half if half else 0.0
+        share = 0.5 * math.sin(half) / half if half else 0.5
         return np.array([math.cos(half), share * x, share * y, share * z])
     half = 0.5 * np.linalg.norm(v, axis=-1, keepdims=True)
     return np.concatenate([np.cos(half), 0.5 * np.sinc(half / np.pi) * v], axis=-1)
