@@ -349,8 +349,7 @@ def reached(figure: Figure, goals: Sequence[Goal]) -> Mask:
 def limb(figure: Figure, body: int) -> list[int]:
     """The links from a body's own towards the root, up to where another limb branches off."""
     links = chain(figure, body)
-    branches = np.bincount(figure.tables.parents, minlength=len(figure.links))
-    forks = [i for i, link in enumerate(links) if i > 0 and branches[link] > 1]
+    forks = [i for i, link in enumerate(links) if i > 0 and figure.tables.children[link] > 1]
     return links[: forks[0]] if forks else links
 
 
@@ -399,7 +398,7 @@ class _PoseSearch:
         dofs, weights = [], []
         for i in links:
             link = self.figure.links[i]
-            turn = TRUNK if np.count_nonzero(self.figure.tables.parents == i) > 1 else 1.0
+            turn = TRUNK if self.figure.tables.children[i] > 1 else 1.0
             size = {JointKind.FREE: 6, JointKind.BALL: 3, JointKind.HINGE: 1, JointKind.SLIDE: 1}[link.kind]
             shift = {JointKind.FREE: 3, JointKind.SLIDE: 1}.get(link.kind, 0)
             for k in range(size):  # a dof of a position has an entry of its own, those of a turn have one for all

@@ -108,8 +108,7 @@ def trunk(figure: Figure) -> list[int]:
     tables = figure.tables
     root = int(tables.free_links[0])
     hangs = tables.mass @ tables.path
-    branches = np.bincount(tables.parents, minlength=len(figure.links))
-    forks = (branches > 1) & (tables.path[:, root] > 0) & (hangs > OF_TRUNK * hangs[root])
+    forks = (tables.children > 1) & (tables.path[:, root] > 0) & (hangs > OF_TRUNK * hangs[root])
     return [root, *(i for i in np.flatnonzero(forks).tolist() if i != root)]
 
 

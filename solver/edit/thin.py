@@ -112,7 +112,7 @@ class Recorded:
     def stands(self) -> Mask:
         """(n, S) whether a point at the end of a limb stands still for a while."""
         links = self.points[1]
-        ends = ~np.isin(links, self.figure.tables.parents)
+        ends = self.figure.tables.children[links] == 0
         slow = np.zeros((links.size, self.times.size), bool)
         if self.times.size > 1:
             velocity = np.gradient(self._own[0], self.times, axis=2)
@@ -261,7 +261,7 @@ def tips(figure: Figure, marked: Set[int]) -> list[tuple[str, int, Array]]:
     marked  bodies that have a site, which is what people look at; their limbs have no other tip
     """
     model, out = figure.model, []
-    ends = set(range(1, len(figure.links))) - set(figure.tables.parents.tolist())
+    ends = set(np.flatnonzero(figure.tables.children == 0).tolist())
     ends -= {figure.point_on_link(body, np.zeros(3))[0] for body in marked}
     far: dict[int, tuple[float, Array]] = {}
     for point in body_points(figure) if ends else ():

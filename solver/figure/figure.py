@@ -289,6 +289,7 @@ class Tables:
     free_links, position_columns   links with a free joint (f,) and their columns of position (3, f)
     ball_links                     (b,) links with a ball joint
     hinge_columns, slide_columns   (h,), (s,) columns of the hinges and slides, in the order of their links
+    children            (L,) how many links hang on each by a joint of their own: limbs end where none do
     path                (L, L) 1 where a link lies on the way from the root to another (row: the other), itself included
     beyond              (L, L) its transpose
     steps, arms         (L, 3 L) each link's offset at its parent's columns, its centre of mass at its own; all x first
@@ -308,6 +309,7 @@ class Tables:
     slide_columns: Index
     slide_links: Index
     parents: Index
+    children: Index
     path: Array
     beyond: Array
     steps: Array
@@ -366,6 +368,7 @@ class Tables:
             slide_columns=firsts(slides),
             slide_links=slides,
             parents=parents,
+            children=np.bincount(parents[1:], minlength=count),
             path=path,
             beyond=np.ascontiguousarray(path.T),
             steps=on_links(offset, parents, count),

@@ -123,6 +123,8 @@ class Work:
         except Exception as error:  # a mistake of ours: the page tells it and goes on
             words = f"a mistake of dynsplines, not of yours: {type(error).__name__}: {one_line(error)}"
             self._tell("refused", revision=message.get("revision"), words=words)
+        except KeyboardInterrupt:  # it came in the last steps of a search, behind what heeds one
+            self._is_searching, self._is_cut = False, True
         if self._is_cut and self._is_going and not self.is_awaited():
             self._go_on()  # what ended the search asked for something else, or was refused
 

@@ -133,9 +133,9 @@ class Near(Guide):
     @cached_property
     def ends(self) -> tuple[Index, Array]:
         """The links that end limbs (n,), and the middle of their masses on them (3, n)."""
-        parents, links = self.recorded.figure.tables.parents, self.recorded.figure.links
-        ends = np.array([i for i in range(1, len(links)) if not np.any(parents == i)], np.intp)
-        return ends, np.array([links[i].centre for i in ends]).reshape(-1, 3).T
+        tables = self.recorded.figure.tables
+        ends = np.flatnonzero(tables.children == 0)
+        return ends, tables.centre[:, ends]
 
     def _ends_off(self, samples: Samples) -> Iterator[tuple[int, Array, Array, Array]]:
         """Of every limb's end its link, the offset to it (3, S), how far it is off (3, S), what that weighs (S,)."""

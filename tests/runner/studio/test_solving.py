@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import pickle
 import struct
+from contextlib import contextmanager
 from dataclasses import replace
 
 import numpy as np
@@ -209,6 +210,23 @@ def test_a_search_goes_on_after_a_message_that_did_not_ask_to_end_it(work, tmp_p
     assert "ASKED" not in ends
     work.do({"do": "curves", "on": False})
     assert work.line.taken() == []  # nothing is left to search
+
+
+def test_a_message_in_the_last_steps_of_a_search_cuts_it_and_no_more(work, tmp_path, monkeypatch):
+    searching = Work._searching
+
+    @contextmanager
+    def ended_late(self):
+        with searching(self):
+            yield
+        monkeypatch.setattr(Work, "_searching", searching)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(Work, "_searching", ended_late)
+    told = load(work, tmp_path, tiny.CLIP, first=True)
+    assert [each["is"] for each in told].count("searching") == 2
+    assert told[-1]["is"] == "settled"
+    assert told[-1]["stop"] == "CONVERGED"
 
 
 def test_a_search_that_was_stopped_stays_so(work, tmp_path):
