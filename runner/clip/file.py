@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from dynsplines import models
+from dynsplines.solver.curve.frame import Frame, Timeline
 
 from ..errors import UserError
 from ..motion import Saved
@@ -15,6 +17,7 @@ from ..system.output import Replacement, check_target
 from . import load as clips
 from .text import keyframe_tables, tables, written
 
+OF_MOTIONS = ("figure", "fps", "scene")  # tables of a clip with a recording that hold for its motion alone, too
 AS_SPLINE = {"variable": 0, "frames": 0, "evaluations": 1}  # [solve] that leaves the raw spline as it is
 
 
@@ -25,6 +28,8 @@ def write(saved: Saved, target: Path, *, note: str = "", exact: bool = False, ov
     exact  its [solve] leaves the spline through its keyframes as it is
     """
     check(target)
+    if exact or not _follows_shipped(saved):
+        saved = standing_alone(saved)
     if saved.text:
         said = tables(clips.table_of(saved.text, saved.name))
     else:
@@ -53,6 +58,27 @@ def write(saved: Saved, target: Path, *, note: str = "", exact: bool = False, ov
         with Replacement(path) as temporary:
             temporary.write_bytes(data)
     return [path for path, _ in files]
+
+
+def standing_alone(saved: Saved) -> Saved:
+    """A motion that follows a recording, as one of its own: every frame of it a whole keyframe, and no word of the
+    recording, which is as it was and lies where it lay. Any other motion as it is."""
+    table = clips.table_of(saved.text, saved.name) if saved.text else None
+    if table is None or table.recording is None:
+        return saved
+    timeline, figure = saved.timeline, saved.figure
+    everything = [[True] * timeline.width] * timeline.times.size
+    keys = tuple(Frame.many(timeline.times, figure.to_qpos(timeline.states), everything))
+    frames = tuple(Frame.many(timeline.times, timeline.states, everything))
+    said = {key: value for key, value in tables(table).items() if key in OF_MOTIONS}
+    said |= {"solve": _ends(saved), "keyframe": keyframe_tables(figure, keys)}
+    return replace(saved, text=written(said), keys=keys, timeline=Timeline(frames, timeline.end_slope, timeline.ends))
+
+
+def _follows_shipped(saved: Saved) -> bool:
+    """Whether the recording that a motion follows, if any, is found from everywhere."""
+    said = clips.table_of(saved.text, saved.name).recording if saved.text else None
+    return said is None or said.file in models.clips()
 
 
 def searching(solve: dict[str, Any]) -> dict[str, Any]:

@@ -22,6 +22,7 @@ from dynsplines.solver.search.descent import optimised
 from dynsplines.solver.solution import Solution
 
 from ..clip import load as clips
+from ..clip.file import standing_alone
 from ..clip.load import Clip
 from ..clip.mirror import mirrored_tables
 from ..clip.text import keyframe_tables, tables, written
@@ -32,7 +33,7 @@ from ..system.progress import Progress
 from ..work import Solved
 
 Rows = Sequence[dict[str, Any]]
-Lasting = Mapping[str, Rows]
+Lasting = Mapping[str, Rows | None]
 Edit = Callable[[dict[str, Any]], dict[str, Any]]
 LASTING = ("contact", "hold")  # tables of a clip that last from one time to another
 
@@ -58,7 +59,7 @@ def mirror_of(found: Clip | Saved) -> Mirror:
 
 def mirrored(saved: Saved) -> Saved:
     """Left and right exchanged, in the x-z plane; the scene stays."""
-    mirror = mirror_of(saved)
+    mirror, saved = mirror_of(saved), standing_alone(saved)
     return replace(
         saved,
         text=_text(saved, lambda clip: mirrored_tables(clip, saved.figure, mirror)),
@@ -70,6 +71,7 @@ def mirrored(saved: Saved) -> Saved:
 
 def retimed(saved: Saved, speed: float) -> Saved:
     """Played `speed` times as fast."""
+    saved = standing_alone(saved)
     with _told(saved.name):
         timeline, raw = retime.retimed(saved.timeline, speed), retime.retimed(saved.raw, speed)
     start = saved.keys[0].time
@@ -81,9 +83,9 @@ def retimed(saved: Saved, speed: float) -> Saved:
 
 
 def retimed_tables(clip: dict[str, Any], speed: float) -> dict[str, Any]:
-    """A clip's tables with the times of keyframes, contacts, holds and flights at another speed, from the first on."""
+    """A clip's tables with the times of keyframes, contacts, holds, flights and a cycle at another speed."""
     if "recording" in clip:
-        raise UserError("recording: say its speed in the clip, or retime the solved motion")
+        raise UserError("recording: say its speed in the clip, or retime the solved motion: -o NAME.npz")
     start = clip["keyframe"][0]["time"]
 
     def later(time: float) -> float:
@@ -93,10 +95,17 @@ def retimed_tables(clip: dict[str, Any], speed: float) -> dict[str, Any]:
     for kind in clip.keys() & set(LASTING):
         out[kind] = [row | {key: later(row[key]) for key in ("from", "to")} for row in clip[kind]]
     if "penalty" in clip:
-        out["penalty"] = [
-            row | {"intervals": [list(map(later, pair)) for pair in row["intervals"]]} if row.get("intervals") else row
-            for row in clip["penalty"]
-        ]
+        out["penalty"] = [_paced(row, later, speed) for row in clip["penalty"]]
+    return out
+
+
+def _paced(penalty: dict[str, Any], later: Callable[[float], float], speed: float) -> dict[str, Any]:
+    """A penalty's table at another speed."""
+    out = dict(penalty)
+    if penalty.get("intervals"):
+        out["intervals"] = [[later(first), later(last)] for first, last in penalty["intervals"]]
+    if penalty.get("period"):
+        out["period"] = penalty["period"] / speed
     return out
 
 
@@ -110,9 +119,10 @@ def check_interval(found: Clip | Saved, first: float, last: float) -> None:
 def trimmed(saved: Saved, first: float, last: float) -> Saved:
     """The part from `first` to `last` [s]; before is the raw spline through its keyframes."""
     check_interval(saved, first, last)
+    saved = standing_alone(saved)
     timeline = retime.trimmed(saved.timeline, first, last)
     begin, end = float(timeline.times[0]), float(timeline.times[-1])
-    inside = [key for key in saved.keys if begin < key.time < end]
+    inside = [key for key in saved.keys if begin + clips.SHORTEST <= key.time <= end - clips.SHORTEST]
     keys = (_key_on(saved.figure, timeline, 0), *inside, _key_on(saved.figure, timeline, -1))
     return _with_keys(saved, keys, timeline)
 
@@ -121,6 +131,7 @@ def repeated(saved: Saved, count: int) -> Saved:
     """A loop played several times over."""
     if count == 1:
         return saved
+    saved = standing_alone(saved)
     period = saved.keys[-1].time - saved.keys[0].time
     if count * period > clips.LONGEST:
         raise UserError(f"{saved.name}: {count} periods of {period:g} s are over {clips.LONGEST:g} s")
@@ -131,11 +142,12 @@ def repeated(saved: Saved, count: int) -> Saved:
     fixed, posed = zip(*said, strict=True)
     keys = Frame.many(times, saved.figure.to_qpos(path_of(timeline).at(np.array(times))), fixed, posed)
     seam = Seam.of(saved.figure, saved.timeline)
-    contacts, held = _rows(saved, "contact"), _rows(saved, "hold")
+    contacts, held, flown = _rows(saved, "contact"), _rows(saved, "hold"), _flights(saved) or ()
     rounds = range(1, count)
     more = {
         "contact": [row for i in rounds for row in _carried(_later(contacts, period * i), saved.figure, seam, i)],
         "hold": [row for i in rounds for row in _later(held, period * i)],
+        "flight": [row for i in rounds for row in _later(flown, period * i)],
     }
     around = clips.around(replace(saved, timeline=timeline))
     text = _keyed(saved, keys, lambda solve: _around(solve, around), more)
@@ -151,24 +163,37 @@ def joined(before: Saved, after: Saved, transition: float, progress: Progress) -
     """The second motion from where the first ends, after a transition [s] that is solved as an in-between."""
     check_transition(transition)
     check_alike(before, after)
+    before, after = standing_alone(before), standing_alone(after)
     figure = before.figure
     one, two = (retime.trimmed(each.timeline, *each.timeline.times[[0, -1]].tolist()) for each in (before, after))
     place = join.following(figure, one, two, transition)
     two = join.signed_like(figure, one, place.timeline(figure, two))
     shift = float(one.times[-1]) + transition - float(two.times[0])
     two = Timeline(tuple(replace(frame, time=frame.time + shift) for frame in two.frames), two.end_slope)
-    moved = [replace(k, time=k.time + shift, state=place.states(figure, k.state, "joint")) for k in after.keys]
+    moved = [_moved(figure, after.timeline, key, place, shift) for key in after.keys]
     ends = _key_on(figure, one, -1), _key_on(figure, two, 0)
     between = _transition(before, one, two, ends, progress)
     keys = (*before.keys[:-1], *ends, *moved[1:])
     with _told("join"):
         clips.check_times([key.time for key in keys], "join")
-    contacts = _later(_rows(after, "contact"), shift)
-    more = {
+    contacts, flown = _later(_rows(after, "contact"), shift), _flights(after)
+    more: Lasting = {
         "contact": [row for row in contacts if row.get("position") is None],  # what has one has moved elsewhere
         "hold": _later(_rows(after, "hold"), shift),
+        "flight": None if flown is None else _later(flown, shift),
     }
     return _with_keys(before, keys, join.joined(one, between, two), more)
+
+
+def _moved(figure: Figure, timeline: Timeline, key: Frame, place: join.Placement, shift: float) -> Frame:
+    """A keyframe where its motion is to go on from another: later, and turned with its root. What it leaves free is as
+    the motion has it; where a root that turns was said along some axes, all of its position is."""
+    at = figure.to_qpos(path_of(timeline).at(np.array([key.time])))[0]
+    fixed = key.fixed.copy()
+    for columns in figure.tables.position_columns.T:
+        fixed[columns[:2]] |= fixed[columns[:2]].any()
+    state = np.where(key.fixed, key.state, at)
+    return replace(key, time=key.time + shift, state=place.states(figure, state, "joint"), fixed=fixed)
 
 
 def check_transition(transition: float) -> None:
@@ -181,7 +206,8 @@ def _transition(saved: Saved, one: Timeline, two: Timeline, ends: tuple[Frame, F
     """The in-between from the end of one timeline to the start of the other, weighed as in the first motion."""
     count = max(LEAST_FRAMES, round((ends[1].time - ends[0].time) / FRAME_SECONDS))
     begin = join.bridge(saved.figure, one, two, variable=count)
-    clip = clips.of_motion(replace(saved, keys=ends, timeline=one))
+    text = _text(saved, _without_flights)
+    clip = clips.of_motion(replace(saved, text=text, keys=ends, timeline=one))
     objective = renormalised(clip.problem.plain_objective, saved.raw)
     progress.step("solving the transition", 0.0, force=True)
     return optimised(objective, begin, tolerance=TOLERANCE)
@@ -248,16 +274,50 @@ def _freed(solve: dict[str, Any]) -> dict[str, Any]:
 
 
 def _keyed(saved: Saved, keys: Sequence[Frame], ends: Edit = _freed, more: Lasting | None = None) -> str:
-    """The clip's text with other keyframes, its [solve] table changed, its contacts and holds, and more of them, cut to
-    their time."""
+    """The clip's text with other keyframes, its [solve] table changed, its contacts, holds and flights, and more of them,
+    cut to their time; no flights where more are known to be there, but not when."""
+    span, more = (keys[0].time, keys[-1].time), more or {}
 
     def changed(clip: dict[str, Any]) -> dict[str, Any]:
         keyed = clip | {"solve": ends(clip.get("solve", {})), "keyframe": keyframe_tables(saved.figure, keys)}
         for kind in LASTING:
-            keyed[kind] = _cut([*keyed.get(kind, ()), *(more or {}).get(kind, ())], keys[0].time, keys[-1].time)
+            keyed[kind] = _cut([*keyed.get(kind, ()), *(more.get(kind) or ())], *span)
+        if "penalty" in keyed:
+            keyed["penalty"] = [_flying(row, more.get("flight", ()), span) for row in keyed["penalty"]]
         return {key: value for key, value in keyed.items() if key not in LASTING or value}
 
     return _text(saved, changed)
+
+
+def _flying(penalty: dict[str, Any], more: Rows | None, span: tuple[float, float]) -> dict[str, Any]:
+    """A penalty's table with more flights, where it says any, in a span [s]."""
+    if penalty.get("intervals") is None:
+        return penalty
+    if more is None:
+        return _left_to_keyframes(penalty)
+    rows = _cut([*_intervals(penalty), *more], *span)
+    return penalty | {"intervals": [[row["from"], row["to"]] for row in rows]}
+
+
+def _without_flights(clip: dict[str, Any]) -> dict[str, Any]:
+    """A clip's tables whose flights are as its keyframes tell them."""
+    return clip | {"penalty": [_left_to_keyframes(row) for row in clip["penalty"]]} if "penalty" in clip else clip
+
+
+def _left_to_keyframes(penalty: dict[str, Any]) -> dict[str, Any]:
+    return {key: value for key, value in penalty.items() if key != "intervals"}
+
+
+def _intervals(penalty: dict[str, Any]) -> list[dict[str, Any]]:
+    """The flights in a penalty's table, as rows from one time to another."""
+    return [{"from": first, "to": last} for first, last in penalty.get("intervals") or ()]
+
+
+def _flights(saved: Saved) -> Rows | None:
+    """The flights of a motion's text, none where it leaves them to its keyframes."""
+    said = tables(clips.table_of(saved.text, saved.name)).get("penalty", []) if saved.text else []
+    rows = [_intervals(row) for row in said if row.get("intervals") is not None]
+    return [row for each in rows for row in each] if rows else None
 
 
 def _rows(saved: Saved, kind: str) -> Rows:
@@ -266,7 +326,7 @@ def _rows(saved: Saved, kind: str) -> Rows:
 
 
 def _later(rows: Rows, shift: float) -> list[dict[str, Any]]:
-    """Contacts or holds a time [s] later."""
+    """Contacts, holds or flights a time [s] later."""
     return [row | {"from": row["from"] + shift, "to": row["to"] + shift} for row in rows]
 
 
@@ -280,7 +340,7 @@ def _carried(contacts: Rows, figure: Figure, seam: Seam, periods: int) -> list[d
 
 
 def _cut(rows: Rows, first: float, last: float) -> list[dict[str, Any]]:
-    """The parts of contacts or holds that lie between two times [s]."""
+    """The parts of contacts, holds or flights that lie between two times [s]."""
     cut = [row | {"from": max(row["from"], first), "to": min(row["to"], last)} for row in rows]
     return [row for row in cut if row["to"] - row["from"] >= clips.SHORTEST]
 

@@ -11,6 +11,7 @@ from typing import Any
 from dynsplines import models
 
 from .. import kept, motion
+from ..clip import file as clip_file
 from ..clip import load as clips
 from ..clip.load import Clip
 from ..clip.mirror import mirrored_tables
@@ -52,16 +53,20 @@ def run(
     _check_target(target, sources, overwrite)
     found = [motion.load(Path(s)) if motion.is_motion(s) else clips.load(s) for s in sources]
     edit.check(found)
-    if target.suffix == ".toml":
-        one = found[0]
-        text = _clip_text(one, sources[0], edit, target) if direct and isinstance(one, Clip) else ""
-        text = text or edit.motions([_solved(each, progress, fresh) for each in found], progress).text
-        if not text:
-            raise UserError(f"{target}: '{sources[0]}' came from no clip file, so there is none to edit; write an .npz")
-        with Replacement(target) as temporary:
-            temporary.write_text(text, encoding="utf-8")
+    one, is_clip = found[0], target.suffix == ".toml"
+    if is_clip and edit.clip is not None and isinstance(one, Clip) and one.text:
+        said = edit.clip(tables(clips.table_of(one.text, sources[0])), one)
+        _write_clip(said, sources[0], target)
         return target, ()
     saved = edit.motions([_solved(each, progress, fresh) for each in found], progress)
+    if is_clip:
+        if not saved.text:
+            raise UserError(f"{target}: '{sources[0]}' came from no clip file, so there is none to edit; write an .npz")
+        if isinstance(one, Clip):
+            _write_clip(tables(clips.table_of(saved.text, sources[0])), sources[0], target)
+        else:
+            clip_file.write(replace(saved, name=target.stem), target, overwrite=overwrite)
+        return target, ()
     search = {"stopped because": f"not searched: {edit.word}"}
     saved = replace(saved, name=target.stem, trace=[], report={}, search=search)
     motion.save(saved, target)
@@ -83,17 +88,16 @@ def _check_target(target: Path, sources: list[str], overwrite: bool) -> None:
             raise UserError(f"'{target}' is what is edited; give another -o, or --overwrite")
 
 
-def _clip_text(found: Clip, source: str, edit: Edit, target: Path) -> str:
-    """A clip's file, edited in its own words; the figure's path as seen from the new file."""
-    if not found.text or edit.clip is None:
-        return ""
-    said = edit.clip(tables(clips.table_of(found.text, source)), found)
+def _write_clip(said: dict[str, Any], source: str, target: Path) -> None:
+    """A clip's file made of another one's tables: the figure's path as seen from the new file. Raises UserError for
+    tables that are no clip, before anything is written."""
     if said["figure"] not in models.figures():
         figure = Path(source).parent / said["figure"]
         said["figure"] = Path(os.path.relpath(figure, target.parent)).as_posix()
     text = written(said)
     clips.from_text(text, name=target.stem, where=str(target), folder=target.parent)
-    return text
+    with Replacement(target) as temporary:
+        temporary.write_text(text, encoding="utf-8")
 
 
 def mirrored() -> Edit:

@@ -72,7 +72,7 @@ def thinned(
 
     solve  the dynamic spline through the keyframes has to, and not only the raw one
     """
-    progress = progress or Progress()
+    progress, saved = progress or Progress(), clip_file.standing_alone(saved)
     recorded = recorded_of(saved, distance, angle)
     text = _Text(saved)
 

@@ -1,0 +1,204 @@
+"""Edited motions stand alone: their texts name no recording of before, no figure elsewhere, no flight beyond their time."""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+
+import numpy as np
+import pytest
+import tiny
+from rich.console import Console
+
+from dynsplines import models, motion, work
+from dynsplines.clip import file as clip_file
+from dynsplines.clip import load as clips
+from dynsplines.clip.text import tables
+from dynsplines.edit import edits, thinning
+from dynsplines.edit import files as edit_files
+from dynsplines.errors import UserError
+from dynsplines.measure import problems
+from dynsplines.motion import Saved, sampled
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.system.progress import Progress
+
+FOLLOWING = 'figure = "tiny.xml"\nfps = 20\n[recording]\nfile = "own.npz"\n'
+FLYING = tiny.CLIP.replace("[[keyframe]]", '[[penalty]]\nkind = "flight"\nintervals = [[0.05, 0.15]]\n[[keyframe]]', 1)
+
+
+def quiet() -> Progress:
+    return Progress(Console(file=io.StringIO()))
+
+
+def solved(clip: clips.Clip) -> Saved:
+    return work.solve(clip, quiet()).saved(quiet(), with_report=False)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """With a motion, and a clip that follows it."""
+    out = tmp_path_factory.mktemp("own")
+    motion.save(solved(clips.load(str(tiny.written(out)))), out / "own.npz")
+    (out / "following.toml").write_text(FOLLOWING, encoding="utf-8")
+    return out
+
+
+@pytest.fixture(scope="module")
+def followed(folder: Path) -> Saved:
+    return solved(clips.load(str(folder / "following.toml")))
+
+
+@pytest.fixture
+def flying(tmp_path: Path) -> Saved:
+    return solved(clips.load(str(tiny.written(tmp_path, FLYING))))
+
+
+def flights(saved: Saved) -> list[list[float]] | None:
+    said = [row for row in tables(clips.table_of(saved.text, saved.name))["penalty"] if row["kind"] == "flight"]
+    return said[0].get("intervals")
+
+
+def at(saved: Saved, times: np.ndarray) -> np.ndarray:
+    """qpos (T, nq), quaternions by one of their two signs."""
+    qpos = saved.figure.to_qpos(path_of(saved.timeline).at(times))
+    for columns in saved.figure.tables.quaternion_columns.T:
+        qpos[:, columns] *= np.where(qpos[:, columns[:1]] < 0, -1.0, 1.0)
+    return qpos
+
+
+@pytest.mark.parametrize(
+    ("edit", "when", "off"),
+    [
+        (lambda saved: edits.retimed(saved, 2.0), lambda t: t / 2, 1e-6),
+        (lambda saved: edits.trimmed(saved, 0.1, 0.3), lambda t: t, 2e-3),  # whose ends' slopes a clip does not hold
+    ],
+)
+def test_what_is_edited_of_a_motion_that_follows_a_recording_is_a_motion_of_keyframes(
+    followed, tmp_path, edit, when, off
+):
+    edited = edit(followed)
+    assert "recording" not in edited.text
+    assert all(key.fixed.all() for key in edited.keys)
+    times = np.linspace(0.11, 0.29, 7)
+    np.testing.assert_allclose(at(edited, when(times)), at(followed, times), rtol=0, atol=1e-9)
+    measured = edits.measured(edited, quiet(), "edited")
+    assert measured.report
+    problems.of_motion(edited)
+    for exact in (False, True):
+        clip_file.write(edited, tmp_path / "part.toml", exact=exact, overwrite=True)
+        again = clips.load(str(tmp_path / "part.toml"))
+        np.testing.assert_allclose([k.time for k in again.keys], [k.time for k in edited.keys], atol=1e-12)
+    own = work.solve(again, quiet()).motion.timeline  # exact: the spline through them as it is
+    np.testing.assert_allclose(
+        again.figure.to_qpos(path_of(own).at(when(times)))[:, :3], at(edited, when(times))[:, :3], rtol=0, atol=off
+    )
+
+
+def test_two_motions_that_follow_recordings_are_joined(followed):
+    both = edits.joined(followed, followed, 0.2, quiet())
+    assert "recording" not in both.text
+    np.testing.assert_allclose(
+        at(both, np.linspace(0.02, 0.4, 7)), at(followed, np.linspace(0.02, 0.4, 7)), rtol=0, atol=1e-9
+    )
+
+
+@pytest.mark.parametrize("word", ["mirror", "retime"])
+def test_a_clip_that_follows_a_recording_is_edited_as_a_motion(folder, tmp_path, word):
+    edit = edit_files.mirrored() if word == "mirror" else edit_files.retimed(2.0, None)
+    name = "step_on_kerb" if word == "mirror" else str(folder / "following.toml")
+    target, _ = edit_files.run([name], edit, tmp_path / "out.npz", overwrite=False, progress=quiet())
+    assert "recording" not in motion.load(target).text
+    with pytest.raises(UserError, match=r"-o NAME\.npz"):
+        edit_files.run([name], edit, tmp_path / "out.toml", overwrite=False, progress=quiet())
+    assert not (tmp_path / "out.toml").exists()
+
+
+@pytest.mark.parametrize("exact", [False, True])
+def test_a_motion_that_follows_a_recording_is_thinned_to_a_clip_that_needs_none(followed, tmp_path, exact):
+    found = thinning.thinned(followed, 0.02, 0.1)
+    thinning.write(found, tmp_path / "thin.toml", exact=exact)
+    again = clips.load(str(tmp_path / "thin.toml"))
+    assert not again.follows
+    assert len(again.keys) < len(followed.keys)
+
+
+def test_a_motion_is_saved_as_a_clip_elsewhere_without_the_recording_that_lies_in_its_own_folder(followed, tmp_path):
+    clip_file.write(followed, tmp_path / "elsewhere.toml", overwrite=False)
+    again = clips.load(str(tmp_path / "elsewhere.toml"))
+    assert not again.follows
+    assert len(again.keys) == followed.timeline.times.size
+
+
+@pytest.mark.slow
+def test_one_that_follows_what_ships_is_saved_as_the_same_edit(tmp_path):
+    saved = solved(clips.load("step_on_kerb"))
+    clip_file.write(saved, tmp_path / "kerb.toml", overwrite=False)
+    again = clips.load(str(tmp_path / "kerb.toml"))
+    assert again.follows
+    assert [key.time for key in again.said] == [2.24, 2.86, 3.24]
+    clip_file.write(saved, tmp_path / "exact.toml", exact=True, overwrite=False)
+    assert not clips.load(str(tmp_path / "exact.toml")).follows
+
+
+def test_flights_are_cut_and_shifted_as_contacts_are(flying):
+    assert flights(edits.trimmed(flying, 0.1, 0.3)) == [[0.1, 0.15]]
+    cut = edits.trimmed(flying, 0.2, 0.4)
+    assert flights(cut) == []
+    problems.of_motion(cut)
+    assert edits.measured(cut, quiet(), "cut").report
+    both = flights(edits.joined(flying, flying, 0.2, quiet()))
+    assert both is not None
+    np.testing.assert_allclose(both, [[0.05, 0.15], [0.66, 0.76]], rtol=0, atol=1e-12)
+
+
+def test_flights_are_left_to_the_keyframes_where_one_of_two_motions_says_none(flying, tmp_path):
+    other = solved(clips.load(str(tiny.written(tmp_path, name="other.toml"))))
+    assert flights(edits.joined(flying, other, 0.2, quiet())) is None
+
+
+@pytest.mark.slow
+def test_a_loop_flies_as_often_as_it_is_repeated():
+    text = models.clip_text("run_loop")
+    assert "flight" not in text
+    last = clips.load("run_loop").keys[-1].time
+    said = f'[[penalty]]\nkind = "flight"\nintervals = [[{0.2 * last}, {0.3 * last}]]\n\n[[keyframe]]'
+    saved = solved(clips.from_text(text.replace("[[keyframe]]", said, 1), name="flying"))
+    thrice = flights(edits.repeated(saved, 3))
+    wanted = [[(0.2 + i) * last, (0.3 + i) * last] for i in range(3)]
+    np.testing.assert_allclose(thrice, wanted, rtol=0, atol=1e-9)
+
+
+def test_a_cycle_that_is_said_keeps_pace(tmp_path):
+    said = '[[penalty]]\nkind = "cycle"\nperiod = 0.3\n[[keyframe]]'
+    tiny.written(tmp_path, tiny.CLIP.replace("[[keyframe]]", said, 1))
+    table = tables(clips.load(str(tmp_path / "tiny.toml")) and clips.table_of((tmp_path / "tiny.toml").read_text(), "t"))
+    assert edits.retimed_tables(table, 2.0)["penalty"] == [{"kind": "cycle", "period": 0.15}]
+
+
+@pytest.mark.parametrize("source", ["tiny.toml", "own.npz"])
+def test_a_clip_that_is_written_elsewhere_finds_its_figure(tmp_path, source):
+    there = tmp_path / "clips"
+    there.mkdir()
+    motion.save(solved(clips.load(str(tiny.written(there)))), there / "own.npz")
+    target, _ = edit_files.run(
+        [str(there / source)], edit_files.trimmed(0.1, 0.3), tmp_path / "part.toml", overwrite=False, progress=quiet()
+    )
+    assert clips.load(str(target)).keys[-1].time == pytest.approx(0.3)
+    target, _ = edit_files.run(
+        [str(there / source)] * 2, edit_files.joined(0.2), tmp_path / "both.toml", overwrite=False, progress=quiet()
+    )
+    assert clips.load(str(target)).keys[-1].time == pytest.approx(1.02)
+
+
+def test_what_the_second_motion_leaves_free_is_where_it_goes_when_they_are_joined(tmp_path):
+    """Its root turns by 170° on the way, so the second goes on in another direction."""
+    text = tiny.CLIP.replace('root.position = [0.1, 0, "free"]', 'root.position = ["free", 0.02, 1]')
+    saved = solved(clips.load(str(tiny.written(tmp_path, text))))
+    both = edits.joined(saved, saved, 0.2, quiet())
+    key = next(key for key in both.keys if abs(key.time - 0.81) < 1e-6)
+    there = at(both, np.array([0.81]))[0]
+    np.testing.assert_array_equal(key.fixed[:3], [True, True, True])
+    np.testing.assert_allclose(key.state[:3], there[:3], rtol=0, atol=1e-9)
+    raw = both.figure.to_qpos(path_of(both.raw).at(np.array([0.81])))[0]
+    np.testing.assert_allclose(raw[:3], there[:3], rtol=0, atol=1e-9)
+    assert sampled(both.figure, both.timeline, 20.0).qpos.shape[0] == 21
