@@ -579,7 +579,7 @@ def clean(
 
 @app.command()
 def retarget(
-    source: Annotated[Path, typer.Argument(metavar="RECORDING", help="a skeleton's motion, such as BVH or AMASS")],
+    source: Annotated[Path, typer.Argument(metavar="RECORDING", help="a skeleton's motion: BVH")],
     to: Annotated[str, typer.Option("--to", help="the figure or robot: a shipped one or MJCF")],
     output: Output = None,
     map_file: Annotated[

@@ -32,7 +32,7 @@ def mirrored_tables(clip: dict[str, Any], figure: Figure, mirror: Mirror) -> dic
     ):
         raise UserError("the figure's rest is no mirror image of itself: say every joint instead of others = 'rest'")
     if "recording" in clip:
-        raise UserError("recording: what a clip follows has no mirror image in it; mirror the solved motion: -o NAME.npz")
+        raise UserError("recording: what a clip follows has no mirror image; mirror the solved motion: -o NAME.npz")
     places = Places(figure, sole_points(figure, np.zeros((0, figure.width))))
     out: dict[str, Any] = clip | {"keyframe": [_keyframe(row, places, mirror) for row in clip["keyframe"]]}
     if "scene" in clip:

@@ -20,8 +20,11 @@ def things(scene: SceneTable) -> tuple[str, ...]:
 
 
 def lying(table: ClipTable) -> list[KeyframeTable]:
-    """A clip's keyframes, with the places of things that nothing has moved since the keyframe before."""
+    """A clip's keyframes, with the places of things that nothing has moved since the keyframe before; in a clip that
+    follows a recording things go with that, as all else does."""
     rows = list(table.keyframe)
+    if table.recording is not None:  # where they are says the recording
+        return rows
     for name in things(table.scene):
         time, place = rows[0].time, _first(table, name)
         for k, row in enumerate(rows):

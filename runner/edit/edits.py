@@ -274,8 +274,8 @@ def _freed(solve: dict[str, Any]) -> dict[str, Any]:
 
 
 def _keyed(saved: Saved, keys: Sequence[Frame], ends: Edit = _freed, more: Lasting | None = None) -> str:
-    """The clip's text with other keyframes, its [solve] table changed, its contacts, holds and flights, and more of them,
-    cut to their time; no flights where more are known to be there, but not when."""
+    """The clip's text with other keyframes, its [solve] table changed, its contacts, holds and flights, and more of
+    them, cut to their time; no flights where more are known to be there, but not when."""
     span, more = (keys[0].time, keys[-1].time), more or {}
 
     def changed(clip: dict[str, Any]) -> dict[str, Any]:

@@ -129,7 +129,19 @@ def _table(key: Keyframe, figure: Figure | None) -> dict[str, Any]:
         wrong = "its numbers are not finite" if qpos.shape == (figure.width,) else f"it is {qpos.shape}"
         raise UserError(f"keyframe (t = {key.time} s): qpos is ({figure.width},) of finite numbers; {wrong}")
     (whole,) = keyframe_tables(figure, [Frame.key(0.0, qpos)])
-    return whole | out | {name: whole.get(name, {}) | out.get(name, {}) for name in ("root", "joints")}
+    return (
+        whole
+        | out
+        | {name: whole.get(name, {}) | out.get(name, {}) for name in ("root", "joints")}
+        | _roots(whole, out)
+    )
+
+
+def _roots(whole: dict[str, Any], said: dict[str, Any]) -> dict[str, Any]:
+    """What a configuration says of further free bodies, and over it what else is said of them."""
+    mine, theirs = whole.get("roots", {}), said.get("roots", {})
+    names = list(dict.fromkeys([*mine, *theirs]))
+    return {"roots": {name: mine.get(name, {}) | theirs.get(name, {}) for name in names}} if names else {}
 
 
 def _penalty(kind: str, said: float | Table) -> dict[str, Any]:

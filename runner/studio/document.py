@@ -37,6 +37,7 @@ class Document:
     file      where it is saved; None until somebody says
     text      as it is now;  saved  as it is on the disk
     revision  counts every change
+    newline   how lines end on the disk; in here a line feed ends them
     """
 
     name: str
@@ -45,6 +46,7 @@ class Document:
     file: Path | None = None
     saved: str | None = None
     revision: int = 0
+    newline: str = "\n"
     _back: list[Packed] = field(default_factory=list)
     _forth: list[Packed] = field(default_factory=list)
     _seen: deque[tuple[int, bytes]] = field(default_factory=lambda: deque(maxlen=MOST_SINCE))
@@ -121,7 +123,7 @@ class Document:
     def save(self, file: Path) -> None:
         """Writes it, whole or not at all, and takes away what was kept in case of a crash."""
         with Replacement(file) as temporary:
-            temporary.write_bytes(self.text.encode())
+            temporary.write_bytes(self.text.replace("\n", self.newline).encode())
         self.discard()
         self.file, self.saved, self.name, self.folder = file, self.text, file.stem, file.parent
 

@@ -37,6 +37,7 @@ class Files:
 
     def __init__(self, session: Session) -> None:
         self.session = session
+        self._made: set[Path] = set()  # films and exports of this session, which may be made again
         self._running: asyncio.subprocess.Process | None = None
 
     @property
@@ -76,18 +77,22 @@ class Files:
             document.folder = self.folder
         return await self.session.reopen(document)
 
-    async def export(self, *, to: str, name: str) -> str:
+    async def export(self, *, to: str, name: str, overwrite: bool = False) -> str:
         """The present motion in another program's format."""
-        target = inside(self.folder, name)
+        target = self._target(name, overwrite)
+        again = ["--overwrite"] if overwrite or target in self._made else []
         with scratch() as folder:
             motion = folder / f"{self.session.document.name}.npz"
             await self.session.kept(motion)
-            await self._run(["export", str(motion), "--to", to, "-o", str(target), "--overwrite"], "export")
+            await self._run(["export", str(motion), "--to", to, "-o", str(target), *again], "export")
+        self._made.add(target)
         return f"exported {target.name}"
 
-    async def render(self, *, name: str, size: str = "1280x720", camera: str = "side", only: str = "after") -> str:
+    async def render(
+        self, *, name: str, size: str = "1280x720", camera: str = "side", only: str = "after", overwrite: bool = False
+    ) -> str:
         """A film of the present motion."""
-        target = inside(self.folder, name)
+        target = self._target(name, overwrite)
         if target.suffix.lower() not in FILMS:
             raise UserError(f"'{name}': a film's name ends in {', '.join(FILMS)}")
         with scratch() as folder:
@@ -95,7 +100,15 @@ class Files:
             await self.session.kept(motion)
             words = ["render", str(motion), "-o", str(target), "--size", size, "--camera", camera]
             await self._run([*words, *(["--only", only] if only else [])], "render")
+        self._made.add(target)
         return f"rendered {target.name}"
+
+    def _target(self, name: str, overwrite: bool) -> Path:
+        """Where a film or an export goes; raises UserError for somebody's file."""
+        target = inside(self.folder, name)
+        if target.exists() and target not in self._made and not overwrite:
+            raise UserError(f"'{target.name}' is there already; choose another name, or say that it is to be replaced")
+        return target
 
     async def stop(self) -> str:
         """Ends an export or a film that is being made."""

@@ -257,6 +257,7 @@ class Session:
         try:
             verdict = await asyncio.wait_for(self._verdict, VERDICT)
         except TimeoutError:
+            self.solver.begin_anew()  # or it would be at that clip when it comes to an end
             raise UserError(f"the clip took longer than {VERDICT:g} s to load") from None
         finally:
             self._verdict = None
@@ -434,7 +435,8 @@ class Session:
             self.solver.send({"do": "curves", "on": True})
         trying = self._trying if self._verdict is not None else None
         self._load(self.document.text, self.document.revision, first=self._timeline is None, found=self._timeline)
-        if trying is not None:
+        if trying is not None:  # whose verdict is waited for, and not that of the text before
+            self._trying = trying
             self.solver.send(trying)
 
     def _status(self, state: str, **said: Any) -> None:

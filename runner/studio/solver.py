@@ -74,6 +74,11 @@ class Solver:
             self._process.terminate()
             self._process.join(PATIENCE)
 
+    def begin_anew(self) -> None:
+        """Ends the process where it is; another one goes on from the last path."""
+        if self._process is not None:
+            self._process.kill()
+
     def _listen(self, line: Any, process: Any) -> None:
         """In a thread of its own: what comes, until the line ends."""
         with suppress(EOFError, OSError, TypeError):  # the last of a line that is closed here meanwhile

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from dynsplines import models
 
 from ..errors import UserError, unknown
 from .document import Document
+
+if TYPE_CHECKING:
+    from ..motion import Saved
 
 BLEND = 0.4  # [s] about a keyframe in which a recording changes
 EXAMPLES = "a clip (.toml), a model (.xml), a motion (.npz), a recording, or a shipped clip"
@@ -20,6 +25,8 @@ def opened(source: str, *, figure: str | None = None) -> Document:
     """
     if source in models.clips():
         return Document(source, models.clip_text(source), Path.cwd(), saved=models.clip_text(source))
+    from ..exchange.formats import by_ending  # only here, as below: a page need not wait for it
+
     path = Path(source)
     if not path.is_file():
         if path.is_dir():
@@ -32,7 +39,7 @@ def opened(source: str, *, figure: str | None = None) -> Document:
             return _clip(path)
         case ".xml":
             return _model(path)
-        case ".npz":
+        case ".npz" if by_ending(path) is None:
             return _motion(path, figure)
     return _recording(path, figure)
 
@@ -44,7 +51,9 @@ def _clip(path: Path) -> Document:
         raise UserError(f"{path}: not UTF-8 text (byte {error.start + 1})") from None
     except OSError as error:
         raise UserError(f"{path}: cannot be read: {error.strerror}") from None
-    return Document(path.stem, text, path.resolve().parent, file=path.resolve(), saved=text)
+    newline = "\r\n" if "\r\n" in text else "\n"
+    text = text.replace("\r\n", "\n")
+    return Document(path.stem, text, path.resolve().parent, file=path.resolve(), saved=text, newline=newline)
 
 
 def _model(path: Path) -> Document:
@@ -68,8 +77,29 @@ def _motion(path: Path, figure: str | None) -> Document:
         return _recording(path, figure)
     path = path.resolve()
     if saved.text and not is_recording(saved):
-        return Document(saved.name, saved.text, path.parent)
+        return Document(saved.name, _text_in(path, saved), path.parent)
     return following(path, _scene_beside(path, saved.scene))
+
+
+def _text_in(path: Path, saved: Saved) -> str:
+    """The text of a solved clip, where its motion lies by now: if what it names is not there, the motion brings it."""
+    from ..clip.file import standing_alone
+    from ..clip.load import table_of
+    from ..clip.text import tables, written
+
+    table = table_of(saved.text, saved.name)
+    recording = table.recording
+    if recording is not None and not _is_there(recording.file, models.clips(), path.parent):
+        saved = standing_alone(saved)
+        table = table_of(saved.text, saved.name)
+    if _is_there(table.figure, models.figures(), path.parent):
+        return saved.text
+    said = {key: value for key, value in tables(table).items() if key != "scene"}
+    return written(said | {"figure": _scene_beside(path, saved.scene)})
+
+
+def _is_there(name: str, shipped: Collection[str], folder: Path) -> bool:
+    return name in shipped or (folder / name).is_file()
 
 
 def _recording(path: Path, figure: str | None) -> Document:

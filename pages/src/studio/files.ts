@@ -23,12 +23,17 @@ const closing = (box: () => HTMLDialogElement, name: string, done: () => Promise
   return el("div", { class: "buttons end" }, el("button", { type: "button", text: "Cancel", onclick: () => box().close() }), go);
 };
 
+const replacing = (): [HTMLInputElement, HTMLElement] => {
+  const over = el("input", { type: "checkbox" });
+  return [over, el("label", { class: "line" }, over, " replace a file that is there")];
+};
+
 const base = (): string => (model.document?.name ?? "clip").replace(/[^\w.-]+/g, "_");
 
 export const saveAs = (): void => {
   const name = el("input", { type: "text", value: `${base()}.toml`, "aria-label": "name of the file" });
-  const over = el("input", { type: "checkbox" });
-  const box = dialog("Save as", row("name", name), el("label", { class: "line" }, over, " replace a file that is there"),
+  const [over, line] = replacing();
+  const box = dialog("Save as", row("name", name), line,
     closing(() => box, "Save", async () => (await act("save", { name: name.value, overwrite: over.checked })).ok));
   name.select();
 };
@@ -52,8 +57,9 @@ export const exported = (): void => {
   const ended = (): void => { name.value = `${base()}${formats.formats.find((each) => each.name === to.value)?.ending.split(/[ ,]/)[0] ?? ""}`; };
   to.addEventListener("change", ended);
   ended();
-  const box = dialog("Export", row("format", to), row("name", name),
-    closing(() => box, "Export", async () => { void act("export", { to: to.value, name: name.value }); return true; }));
+  const [over, line] = replacing();
+  const box = dialog("Export", row("format", to), row("name", name), line,
+    closing(() => box, "Export", async () => { void act("export", { to: to.value, name: name.value, overwrite: over.checked }); return true; }));
 };
 
 export const rendered = (): void => {
@@ -61,8 +67,9 @@ export const rendered = (): void => {
   const size = el("input", { type: "text", value: "1280x720", "aria-label": "size in pixels" });
   const camera = el("select", { "aria-label": "camera" }, ...["side", "left", "front", "three_quarter", "back"].map((each) => el("option", { value: each, text: each })));
   const only = el("select", { "aria-label": "what is shown" }, el("option", { value: "after", text: "the motion" }), el("option", { value: "", text: "before | after" }));
-  const box = dialog("Render", row("name, .mp4 .webm .gif .png", name), row("size", size), row("camera", camera), row("what", only),
-    closing(() => box, "Render", async () => { void act("render", { name: name.value, size: size.value, camera: camera.value, only: only.value }); return true; }));
+  const [over, line] = replacing();
+  const box = dialog("Render", row("name, .mp4 .webm .gif .png", name), row("size", size), row("camera", camera), row("what", only), line,
+    closing(() => box, "Render", async () => { void act("render", { name: name.value, size: size.value, camera: camera.value, only: only.value, overwrite: over.checked }); return true; }));
 };
 
 export const beginFiles = (): void => {

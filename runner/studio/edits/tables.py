@@ -1,5 +1,7 @@
 """A clip's text as blocks, each a table under its header; an edit takes one block apart and leaves the others' bytes.
 
+Tables inside one of several, such as [keyframe.joints] under a [[keyframe]], are in its block.
+
 tomlkit keeps comments and order inside a block. It is not given the whole text: of [[...]] tables that others stand
 between it would put all together. And one block of a long clip is taken apart in a moment.
 """
@@ -71,13 +73,14 @@ class Blocks:
             said = tomllib.loads(text) if said is None else said
         except (tomllib.TOMLDecodeError, RecursionError, ValueError) as error:
             raise UserError(f"{where}: not valid TOML: {error}") from None
-        heads = [found for found in HEADER.finditer(text) if len(found[1]) == len(found[3])]
-        edges = [0, *(found.start() for found in heads), len(text)]
-        blocks = [_block((), False, text[: edges[1]])]
-        for found, begin, end in zip(heads, edges[1:], edges[2:], strict=False):
+        heads: list[tuple[int, tuple[str, ...], bool]] = [(0, (), False)]
+        for found in HEADER.finditer(text):
             path = tuple(part.strip("\"'") for part in re.findall(KEY, found[2]))
-            blocks.append(_block(path, len(found[1]) == 2, text[begin:end]))
-        out = cls(blocks)
+            is_row, (_, above, in_row) = len(found[1]) == 2, heads[-1]
+            if len(found[1]) == len(found[3]) and not (in_row and path[: len(above)] == above != path):
+                heads.append((found.start(), path, is_row))
+        ends = [start for start, _, _ in heads[1:]] + [len(text)]
+        out = cls([_block(path, is_row, text[at:end]) for (at, path, is_row), end in zip(heads, ends, strict=True)])
         out._check(said, where)
         return out
 
@@ -198,7 +201,7 @@ def put_dotted(table: Any, group: str, key: str, value: Any) -> None:
     """Sets `group.key`, such as joints.left_hip, on a line of its own if it is new."""
     if group in table:
         inner = table[group]
-        if isinstance(inner, InlineTable) or key in inner:
+        if isinstance(inner, InlineTable) or key in inner or not inner.is_super_table():  # which has a header
             put(inner, key, value)
             return
     table.append(tomlkit.key([group, key]), item(value))

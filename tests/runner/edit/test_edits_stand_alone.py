@@ -1,4 +1,4 @@
-"""Edited motions stand alone: their texts name no recording of before, no figure elsewhere, no flight beyond their time."""
+"""Edited motions stand alone: no recording of before in them, no figure elsewhere, no flight beyond their time."""
 
 from __future__ import annotations
 
@@ -168,10 +168,9 @@ def test_a_loop_flies_as_often_as_it_is_repeated():
     np.testing.assert_allclose(thrice, wanted, rtol=0, atol=1e-9)
 
 
-def test_a_cycle_that_is_said_keeps_pace(tmp_path):
+def test_a_cycle_that_is_said_keeps_pace():
     said = '[[penalty]]\nkind = "cycle"\nperiod = 0.3\n[[keyframe]]'
-    tiny.written(tmp_path, tiny.CLIP.replace("[[keyframe]]", said, 1))
-    table = tables(clips.load(str(tmp_path / "tiny.toml")) and clips.table_of((tmp_path / "tiny.toml").read_text(), "t"))
+    table = tables(clips.table_of(tiny.CLIP.replace("[[keyframe]]", said, 1), "tiny"))
     assert edits.retimed_tables(table, 2.0)["penalty"] == [{"kind": "cycle", "period": 0.15}]
 
 

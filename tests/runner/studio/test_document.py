@@ -208,3 +208,69 @@ def test_every_shipped_clip_is_told_apart_and_put_together_again(name):
     edited(found, "move_keys", {"moves": [[0, row["time"] - 0.01]]})
     assert tomllib.loads(found.text)["keyframe"][0]["time"] == pytest.approx(row["time"] - 0.01)
     assert len(found.text.splitlines()) == len(text.splitlines())
+
+
+WITH_HEADERS = """figure = "human"
+
+[[keyframe]]
+time = 0.0
+others = "rest"
+
+[keyframe.joints]
+left_hip = {rotvec = [0, -70, 0]}   # lifted
+
+[[keyframe]]
+time = 0.5
+others = "hold"
+
+[keyframe.root]
+position = [0.1, 0, 0.93]
+[keyframe.joints]
+left_hip = {rotvec = [0, -20, 0]}
+
+[[keyframe]]
+time = 1.0
+others = "rest"
+"""
+
+
+def said(found):
+    return tomllib.loads(found.text)["keyframe"]
+
+
+def test_tables_under_headers_of_their_own_belong_to_their_keyframe():
+    found = document(WITH_HEADERS)
+    edited(found, "delete_keys", {"keys": [1]})
+    assert [row["time"] for row in said(found)] == [0.0, 1.0]
+    assert said(found)[0]["joints"] == {"left_hip": {"rotvec": [0, -70, 0]}}
+    assert "# lifted" in found.text
+
+
+def test_a_keyframe_with_such_tables_is_posed_and_others_come_after_it():
+    found = document(WITH_HEADERS)
+    edited(found, "set_joint", {"key": 1, "joint": "spine", "value": {"rotvec": [1.0, 2.0, 3.0]}})
+    edited(found, "set_joint", {"key": 1, "joint": "left_hip", "value": "free"})
+    edited(found, "set_others", {"key": 0, "value": "free"})
+    edited(found, "add_key", {"said": {"time": 0.75, "root": {"position": [0.2, 0, 0.93]}}})
+    rows = said(found)
+    assert [row["time"] for row in rows] == [0.0, 0.5, 0.75, 1.0]
+    assert rows[1]["joints"]["spine"] == {"rotvec": [1.0, 2.0, 3.0]}
+    assert rows[1]["root"] == {"position": [0.1, 0, 0.93]}
+    assert rows[2]["root"] == {"position": [0.2, 0, 0.93]}
+    assert "others" not in rows[0] or rows[0]["others"] == "free"
+    while (back := found.back()) is not None:
+        found.undo()
+        assert found.text == back[1]
+    assert found.text == WITH_HEADERS
+
+
+def test_lines_that_end_as_on_windows_are_edited_and_end_so_again(tmp_path):
+    from dynsplines.studio.sources import opened
+
+    file = tmp_path / "clip.toml"
+    file.write_bytes(TEXT.replace("\n", "\r\n").encode())
+    found = opened(str(file))
+    assert not found.is_dirty
+    edited(found, "move_keys", {"moves": [[1, 0.6]]})
+    found.save(file)
+    assert file.read_bytes() == TEXT.replace("time = 0.50", "time = 0.6").replace("\n", "\r\n").encode()

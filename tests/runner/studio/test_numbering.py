@@ -117,3 +117,39 @@ def test_what_a_new_process_says_of_the_text_before_is_no_answer_to_an_edit(sess
     assert loaded[-1] == 1
     assert all(each["of"] <= each["revision"] for each in documents)
     assert times(session) == [0.0, 0.1, 0.15, 0.2, 0.3, 0.4]
+
+
+def test_a_process_that_is_lost_during_an_edit_hears_the_text_before_whose_verdict_is_not_the_edits(
+    session, monkeypatch
+):
+    """The former is a clip, the edit is none."""
+    heard = []
+
+    def lost(message):
+        heard.append(message.get("revision"))
+        loop = asyncio.get_running_loop()
+        if len(heard) == 1:
+            loop.call_soon(session._lost, "the process that solves was ended by signal 9")
+        elif message["revision"] == 0:
+            loop.call_soon(session._heard, {"is": "loaded", "revision": 0, "outline": {}, "keys": []})
+        else:
+            loop.call_soon(session._heard, {"is": "refused", "revision": message["revision"], "words": "no clip"})
+
+    monkeypatch.setattr(session.solver, "send", lost)
+    with pytest.raises(UserError, match="no clip"):
+        asyncio.run(session.edit("add_key", {"said": {"time": 0.15}}))
+    assert heard == [1, 0, 1]
+    assert session.document.text == TEXT
+
+
+def test_a_clip_that_takes_too_long_to_load_is_not_the_one_that_is_shown_later(session, monkeypatch, tmp_path):
+    from dynsplines.studio import session as sessions
+
+    began = []
+    monkeypatch.setattr(sessions, "VERDICT", 0.05)
+    monkeypatch.setattr(session.solver, "send", lambda message: None)
+    monkeypatch.setattr(session.solver, "begin_anew", lambda: began.append(session.document.name))
+    with pytest.raises(UserError, match="took longer than"):
+        asyncio.run(session.reopen(Document("slow", TEXT, tmp_path)))
+    assert began
+    assert session.document.name == "clip"

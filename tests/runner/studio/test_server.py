@@ -153,6 +153,31 @@ def test_a_file_is_not_replaced_unless_somebody_says_so(client, session, tmp_pat
     assert replaced["ok"]
 
 
+@pytest.mark.parametrize(
+    "asked", [{"do": "export", "to": "bvh", "name": "walk.bvh"}, {"do": "render", "name": "walk.mp4"}]
+)
+def test_no_film_and_no_export_is_written_over_somebodys_file_but_over_an_earlier_one(
+    client, session, tmp_path, monkeypatch, asked
+):
+    ran = []
+
+    async def kept(self, file):
+        ran.append(file.name)
+
+    async def run(self, words, what):
+        ran.append("--overwrite" in words)
+
+    monkeypatch.setattr(Session, "kept", kept)
+    monkeypatch.setattr(files.Files, "_run", run)
+    (tmp_path / asked["name"]).write_text("theirs")
+    (refused,) = answers(client, asked)
+    assert "is there already; choose another name" in refused["words"]
+    assert ran == []
+    assert all(told["ok"] for told in answers(client, asked | {"overwrite": True}, asked))
+    again = asked["do"] == "export"
+    assert ran == ["clip.npz", again, "clip.npz", again]
+
+
 def test_what_the_studio_does_not_know_is_answered_in_words(client):
     told = answers(
         client, {"do": "format"}, {"do": "edit", "name": "rm"}, {"do": "edit"}, {"do": "grip"}, {"do": "undo", "x": 1}

@@ -39,6 +39,7 @@ def test_a_model_becomes_a_clip_to_begin_with(tmp_path):
 
 
 def test_a_solved_motion_is_its_clip_again(motion_file):
+    tiny.written(motion_file.parent)
     found = opened(str(motion_file))
     assert found.text == tiny.CLIP
     assert found.is_dirty
@@ -57,6 +58,34 @@ def test_what_was_recorded_is_followed_by_a_clip_whose_keyframes_edit_it(saved, 
     clip = clips.from_text(found.text, name="walk", folder=found.folder)
     assert clip.keys[-1].time == pytest.approx(saved.keys[-1].time, abs=0.01)
     assert opened(str(tmp_path / "walk.npz")).text == found.text  # and once more
+
+
+def test_a_solved_motion_that_lies_elsewhere_brings_its_figure(saved, tmp_path):
+    motion.save(saved, tmp_path / "moved.npz")
+    found = opened(str(tmp_path / "moved.npz"))
+    clip = clips.from_text(found.text, name="moved", folder=found.folder)
+    assert [key.time for key in clip.keys] == [key.time for key in saved.keys]
+    assert (tmp_path / "moved.xml").read_text() == saved.mjcf
+
+
+def test_a_motion_that_followed_a_recording_elsewhere_is_its_own_keyframes(saved, tmp_path):
+    from dataclasses import replace
+
+    text = 'figure = "tiny.xml"\nfps = 20\n[recording]\nfile = "gone.npz"\n'
+    motion.save(replace(saved, text=text), tmp_path / "moved.npz")
+    found = opened(str(tmp_path / "moved.npz"))
+    clip = clips.from_text(found.text, name="moved", folder=found.folder)
+    assert not clip.follows
+    assert [key.time for key in clip.keys] == saved.timeline.times.tolist()
+
+
+def test_a_file_of_plain_arrays_is_a_recording_as_its_ending_says(saved, tmp_path):
+    from dynsplines.exchange.formats import export
+
+    export(saved, "npz", tmp_path / "walk.qpos.npz")
+    tiny.written(tmp_path)
+    found = opened(str(tmp_path / "walk.qpos.npz"), figure=str(tmp_path / "tiny.xml"))
+    assert tomllib.loads(found.text)["recording"]["file"] == "walk.npz"
 
 
 @pytest.mark.parametrize(
