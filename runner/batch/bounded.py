@@ -8,9 +8,8 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Mapping
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from multiprocessing import Pipe
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -20,7 +19,7 @@ import psutil
 from ..system.threads import THREADS
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
+    from collections.abc import Callable
     from multiprocessing.connection import Connection
 
     from .task import Product
@@ -48,19 +47,21 @@ class Bounds:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What became of a clip: the bytes of its output, or why there are none.
+    """What became of a clip: what was made of it, or why nothing was.
 
     seconds  that it took; cause "", "error", "time", "memory" or "lost"; bound: the one that it came up against
-    problems, figures  what is wrong with the motion and what was measured of it, as in the manifest
     """
 
     seconds: float
-    data: bytes | None = None
+    product: Product | None = None
     cause: str = ""
     error: str = ""
     bound: float | None = None
-    problems: tuple[dict[str, Any], ...] = ()
-    figures: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+
+    @property
+    def data(self) -> bytes | None:
+        """The bytes of its output, if there are any."""
+        return None if self.product is None else self.product.data
 
 
 class _Gone(Exception):
@@ -130,7 +131,7 @@ class Bounded:
                     kind, what = line.recv()
                     spent = time.monotonic() - begin
                     if kind == "done":
-                        return Outcome(spent, data=what.data, problems=what.problems, figures=what.figures)
+                        return Outcome(spent, product=what)
                     if kind == "memory":
                         return Outcome(spent, None, kind, _too_much(bounds.megabytes, what), bounds.megabytes)
                     return Outcome(spent, None, kind, what)

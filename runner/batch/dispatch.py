@@ -7,10 +7,10 @@ import time
 import uuid
 from asyncio import CancelledError
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 
 from distributed import Client, Future, KilledWorker
 from distributed.comm.core import CommClosedError
@@ -31,6 +31,17 @@ from .solving import solved
 from .task import NPZ, Product, Task, program
 
 Do = Callable[[Task, Path], Product]
+
+
+def _files(entry: Entry) -> dict[str, str]:
+    """What is there of a clip that is done, by name, with its digests."""
+    return {entry.output: entry.sha256, **entry.beside} if entry.state == "done" else {}
+
+
+def _holds(path: Path, content: bytes) -> bool:
+    """Whether a file is just this: figures' files are many motions'."""
+    return path.is_file() and path.stat().st_size == len(content) and path.read_bytes() == content
+
 
 TRIES = 3  # of a clip whose process or worker goes away, in one run
 AHEAD = 2  # clips handed over for every thread there is
@@ -147,6 +158,7 @@ class _Dispatch:
         self.running: set[str] = set()
         self.tries: dict[str, int] = {}
         self.events: queue.SimpleQueue[Callable[[], None]] = queue.SimpleQueue()
+        self.written = {name: digest for e in manifest.entries.values() for name, digest in _files(e).items()}
         self.solved = self.failed = 0
         self.begin = time.monotonic()
         self._threads, self._asked, self._submitted = 0, -1e9, 0
@@ -229,34 +241,54 @@ class _Dispatch:
         del self.flying[clip.name]
         self.running.discard(clip.name)
         future.release()
-        if outcome.data is not None:
-            self._done(clip, outcome.data, outcome)
+        if outcome.product is not None:
+            self._done(clip, outcome.product, outcome)
         elif outcome.cause == "lost" and self.tries[clip.name] < TRIES:
             self.waiting.append(clip)
         else:
             self._failed(clip, outcome)
 
-    def _done(self, clip: Clip, data: bytes, outcome: Outcome) -> None:
-        """The file first: a manifest that says so is right."""
-        output = f"{clip.name}{self.options.ending}"
-        target = self.folder / output
-        target.parent.mkdir(parents=True, exist_ok=True)
-        with Replacement(target) as temporary:
-            temporary.write_bytes(data)
-        entry = self.manifest.entries[clip.name]
-        seconds, found = round(outcome.seconds, 3), outcome.problems
+    def _done(self, clip: Clip, product: Product, outcome: Outcome) -> None:
+        """The files first: a manifest that says so is right."""
+        output, data = f"{clip.name}{self.options.ending}", product.data
+        above = PurePosixPath(clip.name).parent
+        beside = {
+            f"{clip.name}{name}" if name.startswith(".") else (above / name).as_posix(): content
+            for name, content in product.beside.items()
+        }
+        try:
+            self._check_beside(output, beside)
+        except UserError as error:
+            self._failed(clip, replace(outcome, product=None, cause="error", error=one_line(error)))
+            return
+        for name, content in {**beside, output: data}.items():
+            target = self.folder / name
+            target.parent.mkdir(parents=True, exist_ok=True)
+            if name == output or not _holds(target, content):
+                with Replacement(target) as temporary:
+                    temporary.write_bytes(content)
         done = replace(
-            entry,
+            self.manifest.entries[clip.name],
             state="done",
-            seconds=seconds,
+            seconds=round(outcome.seconds, 3),
             output=output,
             size=len(data),
             sha256=digest_of(data),
-            problems=found,
-            figures=outcome.figures,
+            beside={name: digest_of(content) for name, content in beside.items()},
+            problems=product.problems,
+            notes=product.notes,
+            figures=product.figures,
         )
         self.manifest.record([done])
+        self.written |= _files(done)
         self.solved += 1
+
+    def _check_beside(self, output: str, beside: Mapping[str, bytes]) -> None:
+        """Raises UserError for a file of the figure where another clip has one of that name, or a link leads out."""
+        for name, content in beside.items():
+            check_below(self.folder, name)
+            if self.written.get(name, digest_of(content)) != digest_of(content) or name == output:
+                raise UserError(f"'{name}' is there already, and a file of this motion's figure goes there")
 
     def _failed(self, clip: Clip, outcome: Outcome) -> None:
         entry = self.manifest.entries[clip.name]

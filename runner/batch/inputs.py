@@ -17,6 +17,7 @@ from ..errors import UserError, unknown
 from ..exchange import formats
 from ..scene import outside
 from ..scene.model_files import FOLDERS, elements, is_there
+from ..scene.outside import lies_in
 from .task import Cleaning, Files
 
 ENDINGS = (".toml", ".xml")
@@ -116,12 +117,31 @@ def files_of(source: Source, figures: dict[Path, dict[Path, bytes]], cleaning: C
         return _with_recording(path, data, cleaning, figures)
     if path.suffix.lower() == ".xml":
         return _packed(path, _model_files(path, figures))
-    named = clip.figure_named(data.decode("utf-8", errors="replace"))
-    figure = None if named is None or named in models.figures() else Path(os.path.normpath(path.parent / named))
-    if figure is None or not is_there(figure):
-        return Files(path.name, {path.name: data})
-    absolute = named is not None and Path(named).is_absolute()
-    return _packed(path, {path: data, **_model_files(figure, figures)}, figure if absolute else None)
+    files, figure = _clip_files(path, data, figures, ())
+    return _packed(path, files, figure)
+
+
+def _clip_files(
+    path: Path, data: bytes, figures: dict[Path, dict[Path, bytes]], before: tuple[Path, ...]
+) -> tuple[dict[Path, bytes], Path | None]:
+    """A clip, its figure, and the recording that it follows, a clip perhaps; the figure where its path is absolute.
+
+    before  the clips that follow this one
+    """
+    named, recording = clip.named(data.decode("utf-8", errors="replace"))
+    files, absolute = {path: data}, None
+    if named is not None and named not in models.figures():
+        figure = Path(os.path.normpath(path.parent / named))
+        if is_there(figure):
+            files |= _model_files(figure, figures)
+            absolute = figure if Path(named).is_absolute() else None
+    if recording is not None and recording not in models.clips():
+        file = Path(os.path.normpath(path.parent / recording))
+        if is_there(file) and file not in (path, *before) and (outside.is_allowed() or lies_in(file, path.parent)):
+            own = file.read_bytes()
+            is_clip = file.suffix == ".toml"
+            files |= _clip_files(file, own, figures, (path, *before))[0] if is_clip else {file: own}
+    return files, absolute
 
 
 def _with_recording(path: Path, data: bytes, cleaning: Cleaning, figures: dict[Path, dict[Path, bytes]]) -> Files:
@@ -230,7 +250,7 @@ def _model_files(path: Path, figures: dict[Path, dict[Path, bytes]]) -> dict[Pat
             fresh = {
                 place: place.read_bytes()
                 for place in sorted(_places(folders, names) - found.keys())
-                if place == path or outside.is_allowed() or outside.lies_in(place, path.parent)
+                if place == path or outside.is_allowed() or lies_in(place, path.parent)
             }
             if not fresh:
                 break

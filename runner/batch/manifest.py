@@ -38,7 +38,9 @@ class Entry:
     output, size, sha256  the file in the manifest's folder, how many bytes it has, and a digest of them
     cause     of a failure: "error", "time", "memory" or "lost" (its process or its worker went away)
     bound     that a failure by time [s] or memory [MB] came up against
+    beside    the files that belong to the output, likewise, with their digests; some are other clips', too
     problems  what is wrong with the motion, worst first: `Flaw`s as tables
+    notes     what the output's format could not hold
     figures   of a recording: what was measured, before and after, by what it says and its unit
     """
 
@@ -57,6 +59,8 @@ class Entry:
     error: str = ""
     problems: tuple[dict[str, Any], ...] = ()
     figures: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    beside: Mapping[str, str] = field(default_factory=dict)
+    notes: tuple[str, ...] = ()
 
     def line(self) -> str:
         """As JSON, without what there is nothing to say about."""
@@ -71,7 +75,11 @@ class Entry:
             raise TypeError(f"'problems' is {entry.problems!r}")
         if not isinstance(entry.figures, dict) or not all(map(_is_pair, entry.figures.values())):
             raise TypeError(f"'figures' is {entry.figures!r}")
-        entry = replace(entry, problems=tuple(entry.problems))
+        if not isinstance(entry.beside, dict) or not all(isinstance(value, str) for value in entry.beside.values()):
+            raise TypeError(f"'beside' is {entry.beside!r}")
+        if not isinstance(entry.notes, list | tuple) or not all(isinstance(note, str) for note in entry.notes):
+            raise TypeError(f"'notes' is {entry.notes!r}")
+        entry = replace(entry, problems=tuple(entry.problems), notes=tuple(entry.notes))
         if entry.state not in STATES:
             raise ValueError(f"no state '{entry.state}'; states: {', '.join(STATES)}")
         for name, kind in (
@@ -84,7 +92,7 @@ class Entry:
         ):
             if not isinstance(getattr(entry, name), kind):
                 raise TypeError(f"'{name}' is {getattr(entry, name)!r}")
-        for name in (entry.clip, entry.output):
+        for name in (entry.clip, entry.output, *entry.beside):
             if not is_below(name):
                 raise ValueError(f"'{name}' is no path in this folder")
         if not isinstance(entry.attempts, int):
@@ -92,15 +100,19 @@ class Entry:
         return entry
 
     def holds(self, folder: Path) -> bool:
-        """Whether the output is there with every byte that was written."""
-        path = folder / self.output
+        """Whether the output and what belongs to it are there with every byte that was written."""
         try:
-            if not self.output or path.stat().st_size != self.size:
+            if not self.output or (folder / self.output).stat().st_size != self.size:
                 return False
-            with path.open("rb") as stream:
-                return hashlib.file_digest(stream, "sha256").hexdigest() == self.sha256
+            written = {self.output: self.sha256, **self.beside}
+            return all(_digest(folder / name) == digest for name, digest in written.items())
         except OSError:
             return False
+
+
+def _digest(path: Path) -> str:
+    with path.open("rb") as stream:
+        return hashlib.file_digest(stream, "sha256").hexdigest()
 
 
 def digest_of(data: bytes) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 from ..errors import UserError
 from ..exchange import formats
@@ -13,6 +14,8 @@ from .inputs import Source, files_of, named_apart
 from .manifest import Entry, Manifest
 from .task import NPZ, Cleaning, Files, program
 
+UNDONE: dict[str, Any] = {"state": "queued", "error": "", "cause": "", "bound": None, "problems": (), "figures": {}}
+UNDONE |= {"beside": {}, "notes": ()}  # of an entry that is to be done again
 TOLD_EVERY = 500  # clips, between lines on how far the plan is
 
 
@@ -83,7 +86,9 @@ def planned(found: list[Source], manifest: Manifest, options: Options, bounds: B
         elif before.holds(folder) if before.state == "done" else _final(before, options, bounds):
             continue
         else:
-            now = replace(before, state="queued", error="", cause="", bound=None, problems=(), figures={})
+            now = replace(
+                before, state="queued", error="", cause="", bound=None, problems=(), figures={}, beside={}, notes=()
+            )
         queued.append(now)
         left.append(clip)
     if queued:

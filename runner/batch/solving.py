@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,6 +12,8 @@ from .task import NPZ, Cleaning, Product, Task, program
 
 if TYPE_CHECKING:
     from ..motion import Saved
+
+RESULT = ".result"  # how the output is called while it is made: no figure's file is called so
 
 
 def prepared() -> None:
@@ -47,7 +50,7 @@ def solved(task: Task, folder: Path) -> Product:
         progress = Progress(Console(file=nowhere))
         result = work.solve(problem, progress)
         saved = result.saved(progress, with_report=task.report)
-    return Product(_written(saved, task, folder, task.fps), tuple(plain(result.problems)))
+    return replace(_written(saved, task, folder, task.fps), problems=tuple(plain(result.problems)))
 
 
 def _cleaned(task: Task, cleaning: Cleaning, folder: Path) -> Product:
@@ -73,17 +76,23 @@ def _cleaned(task: Task, cleaning: Cleaning, folder: Path) -> Product:
     with Path(os.devnull).open("w") as nowhere, outside.allowed(task.allow_outside):
         result, saved = running.made(source, cleaning.within, Progress(Console(file=nowhere)))
     found = Comparison(result)
-    return Product(_written(saved, task, folder, None), tuple(found.problems), found.figures)
+    return replace(_written(saved, task, folder, None), problems=tuple(found.problems), figures=found.figures)
 
 
-def _written(saved: Saved, task: Task, folder: Path, fps: float | None) -> bytes:
-    """A motion as a file of the kind that is asked for."""
+def _written(saved: Saved, task: Task, folder: Path, fps: float | None) -> Product:
+    """A motion as a file of the kind that is asked for, with what lies beside it."""
     from .. import motion
     from ..exchange import formats
 
-    target = folder / f".result{'.npz' if task.to == NPZ else formats.writer(task.to).ending}"
+    made = folder / ".made"
+    made.mkdir()
+    target = made / f"{RESULT}{'.npz' if task.to == NPZ else formats.writer(task.to).ending}"
+    notes: list[str] = []
     if task.to == NPZ:
         motion.save(saved, target)
     else:
-        formats.export(saved, task.to, target, fps=fps)
-    return target.read_bytes()
+        formats.export(saved, task.to, target, fps=fps, tell=notes.append)
+    others = [path for path in sorted(made.iterdir()) if path != target]
+    beside = {path.name.removeprefix(RESULT): path.read_bytes() for path in others}
+    said = tuple(note for note in notes if note not in {f"wrote {path}" for path in others})
+    return Product(target.read_bytes(), beside=beside, notes=said)

@@ -78,12 +78,16 @@ class Task:
 class Product:
     """What comes back: the bytes of the output, and what is wrong with the motion, worst first, as plain tables.
 
+    beside   what is to lie beside the output: by an ending that goes on its name, or by a name in its folder
+    notes    what the format could not hold, a line each
     figures  of a recording: what was measured, before and after, by what it says and its unit
     """
 
     data: bytes
     problems: tuple[dict[str, Any], ...] = ()
     figures: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    beside: Mapping[str, bytes] = field(default_factory=dict)
+    notes: tuple[str, ...] = ()
 
 
 @cache

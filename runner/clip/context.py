@@ -134,19 +134,24 @@ class Context:
         return leans(self.figure, self.keys, roots)
 
     def carried_when(self, intervals: Sequence[tuple[float, float]] | None, asked: bool) -> Support | None:
-        """What carries the figure when: the flights that the clip gives, or what its keyframes tell."""
+        """What carries the figure when: the flights that the clip gives, or what its keyframes tell; the tree of one
+        free joint, whatever else moves freely."""
         figure, keys = self.figure, self.keys
         if not figure.tables.free_links.size:
             return None
         root = next((r for r in figure.tables.free_links if self._stands(int(r))), figure.tables.free_links[0])
-        held, body = (*self.stances, *self.contacts.stances, *self.contacts.rests), self.own(body_points(figure))
-        carriers = footings(figure, keys, self.points, self.surfaces, held, body)
+        tree = figure.tables.path[:, int(root)] > 0
+        points = tuple(point for point in self.points if tree[point.link])
+        body = tuple(point for point in self.own(body_points(figure)) if tree[point.link])
+        every = (*self.stances, *self.contacts.stances, *self.contacts.rests)
+        held = tuple(stance for stance in every if tree[stance.point.link])
+        carriers = footings(figure, keys, points, self.surfaces, held, body)
         if intervals is not None:
             aloft = tuple(intervals)
         elif asked and not self.surfaces:
             aloft = ((float(keys.times[0]), float(keys.times[-1])),)
         else:
-            aloft = flights(figure, int(root), keys, self.points, self.surfaces, held, body)
+            aloft = flights(figure, int(root), keys, points, self.surfaces, held, body)
         for first, last in aloft:
             if not keys.times[0] <= first < last <= keys.times[-1]:
                 given, span = f"[{first:g}, {last:g}]", f"{keys.times[0]:g} to {keys.times[-1]:g} s"
@@ -187,17 +192,24 @@ class Context:
 
 def knees_and_elbows(figure: Figure) -> list[Bend]:
     """Ball joints that are knees or elbows by their own name or their body's, of a figure that faces x."""
-    found = []
+    found, rest = [], _turned_at_rest(figure)
     for i, link in enumerate(figure.links[1:], start=1):
         names = f"{link.name} {figure.model.body(link.body).name}".lower()
         lateral = 1.0 if any(w in names for w in KNEES) else -1.0 if any(w in names for w in ELBOWS) else 0.0
         if lateral and link.kind is JointKind.BALL:
-            long_axis = link.centre - link.anchor
-            down = quat.rotated(link.turn, long_axis)
+            down = quat.rotated(rest[i], link.centre - link.anchor)
             down[1] = 0.0
             if np.linalg.norm(down) > 1e-6:
-                axis = np.array([0.0, lateral, 0.0])
-                found.append(Bend(link.name, i, axis, _principal(down)))
+                axes = np.array([[0.0, lateral, 0.0], _principal(down)])
+                found.append(Bend(link.name, i, *quat.rotated(quat.inverse(rest[link.parent]), axes)))
+    return found
+
+
+def _turned_at_rest(figure: Figure) -> list[Array]:
+    """(4,) of every link, the world first: how it is turned in the world at rest."""
+    found = [np.array([1.0, 0, 0, 0])]
+    for link in figure.links[1:]:
+        found.append(quat.product(found[link.parent], link.turn))
     return found
 
 

@@ -259,7 +259,9 @@ def _grounded(context: Context, chosen: Reach) -> Penalty | None:
     """The lowest point of sole or body stays down between keyframes that are, but for flights."""
     if not context.points and not context.figure.tables.free_links.size:
         return None
-    points = context.own((*context.points, *body_points(context.figure)))
+    points, support = context.own((*context.points, *body_points(context.figure))), context.support
+    if support is not None:  # which is what else moves freely
+        points = tuple(p for p in points if context.figure.tables.path[p.link, support.root])
     aloft = () if context.support is None else context.support.flights
     intervals = grounded_intervals(context.figure, context.keys, points, context.surfaces, aloft)
     return Grounded(points, context.surfaces, intervals, chosen.reach or Grounded.reach)
@@ -289,6 +291,8 @@ def _speed(context: Context, chosen: SpeedOptions) -> Penalty | None:
 
 
 def _level(context: Context, chosen: LevelOptions) -> Penalty | None:
+    if not chosen.bodies:
+        raise UserError(f"{context.where}: penalty 'level' needs bodies = [...], the ones that are to be level")
     known, found = moving_bodies(context.figure), list[int]()
     for name in chosen.bodies:
         if name not in known:

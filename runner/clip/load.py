@@ -357,13 +357,15 @@ def _tables(text: str, where: str, kind: type[Tables]) -> Tables:
         raise UserError(f"{where}: {spoken(error, raw, root=kind)}") from None
 
 
-def figure_named(text: str) -> str | None:
-    """What a clip's TOML text calls its figure; None if it does not say or cannot be read."""
+def named(text: str) -> tuple[str | None, str | None]:
+    """What a clip's TOML text calls its figure, and the recording that it follows; None where it does not say."""
     try:
-        figure = tomllib.loads(text).get("figure")
+        said = tomllib.loads(text)
     except (ValueError, RecursionError):
-        return None
-    return figure if isinstance(figure, str) else None
+        return None, None
+    figure, recording = said.get("figure"), said.get("recording")
+    file = recording.get("file") if isinstance(recording, dict) else None
+    return figure if isinstance(figure, str) else None, file if isinstance(file, str) else None
 
 
 def of_motion(saved: Saved, *, contacts: bool = False) -> Clip:

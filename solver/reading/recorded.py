@@ -80,10 +80,11 @@ class Recorded:
     ) -> Recorded:
         """Of qpos (T, nq) at times (T,) [s]; known (T, N) or (T, 1), all of it if nobody says."""
         states = np.array(figure.to_state(qpos))
+        every = np.ones(states.shape) if known is None else np.ones(states.shape) * known
         for columns in figure.tables.quaternion_columns.T:
-            states[:, columns] = quat.aligned(states[:, columns])
-        every = np.ones(states.shape)
-        return cls(figure, np.asarray(times, float), states, every if known is None else every * known, exact)
+            seen = np.flatnonzero((every[:, columns] > 0).all(axis=1))  # what fills a gap has no part in it
+            states[seen[:, None], columns] = quat.aligned(states[seen[:, None], columns])
+        return cls(figure, np.asarray(times, float), states, every, exact)
 
     def moved(self, way: ArrayLike) -> Recorded:
         """With all free roots moved by (3,) [m]."""

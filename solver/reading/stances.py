@@ -101,6 +101,8 @@ def white(places: Array, known: Array) -> Array:
     if places.shape[-1] <= ORDER:
         return np.zeros(places.shape[1])
     windows = np.lib.stride_tricks.sliding_window_view(known, ORDER + 1).min(axis=-1) > 0
+    if not windows.any():  # nowhere is enough of it seen
+        return np.zeros(places.shape[1])
     differences = np.abs(np.diff(places, ORDER, axis=-1))[..., windows] / GAIN
     return NORMAL * np.median(differences.swapaxes(0, 1).reshape(places.shape[1], -1), axis=1)
 

@@ -9,11 +9,13 @@ moment that they take for it. So there are samples about every such moment, as c
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from ..array import Array, Index
 from ..curve.frame import Timeline
+from ..curve.quadrature import Quadrature
 from ..curve.spline import Path, path_of
 from ..objective import Objective
 
@@ -33,9 +35,20 @@ def best(objective: Objective, timelines: Sequence[Timeline]) -> Timeline:
         return timelines[0]
     is_uneven = objective.quadrature.kind == "gauss"  # equal samples as close as those would be a million
     times = common_grid(timelines, objective.figure.tables.quaternion_columns.T if is_uneven else ())
+    objective = _summable(objective, times)
     values = [objective.value(path_of(timeline), times) for timeline in timelines]
+    values = [value if np.isfinite(value) else np.inf for value in values]
     bound = min(values) * (1 + AS_GOOD)
     return next(timeline for timeline, value in zip(timelines, values, strict=True) if value <= bound)
+
+
+def _summable(objective: Objective, times: Array) -> Objective:
+    """The same, summed by Gauss's rule where equal samples in spans so short would be too many."""
+    try:
+        objective.quadrature.nodes(times)
+    except ValueError:
+        return replace(objective, quadrature=Quadrature())
+    return objective
 
 
 def common_grid(timelines: Sequence[Timeline], quaternions: Sequence[Index] | Index = ()) -> Array:

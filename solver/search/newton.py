@@ -121,6 +121,11 @@ class Search:
         """The model's step that was taken, damped until E falls; or one not worth it, and why the search ends."""
         while True:
             proposal = model.minimised(self.damping * model.scale)
+            if proposal.factor is None:  # no curvature, no step
+                self.damping *= REJECT
+                if self.damping > MOST_DAMPING:
+                    return proposal, Stop.STUCK
+                continue
             if self.is_negligible(proposal.promised, tolerance):
                 return proposal, Stop.CONVERGED
             x = self.x + proposal.step

@@ -168,7 +168,7 @@ def _read_clip(path: Path) -> None:
     data = path.read_bytes()
     if crc32(data) % (POSED_OF if POSING.search(data) else WHOLE_OF):
         text = data.decode("utf-8", "replace")
-        clips.figure_named(text)
+        clips.named(text)
         clips.table_of(text, path.name)
         return
     clips.load(str(path))

@@ -93,7 +93,8 @@ class Cycle(Guide):
 
     def led(self, timeline: Timeline, most: int | None) -> Timeline:
         """The cycle itself where variable frames are, a period's in eight frames if there may be so many."""
-        fixed = [frame for frame in timeline.frames if not frame.is_variable]
+        ends = timeline.times[[0, -1]]
+        fixed = [frame for frame in timeline.frames if not frame.is_variable or frame.time in ends]
         edges, apart = np.array([frame.time for frame in fixed]), self.rhythm.period / FRAMES
         counts = np.ceil(np.diff(edges) / apart - ROUNDING).astype(int) - 1
         present = np.histogram(timeline.times, edges)[0] - 1
@@ -157,8 +158,10 @@ class Cycle(Guide):
         child, parent = _joints(samples.figure)
         wanted = target[:, : self._turns].reshape(samples.count, -1, 4).T
         base = links.Q[:, parent]
-        if tables.has_turns:
-            base = hamilton(base, tables.turn[:, child][:, :, None])
+        if tables.has_turns:  # what is free is turned in the world, whatever its model has it turned at rest
+            turn = tables.turn.copy()
+            turn[:, tables.free_links] = [[1.0], [0], [0], [0]]
+            base = hamilton(base, turn[:, child][:, :, None])
         q = hamilton(conjugated(hamilton(base, wanted)), links.Q[:, child])
         q /= np.sqrt(dot(q, q))
         return q[0], q[1:]

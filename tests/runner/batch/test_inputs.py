@@ -6,6 +6,7 @@ import io
 import sys
 from pathlib import Path, PurePosixPath
 
+import mujoco
 import pytest
 from tiny import CLIP, changed, written
 
@@ -174,3 +175,51 @@ def test_a_link_is_called_after_the_link(tmp_path: Path):
     written(tmp_path)
     (tmp_path / "other.toml").symlink_to(tmp_path / "tiny.toml")
     assert names(sources([str(tmp_path / "other.toml")])) == ["other"]
+
+
+FOLLOWING = 'figure = "tiny.xml"\nfps = 20\n[recording]\nfile = "{}"\n'
+
+
+def test_a_clip_takes_along_the_recording_that_it_follows(tmp_path: Path):
+    there = tmp_path / "there"
+    there.mkdir()
+    written(tmp_path)
+    path = tmp_path / "tiny.toml"
+    product = solving.solved(Task(files_of(Source(path, PurePosixPath("tiny")), {}), program=solving.program()), there)
+    (tmp_path / "own.npz").write_bytes(product.data)
+    (tmp_path / "through.toml").write_text(FOLLOWING.format("tiny.toml"), encoding="utf-8")
+    for recording, along in {"own.npz": ["own.npz"], "through.toml": ["through.toml", "tiny.toml"]}.items():
+        clip_file = tmp_path / "following.toml"
+        clip_file.write_text(FOLLOWING.format(recording), encoding="utf-8")
+        files = files_of(Source(clip_file, PurePosixPath("following")), {})
+        assert sorted(files.files) == sorted(["following.toml", "tiny.xml", *along])
+        elsewhere = tmp_path / f"elsewhere {recording}"
+        elsewhere.mkdir()
+        made = solving.solved(Task(files, program=solving.program()), elsewhere)
+        (tmp_path / "made.npz").write_bytes(made.data)
+        assert load(tmp_path / "made.npz").keys[-1].time == pytest.approx(0.41)
+    before = files.digest()
+    path.write_text(changed("[0.3, 0, 1]", "[0.31, 0, 1]"), encoding="utf-8")
+    assert files_of(Source(clip_file, PurePosixPath("following")), {}).digest() != before
+
+
+def test_a_recording_that_lies_elsewhere_or_follows_itself_does_not_go_along(tmp_path: Path):
+    inner = tmp_path / "inner"
+    inner.mkdir()
+    written(inner)
+    (tmp_path / "secret.npz").write_bytes(b"secret")
+    for recording in ("../secret.npz", "following.toml", "absent.npz"):
+        (inner / "following.toml").write_text(FOLLOWING.format(recording), encoding="utf-8")
+        files = files_of(Source(inner / "following.toml", PurePosixPath("following")), {})
+        assert sorted(files.files) == ["following.toml", "tiny.xml"]
+
+
+def test_what_a_format_writes_beside_its_file_comes_back_with_what_it_could_not_hold(tmp_path: Path):
+    there = tmp_path / "there"
+    there.mkdir()
+    files = files_of(Source(written(tmp_path), PurePosixPath("tiny")), {})
+    made = solving.solved(Task(files, to="mjlab", program=solving.program()), there)
+    assert list(made.beside) == [".mjlab.hinges.xml"]
+    model = mujoco.MjModel.from_xml_string(made.beside[".mjlab.hinges.xml"].decode())
+    assert model.nq == 7 + 3
+    assert not any(note.startswith("wrote") for note in made.notes)

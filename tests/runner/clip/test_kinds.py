@@ -48,6 +48,7 @@ def test_every_kind_is_made_or_is_nothing_to_look_at(kind):
         ('kind = "speed"', "penalty 'speed' needs a limit = ..., in degrees a second"),
         ('kind = "level"\nbodies = "chest"', "penalty 1: bodies must be a list of names, not 'chest'"),
         ('kind = "level"\nbodies = ["chets"]', "no body 'chets'"),
+        ('kind = "level"\nweight = 2', "penalty 'level' needs bodies = [...]"),
         ('kind = "level"\nbodies = ["chest"]\naxis = [0, 0, 0]', "axis is [0, 0, 0], which points nowhere"),
         (
             'kind = "level"\nbodies = ["chest"]\naxis = [0, 1]',

@@ -433,3 +433,46 @@ def test_an_optimiser_that_does_nothing_with_so_many_unknowns_is_told():
     dense = clip.from_text(standing + '[solve]\noptimiser = "slsqp"', name="dense")
     assert "optimiser 'slsqp' is dense: with some 612 unknowns, over 300" in dense.notes[-1]
     assert not clip.from_text(standing + '[solve]\noptimiser = "lbfgs"', name="sparse").notes
+
+
+LYING = """<mujoco><compiler angle="degree"/><worldbody>
+  <body name="pelvis" pos="0 0 1" euler="90 0 0"><freejoint name="root"/><geom size=".1"/>
+    <body name="thigh" pos="0 -.1 -.1" euler="0 90 0"><joint name="hip" type="ball"/><geom size=".05" pos="0 -.2 0"/>
+      <body name="shin" pos="0 -.4 0" euler="0 0 20"><joint name="knee" type="ball"/><geom size=".05" pos="0 -.2 0"/>
+</body></body></body></worldbody></mujoco>"""
+
+
+def test_a_knee_flexes_about_the_worlds_y_at_rest_however_its_thigh_is_turned(tmp_path):
+    (tmp_path / "lying.xml").write_text(LYING, encoding="utf-8")
+    keys = "".join(f'[[keyframe]]\ntime = {t}\nothers = "rest"\n' for t in (0, 1))
+    found = clip.from_text(f'figure = "lying.xml"\n{keys}', name="lying", folder=tmp_path)
+    (bend,) = found.context.bends
+    data = mujoco.MjData(found.figure.model)
+    mujoco.mj_kinematics(found.figure.model, data)
+    thigh = data.body("thigh").xmat.reshape(3, 3)
+    np.testing.assert_allclose(thigh @ bend.lateral, [0, 1, 0], atol=1e-12)
+    np.testing.assert_allclose(thigh @ bend.long_axis, [0, 0, -1], atol=1e-12)
+
+
+CRATE = """
+[[scene.box]]
+name = "crate"
+body = "crate"
+size = [0.3, 0.3, 0.3]
+mass = 5
+
+[[keyframe]]"""
+
+
+def test_a_crate_that_lies_aside_tells_nothing_of_who_runs():
+    text = models.clip_text("run_and_step")
+    there = text.replace("[[keyframe]]", CRATE, 1)
+    first = there.index("time = ", there.index("[[keyframe]]"))
+    end = there.index("\n", first)
+    there = there[:end] + "\nroots.crate = {position = [2, 3, 0.15], rotation = {rotvec = [0, 0, 0]}}" + there[end:]
+    alone, beside = (clip.from_text(each, name="run") for each in (text, there))
+    assert beside.figure.tables.free_links.size == 2
+    assert alone.context.support.flights
+    assert beside.context.support.flights == alone.context.support.flights
+    ours = [next(p for p, _ in each.penalties if p.name == "grounded") for each in (alone, beside)]
+    assert [point.name for point in ours[1].points] == [point.name for point in ours[0].points]

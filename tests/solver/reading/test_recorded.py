@@ -190,3 +190,18 @@ def test_a_recording_bent_by_its_way_to_another_is_that_and_goes_there_by_even_t
         np.testing.assert_allclose(bent[:, rest], wanted[:, rest], atol=1e-12)
     nothing = between(figure, one.states, other.states, ~known)
     np.testing.assert_allclose(one.bent(nothing).states, one.states, atol=1e-12)
+
+
+def test_what_fills_a_gap_turns_no_sign_about():
+    """A root that walks back, about half a turn from what fills the gap."""
+    figure = figure_of(TINY)
+    times, half = np.linspace(0, 2, 41), np.radians(90 + np.linspace(-4, 4, 41))
+    qpos = np.tile(figure.model.qpos0, (41, 1))
+    qpos[:, 3:7] = np.column_stack([np.cos(half), 0 * half, 0 * half, np.sin(half)])
+    known = np.ones((41, 1))
+    known[15:26] = 0
+    filled = np.where(known > 0, qpos, figure.model.qpos0)
+    whole, torn = (Recorded.of(figure, times, rows, gaps) for rows, gaps in ((qpos, None), (filled, known)))
+    seen = known[:, 0] > 0
+    np.testing.assert_allclose(torn.states[seen], whole.states[seen], rtol=0, atol=1e-12)
+    np.testing.assert_allclose(torn.bridged, whole.bridged, rtol=0, atol=0.05)

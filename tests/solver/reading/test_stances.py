@@ -261,3 +261,9 @@ def test_two_runs_shortly_after_each_other_in_the_same_place_are_one_stance(apar
     place[0, 20 + gap :] = apart
     runs = _joined(times, [(0, 20), (20 + gap, 60)], place, 0.0)
     assert runs == ([(0, 60)] if one else [(0, 20), (20 + gap, 60)])
+
+
+def test_places_of_which_no_few_in_a_row_are_seen_have_no_noise_that_is_told():
+    known = np.tile([1.0, 1.0, 0.0], 20)
+    places = np.random.default_rng(1).normal(size=(3, 2, 60))
+    np.testing.assert_array_equal(white(places, known), [0, 0])

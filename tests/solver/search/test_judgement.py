@@ -10,8 +10,10 @@ from hinged import hinged
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.quadrature import Quadrature
+from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import CovariantAcceleration
+from dynsplines.solver.search import judgement
 from dynsplines.solver.search.judgement import ABOUT, AS_GOOD, CLOSEST, FINER, best, common_grid
 
 QUATERNIONS = figure_of(ONE_BALL).tables.quaternion_columns.T
@@ -107,3 +109,25 @@ def test_paths_are_judged_by_the_samples_of_all_of_them_close_about_flips_unless
         assert len(seen) == 2
         for times in seen:
             np.testing.assert_array_equal(times, common_grid(timelines, quaternions))
+
+
+def test_paths_whose_equal_samples_would_be_too_many_are_judged_all_the_same():
+    even = Quadrature("uniform", 50)
+    objective = Objective.of(hinged(), [(CovariantAcceleration(), 1.0)], quadrature=even)
+    close = []
+    for by in (2.0, 1.0):
+        times, states = np.array([0.0, 1e-3, 10, 20]), np.array([[0.0, 0], [0, 0], [by, 0], [0, 0]])
+        close.append(Timeline(tuple(Frame.many(times, states, np.ones((4, 2), bool))), np.zeros((2, 2)), "clamped"))
+    with pytest.raises(ValueError, match="uniform quadrature would take"):
+        objective.value(path_of(close[0]), common_grid(close))
+    assert best(objective, close) is close[1]
+
+
+@pytest.mark.parametrize("order", [(0, 1), (1, 0)])
+def test_a_path_whose_e_is_no_number_is_the_worst(monkeypatch, order):
+    timelines = [bent(1.0), bent(2.0)]
+    values = {id(timelines[0]): 3.0, id(timelines[1]): np.nan}
+    monkeypatch.setattr(judgement, "path_of", lambda timeline: timeline)
+    monkeypatch.setattr(Objective, "value", lambda self, path, times=None: values[id(path)])
+    objective = Objective.of(hinged(), [(CovariantAcceleration(), 1.0)])
+    assert best(objective, [timelines[i] for i in order]) is timelines[0]

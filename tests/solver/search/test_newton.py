@@ -25,6 +25,7 @@ from dynsplines.solver.search.descent import METHODS, NEWTON, Descent
 from dynsplines.solver.search.minimum import Minimum, Stop, StopSearch
 from dynsplines.solver.search.newton import FIRST_DAMPING, Search, gauss_newton
 from dynsplines.solver.search.optimiser import minimise
+from dynsplines.solver.search.quadratic import Model, Proposal
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point
 
@@ -316,3 +317,24 @@ def test_the_search_is_a_method_beside_those_of_nlopt(rng):
     assert newton.value == default.value
     with pytest.raises(ValueError, match="no optimiser 'gauss'"):
         Descent(problem.objective, problem.timeline).run(method="gauss")
+
+
+@pytest.mark.parametrize("failures", [2, 10_000])
+def test_a_curvature_that_has_no_factor_is_damped_until_it_has_one_and_is_no_minimum(rng, monkeypatch, failures):
+    count = []
+    minimised = Model.minimised
+
+    def failing(self, damping):
+        count.append(damping)
+        found = minimised(self, damping)
+        return found if len(count) > failures else Proposal(np.zeros_like(found.step), 0.0, None)
+
+    monkeypatch.setattr(Model, "minimised", failing)
+    problem = problem_of(rng)
+    found, _ = gauss_newton(Watched(problem), tolerance=1e-10)
+    assert np.all(np.diff(count[: min(failures, len(count))]) > 0)
+    if failures == 2:
+        assert found.stop is Stop.CONVERGED
+        np.testing.assert_allclose(found.value, by_nlopt_alone(problem).value, rtol=1e-6)
+    else:
+        assert (found.stop, found.evaluations) == (Stop.STUCK, 1)

@@ -1,5 +1,7 @@
 """The cycle's soft constraint: value by SciPy, gradient, curvature, and what it does to a walk with few keyframes."""
 
+from dataclasses import replace
+
 import mujoco
 import numpy as np
 import pytest
@@ -24,8 +26,16 @@ from dynsplines.solver.reading.pose_vectors import HEIGHT
 from dynsplines.solver.reading.stride import Gait
 from dynsplines.solver.refine.subdivision import evenly
 
+LYING = """<mujoco><worldbody><body pos="0 0 1" quat=".7071 .7071 0 0"><freejoint/><geom size=".1"/>
+  <body pos="0 -.3 0" quat=".8 0 .6 0"><joint type="ball"/><geom size=".1" pos="0 -.1 0"/></body>
+</body></worldbody></mujoco>"""
+LAIN = [(LYING, "world"), (LYING, "joint")]  # whose model has its root turned
 
-@pytest.fixture(params=HUMAN_AND_CHAINS, ids=["human", "human, joints", "fixed balls", "fixed ball and hinge"])
+
+@pytest.fixture(
+    params=[*HUMAN_AND_CHAINS, *LAIN],
+    ids=["human", "human, joints", "fixed balls", "fixed ball and hinge", "turned root", "turned root, joints"],
+)
 def cycled(request, rng) -> Cycle:
     text, coordinates = request.param
     figure = Figure(mujoco.MjModel.from_xml_string(text), coordinates)
@@ -134,3 +144,14 @@ def test_it_leads_with_no_more_frames_than_keep_them_an_eighth_of_a_period_apart
     assert cycle.led(fine, None).variable_count == fine.variable_count
     np.testing.assert_allclose(cycle.led(fine, 0).times, fine.times)
     np.testing.assert_array_equal(led.end_slope, keys.end_slope)
+
+
+def test_what_it_leads_with_is_as_long_as_the_clip_though_the_last_keyframe_fixes_nothing():
+    seen = gait(WALK, 0.7)
+    *before, last = seen.keys.frames
+    keys = replace(seen.keys, frames=(*before, Frame.variable(last.time, last.state)))
+    rhythm = seen.told()
+    assert rhythm is not None
+    led = Cycle(FIGURE, rhythm).led(keys, None)
+    np.testing.assert_array_equal(led.times[[0, -1]], keys.times[[0, -1]])
+    np.testing.assert_array_equal(led.frames[-1].state, last.state)
