@@ -201,3 +201,31 @@ def test_what_the_second_motion_leaves_free_is_where_it_goes_when_they_are_joine
     raw = both.figure.to_qpos(path_of(both.raw).at(np.array([0.81])))[0]
     np.testing.assert_allclose(raw[:3], there[:3], rtol=0, atol=1e-9)
     assert sampled(both.figure, both.timeline, 20.0).qpos.shape[0] == 21
+
+
+THING = """
+[[scene.box]]
+name = "crate"
+body = "crate"
+size = [0.2, 0.2, 0.2]
+mass = 1
+"""
+PLACED = "roots.crate = {{position = [{x}, 2, 0.1], rotation = {{rotvec = [0, 0, 0]}}}}\n"
+
+
+def test_things_go_with_the_recording_that_a_clip_follows(tmp_path):
+    """Where a keyframe puts one is no place of it at the others, and without any all is as recorded."""
+    head, *keyframes = tiny.CLIP.replace("fps = 20", "fps = 20" + THING).split("[[keyframe]]")
+    text = "[[keyframe]]".join([head, *(each + PLACED.format(x=x) for x, each in enumerate(keyframes, 1))])
+    recorded = solved(clips.load(str(tiny.written(tmp_path, text))))
+    motion.save(recorded, tmp_path / "own.npz")
+    following = FOLLOWING.replace("[recording]", THING + "[recording]")
+    bare = clips.from_text(following, name="bare", folder=tmp_path)
+    assert bare.follows
+    edits_ = '[[keyframe]]\ntime = 0.1\nroot.position = ["free", "free", 1.01]\n[[keyframe]]\ntime = 0.3\n'
+    clip = clips.from_text(following + edits_ + PLACED.format(x=2.5), name="edited", folder=tmp_path)
+    first, second = clip.said
+    columns = clip.figure.tables.position_columns[:, 1]
+    assert not first.fixed[columns].any()
+    assert second.fixed[columns].all()
+    np.testing.assert_allclose(first.state[columns], at(recorded, np.array([0.1]))[0, columns], atol=1e-3)

@@ -203,6 +203,12 @@ def test_a_clip_is_solved_first(tmp_path):
     assert len(motion.load(target).keys) >= 2
 
 
+def test_plain_arrays_are_a_recording_as_their_ending_says(straight, tmp_path):
+    formats.export(straight, "npz", tmp_path / "walk.qpos.npz")
+    target = run(tmp_path / "walk.qpos.npz", tmp_path / "thin.toml")
+    assert len(clip.load(str(target)).keys) < 16
+
+
 def test_what_is_read_is_not_written_over(motion_file, tmp_path):
     copy = tmp_path / "own.npz"
     copy.write_bytes(motion_file.read_bytes())

@@ -204,6 +204,19 @@ def test_scipys_rotations_and_whole_configurations_are_keyframes(motion):
     assert over.keys[0].fixed.all()
 
 
+def test_a_whole_configuration_says_all_of_further_free_bodies_and_what_is_given_goes_over_it():
+    text = "".join(
+        f'<body name="{n}"><freejoint name="{n}"/><geom size=".1"/></body>' for n in ("man", "crate", "ball")
+    )
+    qpos = np.arange(21.0).reshape(3, 7)
+    qpos[:, 3:] = np.array([0.5, 0.5, -0.5, 0.5])
+    keys = [Keyframe(t, qpos=qpos.ravel(), roots={"crate": {"position": [1, 0, 2]}}) for t in (0, 1)]
+    made = build(mujoco.MjSpec.from_string(f"<mujoco><worldbody>{text}</worldbody></mujoco>"), keys)
+    assert made.keys[0].fixed.all()
+    qpos[1, :3] = [1, 0, 2]
+    np.testing.assert_allclose(made.keys[0].state, qpos.ravel(), atol=1e-12)
+
+
 def test_any_kind_of_joint_is_built(rng):
     model = mujoco.MjModel.from_xml_string(EVERY_JOINT)
     qpos = [model.qpos0.copy(), model.qpos0.copy()]

@@ -102,3 +102,15 @@ def test_parts_turn_no_more_than_the_place_asks_for(model):
     bent = bend(model, qpos, Limb(chain, about, {body: turns[:, body] for body in chain}), turns[:, 1])
     _, after = seen(model, bent)
     assert np.degrees(quat.angle_between(after, turns)).max() < 15
+
+
+def test_an_arm_that_is_welded_on_stays_as_it_is():
+    welded = mujoco.MjModel.from_xml_string(
+        """<mujoco><worldbody><body name="trunk"><freejoint/><geom size=".1"/><body name="upper" pos="0 .1 .2">
+        <geom size=".02"/><body name="hand" pos="0 0 -.3"><geom size=".02"/></body></body></body>
+        </worldbody></mujoco>"""
+    )
+    qpos = np.tile(welded.qpos0, (4, 1))
+    chain = [welded.body(name).id for name in ("upper", "hand")]
+    limb = Limb(chain, np.tile([0.1, 0, 0], (4, 1)), {chain[-1]: np.tile([0, 1.0, 0, 0], (4, 1))})
+    np.testing.assert_array_equal(bend(welded, qpos, limb, qpos[:, 3:7]), qpos)
