@@ -24,7 +24,7 @@ STEPS, LONGEST = 30, 0.3  # of least squares; [rad] of a joint in one
 DAMPING = 5.0  # [1/rad²] of a step, beside residuals that count one as above
 STILL = 1e-4  # [rad] a step that is none
 RUN = 2000  # images bent at once
-TURNING = (mujoco.mjtJoint.mjJNT_HINGE, mujoco.mjtJoint.mjJNT_BALL)
+TURNING = [int(kind) for kind in (mujoco.mjtJoint.mjJNT_HINGE, mujoco.mjtJoint.mjJNT_BALL)]
 
 
 @dataclass(frozen=True)
@@ -58,7 +58,7 @@ def bend(model: mujoco.MjModel, qpos: Array, limb: Limb, carried: Array) -> Arra
 
     carried  (T, 4) how what it hangs on is turned in the world
     """
-    if not any(model.jnt_type[joint] in TURNING for joint in joints(model, limb.bodies)):
+    if not np.isin(model.jnt_type[joints(model, limb.bodies)], TURNING).any():
         return qpos  # of a robot that carries its arms as they are
     runs = [slice(first, first + RUN) for first in range(0, len(qpos), RUN)]
     return np.concatenate([_bend(model, qpos[run], limb.during(run), carried[run]) for run in runs])
