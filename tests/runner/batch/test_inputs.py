@@ -188,8 +188,8 @@ def test_a_clip_takes_along_the_recording_that_it_follows(tmp_path: Path):
     product = solving.solved(Task(files_of(Source(path, PurePosixPath("tiny")), {}), program=solving.program()), there)
     (tmp_path / "own.npz").write_bytes(product.data)
     (tmp_path / "through.toml").write_text(FOLLOWING.format("tiny.toml"), encoding="utf-8")
+    clip_file, digests = tmp_path / "following.toml", []
     for recording, along in {"own.npz": ["own.npz"], "through.toml": ["through.toml", "tiny.toml"]}.items():
-        clip_file = tmp_path / "following.toml"
         clip_file.write_text(FOLLOWING.format(recording), encoding="utf-8")
         files = files_of(Source(clip_file, PurePosixPath("following")), {})
         assert sorted(files.files) == sorted(["following.toml", "tiny.xml", *along])
@@ -198,9 +198,9 @@ def test_a_clip_takes_along_the_recording_that_it_follows(tmp_path: Path):
         made = solving.solved(Task(files, program=solving.program()), elsewhere)
         (tmp_path / "made.npz").write_bytes(made.data)
         assert load(tmp_path / "made.npz").keys[-1].time == pytest.approx(0.41)
-    before = files.digest()
+        digests.append(files.digest())
     path.write_text(changed("[0.3, 0, 1]", "[0.31, 0, 1]"), encoding="utf-8")
-    assert files_of(Source(clip_file, PurePosixPath("following")), {}).digest() != before
+    assert files_of(Source(clip_file, PurePosixPath("following")), {}).digest() not in digests
 
 
 def test_a_recording_that_lies_elsewhere_or_follows_itself_does_not_go_along(tmp_path: Path):

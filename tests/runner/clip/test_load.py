@@ -20,6 +20,7 @@ from dynsplines.solver.penalty import (
     Contact,
     CovariantAcceleration,
     Flight,
+    Grounded,
     RootAcceleration,
     Support,
     UnitMagnitude,
@@ -472,7 +473,9 @@ def test_a_crate_that_lies_aside_tells_nothing_of_who_runs():
     there = there[:end] + "\nroots.crate = {position = [2, 3, 0.15], rotation = {rotvec = [0, 0, 0]}}" + there[end:]
     alone, beside = (clip.from_text(each, name="run") for each in (text, there))
     assert beside.figure.tables.free_links.size == 2
-    assert alone.context.support.flights
-    assert beside.context.support.flights == alone.context.support.flights
-    ours = [next(p for p, _ in each.penalties if p.name == "grounded") for each in (alone, beside)]
+    one, other = (each.context.support for each in (alone, beside))
+    assert one is not None and other is not None
+    assert one.flights
+    assert other.flights == one.flights
+    ours = [next(p for p, _ in each.penalties if isinstance(p, Grounded)) for each in (alone, beside)]
     assert [point.name for point in ours[1].points] == [point.name for point in ours[0].points]

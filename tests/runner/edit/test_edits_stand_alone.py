@@ -164,6 +164,7 @@ def test_a_loop_flies_as_often_as_it_is_repeated():
     said = f'[[penalty]]\nkind = "flight"\nintervals = [[{0.2 * last}, {0.3 * last}]]\n\n[[keyframe]]'
     saved = solved(clips.from_text(text.replace("[[keyframe]]", said, 1), name="flying"))
     thrice = flights(edits.repeated(saved, 3))
+    assert thrice is not None
     wanted = [[(0.2 + i) * last, (0.3 + i) * last] for i in range(3)]
     np.testing.assert_allclose(thrice, wanted, rtol=0, atol=1e-9)
 
