@@ -201,7 +201,8 @@ def put_dotted(table: Any, group: str, key: str, value: Any) -> None:
     """Sets `group.key`, such as joints.left_hip, on a line of its own if it is new."""
     if group in table:
         inner = table[group]
-        if isinstance(inner, InlineTable) or key in inner or not inner.is_super_table():  # which has a header
+        has_header = isinstance(inner, Table) and not inner.is_super_table()
+        if isinstance(inner, InlineTable) or key in inner or has_header:
             put(inner, key, value)
             return
     table.append(tomlkit.key([group, key]), item(value))
