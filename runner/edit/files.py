@@ -70,7 +70,16 @@ def run(
     search = {"stopped because": f"not searched: {edit.word}"}
     saved = replace(saved, name=target.stem, trace=[], report={}, search=search)
     motion.save(saved, target)
-    return target, problems.of_motion(saved)
+    told = problems.of_motion(saved)
+    return target, tuple(f for f in told if f.keyframe is None) if any(map(_is_sampled, found)) else told
+
+
+def _is_sampled(found: Clip | Saved) -> bool:
+    """Whether keyframes are a recording's own instants, which nobody set and nobody can be told of."""
+    if isinstance(found, Clip):
+        return found.follows
+    follows = bool(found.text) and clips.table_of(found.text, found.name).recording is not None
+    return follows or problems.is_recording(found)
 
 
 def _solved(found: Clip | Saved, progress: Progress, fresh: bool) -> Saved:

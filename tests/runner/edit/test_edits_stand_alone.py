@@ -106,7 +106,8 @@ def test_two_motions_that_follow_recordings_are_joined(followed):
 def test_a_clip_that_follows_a_recording_is_edited_as_a_motion(folder, tmp_path, word):
     edit = edit_files.mirrored() if word == "mirror" else edit_files.retimed(2.0, None)
     name = "step_on_kerb" if word == "mirror" else str(folder / "following.toml")
-    target, _ = edit_files.run([name], edit, tmp_path / "out.npz", overwrite=False, progress=quiet())
+    target, told = edit_files.run([name], edit, tmp_path / "out.npz", overwrite=False, progress=quiet())
+    assert [flaw.text for flaw in told if flaw.keyframe is not None] == []
     assert "recording" not in motion.load(target).text
     with pytest.raises(UserError, match=r"-o NAME\.npz"):
         edit_files.run([name], edit, tmp_path / "out.toml", overwrite=False, progress=quiet())
