@@ -32,17 +32,6 @@ from .task import NPZ, Product, Task, program
 
 Do = Callable[[Task, Path], Product]
 
-
-def _files(entry: Entry) -> dict[str, str]:
-    """What is there of a clip that is done, by name, with its digests."""
-    return {entry.output: entry.sha256, **entry.beside} if entry.state == "done" else {}
-
-
-def _holds(path: Path, content: bytes) -> bool:
-    """Whether a file is just this: figures' files are many motions'."""
-    return path.is_file() and path.stat().st_size == len(content) and path.read_bytes() == content
-
-
 TRIES = 3  # of a clip whose process or worker goes away, in one run
 AHEAD = 2  # clips handed over for every thread there is
 TICK_SECONDS = 0.5
@@ -131,6 +120,16 @@ def _severity(entry: Entry) -> tuple[float, str]:
     """How many times its bound the worst problem of a clip is."""
     worst = entry.problems[0]
     return worst["amount"] / worst["bound"], entry.clip
+
+
+def _files(entry: Entry) -> dict[str, str]:
+    """What is there of a clip that is done, by name, with its digests."""
+    return {entry.output: entry.sha256, **entry.beside} if entry.state == "done" else {}
+
+
+def _holds(path: Path, content: bytes) -> bool:
+    """Whether a file is just this: figures' files are many motions'."""
+    return path.is_file() and path.stat().st_size == len(content) and path.read_bytes() == content
 
 
 class _Dispatch:
