@@ -248,7 +248,10 @@ class _Dispatch:
             self._failed(clip, outcome)
 
     def _done(self, clip: Clip, product: Product, outcome: Outcome) -> None:
-        """The files first: a manifest that says so is right."""
+        """What the files will be, the files, and that they are there: a manifest that says so is right.
+
+        Whatever ends the program between the last two, the next one finds the files to be those that were meant.
+        """
         output, data = f"{clip.name}{self.options.ending}", product.data
         above = PurePosixPath(clip.name).parent
         beside = {
@@ -260,15 +263,8 @@ class _Dispatch:
         except UserError as error:
             self._failed(clip, replace(outcome, product=None, cause="error", error=one_line(error)))
             return
-        for name, content in {**beside, output: data}.items():
-            target = self.folder / name
-            target.parent.mkdir(parents=True, exist_ok=True)
-            if name == output or not _holds(target, content):
-                with Replacement(target) as temporary:
-                    temporary.write_bytes(content)
-        done = replace(
+        meant = replace(
             self.manifest.entries[clip.name],
-            state="done",
             seconds=round(outcome.seconds, 3),
             output=output,
             size=len(data),
@@ -278,6 +274,14 @@ class _Dispatch:
             notes=product.notes,
             figures=product.figures,
         )
+        self.manifest.record([meant], firmly=False)
+        for name, content in {**beside, output: data}.items():
+            target = self.folder / name
+            target.parent.mkdir(parents=True, exist_ok=True)
+            if name == output or not _holds(target, content):
+                with Replacement(target) as temporary:
+                    temporary.write_bytes(content)
+        done = replace(meant, state="done")
         self.manifest.record([done])
         self.written |= _files(done)
         self.solved += 1

@@ -15,7 +15,7 @@ from .manifest import Entry, Manifest
 from .task import NPZ, Cleaning, Files, program
 
 UNDONE: dict[str, Any] = {"state": "queued", "error": "", "cause": "", "bound": None, "problems": (), "figures": {}}
-UNDONE |= {"beside": {}, "notes": ()}  # of an entry that is to be done again
+UNDONE |= {"output": "", "size": 0, "sha256": "", "beside": {}, "notes": ()}  # of an entry that is to be done again
 TOLD_EVERY = 500  # clips, between lines on how far the plan is
 
 
@@ -75,7 +75,7 @@ def planned(found: list[Source], manifest: Manifest, options: Options, bounds: B
     named = {source.place(folder): str(source.name) for source in named_apart(fresh, manifest.entries.keys())} | known
     clips = [Clip(named[source.place(folder)], source) for source in found]
     figures: dict[Path, dict[Path, bytes]] = {}
-    left, queued = [], []
+    left, changed = [], []
     for number, clip in enumerate(clips, 1):
         if number % TOLD_EVERY == 0:
             progress.step("reading", number / len(clips), f"{number} of {len(clips)} clips")
@@ -83,16 +83,19 @@ def planned(found: list[Source], manifest: Manifest, options: Options, bounds: B
         digest = _digest(clip.source, figures, options)
         if before is None or before.input != digest:
             now = Entry(clip.name, clip.source.place(folder), input=digest)
-        elif before.holds(folder) if before.state == "done" else _final(before, options, bounds):
+        elif before.state != "failed" and before.holds(folder):
+            if before.state == "done":
+                continue
+            changed.append(replace(before, state="done"))  # its files were written, and nothing after that
+            continue
+        elif _final(before, options, bounds):
             continue
         else:
-            now = replace(
-                before, state="queued", error="", cause="", bound=None, problems=(), figures={}, beside={}, notes=()
-            )
-        queued.append(now)
+            now = replace(before, **UNDONE)
+        changed.append(now)
         left.append(clip)
-    if queued:
-        manifest.record(queued)
+    if changed:
+        manifest.record(changed)
     return Plan(clips, left, figures)
 
 

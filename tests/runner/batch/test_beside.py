@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+from collections.abc import Iterable
 from pathlib import Path
 
 import mujoco
@@ -16,6 +17,7 @@ from dynsplines.batch.bounded import Bounds
 from dynsplines.batch.dispatch import Tally, run
 from dynsplines.batch.manifest import Entry, Manifest
 from dynsplines.batch.plan import Options
+from dynsplines.errors import UserError
 from dynsplines.system.progress import Progress
 
 CORNERS = "v 0 0 0\nv {size} 0 0\nv 0 {size} 0\nv 0 0 {size}\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
@@ -69,3 +71,29 @@ def test_a_manifest_that_names_files_outside_is_refused(tmp_path: Path) -> None:
     for wrong in ({"beside": ["b"]}, {"beside": {"b": 1}}, {"notes": [1]}, {"notes": "words"}):
         with pytest.raises(TypeError):
             Entry.of({"clip": "a", "source": "a.toml", **wrong})
+
+
+@pytest.mark.slow
+def test_what_was_written_before_the_disk_was_full_is_not_solved_again(
+    clips: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (clips / "1.toml").unlink()
+    out = clips.parent / "out"
+    record = Manifest.record
+
+    def full(self: Manifest, entries: Iterable[Entry], *, firmly: bool = True) -> None:
+        entries = list(entries)
+        if any(entry.state == "done" for entry in entries):
+            raise UserError("No space left on device")
+        record(self, entries, firmly=firmly)
+
+    with monkeypatch.context() as patch, pytest.raises(UserError, match="No space left"):
+        patch.setattr(Manifest, "record", full)
+        done(clips)
+    stamps = {path.name: path.stat().st_mtime_ns for path in out.iterdir() if path.name != "manifest.jsonl"}
+    assert set(stamps) == {"0.keys.xml", "part.obj"}
+    tally = done(clips)
+    assert (tally.solved, tally.kept, tally.failed) == (0, 1, ())
+    assert stamps == {name: (out / name).stat().st_mtime_ns for name in stamps}
+    (entry,) = Manifest.of(out).entries.values()
+    assert (entry.state, set(entry.beside)) == ("done", {"part.obj"})

@@ -75,6 +75,26 @@ def test_what_was_running_when_the_program_was_killed_is_queued_with_its_attempt
     assert (again.state, again.attempts) == ("queued", 2)
 
 
+def test_what_was_written_when_the_program_was_killed_counts_as_done_if_it_is_what_was_meant(manifest: Manifest):
+    folder = manifest.path.parent
+    left(manifest)
+    problem = {"text": "deep in the floor", "amount": 2.0, "bound": 1.0}
+    meant = {"output": "tiny.csv", "size": 4, "sha256": digest_of(b"data"), "problems": (problem,)}
+    end(manifest, "tiny", state="running", attempts=1, **meant)
+    (folder / "tiny.csv").write_bytes(b"old!")
+    assert left(manifest) == ["tiny", "other"]
+    assert not Manifest.of(folder).entries["tiny"].output
+
+    for state in ("running", "queued"):  # by a program that was killed, or could tidy up
+        end(manifest, "tiny", state=state, attempts=1, **meant)
+        (folder / "tiny.csv").write_bytes(b"data")
+        assert left(manifest) == ["other"]
+        again = Manifest.of(folder).entries["tiny"]
+        assert (again.state, again.attempts, again.problems) == ("done", 1, (problem,))
+    end(manifest, "tiny", state="running", **meant)
+    assert left(manifest, Options(fps=50)) == ["tiny", "other"]
+
+
 def test_a_clip_a_figure_or_an_option_that_changes_is_done_again(manifest: Manifest):
     folder = manifest.path.parent.parent
     left(manifest)
