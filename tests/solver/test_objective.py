@@ -26,6 +26,7 @@ from dynsplines.solver.objective import (
     SMALL_SHARE,
     VIOLENT,
     Objective,
+    run_of,
     segment_integrals,
 )
 from dynsplines.solver.penalty import (
@@ -181,6 +182,18 @@ def test_sample_gradients_are_those_of_the_density(figure, rng):
         return float(objective.density(Samples(figure, *p)).sum())
 
     assert taylor_slope(value, point, np.stack(objective.sample_gradients(samples)), rng) > 1.95
+
+
+@pytest.mark.parametrize("runs", [1, 2, 3])
+def test_sample_gradients_of_some_runs_are_those_of_each(figure, rng, runs):
+    objective = Objective.of(figure, every_penalty(figure)[:2])
+    most = run_of(figure)
+    whole = objective.samples(path_of(clip(figure, rng)), np.linspace(0.1, 1.2, runs * most))
+    parts = whole.parts(most)
+    assert len(parts) == runs
+    each = [objective.sample_gradients(part) for part in parts]
+    for found, own in zip(objective.sample_gradients(whole), zip(*each, strict=True), strict=True):
+        np.testing.assert_allclose(found, np.concatenate(own), rtol=1e-12)
 
 
 def test_gauss_and_uniform_sums_agree_when_fine(figure, rng):

@@ -6,7 +6,7 @@ import pytest
 from random_samples import random_samples
 from taylor import taylor_slope
 
-from dynsplines.solver.figure.adjoint import Cotangent
+from dynsplines.solver.figure.adjoint import QUANTITIES, Cotangent
 from dynsplines.solver.figure.dynamics import velocities
 from dynsplines.solver.figure.kinematics import Samples
 
@@ -108,3 +108,17 @@ def test_what_is_deferred_is_pulled_back_once_from_each_source_for_all_that_was_
     for one, other in zip(deferred.gradients(), at_once.gradients(), strict=True):
         np.testing.assert_allclose(one, other, atol=1e-12)
     assert (first.settled, second.settled) == (1, 1)
+
+
+@pytest.mark.parametrize("name", QUANTITIES)
+def test_a_gradient_may_be_added_into_a_buffer_as_well_as_given_whole(figure, rng, name):
+    samples = random_samples(figure, rng, 3)
+    links = (len(figure.links), 3)
+    shapes = {"y": samples.y.shape, "q": samples.q.shape, "swing": (3, 3, *links)}
+    gradient = rng.normal(size=shapes.get(name.split("_")[0], (3, *links)))
+    given, added = Cotangent(samples), Cotangent(samples)
+    given.accumulate(name, gradient)
+    assert added.buffer(name).shape == gradient.shape
+    added.buffer(name)[...] += gradient
+    for own, other in zip(given.gradients(), added.gradients(), strict=True):
+        np.testing.assert_array_equal(own, other)

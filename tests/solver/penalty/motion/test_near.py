@@ -168,3 +168,24 @@ def test_a_limb_that_is_off_by_one_joint_for_a_while_counts_one_however_long_it_
             assert weights[link.qpos] * (angle / 2) ** 2 * FOR == pytest.approx(1, rel=0.05)
     hinge = figure_of(CHAIN.format("hinge"), "joint")
     np.testing.assert_allclose(levers(hinge), [0.8, 0.4], atol=1e-9)  # to twice the middle of the mass beyond
+
+
+def test_the_ends_of_limbs_are_the_bodies_that_carry_none_and_are_where_mujoco_has_their_mass(figure, rng):
+    found = near(figure, rng)
+    model, links = figure.model, figure.links
+    bodies = [link.body for link in links]
+    carrying = set()
+    for body in bodies:
+        above = int(model.body_parentid[body]) if body > 0 else 0
+        while above:
+            carrying.add(above)
+            above = int(model.body_parentid[above])
+    ends, arms = found.ends
+    assert {bodies[i] for i in ends} == {body for body in bodies if body > 0} - carrying
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    for link, arm in zip(ends, arms.T, strict=True):
+        body = bodies[link]
+        if not any(model.body_weldid[other] == body for other in range(model.nbody) if other != body):
+            place = data.xpos[body] + data.xmat[body].reshape(3, 3) @ arm
+            np.testing.assert_allclose(place, data.xipos[body], atol=1e-12)
