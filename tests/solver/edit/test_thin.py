@@ -16,7 +16,7 @@ from scipy.spatial.transform import Rotation
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.edit.thin import Bound, Recorded, _lasting, _moved, natural_splines, refined, thin
+from dynsplines.solver.edit.thin import Bound, Recorded, _lasting, _moved, _without, natural_splines, refined, thin
 from dynsplines.solver.figure.figure import Figure
 
 WIDE = Bound(0.08, np.radians(10))
@@ -112,6 +112,15 @@ def test_a_straight_motion_thins_to_two_keyframes():
     qpos[:, 0] += 1.5 * times
     qpos[:, 7] += 0.4 * times  # a hinge
     assert thin(Recorded(figure, times, qpos, Bound(1e-6, 1e-6))).kept == (0, 49)
+
+
+@pytest.mark.parametrize("kept", [[0, 1, 33], [0, 10, 33], [0, 5, 10, 20, 33]])
+def test_what_a_straight_motion_does_not_miss_goes(kept):
+    figure = of("every joint")
+    times = np.linspace(0, 2, 34)
+    qpos = np.tile(figure.model.qpos0, (34, 1))
+    qpos[:, 0] += 1.5 * times
+    assert _without(Recorded(figure, times, qpos, Bound(1e-6, 1e-6)), kept, lambda _: None) == [0, 33]
 
 
 def test_a_bound_of_next_to_nothing_keeps_every_instant():

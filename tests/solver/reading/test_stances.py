@@ -12,6 +12,7 @@ from dynsplines.clip.posing.feet import sole_points
 from dynsplines.motion import samples_at
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.reading import stances
 from dynsplines.solver.reading.moving import surprise
 from dynsplines.solver.reading.recorded import ORDER, Recorded
 from dynsplines.solver.reading.settled import settled
@@ -129,6 +130,14 @@ def test_what_rests_for_long_is_a_stance_up_to_half_as_high_as_anything_is(below
     for share, stands in ((0.998, True), (1.002, False)):
         height = share * HIGHEST / 2 * (-1 if below else 1)
         assert spans(stances_of(times, 0 * times, np.full(60, height))) == ([(times[0], times[-1])] if stands else [])
+
+
+@pytest.mark.parametrize("samples", [0, 1, 2, 3])
+def test_a_stance_has_a_first_sample_and_a_last(monkeypatch, samples):
+    monkeypatch.setattr(stances, "_trimmed", lambda slow, first, end: (first + 5, first + 5 + samples))
+    times = np.arange(60) / FPS
+    found = spans(stances_of(times, 0 * times, np.zeros(60)))
+    assert found == ([(times[5], times[4 + samples])] if samples > 1 else [])
 
 
 def test_the_shorter_it_rests_the_nearer_to_the_ground_it_has_to():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -12,7 +13,17 @@ from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.reading.pose_vectors import PoseVectors
 from dynsplines.solver.reading.rhythm import Process
-from dynsplines.solver.reading.stride import ANY_PERIOD, GAIN, GRAVITY, LONGER, SHORTER, Gait, _refined
+from dynsplines.solver.reading.stride import (
+    ANY_PERIOD,
+    CYCLES,
+    GAIN,
+    GRAVITY,
+    LONGER,
+    OUTSIDE,
+    SHORTER,
+    Gait,
+    _refined,
+)
 from dynsplines.solver.surface import Plane
 
 
@@ -129,3 +140,28 @@ def test_a_likelihood_that_rises_to_an_end_of_what_may_be_has_its_peak_there(bet
     found = seen.candidates(Process(poses), between, -np.inf)
     nearest = min(between, key=lambda end: abs(end - PERIOD))
     assert found[0].period == pytest.approx(nearest, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("gains", "best"),
+    [
+        ({(0, 0): 0.0, (1, 0): OUTSIDE + 0.05, (0, 1): OUTSIDE + 0.15, (1, 1): 2 * OUTSIDE + 0.1}, (0, 1)),
+        ({(0, 0): 0.0, (1, 0): OUTSIDE - 0.05, (0, 1): OUTSIDE - 0.15, (1, 1): 2 * OUTSIDE - 0.1}, (0, 0)),
+        ({(0, 0): 0.0, (1, 0): OUTSIDE + 0.05, (0, 1): OUTSIDE + 0.15, (1, 1): 2 * OUTSIDE + 0.2}, (1, 1)),
+    ],
+)
+def test_ends_are_left_out_where_that_tells_more_than_it_costs_each(monkeypatch, gains, best):
+    told = {out: SimpleNamespace(gain=gain) for out, gain in gains.items()}
+    monkeypatch.setattr(Gait, "_without", lambda _, *out: SimpleNamespace(_told_by_all=told[out]))
+    assert gait(WALK, 0.42).told() is told[best]
+
+
+def test_a_clip_has_most_of_a_cycle_from_its_first_keyframe_to_its_last(monkeypatch):
+    seen, asked = gait(WALK, 0.42), []
+    poses = PoseVectors.of(FIGURE, seen.keys)
+    assert poses is not None
+    monkeypatch.setattr(Gait, "_periods", property(lambda _: (0.1, 1e3)))
+    monkeypatch.setattr(Gait, "candidates", lambda _, process, periods, gain: asked.append(periods) or [])
+    assert seen._told_by_all is None
+    times = [frame.time for frame in seen.keys.frames]
+    assert asked == [(0.1, pytest.approx(poses.sides / 2 * (times[-1] - times[0]) / CYCLES, rel=1e-12))]
