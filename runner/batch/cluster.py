@@ -37,6 +37,7 @@ CALM = {  # what Dask watches of itself every few milliseconds would cost a tent
     "distributed.admin.system-monitor.interval": "5s",
     "distributed.admin.system-monitor.gil.enabled": False,
     "distributed.admin.low-level-log-length": 50,  # nobody reads them, and of a thousand clips they take megabytes
+    "distributed.admin.large-graph-warning-threshold": "1TB",  # a clip's meshes are tens of megabytes, and have to go
 }
 
 

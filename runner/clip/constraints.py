@@ -128,3 +128,10 @@ def posing_bends(figure: Figure, entries: Sequence[PenaltyTable]) -> BendLimits 
     assert isinstance(asked, BendOptions)
     bends = tuple(bend for bend in knees_and_elbows(figure) if asked.joints is None or bend.name in asked.joints)
     return limits(bends, asked) if bends and asked.weight > 0 else None
+
+
+def flights_given(entries: Sequence[PenaltyTable]) -> tuple[tuple[float, float], ...]:
+    """(first, last) [s] of every flight that the tables give by themselves."""
+    asked = chosen([entry for entry in entries if entry.kind == "flight"], "clip").get("flight", FlightOptions())
+    assert isinstance(asked, FlightOptions)
+    return tuple(asked.intervals or ())

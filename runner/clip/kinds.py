@@ -47,8 +47,10 @@ from dynsplines.solver.penalty import (
     couplings,
     grounded_intervals,
     joint_ranges,
+    left_open,
     surfaces_on,
 )
+from dynsplines.solver.penalty.ground.grounded import CLOSE
 from dynsplines.solver.surface import Box, Plane, Surface
 from dynsplines.solver.surface.cover import covering_points
 from dynsplines.solver.surface.points import Point, body_points
@@ -262,9 +264,11 @@ def _grounded(context: Context, chosen: Reach) -> Penalty | None:
     points, support = context.own((*context.points, *body_points(context.figure))), context.support
     if support is not None:  # which is what else moves freely
         points = tuple(p for p in points if context.figure.tables.path[p.link, support.root])
-    aloft = () if context.support is None else context.support.flights
+    aloft = () if support is None else support.flights
     intervals = grounded_intervals(context.figure, context.keys, points, context.surfaces, aloft)
-    return Grounded(points, context.surfaces, intervals, chosen.reach or Grounded.reach)
+    firm = () if support is None else left_open(context.figure, support.root, context.keys, intervals)
+    grounded = Grounded(points, context.surfaces, intervals, chosen.reach or Grounded.reach, firm=firm)
+    return replace(grounded, blend=CLOSE) if firm else grounded
 
 
 def _flight(context: Context, chosen: FlightOptions) -> Penalty:

@@ -40,7 +40,7 @@ from ..motion import Saved, read_arrays
 from ..scene.assets import Scene
 from ..scene.compose import Step, compose, figure_spec, first_line, quietly, spec_joint_names
 from ..scene.configuration import first_wrong
-from .constraints import chosen, constraints, posing_bends
+from .constraints import chosen, constraints, flights_given, posing_bends
 from .contacts import Contacts, rests
 from .context import Context
 from .follow.keeping import ground_of, rests_of, stances_in, stances_of
@@ -452,7 +452,8 @@ def with_keys(clip: Clip, keys: Sequence[Frame]) -> Clip:
 
 def _stander(figure: Figure, table: ClipTable, where: str) -> Stander:
     bends, surfaces = posing_bends(figure, table.penalty), static_surfaces(figure.model)
-    return Stander(figure, surfaces, table.contact, bends, table.solve, where, held=table.hold)
+    aloft = flights_given(table.penalty)
+    return Stander(figure, surfaces, table.contact, bends, table.solve, where, held=table.hold, aloft=aloft)
 
 
 def _clip(

@@ -31,6 +31,7 @@ from ..contacts import ROUNDING, Contacts, contacts
 from ..holds import NEARLY, REACH, holds
 from ..table import ContactTable, HoldTable, SolveTable
 from .feet import sole_points
+from .grounding import Grounding
 
 BEYOND = float(np.radians(10))  # [rad] beyond their ranges that joints go rather than that a foot leaves its place
 STARTS = 4  # poses to begin with, at most
@@ -83,7 +84,8 @@ def _during(tables: Sequence[ContactTable], first: float, last: float) -> Iterat
 class Stander:
     """Finds where feet stand in partial keyframes, and poses them.
 
-    tables  the clip's contacts;  held  its holds;  where  how errors call the clip
+    tables  the clip's contacts;  held  its holds;  aloft  (first, last) [s] of the flights that it gives
+    where   how errors call the clip
     """
 
     def __init__(
@@ -95,9 +97,10 @@ class Stander:
         solve: SolveTable,
         where: str,
         held: Sequence[HoldTable] = (),
+        aloft: Sequence[tuple[float, float]] = (),
     ) -> None:
         self.figure, self.surfaces, self.tables, self.bends = figure, surfaces, tables, bends
-        self.solve, self.where, self.held = solve, where, held
+        self.solve, self.where, self.held, self.aloft = solve, where, held, aloft
 
     @property
     def ends(self) -> str:
@@ -123,10 +126,14 @@ class Stander:
         except TimelineError:  # which the clip complains of
             return list(keys)
         count = len(keys) - (self.ends == "periodic")  # the last keyframe of a loop is the first
-        return [
+        found = [
             self._posed(keys[k], seen, k, left) if k < count and not keys[k].is_key else keys[k]
             for k in range(len(keys))
         ]
+        grounding = Grounding.of(self.figure, seen.soles, self.surfaces, self.aloft)
+        if grounding is None:
+            return found
+        return [*grounding.put_down(found[:count], self.timeline(found), seen.staying), *found[count:]]
 
     def beside(self, timeline: Timeline, key: Frame, k: int, goals: Sequence[Goal]) -> list[Goal]:
         """Goals of the feet that stand in keyframe k of a timeline, other limbs than those that it gives goals of its
@@ -287,11 +294,22 @@ class _Seen:
         return (int(before[-1]) if before.size else None), (int(at + 1 + after[0]) if after.size else None)
 
     def _planted(self, i: int, k: int, near: tuple[int | None, int | None]) -> Array | None:
-        """Where a sole point stands: between the spots that are one in the keyframes before and after; at the first and
-        last keyframes that tell nothing, where the only neighbour has it. No spot if the keyframe sets its limb."""
-        point, (before, after) = self.points[i], near
-        if i >= len(self.soles) or self._is_set(point, k):
-            return None
+        """Where a sole point stands, see `_stays`. No spot if the keyframe sets its limb."""
+        return None if i >= len(self.soles) or self._is_set(self.points[i], k) else self._stays(i, k, near)
+
+    def staying(self, k: int) -> Array:
+        """(3, n) where the sole points stand that stay on one spot at keyframe k, whatever it sets; NaN for others."""
+        spots = np.full((3, len(self.soles)), np.nan)
+        for i in range(len(self.soles)):
+            spot = self._stays(i, k, self._neighbours(i, k))
+            if spot is not None:
+                spots[:, i] = spot
+        return spots
+
+    def _stays(self, i: int, k: int, near: tuple[int | None, int | None]) -> Array | None:
+        """Where a point stands: between the spots that are one in the keyframes before and after; at the first and last
+        keyframes that tell nothing, where the only neighbour has it."""
+        before, after = near
         some = [n for n in near if n is not None]
         if not some or not all(self.low[i, n] for n in some):
             return None

@@ -1,7 +1,7 @@
 """Bodies that do not float: between keyframes that touch the ground, the lowest point of the body stays near it.
 
 The paper leaves floating to future work (§6). A body that rises far all the same, in a leap that the keyframes ask for,
-is let go: the pull fades with the height.
+is let go: the pull fades with the height. Not so where keyframes leave the height to the search: none asks for a leap.
 """
 
 from __future__ import annotations
@@ -23,23 +23,27 @@ from ...surface.points import Point, arrays_of, places_of
 from ..curvature import Curvature
 from ..penalty import Penalty, Scale
 from .contact import point_gradients
+from .flight import within
 
 TOUCHING = 0.05  # [m] that the lowest point of a keyframe on the ground may be over it
 NEGLIGIBLE = 1e-9  # of the lowest point's share
 REACH, BLEND = 0.05, 0.01  # [m] unless told
+CLOSE = 0.002  # [m] the blend of a body that nothing else holds to a height
 Interval = tuple[float, float]
 _Shares = tuple[Index, Index, Array, Array, Array]  # points and samples (q,), shares (q,), arms and ways up (3, q)
 
 
 @dataclass(frozen=True)
 class Grounded(Penalty):
-    """reach² (1 − exp(−(m/reach)²)) [m²] in some intervals [s], m ≥ 0 the height of the lowest of the points.
+    """reach² (1 − exp(−(m/reach)²)) [m²] in some intervals [s], m ≥ 0 the height of the lowest of the points; in those
+    that are `firm` m².
 
     The lowest is a smooth one: m = −blend log Σ exp(−h/blend) over the points' heights h, lower by blend log n for n
     points of one height.
 
     reach  [m] the height from which on a body is in the air
     blend  [m]
+    firm   those of the intervals in which it is not to be
     """
 
     points: tuple[Point, ...]
@@ -47,6 +51,7 @@ class Grounded(Penalty):
     intervals: tuple[Interval, ...]
     reach: float = REACH
     blend: float = BLEND
+    firm: tuple[Interval, ...] = ()
 
     @property
     def name(self) -> str:
@@ -67,8 +72,9 @@ class Grounded(Penalty):
         if not at.size:
             return values
         lowest, seen = self._seen(samples, at)
-        fading = np.exp(-((lowest / self.reach) ** 2))
-        values[at] = self.reach**2 * (1 - fading)
+        firm = within(self.firm, samples.t[at])
+        fading = np.where(firm, 1.0, np.exp(-((lowest / self.reach) ** 2)))
+        values[at] = np.where(firm, lowest**2, self.reach**2 * (1 - fading))
         if into is not None and lowest.any():
             pull = 2 * (scale + np.zeros(samples.count))[at] * lowest * fading
             which, pair, share, offset, up = seen()
@@ -89,14 +95,13 @@ class Grounded(Penalty):
         np.add.at(rows, pair, gradients)
         some = np.flatnonzero(lowest > 0)
         some = some[np.argsort(at[some], kind="stable")]
-        fading = np.exp(-((lowest[some] / self.reach) ** 2))
+        firm = within(self.firm, samples.t[at[some]])
+        fading = np.where(firm, 1.0, np.exp(-((lowest[some] / self.reach) ** 2)))
         into.add_rows(at[some], scale[at[some]] * fading, rows[some, None], (0,))
 
     def _during(self, t: Array) -> Index:
         """The samples of times t (S,) in the intervals."""
-        inside = np.zeros(t.size, bool)
-        for first, last in self.intervals:
-            inside |= (t >= first) & (t <= last)
+        inside = within(self.intervals, t)
         return np.flatnonzero(inside) if self.points and self.surfaces else np.zeros(0, np.intp)
 
     def _seen(self, samples: Samples, at: Index) -> tuple[Array, Callable[[], _Shares]]:
@@ -142,3 +147,9 @@ def grounded_intervals(
         for first, last, both in segments
         if both and not any(begin < last and first < end for begin, end in flights)
     )
+
+
+def left_open(figure: Figure, root: int, keys: Timeline, intervals: Sequence[Interval]) -> tuple[Interval, ...]:
+    """The intervals between keyframes one of which at least leaves the height of a free link to the search."""
+    open_at = keys.times[~keys.fixed[:, figure.links[root].qpos + 2]]
+    return tuple((first, last) for first, last in intervals if first in open_at or last in open_at)

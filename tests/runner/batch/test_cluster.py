@@ -33,6 +33,12 @@ def test_scheduler_worker_and_client_share_one_loop_which_ends_with_them() -> No
     assert loops() == before
 
 
+def test_heavy_meshes_go_without_a_word(recwarn: pytest.WarningsRecorder) -> None:
+    with cluster.opened("batch", 1, None, quiet()) as client:
+        assert client.submit(len, bytes(11_000_000)).result(timeout=60) == 11_000_000
+    assert not [str(warning.message) for warning in recwarn if "large graph" in str(warning.message)]
+
+
 @pytest.mark.parametrize("address", ["tcp://127.0.0.1:9", "tpc://127.0.0.1:9"])  # 9: "discard", where nobody listens
 def test_a_scheduler_that_does_not_answer_leaves_nothing_behind(address: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(cluster, "CONNECT_SECONDS", 0.2)

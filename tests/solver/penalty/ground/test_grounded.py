@@ -1,5 +1,7 @@
 """Grounded: the value by hand, where it holds, gradient and curvature, and a body that floated coming down."""
 
+from dataclasses import replace
+
 import mujoco
 import numpy as np
 from penalty_slope import penalty_slope, scaled_like
@@ -17,6 +19,7 @@ from dynsplines.solver.penalty import (
     RootAcceleration,
     UnitMagnitude,
     grounded_intervals,
+    left_open,
 )
 from dynsplines.solver.penalty.curvature import Curvature
 from dynsplines.solver.problem import Problem, Settings
@@ -78,6 +81,46 @@ def test_its_curvature_is_that_of_the_lowest_height(figure, rng):
     fading = np.exp(-((height(samples.y) / 0.8) ** 2))
     expected = 2 * np.einsum("s,ms,ns->mn", fading, np.array(rows), np.array(rows))
     np.testing.assert_allclose(curvature.quadratic(phi, 0, 6), expected, rtol=1e-4, atol=1e-5 * expected.max())
+
+
+def test_where_it_is_firm_it_is_the_square_of_the_height(figure, rng):
+    samples, fading = case(figure, rng)
+    firm = replace(fading, firm=fading.intervals[1:])
+    values, before = firm.evaluate(samples), fading.evaluate(samples)
+    assert np.array_equal(values[:4], before[:4])  # until 0.7 s
+    np.testing.assert_allclose(0.64 * (1 - np.exp(-values[4:] / 0.64)), before[4:], rtol=1e-9)
+    assert values[4:].min() > 1.01 * before[4:].min() > 0
+
+
+def test_so_are_its_gradient_and_curvature(figure, rng):
+    samples, fading = case(figure, rng)
+    firm = replace(fading, firm=fading.intervals)
+    assert penalty_slope(firm, samples, rng) > 1.95
+    curvature, phi, h = Curvature(samples), rng.normal(size=(6, 3)), 1e-6
+    firm.curvature(samples, curvature, np.ones(6))
+
+    def height(y: np.ndarray) -> np.ndarray:
+        return np.sqrt(firm.evaluate(Samples(figure, y, samples.y_d, samples.y_dd, samples.t)))
+
+    rows = [
+        (height(samples.y + h * phi[:, :1] * e) - height(samples.y - h * phi[:, :1] * e)) / (2 * h)
+        for e in np.eye(figure.width)
+    ]
+    expected = 2 * np.einsum("ms,ns->mn", np.array(rows), np.array(rows))
+    np.testing.assert_allclose(curvature.quadratic(phi, 0, 6), expected, rtol=1e-4, atol=1e-5 * expected.max())
+
+
+def test_intervals_are_left_open_by_keyframes_that_do_not_say_the_height():
+    figure = Figure(mujoco.MjModel.from_xml_string(BALL))
+    free = [False, False, True, False, False]
+    states = [[0, 0, 0.1, 1, 0, 0, 0]] * len(free)
+    fixed = [[True, True, not height, True, True, True, True] for height in free]
+    keys = [Frame.key(float(i), state, mask) for i, (state, mask) in enumerate(zip(states, fixed, strict=True))]
+    timeline = raw_timeline(figure, keys)
+    every = grounded_intervals(figure, timeline, (FOOT,), (FLOOR,))
+    assert len(every) == 4
+    assert left_open(figure, 1, timeline, every) == ((1.0, 2.0), (2.0, 3.0))
+    assert left_open(figure, 1, timeline, every[3:]) == ()
 
 
 BALL = '<mujoco><worldbody><body><freejoint/><geom size=".1"/></body></worldbody></mujoco>'

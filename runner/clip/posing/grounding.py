@@ -1,0 +1,161 @@
+"""A keyframe that sets the legs and leaves the root's height free is put down on the ground, its feet where they stand.
+
+The other way round than `standing`: there the root is set and legs go with it, here legs are set and the root goes
+with them. On a spline through the heights of other keyframes, legs that are bent would hang in the air. Nothing is put
+down between two keyframes in the air, nor in a flight that the clip gives.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from dynsplines.solver.array import Array, Index, Mask
+from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.figure.wrench import height
+from dynsplines.solver.penalty.ground.grounded import TOUCHING
+from dynsplines.solver.penalty.ground.planted import SAME_SPOT
+from dynsplines.solver.surface import Surface
+from dynsplines.solver.surface.heights import DEEP, FAR, heights
+from dynsplines.solver.surface.points import Point, arrays_of, body_points, placed
+
+HANGING = 0.25  # of its height, how far over the ground a figure may be in the one keyframe beside that says so
+ROUNDS, MET = 30, 1e-9  # of going down on what is below; [m] what is left then
+
+
+@dataclass(frozen=True, eq=False)
+class Grounding:
+    """Puts down the tree of one free joint.
+
+    root   the joint's link
+    mine   which of the figure's sole points are on it, (n,)
+    soles  these;  points  of all of it, these first
+    aloft  (first, last) [s] of every flight that the clip gives
+    """
+
+    figure: Figure
+    root: int
+    mine: Index
+    soles: tuple[Point, ...]
+    points: tuple[Point, ...]
+    surfaces: tuple[Surface, ...]
+    aloft: tuple[tuple[float, float], ...] = ()
+
+    @classmethod
+    def of(
+        cls,
+        figure: Figure,
+        soles: Sequence[Point],
+        surfaces: Sequence[Surface],
+        aloft: Sequence[tuple[float, float]] = (),
+    ) -> Grounding | None:
+        """Of the first free joint that has feet; None where there is none, or nothing to stand on."""
+        path = figure.tables.path
+        roots = [int(r) for r in figure.tables.free_links if any(path[point.link, r] for point in soles)]
+        if not roots or not surfaces:
+            return None
+        mine = [i for i, point in enumerate(soles) if path[point.link, roots[0]]]
+        own = tuple(soles[i] for i in mine)
+        body = tuple(point for point in body_points(figure) if path[point.link, roots[0]])
+        return cls(figure, roots[0], np.array(mine), own, (*own, *body), tuple(surfaces), tuple(aloft))
+
+    def put_down(self, keys: Sequence[Frame], timeline: Timeline, staying: Callable[[int], Array]) -> list[Frame]:
+        """The keyframes, those that are to stand put on the ground; the timeline is of them, and says the rest.
+
+        staying  where the figure's sole points (3, n) [m] stand that stay on one spot at keyframe k; NaN for others
+        """
+        links, positions, radii = arrays_of(self.points)
+        centres, _ = Samples.still(self.figure, timeline.states).links.points(links, positions)
+        low = heights(self.surfaces, centres, radii)[0].min(axis=0)
+        bottom = (centres[2] - radii[:, None]).min(axis=0)
+        told = timeline.known[:, self._place][:, 2]
+        found = list(keys)
+        for k, key in enumerate(keys):
+            beside = _beside(told, k, loop=timeline.ends == "periodic")
+            if told[k] or not self._stands(timeline, k, low[beside]):
+                continue
+            level = np.max(bottom[beside] - low[beside]) + DEEP if beside else bottom[k] + self._length
+            above = np.array([0.0, 0.0, level - bottom[k]])
+            moved = self._dropped(centres[..., k], radii, above)
+            if moved is None:
+                continue
+            lying = centres[..., k] + moved[:, None]
+            across = self._across(lying, radii, staying(k)[:, self.mine])
+            if across is not None and not timeline.known[k, self._place][:2].all():
+                across[timeline.known[k, self._place]] = 0.0
+                moved = self._dropped(centres[..., k], radii, above + across)
+            if moved is not None:
+                which = (across is not None, across is not None, True)
+                found[k] = self._placed(key, timeline.states[k, self._place] + moved, which)
+        return found
+
+    @property
+    def _place(self) -> slice:
+        """The entries of the root's place."""
+        first = self.figure.links[self.root].qpos
+        return slice(first, first + 3)
+
+    @cached_property
+    def _length(self) -> float:
+        return height(self.figure, self.root)
+
+    def _stands(self, timeline: Timeline, k: int, low: Array) -> bool:
+        """Whether keyframe k, of no height of its own, is to stand.
+
+        low  [m] how far over the ground the figure is in the keyframes before and after that say so: between two of
+             them, this one has to say where its feet are but for the height
+        """
+        if any(first < timeline.times[k] < last for first, last in self.aloft):
+            return False
+        if low.size < 2:
+            return bool((low < HANGING * self._length).all())
+        known = np.array(timeline.known[k : k + 1])
+        known[:, self._place] = True
+        return bool((low < TOUCHING).any() and placed(self.figure, known, self.soles).all())
+
+    def _dropped(self, centres: Array, radii: Array, by: Array) -> Array | None:
+        """How far spheres (3, n) move [m] that first go `by` (3,) and then straight down, or up, on what is below them;
+        None if there is nothing."""
+        by = np.array(by)
+        for _ in range(ROUNDS):
+            lowest = float(heights(self.surfaces, (centres + by[:, None])[..., None], radii)[0].min())
+            if lowest >= FAR:
+                return None
+            by[2] -= lowest
+            if abs(lowest) < MET:
+                return by
+        return None
+
+    def _across(self, centres: Array, radii: Array, spots: Array) -> Array | None:
+        """(3,) [m] how far soles that are down are from where they stay, on the level, if it is about as far for all.
+
+        centres  (3, n) of all points, with soles first;  spots  (3, m) of these, NaN for those that do not stay
+        """
+        count = len(self.soles)
+        above, _ = heights(self.surfaces, centres[:, :count, None], radii[:count])
+        away = (spots - centres[:, :count])[:2, (above[:, 0] < TOUCHING) & ~np.isnan(spots[0])]
+        if not away.size:
+            return None
+        mean = away.mean(axis=1)
+        return np.array([*mean, 0.0]) if np.linalg.norm(away - mean[:, None], axis=0).max() < SAME_SPOT else None
+
+    def _placed(self, key: Frame, place: Array, which: Sequence[bool]) -> Frame:
+        """A keyframe with the root at a place (3,) [m] along some axes, as far as it does not say that itself."""
+        state, posed = np.array(key.state), np.zeros(key.fixed.shape, bool) if key.posed is None else key.posed.copy()
+        posed[self._place] |= np.array(which) & ~key.fixed[self._place]
+        state[self._place] = np.where(posed[self._place], place, state[self._place])
+        return Frame(key.time, state, key.fixed, posed)
+
+
+def _beside(told: Mask, k: int, *, loop: bool) -> list[int]:
+    """The nearest keyframes before and after keyframe k of which something is told, in a loop round its end."""
+    at = np.flatnonzero(told)
+    before, after = at[at < k], at[at > k]
+    if loop and at.size:
+        return [int(before[-1] if before.size else at[-1]), int(after[0] if after.size else at[0])]
+    return [*before[-1:].tolist(), *after[:1].tolist()]

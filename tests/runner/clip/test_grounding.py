@@ -1,0 +1,179 @@
+"""Keyframes that set legs and leave the height free: the figure stands, its feet stay, and what is in doubt is left."""
+
+from __future__ import annotations
+
+import mujoco
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from dynsplines import inbetween
+from dynsplines.clip import load as clip
+from dynsplines.clip.load import Clip, with_keys
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame
+
+HEAD = 'figure = "human"\n'
+STANDING = 'others = "rest"\n'  # at 0.93 m
+AIRBORNE = 'others = "rest"\nroot.position = [0, 0, 1.5]\n'
+CROUCHED = """others = "rest"
+joints.left_hip = {rotvec = [0, -80, 0]}
+joints.left_knee = {rotvec = [0, 100, 0]}
+joints.right_hip = {rotvec = [0, -80, 0]}
+joints.right_knee = {rotvec = [0, 100, 0]}
+joints.left_ankle = {rotvec = [0, -20, 0]}
+joints.right_ankle = {rotvec = [0, -20, 0]}
+"""
+OPEN = 'root.position = [0, 0, "free"]\n'
+NEARLY = 2e-3  # [m] that marks on soles and the geoms round them differ by
+
+
+def read(*bodies: str, head: str = HEAD, tail: str = "") -> Clip:
+    """Keyframes half a second apart."""
+    keys = "".join(f"[[keyframe]]\ntime = {i / 2}\n{body}" for i, body in enumerate(bodies))
+    return clip.from_text(f"{head}{keys}{tail}", name="c")
+
+
+def clearance(problem: Clip, qpos: Array) -> float:
+    """[m] between the geoms that move and those that do not, by MuJoCo; negative for a depth."""
+    model = problem.figure.model
+    data = mujoco.MjData(model)
+    data.qpos[:] = qpos
+    mujoco.mj_kinematics(model, data)
+    moves = model.body_weldid[model.geom_bodyid] != 0
+    fixed, moving = np.flatnonzero(~moves), np.flatnonzero(moves)
+    return min(mujoco.mj_geomDistance(model, data, int(a), int(b), 3.0, None) for a in fixed for b in moving)
+
+
+def site(problem: Clip, qpos: Array, name: str) -> Array:
+    data = mujoco.MjData(problem.figure.model)
+    data.qpos[:] = qpos
+    mujoco.mj_kinematics(problem.figure.model, data)
+    return np.array(data.site(name).xpos)
+
+
+def path(problem: Clip, count: int = 60) -> Array:
+    """qpos (count, nq) along the motion."""
+    motion = inbetween(problem)
+    return motion.at(np.linspace(motion.start, motion.end, count))
+
+
+def test_legs_that_are_bent_stand_on_the_ground():
+    problem = read(STANDING, CROUCHED + OPEN, STANDING)
+    key = problem.keys[1]
+    assert clearance(problem, key.state) == pytest.approx(0, abs=NEARLY)
+    assert key.state[2] < 0.7 and not key.fixed[2] and key.posed is not None and key.posed[2]
+
+
+@settings(deadline=None, max_examples=15)
+@given(st.lists(st.floats(-90, 90), min_size=6, max_size=6), st.floats(-40, 40))
+def test_any_pose_does_to_a_hair(angles, lean):
+    legs = "".join(
+        f"joints.{side}_{joint} = {{rotvec = [0, {angles.pop():.3f}, 0]}}\n"
+        for side in ("left", "right")
+        for joint in ("hip", "knee", "ankle")
+    )
+    turn = f"root.rotation = {{rotvec = [{lean:.3f}, 0, 0]}}\n"
+    problem = read(STANDING, f'others = "rest"\n{legs}{turn}{OPEN}', STANDING)
+    assert clearance(problem, problem.keys[1].state) == pytest.approx(0, abs=0.02)  # by the mesh of a head or a hand
+
+
+@pytest.mark.parametrize("first", [STANDING, 'others = "rest"\nroot.position = [0, 0, 1.1]\n'])
+def test_a_figure_of_no_height_but_the_first_does_not_float_away(first):
+    problem = read(first, CROUCHED + OPEN, f"{STANDING}{OPEN}", CROUCHED + OPEN)
+    gaps = [clearance(problem, qpos) for qpos in path(problem)[20:]]
+    assert max(gaps) < 0.02 and min(gaps) > -0.01
+
+
+def test_nor_does_one_whose_height_nobody_says():
+    problem = read(f"{STANDING}{OPEN}", CROUCHED + OPEN)
+    assert [clearance(problem, key.state) for key in problem.keys] == pytest.approx([0, 0], abs=NEARLY)
+    assert max(clearance(problem, qpos) for qpos in path(problem)) < 0.04
+
+
+def test_nor_one_that_hangs_and_says_little():
+    problem = read('others = "rest"\nroot.position = [0, 0, 1.1]\n', "joints.left_shoulder = {rotvec = [0, -80, 0]}\n")
+    assert clearance(problem, problem.keys[1].state) == pytest.approx(0, abs=NEARLY)
+
+
+def test_feet_stay_where_they_stand_if_the_root_may_go_anywhere():
+    problem = read(STANDING, f'{CROUCHED}root.position = "free"\n', STANDING)
+    at = {name: site(problem, problem.keys[0].state, name) for name in ("left_heel", "right_toe")}
+    for name, place in at.items():
+        np.testing.assert_allclose(site(problem, problem.keys[1].state, name), place, atol=1e-3)
+    assert problem.keys[1].state[0] < -0.2  # the pelvis goes back over the heels
+    seen = path(problem)
+    for name, place in at.items():
+        assert max(np.linalg.norm((site(problem, qpos, name) - place)[:2]) for qpos in seen) < 0.01
+
+
+def test_an_axis_that_is_set_stays():
+    problem = read(STANDING, f'{CROUCHED}root.position = ["free", 0.02, "free"]\n', STANDING)
+    key = problem.keys[1]
+    assert key.state[1] == 0.02 and key.fixed[:3].tolist() == [False, True, False]
+    assert key.state[0] < -0.2
+
+
+def test_feet_that_are_far_from_where_they_stood_do_not_drag_the_root_along():
+    lunge = """others = "rest"
+joints.left_hip = {rotvec = [0, -50, 0]}
+joints.right_hip = {rotvec = [0, 50, 0]}
+joints.left_ankle = {rotvec = [0, 50, 0]}
+joints.right_ankle = {rotvec = [0, -50, 0]}
+root.position = "free"
+"""
+    problem = read(STANDING, lunge, STANDING)
+    key = problem.keys[1]
+    assert clearance(problem, key.state) == pytest.approx(0, abs=NEARLY)
+    assert key.posed is not None and key.posed[:3].tolist() == [False, False, True]
+
+
+@pytest.mark.parametrize(
+    ("bodies", "tail"),
+    [
+        ((AIRBORNE, CROUCHED + OPEN, AIRBORNE), ""),
+        ((STANDING, CROUCHED + OPEN, STANDING), '[[penalty]]\nkind = "flight"\nintervals = [[0.2, 0.8]]\n'),
+        (('others = "rest"\nroot.position = [0, 0, 3]\n', CROUCHED + OPEN), ""),
+        (
+            (
+                STANDING,
+                "joints.left_hip = {rotvec = [0, -80, 0]}\njoints.right_hip = {rotvec = [0, -70, 0]}\n",
+                AIRBORNE,
+            ),
+            "",
+        ),
+    ],
+    ids=["between two in the air", "in a flight", "high up", "of legs that are not known"],
+)
+def test_what_is_in_doubt_is_left(bodies, tail):
+    key = read(*bodies, tail=tail).keys[1]
+    assert key.posed is None or not key.posed[2]
+
+
+def test_a_crouch_before_a_jump_stands():
+    problem = read(STANDING, CROUCHED + OPEN, AIRBORNE)
+    assert clearance(problem, problem.keys[1].state) == pytest.approx(0, abs=NEARLY)
+
+
+def test_it_stands_on_what_is_there():
+    step = "[scene]\nstep = {x = 0.3, height = 0.27}\n"
+    up = 'others = "rest"\nroot.position = [0.8, 0, "free"]\n'
+    problem = read(STANDING, up, 'others = "rest"\nroot.position = [1.2, 0, 1.2]\n', head=HEAD + step)
+    assert problem.keys[1].state[2] == pytest.approx(0.93 + 0.27, abs=NEARLY)
+
+
+def test_in_a_loop_its_end_is_its_beginning():
+    loop = '[solve]\nends = "periodic"\n'
+    problem = read(STANDING, CROUCHED + OPEN, STANDING, tail=loop)
+    assert clearance(problem, problem.keys[1].state) == pytest.approx(0, abs=NEARLY)
+    of_none = read(f"{CROUCHED}{OPEN}", STANDING, f"{CROUCHED}{OPEN}", tail=loop).problem.raw
+    assert of_none.states[0, 2] == of_none.states[2, 2] < 0.7
+
+
+def test_a_clip_with_other_keyframes_is_put_down_anew():
+    problem = read(STANDING, CROUCHED + OPEN, STANDING)
+    key = problem.keys[1]
+    high = Frame(key.time, key.state + np.array([0, 0, 0.4, *[0] * (key.state.size - 3)]), key.fixed)
+    again = with_keys(problem, [problem.keys[0], high, problem.keys[2]])
+    assert again.keys[1].state[2] == pytest.approx(key.state[2], abs=1e-6)
