@@ -47,7 +47,7 @@ from dynsplines.solver.penalty import (
     couplings,
     grounded_intervals,
     joint_ranges,
-    left_open,
+    open_intervals,
     surfaces_on,
 )
 from dynsplines.solver.penalty.ground.grounded import CLOSE
@@ -265,9 +265,10 @@ def _grounded(context: Context, chosen: Reach) -> Penalty | None:
     if support is not None:  # which is what else moves freely
         points = tuple(p for p in points if context.figure.tables.path[p.link, support.root])
     aloft = () if support is None else support.flights
-    intervals = grounded_intervals(context.figure, context.keys, points, context.surfaces, aloft)
-    firm = () if support is None else left_open(context.figure, support.root, context.keys, intervals)
-    grounded = Grounded(points, context.surfaces, intervals, chosen.reach or Grounded.reach, firm=firm)
+    figure, keys, surfaces = context.figure, context.keys, context.surfaces
+    firm = open_intervals(figure, support.root, keys, points, surfaces, aloft) if support and context.points else ()
+    rest = tuple(one for one in grounded_intervals(figure, keys, points, surfaces, aloft) if one not in firm)
+    grounded = Grounded(points, surfaces, rest, chosen.reach or Grounded.reach, firm=firm)
     return replace(grounded, blend=CLOSE) if firm else grounded
 
 

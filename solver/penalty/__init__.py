@@ -20,7 +20,7 @@ from .ground.footing import flights as flights
 from .ground.footing import footings as footings
 from .ground.grounded import Grounded as Grounded
 from .ground.grounded import grounded_intervals as grounded_intervals
-from .ground.grounded import left_open as left_open
+from .ground.grounded import open_intervals as open_intervals
 from .ground.hold import Hold as Hold
 from .ground.hold import Holding as Holding
 from .ground.hold import Spot as Spot

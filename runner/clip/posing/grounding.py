@@ -18,13 +18,12 @@ from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.wrench import height
-from dynsplines.solver.penalty.ground.grounded import TOUCHING
+from dynsplines.solver.penalty.ground.grounded import HANGING, TOUCHING
 from dynsplines.solver.penalty.ground.planted import SAME_SPOT
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.heights import DEEP, FAR, heights
-from dynsplines.solver.surface.points import Point, arrays_of, body_points, placed
+from dynsplines.solver.surface.points import Point, body_points, placed, places_of
 
-HANGING = 0.25  # of its height, how far over the ground a figure may be in the one keyframe beside that says so
 ROUNDS, MET = 30, 1e-9  # of going down on what is below; [m] what is left then
 
 
@@ -69,8 +68,8 @@ class Grounding:
 
         staying  where the figure's sole points (3, n) [m] stand that stay on one spot at keyframe k; NaN for others
         """
-        links, positions, radii = arrays_of(self.points)
-        centres, _ = Samples.still(self.figure, timeline.states).links.points(links, positions)
+        radii = np.array([point.radius for point in self.points])
+        centres, _, _ = places_of(self.points, Samples.still(self.figure, timeline.states))
         low = heights(self.surfaces, centres, radii)[0].min(axis=0)
         bottom = (centres[2] - radii[:, None]).min(axis=0)
         told = timeline.known[:, self._place][:, 2]
@@ -107,16 +106,17 @@ class Grounding:
     def _stands(self, timeline: Timeline, k: int, low: Array) -> bool:
         """Whether keyframe k, of no height of its own, is to stand.
 
-        low  [m] how far over the ground the figure is in the keyframes before and after that say so: between two of
-             them, this one has to say where its feet are but for the height
+        low  [m] how far over the ground the figure is in the keyframes before and after that say so: not all too high;
+             between two of them, this one has to say where its feet are but for the height
         """
-        if any(first < timeline.times[k] < last for first, last in self.aloft):
+        hangs = low < HANGING * self._length
+        if (low.size and not hangs.any()) or any(first < timeline.times[k] < last for first, last in self.aloft):
             return False
         if low.size < 2:
-            return bool((low < HANGING * self._length).all())
+            return True
         known = np.array(timeline.known[k : k + 1])
         known[:, self._place] = True
-        return bool((low < TOUCHING).any() and placed(self.figure, known, self.soles).all())
+        return bool(placed(self.figure, known, self.soles).all())
 
     def _dropped(self, centres: Array, radii: Array, by: Array) -> Array | None:
         """How far spheres (3, n) move [m] that first go `by` (3,) and then straight down, or up, on what is below them;

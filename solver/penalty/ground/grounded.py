@@ -12,13 +12,14 @@ from functools import cached_property
 
 import numpy as np
 
-from ...array import Array, Index
+from ...array import Array, Index, Mask
 from ...curve.frame import Timeline
 from ...figure.adjoint import Cotangent
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
+from ...figure.wrench import height
 from ...surface import Surface
-from ...surface.heights import heights, ways_up
+from ...surface.heights import FAR, heights, ways_up
 from ...surface.points import Point, arrays_of, places_of
 from ..curvature import Curvature
 from ..penalty import Penalty, Scale
@@ -26,9 +27,10 @@ from .contact import point_gradients
 from .flight import within
 
 TOUCHING = 0.05  # [m] that the lowest point of a keyframe on the ground may be over it
+HANGING = 0.15  # of the figure's height, how far over the ground it may hang that is to stand: models rest so
 NEGLIGIBLE = 1e-9  # of the lowest point's share
 REACH, BLEND = 0.05, 0.01  # [m] unless told
-CLOSE = 0.002  # [m] the blend of a body that nothing else holds to a height
+CLOSE, FIRM = 0.002, 10.0  # [m] the blend of a body that nothing else holds to a height, and how much firmer it is held
 Interval = tuple[float, float]
 _Shares = tuple[Index, Index, Array, Array, Array]  # points and samples (q,), shares (q,), arms and ways up (3, q)
 
@@ -36,14 +38,14 @@ _Shares = tuple[Index, Index, Array, Array, Array]  # points and samples (q,), s
 @dataclass(frozen=True)
 class Grounded(Penalty):
     """reach² (1 − exp(−(m/reach)²)) [m²] in some intervals [s], m ≥ 0 the height of the lowest of the points; in those
-    that are `firm` m².
+    that are `firm`, 10 m².
 
     The lowest is a smooth one: m = −blend log Σ exp(−h/blend) over the points' heights h, lower by blend log n for n
     points of one height.
 
     reach  [m] the height from which on a body is in the air
     blend  [m]
-    firm   those of the intervals in which it is not to be
+    firm   (first, last) [s] of the intervals in which it is never to be
     """
 
     points: tuple[Point, ...]
@@ -73,8 +75,8 @@ class Grounded(Penalty):
             return values
         lowest, seen = self._seen(samples, at)
         firm = within(self.firm, samples.t[at])
-        fading = np.where(firm, 1.0, np.exp(-((lowest / self.reach) ** 2)))
-        values[at] = np.where(firm, lowest**2, self.reach**2 * (1 - fading))
+        fading = np.where(firm, FIRM, np.exp(-((lowest / self.reach) ** 2)))
+        values[at] = np.where(firm, FIRM * lowest**2, self.reach**2 * (1 - fading))
         if into is not None and lowest.any():
             pull = 2 * (scale + np.zeros(samples.count))[at] * lowest * fading
             which, pair, share, offset, up = seen()
@@ -96,12 +98,12 @@ class Grounded(Penalty):
         some = np.flatnonzero(lowest > 0)
         some = some[np.argsort(at[some], kind="stable")]
         firm = within(self.firm, samples.t[at[some]])
-        fading = np.where(firm, 1.0, np.exp(-((lowest[some] / self.reach) ** 2)))
+        fading = np.where(firm, FIRM, np.exp(-((lowest[some] / self.reach) ** 2)))
         into.add_rows(at[some], scale[at[some]] * fading, rows[some, None], (0,))
 
     def _during(self, t: Array) -> Index:
         """The samples of times t (S,) in the intervals."""
-        inside = within(self.intervals, t)
+        inside = within((*self.intervals, *self.firm), t)
         return np.flatnonzero(inside) if self.points and self.surfaces else np.zeros(0, np.intp)
 
     def _seen(self, samples: Samples, at: Index) -> tuple[Array, Callable[[], _Shares]]:
@@ -135,21 +137,40 @@ def grounded_intervals(
     flights: Sequence[Interval] = (),
 ) -> tuple[Interval, ...]:
     """The segments between two keyframes that both touch the ground, but for those in a flight."""
+    down = clearance(figure, keys, points, surfaces) < TOUCHING
+    return _segments(keys, down[:-1] & down[1:], flights)
+
+
+def open_intervals(
+    figure: Figure,
+    root: int,
+    keys: Timeline,
+    points: Sequence[Point],
+    surfaces: Sequence[Surface],
+    flights: Sequence[Interval] = (),
+) -> tuple[Interval, ...]:
+    """The segments of keyframes that touch the ground and leave the height of a free link to the search, to others that
+    touch it or hang over it by a little."""
+    above = clearance(figure, keys, points, surfaces)
+    told = keys.fixed[:, figure.links[root].qpos + 2]
+    down = ~told & (above < TOUCHING)
+    low = (above < TOUCHING) | (told & (above < HANGING * height(figure, root)))
+    return _segments(keys, (down[:-1] & low[1:]) | (low[:-1] & down[1:]), flights)
+
+
+def clearance(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]) -> Array:
+    """(K,) [m] how high the lowest of the points is over the ground; FAR where there is none."""
     if not points or not surfaces:
-        return ()
-    samples = Samples.still(figure, keys.states)
-    centres, _, _ = places_of(points, samples)
-    height, _ = heights(surfaces, centres, np.array([point.radius for point in points]))
-    down = height.min(axis=0) < TOUCHING
-    segments = zip(keys.times[:-1].tolist(), keys.times[1:].tolist(), down[:-1] & down[1:], strict=True)
+        return np.full(keys.times.size, FAR)
+    centres, _, _ = places_of(points, Samples.still(figure, keys.states))
+    return heights(surfaces, centres, np.array([point.radius for point in points]))[0].min(axis=0)
+
+
+def _segments(keys: Timeline, which: Mask, flights: Sequence[Interval]) -> tuple[Interval, ...]:
+    """Segments (K − 1,) as intervals, but for those in a flight."""
+    every = zip(keys.times[:-1].tolist(), keys.times[1:].tolist(), which, strict=True)
     return tuple(
         (first, last)
-        for first, last, both in segments
-        if both and not any(begin < last and first < end for begin, end in flights)
+        for first, last, is_one in every
+        if is_one and not any(begin < last and first < end for begin, end in flights)
     )
-
-
-def left_open(figure: Figure, root: int, keys: Timeline, intervals: Sequence[Interval]) -> tuple[Interval, ...]:
-    """The intervals between keyframes one of which at least leaves the height of a free link to the search."""
-    open_at = keys.times[~keys.fixed[:, figure.links[root].qpos + 2]]
-    return tuple((first, last) for first, last in intervals if first in open_at or last in open_at)

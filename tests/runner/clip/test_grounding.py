@@ -83,7 +83,7 @@ def test_any_pose_does_to_a_hair(angles, lean):
 def test_a_figure_of_no_height_but_the_first_does_not_float_away(first):
     problem = read(first, CROUCHED + OPEN, f"{STANDING}{OPEN}", CROUCHED + OPEN)
     gaps = [clearance(problem, qpos) for qpos in path(problem)[20:]]
-    assert max(gaps) < 0.02 and min(gaps) > -0.01
+    assert max(gaps) < 0.05 and min(gaps) > -0.01
 
 
 def test_nor_does_one_whose_height_nobody_says():

@@ -176,6 +176,15 @@ def test_keyframes_that_leave_a_foot_open_tell_nothing():
     assert tell(key(0, 0, AIR, z=1.5), Frame(0.3, partial.state, fixed), key(0.6, 0.6, AIR, z=1.5)) == ()
 
 
+@pytest.mark.parametrize(("entries", "told"), [([2], ()), ([0], ((0.0, 0.3),)), ([3, 4, 5, 6], ((0.0, 0.3),))])
+def test_a_height_that_was_found_for_legs_tells_nothing_as_all_else_does(entries, told):
+    whole, found = key(0.3, 0, AIR, z=1.5), np.isin(np.arange(9), entries)
+    assert tell(key(0, 0, AIR, z=1.5), whole) == ((0.0, 0.3),)
+    assert tell(key(0, 0, AIR, z=1.5), Frame(0.3, whole.state, ~found, found)) == told
+    legs = found | (np.arange(9) > 6)  # found too, of feet that were placed: then these say how high they are
+    assert tell(key(0, 0, AIR, z=1.5), Frame(0.3, whole.state, ~legs, legs)) == ((0.0, 0.3),)
+
+
 def timeline_of(*keys: Frame) -> Timeline:
     return raw_timeline(FIGURE, list(keys))
 
