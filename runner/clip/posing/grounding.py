@@ -7,8 +7,8 @@ down between two keyframes in the air, nor in a flight that the clip gives.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -18,13 +18,16 @@ from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.wrench import height
-from dynsplines.solver.penalty.ground.grounded import HANGING, TOUCHING
+from dynsplines.solver.penalty import flights, stances
+from dynsplines.solver.penalty.ground.grounded import TOUCHING
 from dynsplines.solver.penalty.ground.planted import SAME_SPOT
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.heights import DEEP, FAR, heights
 from dynsplines.solver.surface.points import Point, body_points, placed, places_of
 
+HANGING = 0.15  # of the figure's height, how far over the ground it may hang that is to stand: models rest so
 ROUNDS, MET = 30, 1e-9  # of going down on what is below; [m] what is left then
+SHALLOW = 0.002  # [m] by which one place is no deeper than another
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,6 +66,13 @@ class Grounding:
         body = tuple(point for point in body_points(figure) if path[point.link, roots[0]])
         return cls(figure, roots[0], np.array(mine), own, (*own, *body), tuple(surfaces), tuple(aloft))
 
+    def leaping(self, timeline: Timeline) -> Grounding:
+        """With the flights, too, that keyframes tell which say how high they are."""
+        held = stances(self.figure, timeline, self.soles, self.surfaces)
+        body = self.points[len(self.soles) :]
+        found = flights(self.figure, self.root, timeline, self.soles, self.surfaces, held, body)
+        return replace(self, aloft=(*self.aloft, *found))
+
     def put_down(self, keys: Sequence[Frame], timeline: Timeline, staying: Callable[[int], Array]) -> list[Frame]:
         """The keyframes, those that are to stand put on the ground; the timeline is of them, and says the rest.
 
@@ -76,21 +86,22 @@ class Grounding:
         found = list(keys)
         for k, key in enumerate(keys):
             beside = _beside(told, k, loop=timeline.ends == "periodic")
-            if told[k] or not self._stands(timeline, k, low[beside]):
+            if told[k] or not self._stands(timeline, k, low[beside] if len(beside) > 1 else low[told]):
                 continue
-            level = np.max(bottom[beside] - low[beside]) + DEEP if beside else bottom[k] + self._length
-            above = np.array([0.0, 0.0, level - bottom[k]])
-            moved = self._dropped(centres[..., k], radii, above)
-            if moved is None:
+            levels = [np.max(bottom[beside] - low[beside])] if beside else [bottom[k], bottom[k] + self._length]
+            above = [np.array([0.0, 0.0, level + DEEP - bottom[k]]) for level in levels]
+            down = self._shallowest(centres[..., k], radii, self._drops(centres[..., k], radii, above))
+            if down is None:
                 continue
-            lying = centres[..., k] + moved[:, None]
-            across = self._across(lying, radii, staying(k)[:, self.mine])
-            if across is not None and not timeline.known[k, self._place][:2].all():
-                across[timeline.known[k, self._place]] = 0.0
-                moved = self._dropped(centres[..., k], radii, above + across)
-            if moved is not None:
-                which = (across is not None, across is not None, True)
-                found[k] = self._placed(key, timeline.states[k, self._place] + moved, which)
+            stay = self._across(centres[..., k] + down[:, None], radii, staying(k)[:, self.mine])
+            if stay is not None:
+                beyond = [start + stay * ~timeline.known[k, self._place] for start in above]
+                drops = self._drops(centres[..., k], radii, beyond)
+                there = self._shallowest(centres[..., k], radii, [*drops, down])
+                stay, down = (None if there is down else stay), there
+            found[k] = self._placed(
+                key, timeline.states[k, self._place] + down, (stay is not None, stay is not None, True)
+            )
         return found
 
     @property
@@ -106,21 +117,33 @@ class Grounding:
     def _stands(self, timeline: Timeline, k: int, low: Array) -> bool:
         """Whether keyframe k, of no height of its own, is to stand.
 
-        low  [m] how far over the ground the figure is in the keyframes before and after that say so: not all too high;
-             between two of them, this one has to say where its feet are but for the height
+        low  [m] how far over the ground the figure is in the keyframes before and after that say so, of which one at
+             least is to be low; in all that do, if they are all before or all after. Between two of them, this one has
+             to say where its feet are but for the height
         """
-        hangs = low < HANGING * self._length
-        if (low.size and not hangs.any()) or any(first < timeline.times[k] < last for first, last in self.aloft):
+        time, alone = timeline.times[k], self.figure.tables.free_links.size == 1
+        if any(first < time < last for first, last in self.aloft):
             return False
-        if low.size < 2:
+        if low.size and not (low < (max(HANGING * self._length, TOUCHING) if alone else TOUCHING)).any():
+            return False
+        told = np.flatnonzero(timeline.known[:, self._place][:, 2])
+        if not told.size or (timeline.ends != "periodic" and not told[0] < k < told[-1]):
             return True
         known = np.array(timeline.known[k : k + 1])
         known[:, self._place] = True
         return bool(placed(self.figure, known, self.soles).all())
 
+    def _drops(self, centres: Array, radii: Array, starts: Sequence[Array]) -> Iterator[Array]:
+        """How far spheres (3, n) move [m] that first go by one of the starts (3,) and then straight down, or up, on
+        what is below the soles, or below any of them."""
+        for start in starts:
+            for count in (len(self.soles), radii.size):
+                moved = self._dropped(centres[:, :count], radii[:count], start)
+                if moved is not None:
+                    yield moved
+
     def _dropped(self, centres: Array, radii: Array, by: Array) -> Array | None:
-        """How far spheres (3, n) move [m] that first go `by` (3,) and then straight down, or up, on what is below them;
-        None if there is nothing."""
+        """As `_drops`, from one start and on what is below all; None if there is nothing."""
         by = np.array(by)
         for _ in range(ROUNDS):
             lowest = float(heights(self.surfaces, (centres + by[:, None])[..., None], radii)[0].min())
@@ -130,6 +153,18 @@ class Grounding:
             if abs(lowest) < MET:
                 return by
         return None
+
+    def _shallowest(self, centres: Array, radii: Array, moves: Iterable[Array]) -> Array | None:
+        """The move (3,) [m] of spheres (3, n) that puts them least deep into anything, of those that do as well the
+        first; None of none."""
+        ways = np.hstack([np.eye(3), -np.eye(3)])
+        skin = (centres[..., None] + radii[:, None] * ways[:, None, :]).reshape(3, -1)
+        best, least = None, np.inf
+        for move in moves:
+            deep = max(float(surface.inside(skin + move[:, None]).max()) for surface in self.surfaces)
+            if deep < least - SHALLOW:
+                best, least = move, deep
+        return best
 
     def _across(self, centres: Array, radii: Array, spots: Array) -> Array | None:
         """(3,) [m] how far soles that are down are from where they stay, on the level, if it is about as far for all.

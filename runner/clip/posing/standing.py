@@ -133,7 +133,8 @@ class Stander:
         grounding = Grounding.of(self.figure, seen.soles, self.surfaces, self.aloft)
         if grounding is None:
             return found
-        return [*grounding.put_down(found[:count], self.timeline(found), seen.staying), *found[count:]]
+        timeline = self.timeline(found)
+        return [*grounding.leaping(timeline).put_down(found[:count], timeline, seen.staying), *found[count:]]
 
     def beside(self, timeline: Timeline, key: Frame, k: int, goals: Sequence[Goal]) -> list[Goal]:
         """Goals of the feet that stand in keyframe k of a timeline, other limbs than those that it gives goals of its

@@ -131,15 +131,21 @@ def flights(
 
     A flight goes from the keyframe in which the last foot leaves, or in which the clip begins in the air, to that in
     which the first foot lands or the clip ends. No foot stands on one spot in two of its neighbouring keyframes, all
-    of them fix the feet and their heights, and no other point of the `body` touches a surface. A foot that leaves has
-    stood before, and is no more flat on the ground; a foot that lands stands afterwards. The free fall through both
-    ends rises by no more than 0.6 m and passes keyframes in between within 15 cm; in the segments before and after the
-    centre of mass rises and sinks at a fifth of its speeds at least, as a body does that pushes itself off and catches
-    itself.
+    of them fix the feet, and no other point of the `body` touches a surface. A foot that leaves has stood before, and
+    is no more flat on the ground; a foot that lands stands afterwards. The free fall through both ends rises by no
+    more than 0.6 m and passes keyframes in between within 15 cm; in the segments before and after the centre of mass
+    rises and sinks at a fifth of its speeds at least, as a body does that pushes itself off and catches itself.
+    Keyframes that set the legs and no height are passed over.
     """
     if not points or not surfaces or not figure.gravity.any():
         return ()
-    seen = _Keys.of(figure, root, keys, points, surfaces, stances, body)
+    told = [
+        frame for frame, is_one in zip(keys.frames, _tell_height(figure, root, keys, points), strict=True) if is_one
+    ]
+    if len(told) < 2:
+        return ()
+    keys = Timeline(tuple(told), keys.end_slope, keys.ends)
+    seen = _Keys.of(figure, keys, points, surfaces, stances, body)
     times, rising = np.asarray(keys.times), _rising(figure, root, keys)
     found, first = [], 0
     for k in range(times.size - 1):
@@ -167,7 +173,6 @@ class _Keys:
     def of(
         cls,
         figure: Figure,
-        root: int,
         keys: Timeline,
         points: Sequence[Point],
         surfaces: Sequence[Surface],
@@ -177,7 +182,6 @@ class _Keys:
         height = _heights(figure, keys, points, surfaces)[0]
         low = np.abs(height) < NEAR_SURFACE
         known = np.logical_and.reduce(placed(figure, keys.known, points))
-        known &= ~_are_put_down(figure, root, keys, points)
         known &= np.logical_or.reduce(low) | (np.min(height, axis=0) > ALOFT)  # else who can say whether it touches
         feet = [np.array([p.link == link for p in points]) for link in sorted({p.link for p in points})]
         flat = np.zeros_like(known)
@@ -247,9 +251,9 @@ def _falls(figure: Figure, times: Array, height: Array, first: int, last: int) -
     return bool(falls)
 
 
-def _are_put_down(figure: Figure, root: int, keys: Timeline, points: Sequence[Point]) -> Mask:
-    """(K,) whether a keyframe sets the legs and leaves it open how high they are: then nobody says that it leaps."""
+def _tell_height(figure: Figure, root: int, keys: Timeline, points: Sequence[Point]) -> Mask:
+    """(K,) all keyframes but those that set the legs and leave it open how high they are: these go where others say."""
     place = figure.links[root].qpos + np.arange(3)
     fixed = np.array(keys.fixed)
     fixed[:, place] = True
-    return np.logical_and.reduce(placed(figure, fixed, points)) & ~keys.fixed[:, place[2]]
+    return keys.fixed[:, place[2]] | ~np.logical_and.reduce(placed(figure, fixed, points))

@@ -12,12 +12,11 @@ from functools import cached_property
 
 import numpy as np
 
-from ...array import Array, Index, Mask
+from ...array import Array, Index
 from ...curve.frame import Timeline
 from ...figure.adjoint import Cotangent
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
-from ...figure.wrench import height
 from ...surface import Surface
 from ...surface.heights import FAR, heights, ways_up
 from ...surface.points import Point, arrays_of, places_of
@@ -27,7 +26,7 @@ from .contact import point_gradients
 from .flight import within
 
 TOUCHING = 0.05  # [m] that the lowest point of a keyframe on the ground may be over it
-HANGING = 0.15  # of the figure's height, how far over the ground it may hang that is to stand: models rest so
+AWAY = 0.25  # of the way to a keyframe in the air, how far one stays low that is on the ground
 NEGLIGIBLE = 1e-9  # of the lowest point's share
 REACH, BLEND = 0.05, 0.01  # [m] unless told
 CLOSE, FIRM = 0.002, 10.0  # [m] the blend of a body that nothing else holds to a height, and how much firmer it is held
@@ -138,7 +137,12 @@ def grounded_intervals(
 ) -> tuple[Interval, ...]:
     """The segments between two keyframes that both touch the ground, but for those in a flight."""
     down = clearance(figure, keys, points, surfaces) < TOUCHING
-    return _segments(keys, down[:-1] & down[1:], flights)
+    segments = zip(keys.times[:-1].tolist(), keys.times[1:].tolist(), down[:-1] & down[1:], strict=True)
+    return tuple(
+        (first, last)
+        for first, last, both in segments
+        if both and not any(begin < last and first < end for begin, end in flights)
+    )
 
 
 def open_intervals(
@@ -149,13 +153,19 @@ def open_intervals(
     surfaces: Sequence[Surface],
     flights: Sequence[Interval] = (),
 ) -> tuple[Interval, ...]:
-    """The segments of keyframes that touch the ground and leave the height of a free link to the search, to others that
-    touch it or hang over it by a little."""
-    above = clearance(figure, keys, points, surfaces)
-    told = keys.fixed[:, figure.links[root].qpos + 2]
-    down = ~told & (above < TOUCHING)
-    low = (above < TOUCHING) | (told & (above < HANGING * height(figure, root)))
-    return _segments(keys, (down[:-1] & low[1:]) | (low[:-1] & down[1:]), flights)
+    """From keyframes that touch the ground and leave the height of a free link to the search, to others that touch it,
+    or a little of the way to those that do not; but for flights."""
+    down = clearance(figure, keys, points, surfaces) < TOUCHING
+    is_open = down & ~keys.fixed[:, figure.links[root].qpos + 2]
+    found: list[Interval] = []
+    for k in np.flatnonzero(is_open[:-1] | is_open[1:]).tolist():
+        (first, last), begins, ends = keys.times[k : k + 2].tolist(), is_open[k], is_open[k + 1]
+        part = 1.0 if down[k] and down[k + 1] else AWAY
+        if begins:
+            found.append((first, first + part * (last - first)))
+        elif ends:
+            found.append((last - part * (last - first), last))
+    return tuple(one for one in found if not any(begin < one[1] and one[0] < end for begin, end in flights))
 
 
 def clearance(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces: Sequence[Surface]) -> Array:
@@ -164,13 +174,3 @@ def clearance(figure: Figure, keys: Timeline, points: Sequence[Point], surfaces:
         return np.full(keys.times.size, FAR)
     centres, _, _ = places_of(points, Samples.still(figure, keys.states))
     return heights(surfaces, centres, np.array([point.radius for point in points]))[0].min(axis=0)
-
-
-def _segments(keys: Timeline, which: Mask, flights: Sequence[Interval]) -> tuple[Interval, ...]:
-    """Segments (K − 1,) as intervals, but for those in a flight."""
-    every = zip(keys.times[:-1].tolist(), keys.times[1:].tolist(), which, strict=True)
-    return tuple(
-        (first, last)
-        for first, last, is_one in every
-        if is_one and not any(begin < last and first < end for begin, end in flights)
-    )

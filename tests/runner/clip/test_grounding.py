@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from dynsplines import inbetween
+from dynsplines import inbetween, load
 from dynsplines.clip import load as clip
 from dynsplines.clip.load import Clip, with_keys
 from dynsplines.solver.array import Array
@@ -154,6 +154,89 @@ def test_what_is_in_doubt_is_left(bodies, tail):
 def test_a_crouch_before_a_jump_stands():
     problem = read(STANDING, CROUCHED + OPEN, AIRBORNE)
     assert clearance(problem, problem.keys[1].state) == pytest.approx(0, abs=NEARLY)
+
+
+@pytest.mark.parametrize("apex", [1.08, 1.13])
+def test_a_leap_between_crouches_stays_one(apex):
+    """However low: the figure leaves the ground well before its apex, and comes back well after."""
+    hop = CROUCHED.replace("-80", "-50").replace("100", "70") + OPEN
+    problem = read(STANDING, hop, f'others = "rest"\nroot.position = [0, 0, {apex}]\n', hop, STANDING)
+    z = inbetween(problem).at(np.linspace(0.5, 1.5, 101))[:, 2]
+    assert z[50] == pytest.approx(apex) and z.max() < apex + 0.03
+    assert np.abs(np.diff(z, 2)).max() / 0.01**2 < 30  # [m/s²]; if it is held down until the last moment, 60 and more
+
+
+def test_who_lands_at_a_height_of_nobodys_lands():
+    tucked = f"{CROUCHED}root.position = [0, 0, 1.0]\n"
+    problem = read(STANDING, f"{CROUCHED}root.position = [0, 0, 0.565]\n", tucked, CROUCHED + OPEN)
+    assert clearance(problem, problem.keys[3].state) == pytest.approx(0, abs=NEARLY)
+    assert clearance(problem, path(problem)[-1]) < 0.05
+
+
+@pytest.mark.parametrize("name", ["run_loop", "run_and_step"])
+def test_keyframes_in_mid_flight_are_left_there_and_the_flights_found(name):
+    whole = load(name)
+    motion = inbetween(whole)
+    keys = list(whole.keys)
+    for time in (0.19, 0.56):
+        qpos = motion.at(time)
+        keys.append(Frame(time, qpos, np.arange(qpos.size) != 2))
+    problem = with_keys(whole, sorted(keys, key=lambda key: key.time))
+    now, before = problem.context.support, whole.context.support
+    assert now is not None and before is not None
+    assert now.flights == before.flights != ()
+    np.testing.assert_allclose(
+        problem.problem.raw.states[:, 2].max(), motion.at(motion.key_times)[:, 2].max(), atol=0.01
+    )
+    times = np.linspace(motion.start, motion.end, 200)
+    np.testing.assert_allclose(inbetween(problem).at(times)[:, 2], motion.at(times)[:, 2], atol=0.03)
+
+
+BOX = '[[scene.box]]\nname = "box"\nsize = [{}]\nposition = [{}]\n'
+ROOM, BEAM, TABLE = (
+    HEAD + BOX.format(*box)
+    for box in (("8, 8, 0.2", "0, 0, 2.5"), ("0.1, 3, 0.1", "0, 0, 1.47"), ("0.8, 1, 0.05", "0.6, 0, 0.75"))
+)
+BEFORE_IT, BEHIND_IT = "root.position = [-1, 0, 0.93]\n", "root.position = [1, 0, 0.93]\n"
+REACHING = (
+    f"{CROUCHED}joints.left_shoulder = {{rotvec = [0, -80, 0]}}\njoints.right_shoulder = {{rotvec = [0, -80, 0]}}\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("head", "bodies"),
+    [
+        (ROOM, (f"{STANDING}{OPEN}", CROUCHED + OPEN)),
+        (BEAM, (f"{STANDING}{BEFORE_IT}", CROUCHED + OPEN, f"{STANDING}{BEHIND_IT}")),
+        (TABLE, (f"{STANDING}{OPEN}", REACHING + OPEN)),
+    ],
+    ids=["room", "beam", "table"],
+)  # fmt: skip
+def test_it_stands_under_what_is_over_it(head, bodies):
+    problem = read(*bodies, head=head)
+    assert problem.keys[1].state[2] == pytest.approx(0.562, abs=0.005)
+
+
+def test_it_sits_on_what_is_under_it():
+    chair = HEAD + BOX.format("0.42, 0.6, 0.45", "-0.3, 0, 0.225")
+    sitting = CROUCHED.replace("-80", "-85").replace("100", "85").replace("-20", "0")
+    problem = read(STANDING, f'{sitting}root.position = [-0.4, 0, "free"]\n', STANDING, head=chair)
+    assert 0.53 < problem.keys[1].state[2] < 0.63
+    assert clearance(problem, problem.keys[1].state) == pytest.approx(0, abs=0.02)
+
+
+def test_it_does_not_go_into_a_wall_to_keep_its_feet():
+    wall = HEAD + BOX.format("0.2, 3, 2", "-0.3, 0, 1")
+    key = read(STANDING, f'{CROUCHED}root.position = "free"\n', STANDING, head=wall).keys[1]
+    assert key.state[0] == 0 and key.posed is not None and key.posed[:3].tolist() == [False, False, True]
+
+
+def test_who_stands_on_what_moves_is_left_there():
+    board = 'figure = "human"\n[[scene.box]]\nname = "board"\nbody = "crate"\nsize = [0.8, 0.4, 0.1]\nmass = 5\n'
+    on = "roots.crate = {position = [0.05, 0, 0.05]}\n"
+    up = f"{STANDING}{on}root.position = [0, 0, 1.03]\n"
+    key = read(up, CROUCHED + OPEN + on, up, head=board).keys[1]
+    assert key.posed is None or not key.posed[2]
 
 
 def test_it_stands_on_what_is_there():

@@ -162,7 +162,6 @@ def test_nothing_floats_without_points_or_without_a_ground(figure, rng):
 
 
 POST = '<mujoco><worldbody><body><freejoint/><geom type="box" size=".05 .05 .5"/></body></worldbody></mujoco>'
-TALL = np.sqrt(1 + 0.1**2)  # [m] of a rod that turns like it, nearly
 FOOT_OF_IT = Point("foot", 1, np.array([0, 0, -0.5]))
 
 
@@ -181,8 +180,9 @@ def test_segments_are_open_whose_keyframes_stand_at_a_height_of_nobodys():
     assert open_of([0.0, 0.0, 0.0, 0.0], {1}, ((1.5, 1.7),)) == ((0.0, 1.0),)
 
 
-def test_what_hangs_beside_them_by_a_little_is_to_come_down():
-    little, more = 0.14 * TALL, 0.16 * TALL
-    assert open_of([little, 0.0, more, 0.0, 0.0], {1, 3}) == ((0.0, 1.0), (3.0, 4.0))
-    assert open_of([0.0, little, 0.0], {1}) == ()  # it hangs itself
-    assert open_of([little, little, 0.0], set()) == ()
+def test_of_segments_into_the_air_a_quarter_is_open():
+    assert open_of([0.2, 0.0, 0.2, 0.0], {1}) == ((0.75, 1.0), (1.0, 1.25))
+    assert open_of([0.0, 0.0, 0.2], {1}) == ((0.0, 1.0), (1.0, 1.25))
+    assert open_of([0.2, 0.0, 0.0], {1, 2}) == ((0.75, 1.0), (1.0, 2.0))
+    assert open_of([0.0, 0.2, 0.0], {1}) == ()  # it hangs itself
+    assert open_of([0.2, 0.2, 0.0], set()) == ()
