@@ -98,10 +98,9 @@ class Grounding:
                 beyond = [start + stay * ~timeline.known[k, self._place] for start in above]
                 drops = self._drops(centres[..., k], radii, beyond)
                 there = self._shallowest(centres[..., k], radii, [*drops, down])
-                stay, down = (None if there is down else stay), there
-            found[k] = self._placed(
-                key, timeline.states[k, self._place] + down, (stay is not None, stay is not None, True)
-            )
+                stay, down = (None, down) if there is None or there is down else (stay, there)
+            which = (stay is not None, stay is not None, True)
+            found[k] = self._placed(key, timeline.states[k, self._place] + down, which)
         return found
 
     @property
