@@ -135,16 +135,15 @@ def flights(
     is no more flat on the ground; a foot that lands stands afterwards. The free fall through both ends rises by no
     more than 0.6 m and passes keyframes in between within 15 cm; in the segments before and after the centre of mass
     rises and sinks at a fifth of its speeds at least, as a body does that pushes itself off and catches itself.
-    Keyframes that set the legs and no height are passed over.
+    Keyframes that set the legs and no height are passed over, in a flight between others that tell of a push-off and a
+    landing.
     """
     if not points or not surfaces or not figure.gravity.any():
         return ()
-    told = [
-        frame for frame, is_one in zip(keys.frames, _tell_height(figure, root, keys, points), strict=True) if is_one
-    ]
-    if len(told) < 2:
+    told = np.flatnonzero(_tell_height(figure, root, keys, points))
+    if told.size < 2:
         return ()
-    keys = Timeline(tuple(told), keys.end_slope, keys.ends)
+    keys = Timeline(tuple(keys.frames[i] for i in told), keys.end_slope, keys.ends)
     seen = _Keys.of(figure, keys, points, surfaces, stances, body)
     times, rising = np.asarray(keys.times), _rising(figure, root, keys)
     found, first = [], 0
@@ -153,6 +152,8 @@ def flights(
             first = k + 1
         elif k + 2 == times.size or seen.touched[k + 1] or not seen.free[k + 1]:
             is_told = seen.leaves(first) and seen.lands(k + 1) and not seen.leaves_room(times, first, k + 1)
+            if told[k + 1] - told[first] > k + 1 - first:  # some are passed over, so a foot that touches has to push
+                is_told &= not seen.ends_down(first, k + 1)
             if is_told and _falls(figure, times, rising, first, k + 1):
                 found.append((float(times[first]), float(times[k + 1])))
             first = k + 1
@@ -200,6 +201,10 @@ class _Keys:
     def leaves(self, k: int) -> bool:
         """Whether a flight may begin at a keyframe."""
         return not self.touched[k] or (not self.flat[k] and (k == 0 or not self.free[k - 1]))
+
+    def ends_down(self, first: int, last: int) -> bool:
+        """Whether a foot touches in keyframe `first` or `last` with which the keyframes begin or end."""
+        return bool((first == 0 and self.touched[first]) or (last == self.free.size and self.touched[last]))
 
     def leaves_room(self, times: Array, first: int, last: int) -> bool:
         """Whether there is time for a step between keyframes at both ends that are in the air."""
