@@ -185,6 +185,34 @@ def test_a_height_that_was_found_for_legs_tells_nothing_as_all_else_does(entries
     assert tell(key(0, 0, AIR, z=1.5), Frame(0.3, whole.state, ~legs, legs)) == ((0.0, 0.3),)
 
 
+def without_height(frame: Frame) -> Frame:
+    """Found for the legs that it sets, as a keyframe is that is put down."""
+    found = np.arange(frame.state.size) == 2
+    return Frame(frame.time, frame.state, ~found, found)
+
+
+def test_keyframes_of_no_height_are_passed_over_in_a_flight_that_others_tell():
+    start, toe, landing, *on = run(crouched=0.12)
+    aloft = without_height(key(0.17, 0.5, AIR, z=1.0))
+    assert tell(start, toe, aloft, landing, *on) == ((0.1, 0.25), (0.42, 0.57))
+    assert tell(start, without_height(key(0.05, 0, (0.12, 0.3), z=0.88)), toe, landing, *on) == (
+        (0.1, 0.25),
+        (0.42, 0.57),
+    )
+
+
+def test_but_not_if_nobody_tells_of_the_push_off_or_the_landing():
+    start, toe, landing, *_ = run(crouched=0.12)
+    aloft, between = without_height(key(0.17, 0.5, AIR, z=1.0)), without_height(key(0.05, 0, (0.12, 0.3), z=0.88))
+    for before in ([start], [start, between]):
+        assert tell(*before, toe, landing) == ((0.1, 0.25),)
+        assert tell(*before, toe, aloft, landing) == ()
+    ends = on_toe(0, 0, 0.1), on_toe(0.3, 1.0, 0.1)
+    assert tell(ends[0], without_height(key(0.15, 0.5, AIR, z=1.0)), ends[1]) == ()
+    fall = [key(t, t, AIR, z=2 + 3 * t - 9.81 * t**2 / 2) for t in (0.0, 0.2, 0.4)]
+    assert tell(fall[0], without_height(fall[1]), fall[2]) == ((0.0, 0.4),)  # no foot touches
+
+
 def timeline_of(*keys: Frame) -> Timeline:
     return raw_timeline(FIGURE, list(keys))
 

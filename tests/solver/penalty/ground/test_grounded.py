@@ -165,12 +165,12 @@ POST = '<mujoco><worldbody><body><freejoint/><geom type="box" size=".05 .05 .5"/
 FOOT_OF_IT = Point("foot", 1, np.array([0, 0, -0.5]))
 
 
-def open_of(heights: list[float], free: set[int], flights: tuple = ()) -> tuple:
+def open_of(heights: list[float], free: set[int], flights: tuple = (), step: float = 1.0) -> tuple:
     """Which segments, by the times of their keyframes, are open of a post's keyframes, some of no height."""
     figure = Figure(mujoco.MjModel.from_xml_string(POST))
     states = [np.array([0, 0, z + 0.5, 1, 0, 0, 0]) for z in heights]
     fixed = [np.arange(7) != (2 if i in free else -1) for i in range(len(heights))]
-    keys = [Frame(float(i), *both, np.arange(7) == 2) for i, both in enumerate(zip(states, fixed, strict=True))]
+    keys = [Frame(step * i, *both, np.arange(7) == 2) for i, both in enumerate(zip(states, fixed, strict=True))]
     return open_intervals(figure, 1, raw_timeline(figure, keys), (FOOT_OF_IT,), (FLOOR,), flights)
 
 
@@ -178,10 +178,12 @@ def test_segments_are_open_whose_keyframes_stand_at_a_height_of_nobodys():
     assert open_of([0.0, 0.0, 0.0, 0.0], {2}) == ((1.0, 2.0), (2.0, 3.0))
     assert open_of([0.0, 0.0, 0.0], set()) == ()
     assert open_of([0.0, 0.0, 0.0, 0.0], {1}, ((1.5, 1.7),)) == ((0.0, 1.0),)
+    assert open_of([0.0, 0.0, 0.0, 0.0], {1, 2}, ((1.0, 2.0),)) == ((0.0, 1.0), (2.0, 3.0))
 
 
 def test_of_segments_into_the_air_a_quarter_is_open():
     assert open_of([0.2, 0.0, 0.2, 0.0], {1}) == ((0.75, 1.0), (1.0, 1.25))
+    assert open_of([0.2, 0.0, 0.2, 0.0], {1}, step=2.0) == ((1.5, 2.0), (2.0, 2.5))
     assert open_of([0.0, 0.0, 0.2], {1}) == ((0.0, 1.0), (1.0, 1.25))
     assert open_of([0.2, 0.0, 0.0], {1, 2}) == ((0.75, 1.0), (1.0, 2.0))
     assert open_of([0.0, 0.2, 0.0], {1}) == ()  # it hangs itself
