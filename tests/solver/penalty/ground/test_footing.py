@@ -202,11 +202,13 @@ def test_keyframes_of_no_height_are_passed_over_in_a_flight_that_others_tell():
 
 
 def test_but_not_if_nobody_tells_of_the_push_off_or_the_landing():
-    start, toe, landing, *_ = run(crouched=0.12)
+    start, toe, landing, *on = run(crouched=0.12)
     aloft, between = without_height(key(0.17, 0.5, AIR, z=1.0)), without_height(key(0.05, 0, (0.12, 0.3), z=0.88))
     for before in ([start], [start, between]):
         assert tell(*before, toe, landing) == ((0.1, 0.25),)
         assert tell(*before, toe, aloft, landing) == ()
+    assert tell(toe, landing, *on) == ((0.1, 0.25), (0.42, 0.57))
+    assert tell(toe, aloft, landing, *on) == ((0.42, 0.57),)
     ends = on_toe(0, 0, 0.1), on_toe(0.3, 1.0, 0.1)
     assert tell(ends[0], without_height(key(0.15, 0.5, AIR, z=1.0)), ends[1]) == ()
     fall = [key(t, t, AIR, z=2 + 3 * t - 9.81 * t**2 / 2) for t in (0.0, 0.2, 0.4)]
