@@ -29,7 +29,7 @@ from dynsplines.solver.penalty import (
 from dynsplines.solver.reading.rhythm import Rhythm
 from dynsplines.solver.reading.stride import Gait
 from dynsplines.solver.surface import Surface
-from dynsplines.solver.surface.points import Point, body_points
+from dynsplines.solver.surface.points import Point, body_points, free_root, hanging
 
 from ..errors import UserError, unknown
 from .contacts import Contacts, contacts
@@ -139,26 +139,25 @@ class Context:
         figure, keys = self.figure, self.keys
         if not figure.tables.free_links.size:
             return None
-        root = next((r for r in figure.tables.free_links if self._stands(int(r))), figure.tables.free_links[0])
-        tree = figure.tables.path[:, int(root)] > 0
-        points = tuple(point for point in self.points if tree[point.link])
-        body = tuple(point for point in self.own(body_points(figure)) if tree[point.link])
+        found = free_root(figure, self.points)
+        root = int(figure.tables.free_links[0]) if found is None else found
+        points, body = hanging(figure, root, self.points), hanging(figure, root, self.own(body_points(figure)))
         every = (*self.stances, *self.contacts.stances, *self.contacts.rests)
-        held = tuple(stance for stance in every if tree[stance.point.link])
+        held = tuple(stance for stance in every if figure.tables.path[stance.point.link, root])
         carriers = footings(figure, keys, points, self.surfaces, held, body)
         if intervals is not None:
             aloft = tuple(intervals)
         elif asked and not self.surfaces:
             aloft = ((float(keys.times[0]), float(keys.times[-1])),)
         else:
-            aloft = flights(figure, int(root), keys, points, self.surfaces, held, body)
+            aloft = flights(figure, root, keys, points, self.surfaces, held, body)
         for first, last in aloft:
             if not keys.times[0] <= first < last <= keys.times[-1]:
                 given, span = f"[{first:g}, {last:g}]", f"{keys.times[0]:g} to {keys.times[-1]:g} s"
                 raise UserError(
                     f"{self.where}: penalty 'flight': {given} is no interval of the clip, which runs from {span}"
                 )
-        return Support.of(figure, int(root), carriers, aloft)
+        return Support.of(figure, root, carriers, aloft)
 
     def cycle(self, period: float | None, asked: bool) -> Rhythm | None:
         """The clip's cycle: with the period that it gives, or as its keyframes tell it, beyond doubt unless asked."""
@@ -166,10 +165,6 @@ class Context:
         if not asked:
             return gait.told()
         return gait.likeliest() if period is None else gait.given(period)
-
-    def _stands(self, root: int) -> bool:
-        """Whether sole points are on the tree of a free link."""
-        return any(self.figure.tables.path[point.link, root] for point in self.points)
 
     def sites(self, names: Sequence[str]) -> tuple[Point, ...]:
         """Points by name. Raises UserError for one that the figure has not."""

@@ -53,7 +53,7 @@ from dynsplines.solver.penalty import (
 from dynsplines.solver.penalty.ground.grounded import CLOSE
 from dynsplines.solver.surface import Box, Plane, Surface
 from dynsplines.solver.surface.cover import covering_points
-from dynsplines.solver.surface.points import Point, body_points
+from dynsplines.solver.surface.points import Point, body_points, hanging
 from dynsplines.solver.surface.touch import bolted
 
 from ..errors import UserError, unknown
@@ -263,13 +263,13 @@ def _grounded(context: Context, chosen: Reach) -> Penalty | None:
         return None
     points, support = context.own((*context.points, *body_points(context.figure))), context.support
     if support is not None:  # which is what else moves freely
-        points = tuple(p for p in points if context.figure.tables.path[p.link, support.root])
+        points = hanging(context.figure, support.root, points)
     aloft = () if support is None else support.flights
     figure, keys, surfaces = context.figure, context.keys, context.surfaces
     firm = open_intervals(figure, support.root, keys, points, surfaces, aloft) if support and context.points else ()
     rest = tuple(one for one in grounded_intervals(figure, keys, points, surfaces, aloft) if one not in firm)
-    grounded = Grounded(points, surfaces, rest, chosen.reach or Grounded.reach, firm=firm)
-    return replace(grounded, blend=CLOSE) if firm else grounded
+    blend = CLOSE if firm else Grounded.blend
+    return Grounded(points, surfaces, rest, chosen.reach or Grounded.reach, blend, firm)
 
 
 def _flight(context: Context, chosen: FlightOptions) -> Penalty:

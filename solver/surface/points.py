@@ -49,6 +49,16 @@ def places_of(points: Sequence[Point], samples: Samples) -> tuple[Array, Array, 
     return *samples.links.points(links, positions), links
 
 
+def hanging(figure: Figure, link: int, points: Sequence[Point]) -> tuple[Point, ...]:
+    """Those of the points that are on a link or on what hangs on it."""
+    return tuple(point for point in points if figure.tables.path[point.link, link])
+
+
+def free_root(figure: Figure, points: Sequence[Point]) -> int | None:
+    """The first free link that points hang on; None where none does."""
+    return next((int(link) for link in figure.tables.free_links if hanging(figure, int(link), points)), None)
+
+
 def site_points(figure: Figure, names: Sequence[str]) -> tuple[Point, ...]:
     """Points at sites of the model, by name."""
     points = []

@@ -23,7 +23,7 @@ from dynsplines.solver.penalty.ground.grounded import TOUCHING
 from dynsplines.solver.penalty.ground.planted import SAME_SPOT
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.heights import DEEP, FAR, heights
-from dynsplines.solver.surface.points import Point, body_points, placed, places_of
+from dynsplines.solver.surface.points import Point, body_points, free_root, hanging, placed, places_of
 
 HANGING = 0.15  # of the figure's height, how far over the ground it may hang that is to stand: models rest so
 ROUNDS, MET = 30, 1e-9  # of going down on what is below; [m] what is left then
@@ -57,14 +57,16 @@ class Grounding:
         aloft: Sequence[tuple[float, float]] = (),
     ) -> Grounding | None:
         """Of the first free joint that has feet; None where there is none, or nothing to stand on."""
-        path = figure.tables.path
-        roots = [int(r) for r in figure.tables.free_links if any(path[point.link, r] for point in soles)]
-        if not roots or not surfaces:
+        root = free_root(figure, soles)
+        if root is None or not surfaces:
             return None
-        mine = [i for i, point in enumerate(soles) if path[point.link, roots[0]]]
-        own = tuple(soles[i] for i in mine)
-        body = tuple(point for point in body_points(figure) if path[point.link, roots[0]])
-        return cls(figure, roots[0], np.array(mine), own, (*own, *body), tuple(surfaces), tuple(aloft))
+        mine = np.flatnonzero([figure.tables.path[point.link, root] for point in soles])
+        own, body = hanging(figure, root, soles), hanging(figure, root, body_points(figure))
+        return cls(figure, root, mine, own, (*own, *body), tuple(surfaces), tuple(aloft))
+
+    def is_asked(self, keys: Sequence[Frame]) -> bool:
+        """Whether one of the keyframes leaves the height to be found."""
+        return not all(key.known[self._place][2] for key in keys)
 
     def leaping(self, timeline: Timeline) -> Grounding:
         """With the flights, too, that keyframes tell which say how high they are."""
@@ -86,7 +88,8 @@ class Grounding:
         found = list(keys)
         for k, key in enumerate(keys):
             beside = _beside(told, k, loop=timeline.ends == "periodic")
-            if told[k] or not self._stands(timeline, k, low[beside] if len(beside) > 1 else low[told]):
+            between = len(beside) > 1
+            if told[k] or not self._stands(timeline, k, low[beside if between else told], between=between):
                 continue
             levels = [np.max(bottom[beside] - low[beside])] if beside else [bottom[k], bottom[k] + self._length]
             above = [np.array([0.0, 0.0, level + DEEP - bottom[k]]) for level in levels]
@@ -113,20 +116,19 @@ class Grounding:
     def _length(self) -> float:
         return height(self.figure, self.root)
 
-    def _stands(self, timeline: Timeline, k: int, low: Array) -> bool:
+    def _stands(self, timeline: Timeline, k: int, low: Array, *, between: bool) -> bool:
         """Whether keyframe k, of no height of its own, is to stand.
 
-        low  [m] how far over the ground the figure is in the keyframes before and after that say so, of which one at
-             least is to be low; in all that do, if they are all before or all after. Between two of them, this one has
-             to say where its feet are but for the height
+        low      [m] how far over the ground the figure is in the keyframes before and after that say so, of which one
+                 at least is to be low; in all that do, if they are all before or all after
+        between  two of them; then this one has to say where its feet are but for the height
         """
         time, alone = timeline.times[k], self.figure.tables.free_links.size == 1
         if any(first < time < last for first, last in self.aloft):
             return False
         if low.size and not (low < (max(HANGING * self._length, TOUCHING) if alone else TOUCHING)).any():
             return False
-        told = np.flatnonzero(timeline.known[:, self._place][:, 2])
-        if not told.size or (timeline.ends != "periodic" and not told[0] < k < told[-1]):
+        if not between:
             return True
         known = np.array(timeline.known[k : k + 1])
         known[:, self._place] = True

@@ -131,7 +131,7 @@ class Stander:
             for k in range(len(keys))
         ]
         grounding = Grounding.of(self.figure, seen.soles, self.surfaces, self.aloft)
-        if grounding is None:
+        if grounding is None or not grounding.is_asked(found):
             return found
         timeline = self.timeline(found)
         return [*grounding.leaping(timeline).put_down(found[:count], timeline, seen.staying), *found[count:]]

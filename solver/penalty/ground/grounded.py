@@ -155,8 +155,11 @@ def open_intervals(
 ) -> tuple[Interval, ...]:
     """From keyframes that touch the ground and leave the height of a free link to the search, to others that touch it,
     or a little of the way to those that do not; but for flights."""
+    is_open = ~keys.fixed[:, figure.links[root].qpos + 2]
+    if not is_open.any():
+        return ()
     down = clearance(figure, keys, points, surfaces) < TOUCHING
-    is_open = down & ~keys.fixed[:, figure.links[root].qpos + 2]
+    is_open &= down
     found: list[Interval] = []
     for k in np.flatnonzero(is_open[:-1] | is_open[1:]).tolist():
         (first, last), begins, ends = keys.times[k : k + 2].tolist(), is_open[k], is_open[k + 1]
