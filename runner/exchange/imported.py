@@ -18,18 +18,21 @@ from ..scene.assets import taken_along
 from ..scene.compose import compose, figure_spec, first_line, quietly
 from ..system.progress import Progress
 from ..work import unsolved
-from . import gaps
+from . import gaps, winding
 from .formats import Reader, read_by, recording, stem
 
 
 @dataclass(frozen=True)
 class Taken:
-    """What a file of others holds, on a figure: name; spec, the figure, and its model if it has been compiled; time
-    (T,) [s] and qpos (T, nq); fps [1/s]; loops, the file says that its last sample is the first again, moved on."""
+    """A file of another program, read for a figure.
+
+    name; spec and model, the figure; time (T,) [s] and qpos (T, nq), hinges without wraps; fps [1/s]; loops, whether
+    the file declares its last sample the first again, moved on.
+    """
 
     name: str
     spec: mujoco.MjSpec
-    model: mujoco.MjModel | None
+    model: mujoco.MjModel
     time: Array
     qpos: Array
     fps: float
@@ -63,13 +66,15 @@ def taken(
     else:
         told = read_by(kind, source, model, fps)
     told = gaps.left_out(told, source)
-    for note in told.notes:
-        progress.say(f"note: {note}")
     if told.mjcf is not None:
-        spec, model = mujoco.MjSpec.from_string(told.mjcf, assets=dict(told.assets)), None
-    assert spec is not None, "a reader gives a figure or asks for one"
+        spec = mujoco.MjSpec.from_string(told.mjcf, assets=dict(told.assets))
+        model = _compiled(spec, str(source))
+    assert spec is not None and model is not None, "a reader gives a figure or asks for one"
+    qpos, notes = winding.unwrapped(model, told.time, told.qpos)
+    for note in (*told.notes, *notes):
+        progress.say(f"note: {note}")
     rate = told.fps or (float(np.round(1 / np.median(np.diff(told.time)), 6)) if told.time.size > 1 else 30.0)
-    return Taken(stem(source), spec, model, told.time, told.qpos, rate, told.loops)
+    return Taken(stem(source), spec, model, told.time, qpos, rate, told.loops)
 
 
 def _compiled(spec: mujoco.MjSpec, figure: str) -> mujoco.MjModel:
