@@ -519,16 +519,18 @@ def import_motion(
     scale: Scale = None,
     skip_rest: SkipRest = False,
     output: Output = None,
+    strict: Strict = False,
     overwrite: OverThere = False,
     allow_outside: Outside = False,
 ) -> None:
-    """Read a recorded motion; every instant of it becomes a keyframe, and nothing is searched."""
+    """Read a recorded motion and report its violations; every sample becomes a keyframe, nothing is solved."""
     _without_graphics()
     from . import motion
     from .edit import lead_in
     from .errors import UserError
     from .exchange.formats import stem
     from .exchange.imported import imported
+    from .measure import problems
     from .system.output import check_new, check_target
     from .system.progress import Progress
 
@@ -545,8 +547,11 @@ def import_motion(
     check_new(target, overwrite=overwrite)
     with Progress() as progress:
         found = imported(source, kind, figure=figure, fps=fps, scale=scale, progress=progress)
-        motion.save(lead_in.told(found, progress, skip=skip_rest), target)
-        progress.say(f"wrote {target}")
+        saved = lead_in.told(found, progress, skip=skip_rest)
+        motion.save(saved, target)
+        violations = problems.of_motion(saved)
+        _tell(progress, target, problems.by_name(violations), target)
+    _judge(violations, strict)
 
 
 @app.command()

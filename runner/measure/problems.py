@@ -133,6 +133,22 @@ def lines(found: Sequence[Flaw], file: object = None) -> list[str]:
     return [*out, f"... and {more} more" + (f": dynsplines report {file}" if file else "")] if more > 0 else out
 
 
+def by_name(found: Sequence[Flaw]) -> tuple[Flaw, ...]:
+    """Return the worst violation of each point, joint or contact of a recording, worst first, with their count.
+
+    Every sample of a recording is a keyframe; listed one by one, a single joint would fill the terminal.
+    """
+    groups: dict[tuple[str, str], list[Flaw]] = {}
+    for flaw in found:
+        groups.setdefault((flaw.kind, flaw.name), []).append(flaw)
+    out = []
+    for first, *others in groups.values():
+        samples = len({flaw.keyframe for flaw in (first, *others)})
+        text = first.text.removeprefix(f"keyframe {first.keyframe} itself: ")
+        out.append(replace(first, keyframe=None, text=f"{text}, {samples} samples in all" if samples > 1 else text))
+    return tuple(out)
+
+
 def plain(found: Sequence[Flaw]) -> list[dict[str, Any]]:
     """For JSON."""
     return [asdict(problem) for problem in found]

@@ -190,3 +190,16 @@ def test_a_name_that_does_not_fit_is_refused_before_anything_is_written(run, tmp
 def test_a_format_that_is_only_written_is_told(run, words):
     code, _, said = run("import", *words, "-o", "new.npz")
     assert code == 2 and "the format 'gltf' is only written; read are: csv" in said
+
+
+def test_an_import_reports_violations_as_solve_does(run, tmp_path):
+    rows = "\n".join("0,0,-0.5,1,0,0,0,0,0,0,0,0" for _ in range(5))
+    (tmp_path / "low.csv").write_text(rows + "\n")
+    words = ("import", "low.csv", "--from", "csv", "--figure", "robot.xml", "--fps", "30", "-o", "low.npz")
+    code, _, said = run(*words)
+    told = said.splitlines()
+    assert code == 0 and told[0] == "wrote low.npz"
+    assert "problem: base is 600 mm in the floor at 0.00 s, 5 samples in all" in told
+    assert len({line.split()[1] for line in told[1:]}) == len(told) - 1  # one line a body
+    code, _, said = run(*words, "--strict", "--overwrite")
+    assert code == 3 and (tmp_path / "low.npz").exists()
