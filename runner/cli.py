@@ -83,13 +83,15 @@ AsJson = Annotated[bool, typer.Option("--json", help="print JSON")]
 
 def main() -> None:
     """The command, with bad input told in one line and exit code 2; whatever else goes wrong is one line, too."""
+    from .system import mujoco_warnings
     from .system.terminal import fit
     from .system.threads import keep_to_one
 
     keep_to_one()
     fit()
     try:
-        code = app(sys.argv[1:] or ["--help"], prog_name="dynsplines", standalone_mode=False)
+        with mujoco_warnings.reported_to(mujoco_warnings.print_note):
+            code = app(sys.argv[1:] or ["--help"], prog_name="dynsplines", standalone_mode=False)
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or Python complains while it shuts down
         sys.exit(1)

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..errors import UserError
+from ..system import mujoco_warnings
 from .task import NPZ, Cleaning, Product, Task, program
 
 if TYPE_CHECKING:
@@ -22,10 +23,17 @@ def prepared() -> None:
 
 
 def solved(task: Task, folder: Path) -> Product:
-    """The file of the motion, and what is wrong with it.
+    """The file of the motion, and what is wrong with it; MuJoCo's warnings are among its notes.
 
     folder  an empty one. Raises UserError for a clip that is wrong.
     """
+    warned: list[str] = []
+    with mujoco_warnings.reported_to(warned.append):
+        product = _solved(task, folder)
+    return replace(product, notes=(*product.notes, *warned))
+
+
+def _solved(task: Task, folder: Path) -> Product:
     from rich.console import Console
 
     from .. import work

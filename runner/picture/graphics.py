@@ -45,6 +45,7 @@ _IMPORTED = "mujoco was imported before a renderer was chosen, with one that doe
 # A lit sphere in front of a black background: a context that draws nothing does not pass.
 _PROBE = """
 import mujoco
+mujoco.set_mju_user_warning(lambda text: None)
 model = mujoco.MjModel.from_xml_string(
     "<mujoco><worldbody><light pos='0 0 3'/><geom size='.5' rgba='1 1 1 1'/></worldbody></mujoco>")
 data = mujoco.MjData(model)

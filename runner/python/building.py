@@ -24,6 +24,7 @@ from ..clip.text import keyframe_tables, written
 from ..errors import UserError
 from ..scene import outside
 from ..scene.compose import figure_spec, first_line, quietly
+from ..system.mujoco_warnings import as_python_warnings
 
 Turn = Mapping[str, Any] | Rotation
 Table = Mapping[str, Any]
@@ -56,6 +57,7 @@ class Keyframe:
     qpos: ArrayLike | None = None
 
 
+@as_python_warnings()
 def build(
     figure: str | os.PathLike[str] | mujoco.MjSpec,
     keyframes: Sequence[Keyframe],

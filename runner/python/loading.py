@@ -12,12 +12,14 @@ from ..clip.load import Clip
 from ..clip.own import Own, with_own
 from ..errors import UserError
 from ..scene import outside
+from ..system.mujoco_warnings import as_python_warnings
 from .motion import Motion
 
 if TYPE_CHECKING:
     from ..exchange.formats import Reader
 
 
+@as_python_warnings()
 def load(
     source: str | os.PathLike[str], *, fps: float | None = None, own: Own = (), allow_outside: bool = False
 ) -> Clip:
@@ -41,11 +43,13 @@ def load(
         return with_own(clips.load(source, fps=fps), own)
 
 
+@as_python_warnings()
 def load_motion(source: str | os.PathLike[str]) -> Motion:
     """A motion that `Motion.save` or `dynsplines solve` wrote, .npz; raises UserError for any other file."""
     return Motion(files.load(Path(source)))
 
 
+@as_python_warnings()
 def import_motion(
     source: str | os.PathLike[str],
     figure: str | os.PathLike[str] | None = None,

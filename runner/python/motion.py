@@ -32,6 +32,7 @@ from ..measure import problems
 from ..measure.problems import Flaw
 from ..measure.report import tables
 from ..motion import Sampled, Saved
+from ..system.mujoco_warnings import as_python_warnings
 from ..system.output import check_target
 from ..system.progress import Progress
 from ..system.quantity import length
@@ -43,6 +44,7 @@ if TYPE_CHECKING:
 PLAYER_HEIGHT = 480  # pixels, in a notebook
 
 
+@as_python_warnings()
 def inbetween(clip: Clip | str | os.PathLike[str], *, progress: bool = False) -> Motion:
     """Smooth motion through a clip's keyframes that keeps to its soft constraints.
 
@@ -191,6 +193,7 @@ class Motion:
         return self._report
 
     @cached_property
+    @as_python_warnings()
     def _report(self) -> Report:
         data = self.saved.report
         if not data and self._solved is not None:
@@ -210,6 +213,7 @@ class Motion:
         return list(self._problems)
 
     @cached_property
+    @as_python_warnings()
     def _problems(self) -> tuple[Flaw, ...]:
         return problems.of_motion(self.saved) if self._solved is None else self._solved.problems
 
@@ -226,6 +230,7 @@ class Motion:
         times = recorded.times[[far.instant, turned.instant]].tolist()
         return Apart(far.value, far.name, times[0], float(np.degrees(turned.value)), turned.name, times[1])
 
+    @as_python_warnings()
     def render(
         self,
         path: str | os.PathLike[str] | None = None,
@@ -277,6 +282,7 @@ class Motion:
         if at is not None and not self.start <= at <= self.end:
             raise UserError(f"{self.name}: the motion runs from {self.start:g} to {self.end:g} s; nothing is at {at:g}")
 
+    @as_python_warnings()
     def export(
         self,
         path: str | os.PathLike[str],
@@ -326,6 +332,7 @@ class Motion:
             )
         return target
 
+    @as_python_warnings()
     def mirrored(self) -> Motion:
         """Left and right exchanged, in the x-z plane; the scene stays."""
         return self._edited(edits.mirrored(self.saved))
@@ -344,14 +351,17 @@ class Motion:
         begin, end = self.start if first is None else first, self.end if last is None else last
         return self._edited(edits.trimmed(self.saved, begin, end))
 
+    @as_python_warnings()
     def repeated(self, count: int) -> Motion:
         """A loop played so many times over, without a seam."""
         return self._edited(edits.repeated(self.saved, count))
 
+    @as_python_warnings()
     def joined(self, other: Motion, transition: float = 0.4) -> Motion:
         """It and then another one, moved to where this goes on, with a transition [s] between them."""
         return self._edited(edits.joined(self.saved, other.saved, transition, _silent()))
 
+    @as_python_warnings()
     def cleaned(self, within: str | float | None = None) -> Motion:
         """A recording made physical: repaired, smoothed by its own noise, with feet that stay where they stand.
 
@@ -362,6 +372,7 @@ class Motion:
         bound = None if within is None else length(within, "within")
         return Motion(motion_cleaned(self.saved, bound, _silent()))
 
+    @as_python_warnings()
     def thinned(self, max_error: float | str = 0.02, *, max_angle: float = 5.0, solve: bool = False) -> Motion:
         """The fewest keyframes found that keep it within a bound of what it is, at every instant looked at.
 
@@ -378,6 +389,7 @@ class Motion:
     def _edited(self, saved: Saved) -> Motion:
         return Motion(replace(saved, trace=[], report={}, search={}))
 
+    @as_python_warnings()
     def _repr_html_(self) -> str:
         """The motion playing, before and after, in a notebook: a page that needs nothing from elsewhere."""
         from ..exchange.format.html import page

@@ -16,10 +16,12 @@ from typing import Any
 import mujoco
 
 from ..errors import UserError
-from ..system import largest
+from ..system import largest, mujoco_warnings
 from . import mjcf_size, outside
 from .model_files import FOLDERS, Model, elements, is_there
 from .mujoco_versions import mesh_folder, texture_folder
+
+mujoco_warnings.install()  # whatever uses MuJoCo imports this module
 
 Assets = Mapping[str, bytes]
 LONGEST = 255  # [bytes] of a file's name, on every disk

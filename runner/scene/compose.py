@@ -17,6 +17,7 @@ from dynsplines.solver.figure.figure import names_of_joints
 from dynsplines.solver.surface.touch import SCENERY, grounds
 
 from ..errors import UserError, unknown
+from ..system import mujoco_warnings
 from . import mjcf_size
 from .assets import Assets, Scene, check_places, taken_along
 from .dressing import dress
@@ -44,15 +45,10 @@ class Step:
 
 @contextlib.contextmanager
 def quietly() -> Iterator[None]:
-    """MuJoCo's warnings dropped: it would print them and leave a log in the user's folder."""
-    before = mujoco.get_mju_user_warning()
-    mujoco.set_mju_user_warning(lambda _: None)
-    try:
-        with contextlib.redirect_stdout(io.StringIO()), warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # of settings that MuJoCo will drop
-            yield
-    finally:
-        mujoco.set_mju_user_warning(before)
+    """MuJoCo's warnings reported as notes, and what its Python module prints or warns of dropped."""
+    with mujoco_warnings.intercepted(), contextlib.redirect_stdout(io.StringIO()), warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of settings that MuJoCo will drop
+        yield
 
 
 def figure_spec(figure: str, folder: Path | None = None) -> mujoco.MjSpec:

@@ -7,6 +7,7 @@ archive       what the arrays of an .npz come to in memory, told from their head
 cache_folder  the user's folder for what this program could find again: solved clips, and which renderer worked
 progress      live progress of long work: a bar on a terminal, plain lines elsewhere, always on stderr
 terminal      text for terminals that do not know all letters: what they lack is spelled with those that they have
+mujoco_warnings  MuJoCo's warnings as notes, instead of a log in the current folder
 quantity      lengths as people write them: "2cm", "20 mm", "0.02 m"; from Python also a number, of metres
 stopping      signals that ask a command to end
 threads       one thread: on the solver's small matrices more of them only wait for each other, and round another way

@@ -20,6 +20,7 @@ from multiprocessing.connection import Connection, wait
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
 
 from ..errors import UserError
+from . import mujoco_warnings
 
 if TYPE_CHECKING:
     Line = Connection[Any, Any]
@@ -111,9 +112,11 @@ class _Worker(Generic[Result]):
 
     def result(self) -> tuple[int, Result]:
         try:
-            error, result = self.line.recv()
+            error, result, notes = self.line.recv()
         except (EOFError, OSError):
             raise self._lost() from None
+        for note in notes:
+            mujoco_warnings.pass_on(note)
         if error is not None:
             raise error
         number, self.number = cast(int, self.number), None
@@ -153,18 +156,20 @@ def ctrl_c_blocked() -> Iterator[None]:
 
 
 def _serve(line: Line, opened: Callable[[], AbstractContextManager[Tool]], work: Callable[[Tool, Any], object]) -> None:
-    """The life of a worker process: item in, error or result out, until the other end of the line is closed."""
+    """The life of a worker process: items in, results and notes out, until the line is closed."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    with ExitStack() as stack, suppress(EOFError, OSError):
+    notes: list[str] = []
+    with mujoco_warnings.reported_to(notes.append), ExitStack() as stack, suppress(EOFError, OSError):
         do: Callable[[Any], object] | None = None
         while True:
             item = line.recv()
             try:
                 do = do or partial(work, stack.enter_context(opened()))
-                answer = (None, do(item))
+                answer = (None, do(item), notes)
             except Exception as error:
-                answer = (_portable(error), None)
+                answer = (_portable(error), None, notes)
             line.send(answer)
+            notes.clear()
 
 
 def _portable(error: Exception) -> Exception:

@@ -64,3 +64,17 @@ def leaves(tool: object, item: object) -> None:
 
 def never_ends(tool: object, item: object) -> None:
     time.sleep(600)
+
+
+def warns(tool: object, item: object) -> None:
+    """Lets MuJoCo warn, as a tool that draws may."""
+    import mujoco
+
+    import dynsplines.scene.assets  # noqa: F401
+
+    model = mujoco.MjModel.from_xml_string(
+        "<mujoco><worldbody><body><joint/><geom size='1'/></body></worldbody></mujoco>"
+    )
+    data = mujoco.MjData(model)
+    data.qvel[:] = 1e20
+    mujoco.mj_step(model, data)

@@ -25,6 +25,7 @@ def entry(line: Any, outside: bool, is_seen: bool) -> None:
     is_seen  whether pages have something to show before this process says anything
     """
     from ...picture.graphics import do_without
+    from ...system import mujoco_warnings
     from ...system.threads import keep_to_one, without_tools
     from ...system.yielding import yielding
 
@@ -33,4 +34,5 @@ def entry(line: Any, outside: bool, is_seen: bool) -> None:
     yielding([without_tools, *(partial(import_module, name) for name in HEAVY)], PATIENCE if is_seen else 0.0)
     from .work import serve
 
-    serve(line, outside)
+    with mujoco_warnings.reported_to(mujoco_warnings.print_note):
+        serve(line, outside)
