@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import contextlib
+import ctypes
 import re
 from enum import Enum
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 import mujoco
 import numpy as np
+
+DIGITS = 15  # of numbers in MJCF texts: as many as bring 0.1 back as 0.1
 
 
 class Lamp(Enum):
@@ -62,13 +67,43 @@ def portable_text(spec: mujoco.MjSpec) -> str:
     Without materials that there are none of, too: a class within another whose material is given up by material="" is
     written as if it kept it.
 
+    Numbers have 15 digits, where MuJoCo's own default is 6: masses and lengths differ by up to 5e-6 with these.
+
     Before 3.3.3 or so MuJoCo writes the elevations of a height field upside down; here they are turned back.
     """
-    text = re.sub(r"<light [^>]*>", lambda found: _plain_light(found[0]), spec.to_xml())
+    text = re.sub(r"<light [^>]*>", lambda found: _plain_light(found[0]), _precise_text(spec))
     materials = {material.name for material in spec.materials}
     text = re.sub(r' material="([^"]*)"', lambda found: found[0] if found[1] in materials else "", text)
     text = re.sub(r"<texture [^>]*>", lambda found: found[0].replace(' colorspace="auto"', ""), text)
     return re.sub(r"<hfield [^>]*>", lambda found: _upright(found[0]), text) if _turns_height_fields() else text
+
+
+def _precise_text(spec: mujoco.MjSpec) -> str:
+    """A compiled model's text with numbers of `DIGITS` digits, or of MuJoCo's default where its library is not found.
+
+    The precision is a setting of the thread that MuJoCo's Python package has no function for.
+    """
+    library = _library()
+    if library is None:
+        return spec.to_xml()
+    before = library._mjPRIVATE__get_xml_precision()
+    library._mjPRIVATE__set_xml_precision(DIGITS)
+    try:
+        return spec.to_xml()
+    finally:
+        library._mjPRIVATE__set_xml_precision(before)
+
+
+@cache
+def _library() -> ctypes.CDLL | None:
+    """MuJoCo's shared library, which its Python package has loaded already, if it can set the precision of texts."""
+    folder = Path(mujoco.__file__).parent
+    for path in sorted((*folder.glob("libmujoco*"), *folder.glob("mujoco.dll"))):
+        with contextlib.suppress(OSError):
+            library = ctypes.CDLL(str(path))
+            if hasattr(library, "_mjPRIVATE__set_xml_precision"):
+                return library
+    return None
 
 
 def _plain_light(tag: str) -> str:

@@ -23,6 +23,7 @@ from .touch import movers
 DIRECTIONS = 600  # in which a link's outermost spheres are looked for
 MOST_BETWEEN = 1000  # spheres along a capsule; no limb is 750 times as long as it is thick
 MESH_DIRECTIONS = 150  # the same of the vertices of a mesh
+TIE = 1e-9  # [m] within which two spheres reach equally far
 SPACING, THIN = 0.75, 0.01  # radii between spheres along a capsule; [m] the least radius that counts there
 
 
@@ -113,13 +114,17 @@ def all_round(count: int) -> Array:
 
 
 def _outermost(points: list[Point]) -> set[int]:
-    """Which spheres lie on the convex hull of their link's spheres: those that reach farthest some way."""
+    """Which spheres lie on the convex hull of their link's spheres: those that reach farthest in some direction.
+
+    Of spheres that reach equally far it is the first, whatever the rounding of the model's numbers.
+    """
     ways = all_round(DIRECTIONS)
     kept: set[int] = set()
     for link in {point.link for point in points}:
         own = [i for i, point in enumerate(points) if point.link == link]
         support = np.array([points[i].position @ ways + points[i].radius for i in own])
-        kept |= {own[k] for k in np.unique(support.argmax(axis=0))}
+        farthest = support >= support.max(axis=0) - TIE
+        kept |= {own[k] for k in np.unique(farthest.argmax(axis=0))}
     return kept
 
 

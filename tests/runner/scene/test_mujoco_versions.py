@@ -55,3 +55,12 @@ def test_the_oldest_that_ci_installs_are_the_oldest_that_the_package_allows():
     assert {"mujoco", "numpy", "nlopt"} == pinned.keys()
     for name, version in pinned.items():
         assert version == least[name] or version.startswith(f"{least[name]}.")
+
+
+def test_texts_have_the_digits_of_the_models_numbers():
+    body = '<joint damping="0.123456789012"/><geom size=".1" mass="2.34567891"/>'
+    text = f"<mujoco><worldbody><body>{body}</body></worldbody></mujoco>"
+    spec = mujoco.MjSpec.from_string(text)
+    spec.compile()
+    assert 'damping="0.123456789012"' in versions.portable_text(spec) and 'size="0.1"' in versions.portable_text(spec)
+    assert 'damping="0.123457"' in spec.to_xml()  # MuJoCo's setting is as before
