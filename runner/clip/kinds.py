@@ -371,7 +371,12 @@ KINDS = {
             "self", None, "depth of limbs in the trunk and in each other",
             lambda context, chosen: SelfContact.of(context.figure, chosen.margin or 0.0), Margin,
         ),
-        Kind("torque", None, "joint torques by inverse dynamics", lambda context, chosen: Torque()),
+        Kind(
+            "torque",
+            None,
+            "joint torques by inverse dynamics: inertia, gravity, armature; no passive or contact forces",
+            lambda context, chosen: Torque(),
+        ),
         Kind("speed", None, "speed of hinges and ball joints beyond a limit", _speed, SpeedOptions),
         Kind("level", None, "lean of bodies, a trunk or a tray, from the vertical", _level, LevelOptions),
     )

@@ -1,8 +1,9 @@
-"""What forces a motion asks for: the wrench at the root, what the ground gives to each foot, torques of the joints.
+"""The forces of a motion: the wrench at the root, the ground's reaction on each foot, the torques of the joints.
 
-All of it is inverse dynamics of the motion and what `support` finds for it: the forces within friction cones at the
-points in contact that supply the most of the root's wrench. Where nothing says what carries the figure, neither feet
-that stand nor a flight, the ground's forces and the torques that they change are unknown: nan.
+Torques and wrench are MuJoCo's `mj_inverse` of qpos, qvel and qacc without contacts: springs, dampers, friction loss,
+gravity compensation, fluid, tendons and constraints of the model are included. The ground's reactions are those of
+`support`: the forces within friction cones at the points in contact that supply the most of the root's wrench. Where
+neither standing feet nor a flight determine them, they and the torques that depend on them are unknown: nan.
 """
 
 from __future__ import annotations
@@ -15,8 +16,8 @@ import numpy as np
 
 from dynsplines.solver.array import Array, Index, Mask
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.figure.algebra import cross
-from dynsplines.solver.figure.dynamics import generalised_forces
+from dynsplines.solver.figure.algebra import applied, cross
+from dynsplines.solver.figure.dynamics import inverse_dynamics
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.wrench import RootWrench
 from dynsplines.solver.penalty import Support
@@ -67,13 +68,26 @@ class Forces:
         return self.support.known(self.samples.t)
 
     @cached_property
+    def inverse(self) -> Array:
+        """(T, nv) MuJoCo's qfrc_inverse without contacts: joint forces as if nothing were on the ground."""
+        return inverse_dynamics(self.take.model, self.take.qpos, self.take.qvel, self.take.qacc)
+
+    @cached_property
     def wrench(self) -> RootWrench | None:
-        """Force, moment and centre of mass at the free root."""
-        return None if self.support is None else RootWrench(self.samples, self.support.root)
+        """Force, moment and centre of mass at the free root, all forces of the model included."""
+        if self.support is None:
+            return None
+        out, root = RootWrench(self.samples, self.support.root), self.support.root
+        dof = self.take.figure.links[root].dof
+        links = self.samples.links
+        out.force = np.ascontiguousarray(self.inverse[:, dof : dof + 3].T)
+        moment = applied(links.rotation[:, :, [root]], self.inverse[:, dof + 3 : dof + 6].T[:, None])[:, 0]
+        out.moment = moment - cross(out.centre - links.anchor[:, root], out.force)
+        return out
 
     @cached_property
     def _reactions(self) -> Reactions | None:
-        return None if self.support is None else self.support.reactions(self.samples)
+        return None if self.support is None else self.support.reactions(self.samples, self.wrench)
 
     @cached_property
     def rest(self) -> Array:
@@ -82,7 +96,7 @@ class Forces:
         if support is None:
             return np.zeros((6, self.samples.count))
         units = np.repeat([support.unit, support.unit * support.length], 3)[:, None]
-        return np.where(self.known, support.rest(self.samples) * units, np.nan)
+        return np.where(self.known, support.rest(self.samples, self.wrench) * units, np.nan)
 
     @cached_property
     def feet(self) -> tuple[Foot, ...]:
@@ -122,8 +136,8 @@ class Forces:
 
     @cached_property
     def torques(self) -> Array:
-        """(T, nv) MuJoCo's qfrc_inverse less what the ground does; at a free root what is left over."""
-        out = generalised_forces(self.samples)
+        """(T, nv) MuJoCo's qfrc_inverse less the ground's reactions; at a free root what is left over."""
+        out = self.inverse.copy()
         found, model = self._reactions, self.take.model
         if self.support is None or found is None:
             return out

@@ -1,8 +1,8 @@
 """What a table can hold beside qpos, in groups of named columns with their units, all by the joints' and bodies' names.
 
 velocities  left_hip.wx [rad/s]: MuJoCo's qvel; free joints in the world, their rotation and ball joints in body axes
-torques     left_hip.tx [N m]: of the joints, as qfrc_inverse has them, less what the ground does; body axes
-wrench      root.fx [N], root.mx [N m], com.x [m]: what must push the figure from outside, about its centre of mass
+torques     left_hip.tx [N m]: of the joints, MuJoCo's qfrc_inverse less the ground's reactions; body axes
+wrench      root.fx [N], root.mx [N m], com.x [m]: qfrc_inverse at the free root, moment about the centre of mass
 ground      left_foot.fx [N], left_foot.cop.x [m], left_foot.mx [N m]: the ground's reaction on each foot, its centre of
             pressure and the moment about that; unsupplied.fx [N], unsupplied.mx [N m]: what is left of the wrench
 
@@ -17,6 +17,7 @@ import mujoco
 import numpy as np
 
 from dynsplines.solver.array import Array
+from dynsplines.solver.figure.dynamics import inverse_dynamics
 
 from ..errors import UserError, unknown
 from .forces import Forces
@@ -24,6 +25,11 @@ from .take import Take
 
 Columns = dict[str, Array]
 AXES = "xyz"
+LARGE = 0.01  # of the largest torque: constraint forces above it are reported
+EQUALITIES_AND_LIMITS = int(mujoco.mjtDisableBit.mjDSBL_EQUALITY | mujoco.mjtDisableBit.mjDSBL_LIMIT)
+CONSTRAINT_NOTE = (
+    "torques include forces of joint limits and equality constraints: up to {size:.3g} {unit} at {joint}, {time:.2f} s"
+)
 UNKNOWN_NOTE = "of {share:.0%} of the instants nothing says what carries the figure: forces there are nan"
 
 
@@ -92,7 +98,33 @@ def table(take: Take, groups: Sequence[str]) -> Columns:
             out |= GROUPS[group](take, forces)
     if {"torques", "ground"} & set(groups) and not forces.known.all():
         take.notes.append(UNKNOWN_NOTE.format(share=1 - float(forces.known.mean())))
+    if "torques" in groups:
+        take.notes.extend(constraint_notes(take, forces))
     return out
+
+
+def constraint_notes(take: Take, forces: Forces) -> list[str]:
+    """A line on the forces of joint limits and equality constraints, where they are a large part of the torques."""
+    model = take.model
+    if not (model.neq or model.jnt_limited.any() or model.tendon_limited.any()):
+        return []
+    free = inverse_dynamics(model, take.qpos, take.qvel, take.qacc, disabled=EQUALITIES_AND_LIMITS)
+    size = np.abs(forces.inverse - free)
+    at, dof = np.unravel_index(int(size.argmax()), size.shape)
+    if size[at, dof] <= LARGE * np.abs(forces.inverse).max():
+        return []
+    joint = int(model.dof_jntid[dof])
+    first = dof - model.jnt_dofadr[joint]
+    is_force = model.jnt_type[joint] == int(mujoco.mjtJoint.mjJNT_SLIDE)
+    is_force |= model.jnt_type[joint] == int(mujoco.mjtJoint.mjJNT_FREE) and first < 3
+    return [
+        CONSTRAINT_NOTE.format(
+            size=size[at, dof],
+            unit="N" if is_force else "N m",
+            joint=model.joint(joint).name or f"joint{joint}",
+            time=take.time[at],
+        )
+    ]
 
 
 def _vector(name: str, unit: str, values: Array) -> Columns:

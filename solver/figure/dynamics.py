@@ -2,13 +2,15 @@
 
 Per link: force f = m (a − g) at the centre of mass, moment n = ω × Iω + I ω' about it (eq. 21). Summed over the links
 beyond a joint they are what the joint must supply. Equals MuJoCo's `mj_inverse` with contacts, limits and passive
-forces off.
+forces off. `inverse_dynamics` is `mj_inverse` itself, with all forces but those of contacts.
 """
 
 from __future__ import annotations
 
+import copy
 from dataclasses import dataclass
 
+import mujoco
 import numpy as np
 
 from ..array import Array
@@ -135,6 +137,36 @@ def generalised_forces(samples: Samples) -> Array:
             out[:, link.dof] = dot(axis, turned_back(links.rotation, inverse.force)[:, i])
     if qacc is not None:
         out += figure.model.dof_armature * qacc
+    return out
+
+
+def inverse_dynamics(model: mujoco.MjModel, qpos: Array, qvel: Array, qacc: Array, *, disabled: int = 0) -> Array:
+    """Return MuJoCo's qfrc_inverse without contact forces.
+
+    Joint forces = M(q) q'' + bias − passive − constraint forces, by `mj_inverse`. The passive forces are springs,
+    dampers, gravity compensation and fluid drag. The constraint forces are friction loss, joint and tendon limits and
+    equality constraints. Options and flags of the model apply, except `contact` and `invdiscrete`: accelerations are
+    those of continuous time.
+
+    Args:
+        model: the model; it is not changed.
+        qpos: (T, nq) configurations, [m] and [rad], unit quaternions wxyz.
+        qvel: (T, nv) velocities, [m/s] and [rad/s].
+        qacc: (T, nv) accelerations, [m/s²] and [rad/s²].
+        disabled: further forces to leave out, bits of mjtDisableBit.
+
+    Returns:
+        (T, nv) forces [N] and torques [N m], in the axes of qvel.
+    """
+    free = copy.copy(model)
+    free.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONTACT) | disabled
+    free.opt.enableflags &= ~int(mujoco.mjtEnableBit.mjENBL_INVDISCRETE)
+    data = mujoco.MjData(free)
+    out = np.zeros((len(qpos), model.nv))
+    for row, *state in zip(out, qpos, qvel, qacc, strict=True):
+        data.qpos, data.qvel, data.qacc = state
+        mujoco.mj_inverse(free, data)
+        row[:] = data.qfrc_inverse
     return out
 
 

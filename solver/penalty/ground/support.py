@@ -98,21 +98,27 @@ class Support(Penalty):
         """(S,) whether it is known at times t (S,) what carries the figure."""
         return within(self.flights, t) | (self._active(t).any(axis=0) if self.footings else np.zeros(t.size, bool))
 
-    def rest(self, samples: Samples) -> Array:
-        """(6, S): force and moment that nothing can supply, in units of weight and weight times height."""
+    def rest(self, samples: Samples, wrench: RootWrench | None = None) -> Array:
+        """(6, S): force and moment that nothing can supply, in units of weight and weight times height.
+
+        wrench  at the root; by default that of masses and gravity alone
+        """
         out, at = np.zeros((6, samples.count)), np.flatnonzero(self.known(samples.t))
         if at.size:
-            out[:, at] = self._found(samples, at).left.rest
+            out[:, at] = self._found(samples, at, wrench).left.rest
         return out
 
-    def reactions(self, samples: Samples) -> Reactions:
-        """The forces at the points in contact that supply the most, at the samples of which it is known."""
+    def reactions(self, samples: Samples, wrench: RootWrench | None = None) -> Reactions:
+        """The forces at the points in contact that supply the most, at the samples of which it is known.
+
+        wrench  at the root; by default that of masses and gravity alone
+        """
         known = np.flatnonzero(self.known(samples.t))
         which, _, _ = self._pairs(samples.t[known])
         if not which.size:
             none = np.zeros(0, np.intp)
             return Reactions(none, none, np.zeros((3, 0)), np.zeros((3, 0)))
-        pushes = self._found(samples, known).pushes
+        pushes = self._found(samples, known, wrench).pushes
         x, _ = samples.links.poses(pushes.link * samples.count + pushes.at)
         return Reactions(pushes.at, which, x + pushes.offset, pushes.force)
 
@@ -142,9 +148,9 @@ class Support(Penalty):
         each = np.repeat(at, 6)
         into.add_rows(each, scale[each], rows.reshape(each.size, 3, -1))
 
-    def _found(self, samples: Samples, known: Index) -> _Found:
+    def _found(self, samples: Samples, known: Index, wrench: RootWrench | None = None) -> _Found:
         """At the samples `known` (P,)."""
-        wrench = RootWrench(samples, self.root)
+        wrench = RootWrench(samples, self.root) if wrench is None else wrench
         w = np.concatenate([wrench.force[:, known], wrench.moment[:, known] / self.length]) / self.unit
         which, at, slot = self._pairs(samples.t[known])
         links, positions, edges = self._arrays

@@ -1,4 +1,9 @@
-"""Joint torques by inverse dynamics (appendix A): without contact forces those of a stance leg are a regulariser."""
+"""Joint torques by inverse dynamics (appendix A): without contact forces those of a stance leg are a regulariser.
+
+Included are inertia, Coriolis and centrifugal forces, gravity and armature. Not included are the model's passive forces
+(stiffness, damping, friction loss, gravity compensation, fluid drag, tendons), constraint forces and contact forces;
+`inverse_dynamics` has the first two.
+"""
 
 from __future__ import annotations
 
