@@ -49,8 +49,8 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
         table.KeyframeTable,
         {
             "time": "s",
-            "root": "the first free body",
-            "roots": "further free bodies, by their joints' names",
+            "root": "the articulated tree on legs, or else the first free body",
+            "roots": "other free bodies and robots, by the name of their joint or body",
             "joints": "by name: a rotation for a ball joint, degrees for a hinge, metres for a slide",
             "sites": "sites, feet, geoms and bodies by name: where they are",
             "bodies": "by name: how they are turned, or where they are",

@@ -51,6 +51,7 @@ from .posing.couplings import complaints, follow
 from .posing.feet import sole_points
 from .posing.places import Places
 from .posing.placing import check_search, wanted, with_pose
+from .posing.rooting import set_roots
 from .posing.rotation import quaternion_of
 from .posing.standing import Stander
 from .table import (
@@ -58,7 +59,6 @@ from .table import (
     ClipTable,
     KeyframeTable,
     RecordingTable,
-    RootTable,
     RotationTable,
     SolveTable,
     Table,
@@ -712,17 +712,7 @@ def _key(figure: Figure, row: KeyframeTable, before: Frame | None, loose: Sequen
         qpos, fixed = np.array(before.state), np.array(before.fixed)
     for i in loose:
         fixed[entries(figure, i)] = False
-    roots = [link for link in figure.links[1:] if link.kind is JointKind.FREE]
     named = {link.name: link for link in figure.links[1:]}
-    if row.root.model_fields_set:
-        if not roots:
-            raise UserError(f"{where}: the figure has no free joint, so no root to place")
-        _set_root(qpos, fixed, roots[0].qpos, row.root, f"{where}: root")
-    others = {link.name: link for link in roots}
-    for name, table in row.roots.items():
-        if name not in others:
-            raise UserError(f"{where}: roots: {unknown('free joint', name, others)}")
-        _set_root(qpos, fixed, others[name].qpos, table, f"{where}: roots.{name}")
     for name, value in row.joints.items():
         if name not in named:
             raise UserError(f"{where}: {unknown('joint', name, named)}")
@@ -730,22 +720,9 @@ def _key(figure: Figure, row: KeyframeTable, before: Frame | None, loose: Sequen
             fixed[quaternion_columns(named[name]) or named[name].qpos] = False
         else:
             _set_joint(qpos, fixed, named[name], value, f"{where}: joints.{name}")
+    set_roots(figure, qpos, fixed, row, where)
     follow(figure, qpos, fixed, lambda name: name in row.joints)
     return Frame.key(row.time, qpos, fixed)
-
-
-def _set_root(qpos: Array, fixed: Mask, start: int, root: RootTable, where: str) -> None:
-    """What the root's table says about its position, axis by axis, and its rotation."""
-    if "position" in root.model_fields_set:
-        axes = ("free",) * 3 if root.position == "free" else root.position
-        for i, value in enumerate(axes):
-            fixed[start + i] = value != "free"
-            if value != "free":
-                qpos[start + i] = float(value)
-    if "rotation" in root.model_fields_set:
-        fixed[start + 3 : start + 7] = root.rotation != "free"
-        if root.rotation != "free":
-            qpos[start + 3 : start + 7] = quaternion_of(root.rotation, f"{where}.rotation")
 
 
 def _set_joint(qpos: Array, fixed: Mask, link: Any, value: RotationTable | float, where: str) -> None:

@@ -136,13 +136,25 @@ def _stood(figure: Figure, on_feet: bool) -> Array:
             qpos[column] = np.clip(qpos[column], joint.low, joint.high)
     qpos = _settled(figure, qpos)
     floor = _floor(figure.model)
-    if not figure.tables.free_links.size or floor is None:
+    if floor is None:
         return qpos
-    for root in figure.tables.free_links:
-        low = _lowest(figure, qpos, int(root))
+    for root, column, up in _lifts(figure):
+        low = _lowest(figure, qpos, root)
         if low is not None and (on_feet or low < floor):
-            qpos[figure.links[root].qpos + 2] += floor - low
+            qpos[column] += up * (floor - low)
     return qpos
+
+
+def _lifts(figure: Figure) -> list[tuple[int, int, float]]:
+    """What moves about and can be lifted: its link, the column of qpos that lifts it, and 1, or −1 for a slide down."""
+    lifts = [(link, figure.links[link].qpos + 2, 1.0) for link in figure.tables.free_links.tolist()]
+    if figure.root is not None and not figure.root.is_free:
+        data = mujoco.MjData(figure.model)
+        mujoco.mj_kinematics(figure.model, data)
+        slides = [figure.links[i] for i in figure.root.links if figure.links[i].kind is JointKind.SLIDE]
+        ups = [(slide.qpos, float(data.xaxis[slide.joint, 2])) for slide in slides]
+        lifts += [(figure.root.link, column, float(np.sign(up))) for column, up in ups if abs(up) > STRAIGHT]
+    return lifts
 
 
 def _settled(figure: Figure, qpos: Array) -> Array:
@@ -163,13 +175,14 @@ def _leave_out_followers(figure: Figure, tables: list[dict[str, Any]]) -> None:
 def _raised(figure: Figure, qpos: Array) -> Array:
     """A pose (nq,) with what is free out of the floor and on top of its own pedestal, wherever it sank in."""
     out, floor = np.array(qpos), _floor(figure.model)
-    for root in figure.tables.free_links.tolist():
+    for root, column, up in _lifts(figure):
         low = _lowest(figure, out, root)
         if low is None:
             continue
         if floor is not None:
-            out[figure.links[root].qpos + 2] += max(floor - low, 0.0)
-        _mount(figure, out, root)
+            out[column] += up * max(floor - low, 0.0)
+        if root in figure.tables.free_links:
+            _mount(figure, out, root)
     return out
 
 
@@ -362,9 +375,13 @@ def _named(figure: Figure, qpos: Array, soles: Sequence[Point]) -> str:
     """What the figure's parts are called, in comments."""
     model = figure.model
     lines = ["# Joints, as keyframes name them:"]
-    roots = [link for link in figure.links[1:] if link.kind is JointKind.FREE]
     for link in figure.links[1:]:
-        lines.append(f"#   {_joint_line(figure, link, roots)}")
+        lines.append(f"#   {_joint_line(figure, link)}")
+    if figure.root is not None and not figure.root.is_free:
+        joints = ", ".join(figure.links[i].name for i in figure.root.links)
+        lines.append(
+            f"#   {'root.position, .rotation':40} of '{model.body(figure.root.body).name}', which sets {joints}"
+        )
     bodies = [model.body(i).name for i in range(1, model.nbody) if model.body(i).name]
     lines += _list("Bodies, for bodies.NAME = {flat = true}, a rotation or {position = [x, y, z]}", bodies)
     ground = "What stands on the ground"
@@ -407,9 +424,11 @@ def _ends(figure: Figure) -> list[int]:
     return [link.body for i, link in enumerate(figure.links) if i and i not in carries]
 
 
-def _joint_line(figure: Figure, link: Link, roots: Sequence[Link]) -> str:
+def _joint_line(figure: Figure, link: Link) -> str:
     if link.kind is JointKind.FREE:
-        table = "root" if link is roots[0] else f"roots.{_key(link.name)}"
+        own = figure.root
+        is_root = own is not None and not own.is_ambiguous and figure.links[own.link] is link
+        table = "root" if is_root else f"roots.{_key(link.name)}"
         return f"{table + '.position, .rotation':40} free joint '{link.name}': metres; a rotation"
     name, limited = f"joints.{_key(link.name)}", bool(figure.model.jnt_limited[link.joint])
     low, high = (float(bound) for bound in figure.model.jnt_range[link.joint])

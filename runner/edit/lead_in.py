@@ -13,11 +13,13 @@ import numpy as np
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.root import root_of
 
 from ..exchange.skeleton import hierarchy
 from ..exchange.skeleton.roles import roles
 from ..measure.problems import is_recording
 from ..motion import Saved
+from ..scene.framing import root_places
 from ..system.progress import Progress
 
 OUT = 0.94  # cosine, 20°: so near to straight out are the arms of a T-pose
@@ -166,9 +168,9 @@ def _jumps(model: mujoco.MjModel, times: Array, qpos: Array, at: int) -> bool:
 
 
 def _travel(model: mujoco.MjModel, times: Array, qpos: Array) -> float:
-    """Mean speed [m/s] of the first free joint from the first image to the last; nought without one."""
-    free = np.flatnonzero(model.jnt_type == mujoco.mjtJoint.mjJNT_FREE)
-    if not free.size:
+    """Mean speed [m/s] of the root from the first frame to the last; zero without one."""
+    root = root_of(model)
+    if root is None:
         return 0.0
-    at = int(model.jnt_qposadr[free[0]])
-    return float(np.linalg.norm(qpos[-1, at : at + 3] - qpos[0, at : at + 3]) / (times[-1] - times[0]))
+    first, last = root_places(model, root, qpos[[0, -1]])
+    return float(np.linalg.norm(last - first) / (times[-1] - times[0]))

@@ -6,7 +6,8 @@ import mujoco
 import numpy as np
 
 from dynsplines.solver.array import Array, Index
-from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.figure.root import Root
 from dynsplines.solver.surface.touch import moves
 
 MOST_POSES = 60  # that a camera's frame is made of
@@ -67,16 +68,36 @@ def _told(reach: Array) -> float:
 
 
 def middles(figure: Figure, qpos: Array) -> Array:
-    """(T, 3) [m] where a figure is along qpos (T, nq): its free root, or the middle of what hangs on the world."""
-    if figure.tables.free_links.size:
+    """(T, 3) [m] where a figure is along qpos (T, nq): its root, or the middle of what hangs on the world."""
+    if figure.root is not None and figure.root.is_free:
         return qpos[:, figure.tables.position_columns[:, 0]]
+    if figure.root is not None and _travels(figure, figure.root):
+        return root_places(figure.model, figure.root, qpos)
     low, high = _boxes(figure, qpos)
     return np.tile((low.min(axis=0) + high.max(axis=0)) / 2, (len(qpos), 1))
 
 
+def _travels(figure: Figure, root: Root) -> bool:
+    """Whether a root of slides moves along two directions or more: a cart on rails is seen with its rails."""
+    return sum(figure.links[i].kind is JointKind.SLIDE for i in root.links) > 1
+
+
+def root_places(model: mujoco.MjModel, root: Root, qpos: Array) -> Array:
+    """(T, 3) [m] where a root's body is along qpos (T, nq)."""
+    if root.is_free:
+        start = int(model.jnt_qposadr[root.joints[0]])
+        return qpos[:, start : start + 3]
+    data, out = mujoco.MjData(model), np.zeros((len(qpos), 3))
+    for i, row in enumerate(qpos):
+        data.qpos[:] = row
+        mujoco.mj_kinematics(model, data)
+        out[i] = data.xpos[root.body]
+    return out
+
+
 def height(figure: Figure, qpos: Array) -> float:
     """[m] what a camera that follows `middles` is to call the figure's height, to show all of it along qpos (T, nq)."""
-    if figure.tables.free_links.size and is_of_people_size(figure.model):
+    if figure.root is not None and figure.root.is_free and is_of_people_size(figure.model):
         return STANDING
     low, high = _boxes(figure, qpos)
     middle = middles(figure, qpos)[_chosen(len(qpos))]

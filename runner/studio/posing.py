@@ -149,8 +149,11 @@ class Poser:
 
     @cached_property
     def root(self) -> str | None:
-        """The joint of the first free body, which keyframes call the root; None where there is none."""
-        return next((link.name for link in self.figure.links[1:] if link.kind is JointKind.FREE), None)
+        """The free joint that keyframes call the root; None where there is none, or where it is ambiguous."""
+        root = self.figure.root
+        if root is None or not root.is_free or root.is_ambiguous:
+            return None
+        return self.figure.links[root.link].name
 
     def among(self, said: dict[str, Any], names: Collection[str]) -> dict[str, Any]:
         """What is said of some joints, by name, those of free bodies among them."""

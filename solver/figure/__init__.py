@@ -1,5 +1,6 @@
 """The figure: a MuJoCo model as links, their motion with exact gradients, and the forces that it takes.
 
+root           the joints that carry a model's articulated tree, wherever the model lists it
 figure         an MjModel as a tree of links, one joint each, and the state that a spline runs through
 algebra        vectors, rotations and quaternions of many links at many samples, component first
 kinematics     samples of a path as motion of the links

@@ -16,6 +16,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from enum import IntEnum
+from functools import cached_property
 
 import mujoco
 import numpy as np
@@ -23,6 +24,7 @@ from numpy.typing import ArrayLike
 
 from .. import quaternion as quat
 from ..array import Array, Index, Mask
+from .root import Root, root_of
 
 WEIGHTLESS = int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
 
@@ -111,6 +113,11 @@ class Figure:
     def width(self) -> int:
         """N = nq, the number of entries of a state."""
         return int(self.model.nq)
+
+    @cached_property
+    def root(self) -> Root | None:
+        """The joints that carry the articulated tree; None where nothing moves about in the world."""
+        return root_of(self.model)
 
     @property
     def is_world(self) -> bool:
@@ -286,7 +293,7 @@ class Tables:
     all_in_world        whether all links have one
     quaternion_columns  (4, n) state columns of the n quaternion blocks, in the order of `quaternion_links` (n,)
     quaternion_slice    the same columns as one run, block after block, or None where others stand between
-    free_links, position_columns   links with a free joint (f,) and their columns of position (3, f)
+    free_links, position_columns   links with a free joint (f,), the root first, and their columns of position (3, f)
     ball_links                     (b,) links with a ball joint
     hinge_columns, slide_columns   (h,), (s,) columns of the hinges and slides, in the order of their links
     children            (L,) how many links hang on each by a joint of their own: limbs end where none do
@@ -347,6 +354,8 @@ class Tables:
 
         balls = of_kind(JointKind.FREE, JointKind.BALL)
         free, hinges, slides = of_kind(JointKind.FREE), of_kind(JointKind.HINGE), of_kind(JointKind.SLIDE)
+        if figure.root is not None:
+            free = np.concatenate([free[free == figure.root.link], free[free != figure.root.link]])
         turns = np.array([link.turn for link in links])
         offset = np.array([np.zeros(3) if link.kind is JointKind.FREE else link.offset for link in links]).T
         centre = np.array([link.centre for link in links]).T

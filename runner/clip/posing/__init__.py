@@ -3,4 +3,5 @@
 places     names of points and bodies   placing   places that keyframes give become joints
 feet       the soles' points            standing  feet that stand stay where they stand
 rotation   rotations as a clip has them couplings joints that others make follow
+rooting    what places a root, on a free joint or on slides and hinges
 """

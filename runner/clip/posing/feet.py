@@ -4,7 +4,7 @@ Sites count if one of them at least is as low as the figure itself; points that 
 
 Feet are the ends of a figure's limbs that are lowest when it stands tallest: at rest or in one of its keyframes; at
 rest if it is nearly as tall there, since whoever walks is tallest on the tips of his toes. A figure whose trunk is as
-low has none, nor one with a single limb, unless a plane holds it up, nor one that hangs on the world by hinges.
+low has none, nor one with a single limb, unless a plane holds it up, nor one that hangs on the world by hinges alone.
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.figure.root import Root, roots_of
 from dynsplines.solver.surface.points import Point, arrays_of, body_points, site_points
 from dynsplines.solver.surface.touch import movers
 
@@ -31,6 +32,7 @@ THIN, HALF = (0.0015, 0.003, 0.006), 0.45  # the same of those on which it stand
 SUNK = 0.005  # of the height of a figure with muscles, how far above its lowest point a site named as a sole may be
 LEVEL = 0.002  # [m] by which what carries toes may be above them
 STEEP = 0.5  # of a slide's way, how much of it goes up
+WHOLE = 6  # joints of a root that moves as a free one does
 UPRIGHT = 0.8  # of the tallest pose, one that is looked at, too
 NEARLY = 0.9  # of the tallest pose, from which on the one at rest is taken
 SAME = 1e-3  # [m] poses as tall as each other
@@ -103,47 +105,36 @@ def _lowest(figure: Figure, qpos: Array) -> tuple[Point, ...]:
     found: list[Point] = []
     body = body_points(figure)
     for root in _roots(figure):
-        own = [point for point in body if figure.tables.path[point.link, root]]
+        own = [point for point in body if figure.tables.path[point.link, root.link]]
         if own:
             found += _feet(figure, root, own, qpos)
     return tuple(found)
 
 
-def _roots(figure: Figure) -> list[int]:
-    """The links that carry a figure: free ones, and the last of the joints on which one goes up and down in a plane."""
-    links = figure.links
-    roots = [int(i) for i in figure.tables.free_links]
-    for i, link in enumerate(links[1:], start=1):
-        if link.parent == 0 and link.kind is JointKind.SLIDE:
-            chain = [i]
-            while (deeper := _only_child(figure, chain[-1])) is not None and links[deeper].body == link.body:
-                chain.append(deeper)
-            slides = [links[k] for k in chain if links[k].kind is JointKind.SLIDE]
-            if any(abs(quat.rotated(slide.turn, slide.axis)[2]) > STEEP for slide in slides):
-                roots.append(chain[-1])
-    return roots
+def _roots(figure: Figure) -> list[Root]:
+    """The roots that carry a figure: free joints, and slides and hinges on which it goes up and down."""
+    data = mujoco.MjData(figure.model)
+    mujoco.mj_kinematics(figure.model, data)
+    slides = {i for i, link in enumerate(figure.links) if link.kind is JointKind.SLIDE}
+    steep = {i for i in slides if abs(data.xaxis[figure.links[i].joint, 2]) > STEEP}
+    return [root for root in roots_of(figure.model) if root.is_free or steep.intersection(root.links)]
 
 
-def _only_child(figure: Figure, link: int) -> int | None:
-    children = np.flatnonzero(figure.tables.parents == link)
-    return int(children[0]) if children.size == 1 else None
-
-
-def _feet(figure: Figure, root: int, points: Sequence[Point], qpos: Array) -> list[Point]:
-    """The lowest points of a tree's lowest ends, in the pose in which it stands tallest; what moves freely stands on
-    two at least, so that of a kick the next tallest pose tells both."""
+def _feet(figure: Figure, root: Root, points: Sequence[Point], qpos: Array) -> list[Point]:
+    """The lowest points of a tree's lowest ends, in the pose in which it stands tallest; what can fall sideways stands
+    on two at least, so that of a kick the next tallest pose tells both."""
     poses = np.vstack([figure.model.qpos0, qpos])
     states = figure.to_state(poses)
     links, positions, radii = arrays_of(points)
     samples = Samples.still(figure, states)
     places, _ = samples.links.points(links, positions)
     bottom = places[2] - radii[:, None]
-    tall = samples.links.x[2, root] - bottom.min(axis=0)
+    tall = samples.links.x[2, root.link] - bottom.min(axis=0)
     tall[0] = max(tall[0], tall.max()) if tall[0] >= NEARLY * tall.max() else tall[0]
     order = np.argsort(-np.where(tall > tall.max() - SAME, np.inf, tall), kind="stable")
-    fewest = 2 if figure.links[root].kind is JointKind.FREE else 1
+    fewest = 2 if root.is_free or len(root.joints) >= WHOLE else 1
     for pose in order[tall[order] >= UPRIGHT * tall.max()]:
-        found = _feet_in(figure, root, points, places[:, :, pose], radii)
+        found = _feet_in(figure, root.link, points, places[:, :, pose], radii)
         if len({point.link for point in found}) >= fewest:
             return found
     return []

@@ -17,7 +17,7 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, TimelineError
-from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.penalty import Placed
 from dynsplines.solver.posing import (
     MET,
@@ -37,6 +37,7 @@ from dynsplines.solver.surface.points import Point
 from ...errors import UserError, unknown
 from ..table import ROTATION, BodyTable, KeyframeTable, SiteTable
 from .places import Places
+from .rooting import posed_roots, root_links
 from .rotation import quaternion_of
 from .standing import Stander
 
@@ -55,11 +56,8 @@ class Wanted:
         model = figure.model
         bodies = [goal.body(model) for goal in self.goals]
         bodies += [figure.links[point.point.link].body for point in self.placed]
-        named = {link.name for link in figure.links if link.name in row.joints or link.name in row.roots}
-        if row.root.model_fields_set:
-            named |= {link.name for link in figure.links[1:] if link.kind is JointKind.FREE}
-        limbs = {link for body in bodies for link in limb(figure, body)}
-        return sorted(link for link in limbs if figure.links[link].name not in named)
+        named = root_links(figure, row) | {i for i, link in enumerate(figure.links) if link.name in row.joints}
+        return sorted({link for body in bodies for link in limb(figure, body)} - named)
 
 
 def wanted(places: Places, row: KeyframeTable, where: str) -> Wanted:
@@ -93,6 +91,9 @@ def wanted(places: Places, row: KeyframeTable, where: str) -> Wanted:
             for goal in own
             if isinstance(goal, PointGoal)
         ]
+    for root, position in posed_roots(figure, row):
+        name = str(figure.model.body(root.body).name)
+        goals.append(PointGoal(name, root.body, np.zeros(3), _target(position, f"{where}: root.position", "it")))
     _check_apart(figure, points, where)
     return Wanted(tuple(goals), tuple(placed))
 

@@ -108,8 +108,8 @@ def limbs(figure: Figure) -> list[dict[str, Any]]:
 
 
 def _root(figure: Figure) -> int:
-    """The link of the first free body; 0 where there is none."""
-    return next((i for i, link in enumerate(figure.links) if i and link.kind is JointKind.FREE), 0)
+    """The link of the figure's free root; 0 where there is none."""
+    return figure.root.link if figure.root is not None and figure.root.is_free else 0
 
 
 def _called(figure: Figure, links: list[int]) -> str:

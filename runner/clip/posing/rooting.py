@@ -1,0 +1,318 @@
+"""What a keyframe's `root` and `roots.NAME` set: a free joint's entries, or the slides and hinges of another root.
+
+`root` is the figure's own root, `roots.NAME` any tree that moves about, by the name of its free joint or of its body.
+Slides and hinges are set as far as their degrees of freedom reach: first what turns the body, then what moves it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+
+import mujoco
+import numpy as np
+
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array, Index, Mask
+from dynsplines.solver.figure.figure import Figure, JointKind, Link
+from dynsplines.solver.figure.root import Root, roots_of
+from dynsplines.solver.posing import entries
+
+from ...errors import UserError, unknown
+from ..table import KeyframeTable, RootTable, RotationTable
+from .rotation import UP, quaternion_of
+
+STEPS, LONGEST = 100, 0.5  # of Gauss-Newton on a root's hinges, at most; [rad] of one step
+TURNED, MOVED = 1e-6, 1e-6  # [rad, m] that a root may miss its place
+FLAT = 1e-9  # of a joint's share in a motion, that is none
+STARTS = 8
+
+
+def root_links(figure: Figure, row: KeyframeTable) -> set[int]:
+    """The links of the roots that a keyframe's tables set, without those that are posed."""
+    posed = {root.body for root, _ in posed_roots(figure, row)}
+    return {link for root, _ in _tables(figure, row) if root.body not in posed for link in root.links}
+
+
+def posed_roots(figure: Figure, row: KeyframeTable) -> list[tuple[Root, Sequence[float | str]]]:
+    """Roots whose place depends on hinges that a keyframe leaves free, as where slides come after hinges.
+
+    With the position (3,) [m] that the keyframe specifies, an axis may be "free": a pose has to be found for it.
+    """
+    if row.others != "free":
+        return []
+    found: list[tuple[Root, Sequence[float | str]]] = []
+    for root, table in _tables(figure, row):
+        is_placed = "rotation" not in table.model_fields_set and table.position != "free"
+        if is_placed and not root.is_free and table.position != ("free",) * 3:
+            chain = _Chain(figure, root, np.array(figure.model.qpos0), row.joints, "")
+            wanted = np.array([axis != "free" for axis in table.position])
+            if chain.turner(wanted, np.isin(np.arange(figure.width), _named_entries(figure, row))) is not None:
+                found.append((root, table.position))
+    return found
+
+
+def _named_entries(figure: Figure, row: KeyframeTable) -> list[int]:
+    """The entries of qpos that a keyframe's joints set."""
+    names = {name for name, value in row.joints.items() if value != "free"}
+    every = np.arange(figure.width)
+    return [
+        int(k) for i, link in enumerate(figure.links) if i and link.name in names for k in every[entries(figure, i)]
+    ]
+
+
+def _tables(figure: Figure, row: KeyframeTable) -> list[tuple[Root, RootTable]]:
+    """The roots that a keyframe names, and what it specifies of them."""
+    own = [(figure.root, row.root)] if row.root.model_fields_set and figure.root is not None else []
+    named = roots_by_name(figure) if row.roots else {}
+    return own + [(named[name], table) for name, table in row.roots.items() if name in named]
+
+
+def roots_by_name(figure: Figure) -> dict[str, Root]:
+    """What `roots.NAME` may name: free joints, and then bodies on a root of their own."""
+    roots = roots_of(figure.model)
+    out = {figure.links[root.link].name: root for root in roots if root.is_free}
+    for root in roots:
+        out.setdefault(str(figure.model.body(root.body).name) or figure.links[root.link].name, root)
+    return out
+
+
+def set_roots(figure: Figure, qpos: Array, fixed: Mask, row: KeyframeTable, where: str) -> None:
+    """Sets qpos (nq,) and mask (nq,) to what a keyframe's `root` and `roots` specify, in place.
+
+    Joints of slides and hinges that the keyframe names itself are set before and stay.
+    """
+    if row.root.model_fields_set:
+        _set(figure, _own(figure, where), qpos, fixed, row.root, row, f"{where}: root")
+    if not row.roots:
+        return
+    named = roots_by_name(figure)
+    for name, table in row.roots.items():
+        if name not in named:
+            free = [link.name for link in figure.links[1:] if link.kind is JointKind.FREE]
+            raise UserError(f"{where}: roots: {unknown('free joint', name, free or list(named))}")
+        _set(figure, named[name], qpos, fixed, table, row, f"{where}: roots.{name}")
+
+
+def _own(figure: Figure, where: str) -> Root:
+    """The root that `root` places; raises UserError where there is none, or where it is ambiguous."""
+    root = figure.root
+    if root is None:
+        raise UserError(f"{where}: the figure has no free joint, so no root to place")
+    names = {each.body: name for name, each in reversed(roots_by_name(figure).items())}
+    if root.is_ambiguous:
+        several = ", ".join(f"roots.{names[body]}" for body in (root.body, *root.rivals))
+        raise UserError(f"{where}: root: the model has several figures; specify which: {several}")
+    called = next((link for link in figure.links[1:] if link.kind is JointKind.FREE and link.name == "root"), None)
+    if called is not None and called.body != root.body:
+        raise UserError(
+            f"{where}: root: the joint 'root' carries '{figure.model.body(called.body).name}', the figure's root "
+            f"carries '{figure.model.body(root.body).name}'; specify roots.root or roots.{names[root.body]}"
+        )
+    return root
+
+
+def _set(
+    figure: Figure, root: Root, qpos: Array, fixed: Mask, table: RootTable, row: KeyframeTable, where: str
+) -> None:
+    if root.is_free:
+        _set_free(qpos, fixed, figure.links[root.link].qpos, table, where)
+        return
+    chain, is_posed = _Chain(figure, root, qpos, row.joints, where), root in dict(posed_roots(figure, row))
+    if "rotation" in table.model_fields_set:
+        if isinstance(table.rotation, RotationTable):
+            is_placed = all(fixed[entries(figure, i)].all() for i in root.links)
+            chain.turn(table.rotation, stays=is_placed and "position" not in table.model_fields_set)
+        chain.fix(fixed, chain.turning, table.rotation != "free")
+    if "position" in table.model_fields_set and not is_posed:
+        axes: Sequence[float | str] = ("free",) * 3 if table.position == "free" else table.position
+        wanted = np.array([axis != "free" for axis in axes])
+        moving = chain.moving(wanted, fixed)
+        if wanted.any():
+            chain.move(np.array([0.0 if axis == "free" else float(axis) for axis in axes]), wanted, moving)
+        chain.fix(fixed, chain.sliding, False)
+        chain.fix(fixed, moving, True)
+
+
+def _set_free(qpos: Array, fixed: Mask, start: int, table: RootTable, where: str) -> None:
+    """What a table says about a free joint's position, axis by axis, and its rotation."""
+    if "position" in table.model_fields_set:
+        axes = ("free",) * 3 if table.position == "free" else table.position
+        for i, value in enumerate(axes):
+            fixed[start + i] = value != "free"
+            if value != "free":
+                qpos[start + i] = float(value)
+    if "rotation" in table.model_fields_set:
+        fixed[start + 3 : start + 7] = table.rotation != "free"
+        if table.rotation != "free":
+            qpos[start + 3 : start + 7] = quaternion_of(table.rotation, f"{where}.rotation")
+
+
+class _Chain:
+    """The slides and hinges of a root, in a pose (nq,) that is set in place.
+
+    turning, sliding  indices of the links that a table may set: those that the keyframe does not name
+    """
+
+    def __init__(self, figure: Figure, root: Root, qpos: Array, named: Collection[str], where: str) -> None:
+        self.figure, self.root, self.qpos, self.where = figure, root, qpos, where
+        self.data = mujoco.MjData(figure.model)
+        loose = [i for i in root.links if figure.links[i].name not in named]
+        slides = [figure.links[i].kind is JointKind.SLIDE for i in loose]
+        self.turning = [i for i, is_slide in zip(loose, slides, strict=True) if not is_slide]
+        self.sliding = [i for i, is_slide in zip(loose, slides, strict=True) if is_slide]
+
+    def fix(self, fixed: Mask, links: Sequence[int], value: bool) -> None:
+        """Sets a mask (nq,) at the entries of links."""
+        for i in links:
+            fixed[entries(self.figure, i)] = value
+
+    def turn(self, table: RotationTable, *, stays: bool) -> None:
+        """Turns the body as a table says, about its origin where it `stays` in place and slides reach that.
+
+        Raises UserError where its hinges do not reach that.
+        """
+        self._place(self.qpos)
+        before = np.array(self.data.xpos[self.root.body])
+        where = f"{self.where}.rotation"
+        target, hint = quaternion_of(table, where), angles_about(table)
+        hinges = [i for i in self.turning if self.figure.links[i].kind is JointKind.HINGE]
+        columns = [self.figure.links[i].qpos for i in hinges]
+        rest = np.array(self.figure.model.qpos0)
+        self._place(rest)
+        near = rest[columns] + np.array([self.data.xaxis[self.figure.links[i].joint] @ hint for i in hinges])
+        home, best, least = np.array(self.qpos), np.array(self.qpos), np.inf
+        random = np.random.default_rng(0)
+        for k in range(STARTS):
+            self.qpos[:] = home
+            self.qpos[columns] = near if k != 1 else home[columns]
+            if k > 1:
+                self.qpos[columns] += random.normal(size=len(columns))
+            left = self._turned(target)
+            if left < least - TURNED:
+                best, least = np.array(self.qpos), left
+            if least <= TURNED:
+                break
+        self.qpos[:] = best
+        if least > TURNED:
+            raise UserError(
+                f"{where}: '{self._body}' turns on {self._listed(self.turning)} alone, which come within "
+                f"{np.degrees(least):.3g} degrees of it; specify a rotation that they reach, or joints.NAME"
+            )
+        for column, angle in zip(columns, near, strict=True):  # whole turns as they are specified
+            self.qpos[column] += 2 * np.pi * np.round((angle - self.qpos[column]) / (2 * np.pi))
+        if stays:
+            self._move(before, np.ones(3, bool), self.sliding)
+
+    def moving(self, wanted: Mask, fixed: Mask) -> list[int]:
+        """The slides that move the body along axes (3,) of the world."""
+        turner = self.turner(wanted, fixed)
+        if turner is not None:
+            raise UserError(
+                f"{self.where}.position: the place depends on '{turner}', which this keyframe leaves free; "
+                f"specify {self.where.rpartition(': ')[2]}.rotation or joints.{turner} too"
+            )
+        jacobian = self._jacobian()[0]
+        return [i for i in self.sliding if self._moves(jacobian, i)[wanted].any()]
+
+    def turner(self, wanted: Mask, fixed: Mask) -> str | None:
+        """The first hinge or ball that is not fixed and on which the body's place along axes (3,) depends."""
+        jacobian = self._jacobian()[0]
+        for i in self.root.links:
+            link = self.figure.links[i]
+            if link.kind is JointKind.SLIDE or fixed[entries(self.figure, i)].all():
+                continue
+            if self._moves(jacobian, i)[wanted].any() or self._turns_slides(i):
+                return link.name
+        return None
+
+    def move(self, place: Array, wanted: Mask, moving: Sequence[int]) -> None:
+        """Moves the body to a place (3,) [m] along some axes; raises UserError where its slides do not reach that."""
+        self._move(place, wanted, moving)
+        self._place(self.qpos)
+        away = np.where(wanted, place - self.data.xpos[self.root.body], 0.0)
+        worst = int(np.abs(away).argmax())
+        if abs(away[worst]) > MOVED:
+            raise UserError(
+                f"{self.where}.position: '{self._body}' moves on {self._listed(self.sliding)} alone and stays at "
+                f"{'xyz'[worst]} = {self.data.xpos[self.root.body, worst]:.6g} m, not {place[worst]:.6g} m; "
+                f'specify that, or "free"'
+            )
+
+    def _move(self, place: Array, wanted: Mask, moving: Sequence[int]) -> None:
+        """Moves the body as near to a place (3,) [m] as its slides reach."""
+        jacobian = self._jacobian()[0][wanted][:, [self.figure.links[i].dof for i in moving]]
+        if moving:
+            away = (place - self.data.xpos[self.root.body])[wanted]
+            steps = np.linalg.lstsq(jacobian, away, rcond=None)[0]
+            for i, step in zip(moving, steps, strict=True):
+                self.qpos[self.figure.links[i].qpos] += step
+
+    @property
+    def _body(self) -> str:
+        return str(self.figure.model.body(self.root.body).name) or self.figure.links[self.root.link].name
+
+    def _listed(self, links: Sequence[int]) -> str:
+        return ", ".join(f"'{self.figure.links[i].name}'" for i in links) or "no joint"
+
+    def _place(self, qpos: Array) -> None:
+        self.data.qpos[:] = qpos
+        mujoco.mj_kinematics(self.figure.model, self.data)
+        mujoco.mj_comPos(self.figure.model, self.data)
+
+    def _jacobian(self) -> tuple[Array, Array]:
+        """(3, nv) each: how the body moves and turns with every degree of freedom."""
+        model = self.figure.model
+        self._place(self.qpos)
+        move, turn = np.zeros((3, model.nv)), np.zeros((3, model.nv))
+        mujoco.mj_jacBody(model, self.data, move, turn, self.root.body)
+        return move, turn
+
+    def _moves(self, jacobian: Array, i: int) -> Mask:
+        """(3,) along which axes a link's joint moves the body."""
+        return np.asarray(np.abs(jacobian[:, self._dofs(i)]).max(axis=1) > FLAT, bool)
+
+    def _dofs(self, i: int) -> Index:
+        link: Link = self.figure.links[i]
+        return link.dof + np.arange(3 if link.kind is JointKind.BALL else 1)
+
+    def _turns_slides(self, i: int) -> bool:
+        """Whether a slide that may be set lies after a link that turns, and along another direction than its axis."""
+        link = self.figure.links[i]
+        after = [k for k in self.sliding if self.root.links.index(k) > self.root.links.index(i)]
+        if link.kind is JointKind.BALL:
+            return bool(after)
+        axes = [self.data.xaxis[self.figure.links[k].joint] for k in after]
+        return any(np.linalg.norm(np.cross(self.data.xaxis[link.joint], axis)) > FLAT for axis in axes)
+
+    def _turned(self, target: Array) -> float:
+        """Turns the body towards a rotation (4,) by Gauss-Newton; returns the angle [rad] that is left."""
+        model, dofs = self.figure.model, np.concatenate([[], *(self._dofs(i) for i in self.turning)]).astype(int)
+        for _ in range(STEPS):
+            turn = self._jacobian()[1]
+            left = quat.rotation_vector(quat.product(target, quat.inverse(self.data.xquat[self.root.body])))
+            step = np.zeros(model.nv)
+            if dofs.size:
+                own = turn[:, dofs]
+                step[dofs] = own.T @ np.linalg.solve(own @ own.T + 1e-12 * np.eye(3), left)
+            size = float(np.abs(step).max(initial=0.0))
+            if size < 0.01 * TURNED:
+                break
+            mujoco.mj_integratePos(model, self.qpos, step * min(1.0, LONGEST / size), 1.0)
+        self._place(self.qpos)
+        return float(
+            np.linalg.norm(quat.rotation_vector(quat.product(target, quat.inverse(self.data.xquat[self.root.body]))))
+        )
+
+
+def angles_about(table: RotationTable) -> Array:
+    """(3,) [rad] by how much a rotation turns about x, y and z as it is written, whole turns included."""
+    out = np.zeros(3)
+    if table.heading is not None:
+        out += np.radians(table.heading) * UP
+    if table.rotvec is not None:
+        out += np.radians(table.rotvec)
+    if table.quat is not None:
+        out += quat.rotation_vector(quat.normalised(table.quat))
+    for letter, angle in zip(table.order or "xyz", np.radians(table.euler or []), strict=False):
+        out["xyz".index(letter)] += angle
+    return out

@@ -1,0 +1,185 @@
+"""The root of a figure: the joints by which its articulated tree moves about in the world, wherever a model lists it.
+
+A tree moves about on a free joint, or on slides and hinges in any order (`rootx`, `rootz`, `rooty`; `pelvis_tx` ...),
+of one body or of several light ones in a row. Of several such trees the root carries the one that stands on legs: limbs
+of two joints or more that end lowest. Objects beside it (a box, a cart) have no legs. Of several trees with legs the
+root carries the one that has evidently the most joints. Where none has, the root is ambiguous, and `rivals` lists the
+others.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import mujoco
+import numpy as np
+
+from ..array import Array, Index, Mask
+
+FREE, SLIDE = int(mujoco.mjtJoint.mjJNT_FREE), int(mujoco.mjtJoint.mjJNT_SLIDE)
+LIGHT = 0.05  # of a tree's mass, the most that a body between the world and the root's body weighs
+EVIDENT = 2.0  # times as many joints as any other tree with legs
+LEG = 2  # joints of a limb that is a leg, at least
+LOW = 0.15  # of a tree's height, how far above its lowest point a leg may end
+
+
+@dataclass(frozen=True)
+class Root:
+    """The joints that carry one tree of bodies.
+
+    joints   MuJoCo's ids from the world on: a free joint alone, or slides, hinges and balls
+    body     MuJoCo's id of the body that they move
+    is_free  whether it is a free joint
+    limbs    how many other joints the tree has; an object without any is rigid
+    rivals   root bodies of other trees that could be the figure's as well; the root is then the first in the model
+    """
+
+    joints: tuple[int, ...]
+    body: int
+    is_free: bool
+    limbs: int = 0
+    rivals: tuple[int, ...] = ()
+
+    @property
+    def is_ambiguous(self) -> bool:
+        """Whether other articulated trees could be the figure's as well; of rigid objects the first is taken."""
+        return bool(self.rivals and self.limbs)
+
+    @property
+    def links(self) -> tuple[int, ...]:
+        """Indices of the joints' links in a `Figure`, from the world on."""
+        return tuple(joint + 1 for joint in self.joints)
+
+    @property
+    def link(self) -> int:
+        """Index of the link that carries the tree."""
+        return self.joints[-1] + 1
+
+
+def root_of(model: mujoco.MjModel) -> Root | None:
+    """Return the root of a model's articulated tree; None where nothing moves about in the world."""
+    moving = _moving(model)
+    best = [tree for tree in moving if tree.limbs.size] or [tree for tree in moving if tree.root.is_free] or moving
+    if not best:
+        return None
+    if len(best) > 1:
+        best = _evident([tree for tree in best if tree.has_legs] or best)
+    return replace(best[0].root, rivals=tuple(tree.root.body for tree in best[1:]))
+
+
+def roots_of(model: mujoco.MjModel) -> list[Root]:
+    """Return the roots of all trees that move about in the world, in the model's order."""
+    return [tree.root for tree in _moving(model)]
+
+
+def _moving(model: mujoco.MjModel) -> list[_Tree]:
+    """The trees that move about: a rigid object on slides (a drawer, a target) does not beside articulated trees."""
+    trees = [_Tree(model, joint) for joint in _first_joints(model)]
+    has_limbs = any(tree.limbs.size for tree in trees)
+    return [tree for tree in trees if tree.moves_about and (tree.root.is_free or tree.limbs.size or not has_limbs)]
+
+
+def _evident(trees: list[_Tree]) -> list[_Tree]:
+    """The tree of most joints, if it has evidently more than the others; else those of nearly as many."""
+    counts = np.array([tree.limbs.size for tree in trees])
+    near = (counts * EVIDENT > counts.max()) | (counts == counts.max())
+    return [trees[i] for i in np.flatnonzero(near)]
+
+
+def _first_joints(model: mujoco.MjModel) -> Iterator[int]:
+    """The first joint of every tree, in the model's order."""
+    for body in range(1, model.nbody):
+        above = int(model.body_parentid[body])
+        if model.body_jntnum[body] and model.body_weldid[above] == 0:
+            yield int(model.body_jntadr[body])
+
+
+class _Tree:
+    """All that hangs on one joint of the world."""
+
+    def __init__(self, model: mujoco.MjModel, joint: int) -> None:
+        self.model = model
+        top = int(model.jnt_bodyid[joint])
+        self.bodies: Mask = _under(model, top)
+        root = self._root(top)
+        own = self.bodies[model.jnt_bodyid]
+        own[list(root.joints)] = False
+        self.limbs: Index = np.flatnonzero(own)
+        self.root = replace(root, limbs=self.limbs.size)
+
+    @property
+    def moves_about(self) -> bool:
+        """Whether its root takes it to other places: a door or an arm on a base only turns where it is."""
+        return bool(np.isin(self.model.jnt_type[list(self.root.joints)], (FREE, SLIDE)).any())
+
+    def _root(self, top: int) -> Root:
+        model, joints, body = self.model, list[int](), top
+        while True:
+            first = int(model.body_jntadr[body])
+            joints += range(first, first + int(model.body_jntnum[body]))
+            if model.jnt_type[first] == FREE:
+                return Root(tuple(joints), body, True)
+            onward = self._onward(body)
+            if onward is None:
+                return Root(tuple(joints), body, False)
+            body = onward
+
+    def _onward(self, body: int) -> int | None:
+        """The only body that hangs on a light one by joints; None where that is what the root carries."""
+        model = self.model
+        rigid = np.flatnonzero(model.body_weldid == body)
+        hanging = [
+            child for child in np.flatnonzero(np.isin(model.body_parentid, rigid)).tolist() if model.body_jntnum[child]
+        ]
+        solid = (model.geom_contype | model.geom_conaffinity) > 0
+        is_light = model.body_mass[rigid].sum() <= LIGHT * model.body_mass[self.bodies].sum()
+        if len(hanging) != 1 or not is_light or np.isin(model.geom_bodyid[solid], rigid).any():
+            return None
+        return int(hanging[0])
+
+    @property
+    def has_legs(self) -> bool:
+        """Whether limbs of two joints or more end lowest in the model's own pose, below what carries them."""
+        model = self.model
+        low, high = _heights(model)
+        bottoms = low[self.bodies]
+        height = float(high[self.bodies].max() - bottoms.min())
+        if not np.isfinite(height):
+            return False
+        ground = float(bottoms.min()) + LOW * height
+        if low[model.body_weldid == self.root.body].min() <= ground:
+            return False
+        return any(low[end] <= ground and self._joints_to(end) >= LEG for end in np.flatnonzero(self.bodies).tolist())
+
+    def _joints_to(self, body: int) -> int:
+        """How many joints of limbs lie between the root and a body."""
+        count, model = 0, self.model
+        while body:
+            first = int(model.body_jntadr[body])
+            count += int(np.isin(self.limbs, range(first, first + int(model.body_jntnum[body]))).sum())
+            body = int(model.body_parentid[body])
+        return count
+
+
+def _under(model: mujoco.MjModel, top: int) -> Mask:
+    """(nbody,) which bodies are `top` or hang on it."""
+    out = np.zeros(model.nbody, bool)
+    out[top] = True
+    for body in range(top + 1, model.nbody):
+        out[body] = out[model.body_parentid[body]]
+    return out
+
+
+def _heights(model: mujoco.MjModel) -> tuple[Array, Array]:
+    """(nbody,) the least and the greatest height [m] of the boxes about every body's geoms in the model's own pose."""
+    data = mujoco.MjData(model)
+    mujoco.mj_kinematics(model, data)
+    middle, half = np.split(model.geom_aabb, 2, axis=1)
+    up = data.geom_xmat[:, 6:]
+    centre = data.geom_xpos[:, 2] + np.sum(up * middle, axis=1)
+    reach = np.sum(np.abs(up) * half, axis=1)
+    low, high = np.full(model.nbody, np.inf), np.full(model.nbody, -np.inf)
+    np.minimum.at(low, model.geom_bodyid, centre - reach)
+    np.maximum.at(high, model.geom_bodyid, centre + reach)
+    return low, high

@@ -1,0 +1,133 @@
+"""Keyframes that place a root: the robot's wherever it is listed, and roots of slides and hinges, by MuJoCo, SciPy."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import mujoco
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from dynsplines.clip import load as clip
+from dynsplines.clip.load import Clip
+from dynsplines.clip.posing.feet import sole_points
+from dynsplines.errors import UserError
+from dynsplines.scene.framing import middles
+from dynsplines.solver.array import Array
+from dynsplines.solver.penalty import stances
+from tests.support.biped import BALL, BOX, CART, biped, joints, nested, scene
+
+PLANAR = ("tx", "tz", "ry")
+ROOTS = {
+    "slides first": biped(joints(("tz", "ty", "tx", "rz", "rx", "ry"))),
+    "hinges first": biped(joints(("rx", "ry", "rz", "ty", "tx", "tz"))),
+    "mixed": biped(joints(("rz", "ty", "rx", "tx", "ry", "tz"))),
+    "nested": nested(("tx", "ty", "tz", "rz", "rx", "ry")),
+    "ball": biped(joints(("tz", "ty", "tx")) + '<joint name="ball" type="ball"/>'),
+}
+
+
+def read(model: str, folder: Path, *keys: str) -> Clip:
+    """A clip of keyframes half a second apart."""
+    (folder / "model.xml").write_text(model, encoding="utf-8")
+    rows = "".join(f"[[keyframe]]\ntime = {i / 2}\n{key}\n" for i, key in enumerate(keys))
+    return clip.from_text(f'figure = "model.xml"\n{rows}', name="c", folder=folder)
+
+
+def placed(problem: Clip, k: int, body: str) -> tuple[Array, Array]:
+    """Where a body is in a keyframe (3,) [m], and its rotation (3, 3)."""
+    data = mujoco.MjData(problem.figure.model)
+    data.qpos[:] = problem.keys[k].state
+    mujoco.mj_kinematics(problem.figure.model, data)
+    return data.body(body).xpos, data.body(body).xmat.reshape(3, 3)
+
+
+@pytest.mark.parametrize("bodies", [(BOX, biped()), (biped(), BOX), (CART, biped(), BALL), (BALL, biped())])
+def test_root_position_moves_the_robot_and_no_object(tmp_path: Path, bodies: tuple[str, ...]) -> None:
+    problem = read(scene(*bodies), tmp_path, 'others = "rest"\nroot.position = [0, 0.1, 0.7]', 'others = "rest"')
+    assert placed(problem, 0, "pelvis")[0] == pytest.approx([0, 0.1, 0.7])
+    for name in ("box", "cart", "ball"):
+        if f'body name="{name}"' in str(bodies):
+            assert placed(problem, 0, name)[0] == pytest.approx(placed(problem, 1, name)[0])
+    qpos = np.array([key.state for key in problem.keys])
+    assert middles(problem.figure, qpos)[0] == pytest.approx([0, 0.1, 0.7])
+
+
+def test_an_object_is_placed_by_its_joint_or_its_body(tmp_path: Path) -> None:
+    rest = 'others = "rest"'
+    for name in ("box_free", "box"):
+        problem = read(scene(BOX, biped()), tmp_path, f"{rest}\nroots.{name}.position = [1, 2, 3]", rest)
+        assert placed(problem, 0, "box")[0] == pytest.approx([1, 2, 3])
+    with pytest.raises(UserError, match=r"roots: no free joint 'bix'"):
+        read(scene(BOX, biped()), tmp_path, f"{rest}\nroots.bix.position = [1, 2, 3]", rest)
+
+
+def test_several_robots_are_placed_by_name_only(tmp_path: Path) -> None:
+    model = scene(biped(), biped(prefix="b_", x=1.0, root='<freejoint name="b_root"/>'))
+    with pytest.raises(
+        UserError, match=r"keyframe 1 .*: root: .* several figures; specify which: roots.root, roots.b_"
+    ):
+        read(model, tmp_path, "root.position = [0, 0, 1]", "")
+    problem = read(model, tmp_path, 'others = "rest"\nroots.b_root.position = [0, 0, 1]', 'others = "rest"')
+    assert placed(problem, 0, "b_pelvis")[0] == pytest.approx([0, 0, 1])
+
+
+def test_an_object_whose_joint_is_named_root_is_not_taken_for_the_figure(tmp_path: Path) -> None:
+    model = scene(BOX.replace("box_free", "root"), biped('<freejoint name="base"/>'))
+    with pytest.raises(UserError, match=r"the joint 'root' carries 'box'.*specify roots.root or roots.base"):
+        read(model, tmp_path, "root.position = [0, 0, 1]", "")
+
+
+@pytest.mark.parametrize("kind", ROOTS)
+def test_a_root_of_slides_and_hinges_is_placed_as_a_free_one(tmp_path: Path, kind: str) -> None:
+    turn = "{euler = [10, -20, 15], heading = 70}"
+    key = f'others = "rest"\nroot.position = [0.2, -0.3, 0.9]\nroot.rotation = {turn}'
+    problem = read(scene(ROOTS[kind]), tmp_path, key, 'others = "rest"\nroot.rotation = {heading = 40}')
+    place, rotation = placed(problem, 0, "pelvis")
+    wanted = Rotation.from_euler("z", 70, degrees=True) * Rotation.from_euler("XYZ", [10, -20, 15], degrees=True)
+    assert place == pytest.approx([0.2, -0.3, 0.9], abs=1e-6)
+    assert rotation == pytest.approx(wanted.as_matrix(), abs=1e-6)
+    place, rotation = placed(problem, 1, "pelvis")
+    assert place == pytest.approx([0, 0, 0.8], abs=1e-6)
+    assert rotation == pytest.approx(Rotation.from_euler("z", 40, degrees=True).as_matrix(), abs=1e-6)
+
+
+@pytest.mark.parametrize("kind", ROOTS)
+def test_a_height_alone_leaves_the_rest_of_the_root_to_the_search(tmp_path: Path, kind: str) -> None:
+    rest = 'others = "rest"'
+    problem = read(scene(ROOTS[kind]), tmp_path, rest, 'root.position = ["free", "free", 0.7]', rest)
+    key = problem.keys[1]
+    assert placed(problem, 1, "pelvis")[0][2] == pytest.approx(0.7, abs=1e-4)
+    knees = [problem.figure.links[i].qpos for i in range(1, len(problem.figure.links))][-5]
+    assert not key.fixed[knees]
+    assert key.known[knees] and key.state[knees] > np.radians(20)  # feet stay, as in a squat
+
+
+def test_planar_roots_reach_their_plane_and_refuse_the_rest(tmp_path: Path) -> None:
+    model = scene(biped(joints(PLANAR)))
+    key = 'others = "rest"\nroot = {position = [1, 0, 0.75], rotation = {euler = [0, 350, 0]}}'
+    problem = read(model, tmp_path, key, 'others = "rest"')
+    assert problem.keys[0].state[:3] == pytest.approx([1, -0.05, np.radians(350)])
+    with pytest.raises(UserError, match=r"root.position: 'pelvis' moves on 'tx', 'tz' alone and stays at y = 0 m"):
+        read(model, tmp_path, "root.position = [0, 0.5, 0.8]", "")
+    with pytest.raises(UserError, match=r"root.rotation: 'pelvis' turns on 'ry' alone, .* 90 degrees"):
+        read(model, tmp_path, "root.rotation = {heading = 90}", "")
+
+
+def test_a_full_turn_can_be_keyed_on_a_hinge(tmp_path: Path) -> None:
+    model = scene(ROOTS["slides first"])
+    keys = [f'others = "rest"\nroot.rotation = {{heading = {angle}}}' for angle in (0, 180, 360)]
+    problem = read(model, tmp_path, *keys)
+    column = problem.figure.model.joint("rz").qposadr[0]
+    assert [key.state[column] for key in problem.keys] == pytest.approx([0, np.pi, 2 * np.pi])
+
+
+@pytest.mark.parametrize("kind", [*ROOTS, "planar"])
+def test_feet_are_found_and_stand(tmp_path: Path, kind: str) -> None:
+    root = biped(joints(PLANAR)) if kind == "planar" else ROOTS[kind]
+    rest = 'others = "rest"'
+    problem = read(scene(BOX, root), tmp_path, rest, rest)
+    soles = sole_points(problem.figure, problem.figure.model.qpos0[None])
+    assert {point.name.rpartition(" ")[0] for point in soles} == {"left_foot", "right_foot"}
+    assert len(stances(problem.figure, problem.context.keys, soles, problem.context.surfaces)) == 8
