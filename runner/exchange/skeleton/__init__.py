@@ -6,6 +6,7 @@ roles            which part of a body a joint is, by its name and its place in t
 captured         a captured skeleton in our axes: metres, z up, looking along x where it stands straight
 captured_figure  a captured skeleton as a figure of its own
 person           a figure as a person: ball joints by the names that skeletons of motion capture share
+rooted           the root of a figure, moved on a free joint or on slides
 retarget         a captured skeleton's motion on another figure
 hinged           ball joints as three hinges each, for formats and simulators that know hinges only
 """

@@ -23,6 +23,7 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index
+from dynsplines.solver.figure.root import Root
 
 from ...errors import UserError
 from . import hierarchy
@@ -30,6 +31,7 @@ from .branches import completed
 from .captured import Captured
 from .limbs import Limb, bend
 from .roles import as_said, lineage, roles
+from .rooted import carrying, shifted
 
 NEEDED = ("left_thigh", "right_thigh", "left_shin", "right_shin")
 NEXT = {
@@ -45,6 +47,10 @@ BENT = 0.15  # mean sine of an elbow's or knee's bend that tells its axis
 LOWEST = 2.0  # per cent of the images whose soles may be in the ground
 LEVEL = 0.001  # [m] that soles may be off the ground and be left there
 LISTED = 12
+ROOT_TURN, ROOT_MOVE = (
+    5.0,
+    0.05,
+)  # [degrees, m] of a root's motion beyond its slides and hinges from which on it is noted
 LEG, ARM = ("thigh", "shin", "foot"), ("upper_arm", "forearm", "hand")
 ENDS = ("foot", "hand")
 HANGS_ON = {"forearm": "upper_arm", "shin": "thigh"}
@@ -172,9 +178,10 @@ def onto(captured: Captured, model: mujoco.MjModel, where: str) -> tuple[Array, 
             raise UserError(
                 f"{where}: among {what} none is a {missing[0].replace('_', ' ')} by its name: {_some(listed)}"
             )
-    root = _root(standing)
-    if model.jnt_type[0] != mujoco.mjtJoint.mjJNT_FREE or model.jnt_bodyid[0] != root:
-        raise UserError(f"{where}: the figure's root, '{names[root]}', needs a free joint")
+    root = carrying(model, standing.roles.get("pelvis", standing.roles["left_thigh"]))
+    if root is None:
+        top = names[_root(standing)]
+        raise UserError(f"{where}: the figure's root, '{top}', needs a free joint, or slides on which it moves about")
     shared = [role for role in standing.roles if role in captured.roles]
     upright = _stands(captured)
     alignment = _upright(captured, standing, shared) if upright else _by_bends(captured, standing, shared)
@@ -196,8 +203,10 @@ def onto(captured: Captured, model: mujoco.MjModel, where: str) -> tuple[Array, 
     for limb in _limbs(captured, standing, turns, scale):
         above = hierarchy.above(model, limb.bodies[0])
         qpos = bend(model, qpos, limb, _forward(model, qpos, above, np.tile([1.0, 0, 0, 0], (len(qpos), 1))))
-    qpos, lift = _on_ground(standing, _placed(captured, standing, qpos, scale))
+    qpos, missed = _placed(captured, standing, root, qpos, scale)
+    qpos, lift = _on_ground(standing, root, qpos)
     notes = [f"scaled by {scale:.3f}, the ratio of the legs"]
+    notes += _beyond_root(model, root, qpos, turns, missed)
     notes += [f"raised by {lift:+.3f} m, so that soles meet the ground"] if lift else []
     toes_of_feet = [role for role in ("left_toe", "right_toe") if role in captured.roles]
     told = {joint for role in (*shared, *toes_of_feet) for joint in lineage(captured.roles[role], captured.parents)}
@@ -561,23 +570,50 @@ def _axis(model: mujoco.MjModel, qpos: Array, chain: list[int], start: Array, hi
     return quat.rotated(turn, model.jnt_axis[hinge])
 
 
-def _placed(captured: Captured, standing: _Standing, qpos: Array, scale: float) -> Array:
-    """The root where the middle of the hips comes to the captured one's, scaled about the world's origin."""
-    model, out = standing.model, qpos.copy()
+def _placed(captured: Captured, standing: _Standing, root: Root, qpos: Array, scale: float) -> tuple[Array, Array]:
+    """The root where the middle of the hips comes to the captured one's, scaled about the world's origin; and (T, 3)
+    [m] by how much it misses that, on slides."""
+    model = standing.model
     hips = captured.position[:, [captured.roles["left_thigh"], captured.roles["right_thigh"]]].mean(axis=1)
     middle = 0.5 * (standing.joint_of("left_thigh") + standing.joint_of("right_thigh"))
     pelvis = standing.roles["pelvis"]
     own = quat.rotated(quat.conjugate(standing.turn[pelvis]), middle - standing.place[pelvis])
-    out[:, :3] = 0
-    data = mujoco.MjData(model)
-    for i, row in enumerate(out):
-        data.qpos = row
-        mujoco.mj_kinematics(model, data)
-        out[i, :3] = scale * hips[i] - data.xpos[pelvis] - quat.rotated(data.xquat[pelvis], own)
-    return out
+
+    def away(qpos: Array) -> Array:
+        data, out = mujoco.MjData(model), np.zeros((len(qpos), 3))
+        for i, row in enumerate(qpos):
+            data.qpos = row
+            mujoco.mj_kinematics(model, data)
+            out[i] = scale * hips[i] - data.xpos[pelvis] - quat.rotated(data.xquat[pelvis], own)
+        return out
+
+    there = shifted(model, root, qpos, away(qpos))
+    return there, np.zeros((len(qpos), 3)) if root.is_free else away(there)
 
 
-def _on_ground(standing: _Standing, qpos: Array) -> tuple[Array, float]:
+def _beyond_root(
+    model: mujoco.MjModel, root: Root, qpos: Array, turns: Mapping[int, Array], missed: Array
+) -> list[str]:
+    """A note on what a root of slides and hinges cannot follow: (T, 3) [m] of its place, and its turn."""
+    if root.is_free:
+        return []
+    body = next((body for body in hierarchy.above(model, root.body, itself=True) if body in turns), None)
+    turned, chain = 0.0, hierarchy.above(model, root.body if body is None else body, itself=True)
+    if body is not None:
+        turn = _forward(model, qpos, chain, np.tile([1.0, 0, 0, 0], (len(qpos), 1)))
+        turned = float(
+            np.degrees(
+                np.linalg.norm(quat.rotation_vector(quat.product(turns[body], quat.conjugate(turn))), axis=1).max()
+            )
+        )
+    far = float(np.linalg.norm(missed - missed[0], axis=1).max())
+    names = ", ".join(model.joint(joint).name for joint in root.joints)
+    if turned < ROOT_TURN and far < ROOT_MOVE:
+        return []
+    return [f"the root moves on {names} alone: {far:.2f} m and {turned:.0f} degrees of its motion are beyond them"]
+
+
+def _on_ground(standing: _Standing, root: Root, qpos: Array) -> tuple[Array, float]:
     """Raised or lowered as a whole so that the soles are nearly never in the ground; and by how much [m].
 
     Soles are sites called heels or toes, or else the boxes about the geoms of the feet.
@@ -597,6 +633,4 @@ def _on_ground(standing: _Standing, qpos: Array) -> tuple[Array, float]:
     lift = -float(np.percentile(lowest, LOWEST))
     if abs(lift) < LEVEL:
         return qpos, 0.0
-    out = qpos.copy()
-    out[:, 2] += lift
-    return out, lift
+    return shifted(model, root, qpos, np.tile([0, 0, lift], (len(qpos), 1))), lift

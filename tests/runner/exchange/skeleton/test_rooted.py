@@ -1,0 +1,85 @@
+"""A recording on robots whose root is a free joint behind objects, or slides and hinges: the same motion, by MuJoCo."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import mujoco
+import numpy as np
+import pytest
+
+from dynsplines import inbetween, load
+from dynsplines.errors import UserError
+from dynsplines.exchange import formats
+from dynsplines.exchange.skeleton import bvh_file, retarget
+from dynsplines.exchange.skeleton.captured import Captured
+from dynsplines.solver.array import Array
+from tests.support.biped import BALL, BOX, CART, biped, joints, nested, scene
+
+CLIP = """
+figure = "human"
+[solve]
+evaluations = 1
+[[keyframe]]
+time = 0
+others = "rest"
+[[keyframe]]
+time = 0.6
+root = {position = [0.3, 0.4, 0.9], rotation = {heading = 100}}
+joints.left_hip = {rotvec = [0, -40, 0]}
+joints.left_knee = {rotvec = [0, 60, 0]}
+others = "rest"
+"""
+ROOTS = {
+    "box first": scene(BOX, biped()),
+    "in the middle": scene(CART, biped(), BALL),
+    "slides first": scene(biped(joints(("tz", "ty", "tx", "rz", "rx", "ry")))),
+    "hinges first": scene(biped(joints(("rx", "ry", "rz", "ty", "tx", "tz")))),
+    "nested behind a box": scene(BOX, nested(("tx", "ty", "tz", "rz", "rx", "ry"))),
+}
+
+
+@pytest.fixture(scope="module")
+def recording(tmp_path_factory: pytest.TempPathFactory) -> Captured:
+    """A person that goes aside and turns to its left, as BVH."""
+    folder = tmp_path_factory.mktemp("recording")
+    (folder / "c.toml").write_text(CLIP, encoding="utf-8")
+    inbetween(load(folder / "c.toml")).export(folder / "walk.bvh")
+    return Captured.of(bvh_file.read(folder / "walk.bvh")[0])
+
+
+def bodies(xml: str, recording: Captured) -> tuple[Array, Array]:
+    """(T, 7, 3) [m] and (T, 7, 9) of the biped's bodies on a recording."""
+    model = mujoco.MjModel.from_xml_string(xml)
+    qpos, _ = retarget.onto(recording, model, "walk.bvh")
+    names = ["pelvis", *(f"{side}_{part}" for side in ("left", "right") for part in ("thigh", "shin", "foot"))]
+    data, places, turns = mujoco.MjData(model), [], []
+    for row in qpos:
+        data.qpos[:] = row
+        mujoco.mj_kinematics(model, data)
+        places.append([data.body(name).xpos.copy() for name in names])
+        turns.append([data.body(name).xmat.copy() for name in names])
+    return np.array(places), np.array(turns)
+
+
+@pytest.mark.parametrize("kind", ROOTS)
+def test_the_motion_is_that_of_a_robot_alone_on_a_free_joint(recording: Captured, kind: str) -> None:
+    places, turns = bodies(scene(biped()), recording)
+    assert np.linalg.norm(places[-1, 0] - places[0, 0]) > 0.3
+    seen = bodies(ROOTS[kind], recording)
+    assert seen[0] == pytest.approx(places, abs=1e-4)
+    assert seen[1] == pytest.approx(turns, abs=1e-3)
+
+
+def test_what_a_planar_root_cannot_follow_is_noted(recording: Captured) -> None:
+    model = mujoco.MjModel.from_xml_string(scene(biped(joints(("tx", "tz", "ry")))))
+    qpos, notes = retarget.onto(recording, model, "walk.bvh")
+    said = next(note for note in notes if note.startswith("the root moves on tx, tz, ry alone"))
+    assert "100 degrees" in said
+    assert qpos[-1, 0] - qpos[0, 0] == pytest.approx(0.3 * 0.8 / 0.93, abs=0.05)
+
+
+def test_a_root_that_only_turns_is_refused(recording: Captured) -> None:
+    model = mujoco.MjModel.from_xml_string(scene(biped(joints(("rx", "ry", "rz")))))
+    with pytest.raises(UserError, match="the figure's root, 'pelvis', needs a free joint, or slides"):
+        retarget.onto(recording, model, "walk.bvh")
