@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import mujoco
 import numpy as np
 import pytest
 
 from dynsplines import inbetween, load
 from dynsplines.errors import UserError
-from dynsplines.exchange import formats
 from dynsplines.exchange.skeleton import bvh_file, retarget
 from dynsplines.exchange.skeleton.captured import Captured
 from dynsplines.solver.array import Array
