@@ -16,7 +16,7 @@ from .curve.spline import path_of
 from .curve.unknowns import raw_timeline
 from .figure.figure import Figure
 from .objective import Objective
-from .penalty import Guide, Penalty
+from .penalty import Guide, Penalty, Steady
 from .refine.subdivision import CRITERIA
 from .search.descent import NEWTON
 from .search.minimum import Optimiser
@@ -130,7 +130,21 @@ def renormalised(objective: Objective, raw: Timeline) -> Objective:
     return objective.renormalised(path_of(raw), None if guide is None else path_of(guide.led(raw, None)))
 
 
-def guide_of(objective: Objective) -> Guide | None:
-    """The soft constraint that knows a path to begin with, if one does."""
-    guides = (term.penalty for term in objective.terms if isinstance(term.penalty, Guide) and term.weight > 0)
-    return next(guides, None)
+@dataclass(frozen=True)
+class Guides:
+    """Several soft constraints that know a path to begin with, one after the other."""
+
+    parts: tuple[Guide, ...]
+
+    def led(self, timeline: Timeline, most: int | None) -> Timeline:
+        """See `Guide.led`."""
+        for guide in self.parts:
+            timeline = guide.led(timeline, most)
+        return timeline
+
+
+def guide_of(objective: Objective) -> Guide | Guides | None:
+    """The soft constraints that know a path to begin with, if there are any; holds last, which keep what others do."""
+    guides = [term.penalty for term in objective.terms if isinstance(term.penalty, Guide) and term.weight > 0]
+    guides.sort(key=lambda guide: isinstance(guide, Steady))
+    return Guides(tuple(guides)) if len(guides) > 1 else next(iter(guides), None)

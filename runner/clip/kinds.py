@@ -33,11 +33,13 @@ from dynsplines.solver.penalty import (
     Placement,
     Planted,
     Posture,
+    Range,
     Resting,
     RootAcceleration,
     SelfContact,
     Skate,
     Speed,
+    Steady,
     Sum,
     Support,
     Torque,
@@ -48,6 +50,7 @@ from dynsplines.solver.penalty import (
     grounded_intervals,
     joint_ranges,
     open_intervals,
+    steady,
     surfaces_on,
 )
 from dynsplines.solver.penalty.ground.grounded import CLOSE
@@ -288,6 +291,17 @@ def _supported(context: Context, kind: str) -> Support:
     return context.support
 
 
+def steady_joints(context: Context) -> tuple[Range, ...]:
+    """The joints that keyframes hold and that the spline through them would swing."""
+    aloft = () if context.support is None else context.support.flights
+    repeats = context.keys.ends == "periodic" or context.rhythm is not None
+    return steady(context.figure, context.keys, repeats=repeats, aloft=aloft)
+
+
+def _steady(context: Context, chosen: Options) -> Penalty | None:
+    return _some(lambda held: Steady.of(context.figure, held, context.keys.times), steady_joints(context))
+
+
 def _speed(context: Context, chosen: SpeedOptions) -> Penalty | None:
     if chosen.limit is None:
         raise UserError(f"{context.where}: penalty 'speed' needs a limit = ..., in degrees a second")
@@ -340,6 +354,7 @@ KINDS = {
                 lambda found: JointRange(found).allowing(context.figure, context.keys), joint_ranges(context.figure)
             ),
         ),
+        Kind("steady", 10.0, "motion of joints between neighbouring keyframes that give them the same value", _steady),
         Kind(
             "coupled", 300.0, "joints off what <equality> makes them follow",
             lambda context, chosen: _some(Coupled, couplings(context.figure)),

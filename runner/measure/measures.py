@@ -23,6 +23,7 @@ from dynsplines.solver.penalty import (
     Coupled,
     Hold,
     JointRange,
+    Range,
     Rest,
     Rolling,
     SelfContact,
@@ -162,6 +163,24 @@ def ranges(figure: Figure, fixed: Mask) -> Plain | None:
         return np.where(slides[:, None], beyond, np.degrees(beyond))
 
     return Plain.each(rows, amounts, _joints_fixed(figure, [joint.link for joint in found], fixed))
+
+
+def overshoots(held: Sequence[Range], keys: int) -> Plain | None:
+    """Joints that leave a value that two neighbouring keyframes give them."""
+    if not held:
+        return None
+    limits, slides = JointRange(tuple(held)), np.array([joint.kind is JointKind.SLIDE for joint in held])
+    says = "{} swings {{}} off the value that the keyframes at {:g} and {:g} s both give it"
+    rows = [
+        _row("overshoot travel" if slide else "overshoot", joint.name, says.format(joint.name, joint.first, joint.last))
+        for joint, slide in zip(held, slides, strict=True)
+    ]
+
+    def amounts(samples: Samples) -> Array:
+        beyond = np.maximum(limits.beyond(samples), 0.0)
+        return np.where(slides[:, None], beyond, np.degrees(beyond))
+
+    return Plain.each(rows, amounts, np.zeros((len(rows), keys), bool))
 
 
 def coupled(figure: Figure, fixed: Mask) -> Plain | None:

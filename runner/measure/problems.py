@@ -37,7 +37,7 @@ from dynsplines.solver.search.minimum import Stop
 from dynsplines.solver.surface.points import body_points, places_of
 
 from ..clip import load as clips
-from ..clip.kinds import bolted_links
+from ..clip.kinds import bolted_links, steady_joints
 from ..clip.load import Clip
 from ..errors import UserError
 from ..motion import Saved, samples_at
@@ -221,6 +221,7 @@ def _measures(clip: Clip, raw_peak: float) -> Iterator[Measure]:
     optional: tuple[Measure | None, ...] = (
         measures.hovering(rests, clip.context.surfaces, placed) if rests and clip.context.surfaces else None,
         measures.ranges(figure, fixed),
+        None if clip.follows else measures.overshoots(steady_joints(clip.context), len(clip.keys)),
         measures.coupled(figure, fixed),
         measures.torn(figure, placed),
         measures.lengths(figure, len(clip.keys)),

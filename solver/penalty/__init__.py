@@ -51,6 +51,8 @@ from .joints.joint_range import joint_ranges as joint_ranges
 from .joints.level import Level as Level
 from .joints.self_contact import SelfContact as SelfContact
 from .joints.speed import Speed as Speed
+from .joints.steady import Steady as Steady
+from .joints.steady import steady as steady
 from .joints.upright import Lean as Lean
 from .joints.upright import Upright as Upright
 from .joints.upright import leans as leans

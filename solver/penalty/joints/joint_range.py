@@ -12,6 +12,7 @@ from functools import cached_property
 
 import numpy as np
 
+from ... import quaternion as quat
 from ...array import Array, Index
 from ...curve.frame import Timeline
 from ...figure.adjoint import Cotangent
@@ -30,13 +31,22 @@ TINY = 1e-300  # sine of half an angle that has no axis
 
 @dataclass(frozen=True)
 class Range:
-    """The bounds of one joint: `low` and `high` of its coordinate [rad, m], or `high` of a ball joint's angle [rad]."""
+    """The bounds of one joint: `low` and `high` of its coordinate [rad, m], or `high` of a ball joint's angle [rad].
+
+    column       of a free joint's position the axis, 0 to 2, whose coordinate is bounded as a slide's
+    home         wxyz, the rotation that a ball joint's angle is measured from, as qpos has it; None: no rotation
+    first, last  [s] when the bounds hold
+    """
 
     name: str
     link: int
     kind: JointKind
     low: float
     high: float
+    column: int = 0
+    home: tuple[float, ...] | None = None
+    first: float = -np.inf
+    last: float = np.inf
 
 
 @dataclass(frozen=True)
@@ -44,14 +54,16 @@ class JointRange(Penalty):
     """Σ over joints of how far they are beyond their range, squared [rad² or m²].
 
     allowed  (2, n, K) below and above their ranges, what keyframes do themselves
+    called   the term's name
     """
 
     joints: tuple[Range, ...]
     allowed: Allowance | None = None
+    called: str = "range"
 
     @property
     def name(self) -> str:
-        return "range"
+        return self.called
 
     def allowing(self, figure: Figure, keys: Timeline) -> JointRange:
         """The same that lets pass how far joints that keyframes fix are beyond their ranges in them."""
@@ -156,17 +168,27 @@ class JointRange(Penalty):
         return np.array([joint.low for joint in self.joints]), np.array([joint.high for joint in self.joints])
 
     @cached_property
+    def _is_timed(self) -> bool:
+        """Whether some bounds hold for a time only."""
+        return any(np.isfinite([joint.first, joint.last]).any() for joint in self.joints)
+
+    @cached_property
     def _links(self) -> Index:
         """The ball joints' links."""
         return np.array([self.joints[i].link for i in self._which[1]], np.intp)
 
     def _columns(self, samples: Samples) -> Index:
         """The state's columns of the hinges and slides."""
-        return np.array([samples.figure.links[self.joints[i].link].qpos for i in self._which[0]], np.intp)
+        joints = [self.joints[i] for i in self._which[0]]
+        return np.array([samples.figure.links[joint.link].qpos + joint.column for joint in joints], np.intp)
 
     def _limits(self, t: Array, some: Index) -> tuple[Array, Array]:
-        """Lower and upper bounds of some joints (n,) at times t (S,): (n, S), or (n, 1) where nothing is let pass."""
+        """Lower and upper bounds of some joints (n,) at times t (S,): (n, S), or (n, 1) where they always hold."""
         low, high = (bound[some, None] for bound in self._bounds)
+        if self._is_timed:
+            first, last = (np.array([getattr(self.joints[i], end) for i in some])[:, None] for end in ("first", "last"))
+            holds = (first <= t) & (t <= last)
+            low, high = np.where(holds, low, -np.inf), np.where(holds, high, np.inf)
         if self.allowed is None or not self.allowed.excess.any():
             return low, high
         below, above = self.allowed.at(t)[:, some]
@@ -177,8 +199,8 @@ class JointRange(Penalty):
         the axes in the world (3, b, S)."""
         links, tables, own = samples.links, samples.figure.tables, self._links
         base = links.Q[:, tables.parents[own]]
-        if tables.has_turns:
-            base = hamilton(base, tables.turn[:, own, None])
+        if tables.has_turns or self._has_homes:
+            base = hamilton(base, self._rest(samples.figure)[:, :, None])
         child = links.Q[:, own]
         along = np.einsum("jcns,cns->jns", vector_product(base), child)
         w, sine = dot(base, child), np.sqrt(dot(along, along))
@@ -187,6 +209,21 @@ class JointRange(Penalty):
         rounded = np.hypot(left, ROUNDING)
         axis = along * np.where(w < 0, -1.0, 1.0) / np.maximum(sine, TINY)
         return angle, np.pi - rounded, left / rounded, axis
+
+    @cached_property
+    def _has_homes(self) -> bool:
+        """Whether some angles are measured from a rotation of their own."""
+        return any(joint.home is not None for joint in self.joints)
+
+    def _rest(self, figure: Figure) -> Array:
+        """(4, b) the rotations in the parent that the ball joints' angles are measured from."""
+        out = np.array(figure.tables.turn[:, self._links])
+        for k, i in enumerate(self._which[1]):
+            joint = self.joints[i]
+            if joint.home is not None:
+                is_free = figure.links[joint.link].kind is JointKind.FREE
+                out[:, k] = joint.home if is_free else quat.product(out[:, k], np.array(joint.home))
+        return out
 
     def _pull_back(self, samples: Samples, into: Cotangent, torque: Array) -> None:
         """Gradients with respect to the children's turns relative to their parents, (3, b, S)."""

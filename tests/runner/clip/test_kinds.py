@@ -28,7 +28,7 @@ def test_every_option_says_what_it_is_given_in():
 def test_every_kind_is_made_or_is_nothing_to_look_at(kind):
     clip = load(CLIP + f'kind = "{kind}"\nweight = 0.5\n' + NEEDED.get(kind, ""))
     made = {penalty.name: weight for penalty, weight in clip.penalties}
-    absent = {"placement", "upright", "resting", "hold", "coupled", "closed", "range", "cycle"}
+    absent = {"placement", "upright", "resting", "hold", "coupled", "closed", "range", "cycle", "steady"}
     assert made.get(kind, 0.5 if kind in absent else None) == 0.5
 
 

@@ -117,12 +117,25 @@ def test_between_frames_a_path_in_the_floor_is_found_as_deep_as_it_is(tmp_path):
         for t, z in ((0, 1), (0.5, 0.11), (1, 0.11), (1.5, 1))
     )
     problem = read(rows, BALL, tmp_path)
-    (found,) = wrong(problem)
+    found = next(each for each in wrong(problem) if each.kind == "penetration")
     run = sampled(problem.figure, work.unsolved(problem).motion.raw, 1000.0)
     seen = penetration(problem.figure.model, run.time, run.qpos)
     assert found.amount == pytest.approx(seen.deepest, abs=1e-4)
     assert found.time == pytest.approx(0.75, abs=0.01)
     assert found.text == f"ball is {1000 * seen.deepest:.0f} mm in the floor at {found.time:.2f} s"
+
+
+def test_a_joint_that_swings_in_a_hold_is_reported(tmp_path):
+    arm = '<mujoco><worldbody><body pos="0 0 2"><joint name="arm"/><geom size=".1"/></body></worldbody></mujoco>'
+    keys = ((0, 0), (1, 0), (1.3, 120), (2.3, 120))
+    rows = "".join(f"[[keyframe]]\ntime = {t}\njoints.arm = {angle}\n" for t, angle in keys)
+    problem = read(rows, arm, tmp_path)
+    first, second = sorted(wrong(problem), key=lambda each: each.time or 0.0)
+    raw = np.degrees(problem.figure.to_qpos(path_of(problem.problem.raw).at(np.linspace(0, 1, 1001))))
+    assert (first.kind, first.name, second.kind) == ("overshoot", "arm", "overshoot")
+    assert first.amount == pytest.approx(np.abs(raw).max() - 1, abs=0.1)
+    assert "the keyframes at 0 and 1 s both give it" in first.text
+    assert work.solve(problem, quiet()).problems == ()
 
 
 @pytest.mark.slow

@@ -1,0 +1,207 @@
+"""Joints that two neighbouring keyframes hold: of the same value in both, they stay there in between.
+
+A spline through a hold and a fast motion beside it swings back in the hold. Where the raw spline does so, a joint is
+bounded to the keyframes' value, see `JointRange`. Turning points are no holds: values that an oscillation passes on
+both sides of its peak. An oscillation is a clip that repeats itself, whose segments are about as long as each other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ... import quaternion as quat
+from ...array import Array, Index, Mask
+from ...curve.frame import Frame, Timeline
+from ...curve.spline import path_of
+from ...figure.figure import Figure, JointKind, quaternion_columns
+from ..penalty import Guide
+from .joint_range import JointRange, Range
+
+SAME = {"angle": np.radians(0.25), "length": 0.002}  # [rad, m] by which keyframes of the same value may differ
+SWINGS = {"angle": np.radians(3), "length": 0.03}  # [rad, m] off it from which on the raw spline leaves a value
+ROOM = {"angle": np.radians(1), "length": 0.01}  # [rad, m] that a held joint may move
+LONG = 1.5  # times the shorter segment beside it from which on even in an oscillation a segment is a hold
+BRIEF = 0.3  # [s] a segment so short is a value that the motion passes twice, if those beside it are as short
+LOOKS = 12  # a segment
+BESIDE = 0.25  # of the segment beside a hold, how far inside the hold its frames begin; they bound what it swings
+CLOSEST = 0.02  # [s] of such a frame to another
+SEGMENTS_AT_ONCE = 200
+
+
+@dataclass(frozen=True)
+class Steady(JointRange, Guide):
+    """Σ over held joints of how far they are beyond their bounds, squared [rad² or m²]: the bounds of `steady`.
+
+    frames  [s] of variable frames by which a spline keeps to them
+    """
+
+    called: str = "steady"
+    frames: tuple[float, ...] = ()
+    figure: Figure | None = None
+
+    @classmethod
+    def of(cls, figure: Figure, held: Sequence[Range], times: Array) -> Steady:
+        """Of held joints, in a clip of keyframes at times (K,) [s]."""
+        frames: set[float] = set()
+        for first, last in {(joint.first, joint.last) for joint in held}:
+            k, length = int(np.argmin(np.abs(times - first))), last - first
+            beside = [times[k] - times[k - 1] if k else length, times[k + 2] - last if k + 2 < times.size else length]
+            one, other = (float(min(BESIDE * length, BESIDE * span)) for span in beside)
+            frames |= {first + one, last - other}
+        return cls(tuple(held), frames=tuple(sorted(frames)), figure=figure)
+
+    def led(self, timeline: Timeline, most: int | None) -> Timeline:
+        """With held joints where they are held, and variable frames beside the ends of holds."""
+        new = [t for t in self.frames if np.abs(timeline.times - t).min() > CLOSEST]
+        if new and (most is None or timeline.variable_count + len(new) <= most):
+            states = path_of(timeline).at(np.array(new))
+            timeline = timeline.inserted(Frame.many(new, states, np.zeros(states.shape, bool)))
+        rows = np.array(timeline.rows)
+        loose = np.flatnonzero([frame.is_variable for frame in timeline.frames])
+        rows[loose] = self._still(rows[loose], timeline.times[loose])
+        return timeline.with_rows(rows)
+
+    def _still(self, states: Array, times: Array) -> Array:
+        """States (T, N) at times (T,) [s] with held joints where they are held."""
+        if self.figure is None:
+            return states
+        qpos = self.figure.to_qpos(states)
+        for joint in self.joints:
+            during, link = (joint.first < times) & (times < joint.last), self.figure.links[joint.link]
+            columns = quaternion_columns(link) if joint.home is not None else None
+            if columns is not None:
+                qpos[during, columns] = joint.home
+            else:
+                qpos[during, link.qpos + joint.column] = 0.5 * (joint.low + joint.high)
+        found = self.figure.to_state(qpos)
+        for columns in self.figure.tables.quaternion_columns.T:
+            found[:, columns] *= np.where(np.sum(found[:, columns] * states[:, columns], axis=1) < 0, -1, 1)[:, None]
+        return found
+
+
+@dataclass(frozen=True, eq=False)
+class Track:
+    """A coordinate of a joint, or its rotation.
+
+    unit     "angle" [rad] or "length" [m]
+    columns  of qpos: one, or four of a quaternion
+    axis     of a free joint's position
+    """
+
+    name: str
+    link: int
+    unit: str
+    columns: Index
+    axis: int = 0
+
+    @property
+    def is_rotation(self) -> bool:
+        return self.columns.size == 4
+
+    def off(self, qpos: Array, home: Array) -> Array:
+        """(..., 1 or 3) [rad, m] how far configurations (..., nq) are from a value (1 or 4)."""
+        own = qpos[..., self.columns]
+        return quat.rotation_vector(quat.product(quat.inverse(home), own)) if self.is_rotation else own - home
+
+    def held(self, home: Array, first: float, last: float) -> Range:
+        """The bounds that hold it at a value (1 or 4) from one time to another [s]."""
+        room = ROOM[self.unit]
+        if self.is_rotation:
+            return Range(
+                self.name, self.link, JointKind.BALL, 0.0, room, home=tuple(home.tolist()), first=first, last=last
+            )
+        kind = JointKind.HINGE if self.unit == "angle" else JointKind.SLIDE
+        low, high = float(home[0]) - room, float(home[0]) + room
+        return Range(self.name, self.link, kind, low, high, self.axis, first=first, last=last)
+
+
+def tracks(figure: Figure) -> list[Track]:
+    """The coordinates and rotations of all joints."""
+    found = []
+    for i, link in enumerate(figure.links[1:], start=1):
+        columns = quaternion_columns(link)
+        if link.kind is JointKind.FREE:
+            found += [Track(link.name, i, "length", np.array([link.qpos + axis]), axis) for axis in range(3)]
+        if columns is not None:
+            found.append(Track(link.name, i, "angle", np.arange(columns.start, columns.stop)))
+        else:
+            unit = "angle" if link.kind is JointKind.HINGE else "length"
+            found.append(Track(link.name, i, unit, np.array([link.qpos])))
+    return found
+
+
+def steady(
+    figure: Figure, keys: Timeline, *, repeats: bool = False, aloft: Sequence[tuple[float, float]] = ()
+) -> tuple[Range, ...]:
+    """The joints that keyframes hold and that the spline through them would swing, with their bounds.
+
+    keys     the raw timeline;  repeats  whether it is a loop or a cycle
+    aloft    (first, last) [s] of flights, in which a root rises and falls between two keyframes of one height
+    """
+    qpos = figure.to_qpos(keys.states)
+    found = [hold for track in tracks(figure) for hold in _held(track, keys, qpos, repeats=repeats)]
+    found = [(track, k) for track, k in found if not _flies(figure, track, keys.times[k : k + 2], aloft)]
+    segments = np.unique([k for _, k in found]).astype(int)
+    swings: set[tuple[int, int]] = set()
+    for first in range(0, segments.size, SEGMENTS_AT_ONCE):
+        some = segments[first : first + SEGMENTS_AT_ONCE]
+        share = (np.arange(LOOKS) + 0.5) / LOOKS
+        times = keys.times[some, None] + share * np.diff(keys.times)[some, None]
+        raw = figure.to_qpos(path_of(keys).at(times.ravel())).reshape(some.size, LOOKS, -1)
+        row = {int(k): i for i, k in enumerate(some)}
+        for i, (track, k) in enumerate(found):
+            if k in row:
+                off = np.linalg.norm(track.off(raw[row[k]], qpos[k, track.columns]), axis=-1)
+                if off.max() > SWINGS[track.unit]:
+                    swings.add((i, k))
+    times = keys.times.tolist()
+    return tuple(found[i][0].held(qpos[k, found[i][0].columns], times[k], times[k + 1]) for i, k in sorted(swings))
+
+
+def _held(track: Track, keys: Timeline, qpos: Array, *, repeats: bool) -> Iterator[tuple[Track, int]]:
+    """The segments, by their first keyframe, in which keyframes hold a coordinate."""
+    fixed: Mask = np.asarray(keys.fixed[:, track.columns].all(axis=1))
+    both = np.flatnonzero(fixed[:-1] & fixed[1:])
+    if not both.size:
+        return
+    homes = qpos[both][:, track.columns]
+    if track.is_rotation:
+        step = quat.rotation_vector(quat.product(quat.inverse(homes), qpos[both + 1][:, track.columns]))
+    else:
+        step = qpos[both + 1][:, track.columns] - homes
+    for k in both[np.linalg.norm(step, axis=1) <= SAME[track.unit]].tolist():
+        beside, length = _beside(keys, fixed, k), float(keys.times[k + 1] - keys.times[k])
+        lengths = [span for _, span in filter(None, beside)]
+        is_long, is_brief = length >= LONG * min(lengths, default=0.0), length < BRIEF
+        if is_long or not (is_brief or (repeats and _is_turning_point(track, qpos, k, beside))):
+            yield track, k
+
+
+def _is_turning_point(track: Track, qpos: Array, k: int, beside: Sequence[tuple[int, float] | None]) -> bool:
+    """Whether a coordinate comes to keyframe k from where it leaves for after the next."""
+    off = [track.off(qpos[each[0]], qpos[k, track.columns]) for each in beside if each is not None]
+    return len(off) == 2 and bool(off[0] @ off[1] > 0)
+
+
+def _beside(keys: Timeline, fixed: Mask, k: int) -> tuple[tuple[int, float] | None, tuple[int, float] | None]:
+    """The keyframes before k and after k + 1 that fix a coordinate, and how far [s] they are; round a loop's end."""
+    known, times, last = np.flatnonzero(fixed), keys.times, len(keys.times) - 1
+    before, after = known[known < k], known[known > k + 1]
+    is_loop = keys.ends == "periodic"
+    one = (int(before[-1]), float(times[k] - times[before[-1]])) if before.size else None
+    other = (int(after[0]), float(times[after[0]] - times[k + 1])) if after.size else None
+    inner = known[(known > 0) & (known < last)]
+    if one is None and is_loop and inner.size:
+        one = int(inner[-1]), float(times[k] - times[0] + times[last] - times[inner[-1]])
+    if other is None and is_loop and inner.size:
+        other = int(inner[0]), float(times[last] - times[k + 1] + times[inner[0]] - times[0])
+    return one, other
+
+
+def _flies(figure: Figure, track: Track, span: Array, aloft: Sequence[tuple[float, float]]) -> bool:
+    """Whether it is the height of a free joint, in a flight."""
+    is_height = figure.links[track.link].kind is JointKind.FREE and track.unit == "length" and track.axis == 2
+    return is_height and any(first < span[1] and span[0] < last for first, last in aloft)

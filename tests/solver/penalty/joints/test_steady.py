@@ -1,0 +1,147 @@
+"""Held joints: which keyframes hold, bounds against SciPy, gradients, and a spline that keeps to them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import mujoco
+import numpy as np
+import pytest
+from figures import BALL_TREE, EVERY_JOINT
+from penalty_slope import penalty_slope
+from random_samples import at_times, random_samples
+from scipy.spatial.transform import Rotation
+
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.inbetween import inbetween
+from dynsplines.solver.penalty import CovariantAcceleration, Range, RootAcceleration, Steady, UnitMagnitude, steady
+from dynsplines.solver.problem import Problem, Settings
+
+HINGE = '<mujoco><worldbody><body><joint name="hinge"/><geom size=".1"/></body></worldbody></mujoco>'
+CHAIN = """<mujoco><worldbody><body><freejoint name="root"/><geom size=".1"/>
+<body pos="0 .2 0"><joint name="slide" type="slide"/><geom size=".1"/>
+<body pos="0 .2 0"><joint name="hinge"/><geom size=".1"/>
+<body pos="0 .2 0" quat=".8 .1 .5 0"><joint name="ball" type="ball"/><geom size=".1"/></body></body></body></body>
+</worldbody></mujoco>"""
+
+
+def hinged(times: Sequence[float], degrees: Sequence[float], ends: str = "free") -> tuple[Figure, Timeline]:
+    """A hinge through keyframes."""
+    figure = Figure(mujoco.MjModel.from_xml_string(HINGE))
+    keys = [Frame.key(t, [np.radians(angle)]) for t, angle in zip(times, degrees, strict=True)]
+    return figure, raw_timeline(figure, keys, ends)
+
+
+def holds(times: Sequence[float], degrees: Sequence[float], *, repeats: bool = False) -> list[float]:
+    """When the holds of a hinge begin [s]."""
+    figure, keys = hinged(times, degrees, "periodic" if repeats else "free")
+    return [joint.first for joint in steady(figure, keys, repeats=repeats)]
+
+
+def test_values_that_neighbouring_keyframes_share_are_held_where_the_raw_spline_swings() -> None:
+    assert holds([0, 1, 1.3, 2.3], [0, 0, 90, 90]) == [0, 1.3]
+    assert holds([0, 1, 2, 3], [0, 90, 90, 0]) == [1]
+    assert holds([0, 1, 2, 3], [0, 5, 5, 0]) == []  # by a degree
+    assert holds([0, 1, 2, 3], [40, 40, 40, 40]) == []
+    assert holds([0, 0.1, 0.2, 0.3], [0, 90, 90, 0]) == []  # passed in a tenth of a second
+    assert holds([0, 0.1, 0.3, 0.4], [0, 90, 90, 0]) == [0.1]
+
+
+def test_turning_points_of_what_repeats_itself_are_no_holds() -> None:
+    oscillation = [-30, 30, 30, -30, -30]
+    assert holds([0, 0.5, 1, 1.5, 2], oscillation, repeats=True) == []
+    assert holds([0, 0.5, 1, 1.5, 2], oscillation) == [0.5, 1.5]
+    assert holds([0, 0.2, 1.2, 1.4, 2.4], [0, 90, 90, 0, 0], repeats=True) == [0.2, 1.4]  # long beside the rest
+    assert holds([0, 0.5, 1, 1.5, 2], [0, 0, 90, -90, 0], repeats=True) == [0.0]  # no turning point: it goes on
+
+
+def test_the_height_of_a_root_is_not_held_in_a_flight() -> None:
+    figure = Figure(mujoco.MjModel.from_xml_string('<mujoco><worldbody><body><freejoint/><geom size=".1"/></body>'
+                                                   "</worldbody></mujoco>"))  # fmt: skip
+    states = [[0, 0, z, 1, 0, 0, 0] for z in (0.5, 1, 1, 0.5)]
+    keys = raw_timeline(figure, [Frame.key(t, state) for t, state in enumerate(states)])
+    assert [(joint.column, joint.first) for joint in steady(figure, keys)] == [(2, 1.0)]
+    assert steady(figure, keys, aloft=[(1.0, 2.0)]) == ()
+
+
+@pytest.fixture(params=[(BALL_TREE, "world"), (BALL_TREE, "joint"), (EVERY_JOINT, "joint")])
+def figure(request: pytest.FixtureRequest) -> Figure:
+    text, coordinates = request.param
+    return Figure(mujoco.MjModel.from_xml_string(text), coordinates)
+
+
+def bounded(figure: Figure, rng: np.random.Generator) -> tuple[Range, ...]:
+    """Every joint near a random value for a part of the time."""
+    out = []
+    for i, link in enumerate(figure.links[1:], start=1):
+        if link.kind in (JointKind.FREE, JointKind.BALL):
+            home = tuple(Rotation.random(random_state=rng).as_quat(scalar_first=True).tolist())
+            out.append(Range(link.name, i, JointKind.BALL, 0.0, 0.3, home=home, first=0.2, last=0.7))
+        if link.kind is JointKind.FREE:
+            out += [Range(link.name, i, JointKind.SLIDE, -0.1, 0.2, axis, first=0.1, last=0.8) for axis in range(3)]
+        elif link.kind is not JointKind.BALL:
+            out.append(Range(link.name, i, link.kind, -0.2, 0.1, last=0.5))
+    return tuple(out)
+
+
+def test_the_gradient_has_taylor_slope_two(figure: Figure, rng: np.random.Generator) -> None:
+    samples = at_times(random_samples(figure, rng, 9), np.linspace(0, 1, 9))
+    assert penalty_slope(Steady(bounded(figure, rng)), samples, rng) > 1.95
+
+
+def test_how_far_joints_are_off_is_what_scipy_says(figure: Figure, rng: np.random.Generator) -> None:
+    samples, held = at_times(random_samples(figure, rng, 9), np.linspace(0, 1, 9)), bounded(figure, rng)
+    qpos, seen = figure.to_qpos(samples.y), Steady(held).beyond(samples)
+    for joint, beyond in zip(held, seen, strict=True):
+        during, at = (joint.first <= samples.t) & (samples.t <= joint.last), figure.links[joint.link].qpos
+        if joint.home is None:
+            value = qpos[:, at + joint.column]
+            expected = np.maximum(joint.low - value, value - joint.high)
+        else:
+            at += 3 * (figure.links[joint.link].kind is JointKind.FREE)
+            own = Rotation.from_quat(qpos[:, at : at + 4], scalar_first=True)
+            expected = (Rotation.from_quat(joint.home, scalar_first=True).inv() * own).magnitude() - joint.high
+        np.testing.assert_allclose(beyond[during], expected[during], atol=1e-9)
+        assert np.all(beyond[~during] == -np.inf)
+
+
+def turned_off(home: Array, qpos: Array) -> Array:
+    """(T,) [rad] how far quaternions (T, 4) are from one."""
+    rotations = Rotation.from_quat(home, scalar_first=True).inv() * Rotation.from_quat(qpos, scalar_first=True)
+    return np.asarray(rotations.magnitude())
+
+
+def swings(first: Array, last: Array) -> tuple[Array, Array]:
+    """How far a chain of every joint leaves two values (nq,) that are held for a second, 0.3 s apart: the root's place,
+    slide [m], hinge, ball and the root's rotation [rad]; of the raw spline, and with the holds."""
+    figure = Figure(mujoco.MjModel.from_xml_string(CHAIN))
+    keys = [Frame.key(t, q) for t, q in zip((0, 1, 1.3, 2.3), (first, first, last, last), strict=True)]
+    raw = raw_timeline(figure, keys)
+    held = Steady.of(figure, steady(figure, raw), raw.times)
+    motion = [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0), (UnitMagnitude(), 1.0)]
+    solution = inbetween(Problem(figure, keys, [*motion, (held, 10.0)], Settings(frames=20, tolerance=1e-3)))
+
+    def off(timeline: Timeline) -> Array:
+        out = np.zeros(5)
+        for home, times in ((first, np.linspace(0, 1, 200)), (last, np.linspace(1.3, 2.3, 200))):
+            qpos = figure.to_qpos(path_of(timeline).at(times))
+            apart = qpos - home
+            rows = [np.linalg.norm(apart[:, :3], axis=1), np.abs(apart[:, 7]), np.abs(apart[:, 8])]
+            rows += [turned_off(home[some], qpos[:, some]) for some in (slice(9, 13), slice(3, 7))]
+            out = np.maximum(out, np.max(rows, axis=1))
+        return out
+
+    return off(raw), off(solution.timeline)
+
+
+def test_slides_hinges_balls_and_the_root_are_held_alike() -> None:
+    first = np.array([0, 0, 1, 1, 0, 0, 0, 0, 0, 1.0, 0, 0, 0])
+    turned = Rotation.from_rotvec([0, 1.7, 0]).as_quat(scalar_first=True)
+    last = np.array([0.8, 0, 1, *turned, 0.6, 1.9, *Rotation.from_rotvec([1.2, 0, 0.9]).as_quat(scalar_first=True)])
+    raw, held = swings(first, last)
+    assert np.all(raw > [0.2, 0.15, 0.5, 0.3, 0.4])
+    assert np.all(held < [0.025, 0.025, 0.06, 0.06, 0.06])
