@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
+import mujoco
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -132,6 +133,13 @@ def matrices(q: ArrayLike) -> Array:
     out[..., 0, 0], out[..., 0, 1], out[..., 0, 2] = 1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)
     out[..., 1, 0], out[..., 1, 1], out[..., 1, 2] = 2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)
     out[..., 2, 0], out[..., 2, 1], out[..., 2, 2] = 2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)
+    return out
+
+
+def from_matrix(matrix: ArrayLike) -> Array:
+    """The unit quaternion (4,) of a rotation matrix (3, 3)."""
+    out = np.zeros(4)
+    mujoco.mju_mat2Quat(out, np.ascontiguousarray(matrix, float).ravel())
     return out
 
 

@@ -2,21 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 
-import mujoco
 import numpy as np
 
+from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
-from dynsplines.solver.curve.mirror import AXIAL, POLAR, TURN, Mirror, other_side
-from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.curve.mirror import AXIAL, POLAR, TURN, Mirror
+from dynsplines.solver.curve.symmetry import WORLD, other_side
+from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
 from dynsplines.solver.surface.points import Point
 
 from ..errors import UserError
 from .posing.feet import sole_points
-from .posing.places import Places, places_at
+from .posing.places import Places
+from .posing.rotation import quaternion_of
+from .table import RotationTable
+from .text import rotation
 
+NEAR = 0.02  # of a figure's size: how far a point may be from the image of its partner
+WAYS = {"rotvec", "euler", "order", "quat", "heading"}  # to give a rotation
 KNOWN = {
     "keyframe": {"time", "root", "roots", "joints", "sites", "bodies", "others"},
     "scene": {"step", "box", "sphere", "capsule", "cylinder"},
@@ -24,37 +30,106 @@ KNOWN = {
 }
 
 
+@dataclass(frozen=True)
+class _Sides:
+    """A figure's names, and what is on the other side of each."""
+
+    places: Places
+    mirror: Mirror
+
+    @classmethod
+    def of(cls, figure: Figure, mirror: Mirror) -> _Sides:
+        return cls(Places(figure, sole_points(figure, np.zeros((0, figure.width)))), mirror)
+
+    @property
+    def figure(self) -> Figure:
+        return self.places.figure
+
+    def link(self, name: str) -> int:
+        """The link of this name."""
+        return next(i for i, link in enumerate(self.figure.links) if i and link.name == name)
+
+    def other(self, name: str) -> str:
+        """The site, foot, geom, body or joint on the other side; itself in the middle, or where the figure lacks it."""
+        body, other = self.places.body(name), other_side(name)
+        if body is None:
+            return name
+        partner = self.mirror.partner[self.figure.body_link[body]]
+        there = self.places.body(other)
+        if other != name and there is not None and self.figure.body_link[there] == partner:
+            is_sole = name in self.places.soles and self.places.point(name) is self.places.soles[name]
+            return self._nearest(name, list(self.places.soles)) or other if is_sole else other
+        if not self.places.alike(name):  # the name of a joint
+            return self.figure.links[self.mirror.partner[self.link(name)]].name
+        found = self._nearest(name, self.places.alike(name))
+        if found is None:
+            raise UserError(f"'{name}': nothing like it on the other side; mirror the solved motion instead")
+        return found
+
+    def _nearest(self, name: str, names: list[str]) -> str | None:
+        """Of names the point that is nearest to a point's image, on the partner of its link; None without any."""
+        point = self._point(name)
+        partner, image = self.mirror.partner[point.link], self.mirror.reflection[point.link] @ point.position
+        away = {
+            other: float(np.linalg.norm(there.position - image))
+            for other in names
+            if (there := self._point(other)).link == partner
+        }
+        best = min(away, key=lambda each: (away[each], each != name), default=None)
+        return best if best is not None and away[best] <= NEAR * self.mirror.size else None
+
+    def _point(self, name: str) -> Point:
+        """A site, a foot, the middle of a geom or the origin of a body."""
+        point = self.places.point(name)
+        assert point is not None
+        return point
+
+    def reflection(self, name: str) -> Array:
+        """(3, 3) from the frame of a body to that of the body on the other side."""
+        body, other = self.places.body(name), self.places.body(self.other(name))
+        return WORLD if body is None or other is None else self.mirror.of_bodies(body, other)
+
+
 def mirrored_tables(clip: dict[str, Any], figure: Figure, mirror: Mirror) -> dict[str, Any]:
     """A clip's tables for the mirrored figure; step and obstacles, which have places, change sides as well."""
-    rest = np.array(figure.model.qpos0)
-    if any(row.get("others") == "rest" for row in clip["keyframe"]) and not np.allclose(
-        mirror.states(rest), rest, atol=1e-9
+    if any(row.get("others") == "rest" for row in clip["keyframe"]) and not _is_symmetric(
+        np.array(figure.model.qpos0), mirror
     ):
         raise UserError("the figure's rest is no mirror image of itself: say every joint instead of others = 'rest'")
     if "recording" in clip:
         raise UserError("recording: what a clip follows has no mirror image; mirror the solved motion: -o NAME.npz")
-    places = Places(figure, sole_points(figure, np.zeros((0, figure.width))))
-    out: dict[str, Any] = clip | {"keyframe": [_keyframe(row, places, mirror) for row in clip["keyframe"]]}
+    sides = _Sides.of(figure, mirror)
+    out: dict[str, Any] = clip | {"keyframe": [_keyframe(row, sides) for row in clip["keyframe"]]}
     if "scene" in clip:
         _check_known("scene", clip["scene"])
         out["scene"] = {kind: _obstacles(said) for kind, said in clip["scene"].items()}
     if "contact" in clip:
-        out["contact"] = [_placed(row | {"point": _other(row["point"], places)}) for row in clip["contact"]]
+        out["contact"] = [_placed(row | {"point": sides.other(row["point"])}) for row in clip["contact"]]
     if "hold" in clip:
-        other = [row | {key: _other(row[key], places) for key in ("hand", "body")} for row in clip["hold"]]
+        other = [row | {key: sides.other(row[key]) for key in ("hand", "body")} for row in clip["hold"]]
         out["hold"] = [_placed(row) for row in other]
     if clip.get("solve", {}).get("travel") is not None:
         out["solve"] = clip["solve"] | {"travel": _signed(clip["solve"]["travel"], POLAR)}
     if clip.get("solve", {}).get("turn") is not None:
         out["solve"] = out["solve"] | {"turn": 0.0 - clip["solve"]["turn"]}
     if "penalty" in clip:
-        out["penalty"] = [_renamed(entry, places) for entry in clip["penalty"]]
+        out["penalty"] = [_renamed(entry, sides) for entry in clip["penalty"]]
     return out
 
 
 def mirrored_keyframe(row: dict[str, Any], figure: Figure, mirror: Mirror) -> dict[str, Any]:
     """One keyframe's table for the mirrored figure."""
-    return _keyframe(row, Places(figure, sole_points(figure, np.zeros((0, figure.width)))), mirror)
+    return _keyframe(row, _Sides.of(figure, mirror))
+
+
+def _is_symmetric(qpos: Array, mirror: Mirror) -> bool:
+    """Whether a configuration (nq,) is the mirror image of itself."""
+    image = mirror.configurations(qpos)
+    for link in mirror.figure.links[1:]:
+        columns = quaternion_columns(link)
+        if columns is not None and image[columns] @ qpos[columns] < 0:
+            image[columns] *= -1
+    return bool(np.allclose(image, qpos, atol=1e-9))
 
 
 def _check_known(table: str, entries: dict[str, Any]) -> None:
@@ -78,80 +153,59 @@ def _placed(row: dict[str, Any]) -> dict[str, Any]:
     return out | {"rotation": _rotation(row["rotation"])} if row.get("rotation") else out
 
 
-def _other(name: str, places: Places) -> str:
-    """The site, foot, geom, body or joint on the other side; itself where there is none."""
-    other = other_side(name)
-    if name in places.soles and places.point(name) is places.soles[name] and other != name:
-        return _other_sole(name, places.figure, list(places.soles.values()))
-    return other if places.body(other) is not None else name
-
-
-def _other_sole(name: str, figure: Figure, soles: Sequence[Point]) -> str:
-    """The sole point that is nearest to where another one is seen in the mirror, at rest."""
-    found = places_at(figure, figure.model.qpos0, soles)
-    seen = found[:, [point.name for point in soles].index(name)] * POLAR
-    return soles[int(np.linalg.norm(found - seen[:, None], axis=0).argmin())].name
-
-
-def _body(name: str, table: dict[str, Any], places: Places) -> dict[str, Any]:
+def _body(name: str, table: dict[str, Any], sides: _Sides) -> dict[str, Any]:
     """How a body is turned and where it is, or a point in its axes, said of the one on the other side."""
-    out = _rotation(table)
+    out = _in_world(table, sides.reflection(name), f"bodies.{name}")
     if table.get("position") is not None:
         out["position"] = _signed(table["position"], POLAR)
     if table.get("at") is not None:
-        out["at"] = _on_the_other(name, table["at"], places)
+        out["at"] = (sides.reflection(name) @ np.array(table["at"], float)).tolist()
     return out
 
 
-def _on_the_other(name: str, vector: Sequence[float], places: Places) -> list[float]:
-    """A vector in a body's axes as the body on the other side has it."""
-    own, other = (_turn_at_rest(places.figure.model, places.body(which)) for which in (name, _other(name, places)))
-    return (other.T @ (POLAR * (own @ np.array(vector, float)))).tolist()
-
-
-def _turn_at_rest(model: mujoco.MjModel, body: int | None) -> Array:
-    """(3, 3) a body's axes in the world at rest."""
-    data = mujoco.MjData(model)
-    mujoco.mj_kinematics(model, data)
-    return data.xmat[body or 0].reshape(3, 3).copy()
-
-
-def _renamed(entry: dict[str, Any], places: Places) -> dict[str, Any]:
+def _renamed(entry: dict[str, Any], sides: _Sides) -> dict[str, Any]:
     """A penalty for the points, joints and bodies of the other side, an axis of these in their own axes there."""
-    sides = ("points", "joints", "bodies")
-    out = entry | {key: [_other(name, places) for name in entry[key]] for key in sides if entry.get(key)}
+    lists = ("points", "joints", "bodies")
+    out = entry | {key: [sides.other(name) for name in entry[key]] for key in lists if entry.get(key)}
     if entry.get("axis") is None or not entry.get("bodies"):
         return out
-    axes = [_on_the_other(name, entry["axis"], places) for name in entry["bodies"]]
+    axes = [(sides.reflection(name) @ np.array(entry["axis"], float)).tolist() for name in entry["bodies"]]
     if not np.allclose(axes, axes[0], atol=1e-9):
         raise UserError(f"penalty '{entry['kind']}': bodies that are turned differently share no mirrored axis")
     return out | {"axis": axes[0]}
 
 
-def _keyframe(row: dict[str, Any], places: Places, mirror: Mirror) -> dict[str, Any]:
+def _keyframe(row: dict[str, Any], sides: _Sides) -> dict[str, Any]:
     _check_known("keyframe", row)
     out = dict(row)
     if "root" in row:
-        out["root"] = _root(row["root"])
+        first = next((link.name for link in sides.figure.links[1:] if link.kind is JointKind.FREE), None)
+        out["root"] = _root(row["root"], WORLD if first is None else sides.mirror.reflection[sides.link(first)])
     if "roots" in row:
-        out["roots"] = {_other(name, places): _root(table) for name, table in row["roots"].items()}
+        out["roots"] = dict(_further_root(name, table, sides) for name, table in row["roots"].items())
     if "joints" in row:
-        out["joints"] = dict(_joint(name, value, places.figure, mirror) for name, value in row["joints"].items())
+        out["joints"] = dict(_joint(name, value, sides) for name, value in row["joints"].items())
     if "sites" in row:
-        out["sites"] = {_other(name, places): _site(value) for name, value in row["sites"].items()}
+        out["sites"] = {sides.other(name): _site(value) for name, value in row["sites"].items()}
     if "bodies" in row:
-        out["bodies"] = {_other(name, places): _body(name, value, places) for name, value in row["bodies"].items()}
+        out["bodies"] = {sides.other(name): _body(name, value, sides) for name, value in row["bodies"].items()}
     return out
 
 
-def _root(table: dict[str, Any]) -> dict[str, Any]:
+def _further_root(name: str, table: dict[str, Any], sides: _Sides) -> tuple[str, dict[str, Any]]:
+    """A further free joint's name and table."""
+    link, mirror = sides.link(name), sides.mirror
+    return sides.figure.links[mirror.partner[link]].name, _root(table, mirror.reflection[link])
+
+
+def _root(table: dict[str, Any], reflection: Array) -> dict[str, Any]:
     """A free joint's place on the other side."""
     _check_known("root", table)
     out = dict(table)
     if table.get("position", "free") != "free":
         out["position"] = _signed(table["position"], POLAR)
     if table.get("rotation", "free") != "free":
-        out["rotation"] = _rotation(table["rotation"])
+        out["rotation"] = _in_world(table["rotation"], reflection, "root.rotation")
     return out
 
 
@@ -162,17 +216,41 @@ def _site(value: Any) -> Any:
     return _signed(value, POLAR)
 
 
-def _joint(name: str, value: Any, figure: Figure, mirror: Mirror) -> tuple[str, Any]:
+def _joint(name: str, value: Any, sides: _Sides) -> tuple[str, Any]:
     """What a keyframe says of one joint, said of its partner."""
-    number = next(i for i, link in enumerate(figure.links) if i and link.name == name)
-    partner = figure.links[mirror.partner[number]]
+    mirror, number = sides.mirror, sides.link(name)
+    partner = sides.figure.links[mirror.partner[number]]
     if isinstance(value, dict):
-        return partner.name, _rotation(value)
+        return partner.name, _in_parent(value, mirror.reflection[number], f"joints.{name}")
     if value == "free":
         return partner.name, value
     shift = mirror.shift[partner.qpos]
     shift = float(np.degrees(shift)) if partner.kind is JointKind.HINGE else float(shift)
-    return partner.name, float(mirror.sign[partner.qpos]) * value + shift
+    return partner.name, mirror.sense(mirror.partner[number]) * value + shift
+
+
+def _in_world(table: dict[str, Any], reflection: Array, where: str) -> dict[str, Any]:
+    """A rotation R in the world as S R Mᵀ, for the reflection M of its frame."""
+    if np.array_equal(reflection, WORLD) or not WAYS & set(table):
+        return _rotation(table)
+    matrix = WORLD @ quat.matrices(_quaternion(table, where)) @ reflection.T
+    return _without_rotation(table) | rotation(quat.from_matrix(matrix))
+
+
+def _in_parent(table: dict[str, Any], reflection: Array, where: str) -> dict[str, Any]:
+    """A ball joint's rotation: about an axis and by an angle that the reflection M of its frame takes to the other."""
+    if np.array_equal(reflection, WORLD):
+        return _rotation(table)
+    own = _quaternion(table, where)
+    return _without_rotation(table) | rotation(np.concatenate([own[:1], -reflection @ own[1:]]))
+
+
+def _quaternion(table: dict[str, Any], where: str) -> Array:
+    return quaternion_of(RotationTable(**{key: value for key, value in table.items() if key in WAYS}), where)
+
+
+def _without_rotation(table: dict[str, Any]) -> dict[str, Any]:
+    return {key: value for key, value in table.items() if key not in WAYS}
 
 
 def _rotation(table: dict[str, Any]) -> dict[str, Any]:

@@ -11,9 +11,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
-from dynsplines.solver.curve.mirror import Mirror, MirrorError
+from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.curve.symmetry import MirrorError
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.edit import join, retime
 from dynsplines.solver.figure.figure import Figure
@@ -63,7 +64,7 @@ def mirrored(saved: Saved) -> Saved:
     return replace(
         saved,
         text=_text(saved, lambda clip: mirrored_tables(clip, saved.figure, mirror)),
-        keys=tuple(mirror.frame(key) for key in saved.keys),
+        keys=tuple(mirror.key(key) for key in saved.keys),
         timeline=mirror.timeline(saved.timeline),
         raw=mirror.timeline(saved.raw),
     )

@@ -239,7 +239,8 @@ class Actions:
 
     async def mirror(self, *, keys: Sequence[int], revision: int | None = None) -> str:
         """Left and right of keyframes exchanged."""
-        from dynsplines.solver.curve.mirror import Mirror, MirrorError
+        from dynsplines.solver.curve.mirror import Mirror
+        from dynsplines.solver.curve.symmetry import MirrorError
 
         from ..clip.mirror import mirrored_keyframe
 

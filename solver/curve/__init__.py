@@ -8,6 +8,7 @@ seam        the seam of a loop: where its last frame stands beside its first
 closing     how the keyframes of a loop close it: travel and heading
 winding     which way round a joint turns from one keyframe to the next: the signs of quaternions
 arcs        the straight way between keyframes: one arc at one speed a joint (SLERP)
+symmetry    which link of a figure is on the other side of which, at rest
 mirror      left and right exchanged: motion reflected in the x-z plane, as a linear map of states
 unknowns    the decision vector x of a timeline, and the affine map from it to the spline's rows
 """

@@ -14,11 +14,12 @@ import numpy as np
 from .. import quaternion as quat
 from ..array import Array, Index
 from ..curve.frame import Timeline
-from ..curve.mirror import Mirror, MirrorError
+from ..curve.mirror import Mirror
+from ..curve.symmetry import MirrorError
 from ..figure.figure import Figure, quaternion_columns
 
 HEIGHT = 5.0  # [rad/m] how much of a joint's turn the root's height counts like
-LOPSIDED = 0.03  # [m] how far off the x-z plane a measured body's middle may be
+LOPSIDED = 0.05  # of its size, how far from symmetric a measured body may be
 STILL = 1e-6  # [rad] of poses that differ by less than this, none tells anything
 FEW = 8  # poses up to which a heading that changes evenly is all that they tell
 EVEN, BENT = 1, 3  # degrees of the heading's polynomial
@@ -119,7 +120,7 @@ class PoseVectors:
             heading = Heading.of(times, own[:, turn])
             own[:, turn] = quat.product(heading.turn(times, -1), own[:, turn])
         try:
-            poses = np.concatenate([own, Mirror.of(figure, LOPSIDED).states(own)])
+            poses = np.concatenate([own, Mirror.of(figure, LOPSIDED).configurations(own)])
         except MirrorError:
             poses = own
         found = [quaternion_columns(figure.links[i]) for i in tables.quaternion_links]

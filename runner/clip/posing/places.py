@@ -69,6 +69,11 @@ class Places:
             return int(model.geom_bodyid[self._geoms[name]])
         return self.figure.links[self.soles[name].link].body if name in self.soles else None
 
+    def alike(self, name: str) -> list[str]:
+        """All names of the kind that a name is first taken for: sites, feet, geoms or bodies."""
+        kinds = (self._sites, self.soles, self._geoms, self._bodies)
+        return next((list(names) for names in kinds if name in names), [])
+
     @property
     def points_listed(self) -> list[str]:
         """The names of points that a message tells: sites and feet, or bodies if there are none."""

@@ -289,7 +289,7 @@ def test_a_mirrored_clip_is_the_clip_of_the_mirrored_keyframes(tmp_path):
     edit_files.run([str(source)], edit_files.mirrored(), target, overwrite=False, progress=progress())
     before, after = clip.load(str(source)), clip.load(str(target))
     mirror = Mirror.of(before.figure)
-    for a, b in zip(after.keys, map(mirror.frame, before.keys), strict=True):
+    for a, b in zip(after.keys, map(mirror.key, before.keys), strict=True):
         np.testing.assert_array_equal(a.fixed, b.fixed)
         np.testing.assert_allclose(a.state[a.fixed], b.state[b.fixed], atol=1e-12)
     assert [bend.name for bend in after.context.bends] == ["right_knee", "left_elbow"]
@@ -337,7 +337,7 @@ def test_places_contacts_and_obstacles_change_sides_with_a_clip(tmp_path):
         edit_files.run([str(paths[0])], edit_files.mirrored(), paths[1], overwrite=False, progress=progress())
     one, two, three = (clip.load(str(tmp_path / f"{name}.toml")) for name in ("one", "two", "three"))
     mirror = Mirror.of(one.figure)
-    for a, b in zip(two.keys, map(mirror.frame, one.keys), strict=True):
+    for a, b in zip(two.keys, map(mirror.key, one.keys), strict=True):
         np.testing.assert_array_equal(a.fixed, b.fixed)
         np.testing.assert_allclose(a.state[a.fixed], b.state[b.fixed], atol=1e-6)
     said = clip.table_of(two.text, "two")

@@ -10,9 +10,11 @@ from oracles import posed
 from random_keys import random_qpos
 
 from dynsplines import models
+from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.frame import Frame
-from dynsplines.solver.curve.mirror import Mirror, MirrorError, other_side
+from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.curve.symmetry import MirrorError, other_side
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.refine.subdivision import evenly
@@ -130,20 +132,101 @@ def changed(old: str, new: str, text: str = ROBOT) -> Figure:
 @pytest.mark.parametrize(
     ("figure", "words"),
     [
-        (changed('"RightRoll"', '"Roll"'), "no partner on the other side for: 'LeftRoll';"),
+        (
+            changed('"RightRoll" axis="1 0 0"', '"Roll" axis="1 0 1"'),
+            "the axes of 'LeftRoll' and 'Roll' are no mirror images",
+        ),
         (changed('pos="0 0 .2"', 'pos="0 .1 .2"'), "no partner on the other side for: 'neck'"),
         (
             changed('quat=".9 -.1 .2 -.3"', 'quat=".9 .1 .2 -.3"'),
-            "'LeftPitch' at rest is no mirror image of 'RightPitch'",
+            "the axes of 'LeftPitch' and 'RightPitch' are no mirror images",
         ),
         (
             changed('"RightReach" type="slide"', '"RightReach" type="hinge"'),
             "'LeftReach' and 'RightReach' are not alike",
         ),
+        (changed('pos="0 -.2 0"', 'pos="0 -.2 .1"'), "'LeftPitch' at rest is no mirror image of 'RightPitch'"),
         (changed('"RightRoll" axis="1 0 0"', '"RightRoll" axis="1 0 1"'), "axes of .* are no mirror images"),
-        (Figure(mujoco.MjModel.from_xml_string(BALL_TREE)), "no partner .* 'shoulder', 'elbow', 'hip';"),
+        (Figure(mujoco.MjModel.from_xml_string(BALL_TREE)), "no partner .* 'shoulder', 'hip';"),
     ],
 )
 def test_a_figure_without_two_sides_is_refused_by_the_joints_that_have_no_partner(figure, words):
     with pytest.raises(MirrorError, match=words):
         Mirror.of(figure)
+
+
+PARTS = (  # name, parent, place at rest, kind and axis of the joint
+    ("trunk", "", (0.0, 0, 1), "free", (0, 0, 0)),
+    ("waist", "trunk", (0, 0, 1.2), "hinge", (1, 0, 0)),
+    ("neck", "waist", (0.02, 0, 1.5), "ball", (0, 0, 0)),
+    ("left_arm", "waist", (0, 0.2, 1.4), "ball", (0, 0, 0)),
+    ("left_elbow", "left_arm", (0.1, 0.5, 1.4), "hinge", (0.1, 0.3, 0.9)),
+    ("left_leg", "trunk", (0, 0.1, 0.9), "hinge", (0, 1, 0)),
+    ("left_shin", "left_leg", (0.03, 0.12, 0.5), "slide", (0.3, 0.1, 0.9)),
+)
+
+
+def other_part(part):
+    name, parent, (x, y, z), kind, axis = part
+    sign = -1 if kind == "hinge" else 1
+    swapped = (name.replace("left", "right"), parent.replace("left", "right"))
+    return *swapped, (x, -y, z), kind, tuple(sign * np.array(axis) * [1, -1, 1])
+
+
+def turned_frames(rng, *, names: bool, root=None) -> tuple[mujoco.MjModel, list[int]]:
+    """A symmetric figure whose bodies' frames are turned at random, and whose axes point either way; the body on the
+    other side of each."""
+    parts = [*PARTS, *(other_part(part) for part in PARTS if "left" in part[0])]
+    turns = {name: quat.normalised(rng.normal(size=4)) for name, *_ in parts}
+    turns["trunk"] = np.array([1.0, 0, 0, 0]) if root is None else quat.normalised(root)
+    place = {name: np.array(where) for name, _, where, *_ in parts}
+    called = {name: name if names else f"b{i}" for i, (name, *_) in enumerate(parts)}
+    spec = mujoco.MjSpec()
+    bodies = {"": spec.worldbody}
+    for name, parent, where, kind, axis in parts:
+        back = quat.inverse(turns[parent]) if parent else np.array([1.0, 0, 0, 0])
+        offset = np.array(where) - (place[parent] if parent else 0)
+        body = bodies[parent].add_body(
+            name=called[name], pos=quat.rotated(back, offset), quat=quat.product(back, turns[name])
+        )
+        body.add_geom(type=mujoco.mjtGeom.mjGEOM_SPHERE, size=[0.05, 0, 0])
+        bodies[name] = body
+        if kind == "free":
+            body.add_freejoint(name=f"{called[name]}_joint")
+            continue
+        sign = rng.choice([-1.0, 1.0])
+        joint = body.add_joint(name=f"{called[name]}_joint", type=getattr(mujoco.mjtJoint, f"mjJNT_{kind.upper()}"))
+        if kind != "ball":
+            joint.axis, joint.ref = quat.rotated(quat.inverse(turns[name]), sign * np.array(axis, float)), rng.normal()
+    model = spec.compile()
+    ids = {name: model.body(called[name]).id for name in called}
+    return model, [0, *(ids[other_side(name)] for name in sorted(ids, key=ids.__getitem__))]
+
+
+@pytest.mark.parametrize("names", [True, False], ids=["left and right", "by geometry"])
+@pytest.mark.parametrize("root", [None, (1.0, 0, 0, 1), (0.9, 0.3, -0.4, 0.1)], ids=["along", "faces y", "any"])
+@pytest.mark.parametrize("coordinates", ["world", "joint"])
+def test_frames_turned_at_random_have_mirrored_places_and_come_back(rng, names, root, coordinates):
+    model, partner = turned_frames(rng, names=names, root=root)
+    figure = Figure(model, coordinates)
+    mirror = Mirror.of(figure)
+    for _ in range(3):
+        qpos = random_qpos(figure, rng)
+        state, slope = figure.to_state(qpos), rng.normal(size=qpos.shape)
+        image = figure.to_qpos(mirror.states(state))
+        np.testing.assert_allclose(posed(model, image)[0][partner], posed(model, qpos)[0] @ REFLECTION, atol=1e-9)
+        np.testing.assert_allclose(posed(model, mirror.configurations(qpos))[0], posed(model, image)[0], atol=1e-9)
+        np.testing.assert_allclose(mirror.configurations(mirror.configurations(qpos)), qpos, atol=1e-9)
+        np.testing.assert_allclose(mirror.states(mirror.states(state)), state, atol=1e-9)
+        np.testing.assert_allclose(mirror.states(state + slope), mirror.states(state) + mirror.slopes(slope), atol=1e-9)
+
+
+def test_names_that_lack_a_side_are_paired_with_the_side_that_the_other_has():
+    legs = "".join(
+        f'<body name="{name}" pos="0 0 -.1"><joint name="{name}_joint" axis="0 -1 0"/><geom size=".1"/></body>'
+        for name in ("thigh", "thigh_left")
+    )
+    text = f"""<mujoco><worldbody><body><joint name="x" type="slide" axis="1 0 0"/><geom size=".1"/>{legs}</body>
+        </worldbody></mujoco>"""
+    mirror = Mirror.of(Figure(mujoco.MjModel.from_xml_string(text)))
+    np.testing.assert_array_equal(mirror.states(np.array([0.3, 0.1, 0.2])), [0.3, 0.2, 0.1])

@@ -1,0 +1,95 @@
+"""A mirrored clip means the mirrored motion, whatever frames the figure's bodies have and whatever they are called."""
+
+from __future__ import annotations
+
+import tomllib
+
+import mujoco
+import numpy as np
+import pytest
+from oracles import posed
+
+from dynsplines.clip import load as clips
+from dynsplines.clip.mirror import mirrored_tables
+from dynsplines.clip.text import written
+from dynsplines.errors import UserError
+from dynsplines.solver.curve.mirror import Mirror
+
+TURNED = """
+<mujoco><compiler angle="radian"/><worldbody>
+  <body name="pelvis" pos="0 0 .8" quat=".5 .5 .5 .5"><freejoint name="root"/>
+    <geom type="box" size=".12 .08 .08" mass="8"/><site name="badge" pos="0 0 .08"/>
+    <body name="waist" pos="0 .1 0" quat=".5 .5 -.5 -.5"><joint name="waist" type="ball"/>
+      <geom size=".1" mass="5"/></body>
+    <body name="hip_1" pos=".1 -.05 0" quat=".6 .8 0 0"><joint name="swing_1" type="ball"/><geom size=".05"/>
+      <body name="foot_1" pos="0 -.3 .3"><joint name="ankle_1" axis="1 0 0"/><geom size=".04"/>
+        <site name="toe_1" pos="0 0 .1"/></body></body>
+    <body name="hip_2" pos="-.1 -.05 0" quat=".8 0 .6 0"><joint name="swing_2" type="ball"/><geom size=".05"/>
+      <body name="foot_2" pos=".35712 -.204 -.10416" quat=".6 .8 0 0">
+        <joint name="ankle_2" axis="-.28 -.9216 .2688"/><geom size=".04"/>
+        <site name="toe_2" pos=".02688 .0193536 .0943552"/></body></body>
+  </body></worldbody></mujoco>"""
+
+
+def figure(text: str = TURNED) -> mujoco.MjSpec:
+    return mujoco.MjSpec.from_string(text)
+
+
+CLIP = """figure = "turned.xml"
+[[keyframe]]
+time = 0
+root = {position = [0.1, 0.2, 0.8], rotation = {rotvec = [30, 80, 70]}}
+joints.waist = {euler = [10, 20, 5]}
+joints.swing_1 = {rotvec = [10, -20, 30]}
+joints.swing_2 = {quat = [0.9, 0.1, 0.2, 0.3]}
+joints.ankle_1 = 15
+joints.ankle_2 = -25
+[[keyframe]]
+time = 1
+root = {position = [0.1, 0.3, 0.8], rotation = {heading = 20, quat = [0.5, 0.5, 0.5, 0.5]}}
+others = "hold"
+"""
+
+
+def test_rotations_of_turned_frames_are_those_of_the_mirrored_motion():
+    spec = figure()
+    clip = clips.from_text(CLIP, name="one", spec=spec.copy())
+    mirror = Mirror.of(clip.figure)
+    names = [link.name for link in clip.figure.links]
+    assert names[mirror.partner[names.index("swing_1")]] == "swing_2"
+    text = written(mirrored_tables(tomllib.loads(CLIP), clip.figure, mirror))
+    image = clips.from_text(text, name="two", spec=spec.copy())
+    model = clip.figure.model
+    pairs = [model.body(name).id for name in ("pelvis", "waist", "hip_1", "foot_1", "hip_2", "foot_2")]
+    there = [model.body(name).id for name in ("pelvis", "waist", "hip_2", "foot_2", "hip_1", "foot_1")]
+    for one, two in zip(clip.keys, image.keys, strict=True):
+        before, after = (posed(model, key.state)[0] for key in (one, two))
+        np.testing.assert_allclose(after[there], before[pairs] * [1, -1, 1], atol=2e-4)  # of digits in the model
+        np.testing.assert_array_equal(one.fixed.all(), two.fixed.all())
+
+
+def test_sites_and_bodies_without_sides_in_their_names_are_exchanged_by_their_places():
+    row = """figure = "turned.xml"
+[[keyframe]]
+time = 0
+others = "rest"
+[[keyframe]]
+time = 1
+others = "hold"
+sites = {toe_1 = [0.3, 0.1, 0.4], badge = [0.1, 0.0, 0.8]}
+bodies.foot_2 = {rotvec = [0, 20, 0]}
+"""
+    clip = clips.from_text(row, name="one", spec=figure(), unmet=[])
+    mirror = Mirror.of(clip.figure)
+    (_, last) = mirrored_tables(tomllib.loads(row), clip.figure, mirror)["keyframe"]
+    assert last["sites"] == {"toe_2": [0.3, -0.1, 0.4], "badge": [0.1, 0.0, 0.8]}
+    assert list(last["bodies"]) == ["foot_1"]
+
+
+def test_a_site_that_has_nothing_on_the_other_side_is_refused():
+    text = TURNED.replace('<site name="toe_2" pos=".02688 .0193536 .0943552"/>', "")
+    clip = clips.from_text(CLIP, name="one", spec=figure(text))
+    table = tomllib.loads(CLIP)
+    table["keyframe"][1]["sites"] = {"toe_1": [0.3, 0.1, 0.4]}
+    with pytest.raises(UserError, match="'toe_1': nothing like it on the other side"):
+        mirrored_tables(table, clip.figure, Mirror.of(clip.figure))
