@@ -311,6 +311,15 @@ def _posed(search: _PoseSearch, starts: int) -> Posed:
     return replace(min([best, *found, closest], key=lambda pose: pose.worst), starts=starts)
 
 
+def in_winding(figure: Figure, qpos: Array, near: Array, which: Mask) -> Array:
+    """qpos (nq,) with hinges without a range, of the entries `which` (nq,), in the turn nearest to a pose (nq,)."""
+    out, limited = np.array(qpos), figure.model.jnt_limited
+    columns = [link.qpos for link in figure.links[1:] if link.kind is JointKind.HINGE and not limited[link.joint]]
+    some = np.array([column for column in columns if which[column]], np.intp)
+    out[some] += 2 * np.pi * np.round((near[some] - out[some]) / (2 * np.pi))
+    return out
+
+
 def _apart(figure: Figure, free: Mask, goals: Sequence[Goal]) -> list[list[int]]:
     """The goals in groups that no free joint has a part in two of, by index."""
     groups: list[tuple[set[int], list[int]]] = []

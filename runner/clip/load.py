@@ -54,6 +54,7 @@ from .posing.placing import check_search, wanted, with_pose
 from .posing.rooting import set_roots
 from .posing.rotation import quaternion_of
 from .posing.standing import Stander
+from .posing.turns import lost_turns
 from .table import (
     ROTATION,
     ClipTable,
@@ -246,7 +247,8 @@ def from_text(
         unmet += missed
     if recording is not None:
         return _following(recording, name, text, scene, keys, table, fps)
-    return _clip(name, text, scene, figure, fps or table.fps, keys, table, where, placed)
+    clip = _clip(name, text, scene, figure, fps or table.fps, keys, table, where, placed)
+    return replace(clip, notes=(*clip.notes, *lost_turns(figure, table.keyframe, clip.problem.raw)))
 
 
 def _place(figure: str, folder: Path | None) -> str:
@@ -720,7 +722,7 @@ def _key(figure: Figure, row: KeyframeTable, before: Frame | None, loose: Sequen
             fixed[quaternion_columns(named[name]) or named[name].qpos] = False
         else:
             _set_joint(qpos, fixed, named[name], value, f"{where}: joints.{name}")
-    set_roots(figure, qpos, fixed, row, where)
+    set_roots(figure, qpos, fixed, row, where, None if before is None else before.state)
     follow(figure, qpos, fixed, lambda name: name in row.joints)
     return Frame.key(row.time, qpos, fixed)
 

@@ -3,5 +3,6 @@
 places     names of points and bodies   placing   places that keyframes give become joints
 feet       the soles' points            standing  feet that stand stay where they stand
 rotation   rotations as a clip has them couplings joints that others make follow
+turns      turns that keyframes write and no motion makes
 rooting    what places a root, on a free joint or on slides and hinges
 """

@@ -28,6 +28,7 @@ from dynsplines.solver.posing import (
     SiteGoal,
     chain,
     entries,
+    in_winding,
     limb,
     posed,
     reached,
@@ -132,7 +133,8 @@ def with_pose(
     found = posed(figure, home, ~key.fixed, [*goals, *also], stander.bends) if also else None
     if found is None or not found.is_met:
         found = posed(figure, home, ~key.fixed, goals, stander.bends)
-    posed_key = Frame.key(key.time, np.where(key.fixed, key.state, found.qpos), key.fixed | reached(figure, goals))
+    pose = in_winding(figure, found.qpos, path.states[k - 1] if k else home, ~key.fixed)
+    posed_key = Frame.key(key.time, np.where(key.fixed, key.state, pose), key.fixed | reached(figure, goals))
     return posed_key, [] if found.is_met else _complaints(figure, key, goals, found)
 
 

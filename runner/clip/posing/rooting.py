@@ -15,7 +15,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index, Mask
 from dynsplines.solver.figure.figure import Figure, JointKind, Link
 from dynsplines.solver.figure.root import Root, roots_of
-from dynsplines.solver.posing import entries
+from dynsplines.solver.posing import entries, in_winding
 
 from ...errors import UserError, unknown
 from ..table import KeyframeTable, RootTable, RotationTable
@@ -76,13 +76,17 @@ def roots_by_name(figure: Figure) -> dict[str, Root]:
     return out
 
 
-def set_roots(figure: Figure, qpos: Array, fixed: Mask, row: KeyframeTable, where: str) -> None:
+def set_roots(
+    figure: Figure, qpos: Array, fixed: Mask, row: KeyframeTable, where: str, before: Array | None = None
+) -> None:
     """Sets qpos (nq,) and mask (nq,) to what a keyframe's `root` and `roots` specify, in place.
 
     Joints of slides and hinges that the keyframe names itself are set before and stay.
+
+    before  (nq,) the previous keyframe, in whose winding hinges turn by a quaternion
     """
     if row.root.model_fields_set:
-        _set(figure, _own(figure, where), qpos, fixed, row.root, row, f"{where}: root")
+        _set(figure, _own(figure, where), qpos, fixed, row.root, row, f"{where}: root", before)
     if not row.roots:
         return
     named = roots_by_name(figure)
@@ -90,7 +94,7 @@ def set_roots(figure: Figure, qpos: Array, fixed: Mask, row: KeyframeTable, wher
         if name not in named:
             free = [link.name for link in figure.links[1:] if link.kind is JointKind.FREE]
             raise UserError(f"{where}: roots: {unknown('free joint', name, free or list(named))}")
-        _set(figure, named[name], qpos, fixed, table, row, f"{where}: roots.{name}")
+        _set(figure, named[name], qpos, fixed, table, row, f"{where}: roots.{name}", before)
 
 
 def _own(figure: Figure, where: str) -> Root:
@@ -112,7 +116,14 @@ def _own(figure: Figure, where: str) -> Root:
 
 
 def _set(
-    figure: Figure, root: Root, qpos: Array, fixed: Mask, table: RootTable, row: KeyframeTable, where: str
+    figure: Figure,
+    root: Root,
+    qpos: Array,
+    fixed: Mask,
+    table: RootTable,
+    row: KeyframeTable,
+    where: str,
+    before: Array | None,
 ) -> None:
     if root.is_free:
         _set_free(qpos, fixed, figure.links[root.link].qpos, table, where)
@@ -122,6 +133,9 @@ def _set(
         if isinstance(table.rotation, RotationTable):
             is_placed = all(fixed[entries(figure, i)].all() for i in root.links)
             chain.turn(table.rotation, stays=is_placed and "position" not in table.model_fields_set)
+            if table.rotation.quat is not None and before is not None:
+                some = np.isin(np.arange(figure.width), [figure.links[i].qpos for i in chain.turning])
+                qpos[:] = in_winding(figure, qpos, before, some)
         chain.fix(fixed, chain.turning, table.rotation != "free")
     if "position" in table.model_fields_set and not is_posed:
         axes: Sequence[float | str] = ("free",) * 3 if table.position == "free" else table.position

@@ -23,7 +23,18 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import BendLimits, Hold, Placed
 from dynsplines.solver.penalty.ground.planted import NEAR_SURFACE, SAME_SPOT
-from dynsplines.solver.posing import BodyGoal, Goal, HoldGoal, PointGoal, Posed, entries, limb, posed, reached
+from dynsplines.solver.posing import (
+    BodyGoal,
+    Goal,
+    HoldGoal,
+    PointGoal,
+    Posed,
+    entries,
+    in_winding,
+    limb,
+    posed,
+    reached,
+)
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.points import Point, arrays_of, placed
 
@@ -203,6 +214,7 @@ class Stander:
             missed += groups.pop(int(of_group[np.argmax(found.missed)]))
         home, more = self._reaching(home, ~frame.fixed & ~told, missed)
         told |= more
+        home = in_winding(figure, home, seen.timeline.states[k - 1] if k else home, told)
         return Frame(key.time, np.where(told, home, key.state), key.fixed, told) if told.any() else key
 
     def _reaching(self, home: Array, free: Mask, missed: Sequence[Goal]) -> tuple[Array, Mask]:

@@ -1,0 +1,115 @@
+"""Turns that keyframes write and no motion makes: rotations are quaternions, which have no whole turns.
+
+From one keyframe to the next a joint takes the shorter way. A heading of 360 after 0 turns nothing, and one of 270
+after 0 goes a quarter back. Both are reported, with the keyframes in between that make the turn.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+
+import numpy as np
+
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Timeline
+from dynsplines.solver.figure.figure import Figure, quaternion_columns
+
+from ..table import KeyframeTable, RotationTable
+from .rooting import roots_by_name
+
+HALF, SAME = 180.0, 1.0  # [degrees] that a turn between two keyframes is at most; by which two turns differ
+STEP = 120.0  # [degrees] of a turn between keyframes that are advised, at most
+
+
+def lost_turns(figure: Figure, rows: Sequence[KeyframeTable], keys: Timeline) -> list[str]:
+    """A line on every rotation of a keyframe that is written as another turn than the raw timeline makes."""
+    names = list(dict.fromkeys(name for row in rows for name in _rotations(figure, row)))
+    return [line for name in names for line in _lost(figure, name, rows, keys)]
+
+
+def _rotations(figure: Figure, row: KeyframeTable) -> dict[str, tuple[int | None, RotationTable]]:
+    """What a keyframe turns, by its key: the link whose quaternion it sets, None for what a pose is found for."""
+    named = {link.name: i for i, link in enumerate(figure.links) if i}
+    out: dict[str, tuple[int | None, RotationTable]] = {}
+    roots = roots_by_name(figure) if row.roots else {}
+    placed = [("root", figure.root, row.root)]
+    placed += [(f"roots.{name}", roots.get(name), table) for name, table in row.roots.items()]
+    for key, root, table in placed:
+        if root is not None and root.is_free and isinstance(table.rotation, RotationTable):
+            out[f"{key}.rotation"] = root.link, table.rotation
+    for name, value in row.joints.items():
+        if name in named and isinstance(value, RotationTable):
+            out[f"joints.{name}"] = named[name], value
+    for name, table in row.bodies.items():
+        if _written(table) is not None:
+            out[f"bodies.{name}"] = None, table
+    return out
+
+
+def _written(table: RotationTable) -> tuple[str, Array] | None:
+    """How a rotation is written, and its angles [degrees]; None for a quaternion, which has no turns to lose."""
+    if table.heading is not None and {"rotvec", "euler", "quat"}.isdisjoint(table.model_fields_set):
+        return "heading", np.array([table.heading])
+    if table.heading is None and table.rotvec is not None:
+        return "rotvec", np.array(table.rotvec)
+    if table.euler is not None:
+        turned = [] if table.heading is None else [table.heading]
+        return f"euler {table.order or 'xyz'}{' heading' * len(turned)}", np.array([*table.euler, *turned])
+    return None
+
+
+def _lost(figure: Figure, name: str, rows: Sequence[KeyframeTable], keys: Timeline) -> Iterator[str]:
+    """Of one rotation, from each keyframe that gives it to the next."""
+    last: tuple[int, str | None, Array] | None = None  # None for the way of writing: at rest, however it is written
+    for k, row in enumerate(rows):
+        link, table = _rotations(figure, row).get(name, (None, None))
+        written = None if table is None else _written(table)
+        if table is None:
+            last = last if row.others != "rest" else (k, None, np.zeros(1))
+            continue
+        if written is not None and last is not None and last[1] in (None, written[0]):
+            first = np.broadcast_to(last[2], written[1].shape)
+            line = _line(figure, name, link, (last[0], k), first, written[1], keys)
+            if line is not None:
+                yield line.format(k + 1, row.time, written[0].partition(" ")[0])
+        last = None if written is None else (k, *written)
+
+
+def _line(
+    figure: Figure, name: str, link: int | None, pair: tuple[int, int], first: Array, last: Array, keys: Timeline
+) -> str | None:
+    """What is lost between two keyframes, with places for the second one's number and time; None for nothing."""
+    step = last - first
+    size = float(np.linalg.norm(step) if name.startswith("joints") and step.size == 3 else np.abs(step).max())
+    if size <= HALF + SAME:
+        return None
+    if link is not None and _is_made(figure, link, pair, size, keys):
+        return None
+    count = int(np.ceil(size / STEP - 1e-9))
+    between = ", ".join(_spoken(first + step * i / count) for i in range(1, count))
+    rest = float(np.abs((size + HALF) % 360 - HALF))
+    comes = "nothing turns" if rest < SAME else f"it takes the shorter way, {rest:g} degrees"
+    return (
+        f"keyframe {{}} (t = {{:g}} s): {name}: {{}} {_spoken(last)} is {size:g} degrees from keyframe {pair[0] + 1}, "
+        f"but {comes}; to turn {size:g} degrees, add keyframes in between, such as {between}"
+    )
+
+
+def _is_made(figure: Figure, link: int, pair: tuple[int, int], size: float, keys: Timeline) -> bool:
+    """Whether the raw timeline turns a link by an angle [degrees] between two keyframes: a body in a spin goes on."""
+    columns, (first, last) = quaternion_columns(figure.links[link]), pair
+    if columns is None or last >= len(keys.times):
+        return False
+    own, turned = figure.to_qpos(keys.states[first : last + 1])[:, columns], 0.0
+    for a, b in pairwise(own):
+        angle = float(np.degrees(np.linalg.norm(quat.rotation_vector(quat.product(quat.inverse(a), b)))))
+        turned += angle if a @ b >= 0 else 360 - angle
+    return abs(turned - size) < SAME
+
+
+def _spoken(angles: Array) -> str:
+    """Angles [degrees] as a clip writes them."""
+    listed = ", ".join(f"{angle:g}" for angle in np.round(angles, 3))
+    return listed if angles.size == 1 else f"[{listed}]"
