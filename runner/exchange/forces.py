@@ -47,18 +47,24 @@ class Foot:
 
 @dataclass(frozen=True)
 class Forces:
-    """Of a take whose motion is `samples`; support None: a figure without a free root."""
+    """Of a take whose motion is `samples`; support None: a figure without a free root.
+
+    model  whose forces they are: the take's, or one with the same joints
+    """
 
     take: Take
     samples: Samples
     support: Support | None
+    model: mujoco.MjModel
 
     @classmethod
-    def of(cls, take: Take) -> Forces:
+    def of(cls, take: Take, model: mujoco.MjModel | None = None) -> Forces:
+        """The forces of a motion in its own model, or in another one with the same joints."""
         saved = take.saved
         support = clip.answered(saved).context.support
         stiff = None if support is None else replace(support, softness=STIFF)
-        return cls(take, samples_at(saved.figure, path_of(saved.timeline), take.time), stiff)
+        samples = samples_at(saved.figure, path_of(saved.timeline), take.time)
+        return cls(take, samples, stiff, take.model if model is None else model)
 
     @cached_property
     def known(self) -> Mask:
@@ -70,7 +76,7 @@ class Forces:
     @cached_property
     def inverse(self) -> Array:
         """(T, nv) MuJoCo's qfrc_inverse without contacts: joint forces as if nothing were on the ground."""
-        return inverse_dynamics(self.take.model, self.take.qpos, self.take.qvel, self.take.qacc)
+        return inverse_dynamics(self.model, self.take.qpos, self.take.qvel, self.take.qacc)
 
     @cached_property
     def wrench(self) -> RootWrench | None:

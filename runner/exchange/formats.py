@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib import import_module
 from pathlib import Path
 from typing import Protocol
@@ -82,7 +82,7 @@ FORMATS = (
            wishes=("columns",)),
     Format("npz", ".qpos.npz", "time, qpos, qvel, qacc, names and the figure as plain arrays", "arrays", reads=True),
     Format("mjcf", ".keys.xml", "figure and scene with a <key> an instant", "mjcf_keys", reads=True, also=(".xml",),
-           wishes=("simulate",)),
+           variants=(SIMULATED,), wishes=("simulate",)),
     Format("mjlab", ".mjlab.npz", "mjlab, BeyondMimic: hinges and bodies in the world", "mjlab", reads=True),
     Format("mjlab-csv", ".mjlab.csv", "their input: root, quaternion xyzw, hinges; no names", "mjlab_csv", reads=True),
     Format("locomujoco", ".loco.npz", "a trajectory of LocoMuJoCo, with all of its arrays", "locomujoco", reads=True),
@@ -159,6 +159,12 @@ def target_of(name: str, form: Format, wishes: Wishes) -> Path:
     return Path(f"{plain}{SIMULATED if wishes.simulate else form.ending}")
 
 
+def asked_by(target: Path | None, wishes: Wishes) -> Wishes:
+    """The wishes of a file with this name: one that ends in .simulate.xml is a scene to simulate."""
+    is_scene = target is not None and target.name.lower().endswith(SIMULATED)
+    return replace(wishes, simulate=True) if is_scene else wishes
+
+
 def check_wishes(form: Format, wishes: Wishes) -> None:
     """Raises UserError for what a format cannot hold."""
     for name, said in (("simulate", wishes.simulate), ("columns", bool(wishes.columns))):
@@ -184,7 +190,7 @@ def export(
     tell       takes lines for the user: what else was written, and what the format could not hold
     Raises UserError for an unknown format, another format's ending, a missing extra, and what the format cannot hold.
     """
-    form, wishes = chosen(kind, target), wishes or Wishes()
+    form, wishes = chosen(kind, target), asked_by(target, wishes or Wishes())
     check_wishes(form, wishes)
     target = target or target_of(saved.name, form, wishes)
     check_target(target)

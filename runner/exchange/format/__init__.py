@@ -3,7 +3,6 @@
 csv_table   CSV: a row an instant, the time and MuJoCo's qpos, under a heading that names joint and component
 arrays      NPZ of plain arrays: what MuJoCo's users pass around, and all that they need to play it
 mjcf_keys   MJCF with <keyframe>: the figure and its scene, and a <key> with time, qpos and qvel for every instant
-simulated   a scene that stands by itself under `mj_step`
 mjlab       NPZ of mjlab and BeyondMimic (whole_body_tracking): a robot's hinges, and its bodies in the world
 mjlab_csv   CSV that mjlab and BeyondMimic convert from, without a heading
 locomujoco  NPZ of LocoMuJoCo: a Trajectory as its `save` writes it and its `load` reads it, every array filled in

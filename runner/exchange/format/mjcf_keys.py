@@ -20,26 +20,29 @@ from ...scene.assets import taken_along
 from ...scene.compose import figure_spec, first_line, quietly
 from ...scene.mujoco_versions import portable_text, remove
 from ..held import Held
+from ..simulation import scene, tracking
 from ..take import Recording, Take
-from . import simulated
 
 
 def write(take: Take, path: Path) -> None:
-    """Keys after the model as it is, or one that stands by itself, see `simulated`."""
-    drives = simulated.drives(take) if take.wishes.simulate else None
-    root = ElementTree.fromstring(take.saved.mjcf) if drives is None else simulated.scene(take, drives)
-    controls = None if drives is None else simulated.targets(take, drives)
+    """Keys after the model as it is, or one that stands by itself, see `simulation`."""
+    simulation = scene.Simulation.of(take) if take.wishes.simulate else None
+    root = ElementTree.fromstring(take.saved.mjcf) if simulation is None else simulation.root
     for keyframes in root.findall("keyframe"):
         root.remove(keyframes)
     keyframes = ElementTree.SubElement(root, "keyframe")
     stem = re.sub(r"\W+", "_", take.name) or "key"
     for i, (time, qpos, qvel) in enumerate(zip(take.time.tolist(), take.qpos, take.qvel, strict=True)):
         values = {"name": f"{stem}_{i}", "time": repr(time), "qpos": _written(qpos), "qvel": _written(qvel)}
-        if controls is not None:
-            values["ctrl"] = _written(controls[i])
+        if simulation is not None:
+            values["ctrl"] = _written(simulation.control[i])
         ElementTree.SubElement(keyframes, "key", values)
-    if drives is not None:
-        take.notes.append(f"{len(drives)} position actuators; `ctrl` of the keys is what to aim them at")
+    if simulation is not None:
+        count = len(simulation.drives)
+        take.notes.append(f"{count} position actuators; `ctrl` of the keys is what to aim them at")
+        take.notes.extend(simulation.notes)
+        if len(take.time) > 1:
+            take.notes.append(tracking.note(tracking.tracked(simulation, take), simulation, take))
     ElementTree.indent(root)
     ElementTree.ElementTree(root).write(path, encoding="unicode")
 

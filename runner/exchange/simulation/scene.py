@@ -1,0 +1,328 @@
+"""A scene that stands by itself under `mj_step`: soles and body collide with it, every joint has position actuators.
+
+The figure's geoms that collide in the model still collide, all of them if none does, and solid geoms of the scene
+collide with them. A figure none of whose geoms collide in the model does not collide with itself. The model's own
+actuators are replaced, and so are the limits of the forces that a joint's actuators may give:
+
+    force = kp (ctrl − q) − kv q'            hinges and slides; a ball joint has three, about its x, y and z
+
+with q the joint's coordinate, for a ball joint its rotation vector. `ctrl` of a key is q + (kv q' + τ) / kp of the
+motion, τ the torque that moves it so: `mj_inverse` of this very scene without contacts, less the ground's reactions
+(`forces`). On the motion the actuators give just τ, and off it they pull back. The gains:
+
+    kp = m ω², ω = 2π · 8 Hz, m the joint's inertia at rest (of a ball joint the largest), and for the joints of limbs
+         that stand at least 0.7 / rad of weight times height (a slide: as if 0.1 m were a radian): they bear it all
+    kv = kp · 0.04 s, which is critical damping, 2 / ω
+
+A free root has no actuator. Gains are in N m/rad and N m s/rad, of slides in N/m and N s/m.
+
+Nothing of the model's actuators, of their defaults or of the options of its simulation is inherited, except the flags
+that turn off forces of the figure itself (`FIGURE_FLAGS`): the feed-forward considers these.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from xml.etree import ElementTree
+
+import mujoco
+import numpy as np
+
+from dynsplines.solver.array import Array
+from dynsplines.solver.figure import wrench
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.surface.touch import bolted, is_scenery
+
+from ...clip import load as clip
+from ...measure.penetration import moving_geoms, solid_geoms
+from ...scene.compose import quietly
+from ...scene.mujoco_versions import geoms_by_number, portable_text, remove
+from ..forces import Forces
+from ..take import Take
+
+FREQUENCY = 8.0  # [Hz] at which a limb held by its actuators would swing: several times what people do
+DAMPING = 2 / (2 * np.pi * FREQUENCY)  # [s] kv / kp of critical damping
+STANDING = 0.7  # [1/rad] of weight times height: one limb holds an upright figure, which falls by 0.55; more bounces
+SLIDE = 0.1  # [m] by which a slide may give where a hinge gives a radian
+TIMESTEPS = (1e-4, 0.002)  # [s] least and most
+ITERATIONS = (100, 50)  # of the constraint solver and its line search, at least
+SOFTNESS = (0.01, 1.5)  # time constant [s] and damping of contacts: feet land without bouncing
+IMPEDANCE = 10.0  # of friction beside that of normal forces: standing feet do not creep
+GRIP = 1.0  # least coefficient of friction of the ground
+SLIDING = 3  # dimension of a contact with friction
+ALL = 1  # the bit by which geoms that were for the eye meet what is solid
+BALL, FREE, HINGE = (
+    int(kind) for kind in (mujoco.mjtJoint.mjJNT_BALL, mujoco.mjtJoint.mjJNT_FREE, mujoco.mjtJoint.mjJNT_HINGE)
+)
+CONSTRAINED = ("EQUALITY", "FRICTIONLOSS", "LIMIT")  # forces that the flag CONSTRAINT turns off beside contacts
+FIGURE_FLAGS = ("GRAVITY", "PASSIVE", "SPRING", "DAMPER", *CONSTRAINED, "SENSOR")
+TELLING = ("CONTACT", "CONSTRAINT", "ACTUATION", "FILTERPARENT")  # disabled in a model, they change what happens
+ACTUATORS = (
+    "general", "motor", "position", "velocity", "intvelocity", "damper", "cylinder", "muscle", "adhesion", "dcmotor",
+    "pid", "orientation", "plugin",
+)  # fmt: skip
+DROPPED = {  # bounds of the forces of actuators, and of the memory, as more collides than in the model
+    "joint": ("actuatorfrcrange", "actuatorfrclimited", "actuatorgravcomp"),
+    "size": ("memory", "njmax", "nconmax", "nkey", "nstack"),
+}
+CLASS = "simulate_position"
+UNSET = {  # whatever the model's defaults are
+    "ctrllimited": "false", "forcelimited": "false", "ctrlrange": "0 0", "forcerange": "0 0", "gear": "1 0 0 0 0 0",
+    "group": "0",
+}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Drive:
+    """A position actuator: its joint, the axis of a ball joint that it turns about or None, and its gains."""
+
+    name: str
+    joint: int
+    axis: int | None
+    kp: float
+    kv: float
+
+
+@dataclass(frozen=True)
+class Simulation:
+    """A scene to simulate.
+
+    root     its MJCF, without keys
+    model    the same compiled
+    drives   its actuators
+    control  (T, nu) `ctrl` at the samples of the motion
+    notes    what of the model's options it overrides
+    """
+
+    root: ElementTree.Element
+    model: mujoco.MjModel
+    drives: list[Drive]
+    control: Array
+    notes: tuple[str, ...]
+
+    @classmethod
+    def of(cls, take: Take) -> Simulation:
+        """The scene of a motion; raises ValueError where MuJoCo cannot compile it."""
+        actuators = drives(take)
+        root, notes = _scene(take, actuators)
+        with quietly():
+            model = mujoco.MjModel.from_xml_string(
+                ElementTree.tostring(root, encoding="unicode"), dict(take.saved.scene.assets)
+            )
+        return cls(root, model, actuators, targets(take, model, actuators), tuple(notes))
+
+
+def drives(take: Take) -> list[Drive]:
+    """The actuators of a figure, joint after joint."""
+    model, least, joints = take.model, _least(take), joint_names(take.model)
+    out: list[Drive] = []
+    for joint in range(model.njnt):
+        kind, dof = int(model.jnt_type[joint]), int(model.jnt_dofadr[joint])
+        if kind == FREE:
+            continue
+        inertia = float(model.dof_M0[dof : dof + (3 if kind == BALL else 1)].max())
+        kp = _rounded(max(inertia * (2 * np.pi * FREQUENCY) ** 2, least[joint]))
+        kv = _rounded(kp * DAMPING)
+        for axis in range(3) if kind == BALL else (None,):
+            name = joints[joint] if axis is None else f"{joints[joint]}_{'xyz'[axis]}"
+            out.append(Drive(_unique(name, [drive.name for drive in out]), joint, axis, kp, kv))
+    return out
+
+
+def joint_names(model: mujoco.MjModel) -> list[str]:
+    """The joints' names, which those without get here."""
+    out = [model.joint(joint).name for joint in range(model.njnt)]
+    for joint, name in enumerate(out):
+        out[joint] = name or _unique(f"joint{joint}", out)
+    return out
+
+
+def _unique(name: str, taken: Iterable[str]) -> str:
+    """A name, or with a number where it is taken."""
+    used, number, out = set(taken), 1, name
+    while out in used:
+        number += 1
+        out = f"{name}_{number}"
+    return out
+
+
+def _rounded(gain: float) -> float:
+    """To three digits: gains are to be read."""
+    return float(f"{gain:.3g}")
+
+
+def _least(take: Take) -> Array:
+    """(njnt,) the gain that holds all of the figure, for joints between a free root and the soles that it stands on."""
+    figure, model = take.figure, take.model
+    out = np.zeros(model.njnt)
+    problem = clip.answered(take.saved)
+    if problem.context.support is None or not problem.context.points:
+        return out
+    root = problem.context.support.root
+    gain = STANDING * wrench.weight(figure, root) * wrench.height(figure, root)
+    for link in _standing(figure, {point.link for point in problem.context.points}):
+        joint = int(np.searchsorted(model.jnt_qposadr, figure.links[link].qpos))
+        hinged = int(model.jnt_type[joint]) in (BALL, HINGE)
+        out[joint] = gain if hinged else gain / SLIDE**2
+    return out
+
+
+def _standing(figure: Figure, feet: set[int]) -> set[int]:
+    """The links from the feet up to the free root, without it."""
+    out: set[int] = set()
+    for foot in feet:
+        link = foot
+        while link > 0 and figure.links[link].kind is not figure.links[link].kind.FREE:
+            out.add(link)
+            link = figure.links[link].parent
+    return out
+
+
+def targets(take: Take, model: mujoco.MjModel, actuators: list[Drive]) -> Array:
+    """(T, nu) what `ctrl` is at the samples. Where no torque is known, position and velocity alone.
+
+    model  the scene to simulate, whose torques are supplied
+    """
+    torques = np.nan_to_num(Forces.of(take, model).torques)
+    out = np.zeros((len(take.qpos), len(actuators)))
+    for column, drive in enumerate(actuators):
+        first, dof = int(model.jnt_qposadr[drive.joint]), int(model.jnt_dofadr[drive.joint])
+        if drive.axis is None:
+            at = take.qpos[:, first]
+        else:
+            at = _rotation_vectors(take.qpos[:, first : first + 4])[:, drive.axis]
+            dof += drive.axis
+        out[:, column] = at + (drive.kv * take.qvel[:, dof] + torques[:, dof]) / drive.kp
+    return out
+
+
+def _rotation_vectors(quaternions: Array) -> Array:
+    """(T, 3) [rad] of unit quaternions (T, 4), half a turn at most."""
+    out = np.zeros((len(quaternions), 3))
+    for row, quaternion in zip(out, quaternions, strict=True):
+        mujoco.mju_quat2Vel(row, quaternion, 1.0)
+    return out
+
+
+def _scene(take: Take, actuators: list[Drive]) -> tuple[ElementTree.Element, list[str]]:
+    """The model's text with geoms that collide, actuators and options of its own; and notes on what it overrides."""
+    spec = take.saved.scene.spec()
+    model, names = take.model, joint_names(take.model)
+    notes = [*_set_options(spec, model), *_collide(spec, model)]
+    for name, joint in zip(names, spec.joints, strict=True):
+        joint.name = name
+    with quietly():
+        spec.compile()
+    root = ElementTree.fromstring(portable_text(spec))
+    _remove_actuators(root)
+    _add_actuators(root, names, actuators)
+    return root, notes
+
+
+def _flag(name: str) -> int:
+    """A bit of mjtDisableBit, 0 where this MuJoCo has none of that name."""
+    return int(getattr(mujoco.mjtDisableBit, f"mjDSBL_{name}", 0))
+
+
+def _set_options(spec: mujoco.MjSpec, model: mujoco.MjModel) -> list[str]:
+    """Sets what `mj_step` goes by, whatever the model says of it; notes on what would make a difference."""
+    option, flags = spec.option, int(model.opt.disableflags)
+    if flags & _flag("CONSTRAINT"):
+        flags |= sum(map(_flag, CONSTRAINED))
+    option.disableflags = flags & sum(map(_flag, FIGURE_FLAGS))
+    option.enableflags = int(model.opt.enableflags) & int(mujoco.mjtEnableBit.mjENBL_ENERGY)
+    option.disableactuator = 0
+    least, most = TIMESTEPS
+    option.timestep = min(max(float(model.opt.timestep), least), most)
+    option.integrator = int(mujoco.mjtIntegrator.mjINT_IMPLICITFAST)  # or stiff damping makes it explode
+    option.cone = int(mujoco.mjtCone.mjCONE_ELLIPTIC)
+    option.impratio = max(float(model.opt.impratio), IMPEDANCE)
+    option.solver, option.jacobian = int(mujoco.mjtSolver.mjSOL_NEWTON), int(mujoco.mjtJacobian.mjJAC_AUTO)
+    option.iterations = max(int(model.opt.iterations), ITERATIONS[0])
+    option.ls_iterations = max(int(model.opt.ls_iterations), ITERATIONS[1])
+    option.tolerance = min(float(model.opt.tolerance), 1e-8)
+    option.noslip_iterations = 0
+    said = [f'{name.lower()}="disable"' for name in TELLING if int(model.opt.disableflags) & _flag(name)]
+    if model.opt.enableflags & int(mujoco.mjtEnableBit.mjENBL_OVERRIDE):
+        said.append('override="enable"')
+    if model.opt.disableactuator:
+        said.append("actuatorgroupdisable")
+    if model.opt.timestep < least:
+        said.append(f"timestep {model.opt.timestep:g} s, which is {least:g} s here")
+    return [f"the scene to simulate overrides options of the model: {', '.join(said)}"] if said else []
+
+
+def _remove_actuators(root: ElementTree.Element) -> None:
+    """Takes out the model's actuators, their defaults, what refers to them, and bounds of the joints' forces."""
+    _remove_children(root, lambda each: each.tag in ("actuator", "keyframe"))
+    for defaults in root.iter("default"):
+        _remove_children(defaults, lambda each: each.tag in ACTUATORS)
+    for parent in list(root.iter()):
+        _remove_children(parent, lambda each: "actuator" in each.attrib or each.get("objtype") == "actuator")
+    for section in root.findall("custom"):
+        _remove_children(section, lambda each: each.tag == "tuple" and not len(each))
+    for tag, names in DROPPED.items():
+        for element in root.iter(tag):
+            for name in names:
+                element.attrib.pop(name, None)
+
+
+def _remove_children(parent: ElementTree.Element, chosen: Callable[[ElementTree.Element], bool]) -> None:
+    for child in [each for each in parent if chosen(each)]:
+        parent.remove(child)
+
+
+def _add_actuators(root: ElementTree.Element, names: list[str], actuators: list[Drive]) -> None:
+    """Adds the actuators, in a class of defaults that sets everything."""
+    defaults = root.find("default")
+    if defaults is None:
+        defaults = ElementTree.Element("default")
+        root.insert(0, defaults)
+    called = _unique(CLASS, [each.get("class", "") for each in root.iter("default")])
+    ElementTree.SubElement(ElementTree.SubElement(defaults, "default", {"class": called}), "position", UNSET)
+    section = ElementTree.SubElement(root, "actuator")
+    for drive in actuators:
+        values = {"name": drive.name, "class": called, "joint": names[drive.joint]}
+        values |= {"kp": f"{drive.kp:g}", "kv": f"{drive.kv:g}"}
+        if drive.axis is not None:
+            values["gear"] = " ".join("1" if axis == drive.axis else "0" for axis in range(3))
+        ElementTree.SubElement(section, "position", values)
+
+
+def _collide(spec: mujoco.MjSpec, model: mujoco.MjModel) -> list[str]:
+    """Lets the figure and what is solid around it meet; notes on what of the model that changes."""
+    geoms, notes = geoms_by_number(spec), []
+    movers, solids = list(moving_geoms(model)), list(solid_geoms(model))
+    figure = [i for i in movers if not is_scenery(model)[i]]
+    if not any(geoms[i].contype or geoms[i].conaffinity for i in figure):
+        for i in figure:
+            geoms[i].contype, geoms[i].conaffinity = ALL, 0
+            geoms[i].solref[:2] = SOFTNESS
+    types, affinities = ALL, ALL
+    for i in movers:
+        types, affinities = types | geoms[i].contype, affinities | geoms[i].conaffinity
+    for i in solids:
+        geoms[i].contype, geoms[i].conaffinity = affinities, types
+        geoms[i].solref[:2] = SOFTNESS
+    slippery = [i for i in solids if geoms[i].condim < SLIDING or geoms[i].friction[0] < GRIP]
+    for i in slippery:
+        geoms[i].condim, geoms[i].friction[0] = max(geoms[i].condim, SLIDING), max(geoms[i].friction[0], GRIP)
+    if slippery:
+        notes.append(f"the scene to simulate gives static geoms a coefficient of friction of at least {GRIP:g}")
+    still = {model.body(int(model.geom_bodyid[i])).name for i in solids}
+    for pair in list(spec.excludes):
+        if {pair.bodyname1, pair.bodyname2} & still:
+            notes.append(f"the scene to simulate lets '{pair.bodyname1}' and '{pair.bodyname2}' collide")
+            remove(spec, pair)
+    _exclude_sockets(spec, model)
+    return notes
+
+
+def _exclude_sockets(spec: mujoco.MjSpec, model: mujoco.MjModel) -> None:
+    """Keeps a limb on a fixed base from colliding with the geoms that it is in by design."""
+    bodies = list(spec.bodies)
+    for first, second in sorted({(body, int(model.geom_bodyid[solid])) for body, solid in bolted(model)}):
+        for body in (first, second):
+            bodies[body].name = bodies[body].name or _unique(f"body{body}", [each.name for each in bodies])
+        spec.add_exclude(bodyname1=bodies[first].name, bodyname2=bodies[second].name)

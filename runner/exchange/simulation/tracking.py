@@ -1,0 +1,158 @@
+"""How far `mj_step` of an exported scene leaves the motion, with `ctrl` interpolated between the keys.
+
+The first second is simulated from the first key. A scene that stays within 0.05 rad and 5 cm follows its motion;
+otherwise the note says what leaves it first, and the evidence of why.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import mujoco
+import numpy as np
+
+from dynsplines.solver.array import Array
+
+from ...clip import load as clip
+from ...scene.compose import quietly
+from ..forces import Forces
+from ..take import Take
+from .scene import FREE, Simulation
+
+LASTS = 1.0  # [s]
+ANGLE, DISTANCE = 0.05, 0.05  # [rad] and [m] within which a scene follows its motion
+DEEP = 0.01  # [m] of a contact at the first key that pushes the figure away
+APART = 0.01  # [m] or [rad] by which equality constraints are violated at a key
+UNSUPPLIED = 0.05  # of the weight: force at the root that nothing supplies
+SLIDE = int(mujoco.mjtJoint.mjJNT_SLIDE)
+
+Control = Callable[[mujoco.MjData], Array]
+
+
+@dataclass(frozen=True)
+class Tracking:
+    """A simulated scene beside its motion.
+
+    time    (S,) [s] of the steps
+    angle   (S, nv) [rad] how far the joints are off, nan for slides and the positions of free joints
+    length  (S, nv) [m] likewise, nan for what turns
+    fell    whether MuJoCo gave up
+    """
+
+    time: Array
+    angle: Array
+    length: Array
+    fell: bool
+
+    @property
+    def is_within(self) -> bool:
+        """Whether it follows its motion."""
+        return not self.fell and self.worst <= 1
+
+    @property
+    def worst(self) -> float:
+        """The largest error, as a multiple of what is allowed."""
+        return float(max(np.nanmax(self.angle, initial=0) / ANGLE, np.nanmax(self.length, initial=0) / DISTANCE))
+
+
+def tracked(simulation: Simulation, take: Take, control: Array | None = None, lasts: float = LASTS) -> Tracking:
+    """Simulates a scene from its first key.
+
+    control  (T, nu) `ctrl` at the keys, by default the simulation's
+    """
+    model, aims = simulation.model, simulation.control if control is None else control
+    first = float(take.time[0])
+    last = min(first + lasts, float(take.time[-1]))
+    data = started(model, take, aims)
+    is_length = np.zeros(model.nv, bool)
+    for kind, dof in zip(model.jnt_type.tolist(), model.jnt_dofadr.tolist(), strict=True):
+        is_length[dof : dof + (3 if kind == FREE else int(kind == SLIDE))] = True
+    times, errors, fell = [first], [np.zeros(model.nv)], False
+    with quietly():
+        while data.time < last and not fell:
+            before = data.time
+            data.ctrl = between(take.time, aims, before)
+            mujoco.mj_step(model, data)
+            fell = data.time <= before or not np.isfinite(data.qpos).all()  # MuJoCo starts again where it gives up
+            if not fell:
+                times.append(data.time)
+                errors.append(np.abs(difference(model, take, data)))
+    found = np.array(errors)
+    return Tracking(np.array(times), np.where(is_length, np.nan, found), np.where(is_length, found, np.nan), fell=fell)
+
+
+def started(model: mujoco.MjModel, take: Take, aims: Array) -> mujoco.MjData:
+    """The state at the first key."""
+    data = mujoco.MjData(model)
+    data.time, data.qpos, data.qvel, data.ctrl = take.time[0], take.qpos[0], take.qvel[0], aims[0]
+    return data
+
+
+def between(times: Array, rows: Array, time: float) -> Array:
+    """Rows at a time between their own."""
+    after = int(np.clip(np.searchsorted(times, time, side="right"), 1, len(times) - 1))
+    share = np.clip((time - times[after - 1]) / (times[after] - times[after - 1]), 0, 1)
+    return (1 - share) * rows[after - 1] + share * rows[after]
+
+
+def difference(model: mujoco.MjModel, take: Take, data: mujoco.MjData) -> Array:
+    """(nv,) from the motion to a state: [m] of slides and positions, [rad] of what turns."""
+    wanted, out = between(take.time, take.qpos, data.time), np.zeros(model.nv)
+    mujoco.mj_normalizeQuat(model, wanted)
+    mujoco.mj_differentiatePos(model, out, 1.0, wanted, data.qpos)
+    return out
+
+
+def note(tracking: Tracking, simulation: Simulation, take: Take) -> str:
+    """A line on how far the scene follows its motion, and if it does not, why."""
+    angle, length = np.nanmax(tracking.angle, initial=0), np.nanmax(tracking.length, initial=0)
+    lasts = tracking.time[-1] - tracking.time[0]
+    size = f"{_rounded(angle)} rad"
+    if np.isfinite(tracking.length).any():
+        size += f", {_rounded(100 * length)} cm"
+    if tracking.is_within:
+        return f"mj_step of the scene stays within {size} of the motion for {lasts:.2g} s"
+    share = np.fmax(tracking.angle / ANGLE, tracking.length / DISTANCE)
+    beyond = np.flatnonzero((share > 1).any(axis=1))
+    at = int(beyond[0]) if beyond.size else len(share) - 1
+    dof = int(np.nanargmax(share[at]))
+    name = simulation.model.joint(int(simulation.model.dof_jntid[dof])).name
+    off = f"{100 * DISTANCE:g} cm" if np.isfinite(tracking.length[at, dof]) else f"{ANGLE:g} rad"
+    then = "MuJoCo stops the simulation" if tracking.fell else f"up to {size} after {lasts:.2g} s"
+    when = tracking.time[at] - tracking.time[0]
+    reason = "; ".join(_reasons(simulation, take))
+    return f"mj_step of the scene leaves the motion: '{name}' by {off} after {when:.2f} s, {then}; {reason}"
+
+
+def _rounded(value: float) -> str:
+    return f"{value:.2g}" if value >= 1e-4 else f"{value:.0e}"
+
+
+def _reasons(simulation: Simulation, take: Take) -> list[str]:
+    """What there is to see in the motion that no actuators make up for."""
+    model, out = simulation.model, []
+    data = started(model, take, simulation.control)
+    with quietly():
+        mujoco.mj_forward(model, data)
+    contact = min(data.contact, key=lambda each: each.dist, default=None)
+    if contact is not None and contact.dist < -DEEP:
+        names = [model.geom(int(geom)).name or model.body(int(model.geom_bodyid[geom])).name for geom in contact.geom]
+        out.append(f"'{names[0]}' and '{names[1]}' are {-100 * contact.dist:.2g} cm in each other at the first key")
+    equality = np.abs(data.efc_pos[: data.ne])
+    if equality.size and equality.max() > APART:
+        out.append(f"equality constraints are violated by {equality.max():.2g} at the first key")
+    forces = Forces.of(take, model)
+    early = take.time <= take.time[0] + LASTS
+    unknown = float(np.mean(~forces.known[early]))
+    if unknown > 0:
+        out.append(f"at {unknown:.0%} of the instants no contact is known that carries the figure")
+    if forces.support is not None and forces.known[early].any():
+        left = np.linalg.norm(forces.rest[:3, early & forces.known], axis=0).max() / forces.support.unit
+        if left > UNSUPPLIED:
+            out.append(f"the motion needs a force at the root that no contact supplies, up to {left:.0%} of its weight")
+    if clip.answered(take.saved).context.carried:
+        out.append("nothing holds what the figure carries")
+    if np.any(model.jnt_type == FREE):
+        out.append("nothing balances it")
+    return out or ["its actuators do not hold it"]

@@ -1,0 +1,222 @@
+"""Scenes to simulate do not inherit what a model says of its own actuators and of its own simulation."""
+
+import re
+
+import mujoco
+import numpy as np
+import pytest
+import wild
+from inverse_oracle import motion_of, oracle
+from random_model import random_forced_spec
+
+from dynsplines import inbetween, load, load_motion
+from dynsplines.exchange import formats
+from dynsplines.exchange.take import Wishes
+
+BIPED = """
+<mujoco>
+  <compiler angle="radian" {compiler}/>
+  <option {option}>{flags}</option>
+  <default>{default}</default>
+  <worldbody>{world}
+    <body name="pelvis" pos="0 0 .8" {child}><freejoint name="root"/>
+      <geom type="box" size=".08 .12 .08" mass="8" {geom}/>{legs}</body>
+  </worldbody>
+  {rest}
+</mujoco>
+"""
+LEG = """
+  <body name="{0}_hip" pos="0 {1} -.05"><joint name="{0}_hip_pitch" axis="0 1 0" range="-1.5 1" {joint}/>
+    <geom type="capsule" fromto="0 0 0 0 0 -.33" size=".05" mass="3" {geom}/>
+    <body name="{0}_shin" pos="0 0 -.35"><joint name="{0}_knee" axis="0 1 0" range="0 2.2" {joint}/>
+      <geom type="capsule" fromto="0 0 0 0 0 -.32" size=".04" mass="2" {geom}/>
+      <body name="{0}_foot" pos="0 0 -.36"><joint name="{0}_ankle" axis="0 1 0" range="-.8 .8" {joint}/>
+        <geom type="box" size=".1 .04 .02" pos=".04 0 -.02" mass="1" {geom}/></body></body></body>
+"""
+FLOOR = '<geom name="floor" type="plane" size="0 0 1" {}/>'
+KEYS = """
+figure = "{file}"
+[[keyframe]]
+time = 0
+others = "rest"
+[[keyframe]]
+time = 0.5
+root.position = [0, 0, 0.72]
+[[keyframe]]
+time = 1
+others = "rest"
+"""
+DEFAULTS = {
+    "motors": '<motor ctrllimited="true" ctrlrange="-.3 .3" gear="40"/>',
+    "positions": '<position kp="7" kv="3" ctrlrange="-.1 .1" forcerange="-1 1" inheritrange="0"/>',
+    "inherited ranges": '<position inheritrange=".5"/>',
+    "dampratio": '<position dampratio="1.5" timeconst=".3"/>',
+    "general": """<general dyntype="filterexact" gaintype="affine" biastype="affine" dynprm=".2" gainprm="3 1 1"
+        biasprm="5 5 5" actlimited="true" actrange="-.1 .1" forcelimited="true" forcerange="-.5 .5" group="4"
+        actdim="1"/>""",
+    "muscles": '<muscle ctrllimited="true" ctrlrange="0 1" force="300"/>',
+    "velocities": '<velocity kv="50" gear="3" forcerange="-2 2"/>',
+    "nested": """<motor gear="9"/><default class="limb"><position ctrlrange="-.1 .1" gear="5"/>
+        <default class="simulate_position"><general ctrlrange="0 1" gear="2"/></default></default>""",
+    "limits of joints": '<joint actuatorfrcrange="-3 3" actuatorfrclimited="true"/>',
+    "adhesion": '<adhesion gain="4" ctrlrange="0 1"/>',
+}
+OPTIONS = {
+    "contact": {"flags": '<flag contact="disable"/>'},
+    "constraint": {"flags": '<flag constraint="disable"/>'},
+    "actuation": {"flags": '<flag actuation="disable"/>'},
+    "override": {"flags": '<flag override="enable"/>', "option": 'o_solref=".3 1" o_friction="0 0 0 0 0"'},
+    "filterparent": {"flags": '<flag filterparent="disable"/>'},
+    "groups of actuators": {"option": 'actuatorgroupdisable="0 1"'},
+    "tiny timestep": {"option": 'timestep="1e-6"'},
+}
+SILENT = {
+    "eulerdamp": {"flags": '<flag eulerdamp="disable" refsafe="disable" warmstart="disable"/>'},
+    "Euler": {"option": 'integrator="Euler" timestep=".02" cone="pyramidal" impratio="1"'},
+    "few iterations": {"option": 'solver="PGS" iterations="1" ls_iterations="1" tolerance=".1" noslip_iterations="3"'},
+    "clampctrl": {"flags": '<flag clampctrl="disable" autoreset="disable" energy="enable"/>'},
+    "forces of the figure": {"flags": '<flag limit="disable" frictionloss="disable" equality="disable"/>'},
+    "memory": {"rest": '<size memory="60K"/>'},
+    "damping": {"joint": 'damping="5" stiffness="30" springref=".4" frictionloss="2"'},
+    "wind": {"option": 'density="50" viscosity=".2" wind="2 0 1"'},
+    "seen only": {"geom": 'contype="0" conaffinity="0"'},
+}
+NOTED = {
+    "ice": {"world": FLOOR.format('condim="1" friction="0 0 0"'), "geom": 'friction="0 0 0" condim="1"'},
+    "excluded": {
+        "world": FLOOR.format(""),
+        "rest": """<contact><exclude body1="world" body2="left_foot"/>
+            <exclude body1="right_foot" body2="world"/></contact>""",
+    },
+}
+OWN = """<actuator><motor name="k" joint="left_knee"/><general name="m" joint="left_hip_pitch" dyntype="integrator"/>
+  <position joint="right_knee" kp="5" ctrlrange="0 1"/></actuator>
+  <sensor><actuatorfrc actuator="k"/><user dim="1" objtype="actuator" objname="m"/>
+    <jointpos joint="left_knee"/></sensor>
+  <custom><tuple name="t"><element objtype="actuator" objname="k"/></tuple></custom>
+  <keyframe><key name="home" ctrl="1 2 3" act="1"/></keyframe>"""
+
+
+def biped(folder, **changes):
+    """The path of a biped that stands on its feet."""
+    words = dict.fromkeys(("compiler", "option", "flags", "default", "world", "child", "geom", "joint", "rest"), "")
+    words |= changes
+    legs = "".join(LEG.format(side, y, **words) for side, y in (("left", 0.1), ("right", -0.1)))
+    (folder / "robot.xml").write_text(BIPED.format(legs=legs, **words))
+    return folder / "robot.xml"
+
+
+def exported(path, folder):
+    """The scene, its text, and the notes of a squat of a biped; exported from a clip by the ending alone."""
+    (folder / "clip.toml").write_text(KEYS.format(file=path))
+    saved, lines = inbetween(load(folder / "clip.toml")).saved, []
+    scene = folder / "squat.simulate.xml"
+    formats.export(saved, formats.chosen(None, scene).name, scene, tell=lines.append)
+    return mujoco.MjModel.from_xml_path(str(scene)), scene.read_text(), lines
+
+
+def errors(model):
+    """The largest error of a joint [rad] and of the root's position [m] while `ctrl` follows the keys."""
+    data, away, worst = mujoco.MjData(model), np.zeros(model.nv), np.zeros(2)
+    mujoco.mj_resetDataKeyframe(model, data, 0)
+    while data.time < model.key_time[-1]:
+        data.ctrl = [np.interp(data.time, model.key_time, column) for column in model.key_ctrl.T]
+        mujoco.mj_step(model, data)
+        qpos = np.array([np.interp(data.time, model.key_time, column) for column in model.key_qpos.T])
+        mujoco.mj_differentiatePos(model, away, 1, qpos, data.qpos)
+        worst = np.maximum(worst, [np.abs(away[3:]).max(), np.linalg.norm(away[:3])])
+    return worst
+
+
+def assert_follows(model):
+    assert np.all(errors(model) < [0.05, 0.05])
+
+
+def assert_plain(model):
+    """All that a model holds of its actuators is as in a model without defaults, of the same gains."""
+    root = "".join(
+        f'<position joint="{model.joint(int(model.actuator_trnid[i, 0])).name}" kp="{model.actuator_gainprm[i, 0]}" '
+        f'kv="{-model.actuator_biasprm[i, 2]}"/>'
+        for i in range(model.nu)
+    )
+    legs = "".join(LEG.format(side, y, geom="", joint="") for side, y in (("left", 0.1), ("right", -0.1)))
+    words = dict.fromkeys(("compiler", "option", "flags", "default", "world", "child", "geom"), "")
+    text = BIPED.format(legs=legs, rest=f"<actuator>{root}</actuator>", **words)
+    plain = mujoco.MjModel.from_xml_string(text)
+    names = [name for name in dir(plain) if name.startswith("actuator_") and not name.endswith(("acc0", "length0"))]
+    assert len(names) > 15
+    for name in names:
+        np.testing.assert_array_equal(getattr(model, name), getattr(plain, name), err_msg=name)
+    assert not model.jnt_actfrclimited.any() and not model.jnt_actgravcomp.any()
+
+
+@pytest.mark.parametrize("name", DEFAULTS)
+def test_no_default_of_the_models_actuators_is_inherited(name, tmp_path):
+    nested = {"child": 'childclass="limb"'} if name == "nested" else {}
+    rest = OWN if name in ("motors", "nested") else ""
+    model, _, lines = exported(biped(tmp_path, default=DEFAULTS[name], rest=rest, **nested), tmp_path)
+    assert_plain(model)
+    assert_follows(model)
+    assert (model.nkey, model.na, model.nsensor, model.ntuple) == (31, 0, int(bool(rest)), 0)
+    assert any("stays within" in line for line in lines)
+
+
+@pytest.mark.parametrize("name", [*OPTIONS, *SILENT, *NOTED])
+def test_options_of_the_model_do_not_let_the_figure_fall(name, tmp_path):
+    model, _, lines = exported(biped(tmp_path, **(OPTIONS | SILENT | NOTED)[name]), tmp_path)
+    assert_follows(model)
+    assert any("overrides options" in line for line in lines) == (name in OPTIONS)
+    assert any("coefficient of friction" in line or "collide" in line for line in lines) == (name in NOTED)
+    assert any("stays within" in line for line in lines)
+
+
+def test_gravity_that_the_model_turns_off_stays_off(tmp_path):
+    model, _, lines = exported(biped(tmp_path, flags='<flag gravity="disable"/>'), tmp_path)
+    assert model.opt.disableflags == int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
+    assert not any("overrides" in line for line in lines)
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_the_actuators_give_what_mj_inverse_says_on_random_models(seed, tmp_path):
+    path = tmp_path / "model.xml"
+    spec = random_forced_spec(np.random.default_rng(100 + seed))
+    spec.compile()
+    path.write_text(spec.to_xml())
+    saved = motion_of(path, seed)
+    formats.export(saved, "mjcf", tmp_path / "a.simulate.xml")
+    model, at = mujoco.MjModel.from_xml_path(str(tmp_path / "a.simulate.xml")), wild.samples(saved)
+    data, given = mujoco.MjData(model), []
+    expected = oracle(mujoco.MjModel.from_xml_path(str(path)), at)
+    for key in range(model.nkey):
+        mujoco.mj_resetDataKeyframe(model, data, key)
+        mujoco.mj_forward(model, data)
+        given.append(data.qfrc_actuator.copy())
+    driven = np.concatenate(
+        [
+            np.arange(dof, dof + {0: 0, 1: 3}.get(int(kind), 1))
+            for kind, dof in zip(model.jnt_type, model.jnt_dofadr, strict=True)
+        ]
+    ).astype(int)
+    difference = np.abs(np.array(given)[:, driven] - expected[:, driven]).max(initial=0)
+    assert difference < 1e-6 * np.abs(expected).max()
+
+
+def test_a_scene_that_is_left_says_what_and_why(tmp_path):
+    """The keyframes lean until the centre of mass is beyond the toes."""
+    (tmp_path / "clip.toml").write_text(
+        KEYS.format(file=biped(tmp_path)).replace("root.position = [0, 0, 0.72]", "root.position = [0.3, 0, 0.72]")
+    )
+    saved, lines = inbetween(load(tmp_path / "clip.toml")).saved, []
+    formats.export(saved, "mjcf", tmp_path / "a.xml", wishes=Wishes(simulate=True), tell=lines.append)
+    assert any(
+        re.search(r"leaves the motion: '\w+' by .* after 0\.\d+ s, up to .* nothing balances it", x) for x in lines
+    )
+
+
+def test_the_ending_alone_asks_for_a_scene_to_simulate(tmp_path):
+    (tmp_path / "clip.toml").write_text(KEYS.format(file=biped(tmp_path)))
+    motion = inbetween(load(tmp_path / "clip.toml"))
+    motion.save(tmp_path / "m.npz")
+    path = load_motion(tmp_path / "m.npz").export(tmp_path / "m.simulate.xml")
+    assert mujoco.MjModel.from_xml_path(str(path)).nu == 6
+    assert mujoco.MjModel.from_xml_path(str(motion.export(tmp_path / "m.xml", to="mjcf"))).nu == 0
