@@ -91,8 +91,10 @@ FORMATS = (
     Format("deepmimic", ".deepmimic.json", "DeepMimic's humanoid", "deepmimic", reads=True, also=(".txt", ".json")),
     Format("amass", ".amass.npz", "AMASS: motion capture on the SMPL body", "amass", writes=False, reads=True),
     Format("bvh", ".bvh", "a skeleton and its angles, y up, centimetres", "bvh", reads=True, scales=True),
-    Format("gltf", ".glb", "meshes and one animation, for Blender, engines and the web", "gltf", extra="gltf"),
-    Format("usd", ".usdc", "meshes, a time code a sample; .usda: text", "usd", extra="usd", variants=(".usd", ".usda")),
+    Format("gltf", ".glb", "meshes and one animation: Blender, engines, the web, VRM avatars", "gltf", reads=True,
+           scales=True, extra="gltf", also=(".gltf", ".vrm")),
+    Format("usd", ".usdc", "meshes, a time code a sample; .usda: text", "usd", reads=True, scales=True,
+           extra="usd", variants=(".usd", ".usda")),
     Format("html", ".html", "one page that plays before and after, in any browser, from the disk", "html"),
 )  # fmt: skip
 

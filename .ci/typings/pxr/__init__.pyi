@@ -5,4 +5,5 @@ from . import Tf as Tf
 from . import Usd as Usd
 from . import UsdGeom as UsdGeom
 from . import UsdShade as UsdShade
+from . import UsdSkel as UsdSkel
 from . import Vt as Vt

@@ -39,15 +39,27 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None, *, scale: 
     fps is for files that do not tell it; these do. scale [m]: the file's unit of length, guessed if not said
     """
     found, rate = bvh_file.read(path)
-    captured = Captured.of(found, scale)
-    time = np.arange(len(found.values)) / rate
+    return recording(found, rate, path, model, scale)
+
+
+def recording(
+    skeleton: Skeleton,
+    rate: float,
+    path: Path,
+    model: mujoco.MjModel | None,
+    scale: float | None,
+    notes: tuple[str, ...] = (),
+) -> Recording:
+    """A skeleton's motion, of any format, as a figure of its own or on a figure; rate [1/s], scale [m] as in `read`."""
+    captured = Captured.of(skeleton, scale)
+    time = np.arange(len(skeleton.values)) / rate
     if model is not None:
-        qpos, notes = retarget.onto(captured, model, str(path))
-        return Recording(time, qpos, fps=rate, notes=(*captured.notes, *notes))
+        qpos, more = retarget.onto(captured, model, str(path))
+        return Recording(time, qpos, fps=rate, notes=(*notes, *captured.notes, *more))
     lift = -captured.ground
-    note = (f"raised by {lift:+.3f} m, so that feet meet the ground",) if abs(lift) > LIFTED else ()
+    raised = (f"raised by {lift:+.3f} m, so that feet meet the ground",) if abs(lift) > LIFTED else ()
     mjcf, qpos = captured_figure.figure(captured.raised(lift))
-    return Recording(time, qpos, mjcf, rate, (*captured.notes, *note))
+    return Recording(time, qpos, mjcf, rate, (*notes, *captured.notes, *raised))
 
 
 def skeleton(take: Take) -> Skeleton:

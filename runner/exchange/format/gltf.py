@@ -3,6 +3,7 @@
 https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html; metres, the figure looks along +z. Times are i / fps from 0
 in float32, the format's only kind, so at 10 s they are off by up to half a microsecond; between samples viewers
 interpolate positions linearly and rotations along the arc. What never moves is a node's own place, and not animated.
+Nodes are where the first sample has them; their extras have the model's rest pose, by which `read` finds it again.
 """
 
 from __future__ import annotations
@@ -18,9 +19,11 @@ from numpy.typing import NDArray
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
-from ..skeleton import hierarchy
-from ..take import Take
+from ...errors import UserError
+from ..skeleton import gltf_file, hierarchy
+from ..take import Recording, Take
 from ..triangles import Piece, Triangles, joined, linear, pieces, png, triangles
+from .bvh import recording
 
 STILL = 1e-7  # [m, or of a quaternion's entries]: less is no movement
 KINDS = {1: gl.SCALAR, 2: gl.VEC2, 3: gl.VEC3, 4: gl.VEC4}
@@ -58,7 +61,9 @@ class _Blob:
 
 
 def write(take: Take, path: Path) -> None:
-    """The whole scene and its one animation; keyframe times stand in the animation's extras."""
+    """The whole scene and its one animation; the extras of the animation hold the times of the keyframes."""
+    if path.suffix.lower() != ".glb":
+        raise UserError(f"the name of a glTF file that is written ends in .glb, not '{path.suffix}'")
     model = take.model
     asset = gl.GLTF2(asset=gl.Asset(version="2.0", generator="dynamic-splines"))
     blob = _Blob(asset)
@@ -70,6 +75,10 @@ def write(take: Take, path: Path) -> None:
     ]
     for body in range(model.nbody):
         asset.nodes[body].children = [int(child) for child in np.flatnonzero(model.body_parentid == body) if child]
+    place, turn = (track[0] for track in hierarchy.local(model, hierarchy.rest(model)))
+    for node, at, turned in zip(asset.nodes, place, hierarchy.xyzw(turn), strict=True):
+        node.extras = {gltf_file.REST: {"translation": at.tolist(), "rotation": turned.tolist()}}
+    asset.nodes[0].extras = {}
     asset.nodes[0].rotation = hierarchy.xyzw(hierarchy.Y_UP).tolist()
     asset.nodes[0].translation = None
     _meshes(asset, blob, model, names, 10.0 + float(np.abs(take.bodies.position).max()))
@@ -78,6 +87,12 @@ def write(take: Take, path: Path) -> None:
     asset.buffers = [gl.Buffer(byteLength=len(blob.data))]
     asset.set_binary_blob(bytes(blob.data))
     path.write_bytes(b"".join(asset.save_to_bytes()))
+
+
+def read(path: Path, model: mujoco.MjModel | None, fps: float | None, *, scale: float | None = None) -> Recording:
+    """As a figure of its own, or on a figure; fps [1/s] to sample it at, else its own rate; scale [m], its unit."""
+    nodes, notes = gltf_file.read(path, fps)
+    return recording(nodes.skeleton(), nodes.fps, path, model, scale, notes)
 
 
 def _least(row: Array) -> list[float] | None:

@@ -19,9 +19,10 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
 from ...errors import UserError
-from ..skeleton import hierarchy
-from ..take import Take
+from ..skeleton import hierarchy, usd_file
+from ..take import Recording, Take
 from ..triangles import Piece, linear, pieces, texels, triangles
+from .bvh import recording
 
 ENDINGS = (".usd", ".usda", ".usdc")
 STILL = 1e-9  # [m, or of a quaternion's entries]: less is no movement
@@ -52,6 +53,12 @@ def write(take: Take, path: Path) -> None:
         raise UserError(f"cannot write '{path}': the disk is full, or a limit on the size of files is reached")
 
 
+def read(path: Path, model: mujoco.MjModel | None, fps: float | None, *, scale: float | None = None) -> Recording:
+    """As a figure of its own, or on a figure; fps [1/s] to sample it at, else its own rate; scale [m], its unit."""
+    nodes, notes = usd_file.read(path, fps, scale)
+    return recording(nodes.skeleton(), nodes.fps, path, model, scale, notes)
+
+
 def _free(stage: Usd.Stage, above: Sdf.Path, text: str) -> Sdf.Path:
     """A path of this name that nothing has: letters, digits and underscores, no digit first."""
     clean = re.sub(r"\W", "_", text, flags=re.ASCII)
@@ -66,6 +73,7 @@ def _bodies(stage: Usd.Stage, take: Take) -> list[Sdf.Path]:
     """Every body's Xform; the world is the default prim."""
     model, position_rotation = take.model, hierarchy.local(take.model, take.bodies)
     names = hierarchy.names(model)
+    rest_place, rest_turn = (track[0] for track in hierarchy.local(model, hierarchy.rest(model)))
     paths: list[Sdf.Path] = []
     for body in range(model.nbody):
         above = paths[int(model.body_parentid[body])] if body else Sdf.Path.absoluteRootPath
@@ -77,6 +85,8 @@ def _bodies(stage: Usd.Stage, take: Take) -> list[Sdf.Path]:
             stage.SetDefaultPrim(form.GetPrim())
             form.GetPrim().SetCustomDataByKey("keyframes", _keyframes(take))
             continue
+        at_rest = Vt.DoubleArray([*rest_place[body].tolist(), *rest_turn[body].tolist()])
+        form.GetPrim().SetCustomDataByKey(usd_file.REST, at_rest)
         position, rotation = (track[:, body] for track in position_rotation)
         _animate(form.AddTranslateOp(UsdGeom.XformOp.PrecisionDouble), position, lambda row: Gf.Vec3d(*row.tolist()))
         _animate(form.AddOrientOp(UsdGeom.XformOp.PrecisionDouble), rotation, lambda row: Gf.Quatd(*row.tolist()))

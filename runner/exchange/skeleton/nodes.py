@@ -1,0 +1,94 @@
+"""A skeleton from nodes placed in the world, as glTF and USD have them.
+
+BVH's joints turn away from a pose in which nothing is turned; nodes have axes of their own. A joint's rotation is the
+node's beside its rest pose, so that the rest pose is the skeleton's zero.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+
+from .. import euler
+from .bvh_file import Joint, Skeleton, fps_of
+
+ORDER = "ZYX"
+CHANNELS = ("Xposition", "Yposition", "Zposition", "Zrotation", "Yrotation", "Xrotation")
+
+
+@dataclass(frozen=True)
+class Nodes:
+    """Nodes of one tree, parents first.
+
+    names     J names
+    parents   J indices, -1 for the top
+    rest      (J, 4, 4) matrices to the world in the pose to which the mesh is bound
+    moving    (T, J, 4, 4) matrices to the world, at equal times
+    fps       [1/s]
+    """
+
+    names: Sequence[str]
+    parents: Sequence[int]
+    rest: Array
+    moving: Array
+    fps: float
+
+    def skeleton(self) -> Skeleton:
+        """The nodes as joints of a BVH file: channels of places and of rotations away from the rest pose."""
+        turn = quat.product(rotations(self.moving), quat.conjugate(rotations(self.rest)))
+        joints, columns = list[Joint](), list[Array]()
+        for i, parent in enumerate(self.parents):
+            place, relative = self.moving[:, i, :3, 3], turn[:, i]
+            offset = self.rest[i, :3, 3]
+            if parent >= 0:
+                above = quat.conjugate(turn[:, parent])
+                place = quat.rotated(above, place - self.moving[:, parent, :3, 3])
+                relative = quat.product(above, relative)
+                offset = offset - self.rest[parent, :3, 3]
+            joints.append(Joint(self.names[i], parent, offset, CHANNELS))
+            columns += [place, np.degrees(euler.angles(quat.normalised(relative), ORDER))]
+        return Skeleton(tuple(joints), 1 / self.fps, np.concatenate(columns, axis=1))
+
+
+def rotations(matrices: Array) -> Array:
+    """(..., 4) quaternions wxyz, sign-continuous along the first axis, of matrices (..., 4, 4) with any scales."""
+    turns = matrices[..., :3, :3]
+    turns = turns / np.maximum(np.linalg.norm(turns, axis=-2, keepdims=True), np.finfo(float).tiny)
+    turns = turns * np.sign(np.linalg.det(turns))[..., None, None]  # a mirrored scale
+    q = Rotation.from_matrix(turns.reshape(-1, 3, 3)).as_quat(scalar_first=True).reshape(*matrices.shape[:-2], 4)
+    return quat.aligned(q) if q.ndim == 3 else q
+
+
+def rate_of(times: Array) -> float:
+    """Samples a second [1/s] of times [s] that rise, by their median step."""
+    return fps_of(float(np.median(np.diff(times))), 6) if times.size > 1 else 30.0
+
+
+def moving_tree(parents: Sequence[int], is_animated: Iterable[bool]) -> list[int]:
+    """The nodes of the tree of which most are animated, parents first, without branches in which nothing moves.
+
+    What hangs below an animated node stays, a toe or a fingertip; what stands still beside the figure, a floor, goes.
+    """
+    animated, count = list(is_animated), len(parents)
+    top = [_top(parents, i) for i in range(count)]
+    votes = [sum(animated[i] for i in range(count) if top[i] == t) for t in range(count)]
+    chosen = int(np.argmax(votes)) if count else -1
+    carried, carries = list(animated), list(animated)
+    for i in range(count):
+        carried[i] = carried[i] or (parents[i] >= 0 and carried[parents[i]])
+    for i in reversed(range(count)):
+        if carries[i] and parents[i] >= 0:
+            carries[parents[i]] = True
+    return [i for i in range(count) if top[i] == chosen and (carried[i] or carries[i])]
+
+
+def _top(parents: Sequence[int], node: int) -> int:
+    while parents[node] >= 0:
+        node = parents[node]
+    return node

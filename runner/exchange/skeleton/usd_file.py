@@ -1,0 +1,160 @@
+"""A USD file's nodes: the joints of a skeleton with an animation, else the transforms that move.
+
+A skeleton's rest pose is the one to which its mesh is bound. Up axis and unit are those of the stage. Other files are
+not read. https://openusd.org/release/api/usd_skel_page_front.html
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from pxr import Sdf, Tf, Usd, UsdGeom, UsdSkel
+
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+
+from ...errors import UserError
+from ...system import largest
+from .nodes import Nodes, moving_tree
+
+REST = "rest"  # custom data of prims that this program writes: translation and rotation wxyz in the model's rest pose
+FEWEST = 2  # samples of a motion
+
+
+def read(path: Path, fps: float | None, scale: float | None) -> tuple[Nodes, tuple[str, ...]]:
+    """What moves on a stage, y up, and notes on what was chosen.
+
+    fps [1/s], else the stage's own rate; scale [m], the unit that the user names, else lengths are turned to metres.
+    Raises UserError for a stage on which nothing moves, or one that refers to other files.
+    """
+    try:
+        stage = _stage(path)
+        nodes, notes = _nodes(stage, path, fps)
+    except Tf.ErrorException as error:
+        raise UserError(f"{path}: not a readable USD file: {' '.join(str(error).split())[:200]}") from None
+    unit = UsdGeom.GetStageMetersPerUnit(stage) if scale is None else 1.0
+    for matrices in (nodes.rest, nodes.moving):
+        if UsdGeom.GetStageUpAxis(stage) == UsdGeom.Tokens.z:
+            matrices[..., :3, :] = np.roll(matrices[..., :3, :], -1, axis=-2)
+        matrices[..., :3, 3] *= unit
+    return nodes, notes
+
+
+def _stage(path: Path) -> Usd.Stage:
+    layer = Sdf.Layer.FindOrOpen(str(path))
+    if layer is None:
+        raise UserError(f"{path}: not a readable USD file")
+    others = layer.GetCompositionAssetDependencies()
+    if others:
+        raise UserError(f"{path}: it refers to another file, '{others[0]}'; flatten it to one file")
+    stage = Usd.Stage.Open(layer)
+    if stage is None:
+        raise UserError(f"{path}: not a readable USD file")
+    return stage
+
+
+def _nodes(stage: Usd.Stage, path: Path, fps: float | None) -> tuple[Nodes, tuple[str, ...]]:
+    """The moving nodes at equal times, and notes on what was chosen."""
+    queries = [query for query in _skeletons(stage) if query.GetAnimQuery()]
+    if queries:
+        query = max(queries, key=lambda each: len(each.GetJointOrder()))
+        codes = query.GetAnimQuery().GetJointTransformTimeSamples()
+        times, rate = _times(stage, path, codes, fps, len(query.GetJointOrder()))
+        note = f"read the skeleton {query.GetPrim().GetPath()}, the largest of {len(queries)}"
+        return _of_skeleton(query, times, rate), (note,) if len(queries) > 1 else ()
+    prims = [prim for prim in stage.Traverse() if prim.IsA(UsdGeom.Xformable) and not prim.IsA(UsdGeom.Gprim)]
+    animated = [len(UsdGeom.Xformable(prim).GetTimeSamples()) >= FEWEST for prim in prims]
+    codes = sorted({code for prim in prims for code in UsdGeom.Xformable(prim).GetTimeSamples()})
+    times, rate = _times(stage, path, codes, fps, len(prims))
+    place = {prim.GetPath(): i for i, prim in enumerate(prims)}
+    parents = [place.get(prim.GetPath().GetParentPath(), -1) for prim in prims]
+    kept = moving_tree(parents, animated)
+    return _of_prims([prims[i] for i in kept], [parents[i] for i in kept], kept, times, rate), ()
+
+
+def _skeletons(stage: Usd.Stage) -> list[Any]:
+    """Queries of the skeletons, with the animations that are bound to them."""
+    cache, out = UsdSkel.Cache(), []
+    for prim in stage.Traverse():
+        if prim.IsA(UsdSkel.Root):
+            cache.Populate(UsdSkel.Root(prim), Usd.TraverseInstanceProxies())
+    for prim in stage.Traverse():
+        if prim.IsA(UsdSkel.Skeleton):
+            out.append(cache.GetSkelQuery(UsdSkel.Skeleton(prim)))
+    return [query for query in out if query]
+
+
+def _times(
+    stage: Usd.Stage, path: Path, codes: list[float], fps: float | None, nodes: int
+) -> tuple[list[float], float]:
+    """Time codes at equal distances, and how many a second."""
+    if len(codes) < FEWEST:
+        raise UserError(f"{path}: nothing moves on its stage")
+    a_second = stage.GetTimeCodesPerSecond()
+    rate = fps or a_second / float(np.median(np.diff(codes)))
+    count = int((codes[-1] - codes[0]) / a_second * rate + 1e-6) + 1
+    largest.check(path, 8 * 16 * count * nodes, "its motion")
+    return [codes[0] + i * a_second / rate for i in range(count)], rate
+
+
+def _of_skeleton(query: Any, times: list[float], rate: float) -> Nodes:
+    names = [Sdf.Path(each).name for each in query.GetJointOrder()]
+    parents = list(query.GetTopology().GetParentIndices())
+    prim = query.GetPrim()
+    moving = [
+        _matrices(query.ComputeJointSkelTransforms(Usd.TimeCode(code)))
+        @ _matrix(UsdGeom.XformCache(Usd.TimeCode(code)).GetLocalToWorldTransform(prim)).T
+        for code in times
+    ]
+    bound = query.GetJointWorldBindTransforms()
+    rest = _matrices(bound) if len(bound) == len(names) else moving[0]
+    kept = moving_tree(parents, [True] * len(parents))
+    place = {row: k for k, row in enumerate(kept)}
+    names, parents = [names[i] for i in kept], [place.get(parents[i], -1) for i in kept]
+    rest, moving = rest[kept], [matrices[kept] for matrices in moving]
+    return Nodes(names, parents, np.swapaxes(rest, -1, -2), np.swapaxes(np.array(moving), -1, -2), rate)
+
+
+def _of_prims(prims: list[Usd.Prim], parents: list[int], kept: list[int], times: list[float], rate: float) -> Nodes:
+    place = {row: k for k, row in enumerate(kept)}
+    above = [place.get(parent, -1) for parent in parents]
+    moving = np.empty((len(times), len(prims), 4, 4))
+    for row, code in enumerate(times):
+        cache = UsdGeom.XformCache(Usd.TimeCode(code))
+        for i, prim in enumerate(prims):
+            moving[row, i] = _matrix(cache.GetLocalToWorldTransform(prim))
+    rest = np.empty(moving.shape[1:])
+    for i, prim in enumerate(prims):
+        own = _rest_of(prim)
+        over = np.eye(4) if above[i] < 0 else rest[above[i]]
+        if own is None:
+            first = np.eye(4) if above[i] < 0 else moving[0, above[i]]
+            own = np.linalg.inv(first) @ moving[0, i]
+        rest[i] = over @ own
+    return Nodes([_name(prim) for prim in prims], above, rest, moving, rate)
+
+
+def _rest_of(prim: Usd.Prim) -> Array | None:
+    """(4, 4) of a prim that this program wrote, in its parent's axes."""
+    found = prim.GetCustomDataByKey(REST)
+    if found is None or len(found) != 7:
+        return None
+    out = np.eye(4)
+    out[:3, :3], out[:3, 3] = quat.matrices(np.array(found[3:], float)), found[:3]
+    return out
+
+
+def _name(prim: Usd.Prim) -> str:
+    return prim.GetDisplayName() or prim.GetName()
+
+
+def _matrix(matrix: Any) -> Array:
+    """(4, 4) for columns; the library's is for rows."""
+    return np.array(matrix, float).T
+
+
+def _matrices(found: Any) -> Array:
+    """(J, 4, 4) for rows, as the library has them."""
+    return np.array(found, float).reshape(-1, 4, 4)
