@@ -8,12 +8,14 @@ among its channels they take its offset's place, as Blender has it.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+import warnings
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
@@ -90,6 +92,18 @@ class Skeleton:
                 position[:, i] = position[:, parent] + quat.rotated(rotation[:, parent], position[:, i])
                 rotation[:, i] = quat.product(rotation[:, parent], rotation[:, i])
         return position, quat.aligned(quat.normalised(rotation))
+
+
+def skeleton(joints: Sequence[Joint], place: Array, turn: Array, frame_time: float) -> Skeleton:
+    """Joints, without channels yet, that are at places (T, J, 3) and turned (T, J, 4) in their parents' axes."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of two axes that fall together: any of the angles will do
+        angles = Rotation.from_quat(turn.reshape(-1, 4), scalar_first=True).as_euler("ZYX", degrees=True)
+    channels = ("Xposition", "Yposition", "Zposition", "Zrotation", "Yrotation", "Xrotation")
+    values = np.concatenate([place, angles.reshape(place.shape)], axis=-1)
+    return Skeleton(
+        tuple(replace(joint, channels=channels) for joint in joints), frame_time, values.reshape(len(place), -1)
+    )
 
 
 def fps_of(frame_time: float, digits: int) -> float:

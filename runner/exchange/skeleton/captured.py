@@ -12,6 +12,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
 from .. import unsaid
+from .body_root import from_body_root
 from .bvh_file import Skeleton
 from .roles import as_said, roles
 
@@ -43,10 +44,12 @@ class Captured:
     @classmethod
     def of(cls, skeleton: Skeleton, scale: float | None = None) -> Captured:
         """From a file's unit and axes; scale [m] its unit, guessed if not said."""
+        skeleton, folded = from_body_root(skeleton)
         place, turn = skeleton.local
         offset = np.where(np.ptp(place, axis=0) > 0, np.median(place, axis=0), place[0])
         ends = {i: joint.end for i, joint in enumerate(skeleton.joints) if joint.end is not None}
         unit, notes = _unit(skeleton.parents, offset, ends, scale)
+        notes += folded
         drift = np.abs(place[:, 1:] - offset[1:]).max(axis=(0, 2), initial=0.0)
         stretched = [skeleton.names[1 + i] for i in np.flatnonzero(unit * drift > DRIFT * REACH)]
         if stretched:

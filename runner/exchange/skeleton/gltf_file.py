@@ -29,6 +29,7 @@ PATHS = {"translation": 3, "rotation": 4, "scale": 3}
 EMBEDDED = "base64,"
 REST = "rest"  # in the extras of nodes that this program writes: translation and rotation in the model's rest pose
 FEWEST = 2  # samples of a motion
+SOON = 1e-6  # [s] before a key that counts as its time, which is a float32
 SINGULAR = 1e-12  # determinant of a matrix
 
 
@@ -170,7 +171,7 @@ class _File:
         if len(values) != keys.size:
             raise UserError(f"{self.path}: a channel has {keys.size} times and {len(values)} values")
         if sampler.interpolation == gl.ANIM_STEP or keys.size < FEWEST:
-            return values[np.clip(np.searchsorted(keys, at + 1e-9, side="right") - 1, 0, keys.size - 1)]
+            return values[np.clip(np.searchsorted(keys, at + SOON, side="right") - 1, 0, keys.size - 1)]
         if path == "rotation":
             return Slerp(keys, Rotation.from_quat(values))(at).as_quat()
         return make_interp_spline(keys, values, k=1)(at)

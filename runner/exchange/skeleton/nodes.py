@@ -15,11 +15,8 @@ from scipy.spatial.transform import Rotation
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
-from .. import euler
+from . import bvh_file
 from .bvh_file import Joint, Skeleton, fps_of
-
-ORDER = "ZYX"
-CHANNELS = ("Xposition", "Yposition", "Zposition", "Zrotation", "Yrotation", "Xrotation")
 
 
 @dataclass(frozen=True)
@@ -42,18 +39,16 @@ class Nodes:
     def skeleton(self) -> Skeleton:
         """The nodes as joints of a BVH file: channels of places and of rotations away from the rest pose."""
         turn = quat.product(rotations(self.moving), quat.conjugate(rotations(self.rest)))
-        joints, columns = list[Joint](), list[Array]()
+        place, offset = self.moving[..., :3, 3].copy(), self.rest[:, :3, 3].copy()
+        relative = turn.copy()
         for i, parent in enumerate(self.parents):
-            place, relative = self.moving[:, i, :3, 3], turn[:, i]
-            offset = self.rest[i, :3, 3]
             if parent >= 0:
                 above = quat.conjugate(turn[:, parent])
-                place = quat.rotated(above, place - self.moving[:, parent, :3, 3])
-                relative = quat.product(above, relative)
-                offset = offset - self.rest[parent, :3, 3]
-            joints.append(Joint(self.names[i], parent, offset, CHANNELS))
-            columns += [place, np.degrees(euler.angles(quat.normalised(relative), ORDER))]
-        return Skeleton(tuple(joints), 1 / self.fps, np.concatenate(columns, axis=1))
+                place[:, i] = quat.rotated(above, place[:, i] - self.moving[:, parent, :3, 3])
+                relative[:, i] = quat.product(above, turn[:, i])
+                offset[i] -= self.rest[parent, :3, 3]
+        joints = [Joint(*each) for each in zip(self.names, self.parents, offset, strict=True)]
+        return bvh_file.skeleton(joints, place, relative, 1 / self.fps)
 
 
 def rotations(matrices: Array) -> Array:

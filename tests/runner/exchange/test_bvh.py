@@ -12,6 +12,7 @@ import mujoco
 import numpy as np
 import puppet
 import pytest
+from scipy.spatial.transform import Rotation
 
 from dynsplines import models, work
 from dynsplines.clip import load as clip
@@ -113,13 +114,89 @@ def test_every_joint_and_several_figures_are_where_mujoco_has_them(tmp_path):
 
 
 @pytest.mark.slow
-def test_several_figures_are_read_as_one_of_their_own(tmp_path):
-    """`world` is no name for a body in MJCF."""
+def test_of_several_figures_the_one_with_limbs_is_read(tmp_path, capsys):
+    """The first moves freely under a common root, so its travel can be kept only without that root."""
     take = Take.of(puppet.moved(), 48.0)
     path = written(take, tmp_path)
-    back = Take.of(imported(path, scale=0.01), 48.0)
+    back = Take.of(imported(path, scale=0.01, progress=Progress()), 48.0)
     assert back.time.size == take.time.size
-    assert [back.model.body(i).name for i in range(3)] == ["world", "world_2", "hips"]
+    assert [back.model.body(i).name for i in range(2)] == ["world", "hips"]
+    travel = [np.ptp(each.bodies.position[:, each.model.body("hips").id, :2], axis=0) for each in (back, take)]
+    np.testing.assert_allclose(*travel, atol=TENTH)
+    note = "'hips' is the root; its parents are folded into it: world; other branches are left out: swing"
+    assert note in capsys.readouterr().err
+
+
+SIX = ("Xposition", "Yposition", "Zposition", "Yrotation", "Xrotation", "Zrotation")
+
+
+def under(found, *parents):
+    """A skeleton under joints (name, channels, values), the first of them the root."""
+    joints = [Joint(name, i - 1, np.zeros(3), channels) for i, (name, channels, _) in enumerate(parents)]
+    body = [replace(joint, parent=joint.parent + len(parents)) for joint in found.joints]
+    body[0] = replace(body[0], parent=len(parents) - 1)
+    values = np.concatenate([*(values for _, _, values in parents), found.values], axis=1)
+    return Skeleton((*joints, *body), found.frame_time, values)
+
+
+def still(found, row=(0,) * 6):
+    return np.tile(row, (len(found.values), 1)).astype(float)
+
+
+def with_root(found, columns):
+    """The same with other numbers of its root's six channels."""
+    return replace(found, values=np.concatenate([columns, found.values[:, 6:]], axis=1))
+
+
+def carried_along(found):
+    """Under a parent that travels over the ground."""
+    along = still(found)
+    along[:, [0, 2]] = found.values[:, [0, 2]]
+    return under(with_root(found, found.values[:, :6] - along), ("Trajectory", SIX, along))
+
+
+def turned_away(found, axis="y", angle=70.0):
+    """Under a parent that is turned and moved; the root makes up for it, so that the motion is the same."""
+    turn = Rotation.from_euler(axis, angle, degrees=True)
+    place = turn.inv().apply(found.values[:, :3] - [30, 0, 10])
+    own = turn.inv() * Rotation.from_euler("YXZ", found.values[:, 3:6], degrees=True)
+    root = np.concatenate([place, own.as_euler("YXZ", degrees=True)], axis=1)
+    row = (30, 0, 10, *turn.as_euler("XYZ", degrees=True))
+    channels = (*SIX[:3], "Xrotation", "Yrotation", "Zrotation")
+    return under(with_root(found, root), ("Armature", channels, still(found, row)))
+
+
+def without_places(found):
+    """Under a parent that has the root's places, as it has none."""
+    joints = (replace(found.joints[0], channels=SIX[3:]), *found.joints[1:])
+    own = replace(found, joints=joints, values=found.values[:, 3:])
+    return under(own, ("joint_Root", SIX[:3], found.values[:, :3]))
+
+
+PARENTS = {
+    "one that stands still": lambda found: under(found, ("Reference", SIX, still(found))),
+    "one without channels": lambda found: under(found, ("Armature", (), np.zeros((len(found.values), 0)))),
+    "two": lambda found: under(found, ("world", (), np.zeros((len(found.values), 0))), ("Root", SIX, still(found))),
+    "one that travels": carried_along,
+    "one with a heading": turned_away,
+    "one that makes z up": lambda found: turned_away(found, "x", -90.0),
+    "one with the places": without_places,
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("parents", PARENTS)
+def test_parents_above_the_pelvis_change_nothing(parents, cartwheel, tmp_path):
+    """The figure moves as without them, whatever the parents are called."""
+    found = bvh.skeleton(cartwheel)
+    (tmp_path / "plain.bvh").write_text(bvh_file.written(found), encoding="utf-8")
+    (tmp_path / "under.bvh").write_text(bvh_file.written(PARENTS[parents](found)), encoding="utf-8")
+    with_parents, plain = (
+        Take.of(imported(tmp_path / name, figure="human", progress=Progress()), 30.0)
+        for name in ("under.bvh", "plain.bvh")
+    )
+    assert np.ptp(plain.qpos[:, 0]) > 0.5
+    np.testing.assert_allclose(with_parents.bodies.position, plain.bodies.position, atol=TENTH)
 
 
 def test_names_that_clash_in_mjcf_are_told_apart(tmp_path):

@@ -1,0 +1,89 @@
+"""A skeleton from its body's root on: the parents that many programs put above the pelvis are folded into it.
+
+They stand still or carry it along: Reference, Armature, world, a trajectory on the ground. The root of the result moves
+in the world as the pelvis did.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+
+from . import bvh_file
+from .bvh_file import Skeleton
+from .roles import lineage, roles
+
+STILL = 1e-6  # of a quaternion's entries, or the file's unit of length: less is no movement
+MOST_NAMES = 8  # in a note
+
+
+def from_body_root(skeleton: Skeleton) -> tuple[Skeleton, tuple[str, ...]]:
+    """The skeleton from its body's root on, and a note on what is not part of it; as it is if that is its root.
+
+    It is left as it is, too, where the body's root stays at one place of its parent and other branches move.
+    """
+    root = _body_root(skeleton)
+    if root == 0:
+        return skeleton, ()
+    above = lineage(root, skeleton.parents)[1:]
+    kept = [i for i in range(root, len(skeleton.joints)) if root in lineage(i, skeleton.parents)]
+    beside = [i for i in range(len(skeleton.joints)) if i not in kept and i not in above]
+    beside = [i for i in beside if any(np.ptp(part[:, i], axis=0).max() > STILL for part in skeleton.world)]
+    if beside and np.ptp(skeleton.local[0][:, root], axis=0).max() <= STILL:
+        return skeleton, ()
+    place, turn = (part.copy() for part in skeleton.local)
+    world_place, world_turn = skeleton.world
+    zero = _at_zero(skeleton, world_turn[:, above[0]], root)
+    place[:, root], turn[:, root] = world_place[:, root], quat.product(world_turn[:, root], quat.inverse(zero))
+    joints = []
+    for i in kept:
+        joint = skeleton.joints[i]
+        parent = kept.index(joint.parent) if i != root else -1
+        end = None if joint.end is None else quat.rotated(zero, joint.end)
+        joints.append(replace(joint, parent=parent, offset=quat.rotated(zero, joint.offset), end=end))
+        if i != root:
+            place[:, i] = quat.rotated(zero, place[:, i])
+            turn[:, i] = quat.product(quat.product(zero, turn[:, i]), quat.inverse(zero))
+    names = ", ".join(skeleton.names[i] for i in reversed(above))
+    note = f"'{skeleton.names[root]}' is the root; its parents are folded into it: {names}"
+    if beside:
+        note += f"; other branches are left out: {', '.join(skeleton.names[i] for i in beside[:MOST_NAMES])}"
+    return bvh_file.skeleton(joints, place[:, kept], turn[:, kept], skeleton.frame_time), (note,)
+
+
+def _body_root(skeleton: Skeleton) -> int:
+    """The joint that carries all parts of the body that are known by name; else the first that does not move alone.
+
+    Without names, a joint is above the body's root if it carries nothing but one joint, and that one has positions.
+    """
+    parents = skeleton.parents
+    found = set(roles(skeleton.names, parents).values())
+    if len(found) > 1:
+        shared = set.intersection(*(set(lineage(i, parents)) for i in found))
+        return max(shared, default=0)
+    root = 0
+    while True:
+        below = [i for i, parent in enumerate(parents) if parent == root]
+        if len(below) != 1 or not any(each.endswith("position") for each in skeleton.joints[below[0]].channels):
+            return root
+        root = below[0]
+
+
+def _at_zero(skeleton: Skeleton, carried: Array, root: int) -> Array:
+    """(4,) the turn of the pose in which nothing is turned that its parents give it, if they stand still and it stands
+    upright by it: files made z up have such a parent."""
+    none = np.array([1.0, 0, 0, 0])
+    if np.abs(carried - carried[0]).max() > STILL:
+        return none
+    found = roles(skeleton.names, skeleton.parents)
+    feet = [found[role] for role in ("left_foot", "right_foot", "left_shin", "right_shin") if role in found]
+    if not feet:
+        return none
+    place, zero = skeleton.world[0], skeleton.at_zero
+    stands = np.median(place[:, root] - place[:, feet].mean(axis=1), axis=0)
+    rest = zero[root] - zero[feet].mean(axis=0)
+    return carried[0] if stands @ quat.rotated(carried[0], rest) > stands @ rest + STILL else none
