@@ -20,7 +20,8 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
 from ...errors import UserError
-from ..skeleton import gltf_file, hierarchy
+from ..nodes import gltf_file
+from ..skeleton import hierarchy
 from ..take import Recording, Take
 from ..triangles import Piece, Triangles, joined, linear, pieces, png, triangles
 from .bvh import recording

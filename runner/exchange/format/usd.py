@@ -19,7 +19,8 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
 from ...errors import UserError
-from ..skeleton import hierarchy, usd_file
+from ..nodes import usd_file
+from ..skeleton import hierarchy
 from ..take import Recording, Take
 from ..triangles import Piece, linear, pieces, texels, triangles
 from .bvh import recording

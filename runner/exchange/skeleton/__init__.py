@@ -1,9 +1,7 @@
 """Captured people: skeletons read, understood, and put on a figure.
 
 bvh_file         the text of a BVH file, Biovision's hierarchy and motion, to numbers and back
-nodes            a skeleton from nodes that are placed in the world, as glTF and USD have them
-gltf_file        the nodes that an animation of a glTF or VRM file moves
-usd_file         the nodes that move on a USD stage
+body_root        a skeleton from its body's root on: the parents above the pelvis are folded into it
 hierarchy        bodies as animators have them
 roles            which part of a body a joint is, by its name and its place in the tree: for skeletons of many makers
 captured         a captured skeleton in our axes: metres, z up, looking along x where it stands straight

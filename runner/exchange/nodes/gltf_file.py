@@ -21,7 +21,7 @@ from dynsplines.solver.array import Array
 
 from ...errors import UserError
 from ...system import largest
-from .nodes import Nodes, moving_tree, rate_of
+from .node_tree import Nodes, moving_tree, rate_of
 
 KINDS = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}

@@ -17,7 +17,7 @@ from dynsplines.solver.array import Array
 
 from ...errors import UserError
 from ...system import largest
-from .nodes import Nodes, moving_tree
+from .node_tree import Nodes, moving_tree
 
 REST = "rest"  # custom data of prims that this program writes: translation and rotation wxyz in the model's rest pose
 FEWEST = 2  # samples of a motion

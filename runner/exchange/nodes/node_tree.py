@@ -15,8 +15,8 @@ from scipy.spatial.transform import Rotation
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
-from . import bvh_file
-from .bvh_file import Joint, Skeleton, fps_of
+from ..skeleton import bvh_file
+from ..skeleton.bvh_file import Joint, Skeleton, fps_of
 
 
 @dataclass(frozen=True)
