@@ -24,7 +24,7 @@ from .dressing import dress
 from .framing import STANDING, is_of_people_size, rest_box, size_of
 from .lighting import is_well_lit
 from .model_files import is_there, models_in
-from .mujoco_versions import attach, geom_named, portable_text, remove, size_of_pictures
+from .mujoco_versions import attach, geom_named, keep_visuals, portable_text, remove, size_of_pictures
 from .obstacle import Obstacle, add_bodies
 
 PREFIX = "stage_"
@@ -66,6 +66,7 @@ def figure_spec(figure: str, folder: Path | None = None) -> mujoco.MjSpec:
         with quietly():
             spec = mujoco.MjSpec.from_file(str(path))
         check_places(spec, models_read)
+        keep_visuals(spec)
     except UserError as error:
         raise UserError(f"{figure}: {error}") from None
     except ValueError as error:
@@ -101,6 +102,7 @@ def compose(
     Without the model's own <keyframe> elements: MuJoCo writes them with few digits and leaves out some.
     """
     assets = taken_along(spec)
+    keep_visuals(spec)
     for key in list(spec.keys):
         remove(spec, key)
     bare = _compiled(spec, assets) if bare is None else bare

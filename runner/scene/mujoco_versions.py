@@ -5,6 +5,8 @@ from __future__ import annotations
 import contextlib
 import ctypes
 import re
+import tempfile
+from collections.abc import Iterator
 from enum import Enum
 from functools import cache
 from pathlib import Path
@@ -78,18 +80,39 @@ def portable_text(spec: mujoco.MjSpec) -> str:
     return re.sub(r"<hfield [^>]*>", lambda found: _upright(found[0]), text) if _turns_height_fields() else text
 
 
+def last_text(model: mujoco.MjModel) -> str:
+    """The text of the model that MuJoCo read last from a file or text, with the numbers of `model`.
+
+    It may be another model: MuJoCo keeps no text of a compiled one. Raises ValueError where there is none.
+    """
+    with tempfile.TemporaryDirectory() as folder, _precise():
+        path = Path(folder) / "model.xml"
+        try:
+            mujoco.mj_saveLastXML(str(path), model)
+        except mujoco.FatalError as error:
+            raise ValueError(str(error)) from None
+        return path.read_text(encoding="utf-8")
+
+
 def _precise_text(spec: mujoco.MjSpec) -> str:
-    """A compiled model's text with numbers of `DIGITS` digits, or of MuJoCo's default where its library is not found.
+    with _precise():
+        return spec.to_xml()
+
+
+@contextlib.contextmanager
+def _precise() -> Iterator[None]:
+    """Texts with numbers of `DIGITS` digits, or of MuJoCo's default where its library is not found.
 
     The precision is a setting of the thread that MuJoCo's Python package has no function for.
     """
     library = _library()
     if library is None:
-        return spec.to_xml()
+        yield
+        return
     before = library._mjPRIVATE__get_xml_precision()
     library._mjPRIVATE__set_xml_precision(DIGITS)
     try:
-        return spec.to_xml()
+        yield
     finally:
         library._mjPRIVATE__set_xml_precision(before)
 
@@ -137,6 +160,12 @@ def mesh_folder(spec: mujoco.MjSpec, element: Any) -> str:
 def texture_folder(spec: mujoco.MjSpec, texture: Any) -> str:
     """Where the files of a texture lie."""
     return texture.compiler.texturedir if hasattr(texture, "compiler") else spec.texturedir
+
+
+def keep_visuals(spec: mujoco.MjSpec) -> None:
+    """Lets the compiler keep materials and geoms that only are seen: of a URDF it drops them, the stage's as well."""
+    compiler = spec.compiler if hasattr(spec, "compiler") else spec
+    compiler.discardvisual = False
 
 
 def attach(spec: mujoco.MjSpec, other: mujoco.MjSpec, prefix: str) -> None:

@@ -181,7 +181,8 @@ def onto(captured: Captured, model: mujoco.MjModel, where: str) -> tuple[Array, 
     root = carrying(model, standing.roles.get("pelvis", standing.roles["left_thigh"]))
     if root is None:
         top = names[_root(standing)]
-        raise UserError(f"{where}: the figure's root, '{top}', needs a free joint, or slides on which it moves about")
+        slides = "or slides on which it moves about; in URDF a joint of type 'floating' from a link 'world'"
+        raise UserError(f"{where}: the figure's root, '{top}', needs a free joint, {slides}")
     shared = [role for role in standing.roles if role in captured.roles]
     upright = _stands(captured)
     alignment = _upright(captured, standing, shared) if upright else _by_bends(captured, standing, shared)

@@ -1,0 +1,30 @@
+"""URDF, which MuJoCo reads as well as MJCF: what it says of the root link."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import mujoco
+
+from .model_files import elements
+
+ENDING = ".urdf"
+
+
+def fixed_base(figure: str, model: mujoco.MjModel) -> str:
+    """One line if the file's root link is fixed in the world, with the way to let it move; "" for any other model."""
+    path = Path(figure)
+    if path.suffix.lower() != ENDING or (model.jnt_type == int(mujoco.mjtJoint.mjJNT_FREE)).any():
+        return ""
+    root = _root_link(path.read_text(encoding="utf-8-sig", errors="replace"))
+    return (
+        f"the root link '{root}' is fixed in the world; to let it move add to the URDF: <link name=\"world\"/> "
+        f'<joint name="root" type="floating"><parent link="world"/><child link="{root}"/></joint>'
+    )
+
+
+def _root_link(text: str) -> str:
+    """The link that is no joint's child."""
+    found = list(elements(text))
+    children = {said.get("link") for tag, said in found if tag == "child"}
+    return next((said["name"] for tag, said in found if tag == "link" and said.get("name") not in children), "")
