@@ -750,23 +750,33 @@ def _from_mjcf(path: Path, fps: float | None) -> Clip:
     """An MJCF file whose <keyframe> elements, with their times, are the keyframes."""
     try:
         spec = figure_spec(str(path))
-        written = [np.array(key.qpos) for key in spec.keys]
-        with quietly():
-            model = spec.compile()
     except UserError as error:
         raise UserError(_placed(error, path.name)) from None
+    return from_spec(path.stem, spec, fps, path.name)
+
+
+def from_spec(name: str, spec: mujoco.MjSpec, fps: float | None, where: str) -> Clip:
+    """A model whose <keyframe> elements, with their times, are the keyframes; `where` is how errors call it."""
+    written = [np.array(key.qpos) for key in spec.keys]
+    try:
+        with quietly():
+            model = spec.compile()
     except ValueError as error:
-        raise UserError(f"{path.name}: MuJoCo cannot compile it: {first_line(error)}") from None
+        raise UserError(f"{where}: MuJoCo cannot compile it: {first_line(error)}") from None
     if not written:
-        raise UserError(f"{path.name}: the model has no <keyframe> elements to go through")
+        raise UserError(f"{where}: the model has no <keyframe> elements to go through")
     time, qpos = np.array(model.key_time)[: len(written)], np.array(model.key_qpos)[: len(written)]
     for i, own in enumerate(written):
         if own.size not in (0, model.nq):
             at = _called(i + 1, time[i])
-            raise UserError(f"{path.name}: {at}: qpos has {own.size} numbers, not the figure's {model.nq}")
+            raise UserError(f"{where}: {at}: qpos has {own.size} numbers, not the figure's {model.nq}")
         if own.size:
             qpos[i] = own  # as written: MuJoCo turns a zero quaternion into no rotation
-    return from_qpos(path.stem, _composed(str(path), path.name), time, qpos, fps, path.name)
+    try:
+        scene = compose(spec, bare=model)
+    except UserError as error:
+        raise UserError(_placed(error, where)) from None
+    return from_qpos(name, scene, time, qpos, fps, where)
 
 
 def _from_arrays(model: str, keys: Path, fps: float | None) -> Clip:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import Any, Literal
 
 import mujoco
@@ -13,7 +12,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
-from dynsplines import models
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure, FigureError
 
@@ -23,7 +21,8 @@ from ..clip.own import Own, with_own
 from ..clip.text import keyframe_tables, written
 from ..errors import UserError
 from ..scene import outside
-from ..scene.compose import figure_spec, first_line, quietly
+from ..scene.compose import first_line, quietly
+from ..scene.model_inputs import spec_of
 from ..system.mujoco_warnings import as_python_warnings
 
 Turn = Mapping[str, Any] | Rotation
@@ -59,7 +58,7 @@ class Keyframe:
 
 @as_python_warnings()
 def build(
-    figure: str | os.PathLike[str] | mujoco.MjSpec,
+    figure: str | os.PathLike[str] | mujoco.MjSpec | mujoco.MjModel,
     keyframes: Sequence[Keyframe],
     *,
     name: str = "clip",
@@ -75,7 +74,8 @@ def build(
 ) -> Clip:
     """A clip from keyframes in Python.
 
-    figure     the name of a figure that ships (see `figures()`), a path to MJCF, or an MjSpec
+    figure     the name of a figure that ships (see `figures()`), a path to MJCF or URDF, MJCF text, an MjSpec, or
+               the MjModel that was read last
     scene      as the file's [scene]: {"step": {"x": 0.3, "height": 0.27}, "box": [{...}, ...]}
     contacts   as [[contact]]: {"point": "right_heel", "from": 0.0, "to": 0.8}
     holds      as [[hold]]: {"hand": "left_hand", "body": "crate", "from": 1.2, "to": 2.8}
@@ -88,7 +88,7 @@ def build(
     Raises UserError, in one line that names the keyframe and the key, for what does not fit the figure.
     """
     with outside.allowed(allow_outside):
-        spec, called = _spec(figure)
+        spec, called = spec_of(figure)
         posed = _figure(spec, called) if any(key.qpos is not None for key in keyframes) else None
         raw: dict[str, Any] = {"figure": called, "fps": float(fps)}
         raw |= {
@@ -99,14 +99,6 @@ def build(
         raw |= {"penalty": [_penalty(*entry) for entry in penalties.items()]} if penalties else {}
         raw |= {"keyframe": [_table(key, posed) for key in keyframes]}
         return with_own(clips.from_text(written(raw), name=name, where=name, spec=spec), own)
-
-
-def _spec(figure: str | os.PathLike[str] | mujoco.MjSpec) -> tuple[mujoco.MjSpec, str]:
-    """The figure, and what the clip's text calls it: a name that ships, or a path."""
-    if isinstance(figure, str | os.PathLike):
-        called = os.fspath(figure)
-        return figure_spec(called), called if called in models.figures() else Path(called).resolve().as_posix()
-    return figure.copy(), f"{figure.modelname or 'figure'}.xml"
 
 
 def _figure(spec: mujoco.MjSpec, called: str) -> Figure:

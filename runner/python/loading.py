@@ -12,6 +12,7 @@ from ..clip.load import Clip
 from ..clip.own import Own, with_own
 from ..errors import UserError
 from ..scene import outside
+from ..scene.model_inputs import is_text, spec_of_text
 from ..system.mujoco_warnings import as_python_warnings
 from .motion import Motion
 
@@ -25,15 +26,22 @@ def load(
 ) -> Clip:
     """A clip, ready to be in-betweened.
 
-    source  the name of a clip that ships (see `clips()`), a .toml file, an MJCF file with <keyframe> elements, or TOML
-            text itself, which has a line break in it
+    source  the name of a clip that ships (see `clips()`), a .toml file, an MJCF file with <keyframe> elements, or the
+            text of either: of TOML with a line break in it
     fps     samples a second of what is made of it, instead of the clip's own
     own     soft constraints of your own with their weights: [(Calm(), 0.1)]; no file holds them
     allow_outside  let its model read files that lie outside the model's own folder
 
     Raises UserError, in one line that names the file, the keyframe and the key.
     """
-    source = os.fspath(source)
+    if not isinstance(source, str | os.PathLike):
+        raise UserError(
+            f"a clip is a name, a path or text, not of type {type(source).__name__}; build makes one of a model"
+        )
+    source = str(os.fspath(source))
+    if is_text(source):
+        with outside.allowed(allow_outside):
+            return with_own(clips.from_spec("clip", spec_of_text(source), fps, "clip"), own)
     if "\n" in source:
         with outside.allowed(allow_outside):
             return with_own(clips.from_text(source, name="clip", where="clip", fps=fps), own)
@@ -75,7 +83,9 @@ def import_motion(
     from ..edit import lead_in
     from ..exchange.imported import imported
 
-    figure = None if figure is None else os.fspath(figure)
+    if figure is not None and not isinstance(figure, str | os.PathLike):
+        raise UserError(f"figure is a name or a path to MJCF, not of type {type(figure).__name__}")
+    figure = None if figure is None else str(os.fspath(figure))
     with outside.allowed(allow_outside):
         found = imported(Path(source), format, figure=figure, fps=fps, scale=scale)
     return Motion(lead_in.without(found) if skip_rest else found)

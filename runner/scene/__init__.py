@@ -10,5 +10,7 @@ model_files      what an MJCF file reads besides itself, as its text tells, befo
 mjcf_size        what an MJCF model comes to in memory, told from its text before MuJoCo reads it
 outside          whether a model may refer to files outside its own folder
 configuration    what configurations of a model, MuJoCo's qpos, must not be, whoever sent them
+model_inputs     a model given to the Python API: a name, a path, MJCF text, an MjSpec or an MjModel
+urdf             what a URDF file says of its root link
 mujoco_versions  what MuJoCo calls by other names in its older versions
 """

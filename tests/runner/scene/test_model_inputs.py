@@ -1,0 +1,100 @@
+"""Whatever holds a model makes the same clip: path, text, MjSpec or MjModel; all else is refused in one line."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import mujoco
+import numpy as np
+import pytest
+
+from dynsplines import Keyframe, UserError, build, inbetween, load
+from dynsplines.clip import starter
+from dynsplines.scene.compose import compose, figure_spec
+from dynsplines.scene.urdf import fixed_base
+from dynsplines.solver.surface.touch import grounds
+
+ARM = """<mujoco model="arm"><option gravity="0 0 -3.7"/><worldbody>
+    <body name="upper"><joint name="elbow" axis="0 1 0"/>
+    <geom name="g" size=".1" pos=".123456789 0 0"/></body></worldbody></mujoco>"""
+KEYS = [Keyframe(0, joints={"elbow": 0.0}), Keyframe(1, joints={"elbow": 20.0})]
+MODEL = "figure: MuJoCo writes an MjModel as MJCF only if"
+
+
+def test_text_a_path_a_spec_and_a_model_are_the_same_figure(tmp_path: Path):
+    (tmp_path / "arm.xml").write_text(ARM)
+    inputs = (
+        ARM,
+        "\n" + ARM,
+        tmp_path / "arm.xml",
+        mujoco.MjSpec.from_string(ARM),
+        mujoco.MjModel.from_xml_string(ARM),
+    )
+    wanted = mujoco.MjModel.from_xml_string(ARM)
+    for figure in inputs:
+        model = build(
+            mujoco.MjModel.from_xml_string(ARM) if isinstance(figure, mujoco.MjModel) else figure, KEYS
+        ).figure.model
+        np.testing.assert_allclose(model.body("upper").ipos, wanted.body("upper").ipos, atol=1e-12)
+        np.testing.assert_allclose(model.opt.gravity, wanted.opt.gravity)
+
+
+@pytest.mark.parametrize("other", ['"shoulder"', "its mass"])
+def test_a_model_that_mujoco_would_write_as_another_is_refused(other: str):
+    model = mujoco.MjModel.from_xml_string(ARM)
+    if other == "its mass":
+        model.body_mass[1] *= 2
+        model.body_inertia[1] *= 2
+    else:
+        mujoco.MjModel.from_xml_string(ARM.replace('"elbow"', other))
+    with pytest.raises(UserError, match=MODEL):
+        build(model, KEYS)
+
+
+@pytest.mark.parametrize("figure", [3, None, [ARM], ARM.encode(), "<mujoco>", "<a/>", "absent.xml", "<robot/>"])
+def test_what_holds_no_model_is_refused_in_one_line(figure: object):
+    with pytest.raises(UserError) as raised:
+        build(figure, KEYS)  # type: ignore[arg-type]
+    assert "\n" not in str(raised.value)
+
+
+def test_text_with_keyframes_is_a_clip_and_a_model_is_none():
+    keys = '<keyframe><key time="0" qpos="0"/><key time="1" qpos=".5"/></keyframe></mujoco>'
+    clip = load(ARM.replace("</mujoco>", keys))
+    assert [key.time for key in clip.keys] == [0, 1]
+    for call in (load, inbetween):
+        with pytest.raises(UserError, match="not of type MjModel; build makes one of a model"):
+            call(mujoco.MjModel.from_xml_string(ARM))  # type: ignore[operator]
+
+
+LINK = """<link name="{}"><inertial><mass value="1"/>
+    <inertia ixx=".1" iyy=".1" izz=".1" ixy="0" ixz="0" iyz="0"/></inertial>
+    <visual><geometry><mesh filename="absent.dae"/></geometry></visual>
+    <collision><geometry><box size=".2 .2 .2"/></geometry></collision></link>"""
+HIP = """<joint name="hip" type="revolute"><parent link="base"/><child link="leg"/><origin xyz="0 0 -.3"/>
+    <axis xyz="0 1 0"/><limit lower="-1" upper="1" effort="10" velocity="3"/></joint>"""
+ROBOT = f'<robot name="u">{LINK.format("base")}{LINK.format("leg")}{HIP}</robot>'
+DARK = ARM.replace('<option gravity="0 0 -3.7"/>', '<compiler discardvisual="true"/>')
+
+
+@pytest.mark.parametrize(("name", "text"), [("robot.urdf", ROBOT), ("arm.xml", DARK)])
+def test_a_model_that_discards_what_is_only_seen_has_the_stage(tmp_path: Path, name: str, text: str):
+    (tmp_path / name).write_text(text)
+    model = compose(figure_spec(str(tmp_path / name))).model()
+    assert len(grounds(model)) == 1
+    assert model.nlight > 0
+    assert model.nmat > 0
+    assert model.geom("floor").matid[0] >= 0
+
+
+def test_a_urdf_whose_root_is_fixed_says_how_to_free_it(tmp_path: Path):
+    path = tmp_path / "robot.urdf"
+    path.write_text(ROBOT)
+    said = fixed_base(str(path), figure_spec(str(path)).compile())
+    assert said.startswith("the root link 'base' is fixed in the world; to let it move add to the URDF: ")
+    path.write_text(ROBOT.replace("</robot>", re.sub(".*URDF: ", "", said) + "</robot>"))
+    model = figure_spec(str(path)).compile()
+    assert model.jnt_type.tolist() == [int(mujoco.mjtJoint.mjJNT_FREE), int(mujoco.mjtJoint.mjJNT_HINGE)]
+    assert not fixed_base(str(path), model)
+    assert "root.position" in starter.starter(str(path), tmp_path / "robot.toml")
