@@ -14,7 +14,7 @@ from ..errors import UserError, unknown
 from ..motion import Saved
 from ..system import largest
 from ..system.output import Replacement, check_new, check_target
-from . import unsaid
+from . import layouts, unsaid
 from .take import Recording, Take, Wishes
 
 SIMULATED = ".simulate.xml"  # the ending of a scene that stands by itself
@@ -48,8 +48,10 @@ class Format:
     or, where it does not begin with a dot, its name; and `recognises(path)`, for endings that several formats share.
     also   endings of the same format that are read
     variants endings of the same format that it can be written with
+    containers endings of other files that hold the same, only read
     wishes what more of `Wishes` it can hold
     scales the files do not say their unit of length: `read` takes `scale` [m], None to guess
+    shares another format's ending that its files have as well, where what is in them decides
     extra  of `pip install 'dynamic-splines[...]'`, where the format needs more than the main job
     """
 
@@ -63,12 +65,19 @@ class Format:
     extra: str | None = None
     also: tuple[str, ...] = ()
     variants: tuple[str, ...] = ()
+    containers: tuple[str, ...] = ()
     wishes: tuple[str, ...] = ()
+    shares: str | None = None
 
     @property
     def told_by(self) -> tuple[str, ...]:
         """The endings that tell that it is to be written."""
         return self.ending, *self.variants
+
+    @property
+    def read_by(self) -> tuple[str, ...]:
+        """The endings of files that can be of it."""
+        return "." + self.ending.rpartition(".")[2], *self.also, *self.containers
 
     def check_name(self, target: Path) -> None:
         """Raises UserError unless a file of that name can be one of this format: .mjlab.npz may be short, .npz."""
@@ -79,14 +88,17 @@ class Format:
 
 FORMATS = (
     Format("csv", ".csv", "a row an instant: time, qpos under the joints' names, and more", "csv_table", reads=True,
-           wishes=("columns",)),
-    Format("npz", ".qpos.npz", "time, qpos, qvel, qacc, names and the figure as plain arrays", "arrays", reads=True),
+           wishes=("columns",), containers=(".tsv", ".txt")),
+    Format("npz", ".qpos.npz", "time, qpos, qvel, qacc, names and the figure as plain arrays", "arrays", reads=True,
+           containers=(".npy",)),
     Format("mjcf", ".keys.xml", "figure and scene with a <key> an instant", "mjcf_keys", reads=True, also=(".xml",),
            variants=(SIMULATED,), wishes=("simulate",)),
     Format("mjlab", ".mjlab.npz", "mjlab, BeyondMimic: hinges and bodies in the world", "mjlab", reads=True),
-    Format("mjlab-csv", ".mjlab.csv", "their input: root, quaternion xyzw, hinges; no names", "mjlab_csv", reads=True),
+    Format("mjlab-csv", ".mjlab.csv", "their input: root, quaternion xyzw, hinges; no names", "mjlab_csv", reads=True,
+           shares=".csv", containers=(".tsv", ".txt")),
     Format("locomujoco", ".loco.npz", "a trajectory of LocoMuJoCo, with all of its arrays", "locomujoco", reads=True),
-    Format("gmr", ".gmr.pkl", "GMR: root, quaternion xyzw, hinges, bodies about the root", "gmr", reads=True),
+    Format("gmr", ".gmr.pkl", "GMR: root, quaternion xyzw, hinges, bodies about the root", "gmr", reads=True,
+           containers=(".pickle", ".joblib")),
     Format("mimickit", ".mimickit.pkl", "MimicKit: root and ball joints as rotation vectors", "mimickit", reads=True),
     Format("deepmimic", ".deepmimic.json", "DeepMimic's humanoid", "deepmimic", reads=True, also=(".txt", ".json")),
     Format("amass", ".amass.npz", "AMASS: motion capture on the SMPL body", "amass", writes=False, reads=True),
@@ -111,7 +123,12 @@ def readers() -> dict[str, Format]:
 
 def stem(source: Path) -> str:
     """A file's name without the whole ending of its format: 'run' of run.loco.npz."""
-    endings = [ending for each in FORMATS for ending in (each.ending, *each.also) if len(source.name) > len(ending)]
+    endings = [
+        ending
+        for each in FORMATS
+        for ending in (each.ending, *each.also, *each.containers)
+        if len(source.name) > len(ending)
+    ]
     fitting = [ending for ending in endings if source.name.lower().endswith(ending)]
     return source.name[: -max(map(len, fitting))] if fitting else source.stem
 
@@ -253,8 +270,24 @@ def recording(
     known = readers()
     if kind is not None and kind not in known:
         raise UserError(_write_only(kind) if kind in writers() else unknown("format", kind, known))
-    form = known[kind] if kind is not None else _told(source)
+    fitting = [known[kind]] if kind is not None else _fitting(source)
     _check_file(source)
+    found: dict[str, Recording] = {}
+    failure: UserError | None = None
+    for form in fitting:
+        try:
+            found[form.name] = _read(form, source, model, fps, scale)
+        except UserError as error:
+            failure = failure or error
+    if not found:
+        assert failure is not None, "a file fits a format or is refused"
+        raise failure
+    return layouts.chosen(found, model, source)
+
+
+def _read(
+    form: Format, source: Path, model: mujoco.MjModel | None, fps: float | None, scale: float | None
+) -> Recording:
     read = _module(form).read
     assert read is not None, "a format that is read"
     if form.scales:
@@ -285,23 +318,26 @@ def _check_file(source: Path) -> None:
     largest.check(source, source.stat().st_size, "it")
 
 
-def _told(source: Path) -> Format:
-    """The format that a file's ending tells, or, where several share it, what is in the file."""
+def _fitting(source: Path) -> list[Format]:
+    """The formats that a file can be of, by its ending, or where several share it by what is in the file."""
     name, known = source.name.lower(), readers().values()
     own = by_ending(source)
+    if own is not None and not own.reads:
+        raise UserError(f"'{source}': {_write_only(own.name)}")
     if own is not None:
-        if not own.reads:
-            raise UserError(f"'{source}': {_write_only(own.name)}")
-        return own
-    sharing = [each for each in known if name.endswith(("." + each.ending.rpartition(".")[2], *each.also))]
-    if sharing:
-        _check_file(source)
-    known_by = [(each, _module(each).recognises) for each in sharing]
-    fitting = [each for each, recognises in known_by if recognises is None or recognises(source)]
-    if len(fitting) != 1:
-        names = ", ".join(each.name for each in fitting or sharing or known)
+        return [own, *(each for each in known if each.shares == own.ending and _recognises(each, source))]
+    sharing = [each for each in known if name.endswith(each.read_by)]
+    fitting = [each for each in sharing if _recognises(each, source)]
+    if not fitting:
+        names = ", ".join(each.name for each in sharing or known)
         raise UserError(f"'{source}': its ending does not tell its format; {unsaid.FORMAT}, one of: {names}")
-    return fitting[0]
+    return fitting
+
+
+def _recognises(form: Format, source: Path) -> bool:
+    _check_file(source)
+    recognises = _module(form).recognises
+    return recognises is None or recognises(source)
 
 
 @dataclass(frozen=True)

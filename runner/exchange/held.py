@@ -15,6 +15,7 @@ from ..errors import UserError
 from ..system import archive as archive_sizes
 from ..system import largest
 from .gaps import bridged
+from .take import BodyPoses
 
 LARGEST = 1e9  # of any number: its square still is one
 NUMBER = 8  # [bytes]
@@ -116,8 +117,25 @@ class Held:
         return total
 
 
+def body_poses(found: Held) -> BodyPoses | None:
+    """Return the body poses that a file holds beside qpos, by the names that MuJoCo and mjlab give them, or None."""
+    place = next((name for name in ("xpos", "body_pos_w", "body_pos") if name in found), None)
+    if place is None or np.ndim(found.of(place)) != 3:
+        return None
+    position = found.numbers(place, "samples", "bodies", 3)
+    turn = next((name for name in ("xquat", "body_quat_w", "body_quat", "body_rot") if name in found), None)
+    rotation = None if turn is None else found.quaternions(turn, "samples", "bodies", 4)
+    names = tuple(found.texts("body_names")) if "body_names" in found else None
+    return BodyPoses(position, rotation, names)
+
+
 def held(source: Path) -> Held:
-    """The arrays of an .npz; those that are pickled objects count as not there, for pickles are never loaded."""
+    """The arrays of an .npz file, or that of an .npy file as qpos.
+
+    Those that are pickled objects count as not there, for pickles are never loaded.
+    """
+    if source.suffix.lower() == ".npy":
+        return _single(source)
     try:
         with source.open("rb") as stream:
             if not zipfile.is_zipfile(stream):
@@ -131,6 +149,18 @@ def held(source: Path) -> Held:
     except Exception as error:  # a damaged zip raises nearly anything
         raise UserError(f"{source}: not a readable .npz file: {' '.join(str(error).split())}") from None
     return Held(source, {name: array for name, array in found.items() if isinstance(array, np.ndarray)})
+
+
+def _single(source: Path) -> Held:
+    """The array of an .npy file as qpos."""
+    try:
+        array = np.load(source, allow_pickle=False)
+    except ValueError as error:
+        what = "pickled objects" if "allow_pickle" in str(error) else "no array, or half of one"
+        raise UserError(f"{source}: it holds {what}; an .npy file of qpos (T, nq) is read") from None
+    if not isinstance(array, np.ndarray):
+        raise UserError(f"{source}: not an .npy file; name it .npz")
+    return Held(source, {"qpos": array})
 
 
 def _unpickled(archive: Any, name: str) -> Any:

@@ -91,6 +91,8 @@ def configurations(
     wanted = [name for joint, own in layout.joints if joint != free for name in own]
     if names is None and joints.shape[1] != len(wanted):
         raise UserError(f"{where}: {joints.shape[1]} joints; the figure has {len(wanted)}: {', '.join(wanted)}")
+    if names is not None and joints.shape[1] != len(names):
+        raise UserError(f"{where}: {joints.shape[1]} columns of joints with {len(names)} names")
     order = list(range(len(wanted))) if names is None else _order(list(names), wanted, where)
     sorted_joints = joints[:, order]
     before = sum(len(own) for joint, own in layout.joints if joint < free)

@@ -141,6 +141,20 @@ class Bodies:
 
 
 @dataclass(frozen=True)
+class BodyPoses:
+    """Poses of bodies that a file holds beside joint angles: redundant, so that its layout can be verified.
+
+    position (T, b, 3) [m]; rotation (T, b, 4), wxyz or xyzw, or None; names (b,) if the file has them
+    is_local  positions are relative to the root, as if it lay unturned at the origin
+    """
+
+    position: Array
+    rotation: Array | None = None
+    names: tuple[str, ...] | None = None
+    is_local: bool = False
+
+
+@dataclass(frozen=True)
 class Recording:
     """A motion that was read: time (T,) [s], rising; qpos (T, nq) of the figure, in MuJoCo's order and units.
 
@@ -148,6 +162,8 @@ class Recording:
     fps    [1/s] if the file says it more exactly than its times; notes  what the user should know of how it was read
     loops  the file says that its last sample is the first again, moved on
     assets the files that mjcf refers to, by name
+    bodies body poses that the file holds besides, to verify qpos
+    layout in what the layout differs from the documented one; others  the same file in other layouts, see `layouts`
     """
 
     time: Array
@@ -157,3 +173,6 @@ class Recording:
     notes: tuple[str, ...] = ()
     loops: bool = False
     assets: Assets = field(default_factory=dict)
+    bodies: BodyPoses | None = None
+    layout: tuple[str, ...] = ()
+    others: tuple[Recording, ...] = ()

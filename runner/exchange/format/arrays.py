@@ -6,11 +6,12 @@ joint_names (njnt,), body_names (nbody,)
 mjcf ()                          the whole scene: mujoco.MjModel.from_xml_string(str(numpy.load(FILE)["mjcf"]))
 
 Read are `qpos` and `time` or `fps`, and `mjcf` where no figure is named; `joint_names`, if there, must be the
-figure's.
+figure's. Body poses `xpos`, `xquat` verify qpos. An .npy file is read as qpos alone.
 """
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import mujoco
@@ -22,8 +23,8 @@ from ...errors import UserError
 from ...motion import asset_arrays, assets_in, write_arrays
 from ...scene.assets import Scene
 from ...scene.compose import first_line, quietly
-from .. import unsaid
-from ..held import Held, held, names_in, times
+from .. import layouts, unsaid
+from ..held import Held, body_poses, held, names_in, times
 from ..robot import needs_figure
 from ..take import Recording, Take
 
@@ -46,8 +47,8 @@ def write(take: Take, path: Path) -> None:
 
 
 def recognises(path: Path) -> bool:
-    """Whether an .npz is of this kind."""
-    return "qpos" in names_in(path) and "split_points" not in names_in(path)
+    """Whether an .npz is of this kind; an .npy is."""
+    return path.suffix.lower() == ".npy" or ("qpos" in names_in(path) and "split_points" not in names_in(path))
 
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
@@ -71,7 +72,12 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
         )
     qpos = found.numbers("qpos", "samples", figure.nq)
     rate = found.rate("fps") if "fps" in found else fps
-    return Recording(_time(found, len(qpos), rate), qpos, mjcf, fps=rate, assets=assets)
+    time = _time(found, len(qpos), rate)
+    result = layouts.recording(
+        figure, time, {(): lambda: qpos}, scalar_last=False, has_names="joint_names" in found,
+        bodies=body_poses(found), fps=rate,
+    )  # fmt: skip
+    return result if mjcf is None else replace(result, mjcf=mjcf, assets=assets, others=())
 
 
 def _time(found: Held, count: int, fps: float | None) -> Array:

@@ -1,7 +1,7 @@
 """CSV: a row an instant, the time and MuJoCo's qpos, under a heading that names joint and component.
 
 More columns, of `quantities`, may follow; those are not read. A name that a spreadsheet would take for a formula has
-a ' before it.
+a ' before it. Tables by others are read by `tables`, and their column names by `headings`.
 """
 
 from __future__ import annotations
@@ -12,8 +12,11 @@ from pathlib import Path
 import mujoco
 import numpy as np
 
+from dynsplines.solver.array import Array
+
 from ...errors import UserError
-from .. import quantities, unsaid
+from .. import headings, layouts, quantities, tables, unsaid
+from ..held import times
 from ..take import Recording, Take
 
 FORMULA = "=+-@\t\r"  # what a spreadsheet takes for the begin of one, and runs
@@ -46,42 +49,50 @@ def write(take: Take, path: Path) -> None:
         rows.writerows(map(repr, row) for row in table.tolist())
 
 
+def recognises(path: Path) -> bool:
+    """Whether a text is a table."""
+    return b'"Frames"' not in path.read_bytes()
+
+
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
-    """With our heading, columns in any order; without one nq columns, or the time and nq columns."""
+    """With a heading, columns in any order, by `headings`; without one nq columns, or the time and nq columns."""
     if model is None:
         raise UserError(f"{path}: a table of qpos is for a figure; {unsaid.FIGURE}")
-    try:
-        with path.open(newline="", encoding="utf-8-sig") as stream:
-            rows = [row for row in csv.reader(stream) if any(cell.strip() for cell in row)]
-    except (UnicodeDecodeError, csv.Error) as error:
-        raise UserError(f"{path}: not a table of text: {error}") from None
-    if not rows:
-        raise UserError(f"{path}: the file is empty")
-    heading = None if _is_number(rows[0][0]) else [_named(cell.strip()) for cell in rows[0]]
-    body = rows if heading is None else rows[1:]
-    width = len(rows[0])
-    try:
-        table = np.array([[float(cell) for cell in row] for row in body]).reshape(-1, width)
-    except ValueError:
-        bad = next(i for i, row in enumerate(body) if len(row) != width or not all(map(_is_number, row)))
-        line = bad + 1 + (heading is not None)
-        raise UserError(f"{path}: row {line} does not hold {width} numbers") from None
-    if heading is not None:
-        wanted = columns(model)
-        missing = [name for name in wanted if name not in heading]
-        if missing:
-            raise UserError(f"{path}: no column '{missing[0]}'; the figure's columns: {', '.join(wanted)}")
-        qpos = table[:, [heading.index(name) for name in wanted]]
-        time = table[:, heading.index("time")] if "time" in heading else None
-    elif width in (model.nq, model.nq + 1):
-        qpos, time = table[:, width - model.nq :], table[:, 0] if width > model.nq else None
+    found = tables.table(path)
+    notes: tuple[str, ...] = found.notes
+    is_certain = found.names is not None
+    if found.names is None:
+        time, qpos = without_heading(path, found.numbers, model.nq, fps or found.fps)
     else:
-        raise UserError(f"{path}: {width} columns without a heading; the figure's qpos has {model.nq}")
-    if time is None:
-        if fps is None:
-            raise UserError(f"{path}: it has no column of times; {unsaid.RATE}")
-        time = np.arange(len(qpos)) / fps
-    return Recording(time, qpos)
+        resolved = headings.resolve(model, columns(model), list(map(_named, found.names)), path)
+        qpos, notes = resolved.qpos(found.numbers), (*notes, *resolved.notes)
+        is_certain = not resolved.is_numbered
+        time = resolved.time(found.numbers)
+        if time is None:
+            time = times(len(qpos), rate_of(path, fps or found.fps))
+    order = None if is_certain else False
+    result = layouts.recording(model, time, {(): lambda: qpos}, scalar_last=order, has_names=is_certain)
+    return layouts.noted(result, notes)
+
+
+def without_heading(path: Path, numbers: Array, width: int, fps: float | None) -> tuple[Array, Array]:
+    """Times (T,) and the numbers (T, width) of a table that may have a column of times before them."""
+    if numbers.shape[1] not in (width, width + 1):
+        raise UserError(f"{path}: {numbers.shape[1]} columns without a heading; the figure's qpos has {width}")
+    values = numbers[:, numbers.shape[1] - width :]
+    if numbers.shape[1] == width:
+        return times(len(values), rate_of(path, fps)), values
+    time = numbers[:, 0]
+    if len(time) > 1 and np.all(np.diff(time) == 1):  # it counts samples
+        return times(len(values), rate_of(path, fps)), values
+    return time, values
+
+
+def rate_of(path: Path, fps: float | None) -> float:
+    """The rate [1/s]; raises UserError where nothing specifies it."""
+    if fps is None:
+        raise UserError(f"{path}: it has no column of times; {unsaid.RATE}")
+    return fps
 
 
 def _inert(name: str) -> str:
@@ -92,11 +103,3 @@ def _inert(name: str) -> str:
 def _named(cell: str) -> str:
     """The name in such a heading."""
     return cell[1:] if cell.startswith(QUOTE) and cell[1:].startswith(tuple(FORMULA + QUOTE)) else cell
-
-
-def _is_number(cell: str) -> bool:
-    try:
-        float(cell)
-    except ValueError:
-        return False
-    return True

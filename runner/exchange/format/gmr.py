@@ -14,6 +14,7 @@ nothing.
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 
 import mujoco
@@ -21,10 +22,11 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 
-from ..held import times
+from .. import layouts
+from ..held import Held, times
 from ..pickles import plain_pickle
 from ..robot import Robot, configurations, needs_figure
-from ..take import Bodies, Recording, Take
+from ..take import Bodies, BodyPoses, Recording, Take
 from .mjlab import beside as beside
 
 NAME = "gmr"
@@ -54,12 +56,24 @@ def recognises(path: Path) -> bool:
 
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
-    """Root and hinges, which are the figure's, in its order."""
+    """Root and hinges in the figure's order, verified by the bodies where the file has them."""
     model = needs_figure(model, path)
     found = plain_pickle.load(path)
     rate = found.rate("fps") if "fps" in found or fps is None else fps
     position = found.numbers("root_pos", "samples", 3)
     rotation = found.quaternions("root_rot", "samples", 4, scalar_last=True)
     joints = found.numbers("dof_pos", "samples", "joints")
-    qpos = configurations(model, NAME, path, position, rotation, joints)
-    return Recording(times(len(joints), rate), qpos, fps=rate)
+    readings: dict[tuple[str, ...], layouts.Reading] = {
+        (): partial(configurations, model, NAME, path, position, rotation, joints)
+    }
+    return layouts.recording(
+        model, times(len(joints), rate), readings, scalar_last=True, has_names=False, bodies=_bodies(found), fps=rate
+    )
+
+
+def _bodies(found: Held) -> BodyPoses | None:
+    """The bodies about the root, where the file has them."""
+    if "local_body_pos" not in found:
+        return None
+    names = tuple(found.texts("link_body_list")) if "link_body_list" in found else None
+    return BodyPoses(found.numbers("local_body_pos", "samples", "bodies", 3), names=names, is_local=True)

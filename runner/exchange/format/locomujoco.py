@@ -15,6 +15,7 @@ ball joints raise. So a ball joint is three hinges (`hinged`), and the model tha
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 
 import mujoco
@@ -24,7 +25,8 @@ from dynsplines.solver.array import Array
 
 from ...errors import UserError
 from ...motion import write_arrays
-from ..held import Held, held, names_in, times
+from .. import layouts
+from ..held import Held, body_poses, held, names_in, times
 from ..robot import configurations, needs_figure
 from ..take import Recording, Take
 from .mjlab import beside as beside
@@ -75,7 +77,10 @@ def recognises(path: Path) -> bool:
 
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
-    """The joints by name; raises UserError for files of several motions, and for other joints than the figure's."""
+    """The joints by name, verified by the bodies where the file has them.
+
+    Raises UserError for files of several motions, and for other joints than the figure's.
+    """
     model = needs_figure(model, path)
     found = held(path)
     splits = found.numbers("split_points", "splits")
@@ -92,5 +97,9 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     turned = rotation.quaternions("qpos (the root's quaternion)", "samples", 4)
     joints, called = qpos[:, [starts[i] for i in hinges]], [names[i] for i in hinges]
     rate = found.rate("frequency") if "frequency" in found or fps is None else fps
-    qpos = configurations(model, NAME, path, qpos[:, root : root + 3], turned, joints, called)
-    return Recording(times(len(qpos), rate), qpos, fps=rate)
+    readings: dict[tuple[str, ...], layouts.Reading] = {
+        (): partial(configurations, model, NAME, path, qpos[:, root : root + 3], turned, joints, called)
+    }
+    return layouts.recording(
+        model, times(len(qpos), rate), readings, scalar_last=False, bodies=body_poses(found), fps=rate
+    )

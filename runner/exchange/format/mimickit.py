@@ -23,6 +23,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
 from ...errors import UserError
+from .. import layouts
 from ..held import times
 from ..pickles import plain_pickle
 from ..robot import FREE, needs_figure
@@ -144,4 +145,5 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
         qpos[:, part.columns] = part.configuration(frames[:, start : start + part.width])
         start += part.width
     loops = "loop_mode" in found and found.whole("loop_mode") == WRAP
-    return Recording(times(len(frames), rate), qpos, fps=rate, loops=loops)
+    time = times(len(frames), rate)
+    return layouts.recording(figure, time, {(): lambda: qpos}, has_names=False, fps=rate, loops=loops)

@@ -14,15 +14,20 @@ Source: mjlab, src/mjlab/scripts/csv_to_npz.py, which logs body_link_pos_w and i
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 
 import mujoco
 import numpy as np
 
+from dynsplines.solver.array import Array
+
+from ...errors import UserError
 from ...motion import write_arrays
-from ..held import held, names_in, times
-from ..robot import Robot, configurations, needs_figure
-from ..take import Bodies, Recording, Take
+from .. import layouts
+from ..held import Held, held, names_in, times
+from ..robot import FREE, Robot, configurations, needs_figure
+from ..take import Bodies, BodyPoses, Recording, Take
 
 NAME = "mjlab"
 
@@ -57,13 +62,52 @@ def recognises(path: Path) -> bool:
 
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
-    """The root's body and the hinges; by name where the file has names, else in the figure's order."""
+    """Root and hinges, verified by the bodies; by name where the file has names, else in the figure's order."""
     model = needs_figure(model, path)
     found = held(path)
     rate = found.rate("fps") if "fps" in found or fps is None else fps
     joints = found.numbers("joint_pos", "samples", "joints")
-    position = found.numbers("body_pos_w", "samples", "bodies", 3)[:, 0]
-    rotation = found.quaternions("body_quat_w", "samples", "bodies", 4)[:, 0]
+    position = found.numbers("body_pos_w", "samples", "bodies", 3)
+    rotation = found.quaternions("body_quat_w", "samples", "bodies", 4)
     names = found.texts("joint_names") if "joint_names" in found else None
-    qpos = configurations(model, NAME, path, position, rotation, joints, names)
-    return Recording(times(len(joints), rate), qpos, fps=rate)
+    body_names = found.texts("body_names") if "body_names" in found else None
+    readings: dict[tuple[str, ...], layouts.Reading] = {}
+    for words, body in _roots(model, body_names, position.shape[1]).items():
+        root = position[:, body], rotation[:, body]
+        readings[words] = partial(configurations, model, NAME, path, *root, joints, names)
+        if names is not None:
+            ordered = partial(_in_order, model, path, *root, joints, names)
+            readings[*words, "joints in the figure's order, not that of joint_names"] = ordered
+    readings["qpos in joint_pos",] = partial(_whole, model, path, joints, names)
+    poses = BodyPoses(position, rotation, None if body_names is None else tuple(body_names))
+    return layouts.recording(
+        model, times(len(joints), rate), readings, scalar_last=False, has_names=False, bodies=poses, fps=rate
+    )
+
+
+def _roots(model: mujoco.MjModel, names: list[str] | None, count: int) -> dict[tuple[str, ...], int]:
+    """Which of the recorded bodies may be the root."""
+    free = np.flatnonzero(model.jnt_type == FREE)
+    root = model.body(int(model.jnt_bodyid[free[0]])).name if free.size else ""
+    out: dict[tuple[str, ...], int] = {(): 0}
+    if names is not None and root in names[1:]:
+        out["the root by body_names",] = names.index(root)
+    if count > 1:
+        out["the world first",] = 1
+    return out
+
+
+def _in_order(
+    model: mujoco.MjModel, path: Path, position: Array, rotation: Array, joints: Array, names: list[str]
+) -> Array:
+    """Joints in the figure's order, though the file names them in another; raises UserError for foreign names."""
+    configurations(model, NAME, path, position, rotation, joints, names)
+    return configurations(model, NAME, path, position, rotation, joints)
+
+
+def _whole(model: mujoco.MjModel, path: Path, numbers: Array, names: list[str] | None) -> Array:
+    """All of qpos, the root's seven numbers before the joints."""
+    if numbers.shape[1] < 7:
+        raise UserError(f"{path}: 'joint_pos' has {numbers.shape[1]} columns, too few for a root")
+    rotation = Held(path, {"joint_pos": numbers[:, 3:7]}).quaternions("joint_pos", "samples", 4)
+    return configurations(model, NAME, path, numbers[:, :3], rotation, numbers[:, 7:], names)

@@ -9,17 +9,19 @@ ball joint is three of them (`hinged`), and the model that has them is written b
 
 from __future__ import annotations
 
-import warnings
+from functools import partial
 from pathlib import Path
 
 import mujoco
 import numpy as np
 
 from ...errors import UserError
-from .. import unsaid
-from ..held import Held, times
-from ..robot import Robot, configurations, needs_figure
+from .. import layouts, tables, unsaid
+from ..held import Held
+from ..robot import FREE, Robot, configurations, needs_figure
+from ..skeleton.hinged import HingeLayout
 from ..take import Recording, Take
+from .csv_table import without_heading
 from .mjlab import beside as beside
 
 NAME = "mjlab-csv"
@@ -36,21 +38,35 @@ def write(take: Take, path: Path) -> None:
     take.notes.append(f"the file does not tell its rate: {take.fps:g} samples a second")
 
 
-def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
-    """Raises UserError for rows that do not hold root and hinges of the figure, and without a rate."""
-    model = needs_figure(model, path)
-    if fps is None:
-        raise UserError(f"{path}: the format tells none; {unsaid.RATE}")
+def recognises(path: Path) -> bool:
+    """Whether a table is of this kind: without a heading."""
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # of an empty file, which is told below
-            table = np.loadtxt(path, delimiter=",", ndmin=2)
-    except ValueError as error:
-        raise UserError(f"{path}: not a table of numbers: {' '.join(str(error).split())}") from None
-    if table.shape[0] == 0 or table.shape[1] < 8:
-        raise UserError(f"{path}: a table {table.shape}; a row is root xyz, root quaternion xyzw, and hinges")
-    found = Held(path, {"root": table[:, :3], "quaternion (columns 4 to 7)": table[:, 3:7], "hinges": table[:, 7:]})
-    position, joints = found.numbers("root", "T", 3), found.numbers("hinges", "T", "n")
-    rotation = found.quaternions("quaternion (columns 4 to 7)", "T", 4, scalar_last=True)
-    qpos = configurations(model, NAME, path, position, rotation, joints)
-    return Recording(times(len(table), fps), qpos, fps=fps)
+        return tables.table(path).names is None
+    except UserError:
+        return False
+
+
+def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
+    """Root, quaternion and hinges, after a column of times if there is one; raises UserError for other rows."""
+    model = needs_figure(model, path)
+    found = tables.table(path)
+    fps = fps or found.fps
+    width = 7 + sum(len(names) for joint, names in HingeLayout(model).joints if model.jnt_type[joint] != FREE)
+    if found.numbers.shape[1] not in (width, width + 1):
+        shape = found.numbers.shape
+        raise UserError(
+            f"{path}: a table {shape}; a row is root xyz, root quaternion xyzw, and hinges: {width} columns"
+        )
+    if found.numbers.shape[1] == width and fps is None:
+        raise UserError(f"{path}: the format tells none; {unsaid.RATE}")
+    time, table = without_heading(path, found.numbers, width, fps)
+    parts = {"root": table[:, :3], "quaternion (columns 4 to 7)": table[:, 3:7], "hinges": table[:, 7:]}
+    held = Held(path, parts)
+    position, joints = held.numbers("root", "T", 3), held.numbers("hinges", "T", "n")
+    rotation = held.quaternions("quaternion (columns 4 to 7)", "T", 4, scalar_last=True)
+    readings: dict[tuple[str, ...], layouts.Reading] = {
+        (): partial(configurations, model, NAME, path, position, rotation, joints)
+    }
+    rate = fps if found.numbers.shape[1] == width else None
+    result = layouts.recording(model, time, readings, scalar_last=True, has_names=False, fps=rate)
+    return layouts.noted(result, found.notes)

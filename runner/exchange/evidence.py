@@ -1,0 +1,227 @@
+"""Evidence for a reading of a file: agreement with the body poses that it holds, and plausibility of the motion."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import mujoco
+import numpy as np
+
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array, Index
+from dynsplines.solver.figure.root import root_of
+
+from .take import BodyPoses, Recording
+
+CLOSE, ALIGNED = 0.02, np.radians(2)  # [m], [rad] within which forward kinematics reproduces a recorded body
+LOOKED_AT = 60  # samples of a file that are compared, evenly spread
+SLACK = np.radians(5)  # beyond a joint's range
+MOVING = 0.05  # degrees or [rad]: joints that move less are no evidence of the unit
+FAST = 50.0  # [rad/s]: joints of robots and people do not turn so fast
+SLIDING = 1.0  # [m/s] of the lowest point, which is at rest in most motions
+JUMP = np.radians(45)  # of the root between samples
+FREE, HINGE = int(mujoco.mjtJoint.mjJNT_FREE), int(mujoco.mjtJoint.mjJNT_HINGE)
+
+
+@dataclass(frozen=True)
+class Disagreement:
+    """The largest distance [m] and angle [rad] between recorded bodies and the figure's."""
+
+    distance: float
+    angle: float
+
+    @property
+    def share(self) -> float:
+        """Of what is allowed."""
+        return max(self.distance / CLOSE, self.angle / ALIGNED)
+
+    def __str__(self) -> str:
+        return f"{100 * self.distance:.1f} cm and {np.degrees(self.angle):.1f}°"
+
+
+def disagreement(model: mujoco.MjModel, found: Recording) -> Disagreement:
+    """Return how far the body poses of a recording are from the figure's at its qpos.
+
+    Each recorded body is compared with the body of the figure that is nearest to it in all samples, so that neither
+    the order of bodies nor a world among them matters; if the figure has fewer bodies, each of these likewise.
+    """
+    assert found.bodies is not None, "a recording with body poses"
+    rows = spread(len(found.qpos))
+    qpos = found.qpos[rows]
+    if found.bodies.is_local:
+        qpos = qpos.copy()
+        root = int(model.jnt_qposadr[model.jnt_type == FREE][0])
+        qpos[:, root : root + 7] = [0, 0, 0, 1, 0, 0, 0]
+    position, rotation = _poses(model, qpos)
+    columns = _known(model, found.bodies)
+    away = np.linalg.norm(found.bodies.position[rows][:, columns, None] - position[:, None], axis=-1).max(axis=0)
+    angles = [np.zeros_like(away)]
+    if found.bodies.rotation is not None:
+        recorded = found.bodies.rotation[rows][:, columns, None]
+        angles = [_angle(np.roll(recorded, shift, -1), rotation[:, None]).max(axis=0) for shift in (0, 1)]
+    return min((_nearest(away, angle) for angle in angles), key=lambda each: each.share)
+
+
+def _known(model: mujoco.MjModel, bodies: BodyPoses) -> Index:
+    """The recorded bodies that the figure has, all of them if it knows few of their names."""
+    everything = np.arange(bodies.position.shape[1])
+    if bodies.names is None or len(bodies.names) != everything.size:
+        return everything
+    names = {model.body(body).name for body in range(model.nbody)}
+    known = np.flatnonzero([name in names for name in bodies.names])
+    return known if 2 * known.size > everything.size else everything
+
+
+def _nearest(away: Array, angle: Array) -> Disagreement:
+    """Of worst distances and angles (b, nbody), each body of the smaller set with its nearest."""
+    if away.shape[0] > away.shape[1]:
+        away, angle = away.T, angle.T
+    partner = np.argmin(np.maximum(away / CLOSE, angle / ALIGNED), axis=1)
+    rows = np.arange(len(partner))
+    return Disagreement(float(away[rows, partner].max()), float(angle[rows, partner].max()))
+
+
+def _angle(one: Array, other: Array) -> Array:
+    cosine = np.abs(np.sum(one * other, axis=-1)) / np.linalg.norm(one, axis=-1)
+    return 2 * np.arccos(np.minimum(cosine, 1.0))
+
+
+def _poses(model: mujoco.MjModel, qpos: Array) -> tuple[Array, Array]:
+    """Positions (T, nbody, 3) and rotations (T, nbody, 4) of all bodies."""
+    data = mujoco.MjData(model)
+    position, rotation = np.zeros((len(qpos), model.nbody, 3)), np.zeros((len(qpos), model.nbody, 4))
+    for i, row in enumerate(qpos):
+        data.qpos = row
+        mujoco.mj_kinematics(model, data)
+        position[i], rotation[i] = data.xpos, data.xquat
+    return position, rotation
+
+
+def spread(count: int, most: int = LOOKED_AT) -> Index:
+    """Return samples of a recording, evenly spread, the first and the last among them."""
+    return np.unique(np.linspace(0, count - 1, min(count, most)).round().astype(np.int64))
+
+
+@dataclass(frozen=True)
+class Plausibility:
+    """What a figure does in a motion: the less of all of it, the more plausible is the motion.
+
+    tilt     [rad] of the root from upright, mean
+    height   [m] of the lowest point above or below z = 0, mean; size [m] of the figure
+    sliding  [m/s] of the lowest point, mean
+    outside  share of joint angles beyond their ranges
+    jumps    share of the steps from sample to sample in which the root or a joint turns faster than any does
+    """
+
+    tilt: float
+    height: float
+    size: float
+    sliding: float
+    outside: float
+    jumps: float
+
+    @classmethod
+    def of(cls, model: mujoco.MjModel, found: Recording) -> Plausibility:
+        """Return that of a recording; samples without numbers are left out."""
+        finite = np.isfinite(found.qpos).all(axis=1)
+        qpos, time = found.qpos[finite], found.time[finite]
+        outside, jumps = _outside(model, qpos), _fast(model, qpos, time)
+        root = root_of(model)
+        if root is None or not len(qpos):
+            return cls(0.0, 0.0, 1.0, 0.0, outside, jumps)
+        if root.is_free:
+            start = int(model.jnt_qposadr[root.joints[0]])
+            rotation = quat.normalised(qpos[:, start + 3 : start + 7])
+            turned = quat.angle_between(rotation[1:], rotation[:-1])
+            jumps += float(np.mean(turned > JUMP)) if turned.size else 0.0
+        tilt, height, sliding, size = _stands(model, root.body, qpos, time)
+        return cls(tilt, height, size, sliding, outside, jumps)
+
+    @property
+    def fault(self) -> float:
+        """Without unit; below 0.6 for what people and robots do on their feet."""
+        return self.tilt / (np.pi / 2) + min(1.0, self.height / (0.3 * self.size)) + self.outside + self.jumps
+
+    @property
+    def cost(self) -> float:
+        """The same with feet that slide, which they do in poor recordings, too."""
+        return self.fault + 0.5 * min(1.0, self.sliding / SLIDING)
+
+    def __str__(self) -> str:
+        parts = [f"tilt {np.degrees(self.tilt):.0f}°, lowest point at {100 * self.height:.0f} cm"]
+        parts.append(f"sliding at {self.sliding:.1f} m/s")
+        if self.outside >= 0.005:
+            parts.append(f"{self.outside:.0%} of joint angles out of range")
+        if self.jumps >= 0.005:
+            parts.append(f"jumps in {self.jumps:.0%} of the steps")
+        return ", ".join(parts)
+
+
+def in_degrees(model: mujoco.MjModel, qpos: Array, time: Array) -> bool:
+    """Whether hinges are evidently in degrees: beyond a turn as radians, and within their ranges as degrees.
+
+    Of figures without ranges: faster than any joint as radians, and not as degrees.
+    """
+    hinges = model.jnt_type == HINGE
+    limited = hinges & (model.jnt_limited == 1)
+    values = qpos[np.isfinite(qpos).all(axis=1)]
+    scaled = values.copy()
+    scaled[:, model.jnt_qposadr[hinges]] = np.radians(values[:, model.jnt_qposadr[hinges]])
+    if not len(values):
+        return False
+    if not limited.any():
+        clock = time[np.isfinite(qpos).all(axis=1)]
+        return _fast(model, values, clock) > 0.5 and _fast(model, scaled, clock) == 0
+    most = np.abs(values[:, model.jnt_qposadr[limited]]).max(axis=0)
+    moving = most[most > MOVING]
+    return bool(moving.size and np.mean(moving > 2 * np.pi) >= 0.5 and _outside(model, scaled) <= 0.05)
+
+
+def _outside(model: mujoco.MjModel, qpos: Array) -> float:
+    limited = (model.jnt_limited == 1) & (model.jnt_type >= int(mujoco.mjtJoint.mjJNT_SLIDE))
+    if not limited.any() or not len(qpos):
+        return 0.0
+    values, bounds = qpos[:, model.jnt_qposadr[limited]], model.jnt_range[limited]
+    return float(np.mean((values < bounds[:, 0] - SLACK) | (values > bounds[:, 1] + SLACK)))
+
+
+def _fast(model: mujoco.MjModel, qpos: Array, time: Array) -> float:
+    hinges = model.jnt_qposadr[model.jnt_type == HINGE]
+    if len(qpos) < 2 or not hinges.size:
+        return 0.0
+    step = np.diff(qpos[:, hinges], axis=0)
+    step -= 2 * np.pi * np.round(step / (2 * np.pi)) * (np.abs(step) < 7)  # hinges that wrap do not turn
+    is_fast = np.abs(step) > FAST * np.maximum(np.diff(time), 1e-3)[:, None]
+    return float(np.median(is_fast.mean(axis=0)))  # of a joint as most are: single rotors do
+
+
+def _stands(model: mujoco.MjModel, body: int, qpos: Array, time: Array) -> tuple[float, float, float, float]:
+    """How a figure stands: its body's tilt from rest [rad], its lowest point's height from the floor [m] and speed
+    [m/s], all mean, and the figure's size [m]."""
+    bodies = np.flatnonzero(model.body_rootid == model.body_rootid[body])
+    geoms = np.flatnonzero(np.isin(model.geom_bodyid, bodies))
+    data = mujoco.MjData(model)
+
+    def points(row: Array) -> tuple[Array, Array]:
+        """(n, 3) centres of boxes around geoms and of bodies, and (n,) the least height of each."""
+        data.qpos = row
+        mujoco.mj_kinematics(model, data)
+        matrix = data.geom_xmat[geoms].reshape(-1, 3, 3)
+        centre = data.geom_xpos[geoms] + np.einsum("nij,nj->ni", matrix, model.geom_aabb[geoms, :3])
+        low = centre[:, 2] - np.einsum("nj,nj->n", np.abs(matrix[:, 2]), model.geom_aabb[geoms, 3:])
+        return np.concatenate([centre, data.xpos[bodies]]), np.concatenate([low, data.xpos[bodies, 2]])
+
+    rest, low = points(model.qpos0)
+    size = float(max(np.ptp(rest, axis=0).max(), rest[:, 2].max() - low.min(), 1e-3))
+    up = data.xmat[body].reshape(3, 3)[2].copy()
+    rows = spread(len(qpos) - 1) if len(qpos) > 1 else np.zeros(1, int)
+    tilts, heights, speeds = np.zeros(rows.size), np.zeros(rows.size), np.zeros(rows.size)
+    for n, i in enumerate(rows):
+        here, low = points(qpos[i])
+        first = int(np.argmin(low))
+        tilts[n] = np.arccos(np.clip(data.xmat[body].reshape(3, 3)[2] @ up, -1, 1))
+        heights[n] = abs(low[first])
+        if i + 1 < len(qpos):
+            there, _ = points(qpos[i + 1])
+            speeds[n] = np.linalg.norm((there - here)[first, :2]) / max(time[i + 1] - time[i], 1e-3)
+    return float(tilts.mean()), float(heights.mean()), float(np.minimum(speeds, 3 * SLIDING).mean()), size

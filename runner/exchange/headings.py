@@ -1,0 +1,191 @@
+"""Which columns of a table are which components of qpos, by their names: our own, or those of other programs.
+
+Exact names have precedence. Of others, letter case, punctuation, units in brackets and words such as `joint`, `dof` or
+`pos` around a joint's name do not count: `root_pos_x`, `base_quat_w`, `left_knee_joint`, `dof.left_knee [deg]`. The
+root is called by its joint, its body, or root, base, pelvis and the like. Numbered columns are taken in their order.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import mujoco
+import numpy as np
+
+from dynsplines.solver.array import Array
+from dynsplines.solver.figure.root import root_of
+
+from ..errors import UserError
+
+FREE, HINGE, SLIDE = (int(getattr(mujoco.mjtJoint, f"mjJNT_{kind}")) for kind in ("FREE", "HINGE", "SLIDE"))
+UNIT = re.compile(r"[\[(]\s*([^\])]*?)\s*[\])]\s*$")
+DEGREES, MILLI = {"deg", "degree", "degrees", "°"}, {"mm", "ms"}
+CENTI = {"cm"}
+AROUND = {"joint", "joints", "dof", "pos", "position", "q", "qpos", "angle", "value", "jnt", "j", "deg", "rad"}
+ROOT = {"root", "base", "pelvis", "torso", "trunk", "hips", "free", "freejoint", "floating", "link", "body", "joint"}
+PLACE = {"pos", "position", "p", "t", "trans", "translation", "offset", "xyz", "location", "global", "world"}
+TURN = {"quat", "quaternion", "rot", "rotation", "orientation", "q", "r", "ori", "global", "world"}
+TIMES = {"time", "t", "timestamp", "sec", "seconds", "times"}
+NUMBERED = re.compile(r"^(.*?)[\W_]*([0-9]+)\W*$")
+
+
+@dataclass(frozen=True)
+class Columns:
+    """Where the components of qpos are in a table.
+
+    places  of each component of qpos, and its factor to metres or radians; clock: of the times, and to seconds
+    is_numbered  whether columns were only numbered, so that their order is the file's
+    """
+
+    places: tuple[tuple[int, float], ...]
+    clock: tuple[int, float] | None
+    is_numbered: bool
+    notes: tuple[str, ...]
+
+    def qpos(self, numbers: Array) -> Array:
+        """(T, nq) of the table (T, n)."""
+        return numbers[:, [place for place, _ in self.places]] * np.array([factor for _, factor in self.places])
+
+    def time(self, numbers: Array) -> Array | None:
+        """(T,) [s] of the table, None if it has none."""
+        return None if self.clock is None else numbers[:, self.clock[0]] * self.clock[1]
+
+
+def resolve(model: mujoco.MjModel, wanted: Sequence[str], names: Sequence[str], where: object) -> Columns:
+    """Return where a table with named columns has qpos.
+
+    Args:
+        model: The figure.
+        wanted: (nq,) our names of the components of qpos.
+        names: (n,) of the table's columns.
+        where: How errors call the file.
+
+    Raises:
+        UserError: A component has no column, or several.
+    """
+    units = [(match[1].lower() if (match := UNIT.search(name)) else "") for name in names]
+    bare = [name if name in wanted else UNIT.sub("", name).strip() for name in names]
+    exact = {name: bare.index(name) for name in wanted if name in bare}
+    taken = set(exact.values())
+    aliases = _aliases(model, wanted, [(i, name) for i, name in enumerate(bare) if i not in taken], where)
+    places = {**{name: place for name, place in aliases.items() if name not in exact}, **exact}
+    is_numbered = False
+    if len(places) < len(wanted):
+        numbered = _numbered(wanted, places, [(i, name) for i, name in enumerate(bare) if i not in places.values()])
+        is_numbered, places = bool(numbered), places | numbered
+    missing = [name for name in wanted if name not in places]
+    if missing:
+        more = f" and {len(missing) - 1} more" if len(missing) > 1 else ""
+        raise UserError(
+            f"{where}: no column '{missing[0]}'{more}; the figure's columns: {', '.join(wanted)}; "
+            f"the file's: {', '.join(names)}"
+        )
+    others = [f"{names[place]} for {name}" for name, place in places.items() if name not in exact]
+    notes = []
+    if others:
+        notes.append(f"columns by other names: {', '.join(others[:4])}" + (" and so on" if len(others) > 4 else ""))
+    hinges = {wanted[int(model.jnt_qposadr[j])] for j in range(model.njnt) if model.jnt_type[j] == HINGE}
+    factors = [_factor(units[places[name]], bare[places[name]], is_hinge=name in hinges) for name in wanted]
+    if any(name in hinges and factor != 1 for name, factor in zip(wanted, factors, strict=True)):
+        notes.append("angles in degrees, by their columns' names")
+    clock = _clock(bare, units, set(places.values()))
+    return Columns(
+        tuple((places[name], factor) for name, factor in zip(wanted, factors, strict=True)),
+        clock,
+        is_numbered,
+        tuple(notes),
+    )
+
+
+def _factor(unit: str, name: str, *, is_hinge: bool) -> float:
+    if is_hinge:
+        return float(np.pi / 180) if unit in DEGREES or (not unit and name.lower().endswith(("_deg", ".deg"))) else 1.0
+    return 1e-3 if unit in MILLI else 1e-2 if unit in CENTI else 1.0
+
+
+def _clock(bare: Sequence[str], units: Sequence[str], taken: set[int]) -> tuple[int, float] | None:
+    if "time" in bare:
+        place = bare.index("time")
+        return place, 1e-3 if units[place] in MILLI else 1.0
+    for i, name in enumerate(bare):
+        words = _words(name)
+        if i not in taken and words and words[0] in TIMES and set(words[1:]) <= {"s", "ms", "sec", "seconds"}:
+            return i, 1e-3 if units[i] in MILLI or "ms" in words[1:] else 1.0
+    return None
+
+
+def _words(name: str) -> list[str]:
+    """The words of a name in lower case: `basePosX` and `base_pos.x` alike."""
+    parts = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", " ", name)
+    return [word for word in re.split(r"[\W_]+", parts.lower()) if word]
+
+
+def _aliases(
+    model: mujoco.MjModel, wanted: Sequence[str], columns: Sequence[tuple[int, str]], where: object
+) -> dict[str, int]:
+    """Where columns with other names than ours are; raises UserError where two could be one component."""
+    root = root_of(model)
+    out: dict[str, int] = {}
+
+    def claim(name: str, place: int, column: str) -> None:
+        if name in out:
+            first = next(text for i, text in columns if i == out[name])
+            raise UserError(f"{where}: the columns '{first}' and '{column}' could both be '{name}'")
+        out[name] = place
+
+    if root is not None and root.is_free:
+        joint = root.joints[0]
+        own = {*_words(model.joint(joint).name), *_words(model.body(root.body).name), *ROOT}
+        start = int(model.jnt_qposadr[joint])
+        for part, axis in enumerate(("x", "y", "z", "w", "x", "y", "z")):
+            name = wanted[start + part]
+            fitting = [(i, text) for i, text in columns if _is_component(_words(text), axis, own, is_turn=part > 2)]
+            for place, text in fitting:
+                claim(name, place, text)
+    stems = {
+        j: _stem(wanted[int(model.jnt_qposadr[j])]) for j in range(model.njnt) if model.jnt_type[j] in (HINGE, SLIDE)
+    }
+    claimed = set(out.values())
+    for joint, stem in stems.items():
+        if stem:
+            for i, text in columns:
+                if i not in claimed and _stem(text) == stem:
+                    claim(wanted[int(model.jnt_qposadr[joint])], i, text)
+    return out
+
+
+def _is_component(words: list[str], axis: str, own: set[str], *, is_turn: bool) -> bool:
+    """Whether a column's words name a component of the root's position or quaternion."""
+    if not words:
+        return False
+    last, before = words[-1], words[:-1]
+    letters = {f"q{axis}"} if is_turn else {f"p{axis}", f"t{axis}"}
+    kinds = TURN if is_turn else PLACE
+    if last not in {axis, *letters} or (is_turn and last == axis and not set(before) & kinds):
+        return False
+    return set(before) <= own | kinds
+
+
+def _stem(name: str) -> str:
+    """A joint's name without the words around it."""
+    words = _words(name)
+    while words and words[0] in AROUND:
+        words = words[1:]
+    while words and words[-1] in AROUND:
+        words = words[:-1]
+    return "_".join(words)
+
+
+def _numbered(wanted: Sequence[str], places: dict[str, int], columns: Sequence[tuple[int, str]]) -> dict[str, int]:
+    """Components without a column, of as many columns that have one name and a number each, in their order."""
+    groups: dict[str, list[tuple[int, int]]] = {}
+    for i, text in columns:
+        if (match := NUMBERED.match(text)) is not None:
+            groups.setdefault(match[1].lower(), []).append((int(match[2]), i))
+    missing = [name for name in wanted if name not in places]
+    fitting = [sorted(group) for group in groups.values() if len(group) == len(missing)]
+    if len(fitting) != 1:
+        return {}
+    return {name: place for name, (_, place) in zip(missing, fitting[0], strict=True)}

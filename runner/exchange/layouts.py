@@ -1,0 +1,290 @@
+"""Which layout a file's numbers have, decided by `evidence`: what the file holds twice, or else what a figure can do.
+
+A reader returns a recording as its format is documented, with `others`: the layouts that files of this kind have
+besides. The documented layout has precedence unless it contradicts the file's body poses or is implausible; formats
+that share an ending have equal rank. What was decided is reported in a note, and what cannot be decided is refused.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import combinations
+
+import mujoco
+import numpy as np
+
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array, Index
+
+from ..errors import UserError
+from ..scene.assets import Scene
+from . import unsaid
+from .evidence import Plausibility, disagreement, in_degrees
+from .take import BodyPoses, Recording
+
+FREE, BALL, HINGE = (int(getattr(mujoco.mjtJoint, f"mjJNT_{kind}")) for kind in ("FREE", "BALL", "HINGE"))
+EQUAL = 0.05  # of the bounds of agreement: layouts so near to each other agree equally well
+IMPLAUSIBLE = 0.6  # fault from which on the documented layout is doubted
+CLEARLY, FAR = 0.15, 0.3  # difference of two costs that decides between equals, and against the documented layout
+SAME = 1e-6  # [m, rad] between layouts that give one motion
+Y_UP = (  # words; the axes of the file that are our x, y and z, and their signs; whether the root's frame is y up, too
+    ("y up", ((0, 1), (2, -1), (1, 1)), False),
+    ("y up in the world and in the root's frame", ((0, 1), (2, -1), (1, 1)), True),
+    ("y up and z forward in the world and in the root's frame", ((2, 1), (0, 1), (1, 1)), True),
+)
+Reading = Callable[[], Array]
+Change = tuple[str, Callable[[Array], Array]]
+Candidate = tuple[str, Recording]  # the format that a file is read as
+Judged = tuple[Plausibility, Candidate]
+
+
+def recording(
+    model: mujoco.MjModel,
+    time: Array,
+    readings: Mapping[tuple[str, ...], Reading],
+    *,
+    scalar_last: bool | None = None,
+    has_names: bool = True,
+    bodies: BodyPoses | None = None,
+    fps: float | None = None,
+    loops: bool = False,
+) -> Recording:
+    """Return a recording with the layouts that its file may have.
+
+    Args:
+        model: The figure.
+        time: (T,) [s].
+        readings: Functions that return qpos (T, nq), wxyz, by the words for their layout; the documented one, of no
+            words, first. One that raises UserError does not fit the file.
+        scalar_last: Whether quaternions are documented as xyzw; None where their order is certain.
+        has_names: Whether the file names its joints, so that their order is certain.
+        bodies, fps, loops: See `Recording`.
+
+    Raises:
+        UserError: The first of the readings' errors, if none fits.
+    """
+    bases: list[Recording] = []
+    failure: UserError | None = None
+    for layout, read in readings.items():
+        try:
+            base = Recording(time, read(), fps=fps, loops=loops, layout=layout, bodies=bodies)
+        except UserError as error:
+            failure = failure or error
+        else:
+            bases.append(_in_radians(model, base))
+    if not bases:
+        assert failure is not None, "a file has a documented layout"
+        raise failure
+    variants = [other for base in bases for other in _variants(model, base, scalar_last, has_names=has_names)]
+    return replace(bases[0], others=(*bases[1:], *variants))
+
+
+def noted(found: Recording, notes: Sequence[str]) -> Recording:
+    """Return a recording with more notes, in all of its layouts."""
+    others = tuple(replace(each, notes=(*each.notes, *notes)) for each in found.others)
+    return replace(found, notes=(*found.notes, *notes), others=others)
+
+
+def chosen(recordings: Mapping[str, Recording], model: mujoco.MjModel | None, where: object) -> Recording:
+    """Return the recording in the layout for which there is most evidence, with a note where that was in question.
+
+    Args:
+        recordings: By the name of the format that it is read as; several for a file that several formats fit.
+        model: The figure; None for files that bring their own.
+        where: How errors call the file.
+
+    Raises:
+        UserError: No layout agrees with the file's body poses, or several are equally plausible.
+    """
+    first = next(iter(recordings.values()))
+    if len(recordings) == 1 and not first.others and first.bodies is None:
+        return first
+    model = _figure(first) if model is None else model
+    layouts = [(form, each) for form, found in recordings.items() for each in (found, *found.others)]
+    fitting, notes = _agreeing(layouts, model, where)
+    found, note = _most_plausible(fitting, model, where)
+    return replace(found, bodies=None, others=(), notes=(*found.notes, *notes, *note))
+
+
+def _figure(found: Recording) -> mujoco.MjModel:
+    assert found.mjcf is not None, "a file without a figure is for one that is named"
+    return Scene(found.mjcf, found.assets).model()
+
+
+def _agreeing(
+    candidates: Sequence[Candidate], model: mujoco.MjModel, where: object
+) -> tuple[list[Candidate], tuple[str, ...]]:
+    """The layouts that reproduce the file's body poses best, and a note if the documented one is not among them."""
+    verified = [(form, each) for form, each in candidates if each.bodies is not None]
+    if not verified:
+        return list(candidates), ()
+    off = [disagreement(model, each) for _, each in verified]
+    best, first = min(off, key=lambda each: each.share), off[0]
+    if best.share > 1:
+        others = f", at best {best} with {_words(verified[off.index(best)][1])}" if best is not first else ""
+        raise UserError(
+            f"{where}: its body poses differ from the figure's at its joint angles, by up to {first}{others}; "
+            "name the model that it was recorded with"
+        )
+    out = [each for each, one in zip(verified, off, strict=True) if one.share <= best.share + EQUAL]
+    simplest = min(out, key=lambda each: len(each[1].layout))
+    if not simplest[1].layout:
+        return out, ()
+    before = "" if verified[0][1].layout else f"; as documented {first}"
+    return out, (f"read as {_called(*simplest)}: its body poses differ from the figure's by up to {best}{before}",)
+
+
+def _most_plausible(
+    candidates: Sequence[Candidate], model: mujoco.MjModel, where: object
+) -> tuple[Recording, tuple[str, ...]]:
+    """The layout of fewest differences if it is plausible, else the one that clearly is, and what was decided."""
+    least = min(len(each.layout) for _, each in candidates)
+    ranked = _ranked([each for each in candidates if len(each[1].layout) == least], model)
+    if len(ranked) > 1 and ranked[1][0].cost - ranked[0][0].cost < CLEARLY:
+        raise UserError(f"{where}: {_equally(ranked[:2])}")
+    best, first = ranked[0]
+    axes = [other for each in candidates for other in _axes(model, each)]
+    rest = [each for each in (*candidates, *axes) if len(each[1].layout) > least]
+    others = _ranked(rest, model) if best.cost > FAR else []
+    others = [each for each in others if each[0].fault < IMPLAUSIBLE]
+    if others and best.cost - others[0][0].cost > (CLEARLY if best.fault > IMPLAUSIBLE else FAR):
+        rivals = [each for each in others if each[0].cost - others[0][0].cost < CLEARLY]
+        fewest = min(len(each.layout) for _, (_, each) in rivals)
+        rivals = [each for each in rivals if len(each[1][1].layout) == fewest]
+        if len(rivals) > 1:
+            raise UserError(f"{where}: as {_called(*first)} it is implausible ({best}); {_equally(rivals)}")
+        return rivals[0][1][1], (_decided(rivals[0], ranked[0]),)
+    return first[1], (_decided(*ranked[:2]),) if len(ranked) > 1 else ()
+
+
+def _decided(used: Judged, other: Judged) -> str:
+    """One line on a decision between two layouts."""
+    return f"read as {_called(*used[1])}: {used[0]}; as {_called(*other[1])} it would be: {other[0]}"
+
+
+def _equally(rivals: Sequence[Judged]) -> str:
+    """What to do about layouts that nothing distinguishes."""
+    names = " and ".join(_called(*each) for _, each in rivals)
+    forms = list(dict.fromkeys(form for _, (form, _) in rivals))
+    do = f"{unsaid.FORMAT}, one of: {', '.join(forms)}" if len(forms) > 1 else "convert the file to one of these"
+    return f"{names} are equally plausible ({rivals[0][0]}), and differ; {do}"
+
+
+def _ranked(candidates: Sequence[Candidate], model: mujoco.MjModel) -> list[Judged]:
+    """Layouts, the most plausible first; of those that give one motion the first alone."""
+    out: list[Judged] = []
+    for form, each in candidates:
+        if not any(_is_same(model, each, other) for _, (_, other) in out):
+            out.append((Plausibility.of(model, each), (form, each)))
+    return sorted(out, key=lambda each: each[0].cost)
+
+
+def _is_same(model: mujoco.MjModel, one: Recording, other: Recording) -> bool:
+    """Whether two layouts give one motion, whatever the signs of quaternions."""
+    if one.qpos.shape != other.qpos.shape:
+        return False
+    apart = one.qpos - other.qpos
+    for columns in quaternions(model):
+        a, b = one.qpos[:, columns], other.qpos[:, columns]
+        apart[:, columns] = np.where(np.sum(a * b, axis=1, keepdims=True) < 0, a + b, a - b)
+    return not np.any(np.abs(apart) > SAME)
+
+
+def _called(form: str, found: Recording) -> str:
+    return f"{form} with {_words(found)}" if found.layout else form
+
+
+def _words(found: Recording) -> str:
+    return " and ".join(found.layout)
+
+
+def _variants(
+    model: mujoco.MjModel, base: Recording, scalar_last: bool | None, *, has_names: bool
+) -> Iterator[Recording]:
+    """The layouts that differ from one by the order of quaternions and joints, the least first."""
+    changes: list[Change] = []
+    if scalar_last is not None and quaternions(model):
+        shift = -1 if scalar_last else 1
+        changes.append((f"quaternions {'wxyz' if scalar_last else 'xyzw'}", lambda qpos: _rolled(model, qpos, shift)))
+    order = None if has_names else breadth_first(model)
+    if order is not None:
+        columns = model.jnt_qposadr
+        changes.append(("joints breadth first", lambda qpos: _moved(qpos, columns[np.sort(order)], columns[order])))
+    for count in range(1, len(changes) + 1):
+        for some in combinations(changes, count):
+            qpos = base.qpos
+            for _, change in some:
+                qpos = change(qpos)
+            yield replace(base, qpos=qpos, layout=(*base.layout, *(words for words, _ in some)))
+
+
+def quaternions(model: mujoco.MjModel) -> list[slice]:
+    """The columns of qpos that hold a quaternion."""
+    first = {FREE: 3, BALL: 0}
+    kinds = [(j, int(kind)) for j, kind in enumerate(model.jnt_type) if int(kind) in first]
+    starts = [int(model.jnt_qposadr[joint]) + first[kind] for joint, kind in kinds]
+    return [slice(start, start + 4) for start in starts]
+
+
+def _rolled(model: mujoco.MjModel, qpos: Array, shift: int) -> Array:
+    out = qpos.copy()
+    for columns in quaternions(model):
+        out[:, columns] = np.roll(qpos[:, columns], shift, axis=1)
+    return out
+
+
+def _moved(qpos: Array, source: Index, target: Index) -> Array:
+    out = qpos.copy()
+    out[:, target] = qpos[:, source]
+    return out
+
+
+def _in_radians(model: mujoco.MjModel, found: Recording) -> Recording:
+    """A recording whose hinges are evidently in degrees, with a note; any other as it is."""
+    if not in_degrees(model, found.qpos, found.time):
+        return found
+    hinges = model.jnt_qposadr[model.jnt_type == HINGE]
+    most = np.nanmax(np.abs(found.qpos[:, hinges]))
+    qpos = found.qpos.copy()
+    qpos[:, hinges] = np.radians(qpos[:, hinges])
+    return replace(found, qpos=qpos, notes=(*found.notes, f"angles go to {most:.0f}: read as degrees"))
+
+
+def breadth_first(model: mujoco.MjModel) -> Index | None:
+    """Return hinges and slides in the order of the number of joints between them and the root, as Isaac has them.
+
+    None if that is MuJoCo's own order, and for figures with ball joints, which no program of that order has.
+    """
+    if BALL in model.jnt_type:
+        return None
+    joints = np.flatnonzero(model.jnt_type != FREE)
+    above = []
+    for joint in joints:
+        body = int(model.jnt_bodyid[joint])
+        count, body = int(joint - model.body_jntadr[body]), int(model.body_parentid[body])
+        while body:
+            count, body = count + int(model.body_jntnum[body]), int(model.body_parentid[body])
+        above.append(count)
+    order = np.argsort(above, kind="stable")
+    return None if np.array_equal(order, np.arange(joints.size)) else joints[order]
+
+
+def _axes(model: mujoco.MjModel, candidate: Candidate) -> Iterator[Candidate]:
+    """The same recorded with y up; of a file with body poses, the root's frame is known to be the figure's."""
+    form, found = candidate
+    if FREE not in model.jnt_type:
+        return
+    for words, axes, turns_root in Y_UP:
+        if turns_root and found.bodies is not None:
+            continue
+        places, signs = np.array(axes).T
+        matrix, turn = np.zeros((3, 3)), np.zeros(4)
+        matrix[np.arange(3), places] = signs
+        mujoco.mju_mat2Quat(turn, matrix.ravel())
+        qpos = found.qpos.copy()
+        for start in model.jnt_qposadr[model.jnt_type == FREE]:
+            qpos[:, start : start + 3] = signs * qpos[:, start + places]
+            rotation = quat.product(turn, qpos[:, start + 3 : start + 7])
+            qpos[:, start + 3 : start + 7] = quat.product(rotation, quat.conjugate(turn)) if turns_root else rotation
+        yield form, replace(found, qpos=qpos, layout=(*found.layout, words))

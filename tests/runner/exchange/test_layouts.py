@@ -1,0 +1,235 @@
+"""Files in other layouts than the documented one: verified by body poses in them, or decided by plausibility."""
+
+import pickle
+from typing import Any
+
+import numpy as np
+import pytest
+import walking_biped as biped
+
+from dynsplines.errors import UserError
+from dynsplines.exchange.formats import recording
+from dynsplines.exchange.gaps import allowed
+
+QPOS = biped.walk()
+TIME = np.arange(len(QPOS)) / biped.FPS
+PLACE, TURN = biped.poses(QPOS)
+NAMES = ["waist_yaw", *biped.JOINTS]
+BODIES = [
+    "world",
+    "pelvis",
+    "waist",
+    *(f"{side}_{part}" for side in ("left", "right") for part in ("thigh", "shin", "foot")),
+]
+BREADTH = [0, 1, 4, 2, 5, 3, 6]  # of the joints: waist and hips, knees, ankles
+MIXED = [3, 0, 6, 2, 5, 1, 4]
+
+
+def read(path, kind=None, fps=None):
+    found = recording(path, kind, model=biped.model(), fps=fps)
+    return found, " ".join(found.notes)
+
+
+def is_walk(found, tolerance=1e-9, qpos=QPOS):
+    turn = np.sum(found.qpos[:, 3:7] * qpos[:, 3:7], axis=1, keepdims=True)
+    got = np.concatenate([found.qpos[:, :3], found.qpos[:, 3:7] * np.sign(turn), found.qpos[:, 7:]], axis=1)
+    np.testing.assert_allclose(got, qpos, atol=tolerance)
+
+
+def mjlab(**changes) -> dict[str, Any]:
+    entries = {"fps": [50], "joint_pos": QPOS[:, 7:], "joint_vel": np.zeros((100, 7)), "body_pos_w": PLACE[:, 1:],
+               "body_quat_w": TURN[:, 1:], "joint_names": NAMES, "body_names": BODIES[1:]} | changes  # fmt: skip
+    return {name: np.asarray(value) for name, value in entries.items() if value is not None}
+
+
+OTHER = {
+    "as documented": ({}, ""),
+    "without names": ({"joint_names": None, "body_names": None}, ""),
+    "single precision": ({"joint_pos": QPOS[:, 7:].astype(np.float32), "body_pos_w": PLACE[:, 1:].astype("f4")}, ""),
+    "names in another order": ({"joint_pos": QPOS[:, 7:][:, MIXED], "joint_names": np.array(NAMES)[MIXED]}, ""),
+    "bodies in another order": ({"body_pos_w": PLACE[:, ::-1], "body_quat_w": TURN[:, ::-1],
+                                 "body_names": BODIES[::-1]},
+                                "the root by body_names"),
+    "the world first": ({"body_pos_w": PLACE, "body_quat_w": TURN, "body_names": None}, "the world first"),
+    "the world first, and qpos": ({"joint_pos": QPOS, "body_pos_w": PLACE, "body_quat_w": TURN, "body_names": BODIES},
+                                  "qpos in joint_pos"),
+    "qpos without names": ({"joint_pos": QPOS, "joint_names": None, "body_names": None}, "qpos in joint_pos"),
+    "breadth first": ({"joint_pos": QPOS[:, 7:][:, BREADTH], "joint_names": None, "body_names": None},
+                      "joints breadth first"),
+    "names that lie": ({"joint_names": np.array(NAMES)[MIXED]}, "not that of joint_names"),
+    "xyzw": ({"body_quat_w": np.roll(TURN[:, 1:], -1, -1)}, "quaternions xyzw"),
+    "xyzw, breadth first, the world first": (
+        {"joint_pos": QPOS[:, 7:][:, BREADTH], "joint_names": None, "body_names": None, "body_pos_w": PLACE,
+         "body_quat_w": np.roll(TURN, -1, -1)},
+        "the world first and quaternions xyzw and joints breadth first"),
+    "few bodies": ({"body_pos_w": PLACE[:, [1, 5, 8]], "body_quat_w": TURN[:, [1, 5, 8]], "body_names": None}, ""),
+    "degrees": ({"joint_pos": np.degrees(QPOS[:, 7:])}, "read as degrees"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("change", "note"), OTHER.values(), ids=OTHER)
+def test_body_poses_decide_how_a_file_is_laid_out(change, note, tmp_path):
+    np.savez(tmp_path / "a.npz", **mjlab(**change))
+    found, notes = read(tmp_path / "a.npz")
+    is_walk(found, 1e-6)
+    assert note in notes and bool(note) == bool(notes)
+
+
+@pytest.mark.parametrize("change", [{"joint_pos": QPOS[:, 7:] * 1.2}, {"body_pos_w": PLACE[:, 1:] * 1.1}])
+def test_body_poses_that_no_layout_reproduces_are_refused_with_distance_and_angle(change, tmp_path):
+    np.savez(tmp_path / "a.npz", **mjlab(**change))
+    with pytest.raises(UserError, match=r"a\.npz: its body poses differ .* by up to \d+\.\d cm and \d+\.\d°"):
+        read(tmp_path / "a.npz")
+
+
+def test_differences_within_two_centimetres_and_two_degrees_are_accepted(tmp_path):
+    np.savez(tmp_path / "a.npz", **mjlab(body_pos_w=PLACE[:, 1:] + [0.01, 0, 0.01]))
+    found, _ = read(tmp_path / "a.npz")
+    is_walk(found, 0.015)
+
+
+def gmr(**changes):
+    data = biped.poses(np.concatenate([np.tile([0, 0, 0, 1, 0, 0, 0], (100, 1)), QPOS[:, 7:]], axis=1))[0]
+    entries = {"fps": 50, "root_pos": QPOS[:, :3], "root_rot": QPOS[:, [4, 5, 6, 3]], "dof_pos": QPOS[:, 7:],
+               "local_body_pos": data[:, 1:], "link_body_list": BODIES[1:]} | changes  # fmt: skip
+    return pickle.dumps(entries)
+
+
+BARE = {"local_body_pos": None, "link_body_list": None}
+
+
+@pytest.mark.parametrize(
+    ("change", "note"),
+    [
+        ({}, ""),
+        (BARE, ""),
+        ({"dof_pos": QPOS[:, 7:][:, BREADTH]}, "joints breadth first"),
+        (BARE | {"dof_pos": QPOS[:, 7:][:, BREADTH]}, "joints breadth first"),
+        (BARE | {"root_rot": QPOS[:, 3:7]}, "quaternions wxyz"),
+        ({"root_rot": QPOS[:, 3:7]}, "quaternions wxyz"),
+        (BARE | {"dof_pos": np.degrees(QPOS[:, 7:])}, "read as degrees"),
+    ],
+)
+def test_pickles_of_gmr_likewise(change, note, tmp_path):
+    (tmp_path / "a.pkl").write_bytes(gmr(**change))
+    found, notes = read(tmp_path / "a.pkl")
+    is_walk(found, 1e-9)
+    assert note in notes and bool(note) == bool(notes)
+
+
+@pytest.mark.parametrize("heading", [0.0, 0.6, np.pi / 2, np.pi, -2.0])
+@pytest.mark.parametrize("has_time", [False, True])
+@pytest.mark.parametrize("order", ["wxyz", "xyzw"])
+def test_a_table_without_heading_is_read_in_the_order_of_quaternions_that_is_plausible(
+    heading, has_time, order, tmp_path
+):
+    qpos = biped.walk(heading=heading)
+    rows = qpos if order == "wxyz" else qpos[:, [0, 1, 2, 4, 5, 6, 3, *range(7, 14)]]
+    rows = np.column_stack([TIME, rows]) if has_time else rows
+    np.savetxt(tmp_path / "a.csv", rows, delimiter=",", fmt="%.9f")
+    found, notes = read(tmp_path / "a.csv", fps=None if has_time else 50.0)
+    is_walk(found, 1e-7, qpos)
+    np.testing.assert_allclose(found.time, TIME, atol=1e-9)
+    used, other = ("csv", "mjlab-csv") if order == "wxyz" else ("mjlab-csv", "csv")
+    assert notes.startswith(f"read as {used}: tilt 0°") and f"as {other} it would be: tilt" in notes
+
+
+def test_a_table_that_is_plausible_in_either_order_needs_a_format(tmp_path):
+    still = np.tile(biped.walk(heading=np.pi)[25], (20, 1))
+    still[:, 7:] = 0
+    np.savetxt(tmp_path / "a.csv", still, delimiter=",")
+    with pytest.raises(UserError, match=r"equally plausible .* give --from, .* one of: csv, mjlab-csv"):
+        read(tmp_path / "a.csv", fps=50.0)
+    for kind, turn in (("csv", [0, 0, 0, 1]), ("mjlab-csv", [1, 0, 0, 0])):
+        found, _ = read(tmp_path / "a.csv", kind, fps=50.0)
+        np.testing.assert_allclose(found.qpos[:, 3:7], np.tile(turn, (20, 1)), atol=1e-9)
+
+
+TURNED = np.array([np.sqrt(0.5), -np.sqrt(0.5), 0, 0])  # from z up to y up
+
+
+def y_up(qpos, *, with_frame=False):
+    """The walk as y-up programs have it, from SciPy."""
+    from scipy.spatial.transform import Rotation
+
+    turn = Rotation.from_quat(TURNED, scalar_first=True)
+    rotation = turn * Rotation.from_quat(qpos[:, 3:7], scalar_first=True)
+    rotation = rotation * turn.inv() if with_frame else rotation
+    return np.concatenate([turn.apply(qpos[:, :3]), rotation.as_quat(scalar_first=True), qpos[:, 7:]], axis=1)
+
+
+@pytest.mark.parametrize("with_frame", [False, True])
+@pytest.mark.parametrize("order", [[3, 4, 5, 6], [4, 5, 6, 3]])
+def test_tables_and_arrays_with_y_up_are_turned(with_frame, order, tmp_path):
+    rows = y_up(QPOS, with_frame=with_frame)[:, [0, 1, 2, *order, *range(7, 14)]]
+    np.savetxt(tmp_path / "a.csv", rows, delimiter=",")
+    found, notes = read(tmp_path / "a.csv", fps=50.0)
+    is_walk(found, 1e-9)
+    assert "y up" in notes
+    np.savez(tmp_path / "a.npz", qpos=rows, fps=50.0)
+    found, notes = read(tmp_path / "a.npz")
+    is_walk(found, 1e-9)
+    assert "y up" in notes
+
+
+def test_body_poses_with_y_up_are_turned_with_the_root(tmp_path):
+    from scipy.spatial.transform import Rotation
+
+    turn = Rotation.from_quat(TURNED, scalar_first=True)
+    place = turn.apply(PLACE.reshape(-1, 3)).reshape(PLACE.shape)
+    rotation = (turn * Rotation.from_quat(TURN.reshape(-1, 4), scalar_first=True)).as_quat(scalar_first=True)
+    np.savez(tmp_path / "a.npz", **mjlab(body_pos_w=place[:, 1:], body_quat_w=rotation.reshape(TURN.shape)[:, 1:]))
+    found, notes = read(tmp_path / "a.npz")
+    is_walk(found, 1e-6)
+    assert "y up" in notes
+
+
+@pytest.mark.parametrize("extra", [{}, {"xpos": PLACE, "xquat": TURN}])
+def test_arrays_of_qpos_with_quaternions_xyzw_are_read(extra, tmp_path):
+    np.savez(tmp_path / "a.npz", qpos=QPOS[:, [0, 1, 2, 4, 5, 6, 3, *range(7, 14)]], fps=50.0, **extra)
+    found, notes = read(tmp_path / "a.npz")
+    is_walk(found, 1e-7)
+    assert "quaternions xyzw" in notes
+
+
+def test_a_file_of_two_formats_is_read_where_they_agree(tmp_path):
+    np.savez(tmp_path / "a.npz", qpos=QPOS, **mjlab())
+    is_walk(read(tmp_path / "a.npz")[0], 1e-6)
+
+
+def test_an_array_alone_is_qpos(tmp_path):
+    np.save(tmp_path / "a.npy", QPOS)
+    is_walk(read(tmp_path / "a.npy", fps=50.0)[0])
+    with pytest.raises(UserError, match="say the rate"):
+        read(tmp_path / "a.npy")
+    np.save(tmp_path / "b.npy", QPOS[:, :-1])
+    with pytest.raises(UserError, match=r"'qpos' has the shape \(100, 13\), not \(samples, 14\)"):
+        read(tmp_path / "b.npy", fps=50.0)
+    np.save(tmp_path / "c.npy", np.array([{}, 1], object))
+    with pytest.raises(UserError, match=r"c\.npy: it holds pickled objects; an \.npy file of qpos"):
+        read(tmp_path / "c.npy", fps=50.0)
+    (tmp_path / "d.npy").write_bytes((tmp_path / "a.npy").read_bytes()[:3000])
+    with pytest.raises(UserError, match="half of one"):
+        read(tmp_path / "d.npy", fps=50.0)
+
+
+def test_a_motion_that_is_implausible_in_every_layout_is_read_as_documented(tmp_path):
+    rng = np.random.default_rng(4)
+    qpos = QPOS.copy()
+    qpos[:, :3] += np.cumsum(rng.normal(0, 0.2, (100, 3)), axis=0)
+    turn = rng.normal(0, 1, (100, 4))
+    qpos[:, 3:7] = turn / np.linalg.norm(turn, axis=1, keepdims=True)
+    np.savez(tmp_path / "a.npz", qpos=qpos, fps=50.0)
+    found, notes = read(tmp_path / "a.npz")
+    is_walk(found, 1e-12, qpos)
+    assert not notes
+
+
+def test_samples_without_numbers_do_not_count(tmp_path):
+    rows = QPOS[:, [0, 1, 2, 4, 5, 6, 3, *range(7, 14)]].copy()
+    rows[10:12] = np.nan
+    np.savetxt(tmp_path / "a.csv", rows, delimiter=",")
+    with allowed():
+        found, _ = read(tmp_path / "a.csv", fps=50.0)
+    others = np.delete(np.arange(100), [10, 11])
+    np.testing.assert_allclose(found.qpos[others], QPOS[others], atol=1e-9)
