@@ -21,8 +21,11 @@ from .curve.frame import Timeline
 from .curve.spline import path_of
 from .objective import Evaluation, Objective, segment_integrals
 from .one_thread import one_thread
+from .penalty import JointRange, Penalty
+from .penalty.joints.joint_range import Range
 from .problem import Problem, Settings, guide_of
 from .refine.cut import Cut
+from .refine.limits import limited
 from .refine.subdivision import CRITERIA, midpoints, split
 from .refine.windows import Assembly, is_long, windows
 from .search.astray import is_astray, is_dear, is_far, is_violent
@@ -80,11 +83,21 @@ def _found(
     """What a search comes to, or, if it is interrupted, the best that it saw; where it began, if it saw nothing."""
     with one_thread():
         loop = _Loop(problem.objective, problem.settings, improved)
+        hard = hard_ranges(problem.penalties)
         try:
             timeline = search(loop)
+            moved = limited(problem.figure, timeline, hard)
+            if moved is not timeline and loop.is_whole and loop.stop is not Stop.ASKED:
+                timeline = loop.descend(moved, problem.settings.tolerance)  # so that other joints make up for it
         except KeyboardInterrupt:
             timeline, loop.stop = loop.best() if loop.best is not None else begin, Stop.ASKED
+        timeline = limited(problem.figure, timeline, hard)
     return Solution(problem.figure, loop.objective, timeline, raw, tuple(loop.trace), loop.evaluations, loop.stop)
+
+
+def hard_ranges(penalties: Sequence[tuple[Penalty, float]]) -> tuple[Range, ...]:
+    """The joint ranges that a path must keep at all times."""
+    return tuple(joint for penalty, _ in penalties if isinstance(penalty, JointRange) for joint in penalty.hard)
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,6 +123,11 @@ class _Loop:
         self.since, self.until = -np.inf, np.inf
         self.whole: Callable[[Timeline], Timeline] = lambda timeline: timeline
         self.last: dict[str, float] = {}
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether all of the path is searched at once."""
+        return not np.isfinite([self.since, self.until]).any()
 
     def over(self, raw: Timeline) -> Timeline:
         """The best timeline found through the keyframes of a raw one, long clips window by window."""

@@ -7,12 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 import numpy as np
 from pydantic import Field
 
-from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.naming import geom_name
 from dynsplines.solver.penalty import (
     Bend,
@@ -64,6 +64,7 @@ from .context import Context
 from .holds import moving_bodies
 from .table import Angle, Number, Real, Table
 
+HARD, HARD_TRAVEL = float(np.radians(0.05)), 5e-5  # [rad, m] that a keyframe may be beyond a hard range
 BEND_BOUND = 8.0  # degrees; 10° with room for a soft constraint
 RAW_UNIT = 0.1  # of the raw spline's squared deviations from unit length, summed over joints, that are believed
 
@@ -111,6 +112,12 @@ class BendOptions(Options):
     least: Annotated[Real, Field(ge=-360, le=360)] | None = Field(default=None, description="degrees")
     sideways: Angle | None = Field(default=None, description="degrees")
     twist: Angle | None = Field(default=None, description="degrees")
+
+
+class RangeOptions(Options):
+    """Whether the path may go beyond the ranges a little."""
+
+    limit: Literal["soft", "hard"] | None = Field(default=None, description="'soft' or 'hard'")
 
 
 class FlightOptions(Options):
@@ -291,6 +298,40 @@ def _supported(context: Context, kind: str) -> Support:
     return context.support
 
 
+def _range(context: Context, chosen: RangeOptions) -> Penalty | None:
+    figure, joints = context.figure, joint_ranges(context.figure)
+    if chosen.limit != "hard":
+        return JointRange(joints).allowing(figure, context.keys) if joints else None
+    where = f"{context.where}: penalty 'range': limit = 'hard'"
+    if not joints:
+        raise UserError(f"{where}: no joint of the figure has a range")
+    if not chosen.weight:
+        raise UserError(f"{where}: it needs a weight over 0; leave weight out")
+    _check_keyframes(context, joints)
+    inner = tuple(replace(joint, low=joint.low + _inside(joint), high=joint.high - _inside(joint)) for joint in joints)
+    return replace(JointRange(inner).allowing(figure, context.keys), hard=joints)
+
+
+def _inside(joint: Range) -> float:
+    """[rad, m] how far inside a hard range the search stays, so that little is left to move back."""
+    return min(0.005 if joint.kind is JointKind.SLIDE else np.radians(0.5), 0.05 * (joint.high - joint.low))
+
+
+def _check_keyframes(context: Context, joints: Sequence[Range]) -> None:
+    """Raises UserError for a keyframe that is beyond a hard range."""
+    allowed = JointRange(tuple(joints)).allowing(context.figure, context.keys).allowed
+    assert allowed is not None, "of some joints"
+    for joint, excess in zip(joints, allowed.excess.max(axis=0), strict=True):
+        k, slides = int(excess.argmax()), joint.kind is JointKind.SLIDE
+        if excess[k] > (HARD_TRAVEL if slides else HARD):
+            over, low, high = (float(x if slides else np.degrees(x)) for x in (excess[k], joint.low, joint.high))
+            unit = "m" if slides else "degrees"
+            raise UserError(
+                f"{context.where}: keyframe {k + 1} (t = {context.keys.times[k]:g} s): '{joint.name}' is {over:.3g} "
+                f"{unit} beyond its range, {low:g} to {high:g} {unit}, which penalty 'range' makes hard; move it inside"
+            )
+
+
 def steady_joints(context: Context) -> tuple[Range, ...]:
     """The joints that keyframes hold and that the spline through them would swing."""
     aloft = () if context.support is None else context.support.flights
@@ -350,9 +391,7 @@ KINDS = {
         Kind("bend", 1.0, "knees and elbows bent backward, sideways or twisted", _bend, BendOptions),
         Kind(
             "range", 1.0, "angle or displacement beyond the model's joint ranges",
-            lambda context, chosen: _some(
-                lambda found: JointRange(found).allowing(context.figure, context.keys), joint_ranges(context.figure)
-            ),
+            _range, RangeOptions,
         ),
         Kind("steady", 10.0, "motion of joints between neighbouring keyframes that give them the same value", _steady),
         Kind(

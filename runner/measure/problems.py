@@ -15,8 +15,9 @@ import numpy as np
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.inbetween import hard_ranges
 from dynsplines.solver.penalty import (
     BendLimits,
     Contact,
@@ -33,6 +34,7 @@ from dynsplines.solver.penalty import (
     slipped,
     stances,
 )
+from dynsplines.solver.refine.limits import farthest
 from dynsplines.solver.search.minimum import Stop
 from dynsplines.solver.surface.points import body_points, places_of
 
@@ -170,6 +172,7 @@ def _found(clip: Clip, timeline: Timeline, raw: Timeline) -> Iterator[Flaw]:
         yield from _worst(measure, grid, keys, numbers)
     yield from _drifts(held, key_times, numbers)
     yield from _misses(clip, timeline)
+    yield from _beyond_hard(clip, timeline)
 
 
 def _as_keyed(clip: Clip) -> Clip:
@@ -331,6 +334,16 @@ def _misses(clip: Clip, timeline: Timeline) -> Iterator[Flaw]:
             yield _problem(Row("placement", name, f"{name} is {{}} off its place", bound), away, point.time)
 
 
+def _beyond_hard(clip: Clip, timeline: Timeline) -> Iterator[Flaw]:
+    """Joints beyond ranges that the clip makes hard, at any time."""
+    for joint, over, time in farthest(clip.figure, timeline, hard_ranges(clip.penalties)):
+        slides = joint.kind is JointKind.SLIDE
+        kind, amount = ("hard travel", over) if slides else ("hard range", float(np.degrees(over)))
+        bound = BOUNDS[kind].most
+        if amount > bound:
+            yield _problem(Row(kind, joint.name, f"{joint.name} is {{}} beyond its hard range", bound), amount, time)
+
+
 def _worst(measure: Measure, grid: Samples, keys: Samples, numbers: Index) -> Iterator[Flaw]:
     """The worst of every group that keyframes say, each by its number (K,), and that the path adds."""
     groups = measure.groups
@@ -400,6 +413,10 @@ def _problem(row: Row, amount: float, time: float | None, keyframe: int | None =
 
 
 def _spoken(amount: float, unit: str) -> str:
+    if unit == "m" and amount < 0.001:
+        return f"{1000 * amount:.2g} mm"
+    if unit == "degrees" and amount < 1:
+        return f"{amount:.2g}°"
     if unit == "m":
         return f"{1000 * amount:.0f} mm" if amount < 1 else f"{amount:.2f} m"
     if unit == "degrees":

@@ -31,6 +31,7 @@ SCIPY_IN_SOLVER = {
     "solver/curve/banded.py",
     "solver/curve/spline.py",
     "solver/curve/unknowns.py",
+    "solver/refine/limits.py",
     "solver/search/quadratic.py",
 }
 SETUPTOOLS = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["tool"]["setuptools"]

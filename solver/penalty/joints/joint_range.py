@@ -55,11 +55,13 @@ class JointRange(Penalty):
 
     allowed  (2, n, K) below and above their ranges, what keyframes do themselves
     called   the term's name
+    hard     bounds that the path is to keep at all times; the search keeps `joints`, a little inside of them
     """
 
     joints: tuple[Range, ...]
     allowed: Allowance | None = None
     called: str = "range"
+    hard: tuple[Range, ...] = ()
 
     @property
     def name(self) -> str:
@@ -85,7 +87,8 @@ class JointRange(Penalty):
 
     @property
     def scale(self) -> Scale:
-        return Scale(float(np.radians(1) ** 2), is_violation=True)
+        little = np.radians(0.1 if self.hard else 1)
+        return Scale(float(little**2), is_violation=True)
 
     def beyond(self, samples: Samples) -> Array:
         """How far every joint is beyond its range, negative within it, (n, S) [rad or m]."""
@@ -98,6 +101,10 @@ class JointRange(Penalty):
         if balls.size:
             out[balls] = self._turned(samples)[0] - self._limits(samples.t, balls)[1]
         return out
+
+    def axes(self, samples: Samples) -> Array:
+        """(3, b, S) the axes in the world about which the ball joints are turned away from their rest."""
+        return self._turned(samples)[3]
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         values = np.zeros(samples.count)

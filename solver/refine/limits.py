@@ -1,0 +1,246 @@
+"""Hard joint ranges: a path moved back into them at all times, by as little acceleration as can be.
+
+A spline is linear in its rows, so a deviation of one joint that keeps its values in bounds at many times is a convex
+problem: min ∫ a''² dt subject to low ≤ y + B a ≤ high. It is Lawson and Hanson's least distance programming (Solving
+Least Squares Problems, 1974, ch. 23), by non-negative least squares. Keyframes stay; where they are on a bound,
+variable frames beside them let the path touch it. A ball joint deviates along its own angle, in a few steps.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from .. import quaternion as quat
+from ..array import Array
+from ..curve.frame import Timeline
+from ..curve.spline import path_of, spline_of
+from ..figure.figure import Figure, JointKind, quaternion_columns
+from ..figure.kinematics import Samples
+from ..penalty.joints.joint_range import JointRange, Range
+from .subdivision import split
+
+RATE = 2000.0  # [1/s] at which a path is held against its bounds
+ROUNDS = 12
+BEYOND = {JointKind.SLIDE: 2e-5}  # [m] that a joint may be beyond its bounds
+TURNED = float(np.radians(0.02))  # [rad] the same of hinges and balls
+LEEWAY = 1.5  # times that, from which on it is moved back
+AROUND = 0.25  # [s] on both sides of a violation in which frames move
+BRIEF, CLOSEST = 0.01, 0.004  # [s] of a violation, at least; between frames
+FAINT = 1e-9  # of the mean squared acceleration by a row, that its own square counts
+REACHED = 4  # frames beside one that moves, as far as a spline feels it
+RUN = 1000
+
+
+@dataclass(frozen=True)
+class _Violation:
+    """A joint beyond its bounds in stretches of time, (first, last) [s] each, near each other."""
+
+    joint: Range
+    spans: tuple[tuple[float, float], ...]
+
+    @property
+    def reach(self) -> tuple[float, float]:
+        """From when to when [s] frames move."""
+        return self.spans[0][0] - AROUND, self.spans[-1][1] + AROUND
+
+
+def limited(figure: Figure, timeline: Timeline, joints: Sequence[Range]) -> Timeline:
+    """The timeline with joints within their bounds at all times, with more variable frames where that takes them.
+
+    Bounds that cannot be kept, for keyframes are beyond them or too close in time, are kept as far as can be.
+    """
+    if timeline.ends == "held":
+        return timeline
+    for _ in range(ROUNDS):
+        violations = list(_violations(figure, timeline, joints))
+        if not violations:
+            break
+        timeline = _refined(timeline, violations)
+        for violation in violations:
+            timeline = _moved_back(figure, timeline, violation)
+    return timeline
+
+
+def farthest(figure: Figure, timeline: Timeline, joints: Sequence[Range]) -> list[tuple[Range, float, float]]:
+    """The joints that are beyond their bounds by more than they may, by how much [rad, m] at most, and when [s]."""
+    found, t = [], _dense(timeline)
+    for joint in joints:
+        value = _values(figure, timeline, joint, t)
+        over = np.maximum(joint.low - value, value - joint.high)
+        worst = int(over.argmax())
+        if over[worst] > LEEWAY * _room(joint):
+            found.append((joint, float(over[worst]), float(t[worst])))
+    return found
+
+
+def _dense(timeline: Timeline) -> Array:
+    """(T,) [s] times at which a path is held against its bounds."""
+    first, last = timeline.times[[0, -1]]
+    return np.unique(np.append(np.linspace(first, last, int(np.ceil((last - first) * RATE)) + 1), timeline.times))
+
+
+def _room(joint: Range) -> float:
+    return BEYOND.get(joint.kind, TURNED)
+
+
+def _values(figure: Figure, timeline: Timeline, joint: Range, t: Array) -> Array:
+    """(T,) [rad, m] a hinge or slide at times t, or a ball joint's angle."""
+    path = path_of(timeline)
+    if joint.kind is not JointKind.BALL:
+        return path.at(t)[:, figure.links[joint.link].qpos + joint.column]
+    found = JointRange((joint,))
+    parts = [t[first : first + RUN] for first in range(0, t.size, RUN)]
+    beyond = [found.beyond(Samples.still(figure, path.at(part), t=part))[0] for part in parts]
+    return np.concatenate(beyond) + joint.high
+
+
+def _violations(figure: Figure, timeline: Timeline, joints: Sequence[Range]) -> Iterator[_Violation]:
+    """Every stretch of time in which a joint is beyond its bounds."""
+    t = _dense(timeline)
+    for joint in joints:
+        value, room = _values(figure, timeline, joint, t), LEEWAY * _room(joint)
+        over = np.maximum(joint.low - value, value - joint.high) > room
+        at = np.flatnonzero(over)
+        for some in np.split(at, np.flatnonzero(np.diff(t[at]) > 2 * AROUND) + 1) if at.size else ():
+            stretches = np.split(some, np.flatnonzero(np.diff(some) > 1) + 1)
+            spans = [(float(t[max(one[0] - 1, 0)]), float(t[min(one[-1] + 1, t.size - 1)])) for one in stretches]
+            yield _Violation(joint, tuple(spans))
+
+
+def _refined(timeline: Timeline, violations: Sequence[_Violation]) -> Timeline:
+    """With variable frames in and beside violations."""
+    first, last = timeline.times[[0, -1]]
+    times = timeline.times.tolist()
+    new: list[float] = []
+    for begin, end in (span for violation in violations for span in violation.spans):
+        length, middle = max(end - begin, BRIEF), 0.5 * (begin + end)
+        apart = max(CLOSEST, length / 8)
+        for share in (0.0, -0.5, 0.5, -1.0, 1.0, -1.5, 1.5):
+            t = middle + share * length
+            if first + apart < t < last - apart and min(abs(t - each) for each in (*times, *new)) > apart:
+                new.append(t)
+    return split(timeline, np.array(sorted(new))) if new else timeline
+
+
+def _moved_back(figure: Figure, timeline: Timeline, violation: _Violation) -> Timeline:
+    """With one joint moved back into its bounds about a violation; as it is where no frame can."""
+    joint = violation.joint
+    link = figure.links[joint.link]
+    start = link.qpos + joint.column + (3 if joint.kind is JointKind.BALL and link.kind is JointKind.FREE else 0)
+    unit = _cardinal(timeline, start, violation)
+    if not unit.shape[1]:
+        return timeline
+    spline, t = spline_of(timeline), _looks(timeline, unit)
+    value, room, cardinal = _values(figure, timeline, joint, t), _room(joint), spline.evaluate(unit, t)
+    over = value - joint.high - room
+    under = np.full(t.size, -np.inf) if joint.kind is JointKind.BALL else joint.low - room - value
+    outside = (t < violation.reach[0]) | (t > violation.reach[1])  # where other violations are
+    least = np.concatenate([under, over])
+    least = np.where(np.tile(outside, 2), np.minimum(least, 0), least)
+    some = np.isfinite(least)
+    found = _least(spline.evaluate(unit, t, 2), np.concatenate([cardinal, -cardinal])[some], least[some])
+    if found is None:
+        return timeline
+    deviation = unit @ found
+    if joint.kind is JointKind.BALL:
+        return _turned_back(figure, timeline, joint, deviation)
+    moved = np.array(timeline.rows)
+    moved[:, start] += deviation
+    return timeline.with_rows(moved)
+
+
+def _looks(timeline: Timeline, unit: Array) -> Array:
+    """(T,) [s] where a joint is held against its bounds when some rows move: as far as they move it by much."""
+    frames, times = np.flatnonzero(unit[:-2].any(axis=1)), timeline.times
+    begin = 0 if unit[-2].any() or not frames.size else max(frames[0] - REACHED, 0)
+    end = times.size - 1 if unit[-1].any() or not frames.size else min(frames[-1] + REACHED, times.size - 1)
+    inner = np.linspace(times[begin], times[end], int(np.ceil((times[end] - times[begin]) * RATE / 2)) + 2)
+    return np.unique(np.append(inner, times[begin : end + 1]))
+
+
+def _cardinal(timeline: Timeline, column: int, violation: _Violation) -> Array:
+    """(M + 2, n) the rows that may move about a violation, a unit of each: of frames that leave a column free, and
+    slopes at free ends."""
+    times, count = timeline.times, len(timeline.frames)
+    begin, end = violation.reach
+    free = ~timeline.fixed[:, column] & (times > begin) & (times < end)
+    rows: list[list[int]] = [[k] for k in np.flatnonzero(free).tolist()]
+    if timeline.ends == "periodic":  # whose last frame is the first
+        rows = [row for row in rows if row[0] not in (0, count - 1)]
+        if free[[0, -1]].any() and not timeline.fixed[[0, -1], column].any():
+            rows.append([0, count - 1])
+    if timeline.ends == "free":
+        near = begin < times[0], end > times[-1]
+        rows += [[count + side] for side, is_near in enumerate(near) if is_near]
+    unit = np.zeros((count + 2, len(rows)))
+    for k, row in enumerate(rows):
+        unit[row, k] = 1.0
+    return unit
+
+
+def _least(bend: Array, rows: Array, least: Array) -> Array | None:
+    """(n,) the deviation a of least ∫ a''² with rows (C, n) a ≥ least (C,); None if there is none."""
+    from scipy.optimize import nnls  # only here: it takes a while, and only hard ranges need it
+
+    square = bend.T @ bend / len(bend)
+    square += FAINT * np.trace(square) / max(len(square), 1) * np.eye(len(square))
+    try:
+        upper = np.linalg.cholesky(square).T
+    except np.linalg.LinAlgError:
+        return None
+    near = np.linalg.solve(upper.T, rows.T)
+    sizes = np.maximum(np.linalg.norm(near, axis=0), 1e-12)
+    some = np.flatnonzero((least > 0) | (np.linalg.norm(rows, axis=1) > 1e-9))
+    system = np.concatenate([near[:, some] / sizes[some], (least[some] / sizes[some])[None]])
+    target = np.append(np.zeros(len(square)), 1.0)
+    try:
+        weights, left = nnls(system, target, maxiter=20 * system.shape[1])
+    except RuntimeError:
+        return None
+    residual = system @ weights - target
+    if left < 1e-9 or abs(residual[-1]) < 1e-12:
+        return None
+    return np.asarray(np.linalg.solve(upper, -residual[:-1] / residual[-1]))
+
+
+def _turned_back(figure: Figure, timeline: Timeline, joint: Range, deviation: Array) -> Timeline:
+    """With a ball joint's angle changed by (M + 2,) [rad] at frames, and its rates [rad/s] at the ends; what hangs on
+    it goes with it."""
+    columns = quaternion_columns(figure.links[joint.link])
+    assert columns is not None, "a joint with a rotation"
+    rows, moved = np.array(timeline.rows), np.flatnonzero(deviation[:-2])
+    qpos = figure.to_qpos(rows[moved])
+    home = np.array([1.0, 0, 0, 0] if joint.home is None else joint.home)
+    turn = quat.rotation_vector(quat.product(quat.inverse(home), qpos[:, columns]))
+    angle = np.linalg.norm(turn, axis=1, keepdims=True)
+    turn *= 1 + deviation[:-2][moved, None] / np.maximum(angle, 1e-9)
+    qpos[:, columns] = quat.product(home, quat.from_rotation_vector(turn))
+    states = figure.to_state(qpos)
+    for each in figure.tables.quaternion_columns.T:
+        length = np.linalg.norm(rows[moved][:, each], axis=1)
+        sign = np.where(np.sum(states[:, each] * rows[moved][:, each], axis=1) < 0, -1, 1)
+        states[:, each] *= (sign * length)[:, None]
+    rows[moved] = states
+    for end, frame in ((-2, 0), (-1, len(timeline.frames) - 1)):
+        if deviation[end]:
+            _turn_slope(figure, rows, joint, frame, end, float(deviation[end]))
+    return timeline.with_rows(rows)
+
+
+def _turn_slope(figure: Figure, rows: Array, joint: Range, frame: int, end: int, rate: float) -> None:
+    """Adds a rate of a ball joint's angle [rad/s] to the slope at an end, in place."""
+    samples, tables = Samples.still(figure, rows[[frame]]), figure.tables
+    axis = JointRange((joint,)).axes(samples)[:, 0, 0]
+    under = np.flatnonzero(tables.path[:, joint.link] > 0)
+    for i in under.tolist():
+        columns = quaternion_columns(figure.links[i])
+        if columns is None or not (tables.in_world[i] or i == joint.link):
+            continue
+        spin = rate * axis
+        if not tables.in_world[i]:
+            base = quat.product(samples.links.Q[:, tables.parents[i], 0], tables.turn[:, i])
+            spin = quat.rotated(quat.inverse(base), spin)
+        rows[end, columns] += 0.5 * quat.product(np.append(0.0, spin), rows[frame, columns])
