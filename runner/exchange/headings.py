@@ -25,8 +25,8 @@ DEGREES, MILLI = {"deg", "degree", "degrees", "°"}, {"mm", "ms"}
 CENTI = {"cm"}
 AROUND = {"joint", "joints", "dof", "pos", "position", "q", "qpos", "angle", "value", "jnt", "j", "deg", "rad"}
 ROOT = {"root", "base", "pelvis", "torso", "trunk", "hips", "free", "freejoint", "floating", "link", "body", "joint"}
-PLACE = {"pos", "position", "p", "t", "trans", "translation", "offset", "xyz", "location", "global", "world"}
-TURN = {"quat", "quaternion", "rot", "rotation", "orientation", "q", "r", "ori", "global", "world"}
+PLACE = {"pos", "position", "p", "t", "trans", "translation", "offset", "xyz", "location", "global", "world", "w"}
+TURN = {"quat", "quaternion", "rot", "rotation", "orientation", "q", "r", "ori", "global", "world", "w"}
 TIMES = {"time", "t", "timestamp", "sec", "seconds", "times"}
 NUMBERED = re.compile(r"^(.*?)[\W_]*([0-9]+)\W*$")
 
