@@ -8,6 +8,7 @@ captured         a captured skeleton in our axes: metres, z up, looking along x 
 captured_figure  a captured skeleton as a figure of its own
 person           a figure as a person: ball joints by the names that skeletons of motion capture share
 rooted           the root of a figure, moved on a free joint or on slides
+upright          which way is up in the rest pose of a figure
 retarget         a captured skeleton's motion on another figure
 hinged           ball joints as three hinges each, for formats and simulators that know hinges only
 """

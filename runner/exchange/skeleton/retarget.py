@@ -32,6 +32,7 @@ from .captured import Captured
 from .limbs import Limb, bend
 from .roles import as_said, lineage, roles
 from .rooted import carrying, shifted
+from .upright import standing_turn
 
 NEEDED = ("left_thigh", "right_thigh", "left_shin", "right_shin")
 NEXT = {
@@ -62,20 +63,25 @@ RETRIES = 4
 
 @dataclass(frozen=True)
 class _Standing:
-    """The figure at rest, in the world: place (nbody, 3), turn (nbody, 4), and its bodies by role."""
+    """The figure at rest, upright and facing x: place (nbody, 3), turn (nbody, 4), and its bodies by role.
+
+    notes  how the model's rest pose was turned to be so
+    """
 
     model: mujoco.MjModel
     place: Array
     turn: Array
     roles: dict[str, int]
+    notes: tuple[str, ...] = ()
 
     @classmethod
     def of(cls, model: mujoco.MjModel) -> _Standing:
         rest = hierarchy.rest(model)
         parents = [int(p) - 1 for p in model.body_parentid[1:]]
         found = {role: 1 + body for role, body in roles(hierarchy.names(model)[1:], parents).items()}
-        place, turn = rest.position[0], rest.rotation[0]
-        return cls(model, place, turn, completed(model, found, place, turn))
+        stand, notes = standing_turn(rest.position[0], found)
+        place, turn = quat.rotated(stand, rest.position[0]), quat.product(stand, rest.rotation[0])
+        return cls(model, place, turn, completed(model, found, place, turn), notes)
 
     def joint_of(self, role: str) -> Array:
         """(3,) where a part of a limb is hung up: a robot's hip is a body for each hinge, which lie apart."""
@@ -206,7 +212,7 @@ def onto(captured: Captured, model: mujoco.MjModel, where: str) -> tuple[Array, 
         qpos = bend(model, qpos, limb, _forward(model, qpos, above, np.tile([1.0, 0, 0, 0], (len(qpos), 1))))
     qpos, missed = _placed(captured, standing, root, qpos, scale)
     qpos, lift = _on_ground(standing, root, qpos)
-    notes = [f"scaled by {scale:.3f}, the ratio of the legs"]
+    notes = [*standing.notes, f"scaled by {scale:.3f}, the ratio of the legs"]
     notes += _beyond_root(model, root, qpos, turns, missed)
     notes += [f"raised by {lift:+.3f} m, so that soles meet the ground"] if lift else []
     toes_of_feet = [role for role in ("left_toe", "right_toe") if role in captured.roles]
