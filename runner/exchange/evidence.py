@@ -47,12 +47,12 @@ def disagreement(model: mujoco.MjModel, found: Recording) -> Disagreement:
     """
     assert found.bodies is not None, "a recording with body poses"
     rows = spread(len(found.qpos))
-    qpos = found.qpos[rows]
-    if found.bodies.is_local:
-        qpos = qpos.copy()
-        root = int(model.jnt_qposadr[model.jnt_type == FREE][0])
-        qpos[:, root : root + 7] = [0, 0, 0, 1, 0, 0, 0]
-    position, rotation = _poses(model, qpos)
+    position, rotation = _poses(model, found.qpos[rows])
+    root = root_of(model)
+    if found.bodies.is_local and root is not None:
+        back = quat.inverse(rotation[:, root.body])[:, None]
+        position = quat.rotated(back, position - position[:, [root.body]])
+        rotation = quat.product(back, rotation)
     columns = _known(model, found.bodies)
     away = np.linalg.norm(found.bodies.position[rows][:, columns, None] - position[:, None], axis=-1).max(axis=0)
     angles = [np.zeros_like(away)]

@@ -9,10 +9,12 @@ import mujoco
 import numpy as np
 
 from dynsplines.solver.array import Array
+from dynsplines.solver.figure.root import root_of
 
 from ..errors import UserError
 from . import unsaid
 from .skeleton.hinged import HingeLayout
+from .skeleton.rooted import placed
 
 FREE, BALL = int(mujoco.mjtJoint.mjJNT_FREE), int(mujoco.mjtJoint.mjJNT_BALL)
 
@@ -83,21 +85,40 @@ def configurations(
     position (T, 3), rotation (T, 4) wxyz of the root; joints (T, n) [rad, m], of the names, or in the figure's order if
     there are none: three hinges for a ball joint, as `hinged` names and orders them. where: how errors call the file.
     """
-    layout = HingeLayout(model)
-    kinds = model.jnt_type.tolist()
-    if kinds.count(FREE) != 1:
-        raise UserError(f"{where}: the format '{form}' is for a figure with one free joint, its root")
-    free = kinds.index(FREE)
-    wanted = [name for joint, own in layout.joints if joint != free for name in own]
+    layout, root = HingeLayout(model), root_of(model)
+    if root is None or root.is_ambiguous:
+        raise UserError(f"{where}: the format '{form}' is for one figure with a root that moves about")
+    own = robot_joints(model)
+    wanted = [name for joint, names_of in layout.joints if joint in own for name in names_of]
     if names is None and joints.shape[1] != len(wanted):
         raise UserError(f"{where}: {joints.shape[1]} joints; the figure has {len(wanted)}: {', '.join(wanted)}")
     if names is not None and joints.shape[1] != len(names):
         raise UserError(f"{where}: {joints.shape[1]} columns of joints with {len(names)} names")
     order = list(range(len(wanted))) if names is None else _order(list(names), wanted, where)
-    sorted_joints = joints[:, order]
-    before = sum(len(own) for joint, own in layout.joints if joint < free)
-    hinges = [sorted_joints[:, :before], position, rotation, sorted_joints[:, before:]]
-    return layout.back(np.concatenate(hinges, 1))
+    columns = dict(zip(wanted, joints[:, order].T, strict=True))
+    parts = []
+    for joint, names_of in layout.joints:
+        rest = layout.at_rest(joint)
+        if joint in own:
+            parts.append(np.stack([columns[name] for name in names_of], axis=1))
+        elif joint == root.joints[0] and root.is_free:
+            parts.append(np.concatenate([position, rotation], axis=1))
+        else:  # an object beside the figure, or a root of slides and hinges
+            parts.append(np.tile(rest, (len(joints), 1)))
+    qpos = layout.back(np.concatenate(parts, 1))
+    return qpos if root.is_free else placed(model, root, qpos, position, rotation, where)
+
+
+def robot_joints(model: mujoco.MjModel) -> list[int]:
+    """MuJoCo's ids of the joints of a figure but for its root: objects beside it have joints that are no part of it."""
+    root = root_of(model)
+    if root is None:
+        return list(range(model.njnt))
+    under = {root.body}
+    for body in range(root.body + 1, model.nbody):
+        if int(model.body_parentid[body]) in under:
+            under.add(body)
+    return [j for j in range(model.njnt) if int(model.jnt_bodyid[j]) in under and j not in root.joints]
 
 
 def _order(names: list[str], wanted: list[str], where: object) -> list[int]:

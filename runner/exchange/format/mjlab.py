@@ -21,12 +21,13 @@ import mujoco
 import numpy as np
 
 from dynsplines.solver.array import Array
+from dynsplines.solver.figure.root import root_of
 
 from ...errors import UserError
 from ...motion import write_arrays
 from .. import layouts
 from ..held import Held, held, names_in, times
-from ..robot import FREE, Robot, configurations, needs_figure
+from ..robot import Robot, configurations, needs_figure
 from ..take import Bodies, BodyPoses, Recording, Take
 
 NAME = "mjlab"
@@ -87,8 +88,8 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
 
 def _roots(model: mujoco.MjModel, names: list[str] | None, count: int) -> dict[tuple[str, ...], int]:
     """Which of the recorded bodies may be the root."""
-    free = np.flatnonzero(model.jnt_type == FREE)
-    root = model.body(int(model.jnt_bodyid[free[0]])).name if free.size else ""
+    own = root_of(model)
+    root = "" if own is None else model.body(own.body).name
     out: dict[tuple[str, ...], int] = {(): 0}
     if names is not None and root in names[1:]:
         out["the root by body_names",] = names.index(root)

@@ -18,7 +18,7 @@ import numpy as np
 from ...errors import UserError
 from .. import layouts, tables, unsaid
 from ..held import Held
-from ..robot import FREE, Robot, configurations, needs_figure
+from ..robot import Robot, configurations, needs_figure, robot_joints
 from ..skeleton.hinged import HingeLayout
 from ..take import Recording, Take
 from .csv_table import without_heading
@@ -51,7 +51,8 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     model = needs_figure(model, path)
     found = tables.table(path)
     fps = fps or found.fps
-    width = 7 + sum(len(names) for joint, names in HingeLayout(model).joints if model.jnt_type[joint] != FREE)
+    own = robot_joints(model)
+    width = 7 + sum(len(names) for joint, names in HingeLayout(model).joints if joint in own)
     if found.numbers.shape[1] not in (width, width + 1):
         shape = found.numbers.shape
         raise UserError(

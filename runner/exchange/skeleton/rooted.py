@@ -5,10 +5,15 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 
-from dynsplines.solver.array import Array
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array, Index
 from dynsplines.solver.figure.root import SLIDE, Root, roots_of
 
+from ...errors import UserError
 from . import hierarchy
+
+STEPS, LONGEST = 60, 0.5  # of Gauss-Newton on a root's hinges, at most; [rad] of one step
+TURNED, MOVED = float(np.radians(0.5)), 0.005  # [rad, m] that a root may miss a recorded one
 
 
 def carrying(model: mujoco.MjModel, body: int) -> Root | None:
@@ -31,3 +36,66 @@ def shifted(model: mujoco.MjModel, root: Root, qpos: Array, by: Array) -> Array:
         mujoco.mj_kinematics(model, data)
         out[i, columns] += np.linalg.lstsq(data.xaxis[slides].T, by[i], rcond=None)[0]
     return out
+
+
+def placed(model: mujoco.MjModel, root: Root, qpos: Array, position: Array, rotation: Array, where: object) -> Array:
+    """qpos (T, nq) with a root of slides and hinges at positions (T, 3) [m], turned by rotations (T, 4) wxyz.
+
+    Hinges go on in the winding that they are in. Raises UserError where the joints do not reach the recorded root;
+    where: how errors call the file.
+    """
+    out, data = qpos.copy(), mujoco.MjData(model)
+    turning = [joint for joint in root.joints if model.jnt_type[joint] != SLIDE]
+    dofs = np.array([int(model.jnt_dofadr[j]) + k for j in turning for k in range(_width(model, j))], int)
+    columns = np.array([int(model.jnt_qposadr[j]) + k for j in turning for k in range(_entries(model, j))], int)
+    turned = np.zeros(len(out))
+    for i, row in enumerate(out):
+        if i:
+            row[columns] = out[i - 1, columns]
+        turned[i] = _turn(model, data, root, row, dofs, rotation[i])
+    away = position - _places(model, data, root, out)
+    out = shifted(model, root, out, away)
+    missed = np.linalg.norm(position - _places(model, data, root, out), axis=1)
+    if turned.max() > TURNED or missed.max() > MOVED:
+        names = ", ".join(f"'{model.joint(joint).name}'" for joint in root.joints)
+        raise UserError(
+            f"{where}: the figure's root moves on {names} alone; the file's root goes {missed.max():.2f} m and "
+            f"{np.degrees(turned.max()):.0f} degrees beyond them; give a figure with a free joint"
+        )
+    return out
+
+
+def _width(model: mujoco.MjModel, joint: int) -> int:
+    return 3 if model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_BALL else 1
+
+
+def _entries(model: mujoco.MjModel, joint: int) -> int:
+    return 4 if model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_BALL else 1
+
+
+def _places(model: mujoco.MjModel, data: mujoco.MjData, root: Root, qpos: Array) -> Array:
+    """(T, 3) [m] where the root's body is."""
+    out = np.zeros((len(qpos), 3))
+    for i, row in enumerate(qpos):
+        data.qpos[:] = row
+        mujoco.mj_kinematics(model, data)
+        out[i] = data.xpos[root.body]
+    return out
+
+
+def _turn(model: mujoco.MjModel, data: mujoco.MjData, root: Root, row: Array, dofs: Index, target: Array) -> float:
+    """Turns a root's body in one pose (nq,) to a rotation (4,), in place; returns the angle [rad] that is left."""
+    spin, left = np.zeros((3, model.nv)), np.zeros(3)
+    for _ in range(STEPS):
+        data.qpos[:] = row
+        mujoco.mj_kinematics(model, data)
+        mujoco.mj_comPos(model, data)
+        mujoco.mj_jacBody(model, data, None, spin, root.body)
+        left = quat.rotation_vector(quat.product(target, quat.inverse(data.xquat[root.body])))
+        own, step = spin[:, dofs], np.zeros(model.nv)
+        step[dofs] = own.T @ np.linalg.solve(own @ own.T + 1e-12 * np.eye(3), left)
+        size = float(np.abs(step).max(initial=0.0))
+        if size < 1e-10:
+            break
+        mujoco.mj_integratePos(model, row, step * min(1.0, LONGEST / size), 1.0)
+    return float(np.linalg.norm(left))
