@@ -359,9 +359,12 @@ def new_clip(
         raise UserError(f"{target}: a clip file's name ends in .toml")
     check_target(target)
     check_new(target, overwrite=overwrite)
-    text = starter(model, target)
+    notes: list[str] = []
+    text = starter(model, target, notes.append)
     with Replacement(target) as temporary:
         temporary.write_text(text, encoding="utf-8")
+    for note in notes:
+        print(f"note: {note}", file=sys.stderr)
     print(f"wrote {target}; see it: dynsplines render {target}{' --allow-outside' if allow_outside else ''}")
 
 

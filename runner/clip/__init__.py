@@ -16,6 +16,7 @@ placing      keyframes by position
 standing     what a partial keyframe leaves free is posed before the search: feet that stand stay where they stand
 couplings    equality constraints of a model as a clip keeps them
 rotation     rotations as a clip file writes them
+pose_report  what a pose violates: equality constraints, joint ranges, the floor, bodies in each other
 starter      a clip to begin with, for any model
 follow/      a clip that follows a recording, and whose keyframes edit it
 """

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import textwrap
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -25,6 +25,9 @@ from dynsplines.solver.surface.touch import solids as solids_of
 from ..errors import UserError
 from ..scene.compose import compose, figure_spec, first_line, quietly
 from ..scene.configuration import first_wrong
+from ..scene.urdf import fixed_base
+from .pose_report import floor_height, lifts, lowest_point, violations
+from .posing.closing import Equalities
 from .posing.couplings import follow
 from .posing.feet import sole_points
 from .posing.places import Places, places_at, posable_sites
@@ -66,8 +69,11 @@ PENALTIES = """\
 """
 
 
-def starter(source: str, target: Path) -> str:
-    """The TOML text of a clip for a shipped figure or an MJCF file, to be written to a target; raises UserError."""
+def starter(source: str, target: Path, tell: Callable[[str], None] = lambda _: None) -> str:
+    """The TOML text of a clip for a shipped figure or an MJCF file, to be written to a target; raises UserError.
+
+    tell  gets a line for whatever the keyframes violate, and for what was done about it; so does the text
+    """
     with quietly():
         spec = figure_spec(source)
     times, poses = model_keys(spec, Path(source).name)
@@ -78,10 +84,20 @@ def starter(source: str, target: Path) -> str:
         raise UserError(f"{Path(source).name}: {first_line(error)}") from None
     soles = sole_points(figure, poses)
     own = bool(len(poses))
+    equalities = Equalities(figure.model)
+    notes = [line] if (line := fixed_base(source, figure.model)) else []
     if not own:
-        times, poses = np.zeros(1), _stood(figure, bool(soles))[None]
+        times, poses = np.zeros(1), _within(figure)[None]
     given, poses = poses, np.array([_settled(figure, qpos) for qpos in poses])
-    settled, poses = poses, np.array([_raised(figure, qpos) for qpos in poses])
+    for k, qpos in enumerate(poses):
+        poses[k], lines = _closed(figure, qpos, equalities)
+        notes += [f"keyframe {k + 1}: {line}" for line in lines]
+    settled = poses
+    poses = np.array([_raised(figure, qpos) if own else _stood(figure, qpos, bool(soles)) for qpos in poses])
+    for k, qpos in enumerate(poses):
+        notes += [f"keyframe {k + 1}: {line}" for line in violations(figure, qpos, equalities)]
+    for note in notes:
+        tell(note)
     tables = keyframe_tables(figure, [Frame.key(t, q) for t, q in zip(times, poses, strict=True)])
     _leave_out_followers(figure, tables)
     if len(poses) == 1:
@@ -90,6 +106,7 @@ def starter(source: str, target: Path) -> str:
     blocks = [
         _head(source, own, len(poses), float(np.abs(poses - settled).max()), float(np.abs(settled - given).max())),
         written(head).rstrip("\n"),
+        *([_noted(notes)] if notes else []),
         _named(figure, poses[0], soles),
         PENALTIES.rstrip("\n"),
         "\n\n".join(written({"keyframe": [_rounded(table)]}).strip("\n") for table in tables),
@@ -127,34 +144,46 @@ def _path(source: str, target: Path) -> str:
     return Path(os.path.relpath(Path(source).resolve(), target.resolve().parent)).as_posix()
 
 
-def _stood(figure: Figure, on_feet: bool) -> Array:
-    """The rest pose, (nq,), within the joints' ranges, a free figure's lowest point on the highest floor."""
+def _within(figure: Figure) -> Array:
+    """The rest pose, (nq,), within the joints' ranges."""
     qpos = np.array(figure.model.qpos0)
     for joint in joint_ranges(figure):
         if joint.kind is not JointKind.BALL:
             column = figure.links[joint.link].qpos
             qpos[column] = np.clip(qpos[column], joint.low, joint.high)
-    qpos = _settled(figure, qpos)
-    floor = _floor(figure.model)
-    if floor is None:
-        return qpos
-    for root, column, up in _lifts(figure):
-        low = _lowest(figure, qpos, root)
-        if low is not None and (on_feet or low < floor):
-            qpos[column] += up * (floor - low)
     return qpos
 
 
-def _lifts(figure: Figure) -> list[tuple[int, int, float]]:
-    """What moves about and can be lifted: its link, the column of qpos that lifts it, and 1, or −1 for a slide down."""
-    lifts = [(link, figure.links[link].qpos + 2, 1.0) for link in figure.tables.free_links.tolist()]
-    if figure.root is not None and not figure.root.is_free:
-        data = mujoco.MjData(figure.model)
-        mujoco.mj_kinematics(figure.model, data)
-        slides = [figure.links[i] for i in figure.root.links if figure.links[i].kind is JointKind.SLIDE]
-        ups = [(slide.qpos, float(data.xaxis[slide.joint, 2])) for slide in slides]
-        lifts += [(figure.root.link, column, float(np.sign(up))) for column, up in ups if abs(up) > STRAIGHT]
-    return lifts
+def _stood(figure: Figure, pose: Array, on_feet: bool) -> Array:
+    """A pose, (nq,), a free figure's lowest point on the highest floor, and on top of its own pedestal."""
+    qpos, floor = np.array(pose), floor_height(figure.model)
+    for root, column, up in lifts(figure):
+        low = lowest_point(figure, qpos, root)
+        if floor is not None and low is not None and (on_feet or low < floor):
+            qpos[column] += up * (floor - low)
+    return _raised(figure, qpos)
+
+
+def _closed(figure: Figure, qpos: Array, equalities: Equalities) -> tuple[Array, list[str]]:
+    """A pose (nq,) moved onto the model's equality constraints where that is possible, and what is to say of it."""
+    gaps = equalities.open(qpos)
+    if not gaps:
+        return qpos, []
+    found = equalities.closed(qpos)
+    if found is None:
+        return qpos, ["no pose within the joints' ranges was found that meets the model's equality constraints"]
+    away = np.zeros(figure.model.nv)
+    mujoco.mj_differentiatePos(figure.model, away, 1.0, qpos, found)
+    link = max(figure.links[1:], key=lambda each: float(np.abs(away[_dofs(each)]).max()))
+    most = float(np.linalg.norm(away[_dofs(link)]))
+    size = f"{1000 * most:.3g} mm" if link.kind is JointKind.SLIDE else f"{np.degrees(most):.3g}°"
+    was = str(gaps[0]).replace("open by", "was open by")
+    return found, [f"moved onto the model's equality constraints, '{link.name}' by {size}: {was}"]
+
+
+def _dofs(link: Link) -> slice:
+    sizes = {JointKind.FREE: 6, JointKind.BALL: 3}
+    return slice(link.dof, link.dof + sizes.get(link.kind, 1))
 
 
 def _settled(figure: Figure, qpos: Array) -> Array:
@@ -174,9 +203,9 @@ def _leave_out_followers(figure: Figure, tables: list[dict[str, Any]]) -> None:
 
 def _raised(figure: Figure, qpos: Array) -> Array:
     """A pose (nq,) with what is free out of the floor and on top of its own pedestal, wherever it sank in."""
-    out, floor = np.array(qpos), _floor(figure.model)
-    for root, column, up in _lifts(figure):
-        low = _lowest(figure, out, root)
+    out, floor = np.array(qpos), floor_height(figure.model)
+    for root, column, up in lifts(figure):
+        low = lowest_point(figure, out, root)
         if low is None:
             continue
         if floor is not None:
@@ -196,7 +225,7 @@ def _mount(figure: Figure, qpos: Array, root: int) -> None:
         data.qpos[:] = qpos
         mujoco.mj_kinematics(model, data)
         under = [s for s in solids if any(_depth(model, data, geom, s) > TOUCHING for geom in own)]
-        low = _lowest(figure, qpos, root)
+        low = lowest_point(figure, qpos, root)
         if not under or low is None:
             return
         qpos[figure.links[root].qpos + 2] += max(_top(model, data, geom) for geom in under) - low
@@ -212,21 +241,6 @@ def _top(model: mujoco.MjModel, data: mujoco.MjData, geom: int) -> float:
     middle, half = np.split(model.geom_aabb[geom], 2)
     turn = data.geom_xmat[geom].reshape(3, 3)
     return float(data.geom_xpos[geom, 2] + turn[2] @ middle + np.abs(turn[2]) @ half)
-
-
-def _floor(model: mujoco.MjModel) -> float | None:
-    """[m] how high the highest level plane lies."""
-    data = mujoco.MjData(model)
-    mujoco.mj_kinematics(model, data)
-    flat = np.flatnonzero(model.geom_type == int(mujoco.mjtGeom.mjGEOM_PLANE))
-    level = [float(data.geom_xpos[g, 2]) for g in flat if data.geom_xmat[g, 8] > 0.99]
-    return max(level, default=None)
-
-
-def _lowest(figure: Figure, qpos: Array, root: int) -> float | None:
-    """[m] how high the lowest point of what hangs from a link is."""
-    own = [point for point in body_points(figure) if figure.tables.path[point.link, root]]
-    return float(_bottoms(figure, qpos[None], own).min()) if own else None
 
 
 def _bottoms(figure: Figure, qpos: Array, points: Sequence[Point]) -> Array:
@@ -369,6 +383,11 @@ def _head(source: str, own: bool, count: int, raised: float, settled: float) -> 
         "# Angles in degrees, lengths in metres, times in seconds. What a keyframe leaves out is free, unless it says\n"
         '# others = "hold" (as in the keyframe before) or "rest". See it: dynsplines render THIS_FILE'
     )
+
+
+def _noted(notes: Sequence[str]) -> str:
+    """Notes, in comments."""
+    return "\n".join(f"# {line}" for note in notes for line in textwrap.wrap(f"NOTE: {note}", WIDE))
 
 
 def _named(figure: Figure, qpos: Array, soles: Sequence[Point]) -> str:

@@ -27,6 +27,7 @@ BOUNDS = {
         Bound("contact", 0.01, "m", "a hand or foot that slips so far is seen to slip"),
         Bound("hold", 0.005, "m", "what is held is near the eye, and hands are looked at"),
         Bound("hover", 0.01, "m", "as contact, of one that is to rest on whatever is below it"),
+        Bound("aloft", 0.02, "m", "a home pose of a robot may be some millimetres above the floor"),
         Bound("stance", 0.02, "m", "keyframes tell stances less surely than a clip's own contacts"),
         Bound("placement", 0.01, "m", "what is put there is seen to miss"),
         Bound("backward", 3.0, "degrees", "a straight knee or elbow is never quite straight"),

@@ -36,11 +36,13 @@ from dynsplines.solver.penalty import (
 )
 from dynsplines.solver.refine.limits import farthest
 from dynsplines.solver.search.minimum import Stop
-from dynsplines.solver.surface.points import body_points, places_of
+from dynsplines.solver.surface import Surface
+from dynsplines.solver.surface.points import Point, arrays_of, body_points, places_of
 
 from ..clip import load as clips
 from ..clip.kinds import bolted_links, steady_joints
 from ..clip.load import Clip
+from ..clip.pose_report import standing_trees
 from ..errors import UserError
 from ..motion import Saved, samples_at
 from . import measures
@@ -50,6 +52,7 @@ from .measures import Hits, Measure, Row
 RATE = 240.0  # [1/s]: a foot at 4 m/s goes 17 mm from one look to the next
 RUN = 1000  # samples looked at at once, whose arrays do not fill the memory
 MOST_TOLD = 10
+FEW = 60  # samples of what a whole motion is like
 ROUNDING = 1e-9  # [s]
 
 
@@ -172,7 +175,39 @@ def _found(clip: Clip, timeline: Timeline, raw: Timeline) -> Iterator[Flaw]:
         yield from _worst(measure, grid, keys, numbers)
     yield from _drifts(held, key_times, numbers)
     yield from _misses(clip, timeline)
+    yield from _aloft(clip, grid, keys, numbers)
     yield from _beyond_hard(clip, timeline)
+
+
+def _aloft(clip: Clip, grid: Samples, keys: Samples, numbers: Index) -> Iterator[Flaw]:
+    """A jointed figure that moves about and is above the ground all the time, where nothing tells that it flies."""
+    context, figure = clip.context, clip.figure
+    flies = context.support is not None and context.support.flights
+    if flies or context.holds or context.contacts.given or not np.any(figure.gravity):
+        return
+    for root in standing_trees(figure):
+        points = [point for point in body_points(figure) if figure.tables.path[point.link, root]]
+        if not figure.tables.children[root] or not points or not context.surfaces:
+            continue
+        some = grid.taken(np.arange(0, grid.count, max(1, grid.count // FEW)))
+        low, time = min(
+            (_lowest(context.surfaces, points, each) for each in (keys, some)), key=lambda at: round(at[0], 3)
+        )
+        bound = BOUNDS["aloft"].most
+        if bound < low < np.inf:
+            k = np.flatnonzero(keys.t == time)
+            says = f"the figure never comes down: lowest point {low:.2f} m above the floor"
+            row = Row("aloft", figure.links[root].name, says, bound)
+            yield _problem(row, low, time, int(numbers[k[0]]) if k.size else None)
+
+
+def _lowest(surfaces: Sequence[Surface], points: Sequence[Point], samples: Samples) -> tuple[float, float]:
+    """[m] the least height of any point above what is below it, and when [s]."""
+    links, positions, radii = arrays_of(points)
+    centres, _ = samples.links.points(links, positions)
+    above = np.min([surface.height(centres) for surface in surfaces], axis=0) - radii[:, None]
+    lows = above.min(axis=0)
+    return float(lows.min()), float(samples.t[int(lows.argmin())])
 
 
 def _as_keyed(clip: Clip) -> Clip:

@@ -4,5 +4,6 @@ places     names of points and bodies   placing   places that keyframes give bec
 feet       the soles' points            standing  feet that stand stay where they stand
 rotation   rotations as a clip has them couplings joints that others make follow
 turns      turns that keyframes write and no motion makes
+closing    poses moved onto a model's equality constraints
 rooting    what places a root, on a free joint or on slides and hinges
 """

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import io
+import re
 import tomllib
 from pathlib import Path
 
+import mujoco
 import numpy as np
 import pytest
+from command import commanded
 from rich.console import Console
 
 from dynsplines import work
@@ -212,3 +215,101 @@ def test_followers_of_the_models_own_keyframes_go_where_they_belong_and_are_not_
     assert "\njoints.cap" not in problem.text
     assert "# Joints that follow others are where these take them, not where the model's keyframes have" in problem.text
     assert not [note for note in problem.notes if "off" in note]
+
+
+LEG = """<mujoco><compiler angle="degree"/><worldbody>
+  <body name="thigh" pos="0 0 1"><joint name="hip" axis="0 1 0"/>
+    <geom type="capsule" fromto="0 0 0 0 0 -.4" size=".02"/>
+    <body name="shin" pos="0 0 -.4"><joint name="knee" axis="0 1 0" range="{low} {high}"/>
+      <geom type="capsule" fromto="0 0 0 0 0 -.4" size=".02" contype="0" conaffinity="0"/></body>
+    <body name="rod" pos=".1 0 0"><joint name="rod" axis="0 1 0"/>
+      <geom type="capsule" fromto="0 0 0 0 0 -.3" size=".01" contype="0" conaffinity="0"/></body></body></worldbody>
+  <equality><{kind}/></equality></mujoco>"""
+LOOP = 'connect name="loop" body1="rod" body2="shin" anchor="0 0 -.45"'
+
+
+def noted(text: str, folder: Path) -> tuple[list[str], clip.Clip]:
+    """What `new` reports, and the clip that it writes."""
+    (folder / "it.xml").write_text(text, encoding="utf-8")
+    notes: list[str] = []
+    written = starter(str(folder / "it.xml"), folder / "it.toml", notes.append)
+    comments = " ".join(line.removeprefix("# ") for line in written.splitlines())
+    assert all(f"NOTE: {note}" in comments for note in notes)
+    (folder / "it.toml").write_text(written, encoding="utf-8")
+    return notes, clip.load(str(folder / "it.toml"))
+
+
+def open_by(model: mujoco.MjModel, qpos) -> float:
+    """[m] how far the anchors of a connect are apart, by MuJoCo's kinematics."""
+    data = mujoco.MjData(model)
+    data.qpos[:] = qpos
+    mujoco.mj_kinematics(model, data)
+    ends = (int(model.eq_obj1id[0]), model.eq_data[0, :3]), (int(model.eq_obj2id[0]), model.eq_data[0, 3:6])
+    one, two = (data.xpos[body] + data.xmat[body].reshape(3, 3) @ anchor for body, anchor in ends)
+    return float(np.linalg.norm(one - two))
+
+
+def test_a_loop_that_closes_away_from_the_rest_is_closed(tmp_path):
+    notes, made = noted(LEG.format(low=100, high=300, kind=LOOP), tmp_path)
+    qpos = made.keys[0].state
+    assert open_by(made.figure.model, qpos) < 1e-5
+    assert np.degrees(qpos[1]) >= 100 - 1e-6
+    (note,) = notes
+    assert note.startswith("keyframe 1: moved onto the model's equality constraints, ")
+    assert "constraint 'loop' was open by" in note
+
+
+def test_a_loop_that_no_pose_closes_is_reported(tmp_path):
+    notes, made = noted(LEG.format(low=30, high=120, kind=LOOP), tmp_path)
+    apart = open_by(made.figure.model, made.keys[0].state)
+    assert notes == [
+        "keyframe 1: no pose within the joints' ranges was found that meets the model's equality constraints",
+        f"keyframe 1: equality constraint 'loop' open by {1000 * apart:.3g} mm",
+    ]
+
+
+def test_the_models_keyframes_are_moved_onto_welds_tendons_and_joints(tmp_path):
+    tendon = LEG.replace(
+        "<equality>",
+        """<tendon><fixed name="both"><joint joint="hip" coef="1"/>
+        <joint joint="knee" coef="1"/></fixed></tendon><equality>""",
+    )
+    key = '<keyframe><key qpos=".3 .8 .1"/></keyframe></mujoco>'
+    for kind in ('joint name="e" joint1="rod" joint2="knee" polycoef=".1 .5 0 0 0"', 'tendon name="e" tendon1="both"'):
+        text = tendon.format(low=-90, high=90, kind=kind).replace("</mujoco>", key)
+        _, made = noted(text, tmp_path)
+        model, data = made.figure.model, mujoco.MjData(made.figure.model)
+        data.qpos[:] = made.keys[0].state
+        mujoco.mj_fwdPosition(model, data)
+        rows = data.efc_type == int(mujoco.mjtConstraint.mjCNSTR_EQUALITY)
+        assert rows.any()
+        np.testing.assert_allclose(data.efc_pos[rows], 0, atol=1e-6)
+
+
+def test_what_hangs_sinks_or_bends_too_far_is_reported(tmp_path):
+    robot = """<mujoco><compiler angle="degree"/><worldbody><geom type="plane" size="1 1 1"/>
+      <body name="trunk" pos="0 0 .5"><freejoint/><geom size=".1"/>
+        <body name="arm" pos=".3 0 0"><joint name="swing" axis="0 1 0" range="-10 20"/><geom size=".1"/>
+          <body name="hand" pos="0 0 .3"><joint name="wrist" axis="0 1 0"/><geom size=".1" pos="0 0 0"/></body></body>
+        <body name="tail" pos="-.4 0 0"><joint name="wag" axis="0 1 0"/><geom size=".1" pos="0 0 {dip}"/></body>
+      </body></worldbody><keyframe><key qpos="0 0 1.2 1 0 0 0 {swing} 0 {wag}"/></keyframe></mujoco>"""
+    notes, _ = noted(robot.format(dip=0, swing=0.5, wag=0), tmp_path)
+    assert notes == [
+        "keyframe 1: lowest point 1.10 m above the floor",
+        f"keyframe 1: joint 'swing' {np.degrees(0.5) - 20:.3g}° beyond its range",
+    ]
+    notes, _ = noted(robot.format(dip=-0.75, swing=0, wag=-1.5708).replace("0 0 1.2", "0 0 .1"), tmp_path)
+    assert len(notes) == 1
+    assert re.fullmatch(r"keyframe 1: bodies '(arm|hand)' and 'tail' 1\d\d mm in each other", notes[0])
+
+
+def test_a_good_model_is_reported_nothing_of(tmp_path):
+    text = KINDS["mixed"].replace('pos="0 0 1"', 'pos="0 0 .1"')
+    assert noted(f"<mujoco><worldbody>{text}</worldbody></mujoco>", tmp_path)[0] == []
+
+
+def test_the_command_prints_the_notes(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    Path("leg.xml").write_text(LEG.format(low=30, high=120, kind=LOOP))
+    done = commanded(monkeypatch, capsys)("new", "leg.xml")
+    assert "note: keyframe 1: equality constraint 'loop' open by" in done.err

@@ -64,9 +64,10 @@ def read(text: str, figure: str = "", folder: Path | None = None) -> Clip:
 
 
 def wrong(problem: Clip, timeline: Timeline | None = None, stop: Stop = Stop.CONVERGED) -> tuple[Flaw, ...]:
-    """With the raw spline, or with another timeline through its keyframes."""
+    """With the raw spline, or with another timeline through its keyframes; figures here may hang in the air."""
     raw = work.unsolved(problem).motion.raw
-    return problems.problems(problem, timeline or raw, raw, stop)
+    found = problems.problems(problem, timeline or raw, raw, stop)
+    return tuple(each for each in found if each.kind != "aloft")
 
 
 def unposed(problem: Clip) -> Clip:
@@ -449,3 +450,40 @@ def test_the_bounds_of_the_page_are_those_of_the_code():
     }
     assert told == said | {"search": "–"}
     assert f"{WHIP_SHARE:g} times the raw spline's" in page
+
+
+WALKER = """<mujoco><worldbody>{floor}<body name="trunk" pos="0 0 .5"><freejoint name="root"/><geom size=".1"/>
+    <body pos="0 0 -.2"><joint name="knee" axis="0 1 0"/><geom type="capsule" fromto="0 0 0 0 0 -.2" size=".05"/></body>
+    </body></worldbody></mujoco>"""
+FLOOR = '<geom type="plane" size="1 1 .1" pos="0 0 .1"/>'
+
+
+def aloft(text: str, model: str, folder: Path) -> list[str]:
+    raw = work.unsolved(read(text, model, folder)).motion.raw
+    problem = read(text, model, folder)
+    return [each.text for each in problems.problems(problem, raw, raw) if each.kind == "aloft"]
+
+
+def hung(*heights: float) -> str:
+    return "".join(
+        f"[[keyframe]]\ntime = {0.5 * k}\nroot = {{position = [0, 0, {z}], rotation = {{rotvec = [0, 0, 0]}}}}\n"
+        "joints.knee = 0\n"
+        for k, z in enumerate(heights)
+    )
+
+
+def test_a_figure_that_never_comes_down_is_reported(tmp_path):
+    (text,) = aloft(hung(1.45, 1.5), WALKER.format(floor=FLOOR), tmp_path)  # its foot is 0.45 m below its origin
+    assert text == "keyframe 1 itself: the figure never comes down: lowest point 0.90 m above the floor at 0.00 s"
+    (text,) = aloft(hung(1.45, 1.5), WALKER.format(floor=""), tmp_path)  # the stage's floor, at 0
+    assert "lowest point 1.00 m above the floor" in text
+
+
+@pytest.mark.parametrize("heights", [(0.55, 0.55), (0.56, 0.56), (1.0, 0.55), (0.55, 1.0, 0.55)])
+def test_a_figure_that_stands_at_some_time_is_not(heights, tmp_path):
+    assert aloft(hung(*heights), WALKER.format(floor=FLOOR), tmp_path) == []
+
+
+def test_nor_is_one_without_gravity(tmp_path):
+    text = WALKER.format(floor=FLOOR).replace("<mujoco>", '<mujoco><option gravity="0 0 0"/>')
+    assert aloft(hung(1.5, 1.5), text, tmp_path) == []

@@ -1,0 +1,123 @@
+"""What a pose of a figure violates: equality constraints, joint ranges, the floor, bodies in each other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import mujoco
+import numpy as np
+
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.penalty import joint_ranges
+from dynsplines.solver.surface.points import arrays_of, body_points
+from dynsplines.solver.surface.touch import grounds
+
+from .posing.closing import Equalities
+
+BEYOND = {"degrees": 0.1, "m": 1e-3}  # of a joint's range
+HIGH, DEEP = 0.02, 0.005  # [m] above the floor, and below it
+VERTICAL = 0.99  # of a slide's axis, how much of it goes up
+INSIDE = 0.005  # [m] of one body in another
+MOST = 3  # lines of a kind
+
+
+def violations(figure: Figure, qpos: Array, equalities: Equalities) -> list[str]:
+    """A line for each, for a pose (nq,); the worst of a kind first, and few of them."""
+    found: list[str] = []
+    for lines in (
+        [str(opening) for opening in equalities.open(qpos)],
+        list(_off_the_floor(figure, qpos)),
+        _out_of_range(figure, qpos),
+        _in_each_other(figure, qpos),
+    ):
+        found += lines[:MOST] + ([f"and {len(lines) - MOST} more like it"] if len(lines) > MOST else [])
+    return found
+
+
+def floor_height(model: mujoco.MjModel) -> float | None:
+    """[m] how high the highest level plane lies; None without any."""
+    data = mujoco.MjData(model)
+    mujoco.mj_kinematics(model, data)
+    return max((float(data.geom_xpos[geom, 2]) for geom in grounds(model)), default=None)
+
+
+def lifts(figure: Figure) -> list[tuple[int, int, float]]:
+    """What moves about and can be lifted: its link, the column of qpos that lifts it, and 1, or −1 for a slide down."""
+    found = [(link, figure.links[link].qpos + 2, 1.0) for link in figure.tables.free_links.tolist()]
+    if figure.root is not None and not figure.root.is_free:
+        data = mujoco.MjData(figure.model)
+        mujoco.mj_kinematics(figure.model, data)
+        slides = [figure.links[i] for i in figure.root.links if figure.links[i].kind is JointKind.SLIDE]
+        ups = [(slide.qpos, float(data.xaxis[slide.joint, 2])) for slide in slides]
+        found += [(figure.root.link, column, float(np.sign(up))) for column, up in ups if abs(up) > VERTICAL]
+    return found
+
+
+def standing_trees(figure: Figure) -> list[int]:
+    """The root links of articulated trees that can be lifted; of a free body where there is nothing else."""
+    roots = [root for root, _, _ in lifts(figure)]
+    return [root for root in roots if figure.tables.children[root]] or roots[:1]
+
+
+def lowest_point(figure: Figure, qpos: Array, root: int) -> float | None:
+    """[m] how high the lowest point is of what hangs on a link."""
+    own = [point for point in body_points(figure) if figure.tables.path[point.link, root]]
+    if not own:
+        return None
+    links, positions, radii = arrays_of(own)
+    places, _ = Samples.still(figure, figure.to_state(qpos[None])).links.points(links, positions)
+    return float((places[2] - radii[:, None]).min())
+
+
+def _off_the_floor(figure: Figure, qpos: Array) -> Iterator[str]:
+    floor = floor_height(figure.model)
+    if floor is None or not np.any(figure.gravity):
+        return
+    trees = standing_trees(figure)
+    for root in trees:
+        low, name = lowest_point(figure, qpos, root), figure.links[root].name
+        whose = f"of '{name}' " if len(trees) > 1 else ""
+        if low is None:
+            continue
+        if low - floor > HIGH:
+            yield f"lowest point {whose}{low - floor:.2f} m above the floor"
+        elif floor - low > DEEP:
+            yield f"lowest point {whose}{1000 * (floor - low):.0f} mm below the floor"
+
+
+def _out_of_range(figure: Figure, qpos: Array) -> list[str]:
+    found: list[tuple[float, str]] = []
+    for joint in joint_ranges(figure):
+        link = figure.links[joint.link]
+        if link.kind is JointKind.BALL:
+            beyond = float(np.linalg.norm(quat.rotation_vector(qpos[link.qpos : link.qpos + 4]))) - joint.high
+        else:
+            beyond = max(joint.low - float(qpos[link.qpos]), float(qpos[link.qpos]) - joint.high)
+        unit = "m" if link.kind is JointKind.SLIDE else "degrees"
+        amount = beyond if unit == "m" else float(np.degrees(beyond))
+        if amount > BEYOND[unit]:
+            size = f"{1000 * amount:.3g} mm" if unit == "m" else f"{amount:.3g}°"
+            found.append((amount, f"joint '{link.name}' {size} beyond its range"))
+    return [line for _, line in sorted(found, reverse=True)]
+
+
+def _in_each_other(figure: Figure, qpos: Array) -> list[str]:
+    """Bodies that collide in MuJoCo and are in each other."""
+    model, data = figure.model, mujoco.MjData(figure.model)
+    data.qpos[:] = qpos
+    mujoco.mj_kinematics(model, data)
+    mujoco.mj_comPos(model, data)
+    mujoco.mj_collision(model, data)
+    depths: dict[tuple[int, int], float] = {}
+    for k in range(data.ncon):
+        one, two = sorted(int(model.geom_bodyid[geom]) for geom in data.contact.geom[k])
+        if figure.body_link[one] and figure.body_link[two]:
+            depths[one, two] = max(depths.get((one, two), 0.0), -float(data.contact.dist[k]))
+    deep = sorted(((depth, pair) for pair, depth in depths.items() if depth > INSIDE), reverse=True)
+    return [
+        f"bodies '{model.body(one).name}' and '{model.body(two).name}' {1000 * depth:.0f} mm in each other"
+        for depth, (one, two) in deep
+    ]

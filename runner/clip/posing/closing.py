@@ -1,0 +1,181 @@
+"""Poses moved onto a model's equality constraints: loops (connect, weld), couplings of joints and tendons.
+
+Residuals and their derivatives are MuJoCo's own, `efc_pos` and `efc_J` of its equality rows; the pose goes along the
+shortest step that closes them, damped (K. Levenberg 1944; D. W. Marquardt 1963), and stays within the joints' ranges.
+"""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import mujoco
+import numpy as np
+
+from dynsplines.solver.array import Array, Mask
+
+CLOSED = 1e-9  # [m, rad] a residual that is none
+STEPS, STARTS = 200, 12
+LONGEST = 0.3  # [rad, m] of a step
+FIRST_DAMPING, LEAST_DAMPING, MOST_DAMPING = 1e-6, 1e-12, 1e6
+OPEN = {"m": 1e-3, "degrees": 0.1}  # what of a constraint is reported
+
+
+@dataclass(frozen=True)
+class Opening:
+    """How far a pose is from one equality constraint: `amount` in `unit`, "m" or "degrees"."""
+
+    name: str
+    amount: float
+    unit: str
+
+    def __str__(self) -> str:
+        size = f"{1000 * self.amount:.3g} mm" if self.unit == "m" else f"{self.amount:.3g}°"
+        return f"equality constraint '{self.name}' open by {size}"
+
+
+class Equalities:
+    """The active equality constraints of a model, at any pose."""
+
+    def __init__(self, model: mujoco.MjModel) -> None:
+        self.model = _bare(model)
+        self.data = mujoco.MjData(self.model)
+
+    def residuals(self, qpos: Array) -> tuple[Array, Array]:
+        """What is open (r,) [m, rad], and its derivatives by the degrees of freedom (r, nv)."""
+        self.data.qpos[:] = qpos
+        mujoco.mj_fwdPosition(self.model, self.data)
+        rows = self._rows
+        matrix = (
+            np.array(self.data.efc_J).reshape(-1, self.model.nv) if self.data.nefc else np.zeros((0, self.model.nv))
+        )
+        return np.array(self.data.efc_pos)[rows], matrix[rows]
+
+    def open(self, qpos: Array) -> list[Opening]:
+        """The constraints that a pose (nq,) leaves open, the widest first."""
+        residual, _ = self.residuals(qpos)
+        owner = np.array(self.data.efc_id)[self._rows]
+        found: list[Opening] = []
+        for number in dict.fromkeys(owner.tolist()):
+            found += _openings(self.model, int(number), residual[owner == number])
+        return sorted((each for each in found if each.amount > OPEN[each.unit]), key=lambda each: -each.amount)
+
+    def closed(self, qpos: Array) -> Array | None:
+        """The pose near qpos (nq,) that closes all, within the joints' ranges; None where none is found.
+
+        Free joints stay where they are, unless nothing else closes them.
+        """
+        free = np.isin(self.model.dof_jntid, np.flatnonzero(self.model.jnt_type == int(mujoco.mjtJoint.mjJNT_FREE)))
+        for moves in (~free, np.ones(self.model.nv, bool)):
+            for begin in self._starts(qpos, moves):
+                found = self._descend(begin, moves)
+                if found is not None:
+                    return found
+            if not free.any():
+                return None
+        return None
+
+    @property
+    def _rows(self) -> Mask:
+        return np.array(self.data.efc_type) == int(mujoco.mjtConstraint.mjCNSTR_EQUALITY)
+
+    def _starts(self, qpos: Array, moves: Mask) -> Iterator[Array]:
+        """Poses to begin with: the given one, and others ever farther around it."""
+        yield qpos
+        _, rows = self.residuals(qpos)
+        involved = moves & np.any(rows != 0, axis=0)
+        chance = np.random.default_rng(0)
+        for number in range(1, STARTS):
+            yield self._stepped(qpos, involved * chance.uniform(-1.5, 1.5, self.model.nv) * number / STARTS)
+
+    def _descend(self, qpos: Array, moves: Mask) -> Array | None:
+        qpos, damping = self._stepped(qpos, np.zeros(self.model.nv)), FIRST_DAMPING
+        residual, rows = self.residuals(qpos)
+        for _ in range(STEPS):
+            if np.abs(residual).max(initial=0.0) < CLOSED:
+                return qpos
+            step = self._step(qpos, residual, rows, moves, damping)
+            there = self._stepped(qpos, step)
+            after, rows_after = self.residuals(there)
+            if np.linalg.norm(after) < np.linalg.norm(residual):
+                qpos, residual, rows, damping = there, after, rows_after, max(damping / 5, LEAST_DAMPING)
+            else:
+                damping *= 8
+            if damping > MOST_DAMPING:
+                break
+        return None
+
+    def _step(self, qpos: Array, residual: Array, rows: Array, moves: Mask, damping: float) -> Array:
+        """(nv,) the shortest step that closes the residuals, of what is not at the end of its range."""
+        moves, step = np.array(moves), np.zeros(self.model.nv)
+        for _ in range(self.model.nv):
+            own = rows[:, moves]
+            step[:] = 0.0
+            normal = own @ own.T + damping * np.eye(len(own))
+            step[moves] = -own.T @ np.linalg.lstsq(normal, residual, rcond=None)[0]
+            step *= min(1.0, LONGEST / max(float(np.abs(step).max(initial=0.0)), LONGEST))
+            blocked = moves & self._leaves(qpos, step)
+            if not blocked.any():
+                return step
+            moves &= ~blocked
+        return step
+
+    def _leaves(self, qpos: Array, step: Array) -> Mask:
+        """(nv,) the degrees of freedom at an end of their range that a step takes beyond it."""
+        model, out = self.model, np.zeros(self.model.nv, bool)
+        for joint in self._limited:
+            dof, at = model.jnt_dofadr[joint], qpos[model.jnt_qposadr[joint]]
+            low, high = model.jnt_range[joint]
+            out[dof] = (at <= low and step[dof] < 0) or (at >= high and step[dof] > 0)
+        return out
+
+    def _stepped(self, qpos: Array, step: Array) -> Array:
+        there, model = np.array(qpos), self.model
+        mujoco.mj_integratePos(model, there, step, 1.0)
+        for joint in self._limited:
+            column = model.jnt_qposadr[joint]
+            there[column] = np.clip(there[column], *model.jnt_range[joint])
+        return there
+
+    @property
+    def _limited(self) -> list[int]:
+        simple = (int(mujoco.mjtJoint.mjJNT_HINGE), int(mujoco.mjtJoint.mjJNT_SLIDE))
+        return np.flatnonzero(self.model.jnt_limited.astype(bool) & np.isin(self.model.jnt_type, simple)).tolist()
+
+
+def _bare(model: mujoco.MjModel) -> mujoco.MjModel:
+    """A copy whose only constraints are equalities, with dense derivatives."""
+    out, bits = copy.copy(model), mujoco.mjtDisableBit
+    others = (bits.mjDSBL_CONTACT, bits.mjDSBL_LIMIT, bits.mjDSBL_FRICTIONLOSS)
+    out.opt.disableflags &= ~(int(bits.mjDSBL_EQUALITY) | int(bits.mjDSBL_CONSTRAINT))
+    for bit in others:
+        out.opt.disableflags |= int(bit)
+    out.opt.jacobian = int(mujoco.mjtJacobian.mjJAC_DENSE)
+    return out
+
+
+def _openings(model: mujoco.MjModel, number: int, residual: Array) -> list[Opening]:
+    """What one constraint leaves open, in metres and degrees."""
+    kinds, kind = mujoco.mjtEq, int(model.eq_type[number])
+    name = model.equality(number).name or _between(model, number)
+    if kind == int(kinds.mjEQ_WELD):
+        scale = float(model.eq_data[number, 10]) or 1.0
+        turned = 2 * np.degrees(np.linalg.norm(residual[3:]) / scale)
+        return [Opening(name, float(np.linalg.norm(residual[:3])), "m"), Opening(name, float(turned), "degrees")]
+    if kind == int(kinds.mjEQ_JOINT):
+        hinge = int(model.jnt_type[model.eq_obj1id[number]]) == int(mujoco.mjtJoint.mjJNT_HINGE)
+        amount = float(np.abs(residual).max(initial=0.0))
+        return [Opening(name, float(np.degrees(amount)), "degrees") if hinge else Opening(name, amount, "m")]
+    return [Opening(name, float(np.linalg.norm(residual)), "m")]
+
+
+def _between(model: mujoco.MjModel, number: int) -> str:
+    """A constraint without a name by the two things that it holds together."""
+    kind = mujoco.mjtObj(int(model.eq_objtype[number]))
+    if int(model.eq_type[number]) == int(mujoco.mjtEq.mjEQ_JOINT):
+        kind = mujoco.mjtObj.mjOBJ_JOINT
+    if int(model.eq_type[number]) == int(mujoco.mjtEq.mjEQ_TENDON):
+        kind = mujoco.mjtObj.mjOBJ_TENDON
+    ids = [int(i) for i in (model.eq_obj1id[number], model.eq_obj2id[number]) if i >= 0]
+    return " and ".join(mujoco.mj_id2name(model, kind, i) or str(i) for i in ids)
