@@ -57,8 +57,9 @@ def disagreement(model: mujoco.MjModel, found: Recording) -> Disagreement:
     away = np.linalg.norm(found.bodies.position[rows][:, columns, None] - position[:, None], axis=-1).max(axis=0)
     angles = [np.zeros_like(away)]
     if found.bodies.rotation is not None:
+        shifts = (0,) if found.bodies.is_wxyz else (0, 1)
         recorded = found.bodies.rotation[rows][:, columns, None]
-        angles = [_angle(np.roll(recorded, shift, -1), rotation[:, None]).max(axis=0) for shift in (0, 1)]
+        angles = [_angle(np.roll(recorded, shift, -1), rotation[:, None]).max(axis=0) for shift in shifts]
     return min((_nearest(away, angle) for angle in angles), key=lambda each: each.share)
 
 

@@ -126,7 +126,7 @@ def body_poses(found: Held) -> BodyPoses | None:
     turn = next((name for name in ("xquat", "body_quat_w", "body_quat", "body_rot") if name in found), None)
     rotation = None if turn is None else found.quaternions(turn, "samples", "bodies", 4)
     names = tuple(found.texts("body_names")) if "body_names" in found else None
-    return BodyPoses(position, rotation, names)
+    return BodyPoses(position, rotation, turn == "xquat", names)
 
 
 def held(source: Path) -> Held:

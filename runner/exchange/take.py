@@ -144,12 +144,13 @@ class Bodies:
 class BodyPoses:
     """Poses of bodies that a file holds beside joint angles: redundant, so that its layout can be verified.
 
-    position (T, b, 3) [m]; rotation (T, b, 4), wxyz or xyzw, or None; names (b,) if the file has them
+    position (T, b, 3) [m]; rotation (T, b, 4), wxyz or unless it is_wxyz perhaps xyzw, or None; names (b,) or None
     is_local  positions are relative to the root, as if it lay unturned at the origin
     """
 
     position: Array
     rotation: Array | None = None
+    is_wxyz: bool = False
     names: tuple[str, ...] | None = None
     is_local: bool = False
 

@@ -10,6 +10,9 @@ link_body_list            names of the bodies, depth first, the root first; None
 Source: GMR, scripts/smplx_to_robot_dataset.py and general_motion_retargeting/data_loader.py. A ball joint is three
 hinges (`hinged`); the model that has them is written beside the file. Pickles are read by `plain_pickle`, which runs
 nothing.
+
+ASAP and PHC keep the same by joblib, compressed or not, under the motion's name: root_trans_offset, root_rot, dof, and
+pose_aa (T, b, 3), rotation vectors of all bodies, the root's in the world. It is read, too.
 """
 
 from __future__ import annotations
@@ -21,7 +24,9 @@ import mujoco
 import numpy as np
 
 from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
 
+from ...errors import UserError
 from .. import layouts
 from ..held import Held, times
 from ..pickles import plain_pickle
@@ -30,6 +35,7 @@ from ..take import Bodies, BodyPoses, Recording, Take
 from .mjlab import beside as beside
 
 NAME = "gmr"
+ASAP = {"root_trans_offset": "root_pos", "dof": "dof_pos"}  # names of ASAP and PHC, and GMR's
 
 
 def write(take: Take, path: Path) -> None:
@@ -52,16 +58,20 @@ def write(take: Take, path: Path) -> None:
 
 def recognises(path: Path) -> bool:
     """Whether a pickle is of this kind; every key of a dict of theirs stands in it as text."""
-    return b"dof_pos" in path.read_bytes()
+    content = plain_pickle.content(path)
+    return b"dof_pos" in content or b"root_trans_offset" in content
 
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
     """Root and hinges in the figure's order, verified by the bodies where the file has them."""
     model = needs_figure(model, path)
-    found = plain_pickle.load(path)
+    found = _motion(plain_pickle.load(path))
     rate = found.rate("fps") if "fps" in found or fps is None else fps
     position = found.numbers("root_pos", "samples", 3)
-    rotation = found.quaternions("root_rot", "samples", 4, scalar_last=True)
+    if "root_rot" not in found and "pose_aa" in found:
+        rotation = _root_turned(found)
+    else:
+        rotation = found.quaternions("root_rot", "samples", 4, scalar_last=True)
     joints = found.numbers("dof_pos", "samples", "joints")
     readings: dict[tuple[str, ...], layouts.Reading] = {
         (): partial(configurations, model, NAME, path, position, rotation, joints)
@@ -71,9 +81,39 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     )
 
 
+def _motion(found: Held) -> Held:
+    """The one motion of a file, under GMR's keys; raises UserError for several, and for one without joints."""
+    entries = dict(found.entries)
+    if entries and all(isinstance(each, dict) for each in entries.values()):
+        if len(entries) > 1:
+            names = ", ".join(list(entries)[:5]) + (", ..." if len(entries) > 5 else "")
+            raise UserError(f"{found.where}: it holds {len(entries)} motions: {names}; save one of them alone")
+        entries = {str(key): value for key, value in next(iter(entries.values())).items()}
+    for theirs, ours in ASAP.items():
+        if theirs in entries and ours not in entries:
+            entries[ours] = entries.pop(theirs)
+    if "dof_pos" not in entries and "pose_aa" in entries:
+        raise UserError(
+            f"{found.where}: a motion of SMPL's body, 'pose_aa' without a robot's 'dof'; save 'root_trans_offset' as "
+            "trans and 'pose_aa' as poses in an .npz file, and read it with --from amass"
+        )
+    joints = entries.get("dof_pos")
+    if isinstance(joints, np.ndarray) and joints.ndim == 3 and joints.shape[2] == 1:
+        entries["dof_pos"] = joints[:, :, 0]
+    return Held(found.where, entries)
+
+
+def _root_turned(found: Held) -> Array:
+    """The root's rotation (T, 4) as ASAP has it besides: the first of the rotation vectors of all bodies."""
+    return quat.aligned(quat.from_rotation_vector(found.numbers("pose_aa", "samples", "bodies and axes", 3)[:, 0]))
+
+
 def _bodies(found: Held) -> BodyPoses | None:
-    """The bodies about the root, where the file has them."""
-    if "local_body_pos" not in found:
-        return None
-    names = tuple(found.texts("link_body_list")) if "link_body_list" in found else None
-    return BodyPoses(found.numbers("local_body_pos", "samples", "bodies", 3), names=names, is_local=True)
+    """The bodies about the root, or the root's rotation vector, where the file has them."""
+    if "local_body_pos" in found:
+        names = tuple(found.texts("link_body_list")) if "link_body_list" in found else None
+        return BodyPoses(found.numbers("local_body_pos", "samples", "bodies", 3), names=names, is_local=True)
+    if "pose_aa" in found and np.ndim(found.of("pose_aa")) == 3:
+        root = found.numbers("root_pos", "samples", 3)
+        return BodyPoses(root[:, None], _root_turned(found)[:, None], is_wxyz=True)
+    return None

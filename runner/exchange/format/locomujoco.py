@@ -11,6 +11,8 @@ nsite, site_bodyid, site_pos, site_quat        of mjModel
 Source: LocoMuJoCo 1.0, loco_mujoco/trajectory/dataclasses.py: `load` refuses every name that it does not know, and
 ball joints raise. So a ball joint is three hinges (`hinged`), and the model that has them is written beside the file.
 `metadata` is left out: None would be a pickle.
+
+Before 1.0 a file had an array (T,) a joint, `q_pelvis_tx`, and `dq_pelvis_tx`: read for models with these joints.
 """
 
 from __future__ import annotations
@@ -25,13 +27,15 @@ from dynsplines.solver.array import Array
 
 from ...errors import UserError
 from ...motion import write_arrays
-from .. import layouts
+from .. import layouts, unsaid
 from ..held import Held, body_poses, held, names_in, times
 from ..robot import configurations, needs_figure
 from ..take import Recording, Take
 from .mjlab import beside as beside
 
 NAME = "locomujoco"
+BEFORE = "q_"  # before the name of a joint in files of its versions before 1.0
+OBSERVED = {"states", "absorbing"}  # arrays of its data sets of observations
 OF_MODEL = (
     "jnt_type", "body_rootid", "body_weldid", "body_mocapid", "body_pos", "body_quat", "body_ipos", "body_iquat",
     "site_bodyid", "site_pos", "site_quat",
@@ -72,8 +76,9 @@ def _of_data(model: mujoco.MjModel, qpos: Array, qvel: Array) -> dict[str, Array
 
 
 def recognises(path: Path) -> bool:
-    """Whether an .npz is of this kind."""
-    return {"qpos", "split_points"} <= names_in(path)
+    """Whether an .npz is of this kind, or of that before version 1.0."""
+    names = names_in(path)
+    return {"qpos", "split_points"} <= names or names >= OBSERVED or any(name.startswith(BEFORE) for name in names)
 
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
@@ -83,9 +88,14 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     """
     model = needs_figure(model, path)
     found = held(path)
-    splits = found.numbers("split_points", "splits")
-    if len(splits) > 2:
-        raise UserError(f"{path}: it holds {len(splits) - 1} motions one after another; cut them apart first")
+    if "qpos" not in found and any(name.startswith(BEFORE) for name in found.entries):
+        return _before_1_0(found, model, path, fps)
+    if "qpos" not in found and "states" in found:
+        raise UserError(
+            f"{path}: a data set of observations for imitation learning, which leave out the root's place; load the "
+            "trajectory that it was made of with LocoMuJoCo 1.0, and save that"
+        )
+    _check_single(found, path)
     names, kinds = found.texts("joint_names"), found.numbers("jnt_type", "joints").astype(int).tolist()
     if len(kinds) != len(names) or not set(kinds) <= WIDTHS.keys() or kinds.count(0) != 1:
         raise UserError(f"{path}: 'jnt_type' does not tell one free joint and hinges, one for each of 'joint_names'")
@@ -103,3 +113,29 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     return layouts.recording(
         model, times(len(qpos), rate), readings, scalar_last=False, bodies=body_poses(found), fps=rate
     )
+
+
+def _check_single(found: Held, path: Path) -> None:
+    splits = found.numbers("split_points", "splits")
+    if len(splits) > 2:
+        raise UserError(f"{path}: it holds {len(splits) - 1} motions one after another; cut them apart first")
+
+
+def _before_1_0(found: Held, model: mujoco.MjModel, path: Path, fps: float | None) -> Recording:
+    """An array a joint, of the models of that time, whose roots are slides and hinges."""
+    joints = [model.joint(joint).name for joint in range(model.njnt)]
+    missing = [name for name in joints if BEFORE + name not in found]
+    if missing or not set(model.jnt_type.tolist()) <= {2, 3}:
+        there = ", ".join(name.removeprefix(BEFORE) for name in found.entries if name.startswith(BEFORE))
+        lacking = f"no '{BEFORE}{missing[0]}'" if missing else "a root of slides and hinges"
+        raise UserError(
+            f"{path}: a file of LocoMuJoCo before 1.0, with {lacking}; it is for that version's model, of the joints "
+            f"{there}; name that model, or load the data set with LocoMuJoCo 1.0 and save its trajectory"
+        )
+    if "split_points" in found:
+        _check_single(found, path)
+    if "frequency" not in found and fps is None:
+        raise UserError(f"{path}: a file of LocoMuJoCo before 1.0 has no rate; {unsaid.RATE}")
+    rate = found.rate("frequency") if "frequency" in found else float(fps or 0)
+    qpos = np.stack([found.numbers(BEFORE + name, "samples") for name in joints], axis=1)
+    return Recording(times(len(qpos), rate), qpos, fps=rate)

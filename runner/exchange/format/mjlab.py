@@ -80,7 +80,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
             ordered = partial(_in_order, model, path, *root, joints, names)
             readings[*words, "joints in the figure's order, not that of joint_names"] = ordered
     readings["qpos in joint_pos",] = partial(_whole, model, path, joints, names)
-    poses = BodyPoses(position, rotation, None if body_names is None else tuple(body_names))
+    poses = BodyPoses(position, rotation, names=None if body_names is None else tuple(body_names))
     return layouts.recording(
         model, times(len(joints), rate), readings, scalar_last=False, has_names=False, bodies=poses, fps=rate
     )

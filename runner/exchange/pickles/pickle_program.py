@@ -7,9 +7,10 @@ a name calls, and with that what may be made. The steps are told apart by `pickl
 
 from __future__ import annotations
 
+import io
 import pickletools
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import Any, BinaryIO
 
 from ...system import largest
 
@@ -19,6 +20,13 @@ LARGEST_INTEGER = 64  # [bits]; longer ones are no numbers of a motion
 
 class Refused(Exception):
     """A pickle asks for something that is not plain data."""
+
+
+class Trailing:
+    """An array whose bytes follow in the stream right after it was named, as joblib writes them."""
+
+    def __init__(self, read: Callable[[BinaryIO, Callable[[BinaryIO], Any]], Any]) -> None:
+        self.read = read
 
 
 class Unfinished:
@@ -63,11 +71,18 @@ class Machine:
         self._stack: list[Any] = []
         self._below: list[list[Any]] = []  # stacks that a mark has put aside
         self._memo: dict[int, Any] = {}
+        self._stream: BinaryIO = io.BytesIO()
+        self._inner: Callable[[BinaryIO], Any] = lambda _: None
 
     def run(self, data: bytes, where: object) -> Any:
         """What the pickle holds. Raises Refused, UserError for too much of it, or nearly anything for a damaged one."""
-        size, most = len(data), largest.bound()
-        for step, argument, _ in pickletools.genops(data):
+        return self._run(io.BytesIO(data), len(data), where)
+
+    def _run(self, stream: BinaryIO, size: int, where: object) -> Any:
+        """The same of a stream, to the pickle's end."""
+        self._stream, self._inner = stream, lambda rest: Machine(self._makers)._run(rest, size, where)
+        most = largest.bound()
+        for step, argument, _ in pickletools.genops(stream):
             if step.name == "STOP":
                 break
             size += STEP_BYTES
@@ -173,7 +188,10 @@ class Machine:
         made = self._stack.pop()
         if not isinstance(made, Unfinished):
             raise Refused("a state of what has none")
-        self._stack.append(made.build(state))
+        value = made.build(state)
+        if isinstance(value, Trailing):
+            value = made.value = value.read(self._stream, self._inner)
+        self._stack.append(value)
 
 
 STEPS: dict[str, Callable[[Machine, Any], None]] = {
@@ -190,6 +208,7 @@ STEPS: dict[str, Callable[[Machine, Any], None]] = {
     "GLOBAL": Machine._global,
     "STACK_GLOBAL": Machine._stack_global,
     "REDUCE": Machine._reduce,
+    "NEWOBJ": Machine._reduce,  # the maker is a class
     "BUILD": Machine._build,
 }
 

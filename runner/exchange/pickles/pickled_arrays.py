@@ -8,12 +8,14 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any, BinaryIO, Literal
 
 import numpy as np
 
-from .pickle_program import Makers, Refused, Unfinished
+from ...system import largest
+from .pickle_program import Makers, Refused, Trailing, Unfinished
 
 FIXED = re.compile(r"b1|[iu][1248]|f[248]|[SU][1-9][0-9]{0,5}|O8?")
 ORDERS: dict[str, Literal["<", ">", "|"]] = {"<": "<", ">": ">", "|": "|"}
@@ -91,6 +93,31 @@ def _array_to_be(*_: Any) -> Unfinished:
     return Unfinished(complete)
 
 
+def _joblib_array(*arguments: Any) -> Unfinished:
+    """joblib.numpy_pickle.NumpyArrayWrapper: its state tells type and shape, and the bytes follow in the stream."""
+    if arguments:
+        raise Refused("an array of joblib with arguments")
+
+    def complete(state: Any) -> Trailing:
+        if type(state) is not dict or not isinstance(state.get("dtype"), Type):
+            raise Refused("an array of joblib without its state")
+        return Trailing(lambda stream, inner: _after(stream, inner, state))
+
+    return Unfinished(complete)
+
+
+def _after(stream: BinaryIO, inner: Callable[[BinaryIO], Any], state: dict[str, Any]) -> Any:
+    """The array that joblib has written there: a pickle of its own for texts and lists, else padding and bytes."""
+    kind, shape = state["dtype"], _axes(state.get("shape"))
+    if kind.numpy is None:
+        return inner(stream)
+    if type(state.get("numpy_array_alignment_bytes")) is int:
+        stream.read(stream.read(1)[0])
+    count = math.prod(shape) * kind.numpy.itemsize
+    items = stream.read(count if count <= largest.bound() else 0)
+    return kind.of(items, shape, "F" if state.get("order") == "F" else "C")
+
+
 def _array_of_bytes(data: Any = None, kind: Any = None, shape: Any = None, order: Any = "C", axes: Any = None) -> Any:
     """numpy._frombuffer."""
     if not isinstance(kind, Type) or kind.numpy is None:
@@ -138,6 +165,7 @@ def _ordered(*arguments: Any) -> dict[Any, Any]:
 MAKERS: Makers = {
     ("numpy", "dtype"): _type,
     ("numpy", "ndarray"): _class,
+    ("joblib.numpy_pickle", "NumpyArrayWrapper"): _joblib_array,
     ("_codecs", "encode"): _latin,
     ("__builtin__", "bytes"): _no_bytes,
     ("builtins", "bytes"): _no_bytes,

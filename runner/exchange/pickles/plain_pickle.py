@@ -6,25 +6,78 @@ instead, which has no functions but those of `pickled_arrays`.
 
 from __future__ import annotations
 
+import bz2
+import gzip
+import io
+import lzma
 import pickle
+import zlib
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from ...errors import UserError
+from ...system import largest
 from ..held import Held
 from .pickle_program import Machine, Refused
 from .pickled_arrays import MAKERS
 
 
+def content(source: Path) -> bytes:
+    """Return a pickle's bytes, decompressed if joblib has compressed them; raises UserError for too many of them."""
+    data = source.read_bytes()
+    for mark, opened in COMPRESSED.items():
+        if data.startswith(mark):
+            try:
+                most = largest.bound()
+                with opened(io.BytesIO(data)) as stream:
+                    out = stream.read(most + 1)
+            except (OSError, EOFError, ValueError, lzma.LZMAError, zlib.error) as error:
+                raise UserError(f"{source}: damaged compressed file: {error}") from None
+            largest.check(source, len(out), "it, decompressed,")
+            return out
+    return data
+
+
+class _Inflated:
+    """A zlib stream, as a file that is read once."""
+
+    def __init__(self, stream: io.BytesIO) -> None:
+        self._data = stream.read()
+
+    def __enter__(self) -> _Inflated:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._data = b""
+
+    def read(self, most: int) -> bytes:
+        """At most so many bytes; raises EOFError if the stream is cut short."""
+        machine = zlib.decompressobj()
+        out = machine.decompress(self._data, most)
+        if not machine.eof and len(out) < most:
+            raise EOFError("cut short")
+        return out
+
+
+TENSORS = ": save its tensors as arrays in Python, with .numpy(), and dump it again"
+COMPRESSED: dict[bytes, Callable[[io.BytesIO], Any]] = {
+    b"\x78\x01": _Inflated, b"\x78\x5e": _Inflated, b"\x78\x9c": _Inflated, b"\x78\xda": _Inflated,
+    b"\x1f\x8b": lambda stream: gzip.GzipFile(fileobj=stream), b"BZh": bz2.BZ2File, b"\xfd7zXZ": lzma.LZMAFile,
+    b"\x5d\x00\x00": lzma.LZMAFile,
+}  # fmt: skip
+
+
 def load(source: Path) -> Held:
     """The dict in a pickle; raises UserError for a damaged one, and for one that holds more than plain data."""
     try:
-        found = Machine(MAKERS).run(source.read_bytes(), source)
+        found = Machine(MAKERS).run(content(source), source)
     except (UserError, OSError, MemoryError):
         raise
     except Refused as error:
         raise UserError(
             f"{source}: it holds '{error}'; only numbers, texts, lists and numpy arrays are loaded"
+            + (TENSORS if str(error).startswith("torch") else "")
         ) from None
     except Exception as error:  # a damaged pickle raises nearly anything
         raise UserError(f"{source}: not a readable pickle: {' '.join(str(error).split())}") from None
