@@ -37,6 +37,7 @@ from dynsplines.solver.surface.touch import bolted, is_scenery
 from ...clip import load as clip
 from ...measure.penetration import moving_geoms, solid_geoms
 from ...scene.compose import quietly
+from ...scene.framing import size_of
 from ...scene.mujoco_versions import geoms_by_number, portable_text, remove
 from ..forces import Forces
 from ..take import Take
@@ -51,6 +52,8 @@ SOFTNESS = (0.01, 1.5)  # time constant [s] and damping of contacts: feet land w
 IMPEDANCE = 10.0  # of friction beside that of normal forces: standing feet do not creep
 GRIP = 1.0  # least coefficient of friction of the ground
 SLIDING = 3  # dimension of a contact with friction
+OVERLAP = 2e-4  # of the figure's size, by which bodies are in each other by design
+LISTED, LOOKED_AT = 3, 200  # pairs in a note, poses of a motion
 ALL = 1  # the bit by which geoms that were for the eye meet what is solid
 BALL, FREE, HINGE = (
     int(kind) for kind in (mujoco.mjtJoint.mjJNT_BALL, mujoco.mjtJoint.mjJNT_FREE, mujoco.mjtJoint.mjJNT_HINGE)
@@ -153,27 +156,28 @@ def _rounded(gain: float) -> float:
 
 
 def _least(take: Take) -> Array:
-    """(njnt,) the gain that holds all of the figure, for joints between a free root and the soles that it stands on."""
+    """(njnt,) the gain that holds all of the figure, for joints between its root and the soles that it stands on."""
     figure, model = take.figure, take.model
     out = np.zeros(model.njnt)
-    problem = clip.answered(take.saved)
-    if problem.context.support is None or not problem.context.points:
+    points = clip.answered(take.saved).context.points
+    if figure.root is None or not points:
         return out
-    root = problem.context.support.root
+    root = figure.root.link
     gain = STANDING * wrench.weight(figure, root) * wrench.height(figure, root)
-    for link in _standing(figure, {point.link for point in problem.context.points}):
-        joint = int(np.searchsorted(model.jnt_qposadr, figure.links[link].qpos))
+    for link in _standing(figure, {point.link for point in points}):
+        joint = figure.links[link].joint
         hinged = int(model.jnt_type[joint]) in (BALL, HINGE)
         out[joint] = gain if hinged else gain / SLIDE**2
     return out
 
 
 def _standing(figure: Figure, feet: set[int]) -> set[int]:
-    """The links from the feet up to the free root, without it."""
+    """The links from the feet up to the root, without it."""
     out: set[int] = set()
+    above = {0, *(figure.root.links if figure.root is not None else ())}
     for foot in feet:
         link = foot
-        while link > 0 and figure.links[link].kind is not figure.links[link].kind.FREE:
+        while link not in above and figure.links[link].kind is not figure.links[link].kind.FREE:
             out.add(link)
             link = figure.links[link].parent
     return out
@@ -213,7 +217,11 @@ def _scene(take: Take, actuators: list[Drive]) -> tuple[ElementTree.Element, lis
     for name, joint in zip(names, spec.joints, strict=True):
         joint.name = name
     with quietly():
+        notes += _exclude_overlaps(spec, spec.compile(), take.qpos)
         spec.compile()
+    if take.figure.root is not None and not take.figure.root.is_free:
+        moved = ", ".join(names[joint] for joint in take.figure.root.joints)
+        notes.append(f"the root's joints have actuators too, which carry the figure: {moved}")
     root = ElementTree.fromstring(portable_text(spec))
     _remove_actuators(root)
     _add_actuators(root, names, actuators)
@@ -319,10 +327,59 @@ def _collide(spec: mujoco.MjSpec, model: mujoco.MjModel) -> list[str]:
     return notes
 
 
+def _exclude_overlaps(spec: mujoco.MjSpec, model: mujoco.MjModel, qpos: Array) -> list[str]:
+    """Keeps bodies of one tree from colliding that are in each other by design.
+
+    These are in each other in the model's rest pose, or in the motion qpos (T, nq) one is the other's grandparent.
+
+    model  the scene compiled
+    """
+    at_rest = _overlaps(model, model.qpos0[None])
+    on_the_way = _overlaps(model, qpos[:: max(1, len(qpos) // LOOKED_AT)])
+    pairs = sorted(at_rest | {pair for pair in on_the_way if _are_near(model, *pair)})
+    for pair in pairs:
+        _exclude(spec, *pair)
+    if not pairs:
+        return []
+    listed = ", ".join(f"{model.body(a).name}-{model.body(b).name}" for a, b in pairs[:LISTED])
+    more = f" and {len(pairs) - LISTED} more" if len(pairs) > LISTED else ""
+    return [f"bodies that the model has in each other do not collide in the scene to simulate: {listed}{more}"]
+
+
+def _overlaps(model: mujoco.MjModel, qpos: Array) -> set[tuple[int, int]]:
+    """Pairs of moving bodies of one tree that touch by more than `OVERLAP` in any pose (n, nq)."""
+    data, out, least = mujoco.MjData(model), set[tuple[int, int]](), OVERLAP * size_of(model)
+    moving = model.body_weldid != 0
+    for row in qpos:
+        data.qpos = row
+        mujoco.mj_fwdPosition(model, data)
+        for contact in data.contact:
+            first, second = sorted(int(model.geom_bodyid[geom]) for geom in contact.geom)
+            is_own = moving[first] and moving[second] and model.body_treeid[first] == model.body_treeid[second]
+            if contact.dist < contact.includemargin - least and is_own:
+                out.add((first, second))
+    return out
+
+
+def _are_near(model: mujoco.MjModel, first: int, second: int) -> bool:
+    """Whether one of two bodies is at most the other's grandparent; those welded together count as one."""
+
+    def above(body: int) -> int:
+        return int(model.body_weldid[model.body_parentid[model.body_weldid[body]]])
+
+    bodies = {int(model.body_weldid[first]), int(model.body_weldid[second])}
+    return any({body, other} == bodies for body in bodies for other in (above(body), above(above(body))))
+
+
+def _exclude(spec: mujoco.MjSpec, first: int, second: int) -> None:
+    """Two bodies, by number, do not collide."""
+    bodies = list(spec.bodies)
+    for body in (first, second):
+        bodies[body].name = bodies[body].name or _unique(f"body{body}", [each.name for each in bodies])
+    spec.add_exclude(bodyname1=bodies[first].name, bodyname2=bodies[second].name)
+
+
 def _exclude_sockets(spec: mujoco.MjSpec, model: mujoco.MjModel) -> None:
     """Keeps a limb on a fixed base from colliding with the geoms that it is in by design."""
-    bodies = list(spec.bodies)
     for first, second in sorted({(body, int(model.geom_bodyid[solid])) for body, solid in bolted(model)}):
-        for body in (first, second):
-            bodies[body].name = bodies[body].name or _unique(f"body{body}", [each.name for each in bodies])
-        spec.add_exclude(bodyname1=bodies[first].name, bodyname2=bodies[second].name)
+        _exclude(spec, first, second)

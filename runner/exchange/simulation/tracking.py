@@ -15,6 +15,7 @@ import numpy as np
 from dynsplines.solver.array import Array
 
 from ...clip import load as clip
+from ...measure.penetration import moving_geoms, solid_geoms
 from ...scene.compose import quietly
 from ..forces import Forces
 from ..take import Take
@@ -24,6 +25,7 @@ LASTS = 1.0  # [s]
 ANGLE, DISTANCE = 0.05, 0.05  # [rad] and [m] within which a scene follows its motion
 DEEP = 0.01  # [m] of a contact at the first key that pushes the figure away
 APART = 0.01  # [m] or [rad] by which equality constraints are violated at a key
+GAP, FAR = 0.01, 10.0  # [m] above the ground that is reported, and that is looked for
 UNSUPPLIED = 0.05  # of the weight: force at the root that nothing supplies
 SLIDE = int(mujoco.mjtJoint.mjJNT_SLIDE)
 
@@ -129,16 +131,42 @@ def _rounded(value: float) -> str:
     return f"{value:.2g}" if value >= 1e-4 else f"{value:.0e}"
 
 
+def _depths(simulation: Simulation, take: Take) -> list[str]:
+    """The two geoms that the motion has deepest in each other in the first second, where they push the figure away."""
+    model, data = simulation.model, mujoco.MjData(simulation.model)
+    deepest, out = DEEP, list[str]()
+    for time, qpos in zip(take.time[take.time <= take.time[0] + LASTS], take.qpos, strict=False):
+        data.qpos = qpos
+        mujoco.mj_fwdPosition(model, data)
+        contact = min(data.contact, key=lambda each: each.dist, default=None)
+        if contact is not None and -contact.dist > deepest:
+            deepest = -contact.dist
+            names = [model.geom(geom).name or model.body(int(model.geom_bodyid[geom])).name for geom in contact.geom]
+            out = [f"the motion has '{names[0]}' and '{names[1]}' {100 * deepest:.2g} cm in each other at {time:.2f} s"]
+    return out
+
+
+def _aloft(simulation: Simulation, take: Take) -> list[str]:
+    """How far above the ground a figure with a free root begins."""
+    model, data = simulation.model, mujoco.MjData(simulation.model)
+    root, solids = take.figure.root, solid_geoms(take.model)
+    if root is None or not root.is_free or not solids:
+        return []
+    data.qpos = take.qpos[0]
+    mujoco.mj_kinematics(model, data)
+    own = [geom for geom in moving_geoms(take.model) if model.body_rootid[model.geom_bodyid[geom]] == root.body]
+    gap = min(
+        (mujoco.mj_geomDistance(model, data, geom, solid, FAR, None) for geom in own for solid in solids), default=0.0
+    )
+    return [f"it begins {100 * gap:.2g} cm above the ground"] if GAP < gap < FAR else []
+
+
 def _reasons(simulation: Simulation, take: Take) -> list[str]:
     """What there is to see in the motion that no actuators make up for."""
-    model, out = simulation.model, []
+    model, out = simulation.model, _depths(simulation, take) or _aloft(simulation, take)
     data = started(model, take, simulation.control)
     with quietly():
         mujoco.mj_forward(model, data)
-    contact = min(data.contact, key=lambda each: each.dist, default=None)
-    if contact is not None and contact.dist < -DEEP:
-        names = [model.geom(int(geom)).name or model.body(int(model.geom_bodyid[geom])).name for geom in contact.geom]
-        out.append(f"'{names[0]}' and '{names[1]}' are {-100 * contact.dist:.2g} cm in each other at the first key")
     equality = np.abs(data.efc_pos[: data.ne])
     if equality.size and equality.max() > APART:
         out.append(f"equality constraints are violated by {equality.max():.2g} at the first key")

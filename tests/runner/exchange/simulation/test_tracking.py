@@ -1,0 +1,95 @@
+"""What an export reports of a scene that leaves its motion, and what keeps scenes from pushing figures away."""
+
+import mujoco
+import numpy as np
+import pytest
+import wild
+
+from dynsplines.exchange.simulation.scene import Simulation
+from dynsplines.exchange.simulation.tracking import note, tracked
+from dynsplines.exchange.take import Take
+
+BOX = """<mujoco><worldbody><geom type="plane" size="0 0 1" name="floor"/>
+  <body name="base" pos="0 0 {z}"><freejoint name="root"/><geom type="box" size=".2 .2 .1" mass="4"/>
+    <body name="lever" pos="0 0 .1"><joint name="lever" axis="0 1 0" damping="1"/>
+      <geom type="capsule" size=".02" fromto="0 0 .1 0 0 .4" mass=".2"/></body></body></worldbody></mujoco>"""
+SLIDER = """<mujoco><worldbody><geom type="plane" size="0 0 1"/>
+  <body name="base" pos="0 0 .1"><joint name="rootx" type="slide" axis="1 0 0"/>
+    <joint name="rootz" type="slide" axis="0 0 1"/><joint name="rooty" axis="0 1 0"/>
+    <geom type="box" size=".2 .2 .1" mass="4"/><body pos="0 0 .15"><joint name="lever" axis="0 1 0"/>
+      <geom type="capsule" size=".02" fromto="0 0 0 0 0 .3"/></body></body></worldbody></mujoco>"""
+LIMB = """<mujoco><worldbody><body name="thigh" pos="0 0 1"><joint name="hip" axis="0 1 0" {joint}/>
+  <geom type="capsule" size=".05" fromto="0 0 0 0 0 -.3" mass="1"/>
+  <body name="knee" pos="0 0 -.3"><joint name="knee" axis="0 1 0"/><geom size=".02" mass=".1"/>
+    <body name="shank"><joint name="twist" axis="0 0 1"/>
+      <geom type="capsule" size=".05" fromto="0 0 {top} 0 0 -.3" mass="1"/></body></body></body></worldbody></mujoco>"""
+
+
+def simulated(tmp_path, text, qpos):
+    """The scene of the motion through poses 0.5 s apart, how it follows it, and the line on that."""
+    (tmp_path / "model.xml").write_text(text)
+    take = Take.of(wild.through(str(tmp_path / "model.xml"), 0.5 * np.arange(len(qpos)), np.array(qpos, float)))
+    simulation = Simulation.of(take)
+    tracking = tracked(simulation, take)
+    return simulation, tracking, note(tracking, simulation, take)
+
+
+def posed(z, lever):
+    return [0, 0, z, 1, 0, 0, 0, lever]
+
+
+def test_a_scene_that_follows_is_reported_with_its_largest_error(tmp_path):
+    _, tracking, line = simulated(tmp_path, BOX.format(z=0.1), [posed(0.1, 0), posed(0.1, 0.3), posed(0.1, 0)])
+    assert tracking.is_within and tracking.time[-1] == pytest.approx(1, abs=0.003)
+    assert line.startswith("mj_step of the scene stays within 0.0") and line.endswith("of the motion for 1 s")
+
+
+def test_a_figure_that_begins_in_the_air_falls_as_far_as_the_note_says(tmp_path):
+    _, tracking, line = simulated(tmp_path, BOX.format(z=0.1), [posed(0.6, 0), posed(0.6, 0.3), posed(0.6, 0)])
+    fallen = 9.81 * tracking.time**2 / 2
+    free = fallen < 0.4
+    np.testing.assert_allclose(tracking.length[free, 2], fallen[free], atol=0.01)
+    assert "leaves the motion: 'root' by 5 cm after 0.10 s" in line
+    assert "it begins 50 cm above the ground" in line and "nothing balances it" in line
+
+
+def test_what_the_motion_has_in_the_floor_is_named(tmp_path):
+    _, _, line = simulated(tmp_path, BOX.format(z=0.1), [posed(0.1, 0), posed(0.0, 0.3), posed(0.1, 0)])
+    assert "the motion has 'floor' and 'base' 10 cm in each other at 0.5" in line
+
+
+def test_joints_of_a_root_have_actuators_and_that_is_noted(tmp_path):
+    qpos = [[0, 0, 0, 0], [0.1, 0.05, 0.1, 0.3], [0, 0, 0, 0]]
+    simulation, tracking, _ = simulated(tmp_path, SLIDER, qpos)
+    assert tracking.is_within
+    assert any("carry the figure: rootx, rootz, rooty" in line for line in simulation.notes)
+
+
+@pytest.mark.parametrize("top", [0.0, 0.02])
+def test_limbs_that_the_model_has_in_each_other_do_not_collide(top, tmp_path):
+    """The thigh and what is beyond the knee are in each other at rest."""
+    qpos = [[0, 0, 0], [0.2, 0.4, 0.1], [0, 0, 0]]
+    simulation, tracking, _ = simulated(tmp_path, LIMB.format(top=top, joint=""), qpos)
+    assert tracking.is_within
+    assert any("do not collide in the scene to simulate: thigh-shank" in line for line in simulation.notes)
+    assert simulation.model.nexclude == 1
+
+
+def test_siblings_that_only_the_motion_puts_in_each_other_still_collide(tmp_path):
+    arms = "".join(
+        f'<body name="{side}" pos="0 {y} 1"><joint name="{side}" axis="1 0 0"/>'
+        '<geom type="capsule" size=".05" fromto="0 0 0 0 0 -.4" mass="1"/></body>'
+        for side, y in (("left", 0.2), ("right", -0.2))
+    )
+    body = f'<body name="trunk"><joint name="turn" axis="0 0 1"/><geom size=".05"/>{arms}</body>'
+    text = f"<mujoco><worldbody>{body}</worldbody></mujoco>"
+    simulation, tracking, line = simulated(tmp_path, text, [[0, 0, 0], [0, -0.6, 0.6], [0, 0, 0]])
+    assert simulation.model.nexclude == 0 and not tracking.is_within
+    assert "'left' and 'right'" in line and "cm in each other at 0." in line
+
+
+def test_what_a_free_joint_and_slides_are_off_is_a_length(tmp_path):
+    simulation, tracking, _ = simulated(tmp_path, BOX.format(z=0.1), [posed(0.1, 0), posed(0.1, 0.3)])
+    kinds = np.isfinite(tracking.length).all(axis=0).tolist()
+    assert kinds == [True] * 3 + [False] * 4
+    assert mujoco.MjData(simulation.model).ctrl.size == 1
