@@ -62,6 +62,11 @@ def allowed() -> Iterator[None]:
         _now.reset(before)
 
 
+def are_allowed() -> bool:
+    """Whether recordings with gaps, or cut short, are read as far as they go."""
+    return _now.get() is not None
+
+
 def bridged(array: Array) -> Array | None:
     """As `Gaps.bridged` where gaps are allowed; else None."""
     gaps = _now.get()

@@ -1,22 +1,30 @@
-"""NPZ of AMASS, read: motion capture of thousands of people on the SMPL body.
+"""NPZ of AMASS and other recordings on the SMPL body, read: motion capture of thousands of people.
 
 trans (T, 3) [m]        z up, the floor at z = 0
 poses (T, 66 or more)   rotation vectors [rad] of SMPL's joints, relative to the parent, the root's in the world:
                         pelvis, left_hip, right_hip, spine1, left_knee, right_knee, spine2, left_ankle, right_ankle,
-                        spine3, ...; SMPL-H has 156 numbers, SMPL-X 165, of which the first 22 joints are read
+                        spine3, ...; SMPL has 72 numbers, SMPL-H 156, SMPL-X 165, of which the first 22 joints are read
 mocap_framerate         [1/s]; mocap_frame_rate in later files
 
-At rest SMPL's body has its arms to the sides, x to its left, y up and z forward. A body of ours has x forward, y to
-the left, z up, and its arms hang; so its rotation in the world is that of SMPL's body times a constant one. The three
-joints of the spine become one, collar bones go into the shoulders, toes, neck, head and wrists are left out. Source:
-N. Mahmood et al., AMASS, ICCV 2019; the joints' order is that of the SMPL model.
+Other names of the same arrays are those of `POSES`, `ROOTS`, `BODIES`, `PLACES` and `RATES`; poses may also have the
+shape (T, joints, 3). Files with y up, or positions in centimetres or millimetres, are recognised and converted. AIST++
+divides positions by `smpl_scaling`.
 
-The files hold no skeleton, only coefficients of a body model that is not free to pass on. So the limbs are the
-figure's own, and the whole motion is lifted or lowered until its lowest sole point, of all samples, touches z = 0.
+At rest SMPL's body has its arms to the sides, x to its left, y up and z forward. Source: N. Mahmood et al., AMASS, ICCV
+2019. The files hold no skeleton, only coefficients of a body model that is not free to pass on. So there are two ways:
+
+- A figure like the shipped human, which has SMPL's joints as ball joints, gets their angles. It has x forward, y to the
+  left, z up, and its arms hang; so its rotation in the world is that of SMPL's body times a constant one. The three
+  joints of the spine become one, collar bones go into the shoulders, toes, neck, head and wrists are left out. The
+  limbs are the figure's own, and the whole motion is lifted or lowered until its lowest sole point, of all samples,
+  touches z = 0.
+- Any other figure gets the motion of SMPL's mean shape (`smpl`) by retargeting. Without a figure, the mean shape is
+  the figure.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 
 import mujoco
@@ -25,13 +33,24 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
-from ..held import held, names_in, times
-from ..robot import needs_figure
+from ...errors import UserError
+from .. import gaps, unsaid
+from ..held import Held, held, names_in, times
+from ..pickles import plain_pickle
+from ..skeleton import smpl
 from ..skeleton.person import Person
 from ..take import Recording
+from . import bvh
 
 NAME = "amass"
-PARENT = (-1, 0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 9, 9, 12, 13, 14, 16, 17, 18, 19)  # of SMPL's joints, by index
+POSES = ("poses", "smpl_poses", "pose_aa", "fullpose", "full_pose")
+ROOTS = ("root_orient", "global_orient", "poses_root")
+BODIES = ("pose_body", "body_pose", "poses_body")
+PLACES = ("trans", "transl", "smpl_trans", "translation", "trans_orig", "root_trans_offset")
+RATES = ("mocap_framerate", "mocap_frame_rate", "mocap_fps", "framerate", "frame_rate", "fps")
+SCALE = "smpl_scaling"
+ROBOT = "dof"  # in files of robots, which have SMPL's names too
+BODY = 3 * len(smpl.NAMES)
 JOINT = {
     "spine": 9, "left_hip": 1, "right_hip": 2, "left_knee": 4, "right_knee": 5, "left_ankle": 7, "right_ankle": 8,
     "left_shoulder": 16, "right_shoulder": 17, "left_elbow": 18, "right_elbow": 19,
@@ -40,7 +59,6 @@ ABOVE = {
     "left_shoulder": "spine", "right_shoulder": "spine", "left_elbow": "left_shoulder", "right_elbow": "right_shoulder",
     "left_knee": "left_hip", "right_knee": "right_hip", "left_ankle": "left_knee", "right_ankle": "right_knee",
 }  # fmt: skip
-AXES = np.array([0.5, -0.5, -0.5, -0.5])  # from our bodies' axes to SMPL's: our x is its z, y its x, z its y
 SPREAD = {  # of our arms from hanging to the sides, as SMPL has them at rest
     "left": np.array([np.sqrt(0.5), np.sqrt(0.5), 0, 0]),
     "right": np.array([np.sqrt(0.5), -np.sqrt(0.5), 0, 0]),
@@ -48,23 +66,121 @@ SPREAD = {  # of our arms from hanging to the sides, as SMPL has them at rest
 
 
 def recognises(path: Path) -> bool:
-    """Whether an .npz is of this kind."""
-    return {"poses", "trans"} <= names_in(path)
+    """Whether an .npz or a pickle is of this kind."""
+    if path.suffix.lower() == ".npz":
+        return _is_smpl(names_in(path))
+    text = path.read_bytes()
+    return _is_smpl([name for name in (*POSES, *ROOTS, *BODIES, *PLACES, ROBOT) if name.encode() in text])
 
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
-    """The motion of SMPL's body on a person."""
-    model = needs_figure(model, path)
-    person = Person.of(model, NAME)
-    found = held(path)
-    position = found.numbers("trans", "samples", 3)
-    poses = found.numbers("poses", "samples", "numbers")
-    if poses.shape[1] < 3 * len(PARENT):
-        found.numbers("poses", "samples", 156)
-    rotation = _in_world(quat.from_rotation_vector(poses[:, : 3 * len(PARENT)].reshape(len(poses), -1, 3)))
-    bodies = {"root": quat.product(rotation[:, 0], AXES)}
+    """The motion of SMPL's body on a figure, or as a figure of its own."""
+    found = _arrays(path)
+    position, poses, notes = _motion(found)
+    name = _first(found, RATES)
+    if name is None and fps is None:
+        raise UserError(f"{path}: it has no '{RATES[0]}'; {unsaid.RATE}")
+    rate = fps if name is None and fps is not None else found.rate(name or RATES[0])
+    local = quat.from_rotation_vector(poses)
+    position, local, turned = smpl.z_up(position, local)
+    position, scaled = (position, ()) if SCALE in found else smpl.in_metres(position, local)
+    notes += turned + scaled
+    person = None if model is None else _person(model)
+    if person is None:
+        notes += _on_shape(found)
+        return bvh.of_captured(smpl.captured(position, local), rate, path, model, notes)
+    qpos = _on_person(person, position, local)
+    return Recording(times(len(qpos), rate), qpos, fps=rate, notes=notes)
+
+
+def _is_smpl(names: Iterable[str]) -> bool:
+    """Whether these are names of a motion of SMPL's body."""
+    there = set(names)
+    turned = there.intersection(POSES) or (there.intersection(ROOTS) and there.intersection(BODIES))
+    return bool(turned and there.intersection(PLACES)) and ROBOT not in there
+
+
+def _arrays(path: Path) -> Held:
+    """What a file holds; of one motion under its name, as PHC nests them, what that holds."""
+    found = held(path) if path.suffix.lower() == ".npz" else plain_pickle.load(path)
+    only = next(iter(found.entries.values())) if len(found.entries) == 1 else None
+    return Held(path, only) if isinstance(only, dict) else found
+
+
+def _first(found: Held, names: tuple[str, ...]) -> str | None:
+    """The first of some names that a file has."""
+    return next((name for name in names if name in found), None)
+
+
+def _motion(found: Held) -> tuple[Array, Array, tuple[str, ...]]:
+    """Positions (T, 3), rotation vectors (T, 22, 3), and notes; raises UserError for other shapes."""
+    place, poses = _first(found, PLACES) or PLACES[0], _first(found, POSES)
+    root, body = _first(found, ROOTS), _first(found, BODIES)
+    if poses is None and root is not None and body is not None:
+        arrays = {root: _rows(found, root, 3)[:, :3], body: _rows(found, body, BODY - 3)}
+    else:
+        poses = poses or POSES[0]
+        arrays = {poses: _rows(found, poses, BODY)}
+    arrays[place] = found.numbers(place, f"samples of {place}", 3)
+    counts = {name: len(array) for name, array in arrays.items()}
+    count, notes = min(counts.values()), ()
+    if max(counts.values()) > count:
+        different = ", ".join(f"'{name}' {each}" for name, each in counts.items())
+        if not gaps.are_allowed():
+            raise UserError(
+                f"{found.where}: samples of its arrays: {different}; `dynsplines clean` uses the first {count}"
+            )
+        notes = (f"the file is cut short, samples of its arrays: {different}; the first {count} are used",)
+    position = arrays.pop(place)[:count]
+    if SCALE in found:
+        position = position / _scale(found)
+    turns = np.concatenate([array[:count] for array in arrays.values()], axis=1)
+    return position, turns[:, :BODY].reshape(count, -1, 3), notes
+
+
+def _rows(found: Held, name: str, least: int) -> Array:
+    """(T, least or more) of an array (T, n), or of one (T, joints, 3)."""
+    nested = isinstance(found.of(name), np.ndarray) and found.of(name).ndim == 3
+    shape = (f"samples of {name}", f"joints of {name}", 3) if nested else (f"samples of {name}", f"numbers of {name}")
+    array = found.numbers(name, *shape)
+    array = array.reshape(len(array), -1)
+    if array.shape[1] < least:
+        raise UserError(
+            f"{found.where}: '{name}' has {array.shape[1]} numbers a sample; "
+            f"the {len(smpl.NAMES)} joints of SMPL's body need {least}"
+        )
+    return array
+
+
+def _scale(found: Held) -> float:
+    """The number by which positions are larger than SMPL's."""
+    array = np.asarray(found.of(SCALE))
+    if array.size != 1 or array.dtype.kind not in "fiu" or not 0 < float(array.reshape(())) < np.inf:
+        raise UserError(f"{found.where}: '{SCALE}' is not a positive number")
+    return float(array.reshape(()))
+
+
+def _on_shape(found: Held) -> tuple[str, ...]:
+    """A note if a file has the person's shape."""
+    betas = found.of("betas") if "betas" in found else None
+    has_shape = isinstance(betas, np.ndarray) and betas.dtype.kind in "fiu" and bool(np.any(betas))
+    return ("bones are those of SMPL's mean shape: the file's 'betas' are not used",) if has_shape else ()
+
+
+def _person(model: mujoco.MjModel) -> Person | None:
+    """A figure as a person, if it has the ball joints."""
+    try:
+        return Person.of(model, NAME)
+    except UserError:
+        return None
+
+
+def _on_person(person: Person, position: Array, local: Array) -> Array:
+    """qpos (T, nq) by the joints' angles, on the floor."""
+    rotation = smpl.in_world(local)
+    bodies = {"root": quat.product(rotation[:, 0], smpl.TO_SMPL)}
     for name, joint in JOINT.items():
-        own = quat.product(rotation[:, joint], AXES)
+        own = quat.product(rotation[:, joint], smpl.TO_SMPL)
         arm = name.endswith(("shoulder", "elbow"))
         bodies[name] = quat.product(own, SPREAD[name.split("_")[0]]) if arm else own
     joints = {
@@ -73,19 +189,8 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
         if name != "root"
     }
     qpos = person.posed(position, bodies["root"], joints)
-    qpos[:, person.root + 2] -= _lowest(model, qpos)
-    key = next((name for name in ("mocap_framerate", "mocap_frame_rate") if name in found), None)
-    rate = fps if key is None and fps is not None else found.rate(key or "mocap_framerate")
-    return Recording(times(len(qpos), rate), qpos, fps=rate)
-
-
-def _in_world(local: Array) -> Array:
-    """Rotations (T, n, 4) in the world, of those relative to the parent."""
-    out = local.copy()
-    for joint, parent in enumerate(PARENT):
-        if parent >= 0:
-            out[:, joint] = quat.product(out[:, parent], local[:, joint])
-    return out
+    qpos[:, person.root + 2] -= _lowest(person.model, qpos)
+    return qpos
 
 
 def _lowest(model: mujoco.MjModel, qpos: Array) -> float:

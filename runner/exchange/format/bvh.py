@@ -51,8 +51,14 @@ def recording(
     notes: tuple[str, ...] = (),
 ) -> Recording:
     """A skeleton's motion, of any format, as a figure of its own or on a figure; rate [1/s], scale [m] as in `read`."""
-    captured = Captured.of(skeleton, scale)
-    time = np.arange(len(skeleton.values)) / rate
+    return of_captured(Captured.of(skeleton, scale), rate, path, model, notes)
+
+
+def of_captured(
+    captured: Captured, rate: float, path: Path, model: mujoco.MjModel | None, notes: tuple[str, ...]
+) -> Recording:
+    """A captured motion as a figure of its own or on a figure; rate [1/s], path as errors name it."""
+    time = np.arange(len(captured.position)) / rate
     if model is not None:
         qpos, more = retarget.onto(captured, model, str(path))
         return Recording(time, qpos, fps=rate, notes=(*notes, *captured.notes, *more))

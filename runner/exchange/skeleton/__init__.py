@@ -7,6 +7,7 @@ roles            which part of a body a joint is, by its name and its place in t
 captured         a captured skeleton in our axes: metres, z up, looking along x where it stands straight
 captured_figure  a captured skeleton as a figure of its own
 person           a figure as a person: ball joints by the names that skeletons of motion capture share
+smpl             the SMPL body: its 22 joints, their places in the mean shape, and the axes and unit of recordings
 rooted           the root of a figure, moved on a free joint or on slides
 upright          which way is up in the rest pose of a figure
 retarget         a captured skeleton's motion on another figure

@@ -56,12 +56,15 @@ def figure(captured: Captured) -> tuple[str, Array]:
     _hands(bodies, captured)
     for body in bodies:  # what belongs to a body before what hangs on it
         body[:] = sorted(body, key=lambda child: child.tag == "body")
-    qpos = np.concatenate(
-        [captured.position[:, 0], captured.rotation[:, 0], captured.local[:, 1:].reshape(len(captured.local), -1)],
-        axis=1,
-    )
+    local = captured.local[:, _depth_first(captured)[1:]].reshape(len(captured.local), -1)
+    qpos = np.concatenate([captured.position[:, 0], captured.rotation[:, 0], local], axis=1)
     ET.indent(root)
     return ET.tostring(root, encoding="unicode"), qpos
+
+
+def _depth_first(captured: Captured, joint: int = 0) -> list[int]:
+    """A joint and all below it in the order of MuJoCo's bodies."""
+    return [joint, *(below for child in captured.children(joint) for below in _depth_first(captured, child))]
 
 
 def _names(found: Iterable[str]) -> list[str]:

@@ -311,7 +311,7 @@ def test_amass_rotations_are_those_of_smpl_in_the_world(tmp_path):
 
 def test_bad_amass_files_are_told(tmp_path):
     np.savez(tmp_path / "b.npz", poses=np.zeros((3, 60)), trans=np.zeros((3, 3)), mocap_framerate=60)
-    with pytest.raises(UserError, match=r"'poses' has the shape \(3, 60\), not \(3, 156\)"):
+    with pytest.raises(UserError, match="'poses' has 60 numbers a sample; the 22 joints of SMPL's body need 66"):
         formats.recording(tmp_path / "b.npz", model=HUMAN)
     np.savez(tmp_path / "b.npz", poses=np.zeros((3, 156)), trans=np.zeros((3, 3)))
     with pytest.raises(UserError, match="no 'mocap_framerate'"):
