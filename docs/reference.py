@@ -54,7 +54,8 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "joints": "by name: a rotation for a ball joint, degrees for a hinge, metres for a slide",
             "sites": "sites, feet, geoms and bodies by name: where they are",
             "bodies": "by name: how they are turned, or where they are",
-            "others": "the rest: for the search to fill in, at rest, or as in the keyframe before",
+            "others": "the rest: for the search to fill in, at rest, as in the keyframe before, or as in a `<key>` of "
+            'the model, "key:NAME"',
         },
     ),
     "root, roots.NAME": (table.RootTable, {"position": "m, in the world", "rotation": "a rotation in the world"}),
@@ -141,7 +142,8 @@ def default(field: FieldInfo) -> str:
     if value is None or value in ([], {}) or isinstance(value, table.Table):
         return ""
     words = f'"{value}"' if isinstance(value, str) else f"{value:g}"
-    choices = [choice for choice in get_args(field.annotation) if isinstance(choice, str)]
+    within = [choice for part in get_args(field.annotation) if part is not float for choice in (part, *get_args(part))]
+    choices = [choice for choice in within if isinstance(choice, str)]
     others = [f'"{choice}"' for choice in choices if choice != value]
     return words + (f"; or {', '.join(others)}" if others else "")
 

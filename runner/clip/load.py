@@ -307,8 +307,9 @@ def _ground(
     except UserError as error:
         raise UserError(f"{where}: {error}") from None
     _check_joints(table.keyframe, spec, where)
+    keys = _model_keys(table.keyframe, spec, where)
     try:
-        scene = compose(spec, None if step is None else Step(**step.model_dump()), obstacles(table.scene))
+        scene = compose(spec, None if step is None else Step(**step.model_dump()), obstacles(table.scene), keys=keys)
     except UserError as error:
         raise UserError(f"{where}: {error}") from None
     return scene, figure_of(scene, where, table.solve.coordinates)
@@ -317,6 +318,9 @@ def _ground(
 def _has_ground(clip: Clip, table: ClipTable) -> bool:
     """Whether a clip's text has the same figure in the same scene."""
     own = table_of(clip.text, clip.context.where) if clip.text else None
+    named = {row.model_key for row in table.keyframe} - {None}
+    if own is not None and not named <= {row.model_key for row in own.keyframe}:
+        return False
     return own is not None and (own.figure, own.scene, own.solve.coordinates) == (
         table.figure,
         table.scene,
@@ -585,6 +589,20 @@ def _check_joints(rows: Sequence[KeyframeTable], spec: mujoco.MjSpec, where: str
                 raise UserError(f"{where}: {_called(number, row.time)}: {unknown('joint', name, names)}")
 
 
+def _model_keys(rows: Sequence[KeyframeTable], spec: mujoco.MjSpec, where: str) -> list[str]:
+    """The names of the model's <key> elements that keyframes refer to; raises UserError for one that it lacks."""
+    names, found = [key.name for key in spec.keys], dict[str, None]()
+    for number, row in enumerate(rows, start=1):
+        name = row.model_key
+        if name is not None and name not in names:
+            raise UserError(
+                f"{where}: {_called(number, row.time)}: others: {unknown('key', name, filter(None, names))}"
+            )
+        if name is not None:
+            found[name] = None
+    return list(found)
+
+
 def _called(number: int, time: float) -> str:
     return f"keyframe {number} (t = {time:g} s)"
 
@@ -709,7 +727,9 @@ def _key(figure: Figure, row: KeyframeTable, before: Frame | None, loose: Sequen
     loose  links whose joints are free whatever `others` says
     """
     qpos = np.array(figure.model.qpos0)
-    fixed = np.full(figure.width, row.others == "rest")
+    fixed = np.full(figure.width, row.others == "rest" or row.model_key is not None)
+    if row.model_key is not None:
+        qpos = figure.to_qpos(figure.to_state(figure.model.key(row.model_key).qpos))  # unit quaternions
     if row.others == "hold" and before is not None:
         qpos, fixed = np.array(before.state), np.array(before.fixed)
     for i in loose:

@@ -18,7 +18,7 @@ from ..errors import UserError
 from .posing.feet import sole_points
 from .posing.places import Places
 from .posing.rotation import quaternion_of
-from .table import RotationTable
+from .table import KEY, RotationTable
 from .text import rotation
 
 NEAR = 0.02  # of a figure's size: how far a point may be from the image of its partner
@@ -92,10 +92,8 @@ class _Sides:
 
 def mirrored_tables(clip: dict[str, Any], figure: Figure, mirror: Mirror) -> dict[str, Any]:
     """A clip's tables for the mirrored figure; step and obstacles, which have places, change sides as well."""
-    if any(row.get("others") == "rest" for row in clip["keyframe"]) and not _is_symmetric(
-        np.array(figure.model.qpos0), mirror
-    ):
-        raise UserError("the figure's rest is no mirror image of itself: say every joint instead of others = 'rest'")
+    for others in dict.fromkeys(str(row.get("others")) for row in clip["keyframe"]):
+        _check_symmetric(others, figure, mirror)
     if "recording" in clip:
         raise UserError("recording: what a clip follows has no mirror image; mirror the solved motion: -o NAME.npz")
     sides = _Sides.of(figure, mirror)
@@ -119,7 +117,18 @@ def mirrored_tables(clip: dict[str, Any], figure: Figure, mirror: Mirror) -> dic
 
 def mirrored_keyframe(row: dict[str, Any], figure: Figure, mirror: Mirror) -> dict[str, Any]:
     """One keyframe's table for the mirrored figure."""
+    _check_symmetric(str(row.get("others")), figure, mirror)
     return _keyframe(row, _Sides.of(figure, mirror))
+
+
+def _check_symmetric(others: str, figure: Figure, mirror: Mirror) -> None:
+    """Raises UserError where what a keyframe does not name is as in a pose that is not symmetric."""
+    if others != "rest" and not others.startswith(KEY):
+        return
+    qpos = figure.model.qpos0 if others == "rest" else figure.model.key(others.removeprefix(KEY)).qpos
+    if not _is_symmetric(np.array(qpos), mirror):
+        what = "the figure's rest" if others == "rest" else f"the model's key '{others.removeprefix(KEY)}'"
+        raise UserError(f"{what} is no mirror image of itself: say every joint instead of others = '{others}'")
 
 
 def _is_symmetric(qpos: Array, mirror: Mirror) -> bool:

@@ -31,6 +31,7 @@ from .posing.closing import Equalities
 from .posing.couplings import follow
 from .posing.feet import sole_points
 from .posing.places import Places, places_at, posable_sites
+from .table import KEY
 from .text import keyframe_tables, rotation, written
 
 APART = 0.5  # [s] between keyframes whose times do not rise
@@ -77,6 +78,7 @@ def starter(source: str, target: Path, tell: Callable[[str], None] = lambda _: N
     with quietly():
         spec = figure_spec(source)
     times, poses = model_keys(spec, Path(source).name)
+    names, said = [key.name for key in spec.keys], poses
     scene = compose(spec)
     try:
         figure = Figure(scene.model())
@@ -100,6 +102,9 @@ def starter(source: str, target: Path, tell: Callable[[str], None] = lambda _: N
         tell(note)
     tables = keyframe_tables(figure, [Frame.key(t, q) for t, q in zip(times, poses, strict=True)])
     _leave_out_followers(figure, tables)
+    for k in range(len(said)):
+        if names[k] and np.array_equal(poses[k], said[k]):
+            tables[k] = {"time": tables[k]["time"], "others": KEY + names[k]}
     if len(poses) == 1:
         tables += _moved(figure, poses[0], float(times[0]))
     head = {"figure": source if source in models.figures() else _path(source, target), "fps": 30}
@@ -381,7 +386,8 @@ def _head(source: str, own: bool, count: int, raised: float, settled: float) -> 
     return (
         f"# A clip for {name}: {said}{more}.{up}{off if own and settled >= TOLD else ''}"
         "# Angles in degrees, lengths in metres, times in seconds. What a keyframe leaves out is free, unless it says\n"
-        '# others = "hold" (as in the keyframe before) or "rest". See it: dynsplines render THIS_FILE'
+        '# others = "hold" (as in the keyframe before), "rest" or "key:NAME" (of the model). '
+        "See it: dynsplines render THIS_FILE"
     )
 
 

@@ -18,6 +18,8 @@ Angle = Annotated[Real, Field(gt=0, le=360)]
 Axis = Number | Literal["free"]
 Share = Annotated[Real, Field(ge=0, le=1)]
 Place = tuple[Number, Number, Number]
+KEY = "key:"  # before the name of a <key> of the model
+ModelKey = Annotated[str, Strict(), Field(pattern=f"^{KEY}.+")]
 
 
 class Table(BaseModel):
@@ -67,7 +69,12 @@ class KeyframeTable(Table):
     joints: dict[str, RotationTable | Number | Literal["free"]] = {}
     sites: dict[str, SiteTable | tuple[Axis, Axis, Axis]] = {}
     bodies: dict[str, BodyTable] = {}
-    others: Literal["free", "rest", "hold"] = "free"
+    others: Literal["free", "rest", "hold"] | ModelKey = "free"
+
+    @property
+    def model_key(self) -> str | None:
+        """The name of the model's <key> that the rest is as in, if it is."""
+        return self.others.removeprefix(KEY) if self.others.startswith(KEY) else None
 
 
 class StepTable(Table):
@@ -362,7 +369,7 @@ _EXPECTED = {
     **dict.fromkeys(("kind", "form", "criterion", "optimiser", "order", "point", "hand"), "a word in quotes"),
     **dict.fromkeys(("points", "bent joints", "bodies of a penalty"), "a list of names"),
     "intervals": "a list of [from, to] in seconds",
-    "others": "'free', 'rest' or 'hold'",
+    "others": "'free', 'rest', 'hold' or 'key:NAME', a <key> of the model",
     "figure": "the name of a figure or a path in quotes",
     "keyframe": "[[keyframe]] tables",
     "penalty": "[[penalty]] tables",

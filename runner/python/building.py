@@ -39,7 +39,8 @@ class Keyframe:
     sites   by name: [x, y, z], metres in the world; a pose is found for it
     bodies  by name: {"flat": True}, or a rotation in the world
     roots   the same of further free bodies, by the names of their joints
-    others  what becomes of the rest: "free" for the search to fill in, "rest", or "hold" as in the keyframe before
+    others  what becomes of the rest: "free" for the search to fill in, "rest", "hold" as in the keyframe before, or
+            "key:NAME" as in a <key> of the model
     qpos    (nq,) the whole configuration in MuJoCo's order; what else is given goes over it
 
     A rotation is {"rotvec": [x, y, z]}, {"euler": [...], "order": "xyz"}, both in degrees, {"quat": [w, x, y, z]}, or
@@ -52,7 +53,7 @@ class Keyframe:
     sites: Mapping[str, ArrayLike | Table] = field(default_factory=dict)
     bodies: Mapping[str, Turn] = field(default_factory=dict)
     roots: Mapping[str, Table] = field(default_factory=dict)
-    others: Literal["free", "rest", "hold"] = "free"
+    others: Literal["free", "rest", "hold"] | str = "free"
     qpos: ArrayLike | None = None
 
 

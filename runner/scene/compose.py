@@ -5,14 +5,16 @@ from __future__ import annotations
 import contextlib
 import io
 import warnings
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from xml.sax.saxutils import quoteattr
 
 import mujoco
 import numpy as np
 
 from dynsplines import models
+from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import names_of_joints
 from dynsplines.solver.surface.touch import SCENERY, grounds
 
@@ -94,14 +96,17 @@ def compose(
     obstacles: Sequence[Obstacle] = (),
     *,
     bare: mujoco.MjModel | None = None,
+    keys: Collection[str] = (),
 ) -> Scene:
     """A figure on its stage, complete with the files it refers to; from it alone the model is compiled from now on.
 
     bare  the figure compiled, if it has been: one with large meshes takes its time
+    keys  names of the model's own <key> elements that stay
 
-    Without the model's own <keyframe> elements: MuJoCo writes them with few digits and leaves out some.
+    Without its other <key> elements: MuJoCo writes them with few digits and leaves out some.
     """
     assets = taken_along(spec)
+    poses = {key.name: np.array(key.qpos) for key in spec.keys if key.name in keys}
     keep_visuals(spec)
     for key in list(spec.keys):
         remove(spec, key)
@@ -121,10 +126,26 @@ def compose(
             add_bodies(spec, obstacles)
             for obstacle in obstacles:
                 obstacle.add_to(spec, PREFIX + "step")
-            _compiled(spec, assets)
-            return Scene(portable_text(spec), assets)
+            model = _compiled(spec, assets)
+            return Scene(_with_keys(portable_text(spec), poses, bare, model), assets)
     except ValueError as error:
         raise UserError(f"MuJoCo cannot compile the model with its stage: {first_line(error)}") from None
+
+
+def _with_keys(text: str, poses: Mapping[str, Array], bare: mujoco.MjModel, model: mujoco.MjModel) -> str:
+    """A model's text with <key> elements of the figure's configurations by name; obstacles are where they rest.
+
+    bare, model  the figure alone, and on its stage;  configurations (nq,) of the figure, empty for its rest
+    """
+    keys = []
+    for name, pose in poses.items():
+        if pose.size not in (0, bare.nq):
+            raise UserError(f"<key name={quoteattr(name)}>: qpos has {pose.size} numbers, not the figure's {bare.nq}")
+        qpos = np.array(model.qpos0)
+        qpos[: bare.nq] = pose if pose.size else bare.qpos0
+        keys.append(f'    <key name={quoteattr(name)} qpos="{" ".join(map(repr, qpos.tolist()))}"/>\n')
+    end = text.rindex("</mujoco>")
+    return f"{text[:end]}\n  <keyframe>\n{''.join(keys)}  </keyframe>\n{text[end:]}" if keys else text
 
 
 def _stage(spec: mujoco.MjSpec, bare: mujoco.MjModel, *, has_floor: bool) -> mujoco.MjSpec:

@@ -114,7 +114,7 @@ const pose = (): void => {
   }
   const said = document.keys[key], { revision } = document;
   const others = el("select", { "aria-label": "what this keyframe does not name" });
-  for (const value of ["free", "rest", "hold"]) others.append(el("option", { value, text: value, selected: value === said.others }));
+  for (const value of new Set(["free", "rest", "hold", said.others])) others.append(el("option", { value, text: value, selected: value === said.others }));
   others.addEventListener("change", () => void edit("set_others", { key, revision, value: others.value }));
   const time = field("time", said.time, "s", (value) => void edit("move_keys", { moves: [[key, value]], revision }).then((answer) => { if (answer.ok) model.seek(value); else pose(); }), 1 / model.fps);
   const focused = (window.document.activeElement as HTMLElement | null)?.getAttribute("aria-label");

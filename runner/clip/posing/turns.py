@@ -67,7 +67,7 @@ def _lost(figure: Figure, name: str, rows: Sequence[KeyframeTable], keys: Timeli
         link, table = _rotations(figure, row).get(name, (None, None))
         written = None if table is None else _written(table)
         if table is None:
-            last = last if row.others != "rest" else (k, None, np.zeros(1))
+            last = None if row.model_key else last if row.others != "rest" else (k, None, np.zeros(1))
             continue
         if written is not None and last is not None and last[1] in (None, written[0]):
             first = np.broadcast_to(last[2], written[1].shape)

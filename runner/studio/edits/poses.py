@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from ...clip.table import KEY
 from ...errors import UserError
 from .tables import Blocks, drop_dotted, number, numbers, put, put_dotted, row
 
@@ -101,9 +102,9 @@ def set_place(tree: Blocks, *, key: int, site: str, position: Any) -> str:
 
 
 def set_others(tree: Blocks, *, key: int, value: str) -> str:
-    """What a keyframe does not name: "free", "rest", or "hold" as in the one before."""
-    if value not in ("free", "rest", "hold"):
-        raise UserError(f"others: 'free', 'rest' or 'hold', not '{value}'")
+    """What a keyframe does not name: "free", "rest", "hold" as in the one before, or "key:NAME" as in the model."""
+    if value not in ("free", "rest", "hold") and not value.startswith(KEY):
+        raise UserError(f"others: 'free', 'rest', 'hold' or 'key:NAME', not '{value}'")
     table = row(tree, "keyframe", key)
     if value == "free":
         if "others" in table:

@@ -161,7 +161,7 @@ def test_a_keyframe_that_says_something_else_keeps_its_remarks_and_the_lines_tha
         ("add_obstacle", {"kind": "cone"}, "no obstacle 'cone'; there are: step, box"),
         ("add_obstacle", {"kind": "step"}, "there is a step already"),
         ("paste_keys", {"copied": [], "at": 0.3}, "nothing has been copied"),
-        ("set_others", {"key": 0, "value": "all"}, "'free', 'rest' or 'hold'"),
+        ("set_others", {"key": 0, "value": "all"}, "'free', 'rest', 'hold' or 'key:NAME'"),
     ],
 )
 def test_nonsense_is_refused_in_words_and_changes_nothing(name, said, words):
@@ -274,3 +274,11 @@ def test_lines_that_end_as_on_windows_are_edited_and_end_so_again(tmp_path):
     edited(found, "move_keys", {"moves": [[1, 0.6]]})
     found.save(file)
     assert file.read_bytes() == TEXT.replace("time = 0.50", "time = 0.6").replace("\n", "\r\n").encode()
+
+
+def test_edits_keep_a_key_of_the_model():
+    found = document()
+    edited(found, "set_others", {"key": 0, "value": "key:home"})
+    edited(found, "set_joint", {"key": 0, "joint": "spine", "value": {"rotvec": [0.0, 10.0, 0.0]}})
+    edited(found, "move_keys", {"moves": [[0, 0.1]]})
+    assert tomllib.loads(found.text)["keyframe"][0]["others"] == "key:home"
