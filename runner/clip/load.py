@@ -51,7 +51,7 @@ from .posing.couplings import complaints, follow
 from .posing.feet import sole_points
 from .posing.places import Places
 from .posing.placing import check_search, wanted, with_pose
-from .posing.rooting import set_roots
+from .posing.rooting import ambiguities, set_roots
 from .posing.rotation import quaternion_of
 from .posing.standing import Stander
 from .posing.turns import lost_turns
@@ -248,7 +248,8 @@ def from_text(
     if recording is not None:
         return _following(recording, name, text, scene, keys, table, fps)
     clip = _clip(name, text, scene, figure, fps or table.fps, keys, table, where, placed)
-    return replace(clip, notes=(*clip.notes, *lost_turns(figure, table.keyframe, clip.problem.raw)))
+    notes = (*ambiguities(figure, table.keyframe), *lost_turns(figure, table.keyframe, clip.problem.raw))
+    return replace(clip, notes=(*clip.notes, *notes))
 
 
 def _place(figure: str, folder: Path | None) -> str:

@@ -27,6 +27,20 @@ FLAT = 1e-9  # of a joint's share in a motion, that is none
 STARTS = 8
 
 
+def ambiguities(figure: Figure, rows: Sequence[KeyframeTable]) -> list[str]:
+    """A line on a model in which several trees could be the figure's root, or several bodies the one that `root` is."""
+    root = figure.root
+    if root is None or not root.rivals:
+        return []
+    names = {each.body: name for name, each in reversed(roots_by_name(figure).items())}
+    own, others = names[root.body], ", ".join(f"'{names[body]}'" for body in root.rivals)
+    if root.limbs:
+        return [f"several figures of one size: the camera and flights are of '{own}', not of {others}"]
+    if any(row.root.model_fields_set for row in rows):
+        return [f"several free bodies: root is '{own}', the first in the model, not {others}"]
+    return []
+
+
 def root_links(figure: Figure, row: KeyframeTable) -> set[int]:
     """The links of the roots that a keyframe's tables set, without those that are posed."""
     posed = {root.body for root, _ in posed_roots(figure, row)}

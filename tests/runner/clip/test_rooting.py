@@ -71,6 +71,15 @@ def test_several_robots_are_placed_by_name_only(tmp_path: Path) -> None:
         read(model, tmp_path, "root.position = [0, 0, 1]", "")
     problem = read(model, tmp_path, 'others = "rest"\nroots.b_root.position = [0, 0, 1]', 'others = "rest"')
     assert placed(problem, 0, "b_pelvis")[0] == pytest.approx([0, 0, 1])
+    assert "several figures of one size: the camera and flights are of 'root', not of 'b_root'" in problem.notes
+
+
+def test_which_of_several_free_bodies_is_the_root_is_noted(tmp_path: Path) -> None:
+    keys = "root = {position = [0, 0, 1], rotation = {heading = 0}}", 'others = "rest"'
+    said = "several free bodies: root is 'box_free', the first in the model, not 'ball'"
+    assert said in read(scene(BOX, BALL), tmp_path, *keys).notes
+    assert said not in read(scene(BOX, BALL), tmp_path, keys[1], keys[1]).notes
+    assert not any("several" in note for note in read(scene(BOX, biped(), BALL), tmp_path, *keys).notes)
 
 
 def test_an_object_whose_joint_is_named_root_is_not_taken_for_the_figure(tmp_path: Path) -> None:
