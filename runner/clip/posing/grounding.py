@@ -11,11 +11,12 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
+import mujoco
 import numpy as np
 
 from dynsplines.solver.array import Array, Index, Mask
 from dynsplines.solver.curve.frame import Frame, Timeline
-from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.wrench import height
 from dynsplines.solver.penalty import flights, stances
@@ -27,14 +28,15 @@ from dynsplines.solver.surface.points import Point, body_points, free_root, hang
 
 HANGING = 0.15  # of the figure's height, how far over the ground it may hang that is to stand: models rest so
 ROUNDS, MET = 30, 1e-9  # of going down on what is below; [m] what is left then
+ALONG = 0.999  # of a slide's way, how much of it goes along an axis of the world
 SHALLOW = 0.002  # [m] by which one place is no deeper than another
 
 
 @dataclass(frozen=True, eq=False)
 class Grounding:
-    """Puts down the tree of one free joint.
+    """Puts down the tree of one root, on a free joint or on slides along axes of the world.
 
-    root   the joint's link
+    root   the link that carries the tree
     mine   which of the figure's sole points are on it, (n,)
     soles  these;  points  of all of it, these first
     aloft  (first, last) [s] of every flight that the clip gives
@@ -56,9 +58,11 @@ class Grounding:
         surfaces: Sequence[Surface],
         aloft: Sequence[tuple[float, float]] = (),
     ) -> Grounding | None:
-        """Of the first free joint that has feet; None where there is none, or nothing to stand on."""
-        root = free_root(figure, soles)
-        if root is None or not surfaces:
+        """Of the first root that has feet; None where there is none that goes up and down, or nothing to stand on."""
+        root, slid = free_root(figure, soles), figure.root
+        if root is None and slid is not None and hanging(figure, slid.link, soles):
+            root = slid.link
+        if root is None or not surfaces or 2 not in _slides(figure, root):
             return None
         mine = np.flatnonzero([figure.tables.path[point.link, root] for point in soles])
         own, body = hanging(figure, root, soles), hanging(figure, root, body_points(figure))
@@ -66,10 +70,12 @@ class Grounding:
 
     def is_asked(self, keys: Sequence[Frame]) -> bool:
         """Whether one of the keyframes leaves the height to be found."""
-        return not all(key.known[self._place][2] for key in keys)
+        return not all(key.known[self._height] for key in keys)
 
     def leaping(self, timeline: Timeline) -> Grounding:
         """With the flights, too, that keyframes tell which say how high they are."""
+        if self.figure.links[self.root].kind is not JointKind.FREE:
+            return self
         held = stances(self.figure, timeline, self.soles, self.surfaces)
         body = self.points[len(self.soles) :]
         found = flights(self.figure, self.root, timeline, self.soles, self.surfaces, held, body)
@@ -84,7 +90,7 @@ class Grounding:
         centres, _, _ = places_of(self.points, Samples.still(self.figure, timeline.states))
         low = heights(self.surfaces, centres, radii)[0].min(axis=0)
         bottom = (centres[2] - radii[:, None]).min(axis=0)
-        told = timeline.known[:, self._place][:, 2]
+        told = timeline.known[:, self._height]
         found = list(keys)
         for k, key in enumerate(keys):
             beside = _beside(told, k, loop=timeline.ends == "periodic")
@@ -98,19 +104,26 @@ class Grounding:
                 continue
             stay = self._across(centres[..., k] + down[:, None], radii, staying(k)[:, self.mine])
             if stay is not None:
-                beyond = [start + stay * ~timeline.known[k, self._place] for start in above]
+                loose = np.zeros(3, bool)
+                for axis, (column, _) in self._columns.items():
+                    loose[axis] = not timeline.known[k, column]
+                beyond = [start + stay * loose for start in above]
                 drops = self._drops(centres[..., k], radii, beyond)
                 there = self._shallowest(centres[..., k], radii, [*drops, down])
                 stay, down = (None, down) if there is None or there is down else (stay, there)
             which = (stay is not None, stay is not None, True)
-            found[k] = self._placed(key, timeline.states[k, self._place] + down, which)
+            found[k] = self._placed(key, timeline.states[k], down, which)
         return found
 
+    @cached_property
+    def _columns(self) -> dict[int, tuple[int, float]]:
+        """The entry of the state that moves the root along an axis of the world, and 1, or −1 for the other way."""
+        return _slides(self.figure, self.root)
+
     @property
-    def _place(self) -> slice:
-        """The entries of the root's place."""
-        first = self.figure.links[self.root].qpos
-        return slice(first, first + 3)
+    def _height(self) -> int:
+        """The entry of the root's height."""
+        return self._columns[2][0]
 
     @cached_property
     def _length(self) -> float:
@@ -123,7 +136,8 @@ class Grounding:
                  at least is to be low; in all that do, if they are all before or all after
         between  two of them; then this one has to say where its feet are but for the height
         """
-        time, alone = timeline.times[k], self.figure.tables.free_links.size == 1
+        is_free = self.figure.links[self.root].kind is JointKind.FREE
+        time, alone = timeline.times[k], self.figure.tables.free_links.size == int(is_free)
         if any(first < time < last for first, last in self.aloft):
             return False
         if low.size and not (low < (max(HANGING * self._length, TOUCHING) if alone else TOUCHING)).any():
@@ -131,7 +145,7 @@ class Grounding:
         if not between:
             return True
         known = np.array(timeline.known[k : k + 1])
-        known[:, self._place] = True
+        known[:, [column for column, _ in self._columns.values()]] = True
         return bool(placed(self.figure, known, self.soles).all())
 
     def _drops(self, centres: Array, radii: Array, starts: Sequence[Array]) -> Iterator[Array]:
@@ -180,12 +194,36 @@ class Grounding:
         mean = away.mean(axis=1)
         return np.array([*mean, 0.0]) if np.linalg.norm(away - mean[:, None], axis=0).max() < SAME_SPOT else None
 
-    def _placed(self, key: Frame, place: Array, which: Sequence[bool]) -> Frame:
-        """A keyframe with the root at a place (3,) [m] along some axes, as far as it does not say that itself."""
+    def _placed(self, key: Frame, there: Array, by: Array, which: Sequence[bool]) -> Frame:
+        """A keyframe with the root moved from a state (N,) by (3,) [m] along some axes, as far as it does not say that
+        itself."""
         state, posed = np.array(key.state), np.zeros(key.fixed.shape, bool) if key.posed is None else key.posed.copy()
-        posed[self._place] |= np.array(which) & ~key.fixed[self._place]
-        state[self._place] = np.where(posed[self._place], place, state[self._place])
+        for axis, (column, sign) in self._columns.items():
+            posed[column] |= which[axis] and not key.fixed[column]
+            if posed[column]:
+                state[column] = there[column] + sign * by[axis]
         return Frame(key.time, state, key.fixed, posed)
+
+
+def _slides(figure: Figure, root: int) -> dict[int, tuple[int, float]]:
+    """The entries of qpos that move a root's link along axes of the world, and 1 or −1 for the way.
+
+    A slide that a hinge above turns moves it elsewhere, and is none of them.
+    """
+    first = figure.links[root].qpos
+    if figure.links[root].kind is JointKind.FREE:
+        return {axis: (first + axis, 1.0) for axis in range(3)}
+    data, out = mujoco.MjData(figure.model), dict[int, tuple[int, float]]()
+    mujoco.mj_kinematics(figure.model, data)
+    chain = [i for i in range(1, root + 1) if figure.tables.path[root, i]]
+    for i in chain:
+        link = figure.links[i]
+        if link.kind is not JointKind.SLIDE:
+            break
+        axis = int(np.abs(data.xaxis[link.joint]).argmax())
+        if abs(data.xaxis[link.joint, axis]) > ALONG:
+            out[axis] = link.qpos, float(np.sign(data.xaxis[link.joint, axis]))
+    return out
 
 
 def _beside(told: Mask, k: int, *, loop: bool) -> list[int]:

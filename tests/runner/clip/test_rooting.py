@@ -140,3 +140,15 @@ def test_feet_are_found_and_stand(tmp_path: Path, kind: str) -> None:
     soles = sole_points(problem.figure, problem.figure.model.qpos0[None])
     assert {point.name.rpartition(" ")[0] for point in soles} == {"left_foot", "right_foot"}
     assert len(stances(problem.figure, problem.context.keys, soles, problem.context.surfaces)) == 8
+
+
+@pytest.mark.parametrize("names", [PLANAR, ("tz", "tx", "ry"), ("tz", "ty", "tx", "rz", "rx", "ry")])
+def test_a_keyframe_of_no_height_is_put_down_on_the_ground(tmp_path: Path, names: tuple[str, ...]) -> None:
+    rest, parts = 'others = "rest"', {"hip": -40, "knee": 80, "ankle": -40}
+    legs = ", ".join(f"{side}_{part} = {angle}" for side in ("left", "right") for part, angle in parts.items())
+    crouched = f'{rest}\nroot.position = [0, 0, "free"]\njoints = {{{legs}}}'
+    expected = read(scene(biped()), tmp_path, rest, crouched, rest)
+    problem = read(scene(biped(joints(names))), tmp_path, rest, crouched, rest)
+    height = placed(problem, 1, "pelvis")[0][2]
+    assert height == pytest.approx(placed(expected, 1, "pelvis")[0][2], abs=1e-6)
+    assert 0.5 < height < 0.75
