@@ -74,7 +74,8 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     rate = found.rate("fps") if "fps" in found else fps
     time = _time(found, len(qpos), rate)
     result = layouts.recording(
-        figure, time, {(): lambda: qpos}, scalar_last=False, has_names="joint_names" in found,
+        figure, time, {(): lambda: qpos}, scalar_last=None if "mjcf" in found else False,
+        has_names="joint_names" in found,
         bodies=body_poses(found), fps=rate,
     )  # fmt: skip
     return result if mjcf is None else replace(result, mjcf=mjcf, assets=assets, others=())

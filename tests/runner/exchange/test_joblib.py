@@ -145,5 +145,5 @@ def test_files_of_locomujoco_before_1_0_are_read_for_its_models(tmp_path):
     with pytest.raises(UserError, match="holds 2 motions"):
         read(tmp_path / "b.npz", 100.0, model)
     np.savez(tmp_path / "c.npz", states=np.zeros((9, 4)), absorbing=np.zeros(9), actions=np.zeros((9, 2)))
-    with pytest.raises(UserError, match="observations .* leave out the root's place"):
+    with pytest.raises(UserError, match=r"observations .* leave out the root's place"):
         read(tmp_path / "c.npz", 100.0, model)
