@@ -164,7 +164,7 @@ def _around(source: Source) -> SurroundingsTable:
 def _read(source: Source, around: SurroundingsTable, progress: Progress) -> _Read:
     """From a motion's file, or that of another program."""
     told = source.figure is not None or source.kind is not None
-    if not told and motion.is_motion(str(source.file)) and formats.by_ending(source.file) is None:
+    if not told and motion.is_motion(str(source.file)) and not formats.is_foreign(source.file):
         if around.scene.model_fields_set:
             raise UserError(f"'{source.file}' is a motion and brings its scene along; --scene is for other files")
         return _Read.of(motion.load(source.file))

@@ -12,7 +12,7 @@ from dynsplines import models
 from .. import kept, motion
 from ..clip import load as clips
 from ..errors import UserError
-from ..exchange.formats import by_ending, stem
+from ..exchange.formats import is_foreign, stem
 from ..exchange.imported import imported
 from ..motion import Saved
 from ..system.output import check_new
@@ -46,7 +46,7 @@ class ToThin:
     def _read(self, progress: Progress) -> Saved:
         told = self.figure is not None or self.kind is not None
         path = Path(self.source)
-        if not told and motion.is_motion(self.source) and by_ending(path) is None:
+        if not told and motion.is_motion(self.source) and not is_foreign(path):
             return motion.load(path)
         if not told and (self.source in models.clips() or path.suffix.lower() == ".toml"):
             return kept.solved(clips.load(self.source), progress, fresh=self.fresh).saved(progress, with_report=False)

@@ -15,8 +15,10 @@ from ..motion import Saved
 from ..system import largest
 from ..system.output import Replacement, check_new, check_target
 from . import layouts, unsaid
+from .held import names_in
 from .take import Recording, Take, Wishes
 
+OF_MOTIONS = {"format_version", "frame_state"}  # arrays that only saved motions have
 SIMULATED = ".simulate.xml"  # the ending of a scene that stands by itself
 WISHES = {"simulate": "a scene to simulate", "columns": "columns of forces or velocities"}
 
@@ -102,7 +104,7 @@ FORMATS = (
     Format("mimickit", ".mimickit.pkl", "MimicKit: root and ball joints as rotation vectors", "mimickit", reads=True),
     Format("deepmimic", ".deepmimic.json", "DeepMimic's humanoid", "deepmimic", reads=True, also=(".txt", ".json")),
     Format("amass", ".amass.npz", "AMASS: motion capture on the SMPL body", "amass", writes=False, reads=True,
-           also=(".pkl",)),
+           containers=(".pkl", ".pickle", ".joblib")),
     Format("bvh", ".bvh", "a skeleton and its angles, y up, centimetres", "bvh", reads=True, scales=True),
     Format("gltf", ".glb", "meshes and one animation: Blender, engines, the web, VRM avatars", "gltf", reads=True,
            scales=True, extra="gltf", also=(".gltf", ".vrm")),
@@ -171,6 +173,15 @@ def _longest(path: Path, endings: Iterable[tuple[str, Format]]) -> Format | None
 def by_ending(path: Path) -> Format | None:
     """The format that a name's whole ending tells, as .loco.npz does; None for a plain .npz, a motion's."""
     return _longest(path, [(ending, each) for each in FORMATS for ending in each.told_by])
+
+
+def is_foreign(path: Path) -> bool:
+    """Whether a file with the ending of motions, .npz, is of another program: by its whole ending or its arrays."""
+    if by_ending(path) is not None:
+        return True
+    if not path.is_file() or OF_MOTIONS.intersection(names_in(path)):
+        return False
+    return any(_recognises(each, path) for each in readers().values() if path.name.lower().endswith(each.read_by))
 
 
 def target_of(name: str, form: Format, wishes: Wishes) -> Path:

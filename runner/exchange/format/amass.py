@@ -69,7 +69,7 @@ def recognises(path: Path) -> bool:
     """Whether an .npz or a pickle is of this kind."""
     if path.suffix.lower() == ".npz":
         return _is_smpl(names_in(path))
-    text = path.read_bytes()
+    text = plain_pickle.content(path)
     return _is_smpl([name for name in (*POSES, *ROOTS, *BODIES, *PLACES, ROBOT) if name.encode() in text])
 
 
@@ -101,10 +101,8 @@ def _is_smpl(names: Iterable[str]) -> bool:
 
 
 def _arrays(path: Path) -> Held:
-    """What a file holds; of one motion under its name, as PHC nests them, what that holds."""
-    found = held(path) if path.suffix.lower() == ".npz" else plain_pickle.load(path)
-    only = next(iter(found.entries.values())) if len(found.entries) == 1 else None
-    return Held(path, only) if isinstance(only, dict) else found
+    """What a file holds, of one motion."""
+    return held(path) if path.suffix.lower() == ".npz" else plain_pickle.one_motion(plain_pickle.load(path))
 
 
 def _first(found: Held, names: tuple[str, ...]) -> str | None:

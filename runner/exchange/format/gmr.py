@@ -59,7 +59,7 @@ def write(take: Take, path: Path) -> None:
 def recognises(path: Path) -> bool:
     """Whether a pickle is of this kind; every key of a dict of theirs stands in it as text."""
     content = plain_pickle.content(path)
-    return b"dof_pos" in content or b"root_trans_offset" in content
+    return b"dof_pos" in content or (b"root_trans_offset" in content and b"dof" in content)
 
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
@@ -83,20 +83,12 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
 
 def _motion(found: Held) -> Held:
     """The one motion of a file, under GMR's keys; raises UserError for several, and for one without joints."""
-    entries = dict(found.entries)
-    if entries and all(isinstance(each, dict) for each in entries.values()):
-        if len(entries) > 1:
-            names = ", ".join(list(entries)[:5]) + (", ..." if len(entries) > 5 else "")
-            raise UserError(f"{found.where}: it holds {len(entries)} motions: {names}; save one of them alone")
-        entries = {str(key): value for key, value in next(iter(entries.values())).items()}
+    entries = dict(plain_pickle.one_motion(found).entries)
     for theirs, ours in ASAP.items():
         if theirs in entries and ours not in entries:
             entries[ours] = entries.pop(theirs)
     if "dof_pos" not in entries and "pose_aa" in entries:
-        raise UserError(
-            f"{found.where}: a motion of SMPL's body, 'pose_aa' without a robot's 'dof'; save 'root_trans_offset' as "
-            "trans and 'pose_aa' as poses in an .npz file, and read it with --from amass"
-        )
+        raise UserError(f"{found.where}: a motion of SMPL's body, 'pose_aa' without a robot's 'dof'; give --from amass")
     joints = entries.get("dof_pos")
     if isinstance(joints, np.ndarray) and joints.ndim == 3 and joints.shape[2] == 1:
         entries["dof_pos"] = joints[:, :, 0]

@@ -89,6 +89,17 @@ def load(source: Path) -> Held:
     return Held(source, found)
 
 
+def one_motion(found: Held) -> Held:
+    """The one motion of a file that has it under its name, as PHC and ASAP write it; raises UserError for several."""
+    entries = found.entries
+    if not entries or not all(isinstance(each, dict) for each in entries.values()):
+        return found
+    if len(entries) > 1:
+        names = ", ".join(list(entries)[:5]) + (", ..." if len(entries) > 5 else "")
+        raise UserError(f"{found.where}: it holds {len(entries)} motions: {names}; save one of them alone")
+    return Held(found.where, {str(key): value for key, value in next(iter(entries.values())).items()})
+
+
 def dump(entries: dict[str, Any], target: Path) -> None:
     """Writes a dict so that any numpy reads it: version 2 moved what a pickle names, and keeps the old name as well."""
     target.write_bytes(pickle.dumps(entries, protocol=3).replace(b"cnumpy._core.", b"cnumpy.core."))

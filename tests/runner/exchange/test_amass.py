@@ -1,6 +1,7 @@
 """AMASS: vertical axis, unit, names of arrays, cut files, and SMPL's mean shape as a figure and on robots."""
 
 import pickle
+import zlib
 
 import mujoco
 import numpy as np
@@ -58,7 +59,9 @@ def written(folder, name="a.npz", **arrays):
     """A file of arrays; None leaves one out."""
     path = folder / name
     arrays = {key: value for key, value in arrays.items() if value is not None}
-    if path.suffix == ".pkl":
+    if path.suffix == ".joblib":
+        path.write_bytes(zlib.compress(pickle.dumps(arrays)))
+    elif path.suffix == ".pkl":
         path.write_bytes(pickle.dumps(arrays))
     else:
         np.savez(path, **arrays)
@@ -130,7 +133,7 @@ VARIANTS = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("ending", [".npz", ".pkl"])
+@pytest.mark.parametrize("ending", [".npz", ".pkl", ".joblib"])
 @pytest.mark.parametrize("variant", VARIANTS)
 def test_arrays_have_several_names_and_shapes(tmp_path, variant, ending):
     if (variant, ending) == ("PHC", ".npz"):
@@ -196,6 +199,15 @@ def test_without_a_figure_the_mean_shape_is_one(tmp_path):
             np.testing.assert_allclose(away, place[joint], atol=1e-6, err_msg=joint)
     np.testing.assert_allclose(recording.qpos[:, :2], trans[:, :2], atol=1e-9)
     assert any("'betas' are not used" in note for note in recording.notes)
+
+
+def test_a_file_of_arrays_is_a_motion_of_another_program_by_its_arrays(tmp_path):
+    poses, trans = walk()
+    assert formats.is_foreign(written(tmp_path, poses=poses, trans=trans, mocap_framerate=RATE))
+    assert formats.is_foreign(tmp_path / "missing.amass.npz")
+    assert not formats.is_foreign(written(tmp_path, "motion.npz", format_version=1, qpos=trans))
+    assert not formats.is_foreign(written(tmp_path, "other.npz", numbers=trans))
+    assert not formats.is_foreign(tmp_path / "missing.npz")
 
 
 def test_a_robot_of_hinges_walks(tmp_path):

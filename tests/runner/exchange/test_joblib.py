@@ -79,7 +79,7 @@ def test_the_root_is_verified_by_its_rotation_vector(tmp_path):
 def test_motions_that_are_not_one_robots_are_refused(content, message, tmp_path):
     (tmp_path / "a.pkl").write_bytes(pickle.dumps(content))
     with pytest.raises(UserError, match=message):
-        read(tmp_path / "a.pkl")
+        recording(tmp_path / "a.pkl", "gmr", model=biped.model())
 
 
 @pytest.mark.parametrize("cut", [200, 900, len(JOBLIB) - 30])
