@@ -301,7 +301,9 @@ def _add_actuators(root: ElementTree.Element, names: list[str], actuators: list[
 def _collide(spec: mujoco.MjSpec, model: mujoco.MjModel) -> list[str]:
     """Lets the figure and what is solid around it meet; notes on what of the model that changes."""
     geoms, notes = geoms_by_number(spec), []
-    movers, solids = list(moving_geoms(model)), list(solid_geoms(model))
+    base = _bases(model)
+    movers = list(moving_geoms(model))
+    solids = [i for i in solid_geoms(model) if int(model.geom_bodyid[i]) not in base]
     figure = [i for i in movers if not is_scenery(model)[i]]
     if not any(geoms[i].contype or geoms[i].conaffinity for i in figure):
         for i in figure:
@@ -318,13 +320,25 @@ def _collide(spec: mujoco.MjSpec, model: mujoco.MjModel) -> list[str]:
         geoms[i].condim, geoms[i].friction[0] = max(geoms[i].condim, SLIDING), max(geoms[i].friction[0], GRIP)
     if slippery:
         notes.append(f"the scene to simulate gives static geoms a coefficient of friction of at least {GRIP:g}")
-    still = {model.body(int(model.geom_bodyid[i])).name for i in solids}
     for pair in list(spec.excludes):
-        if {pair.bodyname1, pair.bodyname2} & still:
-            notes.append(f"the scene to simulate lets '{pair.bodyname1}' and '{pair.bodyname2}' collide")
+        names = (pair.bodyname1, pair.bodyname2)
+        if "world" in names:
+            other = names[names.index("world") - 1]
+            notes.append(f"the scene to simulate lets the world and '{other}' collide, which the model excludes")
             remove(spec, pair)
     _exclude_sockets(spec, model)
     return notes
+
+
+def _bases(model: mujoco.MjModel) -> set[int]:
+    """The static bodies, the world left out, that limbs hang on: parts of a figure."""
+    out: set[int] = set()
+    for body in np.flatnonzero(model.body_weldid != 0).tolist():
+        above = int(model.body_parentid[body])
+        while above and model.body_weldid[above] == 0:
+            out.add(above)
+            above = int(model.body_parentid[above])
+    return out
 
 
 def _exclude_overlaps(spec: mujoco.MjSpec, model: mujoco.MjModel, qpos: Array) -> list[str]:

@@ -93,3 +93,16 @@ def test_what_a_free_joint_and_slides_are_off_is_a_length(tmp_path):
     kinds = np.isfinite(tracking.length).all(axis=0).tolist()
     assert kinds == [True] * 3 + [False] * 4
     assert mujoco.MjData(simulation.model).ctrl.size == 1
+
+
+def test_the_base_of_an_arm_collides_as_the_model_has_it(tmp_path):
+    """The base is around the first link, which its geoms are not to meet; a table that nothing hangs on is solid."""
+    text = """<mujoco><worldbody><body name="base" pos="0 0 1"><geom size=".2" contype="2" conaffinity="4"/>
+      <body name="link" pos="0 0 .1"><joint name="turn" axis="0 1 0"/><geom size=".05" mass="1" pos="0 0 .02"/>
+        <body name="tip" pos="0 0 .05"><joint name="bend" axis="0 1 0"/><geom size=".05" mass="1" pos="0 0 .02"/></body>
+      </body></body><body name="table" pos="1 0 1"><geom name="table" size=".1"/></body></worldbody>
+      <contact><exclude body1="base" body2="tip"/></contact></mujoco>"""
+    simulation, tracking, _ = simulated(tmp_path, text, [[0, 0], [0.2, 0.4], [0, 0]])
+    assert tracking.is_within
+    assert simulation.model.nexclude >= 1
+    assert (simulation.model.geom_contype[simulation.model.geom("table").id] & 1) == 1
