@@ -26,6 +26,7 @@ ROOM = {"angle": np.radians(1), "length": 0.01}  # [rad, m] that a held joint ma
 LONG = 1.5  # times the shorter segment beside it from which on even in an oscillation a segment is a hold
 BRIEF = 0.3  # [s] a segment so short is a value that the motion passes twice, if those beside it are as short
 LOOKS = 12  # a segment
+FELT = 3  # segments beside one that moves in which a spline feels it
 BESIDE = 0.25  # of the segment beside a hold, how far inside the hold its frames begin; they bound what it swings
 CLOSEST = 0.02  # [s] of such a frame to another
 SEGMENTS_AT_ONCE = 200
@@ -144,17 +145,20 @@ def steady(
     qpos = figure.to_qpos(keys.states)
     found = [hold for track in tracks(figure) for hold in _held(track, keys, qpos, repeats=repeats)]
     found = [(track, k) for track, k in found if not _flies(figure, track, keys.times[k : k + 2], aloft)]
-    segments = np.unique([k for _, k in found]).astype(int)
+    by_segment: dict[int, list[int]] = {}
+    for i, (_, k) in enumerate(found):
+        by_segment.setdefault(k, []).append(i)
+    segments = np.array(sorted(by_segment), int)
     swings: set[tuple[int, int]] = set()
     for first in range(0, segments.size, SEGMENTS_AT_ONCE):
         some = segments[first : first + SEGMENTS_AT_ONCE]
         share = (np.arange(LOOKS) + 0.5) / LOOKS
         times = keys.times[some, None] + share * np.diff(keys.times)[some, None]
         raw = figure.to_qpos(path_of(keys).at(times.ravel())).reshape(some.size, LOOKS, -1)
-        row = {int(k): i for i, k in enumerate(some)}
-        for i, (track, k) in enumerate(found):
-            if k in row:
-                off = np.linalg.norm(track.off(raw[row[k]], qpos[k, track.columns]), axis=-1)
+        for row, k in zip(raw, some.tolist(), strict=True):
+            for i in by_segment[k]:
+                track = found[i][0]
+                off = np.linalg.norm(track.off(row, qpos[k, track.columns]), axis=-1)
                 if off.max() > SWINGS[track.unit]:
                     swings.add((i, k))
     times = keys.times.tolist()
@@ -172,8 +176,13 @@ def _held(track: Track, keys: Timeline, qpos: Array, *, repeats: bool) -> Iterat
         step = quat.rotation_vector(quat.product(quat.inverse(homes), qpos[both + 1][:, track.columns]))
     else:
         step = qpos[both + 1][:, track.columns] - homes
-    for k in both[np.linalg.norm(step, axis=1) <= SAME[track.unit]].tolist():
-        beside, length = _beside(keys, fixed, k), float(keys.times[k + 1] - keys.times[k])
+    is_same = np.zeros(len(fixed) - 1, bool)
+    is_same[both] = np.linalg.norm(step, axis=1) <= SAME[track.unit]
+    moves = np.pad(~is_same, FELT, mode="wrap" if keys.ends == "periodic" else "constant")
+    near = np.convolve(moves, np.ones(2 * FELT + 1), "valid") > 0
+    known = np.flatnonzero(fixed)
+    for k in np.flatnonzero(is_same & near).tolist():
+        beside, length = _beside(keys, known, k), float(keys.times[k + 1] - keys.times[k])
         lengths = [span for _, span in filter(None, beside)]
         is_long, is_brief = length >= LONG * min(lengths, default=0.0), length < BRIEF
         if is_long or not (is_brief or (repeats and _is_turning_point(track, qpos, k, beside))):
@@ -186,14 +195,17 @@ def _is_turning_point(track: Track, qpos: Array, k: int, beside: Sequence[tuple[
     return len(off) == 2 and bool(off[0] @ off[1] > 0)
 
 
-def _beside(keys: Timeline, fixed: Mask, k: int) -> tuple[tuple[int, float] | None, tuple[int, float] | None]:
-    """The keyframes before k and after k + 1 that fix a coordinate, and how far [s] they are; round a loop's end."""
-    known, times, last = np.flatnonzero(fixed), keys.times, len(keys.times) - 1
-    before, after = known[known < k], known[known > k + 1]
+def _beside(keys: Timeline, known: Index, k: int) -> tuple[tuple[int, float] | None, tuple[int, float] | None]:
+    """The keyframes before k and after k + 1 of those that fix a coordinate, and how far [s] they are; round a loop's
+    end."""
+    times, last, place = keys.times, len(keys.times) - 1, int(np.searchsorted(known, k))
     is_loop = keys.ends == "periodic"
-    one = (int(before[-1]), float(times[k] - times[before[-1]])) if before.size else None
-    other = (int(after[0]), float(times[after[0]] - times[k + 1])) if after.size else None
-    inner = known[(known > 0) & (known < last)]
+    one = other = None
+    if place:
+        one = int(known[place - 1]), float(times[k] - times[known[place - 1]])
+    if place + 2 < known.size:
+        other = int(known[place + 2]), float(times[known[place + 2]] - times[k + 1])
+    inner = known[(known > 0) & (known < last)] if is_loop else known
     if one is None and is_loop and inner.size:
         one = int(inner[-1]), float(times[k] - times[0] + times[last] - times[inner[-1]])
     if other is None and is_loop and inner.size:
