@@ -122,6 +122,8 @@ def _motion(found: Held) -> tuple[Array, Array, tuple[str, ...]]:
     arrays[place] = found.numbers(place, f"samples of {place}", 3)
     counts = {name: len(array) for name, array in arrays.items()}
     count, notes = min(counts.values()), ()
+    if not count:
+        raise UserError(f"{found.where}: it has no samples")
     if max(counts.values()) > count:
         different = ", ".join(f"'{name}' {each}" for name, each in counts.items())
         if not gaps.are_allowed():
@@ -141,7 +143,7 @@ def _rows(found: Held, name: str, least: int) -> Array:
     nested = isinstance(found.of(name), np.ndarray) and found.of(name).ndim == 3
     shape = (f"samples of {name}", f"joints of {name}", 3) if nested else (f"samples of {name}", f"numbers of {name}")
     array = found.numbers(name, *shape)
-    array = array.reshape(len(array), -1)
+    array = array.reshape(len(array), int(np.prod(array.shape[1:])))
     if array.shape[1] < least:
         raise UserError(
             f"{found.where}: '{name}' has {array.shape[1]} numbers a sample; "

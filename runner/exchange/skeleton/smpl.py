@@ -33,9 +33,11 @@ OFFSET_OF = {  # [m] from the parent, of the left side and the middle
 END_OF = {"left_toe": (0, -0.018, 0.072), "head": (0, 0.18, 0), "left_wrist": (0.17, -0.014, -0.026)}  # [m], about
 UPRIGHT = 0.5  # cosine to the vertical of a body that counts as upright, from ankles to head
 MOST = 0.5  # of the samples
-FLOOR = (0.0, 0.25)  # [m] height of the lowest joint of a body that lies on the floor
+FLOOR = 0.125  # [m] height of the lowest joint of a body that lies on the floor, and as much more or less
+AXES = {"z": (1, 2), "y": (1, 1), "-y": (-1, 1)}  # sign and column of what may be up
 OFF_FLOOR = 0.3  # [m] height of the soles of a body that does not stand on the floor
 STANDS, WALKS = 0.3, 0.3  # of the pelvis' height above the soles; [m] of a path by the feet: enough to measure a unit
+LOW = 0.05  # [m] least height of the pelvis above the soles
 UNITS = {2: ("centimetres", 0.01), 3: ("millimetres", 0.001)}  # by the power of ten
 
 
@@ -74,31 +76,44 @@ def about_pelvis(turn: Array) -> Array:
 
 
 def z_up(position: Array, local: Array) -> tuple[Array, Array, tuple[str, ...]]:
-    """The pelvis' positions (T, 3) and the joints' rotations (T, 22, 4) in a world whose z is up, and notes.
-
-    The vertical is the axis along which the body is upright at most samples, from its ankles to its head. Where it is
-    upright along none it is z, as AMASS specifies, and also where it lies on the floor by z but floats by the other.
-    """
-    place = about_pelvis(in_world(local))
-    along = place[:, HEAD] - place[:, ANKLES].mean(axis=1)
-    cosine = along / np.linalg.norm(along, axis=1, keepdims=True)
-    share = {"z": float(np.mean(cosine[:, 2] > UPRIGHT)), "y": float(np.mean(cosine[:, 1] > UPRIGHT)),
-             "-y": float(np.mean(cosine[:, 1] < -UPRIGHT))}  # fmt: skip
-    if share["z"] >= MOST:
-        return position, local, ()
-    up = max(share, key=lambda axis: share[axis])
-    if share[up] < MOST:
-        return position, local, (f"upright at {share['z']:.0%} of the samples only; z is taken as up, as in AMASS",)
-    sign = 1.0 if up == "y" else -1.0
-    lowest = (position[:, None] + place).min(axis=1)[:, 2]
-    soles = (sign * (position[:, None] + place)[..., 1]).min(axis=1)
-    if np.quantile(lowest, 0.05) > FLOOR[0] and np.quantile(lowest, 0.95) < FLOOR[1] and min(abs(soles)) > OFF_FLOOR:
-        return position, local, (f"lies on the floor, along {up}, at {share[up]:.0%} of the samples; z is up",)
-    turn = quat.from_rotation_vector(np.array([sign * np.pi / 2, 0, 0]))
+    """The pelvis' positions (T, 3) and the joints' rotations (T, 22, 4) in a world whose z is up, and notes."""
+    up, notes = _up(position, about_pelvis(in_world(local)))
+    if up == "z":
+        return position, local, notes
+    turn = quat.from_rotation_vector(np.array([np.pi / 2 if up == "y" else -np.pi / 2, 0, 0]))
     local = local.copy()
     local[:, PELVIS] = quat.product(turn, local[:, PELVIS])
-    note = f"{up} is up in the file, along which the person is upright at {share[up]:.0%} of the samples: turned"
-    return quat.rotated(turn, position), local, (note,)
+    return quat.rotated(turn, position), local, notes
+
+
+def _up(position: Array, away: Array) -> tuple[str, tuple[str, ...]]:
+    """The vertical axis, "z", "y" or "-y", and notes; of places (T, 22, 3) about the pelvis.
+
+    It is the axis along which the body is upright at most samples, from its ankles to its head, and otherwise z, as
+    AMASS specifies. A body on the floor by z whose feet are not on the floor by the other axis lies there; one that is
+    on the floor by y alone lies in a file with y up.
+    """
+    along = away[:, HEAD] - away[:, ANKLES].mean(axis=1)
+    cosine = along / np.linalg.norm(along, axis=1, keepdims=True)
+    upright = {axis: float(np.mean(sign * cosine[:, column] > UPRIGHT)) for axis, (sign, column) in AXES.items()}
+    if upright["z"] >= MOST:
+        return "z", ()
+    lowest = {
+        axis: (sign * (position[:, None] + away)[..., column]).min(axis=1) for axis, (sign, column) in AXES.items()
+    }
+    lies = {
+        axis: bool(np.all(np.abs(np.quantile(each, [0.05, 0.95]) - FLOOR) < FLOOR)) for axis, each in lowest.items()
+    }
+    up = max(upright, key=lambda axis: upright[axis])
+    if upright[up] >= MOST:
+        if lies["z"] and np.median(np.abs(lowest[up])) > OFF_FLOOR:
+            return "z", (f"lies on the floor, along {up}, at {upright[up]:.0%} of the samples: z is up",)
+        return up, (
+            f"{up} is up in the file, along which the person is upright at {upright[up]:.0%} of the samples: turned",
+        )
+    if lies["y"] and not lies["z"]:
+        return "y", ("y is up in the file, along which the person is on the floor: turned",)
+    return "z", (f"upright at {upright['z']:.0%} of the samples only: z is taken as up, as in AMASS",)
 
 
 def in_metres(position: Array, local: Array) -> tuple[Array, tuple[str, ...]]:
@@ -109,7 +124,7 @@ def in_metres(position: Array, local: Array) -> tuple[Array, tuple[str, ...]]:
     """
     place = about_pelvis(in_world(local))
     ratios = []
-    height = float(np.median(position[:, 2] / -place[..., 2].min(axis=1)))
+    height = float(np.median(position[:, 2] / np.maximum(-place[..., 2].min(axis=1), LOW)))
     if abs(height) > STANDS:
         ratios.append(abs(height))
     standing = np.argmin(place[:, TOES, 2], axis=1)[:-1]

@@ -69,7 +69,9 @@ def written(folder, name="a.npz", **arrays):
 
 
 def read(folder, poses, trans, model=HUMAN, **more):
-    path = written(folder, poses=poses.reshape(len(poses), -1), trans=trans, mocap_framerate=RATE, **more)
+    path = written(
+        folder, poses=poses.reshape(len(poses), 3 * poses.shape[1]), trans=trans, mocap_framerate=RATE, **more
+    )
     return formats.recording(path, model=model)
 
 
@@ -84,10 +86,21 @@ def test_files_with_y_up_are_turned(tmp_path, back, axis, model):
     assert not any("is up" in note for note in upright.notes)
 
 
-def test_a_body_that_lies_on_the_floor_by_z_and_floats_by_y_is_left_as_it_is(tmp_path):
+@pytest.mark.parametrize(
+    ("back", "head"),
+    [(None, (0, 1, 0)), (None, (0, -1, 0)), (None, (1, 0, 0)), (Y_UP, (0, 1, 0)), (Y_UP, (1, 0, 0))],
+)
+@pytest.mark.parametrize("crawls", [False, True])
+def test_a_body_that_lies_on_the_floor_stays_there(tmp_path, head, back, crawls):
     poses, trans = np.zeros((20, 52, 3)), np.tile([0.3, -0.4, 0.12], (20, 1))
+    side = np.cross(head, [0, 0, 1])  # it lies on its back
+    poses[:, 0] = Rotation.from_matrix(np.stack([side, head, [0, 0, 1]], axis=1)).as_rotvec()
+    if crawls:
+        trans = trans + np.linspace(-1, 1, 20)[:, None] * head
+    if back is not None:
+        poses, trans = turned(back, poses, trans)
     found = read(tmp_path, poses, trans)
-    assert any("lies on the floor" in note for note in found.notes)
+    assert any("on the floor" in note or "z is taken as up" in note for note in found.notes)
     data = mujoco.MjData(HUMAN)
     data.qpos = found.qpos[0]
     mujoco.mj_kinematics(HUMAN, data)
@@ -98,7 +111,7 @@ def test_a_body_that_is_upright_along_no_axis_keeps_z_up(tmp_path):
     poses, trans = walk()
     poses[:, 0] = Rotation.from_euler("xz", [0, 90], degrees=True).as_rotvec()
     found = read(tmp_path, poses, trans)
-    assert any("upright at 0% of the samples only; z is taken as up" in note for note in found.notes)
+    assert any("upright at 0% of the samples only: z is taken as up" in note for note in found.notes)
 
 
 @pytest.mark.parametrize(("factor", "name"), [(100, "centimetres"), (1000, "millimetres")])
@@ -159,6 +172,13 @@ def test_a_missing_rate_is_an_error_that_names_the_option(tmp_path):
     path = written(tmp_path, poses=poses, trans=trans)
     with pytest.raises(UserError, match=r"it has no 'mocap_framerate'; say the rate: --fps"):
         formats.recording(path, model=HUMAN)
+
+
+def test_a_file_of_no_or_one_sample_is_refused_or_read(tmp_path):
+    poses, trans = walk()
+    with pytest.raises(UserError, match="it has no samples"):
+        read(tmp_path, poses[:0], trans[:0])
+    assert read(tmp_path, poses[:1], trans[:1]).qpos.shape == (1, HUMAN.nq)
 
 
 def test_a_file_cut_short_is_used_as_far_as_it_goes_where_that_is_allowed(tmp_path):
