@@ -1,29 +1,56 @@
 """Which part of a body a joint is, by its name and its place in the tree: for skeletons of many makers.
 
-Words as in the skeletons of CMU, Mixamo, LAFAN1, SFU, ACCAD, Unreal, 3ds Max' Biped, and our own figures.
+Words as in the skeletons of CMU, Mixamo, LAFAN1, SFU, ACCAD, Unreal, 3ds Max' Biped, VRM, VRoid, MMD, Rigify, Daz,
+Character Creator, OptiTrack, and our own figures.
 """
 
 from __future__ import annotations
 
 import re
+import unicodedata
+from collections import Counter
 from collections.abc import Mapping, Sequence
 
 from ...errors import UserError, unknown
 
-SIDES = {"left": "left", "l": "left", "lft": "left", "right": "right", "r": "right", "rgt": "right", "rt": "right"}
+SIDES = {"left": "left", "l": "left", "lft": "left", "right": "right", "r": "right", "rgt": "right", "rt": "right",
+         "hidari": "left", "migi": "right"}  # fmt: skip
 WORDS = {
     "clavicle": ("clavicle", "collar", "collarbone", "shouldercollar"),
-    "upper_arm": ("upperarm", "uparm", "uarm", "humerus", "shldr", "armupper", "upperarmlink"),
-    "forearm": ("forearm", "lowerarm", "lowarm", "farm", "elbow", "radius", "ulna", "armlower", "loarm"),
-    "hand": ("hand", "wrist"),
-    "thigh": ("thigh", "upleg", "upperleg", "uleg", "femur", "legupper", "hipthigh"),
-    "shin": ("shin", "lowerleg", "lowleg", "calf", "tibia", "knee", "shank", "leglower", "loleg"),
-    "foot": ("foot", "ankle", "talus"),
-    "toe": ("toe", "toes", "toebase", "ball", "forefoot"),
+    "upper_arm": (
+        "upperarm",
+        "uparm",
+        "uarm",
+        "humerus",
+        "shldr",
+        "shldrbend",
+        "upperarmbend",
+        "ude",
+        "armupper",
+        "upperarmlink",
+    ),
+    "forearm": (
+        "forearm",
+        "lowerarm",
+        "lowarm",
+        "farm",
+        "forearmbend",
+        "elbow",
+        "hiji",
+        "radius",
+        "ulna",
+        "armlower",
+        "loarm",
+    ),
+    "hand": ("hand", "wrist", "tekubi"),
+    "thigh": ("thigh", "upleg", "upperleg", "uleg", "femur", "legupper", "hipthigh", "thighbend", "ashi"),
+    "shin": ("shin", "lowerleg", "lowleg", "calf", "tibia", "knee", "hiza", "shank", "leglower", "loleg"),
+    "foot": ("foot", "ankle", "talus", "ashikubi"),
+    "toe": ("toe", "toes", "toebase", "ball", "forefoot", "tsumasaki"),
 }
 MIDDLE = {
-    "neck": ("neck",),
-    "head": ("head",),
+    "neck": ("neck", "kubi"),
+    "head": ("head", "atama"),
 }
 EITHER = {
     "arm": ("upper_arm", "forearm"),
@@ -35,28 +62,64 @@ ONWARD = {"upper_arm": "forearm", "forearm": "hand", "thigh": "shin", "shin": "f
 KNOWN = {word for words in WORDS.values() for word in words} | set(EITHER)
 ROLES = ("pelvis", "chest", *MIDDLE, *(f"{side}_{role}" for side in ("left", "right") for role in WORDS))
 AXES = {"pitch", "roll", "yaw"}  # robots have a body for each: hip pitch, hip roll, hip yaw
-FILLING = {"link", "joint", "body", *AXES}
+FILLING = {"link", "joint", "body", "jnt", "bone", "bind", *AXES}
 PREFIX = re.compile(
-    r"^(.*[:|])|^(mixamorig\d*|bip\d*|bip\d+|character\d*|b|def|org|skel|bone|jnt)[ _](?=.)", re.IGNORECASE
+    r"^(.*[:|])|^(valvebiped\.|mixamorig\d*(?=[A-Z]))"
+    r"|^(mixamorig\d*|j_bip(_c)?|bip\d*|bip\d+|character\d*|b|def|org|skel|bone|jnt|c)[ _-](?=.)",
+    re.IGNORECASE,
 )
+SECONDARY = re.compile(r"^(.*[:|])?(j_)?(sec|adj|opt)_", re.IGNORECASE)  # VRoid: hair, skirts, helpers
+SEPARATORS = re.compile(r"[ _:.|-]+")
+SHARED = 0.8  # of the names that have a prefix in common, which names the character
+CJK = {  # as MMD has them, and Chinese rigs: the whole name but for its side, so that IK and twist bones are not found
+    "肩": "clavicle", "腕": "upperarm", "上腕": "upperarm", "上臂": "upperarm", "ひじ": "elbow", "肘": "elbow",
+    "前腕": "forearm", "前臂": "forearm", "手首": "wrist", "手": "hand", "足": "thigh", "太もも": "thigh",
+    "大腿": "thigh", "ひざ": "knee", "膝": "knee", "小腿": "shin", "足首": "ankle", "脚": "foot", "つま先": "toe",
+    "足先EX": "toe", "首": "neck", "頭": "head", "头": "head", "下半身": "lowerbody", "上半身": "upperbody",
+}  # fmt: skip
+CJK_SIDE = {"左": "left", "右": "right"}
+LATIN_SIDE = re.compile(r"^(.*?)[ _.]([LR])$", re.IGNORECASE)
 SPLIT = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+")
 
 
 def split(name: str) -> tuple[str | None, str]:
     """("left", "forearm") of "mixamorig:LeftForeArm"; the side is None for what is in the middle."""
-    before = None
+    if SECONDARY.match(name):
+        return None, ""
+    before, name = None, unicodedata.normalize("NFKC", name)
     while before != name:
         before, name = name, PREFIX.sub("", name)
+    if not name.isascii():
+        return _cjk(name)
     words = [word.lower() for word in SPLIT.findall(name)]
     words = [word for word in words if word not in FILLING] or words
     for i, word in enumerate(words):
         if word in SIDES and len(words) > 1:
             return SIDES[word], "".join(words[:i] + words[i + 1 :])
     whole = "".join(words)
-    for start, side in (("left", "left"), ("right", "right"), ("l", "left"), ("r", "right")):
+    starts = ("left", "right", "hidari", "migi", "l", "r")
+    for start, side in ((start, SIDES[start]) for start in starts):
         if whole.startswith(start) and whole[len(start) :] in KNOWN:
             return side, whole[len(start) :]
     return None, whole
+
+
+def _cjk(name: str) -> tuple[str | None, str]:
+    """As `split`, of a name in Japanese or Chinese: its side stands first, or last as in Blender, "足.L"."""
+    side = None
+    if name[:1] in CJK_SIDE:
+        side, name = CJK_SIDE[name[0]], name[1:]
+    elif ends := LATIN_SIDE.match(name):
+        side, name = SIDES[ends[2].lower()], ends[1]
+    return side, CJK.get(name, name)
+
+
+def without_prefix(names: Sequence[str]) -> list[str]:
+    """Names without what nearly all of them begin with, such as the name of a character."""
+    starts = Counter(name[: found.end()] for name in names for found in SEPARATORS.finditer(name))
+    least = max(2, SHARED * len(names))
+    prefix = max((start for start, count in starts.items() if count >= least), key=len, default="")
+    return [name[len(prefix) :] or name if name.startswith(prefix) else name for name in names]
 
 
 def roles(names: Sequence[str], parents: Sequence[int]) -> dict[str, int]:
@@ -66,7 +129,7 @@ def roles(names: Sequence[str], parents: Sequence[int]) -> dict[str, int]:
     above the first. Of several joints that a role fits, it is the first on which the limb goes on: bones of a drawing
     hang beside the skeleton's in some files, "L_Humerus" beside "LeftArm".
     """
-    parts = [split(name) for name in names]
+    parts = [split(name) for name in without_prefix(names)]
     hinged = [bool(AXES.intersection(word.lower() for word in SPLIT.findall(name))) for name in names]
     found: dict[str, int] = {}
     for side in ("left", "right"):
@@ -93,7 +156,7 @@ def roles(names: Sequence[str], parents: Sequence[int]) -> dict[str, int]:
 
 def with_trunk(found: Mapping[str, int], names: Sequence[str], parents: Sequence[int]) -> dict[str, int]:
     """With pelvis and chest, where they are told by the legs and arms that are found."""
-    out, words = dict(found), [split(name)[1] for name in names]
+    out, words = dict(found), [split(name)[1] for name in without_prefix(names)]
     for role, limb in (("pelvis", "thigh"), ("chest", "upper_arm")):
         ends = [found[f"{side}_{limb}"] for side in ("left", "right") if f"{side}_{limb}" in found]
         if len(ends) == 2:
@@ -157,6 +220,17 @@ def _fits(found: dict[str, int], side: str, role: str, word: str, same: list[int
         if role in ("forearm", "shin"):
             return above is not None and above in lineage(same[0], parents)[1:]
     return True
+
+
+def unique(names: list[str]) -> list[str]:
+    """Names without doubles."""
+    out: list[str] = []
+    for name in names:
+        count, unique = 2, name
+        while unique in out:
+            unique, count = f"{name}_{count}", count + 1
+        out.append(unique)
+    return out
 
 
 def lineage(index: int, parents: Sequence[int]) -> list[int]:
