@@ -21,10 +21,13 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
 from ...errors import UserError
-from ..gaps import bridged
+from .. import gaps
+from .roles import lineage, roles
 
 AXES = "XYZ"
 KINDS = tuple(f"{axis}{kind}" for kind in ("position", "rotation") for axis in AXES)
+NO_NUMBER = re.compile(r"[+-]?(\d+\.#\w+|nan(\(\w+\))?|inf\w*|null|none|n/?a)", re.IGNORECASE)
+LISTED = 8  # names in a note
 MOST_JOINTS = 2000  # of a skeleton: more is a mangled file
 
 
@@ -41,11 +44,16 @@ class Joint:
 
 @dataclass(frozen=True)
 class Skeleton:
-    """Joints, parents first, and what they do: values (T, channels), in the file's units and degrees."""
+    """Joints, parents first, and what they do: values (T, channels), in the file's units and degrees.
+
+    notes: lines on what is missing in the file; up: the axis that is up by convention
+    """
 
     joints: tuple[Joint, ...]
     frame_time: float
     values: Array
+    notes: tuple[str, ...] = ()
+    up: str = "y"
 
     @property
     def parents(self) -> list[int]:
@@ -119,6 +127,7 @@ class _Lines:
 
     def __init__(self, path: Path, text: str) -> None:
         self.path, self.number = path, 0
+        self.is_ended = text.endswith(("\n", "\r"))
         self._lines = [
             (number, piece)
             for number, line in enumerate(text.splitlines(), 1)
@@ -165,7 +174,7 @@ def shown(text: str) -> str:
 def read(path: Path) -> tuple[Skeleton, float]:
     """The skeleton with its motion, and the images a second; raises UserError that names the line."""
     try:
-        text = path.read_text(encoding="utf-8-sig", errors="replace")
+        text = _text(path.read_bytes())
     except OSError as error:
         raise UserError(f"cannot read '{path}': {error.strerror}") from None
     lines = _Lines(path, text)
@@ -174,8 +183,19 @@ def read(path: Path) -> tuple[Skeleton, float]:
     joints = _hierarchy(lines)
     width = sum(len(joint.channels) for joint in joints)
     count, frame_time, fps = _heading(lines)
-    values = _values(lines, count, width)
-    return Skeleton(tuple(joints), frame_time, values), fps
+    values, notes = _values(lines, count, width)
+    values, more = _with_numbers(lines, joints, values)
+    return Skeleton(tuple(joints), frame_time, values, (*notes, *more)), fps
+
+
+def _text(content: bytes) -> str:
+    """A file's text: UTF-8, or Shift JIS, in which programs for MMD write."""
+    for encoding in ("utf-8-sig", "cp932"):
+        try:
+            return content.decode(encoding)
+        except UnicodeDecodeError:
+            continue
+    return content.decode("utf-8-sig", errors="replace")
 
 
 def _hierarchy(lines: _Lines) -> list[Joint]:
@@ -252,31 +272,84 @@ def _heading(lines: _Lines) -> tuple[int, float, float]:
     return count, frame_time, fps_of(frame_time, len(words[2].partition(".")[2]))
 
 
-def _values(lines: _Lines, count: int, width: int) -> Array:
-    """(count, width) the rest of the file."""
-    rows, first = [], None
-    for number, line in lines.rest():
+def _values(lines: _Lines, count: int, width: int) -> tuple[Array, tuple[str, ...]]:
+    """(T, width) the rest of the file, entries without numbers as nan, and a note if T is not the declared count.
+
+    Raises UserError for another number of samples unless gaps are allowed; then what is there is used.
+    """
+    is_strict, rest, rows = not gaps.are_allowed(), list(lines.rest()), list[Array]()
+    for i, (number, line) in enumerate(rest):
         lines.number = number
-        row = np.array(line.split())
-        if len(rows) == count:
+        words = line.split()
+        is_cut = not is_strict and i == len(rest) - 1 and i < count
+        if is_strict and i == count:
             raise lines.wrong(f"more images than the {count} of 'Frames:'")
-        try:
-            rows.append(row.astype(float))
-        except ValueError:
-            raise lines.wrong(f"'{shown(next(w for w in row.tolist() if not _is_number(w)))}' is no number") from None
+        row = [_number(word, is_strict=is_strict) for word in words]
+        if is_cut and (None in row or len(row) < width or (i + 1 < count and not lines.is_ended)):
+            break  # the file ends within this line
+        if None in row:
+            raise lines.wrong(f"'{shown(words[row.index(None)])}' is no number")
         if len(row) != width:
             raise lines.wrong(f"{len(row)} numbers for the {width} channels of the joints")
-        if first is None and not np.all(np.isfinite(rows[-1])):
-            first = number
-    if len(rows) < count or not rows:
-        raise lines.wrong(f"the file ends after {len(rows)} images; 'Frames:' says {count}")
-    values = np.array(rows)
-    if first is not None and (mended := bridged(values)) is not None:
-        return mended
-    if first is not None:
-        lines.number = first
+        rows.append(np.array(row, float))
+    if not rows or (is_strict and len(rows) < count):
+        hint = "; `dynsplines clean` uses those that there are" if rows else ""
+        raise lines.wrong(f"the file ends after {len(rows)} images; 'Frames:' says {count}{hint}")
+    few = f"{len(rows)} of the {count} frames that 'Frames:' declares are complete in the file: they are used"
+    many = f"the file has {len(rows)} frames, 'Frames:' declares {count}: all are used"
+    notes = () if len(rows) == count else (few if len(rows) < count else many,)
+    return np.array(rows), notes
+
+
+def _number(word: str, *, is_strict: bool) -> float | None:
+    """The number that a word is, nan for one that is not finite; None for other words."""
+    try:
+        return float(word)
+    except ValueError:
+        return float("nan") if not is_strict and NO_NUMBER.fullmatch(word) else None
+
+
+def _with_numbers(lines: _Lines, joints: Sequence[Joint], values: Array) -> tuple[Array, tuple[str, ...]]:
+    """Values that are numbers, and a note; samples in which a part of the body has none are marked as gaps.
+
+    A joint that carries no part of the body stays as it was in the sample before, or at rest. Raises UserError for
+    entries that are not finite unless gaps are allowed.
+    """
+    values = np.where(np.isfinite(values), values, np.nan)
+    bad = ~np.isfinite(values)
+    if not bad.any():
+        return values, ()
+    if not gaps.are_allowed():
+        lines.number = [number for number, _ in lines.rest()][int(bad.any(axis=1).argmax())]
         raise lines.wrong("a number that is not finite")
-    return values
+    parents = [joint.parent for joint in joints]
+    parts = roles([joint.name for joint in joints], parents)
+    needed = {i for part in parts.values() for i in lineage(part, parents)} or set(range(len(joints)))
+    of_joint = [(i, channel) for i, joint in enumerate(joints) for channel in joint.channels]
+    unused = [column for column, (i, _) in enumerate(of_joint) if i not in needed and bad[:, column].any()]
+    for column in unused:
+        i, channel = of_joint[column]
+        rest = float(joints[i].offset[AXES.index(channel[0])]) if channel.endswith("position") else 0.0
+        values[:, column] = _held(values[:, column], rest)
+    names = list(dict.fromkeys(joints[of_joint[column][0]].name for column in unused))
+    more = f" and {len(names) - LISTED} more" if len(names) > LISTED else ""
+    listed = f"{', '.join(names[:LISTED])}{more}"
+    notes = (f"without numbers, held where they are or at rest: {listed}",) if names else ()
+    if np.all(np.isfinite(values)):
+        return values, notes
+    mended = gaps.bridged(values)
+    if mended is None:
+        without = next(of_joint[column][0] for column in np.flatnonzero(~np.isfinite(values).all(axis=0)))
+        raise lines.wrong(f"no sample has numbers for all parts of the body; '{joints[without].name}' lacks some")
+    return mended, notes
+
+
+def _held(track: Array, rest: float) -> Array:
+    """A track (T,) with the last number before each gap; before the first number, that one; without any, at rest."""
+    good = np.flatnonzero(np.isfinite(track))
+    if not good.size:
+        return np.full(track.shape, rest)
+    return track[good[np.maximum(np.searchsorted(good, np.arange(track.size), side="right") - 1, 0)]]
 
 
 def written(skeleton: Skeleton) -> str:

@@ -14,11 +14,13 @@ from dynsplines.solver.array import Array
 from .. import unsaid
 from .body_root import from_body_root
 from .bvh_file import Skeleton
-from .roles import as_said, roles
+from .roles import as_said, roles, unique, with_trunk
+from .upright import NONE, TO_Z, standing_turn, vertical
 
 REACH = 1.25  # [m] from an adult's hips along the bones to the fingertips or toes, about
 UNITS = {"metres": 1.0, "centimetres": 0.01, "millimetres": 0.001}
 ODD_UNITS = {"inches": 0.0254, "the CMU database's units": 0.0254 / 0.45}
+UPRIGHT = 0.8  # cosine to the vertical of legs and trunk in a pose that counts as standing
 LIKELY = (0.55, 3.0)  # [m] that reach of anybody
 DRIFT = 0.01  # of the reach that a bone may change its length unmentioned
 
@@ -42,14 +44,15 @@ class Captured:
     said: Mapping[str, str] = field(default_factory=dict)
 
     @classmethod
-    def of(cls, skeleton: Skeleton, scale: float | None = None) -> Captured:
-        """From a file's unit and axes; scale [m] its unit, guessed if not said."""
-        skeleton, folded = from_body_root(skeleton)
+    def of(cls, skeleton: Skeleton, scale: float | None = None, said: Mapping[str, str] | None = None) -> Captured:
+        """From a file's unit and axes; scale [m] its unit, guessed if not said; said, names by role, of a map."""
+        said, notes_of_file = said or {}, skeleton.notes
+        skeleton, folded = from_body_root(skeleton, said)
         place, turn = skeleton.local
         offset = np.where(np.ptp(place, axis=0) > 0, np.median(place, axis=0), place[0])
         ends = {i: joint.end for i, joint in enumerate(skeleton.joints) if joint.end is not None}
         unit, notes = _unit(skeleton.parents, offset, ends, scale)
-        notes += folded
+        notes = (*notes_of_file, *notes, *folded)
         drift = np.abs(place[:, 1:] - offset[1:]).max(axis=(0, 2), initial=0.0)
         stretched = [skeleton.names[1 + i] for i in np.flatnonzero(unit * drift > DRIFT * REACH)]
         if stretched:
@@ -58,25 +61,33 @@ class Captured:
         place[:, 1:] = offset[1:]
         offset = np.concatenate([np.zeros((1, 3)), offset[1:]])
         position, rotation = skeleton.placed(place, turn)
-        y_is_up = _y_is_up(skeleton, position)
-        if not y_is_up:
-            notes += ("z is up in the file",)
-
-        def ours(vector: Array) -> Array:
-            return np.roll(vector, 1, axis=-1) if y_is_up else vector
-
-        def turned(q: Array) -> Array:
-            return np.concatenate([q[..., :1], ours(q[..., 1:])], axis=-1)
-
-        names = _unique(skeleton.names)
-        return cls(
-            names, skeleton.parents, unit * ours(offset), {i: unit * ours(end) for i, end in ends.items()},
-            unit * ours(position), turned(rotation), turned(turn), notes,
+        here = cls(
+            unique(skeleton.names), skeleton.parents, unit * offset, {i: unit * end for i, end in ends.items()},
+            unit * position, rotation, turn, notes, said,
         )  # fmt: skip
+        return _placed_upright(here, skeleton)
+
+    def turned(self, world: Array, rest: Array) -> Captured:
+        """With the world turned (4,), and the pose in which nothing is turned by another turn (4,)."""
+        back = quat.inverse(rest)
+        local = quat.product(quat.product(rest, self.local), back)
+        local[:, 0] = quat.product(quat.product(world, self.local[:, 0]), back)
+        return replace(
+            self,
+            offset=quat.rotated(rest, self.offset),
+            ends={i: quat.rotated(rest, end) for i, end in self.ends.items()},
+            position=quat.rotated(world, self.position),
+            rotation=quat.aligned(quat.product(quat.product(world, self.rotation), back)),
+            local=quat.aligned(local),
+        )
 
     @cached_property
     def roles(self) -> dict[str, int]:
-        return as_said(roles(self.names, self.parents), self.said, self.names, "recording")
+        found = as_said(roles(self.names, self.parents), self.said, self.names, "recording")
+        if not self.said:
+            return found
+        trunk = with_trunk(found, self.names, self.parents)  # as limbs of the map have it
+        return found | {role: joint for role, joint in trunk.items() if role not in {*found, *self.said}}
 
     @cached_property
     def at_zero(self) -> Array:
@@ -85,6 +96,21 @@ class Captured:
         for i, parent in enumerate(self.parents):
             place[i] = self.offset[i] + (place[parent] if parent >= 0 else 0.0)
         return place
+
+    @cached_property
+    def stands(self) -> bool:
+        """Whether it stands upright when nothing is turned."""
+        place, found = self.at_zero, self.roles
+        needed = [f"{side}_{part}" for side in ("left", "right") for part in ("thigh", "shin")]
+        if any(role not in found for role in needed):
+            return False
+        hips = 0.5 * (place[found["left_thigh"]] + place[found["right_thigh"]])
+        legs = [place[found[f"{side}_thigh"]] - place[found[f"{side}_shin"]] for side in ("left", "right")]
+        top = found.get("head", found.get("neck"))
+        arms = [found[f"{side}_upper_arm"] for side in ("left", "right") if f"{side}_upper_arm" in found]
+        if top is not None or len(arms) == 2:
+            legs.append((place[top] if top is not None else place[arms].mean(axis=0)) - hips)
+        return min(float(part[2]) / max(float(np.linalg.norm(part)), 1e-12) for part in legs) > UPRIGHT
 
     def children(self, joint: int) -> list[int]:
         return [i for i, parent in enumerate(self.parents) if parent == joint]
@@ -120,17 +146,6 @@ class Captured:
         return replace(self, position=self.position + np.array([0, 0, by]))
 
 
-def _unique(names: list[str]) -> list[str]:
-    """Names without doubles."""
-    out: list[str] = []
-    for name in names:
-        count, unique = 2, name
-        while unique in out:
-            unique, count = f"{name}_{count}", count + 1
-        out.append(unique)
-    return out
-
-
 def _unit(
     parents: list[int], offset: Array, ends: dict[int, Array], scale: float | None
 ) -> tuple[float, tuple[str, ...]]:
@@ -155,11 +170,13 @@ def _unit(
     return unit, (f"of no unit that fits a person: made {REACH:g} m from hips to toes; {unsaid.UNIT}",)
 
 
-def _y_is_up(skeleton: Skeleton, position: Array) -> bool:
-    """Whether hips are above feet along y rather than along z."""
-    found = roles(skeleton.names, skeleton.parents)
-    feet = [found[role] for role in ("left_foot", "right_foot", "left_shin", "right_shin") if role in found]
-    if "pelvis" not in found or not feet:
-        return True
-    up = np.median(position[:, found["pelvis"]] - position[:, feet].mean(axis=1), axis=0)
-    return bool(up[1] >= up[2])
+def _placed_upright(captured: Captured, skeleton: Skeleton) -> Captured:
+    """With z up in the world and in the pose in which nothing is turned, of one in the file's axes."""
+    up, note = vertical(captured.position, captured.roles, skeleton.up)
+    world = TO_Z[up]
+    captured = captured.turned(world, world)
+    rest, _ = standing_turn(captured.at_zero, captured.roles)
+    stood = captured.turned(NONE, rest)
+    if stood.stands and not captured.stands:
+        captured = stood
+    return replace(captured, notes=captured.notes + note)

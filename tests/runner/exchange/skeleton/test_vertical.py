@@ -1,0 +1,86 @@
+"""The vertical of recordings is the axis along which the person is upright, whatever the file's axes are."""
+
+from __future__ import annotations
+
+import mujoco
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+from turned_axes import turned
+
+from dynsplines import models, work
+from dynsplines.clip import load as clip
+from dynsplines.exchange.format import bvh
+from dynsplines.exchange.skeleton import retarget
+from dynsplines.exchange.skeleton.captured import Captured
+from dynsplines.exchange.skeleton.upright import vertical
+from dynsplines.exchange.take import Take
+from dynsplines.system.progress import Progress
+
+HUMAN = mujoco.MjModel.from_xml_string(models.figure_text("human"))
+NONE = Rotation.identity()
+UPS = {  # how a file whose y is up is turned
+    "z": Rotation.from_euler("x", 90, degrees=True), "x": Rotation.from_euler("z", -90, degrees=True),
+    "-y": Rotation.from_euler("x", 180, degrees=True), "-z": Rotation.from_euler("x", -90, degrees=True),
+    "-x": Rotation.from_euler("z", 90, degrees=True),
+}  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def walk():
+    """A person's walk in BVH's axes."""
+    return bvh.skeleton(Take.of(work.unsolved(clip.load("walk_loop")).saved(Progress(), with_report=False)))
+
+
+def on_human(skeleton):
+    """Distances (T, 12, 12) [m] between bodies and heights (T, 12) [m], by MuJoCo; notes."""
+    captured = Captured.of(skeleton, 0.01)
+    qpos, _ = retarget.onto(captured, HUMAN, "walk.bvh")
+    data, out = mujoco.MjData(HUMAN), []
+    for row in qpos:
+        data.qpos[:] = row
+        mujoco.mj_kinematics(HUMAN, data)
+        out.append(data.xpos[1:].copy())
+    place = np.array(out)
+    return np.linalg.norm(place[:, :, None] - place[:, None], axis=-1), place[..., 2], captured.notes
+
+
+@pytest.mark.parametrize("up", UPS)
+@pytest.mark.parametrize("what", ["world and rest", "world", "rest"])
+def test_a_walk_is_the_same_in_any_axes(walk, up, what):
+    world, rest = ("world" in what) * 1, ("rest" in what) * 1
+    near, height, _ = on_human(walk)
+    found = on_human(turned(walk, UPS[up] if world else NONE, UPS[up] if rest else NONE))
+    assert found[0] == pytest.approx(near, abs=1e-6)
+    assert found[1] == pytest.approx(height, abs=1e-6)
+    assert any(note.startswith(f"{up} is up in the file") for note in found[2]) == bool(world)
+
+
+def motion(direction, travel):
+    """(20, 3, 3) [m] of head, pelvis and ankle along a direction, moved along another."""
+    along = np.array([0.9, 0.0, -0.85])[:, None] * np.array(direction)
+    return along + np.linspace(0, 1, 20)[:, None, None] * np.array(travel)
+
+
+ROLES = {"head": 0, "pelvis": 1, "left_foot": 2, "right_foot": 2}
+
+
+def test_a_person_that_lies_down_for_most_of_the_time_does_not_turn_the_world():
+    stands, lies = motion([0, 1, 0], [0, 0, 0])[:5], motion([1, 0, 0], [0, 0, 1])
+    assert vertical(np.concatenate([stands, lies]), ROLES, "y") == ("y", ())
+
+
+def test_a_person_that_swims_on_the_floor_leaves_the_usual_axis_up():
+    """Level along y, while the feet go along z with the body."""
+    assert vertical(motion([0, 0, 1], [0, 0, 2]), ROLES, "y")[0] == "y"
+
+
+def test_a_handstand_on_a_floor_is_not_turned():
+    """Hands stay at one height, feet kick."""
+    kick = np.zeros((20, 3, 3))
+    kick[:, 2, 1] = 0.3 * np.sin(np.arange(20))
+    assert vertical(motion([0, -1, 0], [0, 0, 1]) + kick, ROLES, "y")[0] == "y"
+
+
+def test_without_known_parts_the_usual_axis_is_up():
+    assert vertical(motion([0, 0, 1], [1, 0, 0]), {}, "y") == ("y", ())
