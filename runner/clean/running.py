@@ -21,11 +21,10 @@ from ..clip.follow.keeping import ground_of, rests_of
 from ..clip.follow.recording import Moving
 from ..clip.obstacles import obstacles
 from ..clip.table import MapTable, SceneTable, SurroundingsTable
-from ..clip.text import written
 from ..errors import UserError
 from ..exchange import formats, gaps
 from ..exchange.imported import taken
-from ..exchange.skeleton import retarget
+from ..exchange.skeleton import maps, retarget
 from ..motion import Saved
 from ..scene import outside
 from ..scene.assets import Scene
@@ -36,7 +35,6 @@ from .cleaning import Cleaned, cleaned
 from .comparing import Comparison, verdict
 from .repairs import repaired
 
-HEADING = '# Who is who, by role: a body of the figure, a joint of the recording; "" for none.\n'
 NAMED = 6  # stances that are listed of a point
 
 
@@ -173,20 +171,30 @@ def _read(source: Source, around: SurroundingsTable, progress: Progress) -> _Rea
         told_by = clips.file_of(source.map, MapTable)
         chosen = retarget.Map(told_by.figure, told_by.recording)
     with retarget.by(chosen) as met, gaps.allowed():
-        found = taken(
-            source.file, source.kind, figure=source.figure, fps=source.fps, scale=source.scale, progress=progress
-        )
+        try:
+            found = taken(
+                source.file, source.kind, figure=source.figure, fps=source.fps, scale=source.scale, progress=progress
+            )
+        except UserError as error:
+            if not met or source.map is None or not source.writes_map:
+                raise
+            _write_map(source.map, met[0], progress)
+            raise UserError(f"{error}; '{source.map}' is to be filled in") from None
     if source.map is not None and not met:
         raise UserError(f"'{source.file}': its format is already one of the figure's joints; a map says nothing of it")
     if source.map is not None and source.writes_map:
-        with Replacement(source.map) as temporary:
-            said = {"figure": dict(met[0].figure), "recording": dict(met[0].recording)}
-            temporary.write_text(f"{HEADING}{written(said)}", encoding="utf-8")
-        progress.say(f"wrote {source.map}")
+        _write_map(source.map, met[0], progress)
     said = around.scene.step
     step = None if said is None else Step(**said.model_dump())
     scene = compose(found.spec, step, obstacles(around.scene), bare=found.model)
     return _Read(found.name, scene, found.time, found.qpos, found.fps)
+
+
+def _write_map(target: Path, used: retarget.Used, progress: Progress) -> None:
+    """Writes a map as it was used, to be edited."""
+    with Replacement(target) as temporary:
+        temporary.write_text(maps.text_of(used), encoding="utf-8")
+    progress.say(f"wrote {target}")
 
 
 def _cleaned(

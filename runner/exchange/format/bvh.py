@@ -51,7 +51,7 @@ def recording(
     notes: tuple[str, ...] = (),
 ) -> Recording:
     """A skeleton's motion, of any format, as a figure of its own or on a figure; rate [1/s], scale [m] as in `read`."""
-    return of_captured(Captured.of(skeleton, scale), rate, path, model, notes)
+    return of_captured(Captured.of(skeleton, scale, retarget.chosen().recording), rate, path, model, notes)
 
 
 def of_captured(

@@ -1,12 +1,18 @@
-"""Maps, who is who between a figure and recordings: by their file, or by the name of one that ships."""
+"""Maps from roles to bodies of a figure and joints of recordings: the files written, and those that ship."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from dynsplines import models
 
+from ...clip.text import written
 from ...errors import UserError
+from .retarget import NEEDED, Used
+from .roles import ROLES
+
+HEADING = '# Who is who, by role: a body of the figure, a joint of the recording; "" for none.\n'
 
 
 def map_of(said: Path | None) -> Path | None:
@@ -17,3 +23,20 @@ def map_of(said: Path | None) -> Path | None:
         return models.map_file(str(said))
     except models.UnknownName as error:
         raise UserError(f"--map: no file '{said}', and {error}") from None
+
+
+def text_of(used: Used) -> str:
+    """The file of a map as it was used; roles that were not found are lines to fill in."""
+    figure = _table("figure", used.figure, used.recording, used.bodies)
+    return f"{HEADING}{figure}\n{_table('recording', used.recording, used.figure, used.joints)}"
+
+
+def _table(title: str, found: Mapping[str, str], other: Mapping[str, str], names: Sequence[str]) -> str:
+    """One table of a map; other, the roles that the other side has."""
+    out = f"[{title}]\n" + "".join(f"{line}\n" for line in written(dict(found)).splitlines() if line)
+    missing = [role for role in ROLES if role not in found and (role in NEEDED or role in other)]
+    if missing:
+        left = [name for name in names if name not in found.values()]
+        out += f"# Not found by name. Names without a role: {', '.join(left) or 'none'}\n"
+        out += "".join(f'# {role} = ""{"  # needed" if role in NEEDED else ""}\n' for role in missing)
+    return out

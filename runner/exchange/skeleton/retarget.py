@@ -26,6 +26,7 @@ from dynsplines.solver.array import Array, Index
 from dynsplines.solver.figure.root import Root
 
 from ...errors import UserError
+from .. import unsaid
 from . import hierarchy
 from .branches import completed
 from .captured import Captured
@@ -43,7 +44,6 @@ NEXT = {
     "foot": "toe",
     "clavicle": "upper_arm",
 }
-UPRIGHT = 0.8  # cosine to the vertical of legs and trunk in a pose that counts as standing
 BENT = 0.15  # mean sine of an elbow's or knee's bend that tells its axis
 LOWEST = 2.0  # per cent of the images whose soles may be in the ground
 LEVEL = 0.001  # [m] that soles may be off the ground and be left there
@@ -151,18 +151,32 @@ class Map:
     recording: Mapping[str, str] = field(default_factory=dict)
 
 
-_mapping: ContextVar[tuple[Map, list[Map]] | None] = ContextVar("mapping", default=None)
+@dataclass(frozen=True)
+class Used(Map):
+    """A map as it was used, and the names that it may have: bodies of the figure, joints of the recording."""
+
+    bodies: Sequence[str] = ()
+    joints: Sequence[str] = ()
+
+
+_mapping: ContextVar[tuple[Map, list[Used]] | None] = ContextVar("mapping", default=None)
 
 
 @contextmanager
-def by(chosen: Map) -> Iterator[list[Map]]:
+def by(chosen: Map) -> Iterator[list[Used]]:
     """In here recordings come on to figures by a map, where that says anything; gives those that were used."""
-    used = list[Map]()
+    used = list[Used]()
     before = _mapping.set((chosen, used))
     try:
         yield used
     finally:
         _mapping.reset(before)
+
+
+def chosen() -> Map:
+    """The map by which recordings come on to figures."""
+    now = _mapping.get()
+    return Map() if now is None else now[0]
 
 
 def onto(captured: Captured, model: mujoco.MjModel, where: str) -> tuple[Array, tuple[str, ...]]:
@@ -172,9 +186,11 @@ def onto(captured: Captured, model: mujoco.MjModel, where: str) -> tuple[Array, 
     standing = replace(standing, roles=as_said(standing.roles, chosen.figure, names, "figure"))
     captured = replace(captured, said=chosen.recording)
     used.append(
-        Map(
+        Used(
             {role: names[body] for role, body in standing.roles.items()},
             {role: captured.names[joint] for role, joint in captured.roles.items()},
+            names[1:],
+            captured.names,
         )
     )
     for what, found in (("the figure's bodies", standing.roles), ("the file's joints", captured.roles)):
@@ -182,7 +198,8 @@ def onto(captured: Captured, model: mujoco.MjModel, where: str) -> tuple[Array, 
         if missing:
             listed = captured.names if found is captured.roles else hierarchy.names(model)[1:]
             raise UserError(
-                f"{where}: among {what} none is a {missing[0].replace('_', ' ')} by its name: {_some(listed)}"
+                f"{where}: among {what} none is a {missing[0].replace('_', ' ')} by its name: {_some(listed)}; "
+                f"{unsaid.MAP}"
             )
     root = carrying(model, standing.roles.get("pelvis", standing.roles["left_thigh"]))
     if root is None:
@@ -190,7 +207,7 @@ def onto(captured: Captured, model: mujoco.MjModel, where: str) -> tuple[Array, 
         slides = "or slides on which it moves about; in URDF a joint of type 'floating' from a link 'world'"
         raise UserError(f"{where}: the figure's root, '{top}', needs a free joint, {slides}")
     shared = [role for role in standing.roles if role in captured.roles]
-    upright = _stands(captured)
+    upright = captured.stands
     alignment = _upright(captured, standing, shared) if upright else _by_bends(captured, standing, shared)
     bent = [side for side in ("left", "right") if f"{side}_toe" not in standing.roles and _has_toes(captured, side)]
     for side in bent:
@@ -333,20 +350,6 @@ def swing(start: Array, end: Array, otherwise: Array) -> Array:
     if cosine < -0.999999:
         return quat.from_rotation_vector(np.pi * _unit(otherwise - start * (start @ otherwise)))
     return quat.normalised(np.append(1 + cosine, axis))
-
-
-def _stands(captured: Captured) -> bool:
-    """Whether the skeleton stands upright when nothing is turned."""
-    place, found = captured.at_zero, captured.roles
-    hips = 0.5 * (place[found["left_thigh"]] + place[found["right_thigh"]])
-    legs = [place[found[f"{side}_shin"]] - place[found[f"{side}_thigh"]] for side in ("left", "right")]
-    checks = [-_unit(leg)[2] for leg in legs]
-    top = found.get("head", found.get("neck"))
-    arms = [found[f"{side}_upper_arm"] for side in ("left", "right") if f"{side}_upper_arm" in found]
-    if top is not None or len(arms) == 2:
-        trunk = (place[top] if top is not None else place[arms].mean(axis=0)) - hips
-        checks.append(_unit(trunk)[2])
-    return min(checks) > UPRIGHT
 
 
 def _heading(left: Array) -> Array:

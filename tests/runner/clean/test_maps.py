@@ -1,0 +1,78 @@
+"""Maps for skeletons whose names say nothing: written incomplete, filled in, and obeyed, also above the pelvis."""
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from command import Command, commanded
+
+from dynsplines import work
+from dynsplines.clip import load as clip
+from dynsplines.exchange import formats, gaps
+from dynsplines.exchange.skeleton import retarget
+from dynsplines.exchange.skeleton.bvh_file import read
+from dynsplines.exchange.skeleton.captured import Captured
+from dynsplines.scene.compose import figure_spec
+from dynsplines.system.progress import Progress
+
+ROLES = [f"{side}_{part}" for side in ("left", "right") for part in ("upper_arm", "forearm", "thigh", "shin", "foot")]
+
+
+@pytest.fixture(scope="module")
+def walk(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    moved = work.unsolved(clip.load("walk_loop")).saved(Progress(), with_report=False)
+    return Path(formats.export(moved, "bvh", tmp_path_factory.mktemp("walk") / "walk.bvh"))
+
+
+@pytest.fixture
+def command(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Command:
+    return commanded(monkeypatch, capsys)
+
+
+def foreign(walk: Path, target: Path, *, on_reference: bool) -> dict[str, str]:
+    """Writes the walk with numbers for names, if so under a joint that stands still beside a prop; names by role."""
+    text, called = walk.read_text(encoding="utf-8"), dict[str, str]()
+
+    def renamed(found: re.Match[str]) -> str:
+        called[found[2]] = f"bone{len(called)}"
+        return f"{found[1]} {called[found[2]]}"
+
+    text = re.sub(r"(ROOT|JOINT) (\S+)", renamed, text)
+    if on_reference:
+        channels = "CHANNELS 3 Zrotation Xrotation Yrotation"
+        prop = f"JOINT prop\n{{\nOFFSET 9 9 9\n{channels}\nEnd Site\n{{\nOFFSET 0 1 0\n}}\n}}"
+        text = text.replace("ROOT", f"ROOT stage\n{{\nOFFSET 0 0 0\n{channels}\n{prop}\nJOINT", 1)
+        head, values = text.split("MOTION\n")
+        lines = values.splitlines()
+        text = "\n".join([f"{head}}}\nMOTION", *lines[:2], *(f"0 0 0 0 0 0 {line}" for line in lines[2:]), ""])
+    target.write_text(text, encoding="utf-8")
+    return {role: called[role] for role in ROLES}
+
+
+@pytest.mark.parametrize("on_reference", [False, True])
+def test_a_map_of_limbs_is_enough(walk, tmp_path, on_reference):
+    said = foreign(walk, tmp_path / "a.bvh", on_reference=on_reference)
+    model = figure_spec("human").compile()
+    expected, _ = retarget.onto(Captured.of(read(walk)[0]), model, "walk.bvh")
+    with retarget.by(retarget.Map(recording=said)), gaps.allowed():
+        found = formats.recording(tmp_path / "a.bvh", model=model)
+    assert np.ptp(expected[:, 0]) > 0.3
+    np.testing.assert_allclose(found.qpos, expected, atol=1e-5)
+
+
+def test_an_incomplete_map_is_written_and_named(command, walk, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    foreign(walk, tmp_path / "a.bvh", on_reference=False)
+    done = command("retarget", "a.bvh", "--to", "human")
+    assert done.code == 2
+    assert "--map FILE" in done.last and "--write-map" in done.last
+    done = command("retarget", "a.bvh", "--to", "human", "--map", "m.toml", "--write-map")
+    assert done.code == 2
+    assert done.last.endswith("'m.toml' is to be filled in")
+    text = (tmp_path / "m.toml").read_text(encoding="utf-8")
+    figure, recording = text.split("[recording]")
+    assert 'left_thigh = "left_thigh"' in figure
+    assert "# Not found by name. Names without a role: bone0, bone1," in recording
+    assert '# left_thigh = ""  # needed' in recording
+    assert '# left_upper_arm = ""\n' in recording
