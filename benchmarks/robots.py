@@ -127,31 +127,38 @@ def squat(model: mujoco.MjModel, start: Path, target: Path) -> None:
     table = tomllib.loads(text)
     head, _, _ = text.partition("[[keyframe]]")
     first = text[len(head) :].split("[[keyframe]]")[1]
-    position = table["keyframe"][0].get("root", {}).get("position")
-    if position is not None and isinstance(position[2], float | int) and position[2] > 0:
-        middle = f"root.position = [{position[0]}, {position[1]}, {SQUAT * position[2]:.4f}]\n"
-    elif model.jnt_type[0] == mujoco.mjtJoint.mjJNT_FREE:
-        x, y, z = model.qpos0[:3]
+    data = mujoco.MjData(model)
+    if model.nkey and "key:" in first:
+        mujoco.mj_resetDataKeyframe(model, data, 0)
+    mujoco.mj_kinematics(model, data)
+    carrier = _carrier(model)
+    if "root.position" in head and carrier is not None:
+        x, y, z = table["keyframe"][0].get("root", {}).get("position", data.xpos[carrier].tolist())
         middle = f"root.position = [{x}, {y}, {SQUAT * z:.4f}]\n"
-    elif (lift := _vertical_slide(model)) is not None:
-        height = float(model.body_pos[model.jnt_bodyid[lift]][2])
-        middle = f'joints."{model.joint(lift).name}" = {model.qpos0[lift] - SQUAT_TURN * height:.4f}\n'
     else:
         middle = _turned_hinge(model)
     again = first.replace("time = 0.0", "time = 2.0").replace("time = 0\n", "time = 2.0\n")
     target.write_text(f"{head}[[keyframe]]{first}[[keyframe]]\ntime = 1.0\n{middle}\n[[keyframe]]{again}", "utf-8")
 
 
-def _vertical_slide(model: mujoco.MjModel) -> int | None:
-    """The root's joint that raises it, where there is one."""
-    first = range(model.body_jntnum[1])
-    slides = [j for j in first if model.jnt_type[j] == mujoco.mjtJoint.mjJNT_SLIDE and model.jnt_axis[j][2] > 0.99]
-    return slides[0] if slides else None
+def _carrier(model: mujoco.MjModel) -> int | None:
+    """The body whose joints raise most of the model: a free joint, or a slide that goes up."""
+    up = [
+        joint
+        for joint in range(model.njnt)
+        if model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_FREE
+        or (model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_SLIDE and abs(model.jnt_axis[joint][2]) > 0.99)
+    ]
+    bodies = sorted({int(model.jnt_bodyid[joint]) for joint in up}, key=lambda body: -model.body_dofnum[body])
+    trees = [(int(np.sum(model.dof_treeid == model.body_treeid[body])), body) for body in bodies]
+    count, body = max(trees, default=(0, -1))
+    return body if count > 6 or (count > 3 and model.body_dofnum[body] <= 3) else None
 
 
 def _turned_hinge(model: mujoco.MjModel) -> str:
     """A keyframe's line that moves the first limited hinge, else the first one."""
     hinges = np.flatnonzero(model.jnt_type == mujoco.mjtJoint.mjJNT_HINGE)
+    hinges = np.array([joint for joint in hinges if model.joint(joint).name] or hinges, int)
     limited = hinges[model.jnt_limited[hinges] == 1]
     moved = int((*limited, *hinges)[0])
     low, high = np.degrees(model.jnt_range[moved]) if model.jnt_limited[moved] else (-90.0, 90.0)
