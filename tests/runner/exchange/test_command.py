@@ -186,10 +186,10 @@ def test_a_name_that_does_not_fit_is_refused_before_anything_is_written(run, tmp
     assert sorted(path.name for path in tmp_path.iterdir()) == ["robot.xml", "wild.npz"]
 
 
-@pytest.mark.parametrize("words", [["x.glb"], ["x.y", "--from", "gltf"]])
+@pytest.mark.parametrize("words", [["x.html"], ["x.y", "--from", "html"]])
 def test_a_format_that_is_only_written_is_told(run, words):
     code, _, said = run("import", *words, "-o", "new.npz")
-    assert code == 2 and "the format 'gltf' is only written; read are: csv" in said
+    assert code == 2 and "the format 'html' is only written; read are: csv" in said
 
 
 def test_an_import_reports_violations_as_solve_does(run, tmp_path):
