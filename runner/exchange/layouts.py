@@ -141,8 +141,6 @@ def _most_plausible(
     """The layout of fewest differences if it is plausible, else the one that clearly is, and what was decided."""
     least = min(len(each.layout) for _, each in candidates)
     ranked = _ranked([each for each in candidates if len(each[1].layout) == least], model)
-    if len(ranked) > 1 and ranked[1][0].cost - ranked[0][0].cost < CLEARLY:
-        raise UserError(f"{where}: {_equally(ranked[:2])}")
     best, first = ranked[0]
     axes = [other for each in candidates for other in _axes(model, each)]
     rest = [each for each in (*candidates, *axes) if len(each[1].layout) > least]
@@ -155,6 +153,8 @@ def _most_plausible(
         if len(rivals) > 1:
             raise UserError(f"{where}: as {_called(*first)} it is implausible ({best}); {_equally(rivals)}")
         return rivals[0][1][1], (_decided(rivals[0], ranked[0]),)
+    if len(ranked) > 1 and ranked[1][0].cost - ranked[0][0].cost < CLEARLY:
+        raise UserError(f"{where}: {_equally(ranked[:2])}")
     return first[1], (_decided(*ranked[:2]),) if len(ranked) > 1 else ()
 
 

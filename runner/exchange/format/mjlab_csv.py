@@ -53,13 +53,13 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     fps = fps or found.fps
     own = robot_joints(model)
     width = 7 + sum(len(names) for joint, names in HingeLayout(model).joints if joint in own)
+    if found.numbers.shape[1] != width + 1 and fps is None:
+        raise UserError(f"{path}: the format tells none; {unsaid.RATE}")
     if found.numbers.shape[1] not in (width, width + 1):
         shape = found.numbers.shape
         raise UserError(
             f"{path}: a table {shape}; a row is root xyz, root quaternion xyzw, and hinges: {width} columns"
         )
-    if found.numbers.shape[1] == width and fps is None:
-        raise UserError(f"{path}: the format tells none; {unsaid.RATE}")
     time, table = without_heading(path, found.numbers, width, fps)
     parts = {"root": table[:, :3], "quaternion (columns 4 to 7)": table[:, 3:7], "hinges": table[:, 7:]}
     held = Held(path, parts)

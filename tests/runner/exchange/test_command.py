@@ -115,7 +115,7 @@ def test_a_motion_that_is_there_stays_unless_told(run, tmp_path, output):
 def test_a_motion_is_called_after_its_file_without_the_formats_whole_ending(run, tmp_path):
     assert run("export", "wild.npz", "--to", "locomujoco", "-o", "doggo7.loco.npz")[0] == 0
     code, _, said = run("import", "doggo7.loco.npz", "--figure", "robot.xml")
-    assert code == 0 and said.splitlines()[-1] == "wrote doggo7.npz"
+    assert code == 0 and "wrote doggo7.npz" in said.splitlines()
     assert motion.load(tmp_path / "doggo7.npz").name == "doggo7"
 
 

@@ -145,6 +145,15 @@ def test_a_table_that_is_plausible_in_either_order_needs_a_format(tmp_path):
         np.testing.assert_allclose(found.qpos[:, 3:7], np.tile(turn, (20, 1)), atol=1e-9)
 
 
+@pytest.mark.parametrize("order", [[3, 4, 5, 6], [4, 5, 6, 3]])
+def test_a_table_without_heading_may_have_its_joints_breadth_first(order, tmp_path):
+    rows = QPOS[:, [0, 1, 2, *order, *(7 + np.array(BREADTH))]]
+    np.savetxt(tmp_path / "a.csv", rows, delimiter=",")
+    found, notes = read(tmp_path / "a.csv", fps=50.0)
+    is_walk(found)
+    assert "joints breadth first" in notes
+
+
 TURNED = np.array([np.sqrt(0.5), -np.sqrt(0.5), 0, 0])  # from z up to y up
 
 
