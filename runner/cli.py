@@ -484,7 +484,11 @@ def export(
         typer.Option("--with", help="of csv: more columns, of velocities,torques,wrench,ground (with commas), or all"),
     ] = "",
     simulate: Annotated[
-        bool, typer.Option("--simulate", help="of mjcf: a scene that collides, actuators, and their targets")
+        bool,
+        typer.Option(
+            "--simulate",
+            help="of mjcf: a scene to simulate with actuators and their targets; -o X.simulate.xml asks for it too",
+        ),
     ] = False,
     repeat: Repeat = None,
     overwrite: OverThere = False,

@@ -217,11 +217,13 @@ def _scene(take: Take, actuators: list[Drive]) -> tuple[ElementTree.Element, lis
     for name, joint in zip(names, spec.joints, strict=True):
         joint.name = name
     with quietly():
-        notes += _exclude_overlaps(spec, spec.compile(), take.qpos)
-        spec.compile()
+        overlaps = _exclude_overlaps(spec, spec.compile(), take.qpos)
+        if overlaps:
+            spec.compile()
     if take.figure.root is not None and not take.figure.root.is_free:
         moved = ", ".join(names[joint] for joint in take.figure.root.joints)
         notes.append(f"the root's joints have actuators too, which carry the figure: {moved}")
+    notes += overlaps
     root = ElementTree.fromstring(portable_text(spec))
     _remove_actuators(root)
     _add_actuators(root, names, actuators)
