@@ -15,8 +15,9 @@ import numpy as np
 from dynsplines.solver.array import Array
 
 from ...errors import UserError
-from .. import headings, layouts, quantities, tables, unsaid
+from .. import layouts, quantities, unsaid
 from ..held import times
+from ..tables import headings, table_text
 from ..take import Recording, Take
 
 FORMULA = "=+-@\t\r"  # what a spreadsheet takes for the begin of one, and runs
@@ -58,7 +59,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     """With a heading, columns in any order, by `headings`; without one nq columns, or the time and nq columns."""
     if model is None:
         raise UserError(f"{path}: a table of qpos is for a figure; {unsaid.FIGURE}")
-    found = tables.table(path)
+    found = table_text.table(path)
     notes: tuple[str, ...] = found.notes
     is_certain = found.names is not None
     if found.names is None:

@@ -16,10 +16,11 @@ import mujoco
 import numpy as np
 
 from ...errors import UserError
-from .. import layouts, tables, unsaid
+from .. import layouts, unsaid
 from ..held import Held
 from ..robot import Robot, configurations, needs_figure, robot_joints
 from ..skeleton.hinged import HingeLayout
+from ..tables import table_text
 from ..take import Recording, Take
 from .csv_table import without_heading
 from .mjlab import beside as beside
@@ -41,7 +42,7 @@ def write(take: Take, path: Path) -> None:
 def recognises(path: Path) -> bool:
     """Whether a table is of this kind: without a heading."""
     try:
-        return tables.table(path).names is None
+        return table_text.table(path).names is None
     except UserError:
         return False
 
@@ -49,7 +50,7 @@ def recognises(path: Path) -> bool:
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
     """Root, quaternion and hinges, after a column of times if there is one; raises UserError for other rows."""
     model = needs_figure(model, path)
-    found = tables.table(path)
+    found = table_text.table(path)
     fps = fps or found.fps
     own = robot_joints(model)
     width = 7 + sum(len(names) for joint, names in HingeLayout(model).joints if joint in own)

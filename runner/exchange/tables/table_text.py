@@ -17,7 +17,7 @@ import numpy as np
 
 from dynsplines.solver.array import Array
 
-from ..errors import UserError
+from ...errors import UserError
 
 SEPARATORS = {",": "commas", ";": "semicolons", "\t": "tabs", " ": "spaces"}
 MARKS = ("#", "%", "//")

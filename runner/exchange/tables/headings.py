@@ -17,7 +17,7 @@ import numpy as np
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.root import root_of
 
-from ..errors import UserError
+from ...errors import UserError
 
 FREE, HINGE, SLIDE = (int(getattr(mujoco.mjtJoint, f"mjJNT_{kind}")) for kind in ("FREE", "HINGE", "SLIDE"))
 UNIT = re.compile(r"[\[(]\s*([^\])]*?)\s*[\])]\s*$")
