@@ -19,6 +19,7 @@ SLACK = np.radians(5)  # beyond a joint's range
 MOVING = 0.05  # degrees or [rad]: joints that move less are no evidence of the unit
 FAST = 50.0  # [rad/s]: joints of robots and people do not turn so fast
 SLIDING = 1.0  # [m/s] of the lowest point, which is at rest in most motions
+LYING = 0.35  # of its length, the height of a figure whose rest pose lies down and shows no direction to be up
 JUMP = np.radians(45)  # of the root between samples
 FREE, HINGE = int(mujoco.mjtJoint.mjJNT_FREE), int(mujoco.mjtJoint.mjJNT_HINGE)
 
@@ -214,6 +215,7 @@ def _stands(model: mujoco.MjModel, body: int, qpos: Array, time: Array) -> tuple
 
     rest, low = points(model.qpos0)
     size = float(max(np.ptp(rest, axis=0).max(), rest[:, 2].max() - low.min(), 1e-3))
+    lies = rest[:, 2].max() - low.min() < LYING * np.ptp(rest, axis=0)[:2].max()
     up = data.xmat[body].reshape(3, 3)[2].copy()
     rows = spread(len(qpos) - 1) if len(qpos) > 1 else np.zeros(1, int)
     tilts, heights, speeds = np.zeros(rows.size), np.zeros(rows.size), np.zeros(rows.size)
@@ -225,4 +227,9 @@ def _stands(model: mujoco.MjModel, body: int, qpos: Array, time: Array) -> tuple
         if i + 1 < len(qpos):
             there, _ = points(qpos[i + 1])
             speeds[n] = np.linalg.norm((there - here)[first, :2]) / max(time[i + 1] - time[i], 1e-3)
-    return float(tilts.mean()), float(heights.mean()), float(np.minimum(speeds, 3 * SLIDING).mean()), size
+    return (
+        0.0 if lies else float(tilts.mean()),
+        float(heights.mean()),
+        float(np.minimum(speeds, 3 * SLIDING).mean()),
+        size,
+    )

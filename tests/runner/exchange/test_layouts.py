@@ -3,6 +3,7 @@
 import pickle
 from typing import Any
 
+import mujoco
 import numpy as np
 import pytest
 import walking_biped as biped
@@ -232,6 +233,16 @@ def test_a_motion_that_is_implausible_in_every_layout_is_read_as_documented(tmp_
     found, notes = read(tmp_path / "a.npz")
     is_walk(found, 1e-12, qpos)
     assert not notes
+
+
+@pytest.mark.parametrize("turn", [1, -1])
+def test_a_figure_whose_rest_pose_lies_down_is_not_turned(turn, tmp_path):
+    lying = biped.TEXT.replace('pos="0 0 .8"', f'pos="0 0 .2" quat=".70710678 {turn * 0.70710678} 0 0"')
+    qpos = biped.walk(heading=0.0)
+    np.savez(tmp_path / "a.npz", qpos=qpos, fps=50.0)
+    found = recording(tmp_path / "a.npz", model=mujoco.MjModel.from_xml_string(lying))
+    is_walk(found, 1e-9, qpos)
+    assert not found.notes
 
 
 def test_samples_without_numbers_do_not_count(tmp_path):
