@@ -19,7 +19,7 @@ from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.unknowns import raw_timeline
-from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import BendLimits, Hold, Placed
 from dynsplines.solver.penalty.ground.planted import NEAR_SURFACE, SAME_SPOT
@@ -185,6 +185,9 @@ class Stander:
         trunk = np.zeros(self.figure.width, bool)
         for columns in self.figure.tables.quaternion_columns.T:
             trunk[columns] = True
+        if self.figure.root is not None:
+            for link in self.figure.root.links:
+                trunk[entries(self.figure, link)] |= self.figure.links[link].kind is JointKind.HINGE
         legs = {link for goal in goals for link in limb(self.figure, goal.body(self.figure.model))}
         for link in legs:
             trunk[entries(self.figure, link)] = False

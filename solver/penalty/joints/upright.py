@@ -16,7 +16,7 @@ from ...array import Array, Index
 from ...curve.frame import Timeline
 from ...figure.adjoint import Cotangent
 from ...figure.algebra import applied, dot
-from ...figure.figure import Figure, quaternion_columns
+from ...figure.figure import Figure, JointKind, quaternion_columns
 from ...figure.kinematics import Samples
 from ..curvature import Curvature
 from ..ground.contact import point_gradients
@@ -97,15 +97,33 @@ class Upright(Momentary):
 
 
 def leans(figure: Figure, keys: Timeline, roots: Sequence[int]) -> tuple[Lean, ...]:
-    """How free links lean in the keyframes that were posed with their turn left free: what points up there."""
+    """How roots lean in the keyframes that were posed with their turn left free: what points up there.
+
+    roots  links with a quaternion, or the link of the figure's root of slides and hinges
+    """
     states = keys.states
     samples = Samples.still(figure, states)
     found = []
     for root in roots:
-        columns = quaternion_columns(figure.links[root])
-        if columns is None:
+        columns = _turning(figure, int(root))
+        if not columns:
             continue
-        for k in np.flatnonzero((keys.known & ~keys.fixed)[:, columns].all(axis=1)):
+        posed = keys.known[:, columns].all(axis=1) & ~keys.fixed[:, columns].all(axis=1)
+        for k in np.flatnonzero(posed):
             axis = samples.links.rotation[2, :, root, k].copy()
             found.append(Lean(int(root), float(keys.times[k]), axis, np.array([0.0, 0, 1])))
     return tuple(found)
+
+
+def _turning(figure: Figure, root: int) -> list[int]:
+    """The columns that turn a root."""
+    own = figure.root
+    chain = own.links if own is not None and own.link == root else (root,)
+    out: list[int] = []
+    for i in chain:
+        columns, link = quaternion_columns(figure.links[i]), figure.links[i]
+        if columns is not None:
+            out += range(columns.start, columns.stop)
+        elif link.kind is JointKind.HINGE:
+            out.append(link.qpos)
+    return out

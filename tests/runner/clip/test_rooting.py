@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from dynsplines import inbetween
 from dynsplines.clip import load as clip
 from dynsplines.clip.load import Clip
 from dynsplines.clip.posing.feet import sole_points
@@ -152,3 +153,15 @@ def test_a_keyframe_of_no_height_is_put_down_on_the_ground(tmp_path: Path, names
     height = placed(problem, 1, "pelvis")[0][2]
     assert height == pytest.approx(placed(expected, 1, "pelvis")[0][2], abs=1e-6)
     assert 0.5 < height < 0.75
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("names", [PLANAR, ("tz", "ty", "tx", "rz", "rx", "ry")])
+def test_the_trunk_stays_upright_in_a_squat_on_slides(tmp_path: Path, names: tuple[str, ...]) -> None:
+    rest = 'others = "rest"'
+    motion = inbetween(read(scene(biped(joints(names))), tmp_path, rest, "root.position = [0, 0, 0.7]", rest))
+    data = mujoco.MjData(motion.model)
+    data.qpos[:] = motion.at(0.5)
+    mujoco.mj_kinematics(motion.model, data)
+    assert data.body("pelvis").xpos == pytest.approx([0, 0, 0.7], abs=1e-6)
+    assert data.body("pelvis").xmat[8] > np.cos(np.radians(10))
