@@ -95,7 +95,13 @@ def starter(source: str, target: Path, tell: Callable[[str], None] = lambda _: N
         poses[k], lines = _closed(figure, qpos, equalities)
         notes += [f"keyframe {k + 1}: {line}" for line in lines]
     settled = poses
-    poses = np.array([_raised(figure, qpos) if own else _stood(figure, qpos, bool(soles)) for qpos in poses])
+    lifted = [_raised(figure, qpos) if own else _stood(figure, qpos, bool(soles)) for qpos in poses]
+    poses = np.array(
+        [  # what is held by the world or a mocap body is not lifted off it
+            qpos if equalities.open(up) and not equalities.open(qpos) else up
+            for qpos, up in zip(poses, lifted, strict=True)
+        ]
+    )
     for k, qpos in enumerate(poses):
         notes += [f"keyframe {k + 1}: {line}" for line in violations(figure, qpos, equalities)]
     for note in notes:
