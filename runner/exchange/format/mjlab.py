@@ -111,4 +111,7 @@ def _whole(model: mujoco.MjModel, path: Path, numbers: Array, names: list[str] |
     if numbers.shape[1] < 7:
         raise UserError(f"{path}: 'joint_pos' has {numbers.shape[1]} columns, too few for a root")
     rotation = Held(path, {"joint_pos": numbers[:, 3:7]}).quaternions("joint_pos", "samples", 4)
-    return configurations(model, NAME, path, numbers[:, :3], rotation, numbers[:, 7:], names)
+    joints = numbers[:, 7:]
+    if names is not None and len(names) == joints.shape[1] + 1:  # the root's joint is named, too
+        names = names[1:]
+    return configurations(model, NAME, path, numbers[:, :3], rotation, joints, names)
