@@ -318,8 +318,9 @@ def test_the_command_prints_the_notes(tmp_path, monkeypatch, capsys):
 def test_what_a_mocap_body_holds_stays_on_it(tmp_path):
     text = """<mujoco><worldbody><geom type="plane" size="1 1 1"/><body name="mark" mocap="true" pos="0 0 .9"/>
       <body name="base" pos="0 0 .5"><joint name="x" type="slide" axis="1 0 0"/>
-        <joint name="z" type="slide" axis="0 0 1"/><geom size=".1"/><body name="leg" pos="0 0 -.2"><joint name="knee" axis="0 1 0"/><geom name="foot" size=".1"/>
-        </body></body></worldbody>
+        <joint name="z" type="slide" axis="0 0 1"/><geom size=".1"/>
+        <body name="leg" pos="0 0 -.2"><joint name="knee" axis="0 1 0"/><geom name="foot" size=".1"/></body></body>
+      </worldbody>
       <equality><weld body1="mark" body2="base" relpose="0 0 -.1 1 0 0 0"/></equality></mujoco>"""
     notes, made = noted(text, tmp_path)
     model, data = made.figure.model, mujoco.MjData(made.figure.model)
