@@ -315,8 +315,8 @@ def in_winding(figure: Figure, qpos: Array, near: Array, which: Mask) -> Array:
     """qpos (nq,) with hinges without a range, of the entries `which` (nq,), in the turn nearest to a pose (nq,)."""
     out, limited = np.array(qpos), figure.model.jnt_limited
     columns = [link.qpos for link in figure.links[1:] if link.kind is JointKind.HINGE and not limited[link.joint]]
-    some = np.array([column for column in columns if which[column]], np.intp)
-    out[some] += 2 * np.pi * np.round((near[some] - out[some]) / (2 * np.pi))
+    unlimited = np.array([column for column in columns if which[column]], np.intp)
+    out[unlimited] += 2 * np.pi * np.round((near[unlimited] - out[unlimited]) / (2 * np.pi))
     return out
 
 

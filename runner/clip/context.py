@@ -131,9 +131,9 @@ class Context:
     def leans(self) -> tuple[Lean, ...]:
         """How the trunk leans where it was posed."""
         roots = [link for link in self.figure.tables.free_links.tolist() if link not in self.carried]
-        own = self.figure.root
-        if own is not None and not own.is_free:
-            roots.append(own.link)
+        root = self.figure.root
+        if root is not None and not root.is_free:
+            roots.append(root.link)
         return leans(self.figure, self.keys, roots)
 
     def carried_when(self, intervals: Sequence[tuple[float, float]] | None, asked: bool) -> Support | None:

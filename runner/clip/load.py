@@ -318,11 +318,11 @@ def _ground(
 
 def _has_ground(clip: Clip, table: ClipTable) -> bool:
     """Whether a clip's text has the same figure in the same scene."""
-    own = table_of(clip.text, clip.context.where) if clip.text else None
+    old_table = table_of(clip.text, clip.context.where) if clip.text else None
     named = {row.model_key for row in table.keyframe} - {None}
-    if own is not None and not named <= {row.model_key for row in own.keyframe}:
+    if old_table is not None and not named <= {row.model_key for row in old_table.keyframe}:
         return False
-    return own is not None and (own.figure, own.scene, own.solve.coordinates) == (
+    return old_table is not None and (old_table.figure, old_table.scene, old_table.solve.coordinates) == (
         table.figure,
         table.scene,
         table.solve.coordinates,
@@ -592,7 +592,7 @@ def _check_joints(rows: Sequence[KeyframeTable], spec: mujoco.MjSpec, where: str
 
 def _model_keys(rows: Sequence[KeyframeTable], spec: mujoco.MjSpec, where: str) -> list[str]:
     """The names of the model's <key> elements that keyframes refer to; raises UserError for one that it lacks."""
-    names, found = [key.name for key in spec.keys], dict[str, None]()
+    names, references = [key.name for key in spec.keys], dict[str, None]()
     for number, row in enumerate(rows, start=1):
         name = row.model_key
         if name is not None and name not in names:
@@ -600,8 +600,8 @@ def _model_keys(rows: Sequence[KeyframeTable], spec: mujoco.MjSpec, where: str) 
                 f"{where}: {_called(number, row.time)}: others: {unknown('key', name, filter(None, names))}"
             )
         if name is not None:
-            found[name] = None
-    return list(found)
+            references[name] = None
+    return list(references)
 
 
 def _called(number: int, time: float) -> str:

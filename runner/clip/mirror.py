@@ -75,7 +75,7 @@ class _Sides:
             for other in names
             if (there := self._point(other)).link == partner
         }
-        best = min(away, key=lambda each: (away[each], each != name), default=None)
+        best = min(away, key=lambda candidate: (away[candidate], candidate != name), default=None)
         return best if best is not None and away[best] <= NEAR * self.mirror.size else None
 
     def _point(self, name: str) -> Point:
@@ -250,8 +250,8 @@ def _in_parent(table: dict[str, Any], reflection: Array, where: str) -> dict[str
     """A ball joint's rotation: about an axis and by an angle that the reflection M of its frame takes to the other."""
     if np.array_equal(reflection, WORLD):
         return _rotation(table)
-    own = _quaternion(table, where)
-    return _without_rotation(table) | rotation(np.concatenate([own[:1], -reflection @ own[1:]]))
+    quaternion = _quaternion(table, where)
+    return _without_rotation(table) | rotation(np.concatenate([quaternion[:1], -reflection @ quaternion[1:]]))
 
 
 def _quaternion(table: dict[str, Any], where: str) -> Array:

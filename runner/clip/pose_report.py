@@ -26,15 +26,15 @@ MOST = 3  # lines of a kind
 
 def violations(figure: Figure, qpos: Array, equalities: Equalities) -> list[str]:
     """A line for each, for a pose (nq,); the worst of a kind first, and few of them."""
-    found: list[str] = []
+    report: list[str] = []
     for lines in (
         [str(opening) for opening in equalities.open(qpos)],
         list(_off_the_floor(figure, qpos)),
         _out_of_range(figure, qpos),
         _in_each_other(figure, qpos),
     ):
-        found += lines[:MOST] + ([f"and {len(lines) - MOST} more like it"] if len(lines) > MOST else [])
-    return found
+        report += lines[:MOST] + ([f"and {len(lines) - MOST} more like it"] if len(lines) > MOST else [])
+    return report
 
 
 def floor_height(model: mujoco.MjModel) -> float | None:
@@ -46,14 +46,14 @@ def floor_height(model: mujoco.MjModel) -> float | None:
 
 def lifts(figure: Figure) -> list[tuple[int, int, float]]:
     """What moves about and can be lifted: its link, the column of qpos that lifts it, and 1, or −1 for a slide down."""
-    found = [(link, figure.links[link].qpos + 2, 1.0) for link in figure.tables.free_links.tolist()]
+    columns = [(link, figure.links[link].qpos + 2, 1.0) for link in figure.tables.free_links.tolist()]
     if figure.root is not None and not figure.root.is_free:
         data = mujoco.MjData(figure.model)
         mujoco.mj_kinematics(figure.model, data)
         slides = [figure.links[i] for i in figure.root.links if figure.links[i].kind is JointKind.SLIDE]
         ups = [(slide.qpos, float(data.xaxis[slide.joint, 2])) for slide in slides]
-        found += [(figure.root.link, column, float(np.sign(up))) for column, up in ups if abs(up) > VERTICAL]
-    return found
+        columns += [(figure.root.link, column, float(np.sign(up))) for column, up in ups if abs(up) > VERTICAL]
+    return columns
 
 
 def standing_trees(figure: Figure) -> list[int]:
@@ -64,10 +64,10 @@ def standing_trees(figure: Figure) -> list[int]:
 
 def lowest_point(figure: Figure, qpos: Array, root: int) -> float | None:
     """[m] how high the lowest point is of what hangs on a link."""
-    own = [point for point in body_points(figure) if figure.tables.path[point.link, root]]
-    if not own:
+    points = [point for point in body_points(figure) if figure.tables.path[point.link, root]]
+    if not points:
         return None
-    links, positions, radii = arrays_of(own)
+    links, positions, radii = arrays_of(points)
     places, _ = Samples.still(figure, figure.to_state(qpos[None])).links.points(links, positions)
     return float((places[2] - radii[:, None]).min())
 
@@ -89,7 +89,7 @@ def _off_the_floor(figure: Figure, qpos: Array) -> Iterator[str]:
 
 
 def _out_of_range(figure: Figure, qpos: Array) -> list[str]:
-    found: list[tuple[float, str]] = []
+    excesses: list[tuple[float, str]] = []
     for joint in joint_ranges(figure):
         link = figure.links[joint.link]
         if link.kind is JointKind.BALL:
@@ -100,8 +100,8 @@ def _out_of_range(figure: Figure, qpos: Array) -> list[str]:
         amount = beyond if unit == "m" else float(np.degrees(beyond))
         if amount > BEYOND[unit]:
             size = f"{1000 * amount:.3g} mm" if unit == "m" else f"{amount:.3g}°"
-            found.append((amount, f"joint '{link.name}' {size} beyond its range"))
-    return [line for _, line in sorted(found, reverse=True)]
+            excesses.append((amount, f"joint '{link.name}' {size} beyond its range"))
+    return [line for _, line in sorted(excesses, reverse=True)]
 
 
 def _in_each_other(figure: Figure, qpos: Array) -> list[str]:

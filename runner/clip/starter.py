@@ -78,7 +78,7 @@ def starter(source: str, target: Path, tell: Callable[[str], None] = lambda _: N
     with quietly():
         spec = figure_spec(source)
     times, poses = model_keys(spec, Path(source).name)
-    names, said = [key.name for key in spec.keys], poses
+    names, model_poses = [key.name for key in spec.keys], poses
     scene = compose(spec)
     try:
         figure = Figure(scene.model())
@@ -108,8 +108,8 @@ def starter(source: str, target: Path, tell: Callable[[str], None] = lambda _: N
         tell(note)
     tables = keyframe_tables(figure, [Frame.key(t, q) for t, q in zip(times, poses, strict=True)])
     _leave_out_followers(figure, tables)
-    for k in range(len(said)):
-        if names[k] and np.array_equal(poses[k], said[k]):
+    for k in range(len(model_poses)):
+        if names[k] and np.array_equal(poses[k], model_poses[k]):
             tables[k] = {"time": tables[k]["time"], "others": KEY + names[k]}
     if len(poses) == 1:
         tables += _moved(figure, poses[0], float(times[0]))
@@ -180,16 +180,16 @@ def _closed(figure: Figure, qpos: Array, equalities: Equalities) -> tuple[Array,
     gaps = equalities.open(qpos)
     if not gaps:
         return qpos, []
-    found = equalities.closed(qpos)
-    if found is None:
+    closed = equalities.closed(qpos)
+    if closed is None:
         return qpos, ["no pose within the joints' ranges was found that meets the model's equality constraints"]
     away = np.zeros(figure.model.nv)
-    mujoco.mj_differentiatePos(figure.model, away, 1.0, qpos, found)
-    link = max(figure.links[1:], key=lambda each: float(np.abs(away[_dofs(each)]).max()))
+    mujoco.mj_differentiatePos(figure.model, away, 1.0, qpos, closed)
+    link = max(figure.links[1:], key=lambda candidate: float(np.abs(away[_dofs(candidate)]).max()))
     most = float(np.linalg.norm(away[_dofs(link)]))
     size = f"{1000 * most:.3g} mm" if link.kind is JointKind.SLIDE else f"{np.degrees(most):.3g}°"
     was = str(gaps[0]).replace("open by", "was open by")
-    return found, [f"moved onto the model's equality constraints, '{link.name}' by {size}: {was}"]
+    return closed, [f"moved onto the model's equality constraints, '{link.name}' by {size}: {was}"]
 
 
 def _dofs(link: Link) -> slice:
@@ -457,8 +457,8 @@ def _ends(figure: Figure) -> list[int]:
 
 def _joint_line(figure: Figure, link: Link) -> str:
     if link.kind is JointKind.FREE:
-        own = figure.root
-        is_root = own is not None and not own.is_ambiguous and figure.links[own.link] is link
+        main_root = figure.root
+        is_root = main_root is not None and not main_root.is_ambiguous and figure.links[main_root.link] is link
         table = "root" if is_root else f"roots.{_key(link.name)}"
         return f"{table + '.position, .rotation':40} free joint '{link.name}': metres; a rotation"
     name, limited = f"joints.{_key(link.name)}", bool(figure.model.jnt_limited[link.joint])

@@ -95,8 +95,8 @@ def _keyframe(figure: Figure, key: Frame) -> dict[str, Any]:
     root: dict[str, Any] = {}
     roots: dict[str, Any] = {}
     joints: dict[str, Any] = {}
-    own = figure.root  # of several figures each is placed by its name
-    first = None if own is None or own.is_ambiguous else figure.links[own.link]
+    main_root = figure.root  # of several figures each is placed by its name
+    first = None if main_root is None or main_root.is_ambiguous else figure.links[main_root.link]
     for link in figure.links[1:]:
         columns = quaternion_columns(link)
         fixed = bool(key.fixed[link.qpos if columns is None else columns].all())

@@ -189,9 +189,9 @@ def _aloft(clip: Clip, grid: Samples, keys: Samples, numbers: Index) -> Iterator
         points = [point for point in body_points(figure) if figure.tables.path[point.link, root]]
         if not figure.tables.children[root] or not points or not context.surfaces:
             continue
-        some = grid.taken(np.arange(0, grid.count, max(1, grid.count // FEW)))
+        sparse = grid.taken(np.arange(0, grid.count, max(1, grid.count // FEW)))
         low, time = min(
-            (_lowest(context.surfaces, points, each) for each in (keys, some)), key=lambda at: round(at[0], 3)
+            (_lowest(context.surfaces, points, samples) for samples in (keys, sparse)), key=lambda at: round(at[0], 3)
         )
         bound = BOUNDS["aloft"].most
         if bound < low < np.inf:

@@ -74,8 +74,8 @@ class Mirror:
             j = int(partner[i])
             other = figure.links[j]
             if link.kind is JointKind.FREE:
-                own = link.qpos + np.arange(3)
-                source[own], sign[own] = other.qpos + np.arange(3), POLAR
+                position = link.qpos + np.arange(3)
+                source[position], sign[position] = other.qpos + np.arange(3), POLAR
             elif link.kind is not JointKind.BALL:
                 sign[link.qpos] = rest.sense(j, i, reflection[j])
                 source[link.qpos] = other.qpos
@@ -118,8 +118,8 @@ class Mirror:
         """(3, 3) the reflection from one body's frame to another's, by MuJoCo's ids."""
         figure = self.figure
         reflection = self.reflection[figure.body_link[body]]
-        own, others = (quat.matrices(figure.body_turn[each]) for each in (body, other))
-        return np.asarray(others.T @ reflection @ own)
+        turn, other_turn = (quat.matrices(figure.body_turn[number]) for number in (body, other))
+        return np.asarray(other_turn.T @ reflection @ turn)
 
 
 def _with_quaternions(

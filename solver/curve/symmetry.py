@@ -46,7 +46,7 @@ class MirrorError(ValueError):
 
 def other_side(name: str) -> str:
     """left_knee -> right_knee, LeftArm -> RightArm, foot_l -> foot_r, FL_hip -> FR_hip; others stay as they are."""
-    return SIDE.sub(lambda found: OTHER[found[0]], name)
+    return SIDE.sub(lambda match: OTHER[match[0]], name)
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,7 +87,9 @@ class Rest:
         with np.errstate(invalid="ignore"):
             centre = carried @ (mass[:, None] * centres) / (carried @ mass)[:, None]
         spread = [np.ptp(np.vstack([place[root == r], centres[root == r]]), axis=0) for r in np.unique(root[1:])]
-        return cls(figure, root, place, turn, axis, centre, max(float(np.linalg.norm(each)) for each in spread) or 1.0)
+        return cls(
+            figure, root, place, turn, axis, centre, max(float(np.linalg.norm(extent)) for extent in spread) or 1.0
+        )
 
     def sense(self, i: int, j: int, reflection: Array) -> float:
         """1 or −1: whether hinge or slide j moves as i does, or the other way, in the mirror."""
@@ -140,7 +142,7 @@ def symmetric(figure: Figure, middle: float) -> tuple[Rest, Index, Array]:
         other = root if other is None or figure.links[other].kind is not JointKind.FREE else other
         planes = _planes(figure, root) if other == root else [WORLD]
         tried = [_paired(rest, partner, (root, other), image, middle) for image in planes]
-        paired = [(each, image) for each, image in zip(tried, planes, strict=True) if not each.complaint]
+        paired = [(pairing, image) for pairing, image in zip(tried, planes, strict=True) if not pairing.complaint]
         if not paired:
             raise MirrorError(tried[0].complaint)
         best, images[root] = min(paired, key=lambda pair: (pair[0].misnamed, round(pair[0].unlike / rest.size, 3)))
@@ -170,10 +172,12 @@ def _named(figure: Figure, link: int) -> int | None:
     """The link whose name is that of the other side, or the same but for a side: thigh_joint, thigh_left_joint."""
     name = figure.links[link].name
     other, plain = other_side(name), _without_side(name)
-    for i, each in enumerate(figure.links):
-        if i and other != name and each.name == other:
+    for i, candidate in enumerate(figure.links):
+        if i and other != name and candidate.name == other:
             return i
-    alike = [i for i, each in enumerate(figure.links) if i and i != link and _without_side(each.name) == plain]
+    alike = [
+        i for i, candidate in enumerate(figure.links) if i and i != link and _without_side(candidate.name) == plain
+    ]
     return alike[0] if len(alike) == 1 else None
 
 

@@ -103,9 +103,9 @@ class _Tree:
         top = int(model.jnt_bodyid[joint])
         self.bodies: Mask = _under(model, top)
         root = self._root(top)
-        own = self.bodies[model.jnt_bodyid]
-        own[list(root.joints)] = False
-        self.limbs: Index = np.flatnonzero(own)
+        is_limb = self.bodies[model.jnt_bodyid]
+        is_limb[list(root.joints)] = False
+        self.limbs: Index = np.flatnonzero(is_limb)
         self.root = replace(root, limbs=self.limbs.size)
 
     @property

@@ -66,14 +66,14 @@ def limited(figure: Figure, timeline: Timeline, joints: Sequence[Range]) -> Time
 
 def farthest(figure: Figure, timeline: Timeline, joints: Sequence[Range]) -> list[tuple[Range, float, float]]:
     """The joints that are beyond their bounds by more than they may, by how much [rad, m] at most, and when [s]."""
-    found, t = [], _dense(timeline)
+    excesses, t = [], _dense(timeline)
     for joint in joints:
         value = _values(figure, timeline, joint, t)
         over = np.maximum(joint.low - value, value - joint.high)
         worst = int(over.argmax())
-        if over[worst] > LEEWAY * _room(joint):
-            found.append((joint, float(over[worst]), float(t[worst])))
-    return found
+        if over[worst] > LEEWAY * _tolerance(joint):
+            excesses.append((joint, float(over[worst]), float(t[worst])))
+    return excesses
 
 
 def _dense(timeline: Timeline) -> Array:
@@ -82,7 +82,7 @@ def _dense(timeline: Timeline) -> Array:
     return np.unique(np.append(np.linspace(first, last, int(np.ceil((last - first) * RATE)) + 1), timeline.times))
 
 
-def _room(joint: Range) -> float:
+def _tolerance(joint: Range) -> float:
     return BEYOND.get(joint.kind, TURNED)
 
 
@@ -91,9 +91,9 @@ def _values(figure: Figure, timeline: Timeline, joint: Range, t: Array) -> Array
     path = path_of(timeline)
     if joint.kind is not JointKind.BALL:
         return path.at(t)[:, figure.links[joint.link].qpos + joint.column]
-    found = JointRange((joint,))
+    range_penalty = JointRange((joint,))
     parts = [t[first : first + RUN] for first in range(0, t.size, RUN)]
-    beyond = [found.beyond(Samples.still(figure, path.at(part), t=part))[0] for part in parts]
+    beyond = [range_penalty.beyond(Samples.still(figure, path.at(part), t=part))[0] for part in parts]
     return np.concatenate(beyond) + joint.high
 
 
@@ -101,11 +101,11 @@ def _violations(figure: Figure, timeline: Timeline, joints: Sequence[Range]) -> 
     """Every stretch of time in which a joint is beyond its bounds."""
     t = _dense(timeline)
     for joint in joints:
-        value, room = _values(figure, timeline, joint, t), LEEWAY * _room(joint)
-        over = np.maximum(joint.low - value, value - joint.high) > room
+        value, tolerance = _values(figure, timeline, joint, t), LEEWAY * _tolerance(joint)
+        over = np.maximum(joint.low - value, value - joint.high) > tolerance
         at = np.flatnonzero(over)
-        for some in np.split(at, np.flatnonzero(np.diff(t[at]) > 2 * AROUND) + 1) if at.size else ():
-            stretches = np.split(some, np.flatnonzero(np.diff(some) > 1) + 1)
+        for cluster in np.split(at, np.flatnonzero(np.diff(t[at]) > 2 * AROUND) + 1) if at.size else ():
+            stretches = np.split(cluster, np.flatnonzero(np.diff(cluster) > 1) + 1)
             spans = [(float(t[max(one[0] - 1, 0)]), float(t[min(one[-1] + 1, t.size - 1)])) for one in stretches]
             yield _Violation(joint, tuple(spans))
 
@@ -120,7 +120,7 @@ def _refined(timeline: Timeline, violations: Sequence[_Violation]) -> Timeline:
         apart = max(CLOSEST, length / 8)
         for share in (0.0, -0.5, 0.5, -1.0, 1.0, -1.5, 1.5):
             t = middle + share * length
-            if first + apart < t < last - apart and min(abs(t - each) for each in (*times, *new)) > apart:
+            if first + apart < t < last - apart and min(abs(t - other) for other in (*times, *new)) > apart:
                 new.append(t)
     return split(timeline, np.array(sorted(new))) if new else timeline
 
@@ -134,17 +134,17 @@ def _moved_back(figure: Figure, timeline: Timeline, violation: _Violation) -> Ti
     if not unit.shape[1]:
         return timeline
     spline, t = spline_of(timeline), _looks(timeline, unit)
-    value, room, cardinal = _values(figure, timeline, joint, t), _room(joint), spline.evaluate(unit, t)
-    over = value - joint.high - room
-    under = np.full(t.size, -np.inf) if joint.kind is JointKind.BALL else joint.low - room - value
+    value, tolerance, cardinal = _values(figure, timeline, joint, t), _tolerance(joint), spline.evaluate(unit, t)
+    over = value - joint.high - tolerance
+    under = np.full(t.size, -np.inf) if joint.kind is JointKind.BALL else joint.low - tolerance - value
     outside = (t < violation.reach[0]) | (t > violation.reach[1])  # where other violations are
     least = np.concatenate([under, over])
     least = np.where(np.tile(outside, 2), np.minimum(least, 0), least)
-    some = np.isfinite(least)
-    found = _least(spline.evaluate(unit, t, 2), np.concatenate([cardinal, -cardinal])[some], least[some])
-    if found is None:
+    is_bounded = np.isfinite(least)
+    amounts = _least(spline.evaluate(unit, t, 2), np.concatenate([cardinal, -cardinal])[is_bounded], least[is_bounded])
+    if amounts is None:
         return timeline
-    deviation = unit @ found
+    deviation = unit @ amounts
     if joint.kind is JointKind.BALL:
         return _turned_back(figure, timeline, joint, deviation)
     moved = np.array(timeline.rows)
@@ -193,15 +193,15 @@ def _least(bend: Array, rows: Array, least: Array) -> Array | None:
         return None
     near = np.linalg.solve(upper.T, rows.T)
     sizes = np.maximum(np.linalg.norm(near, axis=0), 1e-12)
-    some = np.flatnonzero((least > 0) | (np.linalg.norm(rows, axis=1) > 1e-9))
-    system = np.concatenate([near[:, some] / sizes[some], (least[some] / sizes[some])[None]])
+    binding = np.flatnonzero((least > 0) | (np.linalg.norm(rows, axis=1) > 1e-9))
+    system = np.concatenate([near[:, binding] / sizes[binding], (least[binding] / sizes[binding])[None]])
     target = np.append(np.zeros(len(square)), 1.0)
     try:
-        weights, left = nnls(system, target, maxiter=20 * system.shape[1])
+        weights, distance = nnls(system, target, maxiter=20 * system.shape[1])
     except RuntimeError:
         return None
     residual = system @ weights - target
-    if left < 1e-9 or abs(residual[-1]) < 1e-12:
+    if distance < 1e-9 or abs(residual[-1]) < 1e-12:
         return None
     return np.asarray(np.linalg.solve(upper, -residual[:-1] / residual[-1]))
 
@@ -219,10 +219,10 @@ def _turned_back(figure: Figure, timeline: Timeline, joint: Range, deviation: Ar
     turn *= 1 + deviation[:-2][moved, None] / np.maximum(angle, 1e-9)
     qpos[:, columns] = quat.product(home, quat.from_rotation_vector(turn))
     states = figure.to_state(qpos)
-    for each in figure.tables.quaternion_columns.T:
-        length = np.linalg.norm(rows[moved][:, each], axis=1)
-        sign = np.where(np.sum(states[:, each] * rows[moved][:, each], axis=1) < 0, -1, 1)
-        states[:, each] *= (sign * length)[:, None]
+    for quaternion in figure.tables.quaternion_columns.T:
+        length = np.linalg.norm(rows[moved][:, quaternion], axis=1)
+        sign = np.where(np.sum(states[:, quaternion] * rows[moved][:, quaternion], axis=1) < 0, -1, 1)
+        states[:, quaternion] *= (sign * length)[:, None]
     rows[moved] = states
     for end, frame in ((-2, 0), (-1, len(timeline.frames) - 1)):
         if deviation[end]:

@@ -118,14 +118,14 @@ def _outermost(points: list[Point]) -> set[int]:
 
     Of spheres that reach equally far it is the first, whatever the rounding of the model's numbers.
     """
-    ways = all_round(DIRECTIONS)
-    kept: set[int] = set()
+    directions = all_round(DIRECTIONS)
+    hull: set[int] = set()
     for link in {point.link for point in points}:
-        own = [i for i, point in enumerate(points) if point.link == link]
-        support = np.array([points[i].position @ ways + points[i].radius for i in own])
+        on_link = [i for i, point in enumerate(points) if point.link == link]
+        support = np.array([points[i].position @ directions + points[i].radius for i in on_link])
         farthest = support >= support.max(axis=0) - TIE
-        kept |= {own[k] for k in np.unique(farthest.argmax(axis=0))}
-    return kept
+        hull |= {on_link[k] for k in np.unique(farthest.argmax(axis=0))}
+    return hull
 
 
 def mesh_vertices(model: mujoco.MjModel, geom: int) -> Array:

@@ -56,10 +56,13 @@ class Equalities:
         """The constraints that a pose (nq,) leaves open, the widest first."""
         residual, _ = self.residuals(qpos)
         owner = np.array(self.data.efc_id)[self._rows]
-        found: list[Opening] = []
+        openings: list[Opening] = []
         for number in dict.fromkeys(owner.tolist()):
-            found += _openings(self.model, int(number), residual[owner == number])
-        return sorted((each for each in found if each.amount > OPEN[each.unit]), key=lambda each: -each.amount)
+            openings += _openings(self.model, int(number), residual[owner == number])
+        return sorted(
+            (opening for opening in openings if opening.amount > OPEN[opening.unit]),
+            key=lambda opening: -opening.amount,
+        )
 
     def closed(self, qpos: Array) -> Array | None:
         """The pose near qpos (nq,) that closes all, within the joints' ranges; None where none is found.
@@ -69,9 +72,9 @@ class Equalities:
         free = np.isin(self.model.dof_jntid, np.flatnonzero(self.model.jnt_type == int(mujoco.mjtJoint.mjJNT_FREE)))
         for moves in (~free, np.ones(self.model.nv, bool)):
             for begin in self._starts(qpos, moves):
-                found = self._descend(begin, moves)
-                if found is not None:
-                    return found
+                pose = self._descend(begin, moves)
+                if pose is not None:
+                    return pose
             if not free.any():
                 return None
         return None
@@ -110,10 +113,10 @@ class Equalities:
         """(nv,) the shortest step that closes the residuals, of what is not at the end of its range."""
         moves, step = np.array(moves), np.zeros(self.model.nv)
         for _ in range(self.model.nv):
-            own = rows[:, moves]
+            moving_rows = rows[:, moves]
             step[:] = 0.0
-            normal = own @ own.T + damping * np.eye(len(own))
-            step[moves] = -own.T @ np.linalg.lstsq(normal, residual, rcond=None)[0]
+            normal = moving_rows @ moving_rows.T + damping * np.eye(len(moving_rows))
+            step[moves] = -moving_rows.T @ np.linalg.lstsq(normal, residual, rcond=None)[0]
             step *= min(1.0, LONGEST / max(float(np.abs(step).max(initial=0.0)), LONGEST))
             blocked = moves & self._leaves(qpos, step)
             if not blocked.any():

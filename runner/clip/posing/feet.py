@@ -102,13 +102,13 @@ def _round(figure: Figure, link: int, kinds: Sequence[int]) -> Iterator[tuple[Ar
 
 
 def _lowest(figure: Figure, qpos: Array) -> tuple[Point, ...]:
-    found: list[Point] = []
+    lowest: list[Point] = []
     body = body_points(figure)
     for root in _roots(figure):
-        own = [point for point in body if figure.tables.path[point.link, root.link]]
-        if own:
-            found += _feet(figure, root, own, qpos)
-    return tuple(found)
+        tree_points = [point for point in body if figure.tables.path[point.link, root.link]]
+        if tree_points:
+            lowest += _feet(figure, root, tree_points, qpos)
+    return tuple(lowest)
 
 
 def _roots(figure: Figure) -> list[Root]:
@@ -134,9 +134,9 @@ def _feet(figure: Figure, root: Root, points: Sequence[Point], qpos: Array) -> l
     order = np.argsort(-np.where(tall > tall.max() - SAME, np.inf, tall), kind="stable")
     fewest = 2 if root.is_free or len(root.joints) >= WHOLE else 1
     for pose in order[tall[order] >= UPRIGHT * tall.max()]:
-        found = _feet_in(figure, root.link, points, places[:, :, pose], radii)
-        if len({point.link for point in found}) >= fewest:
-            return found
+        feet = _feet_in(figure, root.link, points, places[:, :, pose], radii)
+        if len({point.link for point in feet}) >= fewest:
+            return feet
     return []
 
 

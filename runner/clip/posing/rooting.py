@@ -32,12 +32,12 @@ def ambiguities(figure: Figure, rows: Sequence[KeyframeTable]) -> list[str]:
     root = figure.root
     if root is None or not root.rivals:
         return []
-    names = {each.body: name for name, each in reversed(roots_by_name(figure).items())}
-    own, others = names[root.body], ", ".join(f"'{names[body]}'" for body in root.rivals)
+    names = {tree.body: name for name, tree in reversed(roots_by_name(figure).items())}
+    main, others = names[root.body], ", ".join(f"'{names[body]}'" for body in root.rivals)
     if root.limbs:
-        return [f"several figures of one size: the camera and flights are of '{own}', not of {others}"]
+        return [f"several figures of one size: the camera and flights are of '{main}', not of {others}"]
     if any(row.root.model_fields_set for row in rows):
-        return [f"several free bodies: root is '{own}', the first in the model, not {others}"]
+        return [f"several free bodies: root is '{main}', the first in the model, not {others}"]
     return []
 
 
@@ -54,15 +54,15 @@ def posed_roots(figure: Figure, row: KeyframeTable) -> list[tuple[Root, Sequence
     """
     if row.others != "free":
         return []
-    found: list[tuple[Root, Sequence[float | str]]] = []
+    posed: list[tuple[Root, Sequence[float | str]]] = []
     for root, table in _tables(figure, row):
         is_placed = "rotation" not in table.model_fields_set and table.position != "free"
         if is_placed and not root.is_free and table.position != ("free",) * 3:
             chain = _Chain(figure, root, np.array(figure.model.qpos0), row.joints, "")
             wanted = np.array([axis != "free" for axis in table.position])
             if chain.turner(wanted, np.isin(np.arange(figure.width), _named_entries(figure, row))) is not None:
-                found.append((root, table.position))
-    return found
+                posed.append((root, table.position))
+    return posed
 
 
 def _named_entries(figure: Figure, row: KeyframeTable) -> list[int]:
@@ -76,9 +76,9 @@ def _named_entries(figure: Figure, row: KeyframeTable) -> list[int]:
 
 def _tables(figure: Figure, row: KeyframeTable) -> list[tuple[Root, RootTable]]:
     """The roots that a keyframe names, and what it specifies of them."""
-    own = [(figure.root, row.root)] if row.root.model_fields_set and figure.root is not None else []
+    main = [(figure.root, row.root)] if row.root.model_fields_set and figure.root is not None else []
     named = roots_by_name(figure) if row.roots else {}
-    return own + [(named[name], table) for name, table in row.roots.items() if name in named]
+    return main + [(named[name], table) for name, table in row.roots.items() if name in named]
 
 
 def roots_by_name(figure: Figure) -> dict[str, Root]:
@@ -116,7 +116,7 @@ def _own(figure: Figure, where: str) -> Root:
     root = figure.root
     if root is None:
         raise UserError(f"{where}: the figure has no free joint, so no root to place")
-    names = {each.body: name for name, each in reversed(roots_by_name(figure).items())}
+    names = {tree.body: name for name, tree in reversed(roots_by_name(figure).items())}
     if root.is_ambiguous:
         several = ", ".join(f"roots.{names[body]}" for body in (root.body, *root.rivals))
         raise UserError(f"{where}: root: the model has several figures; specify which: {several}")
@@ -148,8 +148,8 @@ def _set(
             is_placed = all(fixed[entries(figure, i)].all() for i in root.links)
             chain.turn(table.rotation, stays=is_placed and "position" not in table.model_fields_set)
             if table.rotation.quat is not None and before is not None:
-                some = np.isin(np.arange(figure.width), [figure.links[i].qpos for i in chain.turning])
-                qpos[:] = in_winding(figure, qpos, before, some)
+                turning = np.isin(np.arange(figure.width), [figure.links[i].qpos for i in chain.turning])
+                qpos[:] = in_winding(figure, qpos, before, turning)
         chain.fix(fixed, chain.turning, table.rotation != "free")
     if "position" in table.model_fields_set and not is_posed:
         axes: Sequence[float | str] = ("free",) * 3 if table.position == "free" else table.position
@@ -215,9 +215,9 @@ class _Chain:
             self.qpos[columns] = near if k != 1 else home[columns]
             if k > 1:
                 self.qpos[columns] += random.normal(size=len(columns))
-            left = self._turned(target)
-            if left < least - TURNED:
-                best, least = np.array(self.qpos), left
+            angle_left = self._turned(target)
+            if angle_left < least - TURNED:
+                best, least = np.array(self.qpos), angle_left
             if least <= TURNED:
                 break
         self.qpos[:] = best
@@ -317,11 +317,11 @@ class _Chain:
         model, dofs = self.figure.model, np.concatenate([[], *(self._dofs(i) for i in self.turning)]).astype(int)
         for _ in range(STEPS):
             turn = self._jacobian()[1]
-            left = quat.rotation_vector(quat.product(target, quat.inverse(self.data.xquat[self.root.body])))
+            error = quat.rotation_vector(quat.product(target, quat.inverse(self.data.xquat[self.root.body])))
             step = np.zeros(model.nv)
             if dofs.size:
-                own = turn[:, dofs]
-                step[dofs] = own.T @ np.linalg.solve(own @ own.T + 1e-12 * np.eye(3), left)
+                jacobian = turn[:, dofs]
+                step[dofs] = jacobian.T @ np.linalg.solve(jacobian @ jacobian.T + 1e-12 * np.eye(3), error)
             size = float(np.abs(step).max(initial=0.0))
             if size < 0.01 * TURNED:
                 break

@@ -102,8 +102,8 @@ def _is_made(figure: Figure, link: int, pair: tuple[int, int], size: float, keys
     columns, (first, last) = quaternion_columns(figure.links[link]), pair
     if columns is None or last >= len(keys.times):
         return False
-    own, turned = figure.to_qpos(keys.states[first : last + 1])[:, columns], 0.0
-    for a, b in pairwise(own):
+    quaternions, turned = figure.to_qpos(keys.states[first : last + 1])[:, columns], 0.0
+    for a, b in pairwise(quaternions):
         angle = float(np.degrees(np.linalg.norm(quat.rotation_vector(quat.product(quat.inverse(a), b)))))
         turned += angle if a @ b >= 0 else 360 - angle
     return abs(turned - size) < SAME

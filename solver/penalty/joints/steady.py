@@ -77,10 +77,12 @@ class Steady(JointRange, Guide):
                 qpos[during, columns] = joint.home
             else:
                 qpos[during, link.qpos + joint.column] = 0.5 * (joint.low + joint.high)
-        found = self.figure.to_state(qpos)
+        held_states = self.figure.to_state(qpos)
         for columns in self.figure.tables.quaternion_columns.T:
-            found[:, columns] *= np.where(np.sum(found[:, columns] * states[:, columns], axis=1) < 0, -1, 1)[:, None]
-        return found
+            held_states[:, columns] *= np.where(
+                np.sum(held_states[:, columns] * states[:, columns], axis=1) < 0, -1, 1
+            )[:, None]
+        return held_states
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,34 +106,34 @@ class Track:
 
     def off(self, qpos: Array, home: Array) -> Array:
         """(..., 1 or 3) [rad, m] how far configurations (..., nq) are from a value (1 or 4)."""
-        own = qpos[..., self.columns]
-        return quat.rotation_vector(quat.product(quat.inverse(home), own)) if self.is_rotation else own - home
+        values = qpos[..., self.columns]
+        return quat.rotation_vector(quat.product(quat.inverse(home), values)) if self.is_rotation else values - home
 
     def held(self, home: Array, first: float, last: float) -> Range:
         """The bounds that hold it at a value (1 or 4) from one time to another [s]."""
-        room = ROOM[self.unit]
+        tolerance = ROOM[self.unit]
         if self.is_rotation:
             return Range(
-                self.name, self.link, JointKind.BALL, 0.0, room, home=tuple(home.tolist()), first=first, last=last
+                self.name, self.link, JointKind.BALL, 0.0, tolerance, home=tuple(home.tolist()), first=first, last=last
             )
         kind = JointKind.HINGE if self.unit == "angle" else JointKind.SLIDE
-        low, high = float(home[0]) - room, float(home[0]) + room
+        low, high = float(home[0]) - tolerance, float(home[0]) + tolerance
         return Range(self.name, self.link, kind, low, high, self.axis, first=first, last=last)
 
 
 def tracks(figure: Figure) -> list[Track]:
     """The coordinates and rotations of all joints."""
-    found = []
+    coordinates = []
     for i, link in enumerate(figure.links[1:], start=1):
         columns = quaternion_columns(link)
         if link.kind is JointKind.FREE:
-            found += [Track(link.name, i, "length", np.array([link.qpos + axis]), axis) for axis in range(3)]
+            coordinates += [Track(link.name, i, "length", np.array([link.qpos + axis]), axis) for axis in range(3)]
         if columns is not None:
-            found.append(Track(link.name, i, "angle", np.arange(columns.start, columns.stop)))
+            coordinates.append(Track(link.name, i, "angle", np.arange(columns.start, columns.stop)))
         else:
             unit = "angle" if link.kind is JointKind.HINGE else "length"
-            found.append(Track(link.name, i, unit, np.array([link.qpos])))
-    return found
+            coordinates.append(Track(link.name, i, unit, np.array([link.qpos])))
+    return coordinates
 
 
 def steady(
@@ -143,26 +145,26 @@ def steady(
     aloft    (first, last) [s] of flights, in which a root rises and falls between two keyframes of one height
     """
     qpos = figure.to_qpos(keys.states)
-    found = [hold for track in tracks(figure) for hold in _held(track, keys, qpos, repeats=repeats)]
-    found = [(track, k) for track, k in found if not _flies(figure, track, keys.times[k : k + 2], aloft)]
+    holds = [hold for track in tracks(figure) for hold in _held(track, keys, qpos, repeats=repeats)]
+    holds = [(track, k) for track, k in holds if not _flies(figure, track, keys.times[k : k + 2], aloft)]
     by_segment: dict[int, list[int]] = {}
-    for i, (_, k) in enumerate(found):
+    for i, (_, k) in enumerate(holds):
         by_segment.setdefault(k, []).append(i)
     segments = np.array(sorted(by_segment), int)
     swings: set[tuple[int, int]] = set()
     for first in range(0, segments.size, SEGMENTS_AT_ONCE):
-        some = segments[first : first + SEGMENTS_AT_ONCE]
+        batch = segments[first : first + SEGMENTS_AT_ONCE]
         share = (np.arange(LOOKS) + 0.5) / LOOKS
-        times = keys.times[some, None] + share * np.diff(keys.times)[some, None]
-        raw = figure.to_qpos(path_of(keys).at(times.ravel())).reshape(some.size, LOOKS, -1)
-        for row, k in zip(raw, some.tolist(), strict=True):
+        times = keys.times[batch, None] + share * np.diff(keys.times)[batch, None]
+        raw = figure.to_qpos(path_of(keys).at(times.ravel())).reshape(batch.size, LOOKS, -1)
+        for row, k in zip(raw, batch.tolist(), strict=True):
             for i in by_segment[k]:
-                track = found[i][0]
+                track = holds[i][0]
                 off = np.linalg.norm(track.off(row, qpos[k, track.columns]), axis=-1)
                 if off.max() > SWINGS[track.unit]:
                     swings.add((i, k))
     times = keys.times.tolist()
-    return tuple(found[i][0].held(qpos[k, found[i][0].columns], times[k], times[k + 1]) for i, k in sorted(swings))
+    return tuple(holds[i][0].held(qpos[k, holds[i][0].columns], times[k], times[k + 1]) for i, k in sorted(swings))
 
 
 def _held(track: Track, keys: Timeline, qpos: Array, *, repeats: bool) -> Iterator[tuple[Track, int]]:
@@ -180,9 +182,9 @@ def _held(track: Track, keys: Timeline, qpos: Array, *, repeats: bool) -> Iterat
     is_same[both] = np.linalg.norm(step, axis=1) <= SAME[track.unit]
     moves = np.pad(~is_same, FELT, mode="wrap" if keys.ends == "periodic" else "constant")
     near = np.convolve(moves, np.ones(2 * FELT + 1), "valid") > 0
-    known = np.flatnonzero(fixed)
+    fixing = np.flatnonzero(fixed)
     for k in np.flatnonzero(is_same & near).tolist():
-        beside, length = _beside(keys, known, k), float(keys.times[k + 1] - keys.times[k])
+        beside, length = _beside(keys, fixing, k), float(keys.times[k + 1] - keys.times[k])
         lengths = [span for _, span in filter(None, beside)]
         is_long, is_brief = length >= LONG * min(lengths, default=0.0), length < BRIEF
         if is_long or not (is_brief or (repeats and _is_turning_point(track, qpos, k, beside))):
@@ -191,21 +193,21 @@ def _held(track: Track, keys: Timeline, qpos: Array, *, repeats: bool) -> Iterat
 
 def _is_turning_point(track: Track, qpos: Array, k: int, beside: Sequence[tuple[int, float] | None]) -> bool:
     """Whether a coordinate comes to keyframe k from where it leaves for after the next."""
-    off = [track.off(qpos[each[0]], qpos[k, track.columns]) for each in beside if each is not None]
+    off = [track.off(qpos[neighbour[0]], qpos[k, track.columns]) for neighbour in beside if neighbour is not None]
     return len(off) == 2 and bool(off[0] @ off[1] > 0)
 
 
-def _beside(keys: Timeline, known: Index, k: int) -> tuple[tuple[int, float] | None, tuple[int, float] | None]:
+def _beside(keys: Timeline, fixing: Index, k: int) -> tuple[tuple[int, float] | None, tuple[int, float] | None]:
     """The keyframes before k and after k + 1 of those that fix a coordinate, and how far [s] they are; round a loop's
     end."""
-    times, last, place = keys.times, len(keys.times) - 1, int(np.searchsorted(known, k))
+    times, last, place = keys.times, len(keys.times) - 1, int(np.searchsorted(fixing, k))
     is_loop = keys.ends == "periodic"
     one = other = None
     if place:
-        one = int(known[place - 1]), float(times[k] - times[known[place - 1]])
-    if place + 2 < known.size:
-        other = int(known[place + 2]), float(times[known[place + 2]] - times[k + 1])
-    inner = known[(known > 0) & (known < last)] if is_loop else known
+        one = int(fixing[place - 1]), float(times[k] - times[fixing[place - 1]])
+    if place + 2 < fixing.size:
+        other = int(fixing[place + 2]), float(times[fixing[place + 2]] - times[k + 1])
+    inner = fixing[(fixing > 0) & (fixing < last)] if is_loop else fixing
     if one is None and is_loop and inner.size:
         one = int(inner[-1]), float(times[k] - times[0] + times[last] - times[inner[-1]])
     if other is None and is_loop and inner.size:

@@ -117,8 +117,8 @@ def leans(figure: Figure, keys: Timeline, roots: Sequence[int]) -> tuple[Lean, .
 
 def _turning(figure: Figure, root: int) -> list[int]:
     """The columns that turn a root."""
-    own = figure.root
-    chain = own.links if own is not None and own.link == root else (root,)
+    main_root = figure.root
+    chain = main_root.links if main_root is not None and main_root.link == root else (root,)
     out: list[int] = []
     for i in chain:
         columns, link = quaternion_columns(figure.links[i]), figure.links[i]
