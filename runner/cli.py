@@ -487,7 +487,7 @@ def export(
         bool,
         typer.Option(
             "--simulate",
-            help="of mjcf: a scene to simulate with actuators and their targets; -o X.simulate.xml asks for it too",
+            help="of mjcf: a scene to simulate with actuators and their targets; also chosen by -o X.simulate.xml",
         ),
     ] = False,
     repeat: Repeat = None,

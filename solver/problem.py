@@ -132,7 +132,7 @@ def renormalised(objective: Objective, raw: Timeline) -> Objective:
 
 @dataclass(frozen=True)
 class Guides:
-    """Several soft constraints that know a path to begin with, one after the other."""
+    """Several soft constraints that provide an initial path, applied in sequence."""
 
     parts: tuple[Guide, ...]
 
@@ -144,7 +144,7 @@ class Guides:
 
 
 def guide_of(objective: Objective) -> Guide | Guides | None:
-    """The soft constraints that know a path to begin with, if there are any; holds last, which keep what others do."""
+    """The soft constraints that provide an initial path, None without any; holds last, to keep what others changed."""
     guides = [term.penalty for term in objective.terms if isinstance(term.penalty, Guide) and term.weight > 0]
     guides.sort(key=lambda guide: isinstance(guide, Steady))
     return Guides(tuple(guides)) if len(guides) > 1 else next(iter(guides), None)

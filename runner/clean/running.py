@@ -191,7 +191,7 @@ def _read(source: Source, around: SurroundingsTable, progress: Progress) -> _Rea
 
 
 def _write_map(target: Path, used: retarget.Used, progress: Progress) -> None:
-    """Writes a map as it was used, to be edited."""
+    """Write the map that was used, for editing."""
     with Replacement(target) as temporary:
         temporary.write_text(maps.text_of(used), encoding="utf-8")
     progress.say(f"wrote {target}")

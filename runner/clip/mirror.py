@@ -128,7 +128,7 @@ def _check_symmetric(others: str, figure: Figure, mirror: Mirror) -> None:
     qpos = figure.model.qpos0 if others == "rest" else figure.model.key(others.removeprefix(KEY)).qpos
     if not _is_symmetric(np.array(qpos), mirror):
         what = "the figure's rest" if others == "rest" else f"the model's key '{others.removeprefix(KEY)}'"
-        raise UserError(f"{what} is no mirror image of itself: say every joint instead of others = '{others}'")
+        raise UserError(f"{what} is no mirror image of itself: specify every joint instead of others = '{others}'")
 
 
 def _is_symmetric(qpos: Array, mirror: Mirror) -> bool:

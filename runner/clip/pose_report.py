@@ -1,4 +1,4 @@
-"""What a pose of a figure violates: equality constraints, joint ranges, the floor, bodies in each other."""
+"""Violations of a pose: equality constraints, joint ranges, the floor, bodies in each other."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ from .posing.closing import Equalities
 
 BEYOND = {"degrees": 0.1, "m": 1e-3}  # of a joint's range
 HIGH, DEEP = 0.02, 0.005  # [m] above the floor, and below it
-VERTICAL = 0.99  # of a slide's axis, how much of it goes up
+VERTICAL = 0.99  # least vertical component of a lifting slide's axis
 INSIDE = 0.005  # [m] of one body in another
 MOST = 3  # lines of a kind
 
 
 def violations(figure: Figure, qpos: Array, equalities: Equalities) -> list[str]:
-    """A line for each, for a pose (nq,); the worst of a kind first, and few of them."""
+    """Return a line for each violation of a pose (nq,), the worst of a kind first, a few of each."""
     report: list[str] = []
     for lines in (
         [str(opening) for opening in equalities.open(qpos)],
@@ -38,14 +38,14 @@ def violations(figure: Figure, qpos: Array, equalities: Equalities) -> list[str]
 
 
 def floor_height(model: mujoco.MjModel) -> float | None:
-    """[m] how high the highest level plane lies; None without any."""
+    """Return the height [m] of the highest level plane; None without one."""
     data = mujoco.MjData(model)
     mujoco.mj_kinematics(model, data)
     return max((float(data.geom_xpos[geom, 2]) for geom in grounds(model)), default=None)
 
 
 def lifts(figure: Figure) -> list[tuple[int, int, float]]:
-    """What moves about and can be lifted: its link, the column of qpos that lifts it, and 1, or −1 for a slide down."""
+    """Return the links that can be lifted, with the column of qpos that does so and 1, or −1 for a slide down."""
     columns = [(link, figure.links[link].qpos + 2, 1.0) for link in figure.tables.free_links.tolist()]
     if figure.root is not None and not figure.root.is_free:
         data = mujoco.MjData(figure.model)
@@ -57,13 +57,13 @@ def lifts(figure: Figure) -> list[tuple[int, int, float]]:
 
 
 def standing_trees(figure: Figure) -> list[int]:
-    """The root links of articulated trees that can be lifted; of a free body where there is nothing else."""
+    """Return the root links of articulated trees that can be lifted, else of the first free body."""
     roots = [root for root, _, _ in lifts(figure)]
     return [root for root in roots if figure.tables.children[root]] or roots[:1]
 
 
 def lowest_point(figure: Figure, qpos: Array, root: int) -> float | None:
-    """[m] how high the lowest point is of what hangs on a link."""
+    """Return the height [m] of the lowest point of a link and its descendants; None without points."""
     points = [point for point in body_points(figure) if figure.tables.path[point.link, root]]
     if not points:
         return None

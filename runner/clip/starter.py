@@ -73,7 +73,7 @@ PENALTIES = """\
 def starter(source: str, target: Path, tell: Callable[[str], None] = lambda _: None) -> str:
     """The TOML text of a clip for a shipped figure or an MJCF file, to be written to a target; raises UserError.
 
-    tell  gets a line for whatever the keyframes violate, and for what was done about it; so does the text
+    tell  receives a note for each violation of the keyframes, and for each change; the text contains them too
     """
     with quietly():
         spec = figure_spec(source)
@@ -97,7 +97,7 @@ def starter(source: str, target: Path, tell: Callable[[str], None] = lambda _: N
     settled = poses
     lifted = [_raised(figure, qpos) if own else _stood(figure, qpos, bool(soles)) for qpos in poses]
     poses = np.array(
-        [  # what is held by the world or a mocap body is not lifted off it
+        [  # bodies attached to the world or a mocap body are not lifted off it
             qpos if equalities.open(up) and not equalities.open(qpos) else up
             for qpos, up in zip(poses, lifted, strict=True)
         ]
@@ -176,7 +176,7 @@ def _stood(figure: Figure, pose: Array, on_feet: bool) -> Array:
 
 
 def _closed(figure: Figure, qpos: Array, equalities: Equalities) -> tuple[Array, list[str]]:
-    """A pose (nq,) moved onto the model's equality constraints where that is possible, and what is to say of it."""
+    """A pose (nq,) moved onto the model's equality constraints where that is possible, with notes."""
     gaps = equalities.open(qpos)
     if not gaps:
         return qpos, []

@@ -152,9 +152,9 @@ def ranges(figure: Figure, fixed: Mask) -> Plain | None:
     if not found:
         return None
     limits, slides = JointRange(found), np.array([joint.kind is JointKind.SLIDE for joint in found])
-    says = "{} is {{}} beyond its range"
+    text = "{} is {{}} beyond its range"
     rows = [
-        _row("travel" if slide else "range", joint.name, says.format(joint.name))
+        _row("travel" if slide else "range", joint.name, text.format(joint.name))
         for joint, slide in zip(found, slides, strict=True)
     ]
 
@@ -170,9 +170,9 @@ def overshoots(held: Sequence[Range], keys: int) -> Plain | None:
     if not held:
         return None
     limits, slides = JointRange(tuple(held)), np.array([joint.kind is JointKind.SLIDE for joint in held])
-    says = "{} swings {{}} off the value that the keyframes at {:g} and {:g} s both give it"
+    text = "{} swings {{}} off the value that the keyframes at {:g} and {:g} s both specify"
     rows = [
-        _row("overshoot travel" if slide else "overshoot", joint.name, says.format(joint.name, joint.first, joint.last))
+        _row("overshoot travel" if slide else "overshoot", joint.name, text.format(joint.name, joint.first, joint.last))
         for joint, slide in zip(held, slides, strict=True)
     ]
 

@@ -180,7 +180,7 @@ def _found(clip: Clip, timeline: Timeline, raw: Timeline) -> Iterator[Flaw]:
 
 
 def _aloft(clip: Clip, grid: Samples, keys: Samples, numbers: Index) -> Iterator[Flaw]:
-    """A jointed figure that moves about and is above the ground all the time, where nothing tells that it flies."""
+    """A jointed figure that moves about and is above the ground all the time, without a flight in the clip."""
     context, figure = clip.context, clip.figure
     flies = context.support is not None and context.support.flights
     if flies or context.holds or context.contacts.given or not np.any(figure.gravity):
@@ -196,8 +196,8 @@ def _aloft(clip: Clip, grid: Samples, keys: Samples, numbers: Index) -> Iterator
         bound = BOUNDS["aloft"].most
         if bound < low < np.inf:
             k = np.flatnonzero(keys.t == time)
-            says = f"the figure never comes down: lowest point {low:.2f} m above the floor"
-            row = Row("aloft", figure.links[root].name, says, bound)
+            text = f"the figure never comes down: lowest point {low:.2f} m above the floor"
+            row = Row("aloft", figure.links[root].name, text, bound)
             yield _problem(row, low, time, int(numbers[k[0]]) if k.size else None)
 
 

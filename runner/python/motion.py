@@ -297,7 +297,7 @@ class Motion:
         to        a format's name, or a writer of your own: anything with write(take, path)
         columns   of a table: "velocities", "torques", "wrench", "ground", several of them, or "all"
         simulate  of MJCF: a scene that collides, actuators on every joint, and the motion as their targets;
-                  a path that ends in .simulate.xml asks for it alone
+                  a path that ends in .simulate.xml implies it
         """
         from ..exchange import formats, quantities
         from ..exchange.take import Wishes

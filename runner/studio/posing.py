@@ -149,7 +149,7 @@ class Poser:
 
     @cached_property
     def root(self) -> str | None:
-        """The free joint that keyframes call the root; None where there is none, or where it is ambiguous."""
+        """The free joint that keyframes call the root; None if there is none, or if it is ambiguous."""
         root = self.figure.root
         if root is None or not root.is_free or root.is_ambiguous:
             return None

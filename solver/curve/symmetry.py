@@ -20,8 +20,8 @@ from ..figure.figure import Figure, JointKind
 WORLD = np.diag([1.0, -1, 1])  # S, the reflection of the world
 SAME_LINE = 1e-3  # 1 − cosine of the angle between an axis and the image of its partner's
 MIDDLE, UNEVEN = 0.01, 0.05  # of the figure's size: how far axes, and centres of mass, may be from symmetric
-EXACT = 1e-9  # an entry of a reflection that is so near to 0, 1 or −1 is that
-# a word of its own, or the capital that begins one; or beside the letter for front, rear, hind, back or middle: FL, rh
+EXACT = 1e-9  # entries of a reflection are rounded to 0, 1 or −1 within this
+# a separate word, or an initial capital; or next to the letter for front, rear, hind, back or middle: FL, rh
 ENDS_LEG = r"[FRHBMfrhbm]"
 SIDE = re.compile(
     rf"(?<![A-Za-z])(?:[Ll]eft|[Rr]ight|LEFT|RIGHT|[LlRr](?![LRlr](?![A-Za-z])))(?![a-z])"
@@ -55,7 +55,7 @@ class Rest:
 
     root   (L,) the free root of each link's tree, 0 for what hangs on the world
     place  (L, 3) [m] anchors;  turn  (L, 3, 3) of the links' frames;  axis  (L, 3) of hinges and slides
-    centre  (L, 3) [m] the centre of mass of all that a link carries, NaN if it has no mass
+    centre  (L, 3) [m] the centre of mass of a link and its descendants, NaN without mass
     size   [m] from end to end, 1 for a single link
     """
 
@@ -112,7 +112,7 @@ class Rest:
         return "" if np.linalg.norm(off) <= middle * self.size else "places"
 
     def unlike(self, i: int, j: int, image: Array) -> float:
-        """[m] how far what link j carries is from the image of what link i carries."""
+        """[m] distance of the centre of mass of link j's subtree from the image of that of link i's."""
         off = np.linalg.norm(self.centre[j] - image @ self.centre[i])
         return float(off) if np.isfinite(off) else 0.0
 
@@ -202,7 +202,7 @@ class _Paired:
 
 
 def _paired(rest: Rest, partner: Index, top: tuple[int, int], image: Array, middle: float) -> _Paired:
-    """The partners of all links that hang on two links, which are each other's."""
+    """The partners of all descendants of two links that are partners of each other."""
     links, waiting, alone = rest.figure.links, [top], list[str]()
     partner = np.array(partner)
     partner[top[0]], partner[top[1]] = top[1], top[0]
@@ -231,13 +231,15 @@ def _paired(rest: Rest, partner: Index, top: tuple[int, int], image: Array, midd
 
 
 def _children(figure: Figure, parent: int) -> list[int]:
-    """The links that hang on a link by a joint, those of the world without free bodies."""
+    """The children of a link, those of the world without free bodies."""
     return [i for i, link in enumerate(figure.links) if i and link.parent == parent and link.kind is not JointKind.FREE]
 
 
 def _partner(rest: Rest, i: int, free: Sequence[int], image: Array, middle: float) -> tuple[int | None, str]:
-    """The partner of link i among those that have none yet, by name or else by geometry; and what is wrong with the
-    one of that name."""
+    """The partner of link i among those that have none yet, by name or else by geometry.
+
+    With the misfit of the link of that name, "" without one.
+    """
     named, complaint = _named(rest.figure, i), ""
     if named is not None:
         misfit = rest.misfit(i, named, image, UNEVEN) if named in free else "kinds"

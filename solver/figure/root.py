@@ -2,7 +2,7 @@
 
 A tree moves about on a free joint, or on slides and hinges in any order (`rootx`, `rootz`, `rooty`; `pelvis_tx` ...),
 of one body or of several light ones in a row. Of several such trees the root carries the one that stands on legs: limbs
-of two joints or more that end lowest. Objects beside it (a box, a cart) have no legs. Of several trees with legs the
+of two joints or more that end lowest. Other objects (a box, a cart) have no legs. Of several trees with legs the
 root carries the one that has evidently the most joints. Where none has, the root is ambiguous, and `rivals` lists the
 others.
 """
@@ -74,7 +74,7 @@ def roots_of(model: mujoco.MjModel) -> list[Root]:
 
 
 def _moving(model: mujoco.MjModel) -> list[_Tree]:
-    """The trees that move about: a rigid object on slides (a drawer, a target) does not beside articulated trees."""
+    """The mobile trees; rigid objects on slides (a drawer, a target) are excluded if there are articulated trees."""
     trees = [_Tree(model, joint) for joint in _first_joints(model)]
     has_limbs = any(tree.limbs.size for tree in trees)
     return [tree for tree in trees if tree.moves_about and (tree.root.is_free or tree.limbs.size or not has_limbs)]
@@ -96,7 +96,7 @@ def _first_joints(model: mujoco.MjModel) -> Iterator[int]:
 
 
 class _Tree:
-    """All that hangs on one joint of the world."""
+    """The bodies below one joint of the world."""
 
     def __init__(self, model: mujoco.MjModel, joint: int) -> None:
         self.model = model
@@ -110,7 +110,7 @@ class _Tree:
 
     @property
     def moves_about(self) -> bool:
-        """Whether its root takes it to other places: a door or an arm on a base only turns where it is."""
+        """Whether its root translates it: a door or an arm on a base only turns in place."""
         return bool(np.isin(self.model.jnt_type[list(self.root.joints)], (FREE, SLIDE)).any())
 
     def _root(self, top: int) -> Root:

@@ -1,9 +1,9 @@
-"""Hard joint ranges: a path moved back into them at all times, by as little acceleration as can be.
+"""Hard joint ranges: move a path back into them at all times, with the least added acceleration.
 
 A spline is linear in its rows, so a deviation of one joint that keeps its values in bounds at many times is a convex
 problem: min ∫ a''² dt subject to low ≤ y + B a ≤ high. It is Lawson and Hanson's least distance programming (Solving
 Least Squares Problems, 1974, ch. 23), by non-negative least squares. Keyframes stay; where they are on a bound,
-variable frames beside them let the path touch it. A ball joint deviates along its own angle, in a few steps.
+adjacent variable frames let the path touch it. A ball joint deviates along its angle, in a few steps.
 """
 
 from __future__ import annotations
@@ -22,35 +22,35 @@ from ..figure.kinematics import Samples
 from ..penalty.joints.joint_range import JointRange, Range
 from .subdivision import split
 
-RATE = 2000.0  # [1/s] at which a path is held against its bounds
+RATE = 2000.0  # [1/s] at which a path is compared with its bounds
 ROUNDS = 12
-BEYOND = {JointKind.SLIDE: 2e-5}  # [m] that a joint may be beyond its bounds
-TURNED = float(np.radians(0.02))  # [rad] the same of hinges and balls
-LEEWAY = 1.5  # times that, from which on it is moved back
-AROUND = 0.25  # [s] on both sides of a violation in which frames move
-BRIEF, CLOSEST = 0.01, 0.004  # [s] of a violation, at least; between frames
-FAINT = 1e-9  # of the mean squared acceleration by a row, that its own square counts
-REACHED = 4  # frames beside one that moves, as far as a spline feels it
+BEYOND = {JointKind.SLIDE: 2e-5}  # [m] tolerance of the bounds
+TURNED = float(np.radians(0.02))  # [rad] tolerance of hinges and balls
+LEEWAY = 1.5  # times the tolerance, above which a joint is moved back
+AROUND = 0.25  # [s] before and after a violation in which frames move
+BRIEF, CLOSEST = 0.01, 0.004  # [s] least duration of a violation; least spacing of frames
+FAINT = 1e-9  # regularization, relative to the mean squared acceleration of a row
+REACHED = 4  # frames on each side of a moved one at which the spline changes
 RUN = 1000
 
 
 @dataclass(frozen=True)
 class _Violation:
-    """A joint beyond its bounds in stretches of time, (first, last) [s] each, near each other."""
+    """A joint beyond its bounds in `spans`, intervals (first, last) [s] near each other."""
 
     joint: Range
     spans: tuple[tuple[float, float], ...]
 
     @property
     def reach(self) -> tuple[float, float]:
-        """From when to when [s] frames move."""
+        """(first, last) [s] of the interval in which frames move."""
         return self.spans[0][0] - AROUND, self.spans[-1][1] + AROUND
 
 
 def limited(figure: Figure, timeline: Timeline, joints: Sequence[Range]) -> Timeline:
-    """The timeline with joints within their bounds at all times, with more variable frames where that takes them.
+    """Return the timeline with joints within their bounds at all times, variable frames added where necessary.
 
-    Bounds that cannot be kept, for keyframes are beyond them or too close in time, are kept as far as can be.
+    Bounds that cannot be kept, because keyframes are beyond them or too close in time, are kept as far as possible.
     """
     if timeline.ends == "held":
         return timeline
@@ -65,7 +65,7 @@ def limited(figure: Figure, timeline: Timeline, joints: Sequence[Range]) -> Time
 
 
 def farthest(figure: Figure, timeline: Timeline, joints: Sequence[Range]) -> list[tuple[Range, float, float]]:
-    """The joints that are beyond their bounds by more than they may, by how much [rad, m] at most, and when [s]."""
+    """Return the joints beyond their bounds by more than the tolerance: largest excess [rad, m] and its time [s]."""
     excesses, t = [], _dense(timeline)
     for joint in joints:
         value = _values(figure, timeline, joint, t)
@@ -77,7 +77,7 @@ def farthest(figure: Figure, timeline: Timeline, joints: Sequence[Range]) -> lis
 
 
 def _dense(timeline: Timeline) -> Array:
-    """(T,) [s] times at which a path is held against its bounds."""
+    """(T,) [s] times at which a path is compared with its bounds."""
     first, last = timeline.times[[0, -1]]
     return np.unique(np.append(np.linspace(first, last, int(np.ceil((last - first) * RATE)) + 1), timeline.times))
 
@@ -87,7 +87,7 @@ def _tolerance(joint: Range) -> float:
 
 
 def _values(figure: Figure, timeline: Timeline, joint: Range, t: Array) -> Array:
-    """(T,) [rad, m] a hinge or slide at times t, or a ball joint's angle."""
+    """(T,) [rad, m] the coordinate of a hinge or slide at times t, or a ball joint's angle."""
     path = path_of(timeline)
     if joint.kind is not JointKind.BALL:
         return path.at(t)[:, figure.links[joint.link].qpos + joint.column]
@@ -98,7 +98,7 @@ def _values(figure: Figure, timeline: Timeline, joint: Range, t: Array) -> Array
 
 
 def _violations(figure: Figure, timeline: Timeline, joints: Sequence[Range]) -> Iterator[_Violation]:
-    """Every stretch of time in which a joint is beyond its bounds."""
+    """Every interval in which a joint is beyond its bounds."""
     t = _dense(timeline)
     for joint in joints:
         value, tolerance = _values(figure, timeline, joint, t), LEEWAY * _tolerance(joint)
@@ -111,7 +111,7 @@ def _violations(figure: Figure, timeline: Timeline, joints: Sequence[Range]) -> 
 
 
 def _refined(timeline: Timeline, violations: Sequence[_Violation]) -> Timeline:
-    """With variable frames in and beside violations."""
+    """The timeline with variable frames added in and around violations."""
     first, last = timeline.times[[0, -1]]
     times = timeline.times.tolist()
     new: list[float] = []
@@ -126,7 +126,7 @@ def _refined(timeline: Timeline, violations: Sequence[_Violation]) -> Timeline:
 
 
 def _moved_back(figure: Figure, timeline: Timeline, violation: _Violation) -> Timeline:
-    """With one joint moved back into its bounds about a violation; as it is where no frame can."""
+    """The timeline with one joint moved back into its bounds around a violation; unchanged if no frame can move."""
     joint = violation.joint
     link = figure.links[joint.link]
     start = link.qpos + joint.column + (3 if joint.kind is JointKind.BALL and link.kind is JointKind.FREE else 0)
@@ -153,7 +153,7 @@ def _moved_back(figure: Figure, timeline: Timeline, violation: _Violation) -> Ti
 
 
 def _looks(timeline: Timeline, unit: Array) -> Array:
-    """(T,) [s] where a joint is held against its bounds when some rows move: as far as they move it by much."""
+    """(T,) [s] times at which a joint is compared with its bounds: the interval that the moved rows affect."""
     frames, times = np.flatnonzero(unit[:-2].any(axis=1)), timeline.times
     begin = 0 if unit[-2].any() or not frames.size else max(frames[0] - REACHED, 0)
     end = times.size - 1 if unit[-1].any() or not frames.size else min(frames[-1] + REACHED, times.size - 1)
@@ -162,8 +162,8 @@ def _looks(timeline: Timeline, unit: Array) -> Array:
 
 
 def _cardinal(timeline: Timeline, column: int, violation: _Violation) -> Array:
-    """(M + 2, n) the rows that may move about a violation, a unit of each: of frames that leave a column free, and
-    slopes at free ends."""
+    """(M + 2, n) unit changes of the rows that may move around a violation: frames that leave a column free, and slopes
+    at free ends."""
     times, count = timeline.times, len(timeline.frames)
     begin, end = violation.reach
     free = ~timeline.fixed[:, column] & (times > begin) & (times < end)
@@ -182,8 +182,8 @@ def _cardinal(timeline: Timeline, column: int, violation: _Violation) -> Array:
 
 
 def _least(bend: Array, rows: Array, least: Array) -> Array | None:
-    """(n,) the deviation a of least ∫ a''² with rows (C, n) a ≥ least (C,); None if there is none."""
-    from scipy.optimize import nnls  # only here: it takes a while, and only hard ranges need it
+    """(n,) the deviation a of least ∫ a''² with rows (C, n) a ≥ least (C,); None if the bounds are infeasible."""
+    from scipy.optimize import nnls  # imported here: slow to load, used by hard ranges alone
 
     square = bend.T @ bend / len(bend)
     square += FAINT * np.trace(square) / max(len(square), 1) * np.eye(len(square))
@@ -207,8 +207,10 @@ def _least(bend: Array, rows: Array, least: Array) -> Array | None:
 
 
 def _turned_back(figure: Figure, timeline: Timeline, joint: Range, deviation: Array) -> Timeline:
-    """With a ball joint's angle changed by (M + 2,) [rad] at frames, and its rates [rad/s] at the ends; what hangs on
-    it goes with it."""
+    """The timeline with a ball joint's angle changed by (M + 2,) [rad] at frames, its rates [rad/s] at the ends.
+
+    Descendant links turn with it.
+    """
     columns = quaternion_columns(figure.links[joint.link])
     assert columns is not None, "a joint with a rotation"
     rows, moved = np.array(timeline.rows), np.flatnonzero(deviation[:-2])

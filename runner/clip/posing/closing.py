@@ -15,7 +15,7 @@ import numpy as np
 
 from dynsplines.solver.array import Array, Mask
 
-CLOSED = 1e-9  # [m, rad] a residual that is none
+CLOSED = 1e-9  # [m, rad] residual of a closed constraint
 STEPS, STARTS = 200, 12
 LONGEST = 0.3  # [rad, m] of a step
 FIRST_DAMPING, LEAST_DAMPING, MOST_DAMPING = 1e-6, 1e-12, 1e6
@@ -43,7 +43,7 @@ class Equalities:
         self.data = mujoco.MjData(self.model)
 
     def residuals(self, qpos: Array) -> tuple[Array, Array]:
-        """What is open (r,) [m, rad], and its derivatives by the degrees of freedom (r, nv)."""
+        """Return the residuals (r,) [m, rad] and their derivatives by the degrees of freedom (r, nv)."""
         self.data.qpos[:] = qpos
         mujoco.mj_fwdPosition(self.model, self.data)
         rows = self._rows
@@ -53,7 +53,7 @@ class Equalities:
         return np.array(self.data.efc_pos)[rows], matrix[rows]
 
     def open(self, qpos: Array) -> list[Opening]:
-        """The constraints that a pose (nq,) leaves open, the widest first."""
+        """Return the constraints that a pose (nq,) leaves open, the widest first."""
         residual, _ = self.residuals(qpos)
         owner = np.array(self.data.efc_id)[self._rows]
         openings: list[Opening] = []
@@ -65,7 +65,7 @@ class Equalities:
         )
 
     def closed(self, qpos: Array) -> Array | None:
-        """The pose near qpos (nq,) that closes all, within the joints' ranges; None where none is found.
+        """Return the pose near qpos (nq,) that closes all, within the joints' ranges; None without one.
 
         Free joints stay where they are, unless nothing else closes them.
         """
@@ -174,7 +174,7 @@ def _openings(model: mujoco.MjModel, number: int, residual: Array) -> list[Openi
 
 
 def _between(model: mujoco.MjModel, number: int) -> str:
-    """A constraint without a name by the two things that it holds together."""
+    """The name of an unnamed constraint: those of the two elements that it connects."""
     kind = mujoco.mjtObj(int(model.eq_objtype[number]))
     if int(model.eq_type[number]) == int(mujoco.mjtEq.mjEQ_JOINT):
         kind = mujoco.mjtObj.mjOBJ_JOINT

@@ -121,8 +121,10 @@ def _roots(figure: Figure) -> list[Root]:
 
 
 def _feet(figure: Figure, root: Root, points: Sequence[Point], qpos: Array) -> list[Point]:
-    """The lowest points of a tree's lowest ends, in the pose in which it stands tallest; what can fall sideways stands
-    on two at least, so that of a kick the next tallest pose tells both."""
+    """The lowest points of a tree's lowest ends, in the pose in which it stands tallest.
+
+    A tree that can fall sideways stands on two at least: of a kick the next tallest pose decides.
+    """
     poses = np.vstack([figure.model.qpos0, qpos])
     states = figure.to_state(poses)
     links, positions, radii = arrays_of(points)

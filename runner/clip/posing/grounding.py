@@ -28,7 +28,7 @@ from dynsplines.solver.surface.points import Point, body_points, free_root, hang
 
 HANGING = 0.15  # of the figure's height, how far over the ground it may hang that is to stand: models rest so
 ROUNDS, MET = 30, 1e-9  # of going down on what is below; [m] what is left then
-ALONG = 0.999  # of a slide's way, how much of it goes along an axis of the world
+ALONG = 0.999  # least cosine between a slide's axis and an axis of the world
 SHALLOW = 0.002  # [m] by which one place is no deeper than another
 
 
@@ -117,7 +117,7 @@ class Grounding:
 
     @cached_property
     def _columns(self) -> dict[int, tuple[int, float]]:
-        """The entry of the state that moves the root along an axis of the world, and 1, or −1 for the other way."""
+        """The entry of the state that moves the root along each axis of the world, and its sign, 1 or −1."""
         return _slides(self.figure, self.root)
 
     @property
@@ -195,8 +195,7 @@ class Grounding:
         return np.array([*mean, 0.0]) if np.linalg.norm(away - mean[:, None], axis=0).max() < SAME_SPOT else None
 
     def _placed(self, key: Frame, there: Array, by: Array, which: Sequence[bool]) -> Frame:
-        """A keyframe with the root moved from a state (N,) by (3,) [m] along some axes, as far as it does not say that
-        itself."""
+        """A keyframe with the root moved from a state (N,) by (3,) [m] along some axes that it does not specify."""
         state, posed = np.array(key.state), np.zeros(key.fixed.shape, bool) if key.posed is None else key.posed.copy()
         for axis, (column, sign) in self._columns.items():
             posed[column] |= which[axis] and not key.fixed[column]
@@ -206,7 +205,7 @@ class Grounding:
 
 
 def _slides(figure: Figure, root: int) -> dict[int, tuple[int, float]]:
-    """The entries of qpos that move a root's link along axes of the world, and 1 or −1 for the way.
+    """The entries of qpos that move a root's link along axes of the world, and 1 or −1 for the direction.
 
     A slide that a hinge above turns moves it elsewhere, and is none of them.
     """

@@ -23,12 +23,12 @@ from .rotation import UP, quaternion_of
 
 STEPS, LONGEST = 100, 0.5  # of Gauss-Newton on a root's hinges, at most; [rad] of one step
 TURNED, MOVED = 1e-6, 1e-6  # [rad, m] that a root may miss its place
-FLAT = 1e-9  # of a joint's share in a motion, that is none
+FLAT = 1e-9  # a joint's share in a motion, below which it is ignored
 STARTS = 8
 
 
 def ambiguities(figure: Figure, rows: Sequence[KeyframeTable]) -> list[str]:
-    """A line on a model in which several trees could be the figure's root, or several bodies the one that `root` is."""
+    """Return a note on a model in which several trees, or several free bodies, could be the figure's root."""
     root = figure.root
     if root is None or not root.rivals:
         return []
@@ -112,7 +112,7 @@ def set_roots(
 
 
 def _own(figure: Figure, where: str) -> Root:
-    """The root that `root` places; raises UserError where there is none, or where it is ambiguous."""
+    """The root that `root` places; raises UserError if the figure has none, or several."""
     root = figure.root
     if root is None:
         raise UserError(f"{where}: the figure has no free joint, so no root to place")
@@ -162,7 +162,7 @@ def _set(
 
 
 def _set_free(qpos: Array, fixed: Mask, start: int, table: RootTable, where: str) -> None:
-    """What a table says about a free joint's position, axis by axis, and its rotation."""
+    """Sets a free joint's position, axis by axis, and its rotation as a table specifies them."""
     if "position" in table.model_fields_set:
         axes = ("free",) * 3 if table.position == "free" else table.position
         for i, value in enumerate(axes):
@@ -195,9 +195,9 @@ class _Chain:
             fixed[entries(self.figure, i)] = value
 
     def turn(self, table: RotationTable, *, stays: bool) -> None:
-        """Turns the body as a table says, about its origin where it `stays` in place and slides reach that.
+        """Turns the body as a table specifies, about its origin if it `stays` in place and slides reach that.
 
-        Raises UserError where its hinges do not reach that.
+        Raises UserError if its hinges do not reach that.
         """
         self._place(self.qpos)
         before = np.array(self.data.xpos[self.root.body])
@@ -313,7 +313,7 @@ class _Chain:
         return any(np.linalg.norm(np.cross(self.data.xaxis[link.joint], axis)) > FLAT for axis in axes)
 
     def _turned(self, target: Array) -> float:
-        """Turns the body towards a rotation (4,) by Gauss-Newton; returns the angle [rad] that is left."""
+        """Turns the body towards a rotation (4,) by Gauss-Newton; returns the remaining angle [rad]."""
         model, dofs = self.figure.model, np.concatenate([[], *(self._dofs(i) for i in self.turning)]).astype(int)
         for _ in range(STEPS):
             turn = self._jacobian()[1]

@@ -1,4 +1,4 @@
-"""Turns that keyframes write and no motion makes: rotations are quaternions, which have no whole turns.
+"""Whole turns that keyframes specify and the motion lacks: rotations are quaternions, which have none.
 
 From one keyframe to the next a joint takes the shorter way. A heading of 360 after 0 turns nothing, and one of 270
 after 0 goes a quarter back. Both are reported, with the keyframes in between that make the turn.
@@ -24,7 +24,7 @@ STEP = 120.0  # [degrees] of a turn between keyframes that are advised, at most
 
 
 def lost_turns(figure: Figure, rows: Sequence[KeyframeTable], keys: Timeline) -> list[str]:
-    """A line on every rotation of a keyframe that is written as another turn than the raw timeline makes."""
+    """Return a note on every rotation of a keyframe that the raw timeline does not reach by the turn specified."""
     names = list(dict.fromkeys(name for row in rows for name in _rotations(figure, row)))
     return [line for name in names for line in _lost(figure, name, rows, keys)]
 
@@ -62,7 +62,7 @@ def _written(table: RotationTable) -> tuple[str, Array] | None:
 
 def _lost(figure: Figure, name: str, rows: Sequence[KeyframeTable], keys: Timeline) -> Iterator[str]:
     """Of one rotation, from each keyframe that gives it to the next."""
-    last: tuple[int, str | None, Array] | None = None  # None for the way of writing: at rest, however it is written
+    last: tuple[int, str | None, Array] | None = None  # no notation at rest, which matches all
     for k, row in enumerate(rows):
         link, table = _rotations(figure, row).get(name, (None, None))
         written = None if table is None else _written(table)
@@ -98,7 +98,7 @@ def _line(
 
 
 def _is_made(figure: Figure, link: int, pair: tuple[int, int], size: float, keys: Timeline) -> bool:
-    """Whether the raw timeline turns a link by an angle [degrees] between two keyframes: a body in a spin goes on."""
+    """Whether the raw timeline turns a link by an angle [degrees] between two keyframes, as in a spin."""
     columns, (first, last) = quaternion_columns(figure.links[link]), pair
     if columns is None or last >= len(keys.times):
         return False

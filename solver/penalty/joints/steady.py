@@ -1,8 +1,8 @@
-"""Joints that two neighbouring keyframes hold: of the same value in both, they stay there in between.
+"""Joints held by two neighbouring keyframes: with the same value in both, they keep it in between.
 
-A spline through a hold and a fast motion beside it swings back in the hold. Where the raw spline does so, a joint is
-bounded to the keyframes' value, see `JointRange`. Turning points are no holds: values that an oscillation passes on
-both sides of its peak. An oscillation is a clip that repeats itself, whose segments are about as long as each other.
+A spline through a hold next to a fast motion overshoots in the hold. Where the raw spline does so, a joint is bounded
+to the keyframes' value, see `JointRange`. Turning points are no holds: values that an oscillation passes on both sides
+of its peak. An oscillation is a clip that repeats itself, whose segments are of similar length.
 """
 
 from __future__ import annotations
@@ -21,22 +21,22 @@ from ..penalty import Guide
 from .joint_range import JointRange, Range
 
 SAME = {"angle": np.radians(0.25), "length": 0.002}  # [rad, m] by which keyframes of the same value may differ
-SWINGS = {"angle": np.radians(3), "length": 0.03}  # [rad, m] off it from which on the raw spline leaves a value
+SWINGS = {"angle": np.radians(3), "length": 0.03}  # [rad, m] overshoot of the raw spline above which a joint is held
 ROOM = {"angle": np.radians(1), "length": 0.01}  # [rad, m] that a held joint may move
-LONG = 1.5  # times the shorter segment beside it from which on even in an oscillation a segment is a hold
-BRIEF = 0.3  # [s] a segment so short is a value that the motion passes twice, if those beside it are as short
-LOOKS = 12  # a segment
-FELT = 3  # segments beside one that moves in which a spline feels it
-BESIDE = 0.25  # of the segment beside a hold, how far inside the hold its frames begin; they bound what it swings
-CLOSEST = 0.02  # [s] of such a frame to another
+LONG = 1.5  # times the shorter adjacent segment: a segment this long is a hold even in an oscillation
+BRIEF = 0.3  # [s] shorter segments are values passed twice, if adjacent segments are as short
+LOOKS = 12  # samples of a segment
+FELT = 3  # segments on each side of a moving one at which the spline changes
+BESIDE = 0.25  # of the adjacent segment's length: how far inside the hold its variable frames lie
+CLOSEST = 0.02  # [s] least distance of such a frame to another
 SEGMENTS_AT_ONCE = 200
 
 
 @dataclass(frozen=True)
 class Steady(JointRange, Guide):
-    """Σ over held joints of how far they are beyond their bounds, squared [rad² or m²]: the bounds of `steady`.
+    """Σ over held joints of their squared excess [rad² or m²] beyond the bounds of `steady`.
 
-    frames  [s] of variable frames by which a spline keeps to them
+    frames  [s] of variable frames by which a spline can stay within them
     """
 
     called: str = "steady"
@@ -45,7 +45,7 @@ class Steady(JointRange, Guide):
 
     @classmethod
     def of(cls, figure: Figure, held: Sequence[Range], times: Array) -> Steady:
-        """Of held joints, in a clip of keyframes at times (K,) [s]."""
+        """Return the penalty of held joints in a clip of keyframes at times (K,) [s]."""
         frames: set[float] = set()
         for first, last in {(joint.first, joint.last) for joint in held}:
             k, length = int(np.argmin(np.abs(times - first))), last - first
@@ -55,7 +55,7 @@ class Steady(JointRange, Guide):
         return cls(tuple(held), frames=tuple(sorted(frames)), figure=figure)
 
     def led(self, timeline: Timeline, most: int | None) -> Timeline:
-        """With held joints where they are held, and variable frames beside the ends of holds."""
+        """Return the timeline with held joints at their values, and variable frames near the ends of holds."""
         new = [t for t in self.frames if np.abs(timeline.times - t).min() > CLOSEST]
         if new and (most is None or timeline.variable_count + len(new) <= most):
             states = path_of(timeline).at(np.array(new))
@@ -66,7 +66,7 @@ class Steady(JointRange, Guide):
         return timeline.with_rows(rows)
 
     def _still(self, states: Array, times: Array) -> Array:
-        """States (T, N) at times (T,) [s] with held joints where they are held."""
+        """States (T, N) at times (T,) [s] with held joints at their values."""
         if self.figure is None:
             return states
         qpos = self.figure.to_qpos(states)
@@ -139,7 +139,7 @@ def tracks(figure: Figure) -> list[Track]:
 def steady(
     figure: Figure, keys: Timeline, *, repeats: bool = False, aloft: Sequence[tuple[float, float]] = ()
 ) -> tuple[Range, ...]:
-    """The joints that keyframes hold and that the spline through them would swing, with their bounds.
+    """Return the joints that keyframes hold and the raw spline does not, with their bounds.
 
     keys     the raw timeline;  repeats  whether it is a loop or a cycle
     aloft    (first, last) [s] of flights, in which a root rises and falls between two keyframes of one height
@@ -192,14 +192,16 @@ def _held(track: Track, keys: Timeline, qpos: Array, *, repeats: bool) -> Iterat
 
 
 def _is_turning_point(track: Track, qpos: Array, k: int, beside: Sequence[tuple[int, float] | None]) -> bool:
-    """Whether a coordinate comes to keyframe k from where it leaves for after the next."""
+    """Whether a coordinate reaches keyframe k from the same side to which it leaves keyframe k + 1."""
     off = [track.off(qpos[neighbour[0]], qpos[k, track.columns]) for neighbour in beside if neighbour is not None]
     return len(off) == 2 and bool(off[0] @ off[1] > 0)
 
 
 def _beside(keys: Timeline, fixing: Index, k: int) -> tuple[tuple[int, float] | None, tuple[int, float] | None]:
-    """The keyframes before k and after k + 1 of those that fix a coordinate, and how far [s] they are; round a loop's
-    end."""
+    """The nearest keyframes before k and after k + 1 that fix a coordinate, and their distances [s].
+
+    In a loop the search wraps around its end.
+    """
     times, last, place = keys.times, len(keys.times) - 1, int(np.searchsorted(fixing, k))
     is_loop = keys.ends == "periodic"
     one = other = None

@@ -135,7 +135,7 @@ def test_a_joint_that_swings_in_a_hold_is_reported(tmp_path):
     raw = np.degrees(problem.figure.to_qpos(path_of(problem.problem.raw).at(np.linspace(0, 1, 1001))))
     assert (first.kind, first.name, second.kind) == ("overshoot", "arm", "overshoot")
     assert first.amount == pytest.approx(np.abs(raw).max() - 1, abs=0.1)
-    assert "the keyframes at 0 and 1 s both give it" in first.text
+    assert "the keyframes at 0 and 1 s both specify" in first.text
     assert work.solve(problem, quiet()).problems == ()
 
 
