@@ -12,8 +12,8 @@ from dynsplines.solver.array import Array
 def taylor_slope(fun: Callable[[Array], float], x: Array, gradient: Array, rng: np.random.Generator) -> float:
     """The slope of log remainder over log step between two steps, 2 for an exact gradient of a smooth function.
 
-    A function that is linear along the direction leaves only rounding: its slope counts as 2. Where rounding is all that
-    the smaller step leaves, both are ten times as long.
+    A function that is linear along the direction leaves only rounding: its slope counts as 2. Where the smaller step
+    leaves only rounding, both are ten times as long.
     """
     direction = rng.normal(size=x.shape)
     direction /= np.linalg.norm(direction)
