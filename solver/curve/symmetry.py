@@ -20,6 +20,7 @@ from ..figure.figure import Figure, JointKind
 WORLD = np.diag([1.0, -1, 1])  # S, the reflection of the world
 SAME_LINE = 1e-3  # 1 − cosine of the angle between an axis and the image of its partner's
 MIDDLE, UNEVEN = 0.01, 0.05  # of the figure's size: how far axes, and centres of mass, may be from symmetric
+UPRIGHT_PLANES = 2  # of those tried: the x-z planes of the root and of the world
 EXACT = 1e-9  # entries of a reflection are rounded to 0, 1 or −1 within this
 # a separate word, or an initial capital; or next to the letter for front, rear, hind, back or middle: FL, rh
 ENDS_LEG = r"[FRHBMfrhbm]"
@@ -142,7 +143,11 @@ def symmetric(figure: Figure, middle: float) -> tuple[Rest, Index, Array]:
         other = root if other is None or figure.links[other].kind is not JointKind.FREE else other
         planes = _planes(figure, root) if other == root else [WORLD]
         tried = [_paired(rest, partner, (root, other), image, middle) for image in planes]
-        paired = [(pairing, image) for pairing, image in zip(tried, planes, strict=True) if not pairing.complaint]
+        paired = [
+            (pairing, image)
+            for n, (pairing, image) in enumerate(zip(tried, planes, strict=True))
+            if not pairing.complaint and (n < UPRIGHT_PLANES or _exchanges_sides(figure, pairing.partner))
+        ]
         if not paired:
             raise MirrorError(tried[0].complaint)
         best, images[root] = min(paired, key=lambda pair: (pair[0].misnamed, round(pair[0].unlike / rest.size, 3)))
@@ -151,6 +156,12 @@ def symmetric(figure: Figure, middle: float) -> tuple[Rest, Index, Array]:
         [rest.turn[j].T @ images[r] @ rest.turn[i] for i, (j, r) in enumerate(zip(partner, rest.root, strict=True))]
     )
     return rest, partner, rounded(reflection)
+
+
+def _exchanges_sides(figure: Figure, partner: Index) -> bool:
+    """Whether left and right by name are partners (L,); else the plane might exchange front and back."""
+    names = [link.name for link in figure.links]
+    return any(j > i > 0 and other_side(names[i]) == names[j] != names[i] for i, j in enumerate(partner))
 
 
 def rounded(matrix: Array) -> Array:

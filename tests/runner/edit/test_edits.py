@@ -9,6 +9,7 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
+import puppet
 import pytest
 import tiny
 from rich.console import Console
@@ -213,8 +214,8 @@ def test_edits_that_make_no_motion_are_refused(steps, cycle, saved):
             edits.joined(steps, steps, transition, progress())
     with pytest.raises(UserError, match="of different figures; they differ in: left_ankle, left_elbow"):
         edits.joined(steps, saved, 0.4, progress())
-    with pytest.raises(UserError, match="tiny: no partner on the other side for: 'left_knee'"):
-        edits.mirrored(saved)
+    with pytest.raises(UserError, match="puppet: no partner on the other side for: "):
+        edits.mirrored(puppet.moved())
 
 
 @pytest.mark.slow
