@@ -108,8 +108,8 @@ class Result:
         elif code:
             cell = f"refused: {lines[-1].removeprefix('dynsplines: ')}" if lines else f"exit {code}"
         else:
-            found = sum(line.startswith(("problem:", "violation:")) for line in lines)
-            cell = "ok" + f", {found} reported" * bool(found)
+            problems = sum(line.startswith(("problem:", "violation:")) for line in lines)
+            cell = "ok" + f", {problems} reported" * bool(problems)
         self.cells[words[0]] = cell
         if (folder / "MUJOCO_LOG.TXT").exists():
             self.cells[words[0]] += ", leaves MUJOCO_LOG.TXT"

@@ -70,8 +70,8 @@ def _known(model: mujoco.MjModel, bodies: BodyPoses) -> Index:
     if bodies.names is None or len(bodies.names) != everything.size:
         return everything
     names = {model.body(body).name for body in range(model.nbody)}
-    known = np.flatnonzero([name in names for name in bodies.names])
-    return known if 2 * known.size > everything.size else everything
+    matching = np.flatnonzero([name in names for name in bodies.names])
+    return matching if 2 * matching.size > everything.size else everything
 
 
 def _nearest(away: Array, angle: Array) -> Disagreement:

@@ -128,8 +128,8 @@ def stem(source: Path) -> str:
     """A file's name without the whole ending of its format: 'run' of run.loco.npz."""
     endings = [
         ending
-        for each in FORMATS
-        for ending in (each.ending, *each.also, *each.containers)
+        for form in FORMATS
+        for ending in (form.ending, *form.also, *form.containers)
         if len(source.name) > len(ending)
     ]
     fitting = [ending for ending in endings if source.name.lower().endswith(ending)]
@@ -181,7 +181,7 @@ def is_foreign(path: Path) -> bool:
         return True
     if not path.is_file() or OF_MOTIONS.intersection(names_in(path)):
         return False
-    return any(_recognises(each, path) for each in readers().values() if path.name.lower().endswith(each.read_by))
+    return any(_recognises(form, path) for form in readers().values() if path.name.lower().endswith(form.read_by))
 
 
 def target_of(name: str, form: Format, wishes: Wishes) -> Path:
@@ -284,17 +284,17 @@ def recording(
         raise UserError(_write_only(kind) if kind in writers() else unknown("format", kind, known))
     fitting = [known[kind]] if kind is not None else _fitting(source)
     _check_file(source)
-    found: dict[str, Recording] = {}
+    recordings: dict[str, Recording] = {}
     failure: UserError | None = None
     for form in fitting:
         try:
-            found[form.name] = _read(form, source, model, fps, scale)
+            recordings[form.name] = _read(form, source, model, fps, scale)
         except UserError as error:
             failure = failure or error
-    if not found:
+    if not recordings:
         assert failure is not None, "a file fits a format or is refused"
         raise failure
-    return layouts.chosen(found, model, source)
+    return layouts.chosen(recordings, model, source)
 
 
 def _read(
@@ -337,11 +337,11 @@ def _fitting(source: Path) -> list[Format]:
     if own is not None and not own.reads:
         raise UserError(f"'{source}': {_write_only(own.name)}")
     if own is not None:
-        return [own, *(each for each in known if each.shares == own.ending and _recognises(each, source))]
-    sharing = [each for each in known if name.endswith(each.read_by)]
-    fitting = [each for each in sharing if _recognises(each, source)]
+        return [own, *(form for form in known if form.shares == own.ending and _recognises(form, source))]
+    sharing = [form for form in known if name.endswith(form.read_by)]
+    fitting = [form for form in sharing if _recognises(form, source)]
     if not fitting:
-        names = ", ".join(each.name for each in sharing or known)
+        names = ", ".join(form.name for form in sharing or known)
         raise UserError(f"'{source}': its ending does not tell its format; {unsaid.FORMAT}, one of: {names}")
     return fitting
 

@@ -82,7 +82,7 @@ def recording(
 
 def noted(found: Recording, notes: Sequence[str]) -> Recording:
     """Return a recording with more notes, in all of its layouts."""
-    others = tuple(replace(each, notes=(*each.notes, *notes)) for each in found.others)
+    others = tuple(replace(other, notes=(*other.notes, *notes)) for other in found.others)
     return replace(found, notes=(*found.notes, *notes), others=others)
 
 
@@ -101,10 +101,10 @@ def chosen(recordings: Mapping[str, Recording], model: mujoco.MjModel | None, wh
     if len(recordings) == 1 and not first.others and first.bodies is None:
         return first
     model = _figure(first) if model is None else model
-    layouts = [(form, each) for form, found in recordings.items() for each in (found, *found.others)]
+    layouts = [(form, variant) for form, base in recordings.items() for variant in (base, *base.others)]
     fitting, notes = _agreeing(layouts, model, where)
-    found, note = _most_plausible(fitting, model, where)
-    return replace(found, bodies=None, others=(), notes=(*found.notes, *notes, *note))
+    best, note = _most_plausible(fitting, model, where)
+    return replace(best, bodies=None, others=(), notes=(*best.notes, *notes, *note))
 
 
 def _figure(found: Recording) -> mujoco.MjModel:
@@ -116,10 +116,10 @@ def _agreeing(
     candidates: Sequence[Candidate], model: mujoco.MjModel, where: object
 ) -> tuple[list[Candidate], tuple[str, ...]]:
     """The layouts that reproduce the file's body poses best, and a note if the documented one is not among them."""
-    verified = [(form, each) for form, each in candidates if each.bodies is not None]
+    verified = [(form, variant) for form, variant in candidates if variant.bodies is not None]
     if not verified:
         return list(candidates), ()
-    off = [disagreement(model, each) for _, each in verified]
+    off = [disagreement(model, variant) for _, variant in verified]
     best, first = min(off, key=lambda each: each.share), off[0]
     if best.share > 1:
         others = f", at best {best} with {_words(verified[off.index(best)][1])}" if best is not first else ""
@@ -127,7 +127,7 @@ def _agreeing(
             f"{where}: its body poses differ from the figure's at its joint angles, by up to {first}{others}; "
             "name the model that it was recorded with"
         )
-    out = [each for each, one in zip(verified, off, strict=True) if one.share <= best.share + EQUAL]
+    out = [candidate for candidate, one in zip(verified, off, strict=True) if one.share <= best.share + EQUAL]
     simplest = min(out, key=lambda each: len(each[1].layout))
     if not simplest[1].layout:
         return out, ()
@@ -139,17 +139,17 @@ def _most_plausible(
     candidates: Sequence[Candidate], model: mujoco.MjModel, where: object
 ) -> tuple[Recording, tuple[str, ...]]:
     """The layout of fewest differences if it is plausible, else the one that clearly is, and what was decided."""
-    least = min(len(each.layout) for _, each in candidates)
-    ranked = _ranked([each for each in candidates if len(each[1].layout) == least], model)
+    least = min(len(variant.layout) for _, variant in candidates)
+    ranked = _ranked([candidate for candidate in candidates if len(candidate[1].layout) == least], model)
     best, first = ranked[0]
-    axes = [other for each in candidates for other in _axes(model, each)]
-    rest = [each for each in (*candidates, *axes) if len(each[1].layout) > least]
+    axes = [other for candidate in candidates for other in _axes(model, candidate)]
+    rest = [candidate for candidate in (*candidates, *axes) if len(candidate[1].layout) > least]
     others = _ranked(rest, model) if best.cost > FAR else []
-    others = [each for each in others if each[0].fault < IMPLAUSIBLE]
+    others = [judged for judged in others if judged[0].fault < IMPLAUSIBLE]
     if others and best.cost - others[0][0].cost > (CLEARLY if best.fault > IMPLAUSIBLE else FAR):
-        rivals = [each for each in others if each[0].cost - others[0][0].cost < CLEARLY]
-        fewest = min(len(each.layout) for _, (_, each) in rivals)
-        rivals = [each for each in rivals if len(each[1][1].layout) == fewest]
+        rivals = [judged for judged in others if judged[0].cost - others[0][0].cost < CLEARLY]
+        fewest = min(len(variant.layout) for _, (_, variant) in rivals)
+        rivals = [judged for judged in rivals if len(judged[1][1].layout) == fewest]
         if len(rivals) > 1:
             raise UserError(f"{where}: as {_called(*first)} it is implausible ({best}); {_equally(rivals)}")
         return rivals[0][1][1], (_decided(rivals[0], ranked[0]),)
@@ -165,7 +165,7 @@ def _decided(used: Judged, other: Judged) -> str:
 
 def _equally(rivals: Sequence[Judged]) -> str:
     """What to do about layouts that nothing distinguishes."""
-    names = " and ".join(_called(*each) for _, each in rivals)
+    names = " and ".join(_called(*candidate) for _, candidate in rivals)
     forms = list(dict.fromkeys(form for _, (form, _) in rivals))
     do = f"{unsaid.FORMAT}, one of: {', '.join(forms)}" if len(forms) > 1 else "convert the file to one of these"
     return f"{names} are equally plausible ({rivals[0][0]}), and differ; {do}"
@@ -174,9 +174,9 @@ def _equally(rivals: Sequence[Judged]) -> str:
 def _ranked(candidates: Sequence[Candidate], model: mujoco.MjModel) -> list[Judged]:
     """Layouts, the most plausible first; of those that give one motion the first alone."""
     out: list[Judged] = []
-    for form, each in candidates:
-        if not any(_is_same(model, each, other) for _, (_, other) in out):
-            out.append((Plausibility.of(model, each), (form, each)))
+    for form, variant in candidates:
+        if not any(_is_same(model, variant, other) for _, (_, other) in out):
+            out.append((Plausibility.of(model, variant), (form, variant)))
     return sorted(out, key=lambda each: each[0].cost)
 
 
@@ -212,11 +212,11 @@ def _variants(
         columns = model.jnt_qposadr
         changes.append(("joints breadth first", lambda qpos: _moved(qpos, columns[np.sort(order)], columns[order])))
     for count in range(1, len(changes) + 1):
-        for some in combinations(changes, count):
+        for combination in combinations(changes, count):
             qpos = base.qpos
-            for _, change in some:
+            for _, change in combination:
                 qpos = change(qpos)
-            yield replace(base, qpos=qpos, layout=(*base.layout, *(words for words, _ in some)))
+            yield replace(base, qpos=qpos, layout=(*base.layout, *(words for words, _ in combination)))
 
 
 def quaternions(model: mujoco.MjModel) -> list[slice]:
@@ -272,19 +272,19 @@ def breadth_first(model: mujoco.MjModel) -> Index | None:
 
 def _axes(model: mujoco.MjModel, candidate: Candidate) -> Iterator[Candidate]:
     """The same recorded with y up; of a file with body poses, the root's frame is known to be the figure's."""
-    form, found = candidate
+    form, base = candidate
     if FREE not in model.jnt_type:
         return
     for words, axes, turns_root in Y_UP:
-        if turns_root and found.bodies is not None:
+        if turns_root and base.bodies is not None:
             continue
         places, signs = np.array(axes).T
         matrix, turn = np.zeros((3, 3)), np.zeros(4)
         matrix[np.arange(3), places] = signs
         mujoco.mju_mat2Quat(turn, matrix.ravel())
-        qpos = found.qpos.copy()
+        qpos = base.qpos.copy()
         for start in model.jnt_qposadr[model.jnt_type == FREE]:
             qpos[:, start : start + 3] = signs * qpos[:, start + places]
             rotation = quat.product(turn, qpos[:, start + 3 : start + 7])
             qpos[:, start + 3 : start + 7] = quat.product(rotation, quat.conjugate(turn)) if turns_root else rotation
-        yield form, replace(found, qpos=qpos, layout=(*found.layout, words))
+        yield form, replace(base, qpos=qpos, layout=(*base.layout, words))

@@ -88,8 +88,8 @@ def configurations(
     layout, root = HingeLayout(model), root_of(model)
     if root is None or root.is_ambiguous:
         raise UserError(f"{where}: the format '{form}' is for one figure with a root that moves about")
-    own = robot_joints(model)
-    wanted = [name for joint, names_of in layout.joints if joint in own for name in names_of]
+    figure_joints = robot_joints(model)
+    wanted = [name for joint, names_of in layout.joints if joint in figure_joints for name in names_of]
     if names is None and joints.shape[1] != len(wanted):
         raise UserError(f"{where}: {joints.shape[1]} joints; the figure has {len(wanted)}: {', '.join(wanted)}")
     if names is not None and joints.shape[1] != len(names):
@@ -99,7 +99,7 @@ def configurations(
     parts = []
     for joint, names_of in layout.joints:
         rest = layout.at_rest(joint)
-        if joint in own:
+        if joint in figure_joints:
             parts.append(np.stack([columns[name] for name in names_of], axis=1))
         elif joint == root.joints[0] and root.is_free:
             parts.append(np.concatenate([position, rotation], axis=1))

@@ -54,9 +54,9 @@ def spec_of(figure: object) -> tuple[mujoco.MjSpec, str]:
 def spec_of_text(text: str) -> mujoco.MjSpec:
     """The model of MJCF text, which looks for its files from the current folder on."""
     mjcf_size.check(text, "figure", Path())
-    for tag, said in elements(text):
-        if tag in ("include", "model") and said.get("file"):
-            outside.check(Path(said["file"]), Path(), said["file"])
+    for tag, attributes in elements(text):
+        if tag in ("include", "model") and attributes.get("file"):
+            outside.check(Path(attributes["file"]), Path(), attributes["file"])
     try:
         with quietly():
             return mujoco.MjSpec.from_string(text)

@@ -25,6 +25,9 @@ def fixed_base(figure: str, model: mujoco.MjModel) -> str:
 
 def _root_link(text: str) -> str:
     """The link that is no joint's child."""
-    found = list(elements(text))
-    children = {said.get("link") for tag, said in found if tag == "child"}
-    return next((said["name"] for tag, said in found if tag == "link" and said.get("name") not in children), "")
+    links = list(elements(text))
+    children = {attributes.get("link") for tag, attributes in links if tag == "child"}
+    return next(
+        (attributes["name"] for tag, attributes in links if tag == "link" and attributes.get("name") not in children),
+        "",
+    )

@@ -125,7 +125,7 @@ def _motion(found: Held) -> tuple[Array, Array, tuple[str, ...]]:
     if not count:
         raise UserError(f"{found.where}: it has no samples")
     if max(counts.values()) > count:
-        different = ", ".join(f"'{name}' {each}" for name, each in counts.items())
+        different = ", ".join(f"'{name}' {length}" for name, length in counts.items())
         if not gaps.are_allowed():
             raise UserError(
                 f"{found.where}: samples of its arrays: {different}; `dynsplines clean` uses the first {count}"
@@ -180,12 +180,12 @@ def _on_person(person: Person, position: Array, local: Array) -> Array:
     rotation = smpl.in_world(local)
     bodies = {"root": quat.product(rotation[:, 0], smpl.TO_SMPL)}
     for name, joint in JOINT.items():
-        own = quat.product(rotation[:, joint], smpl.TO_SMPL)
+        world = quat.product(rotation[:, joint], smpl.TO_SMPL)
         arm = name.endswith(("shoulder", "elbow"))
-        bodies[name] = quat.product(own, SPREAD[name.split("_")[0]]) if arm else own
+        bodies[name] = quat.product(world, SPREAD[name.split("_")[0]]) if arm else world
     joints = {
-        name: quat.product(quat.inverse(bodies[ABOVE.get(name, "root")]), own)
-        for name, own in bodies.items()
+        name: quat.product(quat.inverse(bodies[ABOVE.get(name, "root")]), world)
+        for name, world in bodies.items()
         if name != "root"
     }
     qpos = person.posed(position, bodies["root"], joints)

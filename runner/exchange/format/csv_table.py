@@ -59,18 +59,18 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     """With a heading, columns in any order, by `headings`; without one nq columns, or the time and nq columns."""
     if model is None:
         raise UserError(f"{path}: a table of qpos is for a figure; {unsaid.FIGURE}")
-    found = table_text.table(path)
-    notes: tuple[str, ...] = found.notes
-    is_certain = found.names is not None
-    if found.names is None:
-        time, qpos = without_heading(path, found.numbers, model.nq, fps or found.fps)
+    source = table_text.table(path)
+    notes: tuple[str, ...] = source.notes
+    is_certain = source.names is not None
+    if source.names is None:
+        time, qpos = without_heading(path, source.numbers, model.nq, fps or source.fps)
     else:
-        resolved = headings.resolve(model, columns(model), list(map(_named, found.names)), path)
-        qpos, notes = resolved.qpos(found.numbers), (*notes, *resolved.notes)
+        resolved = headings.resolve(model, columns(model), list(map(_named, source.names)), path)
+        qpos, notes = resolved.qpos(source.numbers), (*notes, *resolved.notes)
         is_certain = not resolved.is_numbered
-        time = resolved.time(found.numbers)
+        time = resolved.time(source.numbers)
         if time is None:
-            time = times(len(qpos), rate_of(path, fps or found.fps))
+            time = times(len(qpos), rate_of(path, fps or source.fps))
     order = None if is_certain else False
     result = layouts.recording(model, time, {(): lambda: qpos}, scalar_last=order, has_names=is_certain)
     return layouts.noted(result, notes)

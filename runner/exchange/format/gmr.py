@@ -65,19 +65,19 @@ def recognises(path: Path) -> bool:
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
     """Root and hinges in the figure's order, verified by the bodies where the file has them."""
     model = needs_figure(model, path)
-    found = _motion(plain_pickle.load(path))
-    rate = found.rate("fps") if "fps" in found or fps is None else fps
-    position = found.numbers("root_pos", "samples", 3)
-    if "root_rot" not in found and "pose_aa" in found:
-        rotation = _root_turned(found)
+    motion = _motion(plain_pickle.load(path))
+    rate = motion.rate("fps") if "fps" in motion or fps is None else fps
+    position = motion.numbers("root_pos", "samples", 3)
+    if "root_rot" not in motion and "pose_aa" in motion:
+        rotation = _root_turned(motion)
     else:
-        rotation = found.quaternions("root_rot", "samples", 4, scalar_last=True)
-    joints = found.numbers("dof_pos", "samples", "joints")
+        rotation = motion.quaternions("root_rot", "samples", 4, scalar_last=True)
+    joints = motion.numbers("dof_pos", "samples", "joints")
     readings: dict[tuple[str, ...], layouts.Reading] = {
         (): partial(configurations, model, NAME, path, position, rotation, joints)
     }
     return layouts.recording(
-        model, times(len(joints), rate), readings, scalar_last=True, has_names=False, bodies=_bodies(found), fps=rate
+        model, times(len(joints), rate), readings, scalar_last=True, has_names=False, bodies=_bodies(motion), fps=rate
     )
 
 

@@ -88,8 +88,8 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
 
 def _roots(model: mujoco.MjModel, names: list[str] | None, count: int) -> dict[tuple[str, ...], int]:
     """Which of the recorded bodies may be the root."""
-    own = root_of(model)
-    root = "" if own is None else model.body(own.body).name
+    figure_root = root_of(model)
+    root = "" if figure_root is None else model.body(figure_root.body).name
     out: dict[tuple[str, ...], int] = {(): 0}
     if names is not None and root in names[1:]:
         out["the root by body_names",] = names.index(root)

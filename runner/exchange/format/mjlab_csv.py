@@ -50,25 +50,25 @@ def recognises(path: Path) -> bool:
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
     """Root, quaternion and hinges, after a column of times if there is one; raises UserError for other rows."""
     model = needs_figure(model, path)
-    found = table_text.table(path)
-    fps = fps or found.fps
-    own = robot_joints(model)
-    width = 7 + sum(len(names) for joint, names in HingeLayout(model).joints if joint in own)
-    if found.numbers.shape[1] != width + 1 and fps is None:
+    source = table_text.table(path)
+    fps = fps or source.fps
+    figure_joints = robot_joints(model)
+    width = 7 + sum(len(names) for joint, names in HingeLayout(model).joints if joint in figure_joints)
+    if source.numbers.shape[1] != width + 1 and fps is None:
         raise UserError(f"{path}: the format tells none; {unsaid.RATE}")
-    if found.numbers.shape[1] not in (width, width + 1):
-        shape = found.numbers.shape
+    if source.numbers.shape[1] not in (width, width + 1):
+        shape = source.numbers.shape
         raise UserError(
             f"{path}: a table {shape}; a row is root xyz, root quaternion xyzw, and hinges: {width} columns"
         )
-    time, table = without_heading(path, found.numbers, width, fps)
+    time, table = without_heading(path, source.numbers, width, fps)
     parts = {"root": table[:, :3], "quaternion (columns 4 to 7)": table[:, 3:7], "hinges": table[:, 7:]}
-    held = Held(path, parts)
-    position, joints = held.numbers("root", "T", 3), held.numbers("hinges", "T", "n")
-    rotation = held.quaternions("quaternion (columns 4 to 7)", "T", 4, scalar_last=True)
+    arrays = Held(path, parts)
+    position, joints = arrays.numbers("root", "T", 3), arrays.numbers("hinges", "T", "n")
+    rotation = arrays.quaternions("quaternion (columns 4 to 7)", "T", 4, scalar_last=True)
     readings: dict[tuple[str, ...], layouts.Reading] = {
         (): partial(configurations, model, NAME, path, position, rotation, joints)
     }
-    rate = fps if found.numbers.shape[1] == width else None
+    rate = fps if source.numbers.shape[1] == width else None
     result = layouts.recording(model, time, readings, scalar_last=True, has_names=False, fps=rate)
-    return layouts.noted(result, found.notes)
+    return layouts.noted(result, source.notes)

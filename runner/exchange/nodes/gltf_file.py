@@ -91,9 +91,9 @@ class _File:
         notes = self._choice()
         channels = [channel for channel in animation.channels if channel.target.path in PATHS]
         keys = [self.rows(animation.samplers[channel.sampler].input)[:, 0] for channel in channels]
-        if not keys or max(each.size for each in keys) < FEWEST:
+        if not keys or max(times.size for times in keys) < FEWEST:
             raise UserError(f"{self.path}: its animation '{animation.name}' moves no node")
-        first, last = min(float(each[0]) for each in keys), max(float(each[-1]) for each in keys)
+        first, last = min(float(times[0]) for times in keys), max(float(times[-1]) for times in keys)
         rate = fps or rate_of(max(keys, key=len))
         count = int((last - first) * rate + 1e-6) + 1
         largest.check(self.path, 8 * 16 * count * len(self.asset.nodes), "its animation")
@@ -105,11 +105,11 @@ class _File:
             if channel.target.node is not None:
                 moved.setdefault(channel.target.node, {})[channel.target.path] = values
         above = [order.index(parents[i]) if i in parents else -1 for i in order]
-        kept = moving_tree(above, [i in moved for i in order])
+        rows = moving_tree(above, [i in moved for i in order])
         rest, world = self._placed(order, above, moved, count)
-        place = {row: k for k, row in enumerate(kept)}
-        names = [self.asset.nodes[order[row]].name or f"node_{order[row]}" for row in kept]
-        return Nodes(names, [place.get(above[row], -1) for row in kept], rest[kept], world[:, kept], rate), notes
+        place = {row: k for k, row in enumerate(rows)}
+        names = [self.asset.nodes[order[row]].name or f"node_{order[row]}" for row in rows]
+        return Nodes(names, [place.get(above[row], -1) for row in rows], rest[rows], world[:, rows], rate), notes
 
     def _choice(self) -> tuple[str, ...]:
         names = [animation.name or f"animation {i}" for i, animation in enumerate(self.asset.animations)]
@@ -141,9 +141,11 @@ class _File:
         rest, world = np.empty((len(order), 4, 4)), np.empty((count, len(order), 4, 4))
         for row, (index, parent) in enumerate(zip(order, above, strict=True)):
             node, over = self.asset.nodes[index], order[parent] if parent >= 0 else -1
-            own = _matrix(node)
+            matrix = _matrix(node)
             still = np.linalg.inv(bound[over]) @ bound[index] if index in bound and over in bound else _at_rest(node)
-            moving = _composed(own, moved[index], count) if index in moved else np.broadcast_to(own, (count, 4, 4))
+            moving = (
+                _composed(matrix, moved[index], count) if index in moved else np.broadcast_to(matrix, (count, 4, 4))
+            )
             rest[row] = still if parent < 0 else rest[parent] @ still
             world[:, row] = moving if parent < 0 else world[:, parent] @ moving
         return rest, world
@@ -182,12 +184,12 @@ def _hermite(keys: Array, values: Array, into: Array, out: Array, at: Array) -> 
     if keys.size < FEWEST:
         return np.repeat(values, at.size, axis=0)
     span = np.clip(np.searchsorted(keys, at, side="right") - 1, 0, keys.size - 2)
-    found = np.empty((at.size, values.shape[1]))
+    samples = np.empty((at.size, values.shape[1]))
     for i in np.unique(span):
         ends, here = slice(i, i + 2), span == i
         slopes = np.stack([out[i], into[i + 1]])
-        found[here] = CubicHermiteSpline(keys[ends], values[ends], slopes)(at[here])
-    return found
+        samples[here] = CubicHermiteSpline(keys[ends], values[ends], slopes)(at[here])
+    return samples
 
 
 def _at_rest(node: Any) -> Array:

@@ -47,7 +47,7 @@ class Nodes:
                 place[:, i] = quat.rotated(above, place[:, i] - self.moving[:, parent, :3, 3])
                 relative[:, i] = quat.product(above, turn[:, i])
                 offset[i] -= self.rest[parent, :3, 3]
-        joints = [Joint(*each) for each in zip(self.names, self.parents, offset, strict=True)]
+        joints = [Joint(*row) for row in zip(self.names, self.parents, offset, strict=True)]
         return bvh_file.skeleton(joints, place, relative, 1 / self.fps)
 
 

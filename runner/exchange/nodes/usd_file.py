@@ -70,8 +70,8 @@ def _nodes(stage: Usd.Stage, path: Path, fps: float | None) -> tuple[Nodes, tupl
     times, rate = _times(stage, path, codes, fps, len(prims))
     place = {prim.GetPath(): i for i, prim in enumerate(prims)}
     parents = [place.get(prim.GetPath().GetParentPath(), -1) for prim in prims]
-    kept = moving_tree(parents, animated)
-    return _of_prims([prims[i] for i in kept], [parents[i] for i in kept], kept, times, rate), ()
+    rows = moving_tree(parents, animated)
+    return _of_prims([prims[i] for i in rows], [parents[i] for i in rows], rows, times, rate), ()
 
 
 def _skeletons(stage: Usd.Stage) -> list[Any]:
@@ -100,7 +100,7 @@ def _times(
 
 
 def _of_skeleton(query: Any, times: list[float], rate: float) -> Nodes:
-    names = [Sdf.Path(each).name for each in query.GetJointOrder()]
+    names = [Sdf.Path(joint).name for joint in query.GetJointOrder()]
     parents = list(query.GetTopology().GetParentIndices())
     prim = query.GetPrim()
     moving = [
@@ -110,10 +110,10 @@ def _of_skeleton(query: Any, times: list[float], rate: float) -> Nodes:
     ]
     bound = query.GetJointWorldBindTransforms()
     rest = _matrices(bound) if len(bound) == len(names) else moving[0]
-    kept = moving_tree(parents, [True] * len(parents))
-    place = {row: k for k, row in enumerate(kept)}
-    names, parents = [names[i] for i in kept], [place.get(parents[i], -1) for i in kept]
-    rest, moving = rest[kept], [matrices[kept] for matrices in moving]
+    rows = moving_tree(parents, [True] * len(parents))
+    place = {row: k for k, row in enumerate(rows)}
+    names, parents = [names[i] for i in rows], [place.get(parents[i], -1) for i in rows]
+    rest, moving = rest[rows], [matrices[rows] for matrices in moving]
     return Nodes(names, parents, np.swapaxes(rest, -1, -2), np.swapaxes(np.array(moving), -1, -2), rate)
 
 
@@ -127,22 +127,22 @@ def _of_prims(prims: list[Usd.Prim], parents: list[int], kept: list[int], times:
             moving[row, i] = _matrix(cache.GetLocalToWorldTransform(prim))
     rest = np.empty(moving.shape[1:])
     for i, prim in enumerate(prims):
-        own = _rest_of(prim)
+        local = _rest_of(prim)
         over = np.eye(4) if above[i] < 0 else rest[above[i]]
-        if own is None:
+        if local is None:
             first = np.eye(4) if above[i] < 0 else moving[0, above[i]]
-            own = np.linalg.inv(first) @ moving[0, i]
-        rest[i] = over @ own
+            local = np.linalg.inv(first) @ moving[0, i]
+        rest[i] = over @ local
     return Nodes([_name(prim) for prim in prims], above, rest, moving, rate)
 
 
 def _rest_of(prim: Usd.Prim) -> Array | None:
     """(4, 4) of a prim that this program wrote, in its parent's axes."""
-    found = prim.GetCustomDataByKey(REST)
-    if found is None or len(found) != 7:
+    stored = prim.GetCustomDataByKey(REST)
+    if stored is None or len(stored) != 7:
         return None
     out = np.eye(4)
-    out[:3, :3], out[:3, 3] = quat.matrices(np.array(found[3:], float)), found[:3]
+    out[:3, :3], out[:3, 3] = quat.matrices(np.array(stored[3:], float)), stored[:3]
     return out
 
 

@@ -71,7 +71,7 @@ COMPRESSED: dict[bytes, Callable[[io.BytesIO], Any]] = {
 def load(source: Path) -> Held:
     """The dict in a pickle; raises UserError for a damaged one, and for one that holds more than plain data."""
     try:
-        found = Machine(MAKERS).run(content(source), source)
+        entries = Machine(MAKERS).run(content(source), source)
     except (UserError, OSError, MemoryError):
         raise
     except Refused as error:
@@ -81,18 +81,18 @@ def load(source: Path) -> Held:
         ) from None
     except Exception as error:  # a damaged pickle raises nearly anything
         raise UserError(f"{source}: not a readable pickle: {' '.join(str(error).split())}") from None
-    if not isinstance(found, dict):
-        raise UserError(f"{source}: it holds a {type(found).__name__}, not a dict")
-    foreign = next((key for key in found if not isinstance(key, str)), None)
+    if not isinstance(entries, dict):
+        raise UserError(f"{source}: it holds a {type(entries).__name__}, not a dict")
+    foreign = next((key for key in entries if not isinstance(key, str)), None)
     if foreign is not None:
         raise UserError(f"{source}: a key in it is a {type(foreign).__name__}, not a text")
-    return Held(source, found)
+    return Held(source, entries)
 
 
 def one_motion(found: Held) -> Held:
     """The one motion of a file that has it under its name, as PHC and ASAP write it; raises UserError for several."""
     entries = found.entries
-    if not entries or not all(isinstance(each, dict) for each in entries.values()):
+    if not entries or not all(isinstance(entry, dict) for entry in entries.values()):
         return found
     if len(entries) > 1:
         names = ", ".join(list(entries)[:5]) + (", ..." if len(entries) > 5 else "")

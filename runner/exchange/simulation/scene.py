@@ -253,14 +253,14 @@ def _set_options(spec: mujoco.MjSpec, model: mujoco.MjModel) -> list[str]:
     option.ls_iterations = max(int(model.opt.ls_iterations), ITERATIONS[1])
     option.tolerance = min(float(model.opt.tolerance), 1e-8)
     option.noslip_iterations = 0
-    said = [f'{name.lower()}="disable"' for name in TELLING if int(model.opt.disableflags) & _flag(name)]
+    overridden = [f'{name.lower()}="disable"' for name in TELLING if int(model.opt.disableflags) & _flag(name)]
     if model.opt.enableflags & int(mujoco.mjtEnableBit.mjENBL_OVERRIDE):
-        said.append('override="enable"')
+        overridden.append('override="enable"')
     if model.opt.disableactuator:
-        said.append("actuatorgroupdisable")
+        overridden.append("actuatorgroupdisable")
     if model.opt.timestep < least:
-        said.append(f"timestep {model.opt.timestep:g} s, which is {least:g} s here")
-    return [f"the scene to simulate overrides options of the model: {', '.join(said)}"] if said else []
+        overridden.append(f"timestep {model.opt.timestep:g} s, which is {least:g} s here")
+    return [f"the scene to simulate overrides options of the model: {', '.join(overridden)}"] if overridden else []
 
 
 def _remove_actuators(root: ElementTree.Element) -> None:
@@ -279,7 +279,7 @@ def _remove_actuators(root: ElementTree.Element) -> None:
 
 
 def _remove_children(parent: ElementTree.Element, chosen: Callable[[ElementTree.Element], bool]) -> None:
-    for child in [each for each in parent if chosen(each)]:
+    for child in [element for element in parent if chosen(element)]:
         parent.remove(child)
 
 
@@ -289,7 +289,7 @@ def _add_actuators(root: ElementTree.Element, names: list[str], actuators: list[
     if defaults is None:
         defaults = ElementTree.Element("default")
         root.insert(0, defaults)
-    called = _unique(CLASS, [each.get("class", "") for each in root.iter("default")])
+    called = _unique(CLASS, [element.get("class", "") for element in root.iter("default")])
     ElementTree.SubElement(ElementTree.SubElement(defaults, "default", {"class": called}), "position", UNSET)
     section = ElementTree.SubElement(root, "actuator")
     for drive in actuators:
@@ -391,7 +391,7 @@ def _exclude(spec: mujoco.MjSpec, first: int, second: int) -> None:
     """Two bodies, by number, do not collide."""
     bodies = list(spec.bodies)
     for body in (first, second):
-        bodies[body].name = bodies[body].name or _unique(f"body{body}", [each.name for each in bodies])
+        bodies[body].name = bodies[body].name or _unique(f"body{body}", [spec_body.name for spec_body in bodies])
     spec.add_exclude(bodyname1=bodies[first].name, bodyname2=bodies[second].name)
 
 

@@ -80,8 +80,10 @@ def tracked(simulation: Simulation, take: Take, control: Array | None = None, la
             if not fell:
                 times.append(data.time)
                 errors.append(np.abs(difference(model, take, data)))
-    found = np.array(errors)
-    return Tracking(np.array(times), np.where(is_length, np.nan, found), np.where(is_length, found, np.nan), fell=fell)
+    deviations = np.array(errors)
+    return Tracking(
+        np.array(times), np.where(is_length, np.nan, deviations), np.where(is_length, deviations, np.nan), fell=fell
+    )
 
 
 def started(model: mujoco.MjModel, take: Take, aims: Array) -> mujoco.MjData:
@@ -154,9 +156,12 @@ def _aloft(simulation: Simulation, take: Take) -> list[str]:
         return []
     data.qpos = take.qpos[0]
     mujoco.mj_kinematics(model, data)
-    own = [geom for geom in moving_geoms(take.model) if model.body_rootid[model.geom_bodyid[geom]] == root.body]
+    figure_geoms = [
+        geom for geom in moving_geoms(take.model) if model.body_rootid[model.geom_bodyid[geom]] == root.body
+    ]
     gap = min(
-        (mujoco.mj_geomDistance(model, data, geom, solid, FAR, None) for geom in own for solid in solids), default=0.0
+        (mujoco.mj_geomDistance(model, data, geom, solid, FAR, None) for geom in figure_geoms for solid in solids),
+        default=0.0,
     )
     return [f"it begins {100 * gap:.2g} cm above the ground"] if GAP < gap < FAR else []
 
@@ -176,9 +181,11 @@ def _reasons(simulation: Simulation, take: Take) -> list[str]:
     if unknown > 0:
         out.append(f"at {unknown:.0%} of the instants no contact is known that carries the figure")
     if forces.support is not None and forces.known[early].any():
-        left = np.linalg.norm(forces.rest[:3, early & forces.known], axis=0).max() / forces.support.unit
-        if left > UNSUPPLIED:
-            out.append(f"the motion needs a force at the root that no contact supplies, up to {left:.0%} of its weight")
+        deficit = np.linalg.norm(forces.rest[:3, early & forces.known], axis=0).max() / forces.support.unit
+        if deficit > UNSUPPLIED:
+            out.append(
+                f"the motion needs a force at the root that no contact supplies, up to {deficit:.0%} of its weight"
+            )
     if clip.answered(take.saved).context.carried:
         out.append("nothing holds what the figure carries")
     if np.any(model.jnt_type == FREE):

@@ -33,8 +33,8 @@ def from_body_root(skeleton: Skeleton, said: Mapping[str, str]) -> tuple[Skeleto
     if root == 0:
         return skeleton, ()
     above = lineage(root, skeleton.parents)[1:]
-    kept = [i for i in range(root, len(skeleton.joints)) if root in lineage(i, skeleton.parents)]
-    beside = [i for i in range(len(skeleton.joints)) if i not in kept and i not in above]
+    subtree = [i for i in range(root, len(skeleton.joints)) if root in lineage(i, skeleton.parents)]
+    beside = [i for i in range(len(skeleton.joints)) if i not in subtree and i not in above]
     beside = [i for i in beside if any(np.ptp(part[:, i], axis=0).max() > STILL for part in skeleton.world)]
     if beside and np.ptp(skeleton.local[0][:, root], axis=0).max() <= STILL:
         return skeleton, ()
@@ -43,9 +43,9 @@ def from_body_root(skeleton: Skeleton, said: Mapping[str, str]) -> tuple[Skeleto
     zero = _at_zero(skeleton, world_turn[:, above[0]], root)
     place[:, root], turn[:, root] = world_place[:, root], quat.product(world_turn[:, root], quat.inverse(zero))
     joints = []
-    for i in kept:
+    for i in subtree:
         joint = skeleton.joints[i]
-        parent = kept.index(joint.parent) if i != root else -1
+        parent = subtree.index(joint.parent) if i != root else -1
         end = None if joint.end is None else quat.rotated(zero, joint.end)
         joints.append(replace(joint, parent=parent, offset=quat.rotated(zero, joint.offset), end=end))
         if i != root:
@@ -55,7 +55,7 @@ def from_body_root(skeleton: Skeleton, said: Mapping[str, str]) -> tuple[Skeleto
     note = f"'{skeleton.names[root]}' is the root; its parents are folded into it: {names}"
     if beside:
         note += f"; other branches are left out: {', '.join(skeleton.names[i] for i in beside[:MOST_NAMES])}"
-    return bvh_file.skeleton(joints, place[:, kept], turn[:, kept], skeleton.frame_time), (note,)
+    return bvh_file.skeleton(joints, place[:, subtree], turn[:, subtree], skeleton.frame_time), (note,)
 
 
 def _body_root(skeleton: Skeleton, said: Mapping[str, str]) -> int:
@@ -64,14 +64,14 @@ def _body_root(skeleton: Skeleton, said: Mapping[str, str]) -> int:
     Without names, a joint is above the body's root if it carries nothing but one joint, and that one has positions.
     """
     parents, names = skeleton.parents, unique(skeleton.names)
-    found = set(as_said(roles(names, parents), said, names, "recording").values())
-    if len(found) > 1:
-        shared = set.intersection(*(set(lineage(i, parents)) for i in found))
+    parts = set(as_said(roles(names, parents), said, names, "recording").values())
+    if len(parts) > 1:
+        shared = set.intersection(*(set(lineage(i, parents)) for i in parts))
         return max(shared, default=0)
     root = 0
     while True:
         below = [i for i, parent in enumerate(parents) if parent == root]
-        if len(below) != 1 or not any(each.endswith("position") for each in skeleton.joints[below[0]].channels):
+        if len(below) != 1 or not any(channel.endswith("position") for channel in skeleton.joints[below[0]].channels):
             return root
         root = below[0]
 
@@ -82,8 +82,8 @@ def _at_zero(skeleton: Skeleton, carried: Array, root: int) -> Array:
     none = np.array([1.0, 0, 0, 0])
     if np.abs(carried - carried[0]).max() > STILL:
         return none
-    found = roles(skeleton.names, skeleton.parents)
-    feet = [found[role] for role in ("left_foot", "right_foot", "left_shin", "right_shin") if role in found]
+    by_role = roles(skeleton.names, skeleton.parents)
+    feet = [by_role[role] for role in ("left_foot", "right_foot", "left_shin", "right_shin") if role in by_role]
     if not feet:
         return none
     place, zero = skeleton.world[0], skeleton.at_zero

@@ -83,11 +83,11 @@ class Captured:
 
     @cached_property
     def roles(self) -> dict[str, int]:
-        found = as_said(roles(self.names, self.parents), self.said, self.names, "recording")
+        by_role = as_said(roles(self.names, self.parents), self.said, self.names, "recording")
         if not self.said:
-            return found
-        trunk = with_trunk(found, self.names, self.parents)  # as limbs of the map have it
-        return found | {role: joint for role, joint in trunk.items() if role not in {*found, *self.said}}
+            return by_role
+        trunk = with_trunk(by_role, self.names, self.parents)  # as limbs of the map have it
+        return by_role | {role: joint for role, joint in trunk.items() if role not in {*by_role, *self.said}}
 
     @cached_property
     def at_zero(self) -> Array:
@@ -100,14 +100,14 @@ class Captured:
     @cached_property
     def stands(self) -> bool:
         """Whether it stands upright when nothing is turned."""
-        place, found = self.at_zero, self.roles
+        place, by_role = self.at_zero, self.roles
         needed = [f"{side}_{part}" for side in ("left", "right") for part in ("thigh", "shin")]
-        if any(role not in found for role in needed):
+        if any(role not in by_role for role in needed):
             return False
-        hips = 0.5 * (place[found["left_thigh"]] + place[found["right_thigh"]])
-        legs = [place[found[f"{side}_thigh"]] - place[found[f"{side}_shin"]] for side in ("left", "right")]
-        top = found.get("head", found.get("neck"))
-        arms = [found[f"{side}_upper_arm"] for side in ("left", "right") if f"{side}_upper_arm" in found]
+        hips = 0.5 * (place[by_role["left_thigh"]] + place[by_role["right_thigh"]])
+        legs = [place[by_role[f"{side}_thigh"]] - place[by_role[f"{side}_shin"]] for side in ("left", "right")]
+        top = by_role.get("head", by_role.get("neck"))
+        arms = [by_role[f"{side}_upper_arm"] for side in ("left", "right") if f"{side}_upper_arm" in by_role]
         if top is not None or len(arms) == 2:
             legs.append((place[top] if top is not None else place[arms].mean(axis=0)) - hips)
         return min(float(part[2]) / max(float(np.linalg.norm(part)), 1e-12) for part in legs) > UPRIGHT

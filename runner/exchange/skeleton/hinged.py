@@ -168,8 +168,8 @@ class HingeLayout:
 
     def at_rest(self, joint: int) -> Array:
         """The entries of a joint in the variant's qpos, in the model's own pose."""
-        own = self.model.qpos0[self._columns(joint)]
-        return angles(own[None, None], self.order)[0, 0] if joint in self.balls else np.array(own)
+        rest = self.model.qpos0[self._columns(joint)]
+        return angles(rest[None, None], self.order)[0, 0] if joint in self.balls else np.array(rest)
 
     def nearest_lock(self, hinges: Array) -> tuple[float, str, int] | None:
         """The angle [rad] from the lock at its least, the ball joint, the sample; None without ball joints."""

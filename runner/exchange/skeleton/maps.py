@@ -36,7 +36,7 @@ def _table(title: str, found: Mapping[str, str], other: Mapping[str, str], names
     out = f"[{title}]\n" + "".join(f"{line}\n" for line in written(dict(found)).splitlines() if line)
     missing = [role for role in ROLES if role not in found and (role in NEEDED or role in other)]
     if missing:
-        left = [name for name in names if name not in found.values()]
-        out += f"# Not found by name. Names without a role: {', '.join(left) or 'none'}\n"
+        unassigned = [name for name in names if name not in found.values()]
+        out += f"# Not found by name. Names without a role: {', '.join(unassigned) or 'none'}\n"
         out += "".join(f'# {role} = ""{"  # needed" if role in NEEDED else ""}\n' for role in missing)
     return out

@@ -116,7 +116,7 @@ def _cjk(name: str) -> tuple[str | None, str]:
 
 def without_prefix(names: Sequence[str]) -> list[str]:
     """Names without what nearly all of them begin with, such as the name of a character."""
-    starts = Counter(name[: found.end()] for name in names for found in SEPARATORS.finditer(name))
+    starts = Counter(name[: separator.end()] for name in names for separator in SEPARATORS.finditer(name))
     least = max(2, SHARED * len(names))
     prefix = max((start for start, count in starts.items() if count >= least), key=len, default="")
     return [name[len(prefix) :] or name if name.startswith(prefix) else name for name in names]

@@ -85,17 +85,17 @@ def _places(model: mujoco.MjModel, data: mujoco.MjData, root: Root, qpos: Array)
 
 def _turn(model: mujoco.MjModel, data: mujoco.MjData, root: Root, row: Array, dofs: Index, target: Array) -> float:
     """Turns a root's body in one pose (nq,) to a rotation (4,), in place; returns the angle [rad] that is left."""
-    spin, left = np.zeros((3, model.nv)), np.zeros(3)
+    spin, error = np.zeros((3, model.nv)), np.zeros(3)
     for _ in range(STEPS):
         data.qpos[:] = row
         mujoco.mj_kinematics(model, data)
         mujoco.mj_comPos(model, data)
         mujoco.mj_jacBody(model, data, None, spin, root.body)
-        left = quat.rotation_vector(quat.product(target, quat.inverse(data.xquat[root.body])))
-        own, step = spin[:, dofs], np.zeros(model.nv)
-        step[dofs] = own.T @ np.linalg.solve(own @ own.T + 1e-12 * np.eye(3), left)
+        error = quat.rotation_vector(quat.product(target, quat.inverse(data.xquat[root.body])))
+        jacobian, step = spin[:, dofs], np.zeros(model.nv)
+        step[dofs] = jacobian.T @ np.linalg.solve(jacobian @ jacobian.T + 1e-12 * np.eye(3), error)
         size = float(np.abs(step).max(initial=0.0))
         if size < 1e-10:
             break
         mujoco.mj_integratePos(model, row, step * min(1.0, LONGEST / size), 1.0)
-    return float(np.linalg.norm(left))
+    return float(np.linalg.norm(error))

@@ -102,7 +102,8 @@ def _up(position: Array, away: Array) -> tuple[str, tuple[str, ...]]:
         axis: (sign * (position[:, None] + away)[..., column]).min(axis=1) for axis, (sign, column) in AXES.items()
     }
     lies = {
-        axis: bool(np.all(np.abs(np.quantile(each, [0.05, 0.95]) - FLOOR) < FLOOR)) for axis, each in lowest.items()
+        axis: bool(np.all(np.abs(np.quantile(heights, [0.05, 0.95]) - FLOOR) < FLOOR))
+        for axis, heights in lowest.items()
     }
     up = max(upright, key=lambda axis: upright[axis])
     if upright[up] >= MOST:
@@ -143,8 +144,10 @@ def captured(position: Array, local: Array) -> Captured:
     """The mean shape in motion: positions (T, 3) [m] of the pelvis, rotations (T, 22, 4), in a world whose z is up."""
     ours, turn = quat.inverse(TO_SMPL), in_world(local)
     place = position[:, None] + about_pelvis(turn)
-    own = quat.product(quat.product(ours, local), TO_SMPL)
-    own[:, PELVIS] = quat.product(local[:, PELVIS], TO_SMPL)
+    relative = quat.product(quat.product(ours, local), TO_SMPL)
+    relative[:, PELVIS] = quat.product(local[:, PELVIS], TO_SMPL)
     ends = {joint: quat.rotated(ours, end) for joint, end in ENDS.items()}
     rotation = quat.aligned(quat.product(turn, TO_SMPL))
-    return Captured(list(NAMES), list(PARENT), quat.rotated(ours, OFFSET), ends, place, rotation, quat.aligned(own))
+    return Captured(
+        list(NAMES), list(PARENT), quat.rotated(ours, OFFSET), ends, place, rotation, quat.aligned(relative)
+    )

@@ -72,11 +72,11 @@ def standing_turn(place: Array, roles: Mapping[str, int]) -> tuple[Array, tuple[
         return none, ()
     hips, feet = (place[np.array(bodies, int)].mean(axis=0) for bodies in (thighs, ends))
     up = _unit(hips - feet) + (_unit(place[tops].mean(axis=0) - hips) if tops else 0.0)
-    left = _unit(place[thighs[0]] - place[thighs[1]])
+    leftward = _unit(place[thighs[0]] - place[thighs[1]])
     turns = Rotation.create_group("O")
-    score = turns.apply(_unit(up))[:, 2] + turns.apply(left)[:, 1]
+    score = turns.apply(_unit(up))[:, 2] + turns.apply(leftward)[:, 1]
     best = int(np.argmax(score))
-    if score[best] - (_unit(up)[2] + left[1]) < CLEARLY:
+    if score[best] - (_unit(up)[2] + leftward[1]) < CLEARLY:
         return none, ()
     turn = turns[best]
     was_up = turn.inv().apply([0, 0, 1])

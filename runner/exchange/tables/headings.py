@@ -68,8 +68,8 @@ def resolve(model: mujoco.MjModel, wanted: Sequence[str], names: Sequence[str], 
     units = [(match[1].lower() if (match := UNIT.search(name)) else "") for name in names]
     bare = [name if name in wanted else UNIT.sub("", name).strip() for name in names]
     exact = {name: bare.index(name) for name in wanted if name in bare}
-    taken = set(exact.values())
-    aliases = _aliases(model, wanted, [(i, name) for i, name in enumerate(bare) if i not in taken], where)
+    matched = set(exact.values())
+    aliases = _aliases(model, wanted, [(i, name) for i, name in enumerate(bare) if i not in matched], where)
     places = {**{name: place for name, place in aliases.items() if name not in exact}, **exact}
     is_numbered = False
     if len(places) < len(wanted):
@@ -137,11 +137,13 @@ def _aliases(
 
     if root is not None and root.is_free:
         joint = root.joints[0]
-        own = {*_words(model.joint(joint).name), *_words(model.body(root.body).name), *ROOT}
+        root_words = {*_words(model.joint(joint).name), *_words(model.body(root.body).name), *ROOT}
         start = int(model.jnt_qposadr[joint])
         for part, axis in enumerate(("x", "y", "z", "w", "x", "y", "z")):
             name = wanted[start + part]
-            fitting = [(i, text) for i, text in columns if _is_component(_words(text), axis, own, is_turn=part > 2)]
+            fitting = [
+                (i, text) for i, text in columns if _is_component(_words(text), axis, root_words, is_turn=part > 2)
+            ]
             for place, text in fitting:
                 claim(name, place, text)
     stems = {

@@ -144,8 +144,8 @@ def _names(lines: Sequence[str], comment: str | None, dialect: Dialect, width: i
         return (
             [f"{name} [{unit.strip('[]()')}]" for name, unit in zip(names, units[0], strict=False)] if units else names
         )
-    for each in DIALECTS if comment else ():
-        names = each.cells(str(comment))
-        if width > 1 and len(names) == width and all(each.number(name) is None for name in names):
+    for other_dialect in DIALECTS if comment else ():
+        names = other_dialect.cells(str(comment))
+        if width > 1 and len(names) == width and all(other_dialect.number(name) is None for name in names):
             return names
     return None
