@@ -65,7 +65,7 @@ def disagreement(model: mujoco.MjModel, found: Recording) -> Disagreement:
 
 
 def _known(model: mujoco.MjModel, bodies: BodyPoses) -> Index:
-    """The recorded bodies that the figure has, all of them if it knows few of their names."""
+    """The recorded bodies that the figure has, all of them if it has few of their names."""
     everything = np.arange(bodies.position.shape[1])
     if bodies.names is None or len(bodies.names) != everything.size:
         return everything

@@ -7,10 +7,10 @@ lighting         whether a model's own lamps light its figure wherever it goes
 framing          how large a figure is and where
 assets           files that a model refers to, meshes, images, height fields and skins, brought along as bytes
 model_files      what an MJCF file reads besides itself, as its text tells, before MuJoCo reads any of it
-mjcf_size        what an MJCF model comes to in memory, told from its text before MuJoCo reads it
+mjcf_size        what an MJCF model comes to in memory, estimated from its text before MuJoCo reads it
 outside          whether a model may refer to files outside its own folder
 configuration    what configurations of a model, MuJoCo's qpos, must not be, whoever sent them
 model_inputs     a model given to the Python API: a name, a path, MJCF text, an MjSpec or an MjModel
-urdf             what a URDF file says of its root link
+urdf             the root link of a URDF file
 mujoco_versions  what MuJoCo calls by other names in its older versions
 """

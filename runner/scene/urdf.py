@@ -1,4 +1,4 @@
-"""URDF, which MuJoCo reads as well as MJCF: what it says of the root link."""
+"""URDF, which MuJoCo reads as well as MJCF: its root link."""
 
 from __future__ import annotations
 

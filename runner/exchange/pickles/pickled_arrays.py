@@ -94,7 +94,7 @@ def _array_to_be(*_: Any) -> Unfinished:
 
 
 def _joblib_array(*arguments: Any) -> Unfinished:
-    """joblib.numpy_pickle.NumpyArrayWrapper: its state tells type and shape, and the bytes follow in the stream."""
+    """joblib.numpy_pickle.NumpyArrayWrapper: its state has type and shape, and the bytes follow in the stream."""
     if arguments:
         raise Refused("an array of joblib with arguments")
 

@@ -49,7 +49,7 @@ SLIDE = 0.1  # [m] by which a slide may give where a hinge gives a radian
 TIMESTEPS = (1e-4, 0.002)  # [s] least and most
 ITERATIONS = (100, 50)  # of the constraint solver and its line search, at least
 SOFTNESS = (0.01, 1.5)  # time constant [s] and damping of contacts: feet land without bouncing
-IMPEDANCE = 10.0  # of friction beside that of normal forces: standing feet do not creep
+IMPEDANCE = 10.0  # of friction relative to that of normal forces: standing feet do not creep
 GRIP = 1.0  # least coefficient of friction of the ground
 SLIDING = 3  # dimension of a contact with friction
 OVERLAP = 2e-4  # of the figure's size, by which bodies are in each other by design
@@ -142,7 +142,7 @@ def joint_names(model: mujoco.MjModel) -> list[str]:
 
 
 def _unique(name: str, taken: Iterable[str]) -> str:
-    """A name, or with a number where it is taken."""
+    """A name, with a number appended if it is in use."""
     used, number, out = set(taken), 1, name
     while out in used:
         number += 1
@@ -236,7 +236,7 @@ def _flag(name: str) -> int:
 
 
 def _set_options(spec: mujoco.MjSpec, model: mujoco.MjModel) -> list[str]:
-    """Sets what `mj_step` goes by, whatever the model says of it; notes on what would make a difference."""
+    """Set the options of `mj_step`, overriding the model's; return notes on overrides that matter."""
     option, flags = spec.option, int(model.opt.disableflags)
     if flags & _flag("CONSTRAINT"):
         flags |= sum(map(_flag, CONSTRAINED))

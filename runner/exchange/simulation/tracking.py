@@ -1,7 +1,7 @@
 """How far `mj_step` of an exported scene leaves the motion, with `ctrl` interpolated between the keys.
 
 The first second is simulated from the first key. A scene that stays within 0.05 rad and 5 cm follows its motion;
-otherwise the note says what leaves it first, and the evidence of why.
+otherwise the note names the joint that leaves it first, and likely causes.
 """
 
 from __future__ import annotations

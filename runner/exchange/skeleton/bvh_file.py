@@ -294,7 +294,7 @@ def _values(lines: _Lines, count: int, width: int) -> tuple[Array, tuple[str, ..
         rows.append(np.array(row, float))
     if not rows or (is_strict and len(rows) < count):
         hint = "; `dynsplines clean` uses those that there are" if rows else ""
-        raise lines.wrong(f"the file ends after {len(rows)} images; 'Frames:' says {count}{hint}")
+        raise lines.wrong(f"the file ends after {len(rows)} images; 'Frames:' declares {count}{hint}")
     few = f"{len(rows)} of the {count} frames that 'Frames:' declares are complete in the file: they are used"
     many = f"the file has {len(rows)} frames, 'Frames:' declares {count}: all are used"
     notes = () if len(rows) == count else (few if len(rows) < count else many,)
@@ -312,7 +312,7 @@ def _number(word: str, *, is_strict: bool) -> float | None:
 def _with_numbers(lines: _Lines, joints: Sequence[Joint], values: Array) -> tuple[Array, tuple[str, ...]]:
     """Values that are numbers, and a note; samples in which a part of the body has none are marked as gaps.
 
-    A joint that carries no part of the body stays as it was in the sample before, or at rest. Raises UserError for
+    A joint that carries no part of the body keeps the pose of the sample before, or of rest. Raises UserError for
     entries that are not finite unless gaps are allowed.
     """
     values = np.where(np.isfinite(values), values, np.nan)

@@ -45,7 +45,7 @@ class Captured:
 
     @classmethod
     def of(cls, skeleton: Skeleton, scale: float | None = None, said: Mapping[str, str] | None = None) -> Captured:
-        """From a file's unit and axes; scale [m] its unit, guessed if not said; said, names by role, of a map."""
+        """From a file's unit and axes; scale [m] its unit, inferred if None; said, names by role, of a map."""
         said, notes_of_file = said or {}, skeleton.notes
         skeleton, folded = from_body_root(skeleton, said)
         place, turn = skeleton.local

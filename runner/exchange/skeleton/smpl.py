@@ -120,7 +120,7 @@ def _up(position: Array, away: Array) -> tuple[str, tuple[str, ...]]:
 def in_metres(position: Array, local: Array) -> tuple[Array, tuple[str, ...]]:
     """Positions (T, 3) of the pelvis [m], z up, and notes: by its height above the soles, and its path by the feet.
 
-    Lengths are those of the mean shape. They are metres unless all that can be measured is a hundred or a thousand
+    Lengths are those of the mean shape. They are metres unless all measured lengths are a hundred or a thousand
     times too long.
     """
     place = about_pelvis(in_world(local))

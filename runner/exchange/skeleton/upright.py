@@ -22,11 +22,11 @@ TO_Z = {  # the turn that takes an axis to z; y as animators have it, where a fi
 }  # fmt: skip
 UPRIGHT = 0.7  # cosine to the vertical of a person that counts as upright, from feet to head
 SOME, MOST = 0.2, 0.5  # of the samples
-LEVEL = 0.25  # of how much the lowest joint goes up and down by the convention, less of which tells a floor
+LEVEL = 0.25  # of how much the lowest joint goes up and down by the convention, less of which indicates a floor
 
 
 def vertical(position: Array, roles: Mapping[str, int], usual: str) -> tuple[str, tuple[str, ...]]:
-    """The axis that is up in a recording, of "x", "-x", ..., and a note where it is not the usual one.
+    """The axis that is up in a recording, of "x", "-x", ..., and a note if it is not the usual one.
 
     position (T, J, 3) of joints, roles which joint is which part; usual, the axis by convention
     """

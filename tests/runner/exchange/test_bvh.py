@@ -511,7 +511,7 @@ def test_a_rounded_frame_time_is_the_rate_that_is_meant(tmp_path):
         ("  JOINT Chest", "  JIONT Chest", 6, "'JIONT Chest' where JOINT"),
         ("  }\n}\n", "}\n", 15, "the joint 'Hips' is not closed"),
         ("Frames: 3", "Frames: three", 17, "where 'Frames: N' should be"),
-        ("Frames: 3", "Frames: 4", 21, "ends after 3 images; 'Frames:' says 4"),
+        ("Frames: 3", "Frames: 4", 21, "ends after 3 images; 'Frames:' declares 4"),
         ("Frames: 3", "Frames: 2", 21, "more images than the 2"),
         ("0.0083333", "0", 18, "more than nought"),
         ("1 100 0 0 10", "1 100 0 0", 20, "8 numbers for the 9 channels"),
