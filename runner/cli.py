@@ -71,8 +71,8 @@ Outside = Annotated[
         "--allow-outside", callback=_let_outside, help="let a model read files that lie outside its own folder"
     ),
 ]
-Kind = Annotated[str | None, typer.Option("--from", help="its format, where the ending does not tell it")]
-Fps = Annotated[float | None, typer.Option(help="images a second, where the file does not tell")]
+Kind = Annotated[str | None, typer.Option("--from", help="its format, if the ending is ambiguous")]
+Fps = Annotated[float | None, typer.Option(help="frames per second, if the file does not specify it")]
 Scale = Annotated[float | None, typer.Option(help="the file's unit of length in metres, where it is guessed")]
 SceneFile = Annotated[Path | None, typer.Option(help="a TOML file with [scene]: steps and obstacles of it")]
 ContactsFile = Annotated[Path | None, typer.Option(help="a TOML file with [[contact]]s, if not those found")]
@@ -82,7 +82,7 @@ AsJson = Annotated[bool, typer.Option("--json", help="print JSON")]
 
 
 def main() -> None:
-    """The command, with bad input told in one line and exit code 2; whatever else goes wrong is one line, too."""
+    """The command; bad input is reported in one line with exit code 2, internal errors in one line, too."""
     from .system import mujoco_warnings
     from .system.terminal import fit
     from .system.threads import keep_to_one
@@ -108,7 +108,7 @@ def main() -> None:
 
 
 def _ending(error: BaseException) -> tuple[int, str]:
-    """The exit code for an error, and how it is told."""
+    """The exit code for an error, and its message."""
     from .errors import UserError, one_line
 
     match error:
@@ -429,7 +429,7 @@ def join(
     fresh: Fresh = False,
     allow_outside: Outside = False,
 ) -> None:
-    """Let a second motion follow a first: moved to where that one goes on, with a transition in between."""
+    """Append a second motion to a first: moved to its end, with a transition in between."""
     _without_graphics()
     from .edit import files as edit_files
 
@@ -455,7 +455,7 @@ def thin(
     kind: Annotated[
         str | None, typer.Option("--from", help="the recording's format, if its ending is not enough")
     ] = None,
-    fps: Annotated[float | None, typer.Option(help="the recording's images a second, if it does not tell")] = None,
+    fps: Annotated[float | None, typer.Option(help="the recording's frames per second, if missing in it")] = None,
     overwrite: OverThere = False,
     fresh: Fresh = False,
     allow_outside: Outside = False,
@@ -597,7 +597,7 @@ def retarget(
     to: Annotated[str, typer.Option("--to", help="the figure or robot: a shipped one or MJCF")],
     output: Output = None,
     map_file: Annotated[
-        Path | None, typer.Option("--map", help="a TOML file that says who is who, or a map that ships: g1, human")
+        Path | None, typer.Option("--map", help="a TOML file with the bone map, or a map that ships: g1, human")
     ] = None,
     write_map: Annotated[bool, typer.Option("--write-map", help="write what was found to --map")] = False,
     kind: Kind = None,
@@ -678,13 +678,13 @@ def batch(
         str | None, typer.Option("--retarget", metavar="MODEL", help="they are recordings: bring each on to a figure")
     ] = None,
     figure: Annotated[str | None, typer.Option(help="with --clean: the figure they are for")] = None,
-    map_file: Annotated[Path | None, typer.Option("--map", help="with --retarget: who is who")] = None,
+    map_file: Annotated[Path | None, typer.Option("--map", help="with --retarget: the bone map")] = None,
     kind: Kind = None,
     scene: SceneFile = None,
     within: Within = None,
     allow_outside: Outside = False,
 ) -> None:
-    """Solve many clips, on every core or on a Dask cluster; the same command again goes on where it stopped."""
+    """Solve many clips, on every core or on a Dask cluster; repeating the command resumes an interrupted run."""
     _without_graphics()
     from . import batch as batches
     from .batch import recordings
@@ -732,7 +732,7 @@ def studio(
     ] = "127.0.0.1",
     browser: Annotated[bool, typer.Option("--browser/--no-browser", help="open the page, or only print where")] = True,
     allow_remote: Annotated[
-        bool, typer.Option("--allow-remote", help="let other machines edit the clip and write files beside it")
+        bool, typer.Option("--allow-remote", help="let other machines edit the clip and write files next to it")
     ] = False,
     allow_outside: Outside = False,
 ) -> None:
@@ -1018,7 +1018,7 @@ def _tell(progress: Progress, target: Path, found: Sequence[Flaw], file: object)
 
 
 def _judge(found: Sequence[object], strict: bool) -> None:
-    """Ends with code 3 if anything is wrong and somebody minds."""
+    """End with code 3 if there are violations and `strict` is set."""
     if strict and found:
         raise typer.Exit(WRONG)
 
@@ -1075,7 +1075,7 @@ def _check_at(found: Clip | Saved, at: float | None, repeat: int | None) -> None
 
 
 def _check_length(found: Clip | Saved, look: Look, repeat: int | None) -> None:
-    """Raises UserError for more images than anybody waits for, or one at a time that the clip does not have."""
+    """Raises UserError for too many images, or one at a time that the clip does not have."""
     from .errors import UserError
 
     first, last = _span(found, repeat)

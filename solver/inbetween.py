@@ -67,7 +67,7 @@ def resumed(
     begin    through the keyframes of the problem, with variable frames, see `refine.carried`
     between  [s] what alone was edited, one stretch after the other: the search keeps to the segments that they reach
 
-    It ends in the nearest minimum: nothing is searched from elsewhere, as `inbetween` does where that is a heap.
+    It ends in the nearest minimum: no other starts are tried, as `inbetween` does after a poor local minimum.
     """
     raw = problem.raw
     return _found(problem, raw, begin, improved, lambda loop: loop.on_from(raw, begin, between))
@@ -180,13 +180,12 @@ class _Loop:
         return self.whole(self.run(cut.part, cut.segments, room)[-1].timeline)
 
     def searched(self, timeline: Timeline, segments: int, budget: int | None) -> Timeline:
-        """The best timeline found from where one begins, and if that ended in a heap from the straight way between
-        keyframes; the other way round where the beginning itself is far off.
+        """The best timeline found from where one begins, and if that is a poor local minimum from the straight path
+        between keyframes; in the opposite order where the beginning itself is a pose outlier.
 
-        If those two end in a heap, or in different valleys, from where either comes to without the terms that such a
-        limb is trapped by: first what feet and hands that touch something do, then bends. One that came out well but
-        dear is searched once more, from where it comes to without bends. One evaluation sees what is there and looks
-        for nothing.
+        If both are poor local minima, or lie in different valleys, further starts are their minima without the terms
+        that trap limbs: first contacts of feet and hands, then bends. A good but costly minimum is searched once more,
+        from its minimum without bends. With one evaluation the initial path is evaluated and not searched.
         """
         ends: list[_End] = []
         values: list[float] = []
@@ -222,7 +221,7 @@ class _Loop:
         ]
 
     def _is_settled(self, timeline: Timeline, values: Sequence[float]) -> bool:
-        """Whether the last search, of those that ended at these E, needs no other beside it."""
+        """Whether the last search, of those that ended at these E, makes further ones unnecessary."""
         if not is_astray(self.objective, timeline, self.last):
             return True
         same_valley = max(values) <= ALIKE * min(values)

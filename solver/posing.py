@@ -26,7 +26,7 @@ from .surface.points import Point
 
 MET, EXACT = 1e-6, 1e-9  # [m, rad] a goal that is missed by no more is met; what is aimed at
 COARSE, FIRM, FIRMEST = 30.0, 1e2, 1e5  # weight of the goals beside one radian of a joint, at first, then, at most
-FIRMER = 30.0  # weight of ranges and bends beside that of the goals
+FIRMER = 30.0  # weight of ranges and bends relative to that of the goals
 TRUNK = 6.0  # a radian of a joint of the trunk, where limbs branch off, in radians of a limb's joint
 PER_METRE = 5.0  # a metre of the root or a slide, in the same
 STRAIGHT = 3.0  # a radian of knees and elbows sideways and twisted, in the same
@@ -133,7 +133,7 @@ class PointGoal:
 
 @dataclass(frozen=True, eq=False)
 class BodyGoal:
-    """A body turned as said: its rotation in the world (4,) wxyz, or None for upright as at rest, the heading free.
+    """The requested rotation of a body: in the world (4,) wxyz, or None for upright as at rest, the heading free.
 
     index  MuJoCo's id of the body; None for the one of that name
     """
@@ -280,7 +280,7 @@ def _known(
 ) -> Posed:
     """The pose for goals that depend on one another, found or remembered; what they do not depend on is at rest.
 
-    So it depends on nothing but what it is asked for: whoever edits a clip asks for most of its poses again.
+    So it depends on nothing but its arguments: editing a clip repeats most of its poses.
     """
     own = reached(figure, goals)
     home, free = np.where(own, home, figure.model.qpos0), free & own

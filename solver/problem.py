@@ -1,4 +1,4 @@
-"""What is asked of the verb: keyframes of a figure, soft constraints with their weights, how the search is to go."""
+"""The in-betweening problem: keyframes of a figure, soft constraints with their weights, settings of the search."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ from .search.descent import NEWTON
 from .search.minimum import Optimiser
 
 FEW, MORE = 2, 3  # variable frames in a segment to begin with: of any clip, of one that is solved window by window
-TINY = 0.05  # of the spacing of frames beside it: a segment so short needs none, and with some E is hard to lower
-SPACING = 0.3  # [s] between the frames to begin with in a long segment, so that it can follow what is beside it
-# unless told: share of the mean E from which a segment is split; evaluations in a round, relative progress in it
+TINY = 0.05  # of the spacing of adjacent frames: a segment so short needs none, and with some E is hard to lower
+SPACING = 0.3  # [s] between the frames to begin with in a long segment, so that it can follow adjacent segments
+# defaults: share of the mean E from which a segment is split; evaluations in a round, relative progress in it
 THRESHOLD, MOST_EVALUATIONS, TOLERANCE = 1e-3, 250, 1e-5
 
 
@@ -39,7 +39,7 @@ class Settings:
     threshold        a segment is split if its criterion exceeds this; weak: share of the mean E between two keyframes;
                      the other criteria have units of their own
     batch            share of the segments that are split in one round, at most
-    method           "newton" (Gauss-Newton steps), one of NLopt's by name, or an optimiser of one's own
+    method           "newton" (Gauss-Newton steps), one of NLopt's by name, or a custom optimiser
     max_evaluations  budget of evaluations in each round
     tolerance        relative progress at which the last round ends
     renormalise      divide each term by its integral over the raw spline (eq. 7)
@@ -66,7 +66,7 @@ class Settings:
 
     def beginning(self, times: Array, *, in_windows: bool) -> Array:
         """(V,) [s] of the variable frames to begin with between keyframes at times (K,) [s]: so many in every segment,
-        more in one that is long and none in one that is tiny beside its neighbours, unless `variable` says how many."""
+        more in long ones and none in one that is tiny next to its neighbours, unless `variable` sets the number."""
         spans = np.diff(times)
         count = np.full(spans.size, self.in_each(spans.size, in_windows=in_windows))
         if self.variable is None:
@@ -96,7 +96,7 @@ class Problem:
     penalties  soft constraints with their weights α
     ends       "free", "clamped" (with end_slope (2, N), in the figure's coordinates) or "periodic"
     travel     (3,) [m] how far the root of a loop comes in one period; None: as far in x and y as the keyframes say
-    turn       [rad] by how much the root of a loop is turned by then; None: as the keyframes say
+    turn       [rad] by how much the root of a loop is turned by then; None: as in the keyframes
     """
 
     figure: Figure
@@ -125,7 +125,7 @@ class Problem:
 
 
 def renormalised(objective: Objective, raw: Timeline) -> Objective:
-    """Every term divided by its integral over the raw path, or the path that one of them knows to begin with."""
+    """Every term divided by its integral over the raw path, or the initial path that one of them provides."""
     guide = guide_of(objective)
     return objective.renormalised(path_of(raw), None if guide is None else path_of(guide.led(raw, None)))
 

@@ -1,4 +1,4 @@
-"""The command `clean`: from a recording's file to a clean one, and what is said of it."""
+"""The command `clean`: from a recording's file to a clean one, with a report."""
 
 from __future__ import annotations
 
@@ -40,12 +40,12 @@ NAMED = 6  # stances that are listed of a point
 
 @dataclass(frozen=True)
 class Source:
-    """A recording's file, and what it does not tell itself.
+    """A recording's file, and what it does not specify.
 
     figure, kind, fps, scale  as `import` takes them
     scene     a TOML file with [scene], what it was made in, and [[contact]], its stances
     contacts  a TOML file with [[contact]], likewise
-    map       a TOML file that says who is who; it is written if it is not there and `writes_map`
+    map       a TOML file with the bone map; written if it does not exist and `writes_map` is set
     apart     limbs are kept out of each other, too
     speed     [rad/s] that joints turn at most
     """
@@ -66,7 +66,7 @@ class Source:
 def run(
     source: Source, target: Path | None, *, within: float | None = None, overwrite: bool = False, progress: Progress
 ) -> Path:
-    """Cleans a recording and writes it; where it is. Raises UserError, before anything long begins if it can."""
+    """Cleans a recording and writes it; returns its path. Raises UserError, before anything long begins if it can."""
     target = target or _target(source)
     form = formats.by_ending(target)
     if form is not None or target.suffix != ".npz":
@@ -107,7 +107,7 @@ def moving(file: Path, figure: str, scene: SceneTable) -> Moving:
 
 @lru_cache(maxsize=2)
 def _moving(file: Path, figure: str, scene: str, _state: tuple[int, int], _allowed: bool) -> Moving:
-    """Remembered as long as the file stays as it is: whoever edits a clip reads it again and again."""
+    """Cached while the file is unchanged: editing a clip reads it again and again."""
     around, silent = SurroundingsTable(scene=SceneTable.model_validate_json(scene)), Progress(Console(quiet=True))
     saved = _cleaned(_read(Source(file, figure), around, silent), around, None, silent, apart=False)[1]
     return Moving(saved.figure, saved.timeline, saved.fps)
@@ -245,7 +245,7 @@ def _missed(result: Cleaned, within: float) -> Iterator[str]:
 
 
 def _saved(result: Cleaned, found: _Read) -> Saved:
-    """The motion with every frame a keyframe; raw is the recording as it was."""
+    """The motion with every frame a keyframe; raw is the recording."""
     figure, timeline = result.figure, result.solution.timeline
     everything = np.ones(timeline.states.shape, bool)
     exact = Timeline(tuple(Frame.many(timeline.times, timeline.states, everything)), timeline.end_slope, timeline.ends)

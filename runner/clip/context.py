@@ -1,4 +1,4 @@
-"""What keyframes and tables tell that soft constraints are made of: soles, contacts, holds, flights, a cycle."""
+"""The inputs of soft constraints, from keyframes and tables: soles, contacts, holds, flights, a cycle."""
 
 from __future__ import annotations
 

@@ -70,7 +70,7 @@ RAW_UNIT = 0.1  # of the raw spline's squared deviations from unit length, summe
 
 
 class Options(Table):
-    """What a [[penalty]] table may say besides its kind; None: as the kind has it."""
+    """The options of a [[penalty]] table besides its kind; None: the default of the kind."""
 
     weight: Annotated[Real, Field(ge=0, le=1e9)] = 1.0
 
@@ -160,10 +160,10 @@ class LevelOptions(Options):
 class Kind:
     """A soft constraint as clips have it.
 
-    weight   where a clip gives none; None: it is not there unless a clip asks for it
+    weight   default; None: absent unless a clip lists it
     says     what it keeps small
     make     of what a clip tells and its options; None where there is nothing to look at
-    options  what a table may say, with units
+    options  of a table, with units
     """
 
     name: str

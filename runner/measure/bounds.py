@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Bound:
-    """What may be wrong, and how much of it is let pass without a word: docs/problems.md has the same table.
+    """Kinds of violations and their tolerances: docs/problems.md has the same table.
 
     most  in `unit`: "m", "degrees", "rad/s²", or "" for what has none
     why   of this size

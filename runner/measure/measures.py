@@ -47,7 +47,7 @@ SAME_DEPTH = 0.002  # [m] by which a sole point may be less deep than a corner o
 
 @dataclass(frozen=True)
 class Row:
-    """What is told of: its kind of bound, its name, and a sentence with {} for the amount."""
+    """What is measured: its kind of bound, its name, and a sentence with {} for the amount."""
 
     kind: str
     name: str
@@ -77,7 +77,7 @@ class Hits:
 
 
 class Measure(Protocol):
-    """Some rows; of those of one group the worst is told.
+    """Some rows; of those of one group the worst is reported.
 
     stride  how many samples of the grid to go on by
     """
@@ -93,7 +93,7 @@ class Measure(Protocol):
     def row(self, index: int) -> Row: ...
 
     def given(self, index: int) -> Mask:
-        """(K,) which keyframes say the row's amount themselves."""
+        """(K,) which keyframes fix the row's amount."""
         ...
 
     def named(self, hits: Hits, worst: int) -> int:

@@ -1,7 +1,7 @@
-"""What is wrong with a motion, worst first: what a user has to know before anything is made of it.
+"""Violations of a motion, worst first.
 
-A quick look at a grid fine enough to see what happens between images, where `report` takes some seconds. What a
-keyframe itself says is told as the keyframe's, and not once more as the path's on its way there and from there.
+A quick check on a grid fine enough for motion between images, where `report` takes some seconds. Violations within a
+keyframe are reported for the keyframe, and not again for the path next to it.
 """
 
 from __future__ import annotations
@@ -58,13 +58,13 @@ ROUNDING = 1e-9  # [s]
 
 @dataclass(frozen=True)
 class Flaw:
-    """One thing that is wrong.
+    """One violation.
 
     kind      of `dynsplines.measure.bounds.BOUNDS`
     name      of the point, joint or contact
     time      [s] when it is worst; None for what is of no one time
-    amount    how much, in `unit` ("m", "degrees", "rad/s²" or ""); bound: how much would be let pass
-    keyframe  the number, from 1, of the keyframe that says so itself; None where the path is to blame
+    amount    how much, in `unit` ("m", "degrees", "rad/s²" or ""); bound: the tolerated amount
+    keyframe  the number, from 1, of the keyframe that causes it; None if the path does
     text      all of it in one line
     """
 
@@ -294,7 +294,7 @@ def _kept_out(clip: Clip, parts: Sequence[Penalty]) -> tuple[Contact, ...]:
 
 
 def _held(clip: Clip, timeline: Timeline) -> Iterator[measures.Held]:
-    """The clip's contacts, and the stances that its keyframes tell."""
+    """The clip's contacts, and the stances inferred from its keyframes."""
     figure, fixed = clip.figure, np.array([key.fixed for key in clip.keys])
     placed = measures.links_placed(figure, fixed)
     known = [part.stances for part in _parts(clip) if isinstance(part, Planted)]
@@ -321,7 +321,7 @@ def _held(clip: Clip, timeline: Timeline) -> Iterator[measures.Held]:
 
 
 def _told(clip: Clip, timeline: Timeline) -> tuple[Stance, ...]:
-    """The stances of soles that keyframes tell."""
+    """The stances of soles inferred from keyframes."""
     states = path_of(timeline).at(np.array([key.time for key in clip.keys]))
     frames = [replace(key, state=state) for key, state in zip(clip.keys, states, strict=True)]
     return stances(

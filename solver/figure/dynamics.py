@@ -72,7 +72,7 @@ class InverseDynamics:
     ) -> None:
         """Adds the gradient of a scalar with the gradients (3, L, S) with respect to `moment`, `force` and `centre`.
 
-        The sweep back is done once for all that is added, when the cotangent's gradients are asked for.
+        The backward sweep runs once for all contributions, when the cotangent's gradients are requested.
         """
         buffer = into.deferred(self, 3)
         buffer[0] += moment_bar
@@ -81,7 +81,7 @@ class InverseDynamics:
                 own += part
 
     def settle(self, into: Cotangent, buffer: Array) -> None:
-        """The sweep back of all that was deferred, (3, 3, L, S)."""
+        """The backward sweep of all deferred contributions, (3, 3, L, S)."""
         tables, links = self.links.figure.tables, self.links
         moment_bar, force_bar, centre_bar = buffer
         anchor_bar = cross(moment_bar, self.force)

@@ -30,7 +30,7 @@ WEIGHTLESS = int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
 
 
 class FigureError(ValueError):
-    """A model that cannot be a figure in the coordinates asked for."""
+    """A model that cannot be a figure in the requested coordinates."""
 
 
 class JointKind(IntEnum):

@@ -20,8 +20,8 @@ from ..figure.figure import Figure, quaternion_columns
 
 HEIGHT = 5.0  # [rad/m] how much of a joint's turn the root's height counts like
 LOPSIDED = 0.05  # of its size, how far from symmetric a measured body may be
-STILL = 1e-6  # [rad] of poses that differ by less than this, none tells anything
-FEW = 8  # poses up to which a heading that changes evenly is all that they tell
+STILL = 1e-6  # [rad] poses that differ by less than this carry no information
+FEW = 8  # poses up to which an evenly changing heading is their only information
 EVEN, BENT = 1, 3  # degrees of the heading's polynomial
 
 

@@ -70,7 +70,7 @@ def site_points(figure: Figure, names: Sequence[str]) -> tuple[Point, ...]:
     return tuple(points)
 
 
-@lru_cache(maxsize=2)  # a clip asks for them several times
+@lru_cache(maxsize=2)  # a clip uses them several times
 def body_points(figure: Figure) -> tuple[Point, ...]:
     """Spheres that cover the outside of the figure's moving geoms.
 
@@ -157,7 +157,7 @@ def _cover(model: mujoco.MjModel, index: int) -> list[tuple[Array, float]]:
 
 
 def placed(figure: Figure, told: Mask, points: Sequence[Point]) -> Mask:
-    """(n, K): whether a keyframe tells every joint from the root to a point, so that it says where the point is.
+    """(n, K): whether a keyframe specifies every joint from the root to a point, and so the point's position.
 
     told  (K, nq) what keyframes fix, or all that they tell
     """

@@ -27,7 +27,7 @@ from .flight import A_TENTH, rows_of_wrench, within
 from .footing import Footing, Interval
 
 EDGES = 4  # of the pyramid that stands for a friction cone
-FRICTION, SOFTNESS = 0.8, 1e-4  # unless told: coefficient; beside the squared edges of the cones
+FRICTION, SOFTNESS = 0.8, 1e-4  # defaults: coefficient; relative to the squared edges of the cones
 
 
 class _Found(NamedTuple):
@@ -56,7 +56,7 @@ class Support(Penalty):
     Nothing counts at moments that are neither in a footing nor in a flight.
 
     root               index of the tree's free link
-    footings, flights  when which point can push, and when nothing does, whatever the footings say
+    footings, flights  when which point can push, and when nothing does, regardless of the footings
     unit, length       weight [N] and height [m]
     friction           coefficient μ
     softness           ε |λ|² is added, so that the forces are unique
@@ -91,7 +91,7 @@ class Support(Penalty):
 
     @property
     def tells(self) -> bool:
-        """Whether it says anything at any time."""
+        """Whether it applies at any time."""
         return bool(self.footings or self.flights)
 
     def known(self, t: Array) -> Mask:

@@ -68,7 +68,7 @@ class JointRange(Penalty):
         return self.called
 
     def allowing(self, figure: Figure, keys: Timeline) -> JointRange:
-        """The same that lets pass how far joints that keyframes fix are beyond their ranges in them."""
+        """The same, tolerating how far joints that keyframes fix are beyond their ranges in them."""
         if not self.joints:
             return self
         samples = Samples.still(figure, keys.states, t=np.asarray(keys.times))

@@ -1,4 +1,4 @@
-"""Upright: where nobody has said how the trunk is turned, it leans as it was posed over feet that stand.
+"""Upright: where the trunk's rotation is unspecified, it leans as it was posed over standing feet.
 
 Without it a squat leans far back: that spares the hips a part of their way, and nothing else of the objective minds.
 Beyond the paper.
