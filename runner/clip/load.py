@@ -10,7 +10,7 @@ import tomllib
 from collections.abc import Callable, Iterator, Sequence
 from contextvars import ContextVar
 from dataclasses import dataclass, replace
-from functools import lru_cache
+from functools import lru_cache, partial
 from importlib import import_module
 from itertools import pairwise
 from pathlib import Path
@@ -769,15 +769,18 @@ def _set_joint(qpos: Array, fixed: Mask, link: Any, value: RotationTable | float
 
 def _from_mjcf(path: Path, fps: float | None) -> Clip:
     """An MJCF file whose <keyframe> elements, with their times, are the keyframes."""
+    return from_spec(path.stem, partial(figure_spec, str(path)), fps, path.name)
+
+
+def from_spec(name: str, read: Callable[[], mujoco.MjSpec], fps: float | None, where: str) -> Clip:
+    """A model whose <keyframe> elements, with their times, are the keyframes; `where` is how errors call it.
+
+    read  makes the model's specification, twice: MuJoCo 3.2.7 loses meshes of one that was compiled
+    """
     try:
-        spec = figure_spec(str(path))
+        spec, fresh = read(), read()
     except UserError as error:
-        raise UserError(_placed(error, path.name)) from None
-    return from_spec(path.stem, spec, fps, path.name)
-
-
-def from_spec(name: str, spec: mujoco.MjSpec, fps: float | None, where: str) -> Clip:
-    """A model whose <keyframe> elements, with their times, are the keyframes; `where` is how errors call it."""
+        raise UserError(_placed(error, where)) from None
     written = [np.array(key.qpos) for key in spec.keys]
     try:
         with quietly():
@@ -794,7 +797,7 @@ def from_spec(name: str, spec: mujoco.MjSpec, fps: float | None, where: str) -> 
         if own.size:
             qpos[i] = own  # as written: MuJoCo turns a zero quaternion into no rotation
     try:
-        scene = compose(spec, bare=model)
+        scene = compose(fresh)
     except UserError as error:
         raise UserError(_placed(error, where)) from None
     return from_qpos(name, scene, time, qpos, fps, where)
