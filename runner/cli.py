@@ -78,6 +78,10 @@ SceneFile = Annotated[Path | None, typer.Option(help="a TOML file with [scene]: 
 ContactsFile = Annotated[Path | None, typer.Option(help="a TOML file with [[contact]]s, if not those found")]
 Within = Annotated[str | None, typer.Option(help="how far hands, feet and pelvis may move, such as 3cm")]
 SpeedLimit = Annotated[str | None, typer.Option(help="how fast joints may turn, such as 20rad/s or 1200deg/s")]
+MapFile = Annotated[
+    Path | None, typer.Option("--map", help="a bone map, TOML, or the name of a map that ships: g1, human")
+]
+WriteMap = Annotated[bool, typer.Option("--write-map", help="write the bone map that is used to --map")]
 AsJson = Annotated[bool, typer.Option("--json", help="print JSON")]
 
 
@@ -563,11 +567,23 @@ def import_motion(
     _judge(violations, strict)
 
 
+def _bone_map(path: Path | None, writes: bool) -> Path | None:
+    """Return the file of --map; raises UserError for --write-map without one."""
+    from .errors import UserError
+    from .exchange.skeleton.maps import map_of
+
+    if writes and path is None:
+        raise UserError("--write-map: name the file, --map FILE")
+    return path if writes else map_of(path)
+
+
 @app.command()
 def clean(
     source: Annotated[Path, typer.Argument(metavar="RECORDING", help="a motion, or a file that `import` reads")],
     output: Output = None,
     figure: Annotated[str | None, typer.Option(help="the figure it is for: a shipped one or MJCF")] = None,
+    map_file: MapFile = None,
+    write_map: WriteMap = False,
     kind: Kind = None,
     fps: Fps = None,
     scale: Scale = None,
@@ -584,10 +600,11 @@ def clean(
     from .system.progress import Progress
     from .system.quantity import length, speed
 
+    map_file = _bone_map(map_file, write_map)
     bound = None if within is None else length(within, "--within")
     fastest = None if speed_limit is None else speed(speed_limit, "--speed-limit")
     with Progress() as progress:
-        found = running.Source(source, figure, kind, fps, scale, scene, contacts, speed=fastest)
+        found = running.Source(source, figure, kind, fps, scale, scene, contacts, map_file, write_map, speed=fastest)
         running.run(found, output, within=bound, overwrite=overwrite, progress=progress)
 
 
@@ -596,10 +613,8 @@ def retarget(
     source: Annotated[Path, typer.Argument(metavar="RECORDING", help="a skeleton's motion: BVH")],
     to: Annotated[str, typer.Option("--to", help="the figure or robot: a shipped one or MJCF")],
     output: Output = None,
-    map_file: Annotated[
-        Path | None, typer.Option("--map", help="a TOML file with the bone map, or a map that ships: g1, human")
-    ] = None,
-    write_map: Annotated[bool, typer.Option("--write-map", help="write what was found to --map")] = False,
+    map_file: MapFile = None,
+    write_map: WriteMap = False,
     kind: Kind = None,
     fps: Fps = None,
     scale: Scale = None,
@@ -613,15 +628,11 @@ def retarget(
     """A skeleton's motion on another figure, cleaned there: its stances, its ranges, its limbs out of each other."""
     _without_graphics()
     from .clean import running
-    from .errors import UserError
     from .exchange.formats import stem
-    from .exchange.skeleton.maps import map_of
     from .system.progress import Progress
     from .system.quantity import length, speed
 
-    if write_map and map_file is None:
-        raise UserError("--write-map: name the file, --map FILE")
-    map_file = map_file if write_map else map_of(map_file)
+    map_file = _bone_map(map_file, write_map)
     bound = None if within is None else length(within, "--within")
     fastest = None if speed_limit is None else speed(speed_limit, "--speed-limit")
     with Progress() as progress:

@@ -165,6 +165,8 @@ def _read(source: Source, around: SurroundingsTable, progress: Progress) -> _Rea
     if not told and motion.is_motion(str(source.file)) and not formats.is_foreign(source.file):
         if around.scene.model_fields_set:
             raise UserError(f"'{source.file}' is a motion and brings its scene along; --scene is for other files")
+        if source.map is not None:
+            raise UserError(f"'{source.file}' is a motion: a bone map is for recordings of skeletons; leave out --map")
         return _Read.of(motion.load(source.file))
     chosen = retarget.Map()
     if source.map is not None and not source.writes_map:

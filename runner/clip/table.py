@@ -220,7 +220,7 @@ class SurroundingsTable(Table):
 
 
 class MapTable(Table):
-    """Who is who, by role: bodies of a figure, joints of a recording; "" for none."""
+    """Bone map, by role: bodies of a figure, joints of a recording; "" for none."""
 
     figure: dict[str, str] = {}
     recording: dict[str, str] = {}

@@ -12,7 +12,7 @@ from ...errors import UserError
 from .retarget import NEEDED, Used
 from .roles import ROLES
 
-HEADING = '# Who is who, by role: a body of the figure, a joint of the recording; "" for none.\n'
+HEADING = '# Bone map, by role: a body of the figure, a joint of the recording; "" for none.\n'
 
 
 def map_of(said: Path | None) -> Path | None:

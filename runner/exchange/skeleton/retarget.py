@@ -145,7 +145,7 @@ class _Standing:
 
 @dataclass(frozen=True)
 class Map:
-    """Who is who: the name of a body of the figure, and of a joint of the recording, by role; "" for none."""
+    """Bone map: the name of a body of the figure, and of a joint of the recording, by role; "" for none."""
 
     figure: Mapping[str, str] = field(default_factory=dict)
     recording: Mapping[str, str] = field(default_factory=dict)

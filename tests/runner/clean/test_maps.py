@@ -6,8 +6,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 from command import Command, commanded
+from rich.console import Console
 
-from dynsplines import work
+from dynsplines import cli, work
+from dynsplines.clean import running
 from dynsplines.clip import load as clip
 from dynsplines.exchange import formats, gaps
 from dynsplines.exchange.skeleton import retarget
@@ -76,3 +78,33 @@ def test_an_incomplete_map_is_written_and_named(command, walk, tmp_path, monkeyp
     assert "# Not found by name. Names without a role: bone0, bone1," in recording
     assert '# left_thigh = ""  # needed' in recording
     assert '# left_upper_arm = ""\n' in recording
+
+
+def test_clean_writes_and_refuses_maps_as_retarget_does(command, walk, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    foreign(walk, tmp_path / "a.bvh", on_reference=False)
+    assert "--map FILE" in command("clean", "a.bvh", "--figure", "human", "--write-map").last
+    done = command("clean", "a.bvh", "--figure", "human", "--map", "m.toml", "--write-map")
+    assert done.code == 2
+    assert done.last.endswith("'m.toml' is to be filled in")
+    assert '# left_thigh = ""  # needed' in (tmp_path / "m.toml").read_text(encoding="utf-8")
+
+
+def test_a_motion_takes_no_map(command, walk, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert command("import", str(walk), "--figure", "human", "-o", "walk.npz").code == 0
+    done = command("clean", "walk.npz", "--map", "human")
+    assert done.code == 2
+    assert done.last.endswith("leave out --map")
+
+
+def test_clean_uses_a_map(walk, tmp_path, monkeypatch):
+    said = foreign(walk, tmp_path / "a.bvh", on_reference=False)
+    lines = "".join(f'{role} = "{name}"\n' for role, name in said.items())
+    (tmp_path / "m.toml").write_text(f"[recording]\n{lines}", encoding="utf-8")
+    received = list[running.Source]()
+    monkeypatch.setattr(running, "run", lambda source, *_, **__: received.append(source))
+    cli.clean(tmp_path / "a.bvh", figure="human", map_file=tmp_path / "m.toml")
+    read_back = running._read(received[0], running._around(received[0]), Progress(Console(quiet=True)))
+    expected, _ = retarget.onto(Captured.of(read(walk)[0]), figure_spec("human").compile(), "walk.bvh")
+    np.testing.assert_allclose(read_back.qpos, expected, atol=1e-5)

@@ -1,4 +1,4 @@
-"""Who is who of a robot whose names tell nothing: its limbs by the tree and by where they are."""
+"""The bone map of a robot whose names are no help: its limbs by the tree and by where they are."""
 
 from __future__ import annotations
 
