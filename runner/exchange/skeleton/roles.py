@@ -1,7 +1,7 @@
 """Which part of a body a joint is, by its name and its place in the tree: for skeletons of many makers.
 
 Words as in the skeletons of CMU, Mixamo, LAFAN1, SFU, ACCAD, Unreal, 3ds Max' Biped, VRM, VRoid, MMD, Rigify, Daz,
-Character Creator, OptiTrack, and our own figures.
+Character Creator, OptiTrack, Second Life, Kinect, SMPL, and our own figures.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from ...errors import UserError, unknown
 SIDES = {"left": "left", "l": "left", "lft": "left", "right": "right", "r": "right", "rgt": "right", "rt": "right",
          "hidari": "left", "migi": "right"}  # fmt: skip
 WORDS = {
-    "clavicle": ("clavicle", "collar", "collarbone", "shouldercollar"),
+    "clavicle": ("clavicle", "collar", "collarbone", "shouldercollar", "thorax"),
     "upper_arm": (
         "upperarm",
         "uparm",
@@ -49,7 +49,7 @@ WORDS = {
     "toe": ("toe", "toes", "toebase", "ball", "forefoot", "tsumasaki"),
 }
 MIDDLE = {
-    "neck": ("neck", "kubi"),
+    "neck": ("neck", "kubi", "necklower", "lowerneck", "necktwist"),
     "head": ("head", "atama"),
 }
 EITHER = {
@@ -64,7 +64,7 @@ ROLES = ("pelvis", "chest", *MIDDLE, *(f"{side}_{role}" for side in ("left", "ri
 AXES = {"pitch", "roll", "yaw"}  # robots have a body for each: hip pitch, hip roll, hip yaw
 FILLING = {"link", "joint", "body", "jnt", "bone", "bind", *AXES}
 PREFIX = re.compile(
-    r"^(.*[:|])|^(valvebiped\.|mixamorig\d*(?=[A-Z]))"
+    r"^(.*[:|])|^(valvebiped\.|mixamorig\d*(?=[A-Z])|(?-i:m(?=[A-Z])))"
     r"|^(mixamorig\d*|j_bip(_c)?|bip\d*|bip\d+|character\d*|b|def|org|skel|bone|jnt|c)[ _-](?=.)",
     re.IGNORECASE,
 )
@@ -147,11 +147,15 @@ def roles(names: Sequence[str], parents: Sequence[int]) -> dict[str, int]:
                     break
     for role, words in MIDDLE.items():
         _first(found, role, [i for i, (side, word) in enumerate(parts) if side is None and word in words])
+    for side in ("left", "right"):
+        _foot_below_ankle(found, side, parts, parents)
     for role, first in found.items():  # of bodies that turn a hip one after the other, the last is the thigh
         same = [i for i, part in enumerate(parts) if part == parts[first] and hinged[i]]
         if hinged[first] and all(first in lineage(i, parents) for i in same):
             found[role] = max(same, key=lambda i: len(lineage(i, parents)))
-    return with_trunk(found, names, parents)
+    found = with_trunk(found, names, parents)
+    _spine_above_chest(found, parts, parents)
+    return found
 
 
 def with_trunk(found: Mapping[str, int], names: Sequence[str], parents: Sequence[int]) -> dict[str, int]:
@@ -206,6 +210,27 @@ def _preferred(fitting: list[int], on: set[int]) -> list[int]:
 def _first(found: dict[str, int], role: str, fitting: list[int]) -> None:
     if fitting:
         found[role] = fitting[0]
+
+
+def _foot_below_ankle(
+    found: dict[str, int], side: str, parts: Sequence[tuple[str | None, str]], parents: Sequence[int]
+) -> None:
+    """Without a toe by name: a "foot" below the "ankle" is the toe, as in SMPL and Kinect."""
+    ankle = found.get(f"{side}_foot")
+    if f"{side}_toe" not in found and ankle is not None and parts[ankle][1] == "ankle":
+        feet = [i for i, part in enumerate(parts) if part == (side, "foot")]
+        _first(found, f"{side}_toe", [i for i in feet if ankle in lineage(i, parents)])
+
+
+def _spine_above_chest(found: dict[str, int], parts: Sequence[tuple[str | None, str]], parents: Sequence[int]) -> None:
+    """Without neck and head by name: bones of the spine above the chest, first and last, as in Rigify."""
+    chest = found.get("chest")
+    if chest is None or "neck" in found or parts[chest][1] != "spine":
+        return
+    above = [i for i, part in enumerate(parts) if part == parts[chest] and chest in lineage(i, parents)[1:]]
+    _first(found, "neck", above)
+    if "head" not in found and len(above) > 1:
+        found["head"] = max(above, key=lambda i: len(lineage(i, parents)))
 
 
 def _fits(found: dict[str, int], side: str, role: str, word: str, same: list[int], parents: Sequence[int]) -> bool:

@@ -9,7 +9,7 @@ ABOVE = ("chest", "clavicle", "upper_arm", "forearm", "pelvis", "thigh", "shin",
 LONG = {"L": "left", "R": "right"}
 JAPANESE = ("肩", "腕", "ひじ", "手首", "足", "ひざ", "足首", "つま先")
 MIXAMO = ("Shoulder", "Arm", "ForeArm", "Hand", "UpLeg", "Leg", "Foot", "ToeBase")
-# pelvis, chest and head; how a part of a side is written; the parts from shoulder to toes
+# pelvis, chest, at times neck, and head; how a part of a side is written; the parts from shoulder to toes
 MAKERS = {
     "VRoid": ("J_Bip_C_Hips J_Bip_C_UpperChest J_Bip_C_Head", "J_Bip_{S}_{part}",
               ("Shoulder", "UpperArm", "LowerArm", "Hand", "UpperLeg", "LowerLeg", "Foot", "ToeBase")),
@@ -34,6 +34,20 @@ MAKERS = {
     "a robot's character": ("Robot_Hips Robot_Spine2 Robot_Head", "Robot_{Side}{part}", MIXAMO),
     "Source": ("ValveBiped.Bip01_Pelvis ValveBiped.Bip01_Spine4 ValveBiped.Bip01_Head1", "ValveBiped.Bip01_{S}_{part}",
                ("Clavicle", "UpperArm", "Forearm", "Hand", "Thigh", "Calf", "Foot", "Toe0")),
+    "Second Life": ("mPelvis mChest mNeck mHead", "m{part}{Side}",
+                    ("Collar", "Shoulder", "Elbow", "Wrist", "Hip", "Knee", "Ankle", "Toe")),
+    "SMPL": ("Pelvis Chest Neck Head", "{S}_{part}",
+             ("Thorax", "Shoulder", "Elbow", "Wrist", "Hip", "Knee", "Ankle", "Foot")),
+    "Kinect": ("PELVIS SPINE_CHEST NECK HEAD", "{part}_{SIDE}",
+               ("CLAVICLE", "SHOULDER", "ELBOW", "WRIST", "HIP", "KNEE", "ANKLE", "FOOT")),
+    "Rigify's spine": ("spine spine.003 spine.004 spine.006", "{part}.{S}",
+                       ("shoulder", "upper_arm", "forearm", "hand", "thigh", "shin", "foot", "toe")),
+    "Daz of generation 8": ("hip chestUpper neckLower head", "{s}{part}",
+                            ("Collar", "ShldrBend", "ForearmBend", "Hand", "ThighBend", "Shin", "Foot", "Toe")),
+    "ASF": ("lowerback thorax lowerneck head", "{s}{part}",
+            ("clavicle", "humerus", "radius", "wrist", "femur", "tibia", "foot", "toes")),
+    "iClone": ("CC_Base_Hip CC_Base_Spine02 CC_Base_NeckTwist01 CC_Base_Head", "CC_Base_{S}_{part}",
+               ("Clavicle", "Upperarm", "Forearm", "Hand", "Thigh", "Calf", "Foot", "ToeBase")),
     "Maya": ("root_jnt chest_jnt head_jnt", "{part}_{S}_jnt",
              ("clavicle", "shoulder", "elbow", "wrist", "hip", "knee", "ankle", "ball")),
 }  # fmt: skip
@@ -42,13 +56,22 @@ MAKERS = {
 @pytest.mark.parametrize("maker", MAKERS)
 def test_parts_are_known_by_names(maker):
     trunk, pattern, parts = MAKERS[maker]
-    expected = dict(zip(("pelvis", "chest", "head"), trunk.split(), strict=True))
-    names, parents = list(expected.values()), [-1, 0, 1]
+    middle = trunk.split()
+    trunk_roles = ("pelvis", "chest", "head") if len(middle) == 3 else ("pelvis", "chest", "neck", "head")
+    expected = dict(zip(trunk_roles, middle, strict=True))
+    names, parents = middle.copy(), list(range(-1, len(middle) - 1))
     for letter, side in LONG.items():
         kanji, romaji = {"L": ("左", "Hidari"), "R": ("右", "Migi")}[letter]
         for role, above, part in zip(PARTS, ABOVE, parts, strict=True):
             name = pattern.format(
-                S=letter, s=letter.lower(), side=side, Side=side.title(), kanji=kanji, romaji=romaji, part=part
+                S=letter,
+                s=letter.lower(),
+                side=side,
+                Side=side.title(),
+                SIDE=side.upper(),
+                kanji=kanji,
+                romaji=romaji,
+                part=part,
             )
             parent = above if above in expected else f"{side}_{above}"
             parents.append(names.index(expected[parent]))
