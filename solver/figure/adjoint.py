@@ -20,6 +20,7 @@ from .algebra import (
     vector_product,
 )
 from .kinematics import Samples, from_parents, hinge_quaternions
+from .wrenches import Wrenches, of_point
 
 Gradients = tuple[Array | None, Array | None, Array | None]
 
@@ -33,6 +34,13 @@ class Adjoint(Protocol):
 
 
 Quantity = Literal["y", "y_d", "y_dd", "q", "q_d", "q_dd", "x", "x_d", "x_dd", "omega", "alpha", "turn", "swing"]
+ON_LINKS: dict[Quantity, str] = {
+    "x": "force",
+    "turn": "torque",
+    "x_d": "force_d",
+    "omega": "torque_d",
+    "alpha": "torque_dd",
+}  # and the part of wrenches that is the gradient with respect to it
 QUANTITIES: tuple[Quantity, ...] = get_args(Quantity)
 OF_THE_STATE: tuple[tuple[Quantity, Quantity, Quantity], ...] = (
     ("y", "q", "x"),
@@ -56,7 +64,7 @@ class Cotangent:
     def __init__(self, samples: Samples) -> None:
         self.samples = samples
         self._parts: dict[Quantity, Array] = {}
-        self._forces: list[tuple[Index, Array, Array]] = []
+        self._wrenches: list[Wrenches] = []
         self._deferred: list[tuple[Adjoint, Array]] = []
 
     def deferred(self, source: Adjoint, kinds: int) -> Array:
@@ -108,30 +116,37 @@ class Cotangent:
         links = (len(samples.figure.links), samples.count)
         return (3, 3, *links) if name == "swing" else (3, *links)
 
+    def add_wrenches(self, wrenches: Wrenches) -> None:
+        """Adds the gradient of what changes as the wrenches say, one after the other."""
+        self._wrenches.append(wrenches)
+
     def add_forces(self, flat: Index, offset: Array, force: Array) -> None:
         """Gradients (3, p) with respect to points at `offset` (3, p) from the origins of links.
 
         flat  (p,) link · S + sample; the same may come up more than once
         """
-        self._forces.append((flat, offset, force))
+        link, at = np.divmod(flat, self.samples.count)
+        self.add_wrenches(of_point(at, link, offset, force))
 
-    def _settle_forces(self) -> None:
-        """Adds all forces on points to x and turn."""
-        flat, offset, force = (np.concatenate(parts, axis=-1) for parts in zip(*self._forces, strict=True))
-        size = len(self.samples.figure.links) * self.samples.count
-        rows = np.concatenate([force, cross(offset, force)])
-        places = flat + size * np.arange(6)[:, None]
-        total = np.bincount(places.ravel(), rows.ravel(), 6 * size).reshape(2, 3, -1, self.samples.count)
-        self.absorb("x", total[0])
-        self.absorb("turn", total[1])
+    def _settle_wrenches(self) -> None:
+        """Adds all wrenches to what they are on."""
+        count, shape = self.samples.count, (3, len(self.samples.figure.links), self.samples.count)
+        size = shape[1] * shape[2]
+        for name, kind in ON_LINKS.items():
+            given = [(w, part) for w in self._wrenches if (part := getattr(w, kind)) is not None]
+            if given:
+                flat = np.concatenate([w.link * count + w.at for w, _ in given])
+                places = flat + size * np.arange(3)[:, None]
+                vectors = np.concatenate([part for _, part in given], axis=1)
+                self.absorb(name, np.bincount(places.ravel(), vectors.ravel(), 3 * size).reshape(shape))
 
     def gradients(self) -> tuple[Array, Array, Array]:
         """The three gradients with respect to y, y', y'', each (S, N); the cotangent is used up."""
         samples = self.samples
         for source, buffer in self._deferred:
             source.settle(self, buffer)
-        if self._forces:
-            self._settle_forces()
+        if self._wrenches:
+            self._settle_wrenches()
         if self._parts.keys() & {"x", "x_d", "x_dd", "omega", "alpha", "turn", "swing"}:
             _origins_pulled_back(self)
             if "swing" in self._parts:

@@ -261,6 +261,11 @@ class LinkMotion:
         return self.x if self.hang is None else self.x + self.hang
 
     @cached_property
+    def anchor_velocity(self) -> Array:
+        """How fast each link's joint moves, (3, L, S)."""
+        return self.x_d if self.hang is None else self.x_d + cross(self.omega, self.hang)
+
+    @cached_property
     def slide_axis(self) -> Array:
         """R · axis of the slides, (3, s, S)."""
         tables = self.figure.tables

@@ -1,0 +1,310 @@
+"""Wrenches on links, and the rows of a residual's Jacobian that they stand for.
+
+A residual of places, directions, velocities or spins changes as a wrench on a link says:
+
+    δr = f · δx + τ · δφ  +  f₁ · δx' + τ₁ · δω  +  τ₂ · δω'
+
+x the link's origin, δφ its small turn in the world. A coordinate that grows by φ(t) turns a link about an axis w
+through an anchor a: δx = φ w × d with d = x − a, δω = φ' w + φ (w' + w × ω), δω' likewise. So its row is
+
+    by φ:  w · M₀ + w' · M₁ + w'' · M₂        by φ':  w · M₁ + 2 w' · M₂        by φ'':  w · M₂
+
+with the wrench's moments about the anchor M₀ = d × f + τ + d' × f₁ + ω × τ₁ + ω' × τ₂, M₁ = d × f₁ + τ₁ + ω × τ₂ and
+M₂ = τ₂. A slide has its axis for w and the forces for M. Three axes make one of a quaternion: φ = E η for a change η of
+it; they are the world's where the quaternion is the link's orientation in the world, else the parent's. The former
+turns what lies before the next such link on the way out, whose anchor then stands for x, and nothing else.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import lru_cache
+
+import numpy as np
+
+from ..array import Array, Index
+from .algebra import cross, dot, hamilton, pure_product, rotation_matrix, turned, turned_back
+from .axes import followers
+from .figure import Figure
+from .kinematics import LinkMotion, Samples
+
+AT_ONCE = 2000  # wrenches whose vectors stay in cache
+
+
+@dataclass(frozen=True, eq=False)
+class Wrenches:
+    """P wrenches at samples `at` (P,) on links `link` (P,); what is None is zero.
+
+    force, torque   (3, P) on the link's origin and on its turn
+    force_d, torque_d   (3, P) on the origin's velocity and on the angular velocity
+    torque_dd       (3, P) on the angular acceleration
+    """
+
+    at: Index
+    link: Index
+    force: Array | None = None
+    torque: Array | None = None
+    force_d: Array | None = None
+    torque_d: Array | None = None
+    torque_dd: Array | None = None
+
+    @property
+    def orders(self) -> int:
+        """How many of y, y', y'' the rows depend on."""
+        if self.torque_dd is not None:
+            return 3
+        return 1 if self.force_d is None and self.torque_d is None else 2
+
+    def taken(self, some: Index | slice) -> Wrenches:
+        """Some of them."""
+        parts = {name: None if part is None else part[..., some] for name, part in vars(self).items()}
+        return Wrenches(**parts)
+
+    def scaled(self, factor: Array) -> Wrenches:
+        """Each times a factor (P,)."""
+        vectors = {name: part * factor for name, part in vars(self).items() if part is not None and part.ndim == 2}
+        return replace(self, **vectors)
+
+    @classmethod
+    def joined(cls, parts: Sequence[Wrenches]) -> Wrenches:
+        """One after the other."""
+        if len(parts) == 1:
+            return parts[0]
+        found: dict[str, Array] = {}
+        for name in ("at", "link", "force", "torque", "force_d", "torque_d", "torque_dd"):
+            given = [getattr(part, name) for part in parts]
+            if any(part is not None for part in given):
+                counts = [part.at.size for part in parts]
+                filled = [np.zeros((3, n)) if part is None else part for n, part in zip(counts, given, strict=True)]
+                found[name] = np.concatenate(filled, axis=-1)
+        return cls(**found)
+
+    def rows(self, samples: Samples) -> Array:
+        """(P, 1 to 3, N): the gradients of the residuals with respect to y, and to y' and y'' as far as they matter."""
+        out = np.zeros((self.at.size, self.orders, samples.y.shape[1]))
+        for first in range(0, self.at.size, AT_ONCE):
+            run = slice(first, first + AT_ONCE)
+            _Sweep(samples, self.taken(run)).add_to(out[run])
+        return out
+
+
+def of_point(at: Index, link: Index, arm: Array, direction: Array) -> Wrenches:
+    """Of direction · p, points p at arms (3, P) from their links' origins."""
+    return Wrenches(at, link, direction, cross(arm, direction))
+
+
+def of_velocity(
+    samples: Samples, at: Index, link: Index, arm: Array, direction: Array, turning: Array | None = None
+) -> Wrenches:
+    """Of direction · (x' + ω × arm), velocities of matter at arms (3, P).
+
+    turning  (3, P) what of the arms turns with the links, all of them unless it is given
+    """
+    beside = cross(arm if turning is None else turning, cross(direction, samples.links.omega[:, link, at]))
+    return Wrenches(at, link, None, beside, direction, cross(arm, direction))
+
+
+def of_turn(at: Index, link: Index, axis: Array) -> Wrenches:
+    """Of small turns about axes (3, P)."""
+    return Wrenches(at, link, None, axis)
+
+
+def each_axis(count: int) -> Array:
+    """(3, 3 P): the world's x for each of so many, then y, then z; what else there is of them is to be tiled."""
+    return np.repeat(np.eye(3), count, axis=1)
+
+
+@dataclass(frozen=True, eq=False)
+class _Chains:
+    """For every link the joints on the way to it, by kind: links (depth, L), 0 where there are fewer.
+
+    after  (depth, L) of orientations in the world the next such link on the way, or 0
+    place  (L,) index of a link among the links of its kind
+    """
+
+    free: Index
+    slides: Index
+    hinges: Index
+    world: Index
+    after: Index
+    relative: Index
+    place: Index
+
+
+@lru_cache(maxsize=8)
+def _chains(figure: Figure) -> _Chains:
+    tables = figure.tables
+    path = tables.path > 0
+    is_world = tables.in_world[tables.quaternion_links]
+    kinds = tables.free_links, tables.slide_links, tables.hinge_links, tables.quaternion_links
+    place = np.zeros(len(path), np.intp)
+    for links in kinds[1:]:
+        place[links] = np.arange(links.size)
+    free, slides, hinges = (_padded(path, links) for links in kinds[:3])
+    world, relative = (_padded(path, tables.quaternion_links[some]) for some in (is_world, ~is_world))
+    after = np.where(world > 0, followers(figure)[np.arange(len(path)), world], 0)
+    return _Chains(free, slides, hinges, world, after, relative, place)
+
+
+def _padded(path: Array, links: Index) -> Index:
+    """(depth, L) those of some links on the way to every link."""
+    ways = [links[path[link, links]] for link in range(len(path))]
+    out = np.zeros((max(way.size for way in ways), len(path)), np.intp)
+    for link, way in enumerate(ways):
+        out[: way.size, link] = way
+    return out
+
+
+Orders = list[Array | None]  # what counts for y, y', y'', (3, Q) or (4, Q) each; None is zero
+
+
+@dataclass(frozen=True, eq=False)
+class _Pairs:
+    """Q pairs of a wrench and a joint on the way to its link: of which wrench, at which sample, which joint's link."""
+
+    wrench: Index
+    at: Index
+    joint: Index
+
+
+class _Sweep:
+    """Wrenches at their links, and the rows that they make of every joint on the way there."""
+
+    def __init__(self, samples: Samples, wrenches: Wrenches) -> None:
+        self.samples, self.tables, self.motion = samples, samples.figure.tables, samples.links
+        self.chains = _chains(samples.figure)
+        self.at, self.link = wrenches.at, wrenches.link
+        self.forces: Orders = [wrenches.force, wrenches.force_d, None]
+        self.torques = self._on_turns(wrenches)
+
+    def add_to(self, out: Array) -> None:
+        """Adds rows (P, orders, N)."""
+        self._free(out)
+        self._axes(out, self.chains.slides, self.tables.slide_links, self.tables.slide_columns)
+        self._axes(out, self.chains.hinges, self.tables.hinge_links, self.tables.hinge_columns)
+        self._world_quaternions(out)
+        self._relative_quaternions(out)
+
+    def _pairs(self, chain: Index) -> _Pairs:
+        joints = chain[:, self.link]
+        level, wrench = np.nonzero(joints)
+        return _Pairs(wrench, self.at[wrench], joints[level, wrench])
+
+    def _moments(self, pairs: _Pairs, after: Index | None = None) -> Orders:
+        """M₀, M₁, M₂ about the joints' anchors; after (Q,) links whose anchors stand for the wrenches' places."""
+        motion, there = self.motion, (slice(None), pairs.joint, pairs.at)
+        moments: Orders = [None, None, None]
+        force, force_d, _ = self._of_pairs(self.forces, pairs)
+        if force is not None or force_d is not None:
+            d = self._ends(motion.x, motion.anchor, pairs, after) - motion.anchor[there]
+            if force is not None:
+                moments[0] = cross(d, force)
+            if force_d is not None:
+                d_d = self._ends(motion.x_d, motion.anchor_velocity, pairs, after) - motion.anchor_velocity[there]
+                moments[0] = _sum(moments[0], cross(d_d, force_d))
+                moments[1] = cross(d, force_d)
+        for order, torque in enumerate(self._of_pairs(self.torques, pairs)):
+            if torque is not None:
+                moments[order] = _sum(moments[order], torque if after is None else torque * (after == 0))
+        return moments
+
+    def _of_pairs(self, vectors: Orders, pairs: _Pairs) -> Orders:
+        return [None if part is None else part[:, pairs.wrench] for part in vectors]
+
+    def _ends(self, places: Array, anchors: Array, pairs: _Pairs, after: Index | None) -> Array:
+        """(3, Q) the next links' anchors where there are any, else the wrenches' places; or the velocities of these."""
+        own = places[:, self.link[pairs.wrench], pairs.at]
+        return own if after is None else np.where(after > 0, anchors[:, after, pairs.at], own)
+
+    def _on_turns(self, wrenches: Wrenches) -> Orders:
+        """What of the torques counts on δφ, δφ' and δφ'': τ + ω × τ₁ + ω' × τ₂, τ₁ + ω × τ₂ and τ₂."""
+        torque, torque_d, torque_dd = wrenches.torque, wrenches.torque_d, wrenches.torque_dd
+        omega, alpha = self.motion.omega, self.motion.alpha
+        there = (slice(None), self.link, self.at)
+        if torque_d is not None:
+            torque = _sum(torque, cross(omega[there], torque_d))
+        if torque_dd is not None:
+            torque = _sum(torque, cross(alpha[there], torque_dd))
+            torque_d = _sum(torque_d, cross(omega[there], torque_dd))
+        return [torque, torque_d, torque_dd]
+
+    def _on_axes(self, moments: Orders, frame: Index, at: Index) -> Orders:
+        """What of M₀, M₁, M₂ counts on the axes for φ, φ', φ'', when these turn with links `frame` (Q,): w' = ω × w."""
+        first, second, third = moments
+        if second is None and third is None:
+            return moments
+        omega = self.motion.omega[:, frame, at]
+        if second is not None:
+            first = _sum(first, cross(second, omega))
+        if third is not None:
+            through = cross(third, omega)
+            first = _sum(first, cross(third, self.motion.alpha[:, frame, at]) + cross(through, omega))
+            second = _sum(second, 2 * through)
+        return [first, second, third]
+
+    def _free(self, out: Array) -> None:
+        columns = np.zeros((3, len(self.tables.parents)), np.intp)
+        columns[:, self.tables.free_links] = self.tables.position_columns
+        pairs = self._pairs(self.chains.free)
+        for order, force in enumerate(self._of_pairs(self.forces, pairs)):
+            if force is not None:
+                out[pairs.wrench, order, columns[:, pairs.joint]] = force
+
+    def _axes(self, out: Array, chain: Index, links: Index, columns: Index) -> None:
+        """Hinges, on whose axes moments count, or slides, on which forces do."""
+        if not links.size:
+            return
+        pairs, motion = self._pairs(chain), self.motion
+        place = self.chains.place[pairs.joint]
+        slides = links is self.tables.slide_links
+        moments = self._of_pairs(self.forces, pairs) if slides else self._moments(pairs)
+        axis = turned(motion.rotation[:, :, links], self.tables.axis[:, links])[:, place, pairs.at]
+        for order, moment in enumerate(self._on_axes(moments, pairs.joint, pairs.at)):
+            if moment is not None:
+                out[pairs.wrench, order, columns[place]] = dot(axis, moment)
+
+    def _world_quaternions(self, out: Array) -> None:
+        pairs = self._pairs(self.chains.world)
+        after = self.chains.after[:, self.link][self.chains.world[:, self.link] > 0]
+        self._add_quaternions(out, pairs, self._moments(pairs, after))
+
+    def _relative_quaternions(self, out: Array) -> None:
+        pairs = self._pairs(self.chains.relative)
+        if not pairs.joint.size:
+            return
+        parents = self.tables.parents[pairs.joint]
+        moments = self._on_axes(self._moments(pairs), parents, pairs.at)
+        base = hamilton(self.motion.Q[:, parents, pairs.at], self.tables.turn[:, pairs.joint])
+        axes = rotation_matrix(base, 2 / dot(base, base))
+        self._add_quaternions(out, pairs, [None if part is None else turned_back(axes, part) for part in moments])
+
+    def _add_quaternions(self, out: Array, pairs: _Pairs, moments: Orders) -> None:
+        """By φ = E η, φ' = E' η + E η', φ'' = E'' η + 2 E' η' + E η''; the moments are in the quaternions' axes."""
+        place = self.chains.place[pairs.joint]
+        ways = self.samples.once(_ways)[: out.shape[1], :, place, pairs.at]
+        totals: Orders = [None, None, None]
+        for order, factors in enumerate(((1,), (1, 1), (1, 2, 1))):
+            moment = moments[order]
+            if moment is not None:
+                for derivative, factor in enumerate(factors):
+                    part = pure_product(moment, ways[derivative])
+                    target = order - derivative
+                    totals[target] = _sum(totals[target], part if factor == 1 else factor * part)
+        columns = self.tables.quaternion_columns[:, place]
+        for order, total in enumerate(totals):
+            if total is not None:
+                out[pairs.wrench, order, columns] = total
+
+
+def _ways(links: LinkMotion) -> Array:
+    """The quaternions p of φ = vec(η ⊗ conj(p)), and two derivatives: (3, 4, n, S)."""
+    (q, q_d, q_dd), dots = links.states.quaternions[:, :, 1:], links.states.dots[:, 1:]
+    scale = 2 / dots[0]
+    stretch = dots[1] * scale
+    stretch_d = (dot(q_d, q_d) + dots[2]) * scale - stretch**2
+    return np.array([q, q_d - stretch * q, q_dd - 2 * stretch * q_d + (stretch**2 - stretch_d) * q]) * scale
+
+
+def _sum(one: Array | None, other: Array) -> Array:
+    return other if one is None else one + other
