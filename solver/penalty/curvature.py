@@ -36,6 +36,7 @@ class Curvature:
         self._rows: list[tuple[Index, Array, tuple[int, ...]]] = []
         self._blocks: list[tuple[Index, Array]] = []
         self._squares: list[tuple[Index, int, Array]] = []
+        self._diagonals: list[Array | None] = [None, None, None]
 
     def add_rows(self, at: Index, scale: Array, jacobian: Array, orders: tuple[int, ...] = (0, 1, 2)) -> None:
         """Residuals at samples `at` (P,), rising, with gradients (P, k, N) in some of y, y', y''; times scale (P,)."""
@@ -59,6 +60,13 @@ class Curvature:
         """Residuals that are entries of y, y' or y'' themselves, times scale (S,)."""
         if columns.size:
             self._squares.append((columns, order, 2 * scale))
+
+    def add_diagonal(self, at: Index, column: Index, order: int, scale: Array) -> None:
+        """Residuals that are single entries of y, y' or y'', at samples (P,) in columns (P,), times scale (P,)."""
+        width = self.width
+        added = np.bincount(at * width + column, 2 * scale, self.samples.count * width).reshape(-1, width)
+        known = self._diagonals[order]
+        self._diagonals[order] = added if known is None else known + added
 
     def add_sides(self, sides: OneSided, scale: Array) -> None:
         """One-sided residuals, those of them that count."""
@@ -91,6 +99,13 @@ class Curvature:
             each = np.matmul((one * scale.reshape(count, together, 1)).swapaxes(1, 2), one)
             every = np.broadcast_to(each[:, None, :, None, :, None], (count, columns.size, *_apart(each.shape)))
             made.append((columns[:, None], every))
+        for order, diagonal in enumerate(self._diagonals):
+            if diagonal is not None:
+                used = np.flatnonzero(diagonal.any(axis=0))
+                one = phi[:, order].reshape(count, together, -1)
+                pairs = (one[:, :, :, None] * one[:, :, None, :]).reshape(count, together, -1)
+                parts = np.matmul(diagonal[:, used].reshape(count, together, -1).swapaxes(1, 2), pairs)
+                made.append((used[:, None], parts.reshape(count, used.size, directions, 1, directions, 1)))
         return made
 
     def quadratic(self, phi: Array, first: int, last: int) -> Array:
@@ -108,6 +123,9 @@ class Curvature:
             out[columns[:, :, None], columns[:, None, :]] += (pairs @ by_orders).reshape(n, k, k)
         for columns, order, scale in self._squares:
             out[columns, columns] += np.sum(scale[some] * phi[some, order] ** 2)
+        for order, diagonal in enumerate(self._diagonals):
+            if diagonal is not None:
+                out[np.diag_indices(self.width)] += phi[some, order] ** 2 @ diagonal[some]
         return out
 
     def acceleration(self) -> Array:
@@ -121,7 +139,7 @@ class Curvature:
         for columns, order, scale in self._squares:
             if order == 2:
                 out[:, columns] += scale[:, None]
-        return out
+        return out if self._diagonals[2] is None else out + self._diagonals[2]
 
 
 def _apart(shape: tuple[int, ...]) -> tuple[int, int, int, int]:

@@ -7,6 +7,7 @@ residual. A new soft constraint is one class here, one Taylor test, one row in t
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,6 +16,7 @@ from ..array import Array, Index
 from ..curve.frame import Timeline
 from ..figure.adjoint import Cotangent
 from ..figure.kinematics import Samples
+from .block import Block, Dense
 from .curvature import Curvature, add_differences
 from .one_sided import OneSided
 
@@ -42,7 +44,7 @@ class Scale:
 
 
 class Penalty(ABC):
-    """A soft constraint f_j: its name, what counts as little, its values and gradient. The rest follows, slowly."""
+    """A soft constraint f_j: its name, what counts as little, and its residuals. All else follows from these."""
 
     @property
     @abstractmethod
@@ -54,20 +56,37 @@ class Penalty(ABC):
     def scale(self) -> Scale:
         """What counts as little."""
 
-    @abstractmethod
+    def residuals(self, samples: Samples) -> Iterable[Block | Dense]:
+        """What f_j is the sum of squares of, see `block`; one-sided residuals as far as they count."""
+        raise NotImplementedError(f"penalty '{self.name}': it has no residuals")
+
+    def nearby(self, samples: Samples) -> Iterable[Block | Dense]:
+        """The residuals for a model of E: among the one-sided ones those, too, that may count after a step."""
+        return self.residuals(samples)
+
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         """f_j at every sample, (S,); with `into`, also adds the gradient of Σ_s scale_s f_j(s) to it."""
+        values, scale = np.zeros(samples.count), scale + np.zeros(samples.count)
+        for block in self.residuals(samples):
+            values += block.values(samples.count)
+            if into is not None:
+                block.pull_back(into, scale)
+        return values
 
     def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
-        """Adds the Gauss-Newton matrices of Σ_s scale_s f_j(s), scale (S,), to `into`, but for what `sides` says.
-
-        Unless a penalty knows better, its gradients are differenced: right for any, and slow.
-        """
-        add_differences(self.evaluate, samples, into, scale)
+        """Adds the Gauss-Newton matrices of Σ_s scale_s f_j(s), scale (S,), to `into`, but for what `sides` says."""
+        if type(self).residuals is Penalty.residuals:
+            add_differences(self.evaluate, samples, into, scale)
+            return
+        for block in self.nearby(samples):
+            block.add_to(into, scale)
 
     def sides(self, samples: Samples) -> OneSided | None:
         """The part of f_j that is a sum of squares max(0, d)²: those that count or soon may. None: it has none ever."""
-        return None
+        if type(self).residuals is Penalty.residuals:
+            return None
+        found = [block.sides(samples) for block in self.nearby(samples) if isinstance(block, Block) and block.one_sided]
+        return OneSided.joined(found) if found else None
 
 
 class Momentary(Penalty):

@@ -5,19 +5,19 @@ Keyframes by position that are left to the search; beyond the paper, whose keyfr
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
 from ...array import Array, Index
-from ...figure.adjoint import Cotangent
-from ...figure.algebra import applied, dot
+from ...figure.algebra import applied
 from ...figure.kinematics import Samples
+from ...figure.wrenches import of_point
 from ...surface.points import Point
-from ..curvature import Curvature
+from ..block import Block
 from ..penalty import Momentary, Scale
-from .contact import point_gradients
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,26 +52,14 @@ class Placement(Momentary):
         which, at = self.pairs(samples)
         return which, self._seen(samples, which, at)[2]
 
-    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
-        which, at = self.pairs(samples)
-        if not which.size:
-            return np.zeros(samples.count)
-        flat, offset, away = self._seen(samples, which, at)
-        if into is not None:
-            into.add_forces(flat, offset, (2 * scale + np.zeros(samples.count))[at] * away)
-        return np.bincount(at, dot(away, away), samples.count).astype(float)
-
-    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+    def residuals(self, samples: Samples) -> Iterator[Block]:
         which, at = self.pairs(samples)
         if not which.size:
             return
-        links, _, _, given = self._arrays
-        _, offset, _ = self._seen(samples, which, at)
-        for axis, direction in zip(given, np.eye(3), strict=True):
-            some = np.flatnonzero(axis[which])
-            ways = np.repeat(direction[:, None], some.size, axis=1)
-            rows = point_gradients(samples, at[some], links[which[some]], offset[:, some], ways)
-            into.add_rows(at[some], scale[at[some]], rows[:, None], (0,))
+        flat, offset, away = self._seen(samples, which, at)
+        axis, some = np.nonzero(self._arrays[3][:, which])
+        at, link, arm = at[some], flat[some] // samples.count, offset[:, some]
+        yield Block(at, away[axis, some], (of_point(at, link, arm, np.eye(3)[:, axis]),))
 
     def _seen(self, samples: Samples, which: Index, at: Index) -> tuple[Index, Array, Array]:
         """link · S + sample (p,), the points' arms and their ways from the targets (3, p), zero along free axes."""

@@ -5,7 +5,7 @@ The keyframes are the only input. This goes beyond the paper, which leaves skidd
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -13,15 +13,14 @@ import numpy as np
 
 from ...array import Array, Index
 from ...curve.frame import Timeline
-from ...figure.adjoint import Cotangent
-from ...figure.algebra import applied, dot
+from ...figure.algebra import applied
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
+from ...figure.wrenches import each_axis, of_point
 from ...surface import Surface
 from ...surface.points import Point, placed, places_of
-from ..curvature import Curvature
+from ..block import Block
 from ..penalty import Penalty, Scale
-from .contact import point_gradients
 
 NEAR_SURFACE = 0.012  # [m] by which a sole that stands may be off its surface in a keyframe
 SAME_SPOT = 0.05  # [m] that keyframes may put a standing point apart
@@ -64,39 +63,17 @@ class Planted(Penalty):
     def scale(self) -> Scale:
         return Scale(1e-4, is_violation=True, is_sharp=True)
 
-    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
-        stance, at = self._during(samples.t)
-        values = np.zeros(samples.count)
-        if not stance.size:
-            return values
-        links, positions, spots, drifts = self._arrays
-        flat = links.take(stance) * samples.count + at
-        x, rotation = samples.links.poses(flat)
-        offset = applied(rotation, positions.take(stance, axis=1))
-        first, _ = self._times
-        away = x + offset
-        away -= spots.take(stance, axis=1)
-        away -= drifts.take(stance, axis=1) * (samples.t.take(at) - first.take(stance))
-        if into is not None:
-            force = (2 * scale + np.zeros(samples.count)).take(at) * self._weights.take(stance)
-            into.add_forces(flat, offset, force * away)
-        values += np.bincount(at, self._weights.take(stance) * dot(away, away), samples.count)
-        return values
-
-    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+    def residuals(self, samples: Samples) -> Iterator[Block]:
         stance, at = self._during(samples.t)
         if not stance.size:
             return
-        order = np.argsort(at, kind="stable")
-        stance, at = stance[order], at[order]
-        links, positions, _, _ = self._arrays
-        link = links[stance]
-        offset = applied(samples.links.rotation[:, :, link, at], positions[:, stance])
-        for direction in np.eye(3):
-            ways = np.repeat(direction[:, None], at.size, axis=1)
-            into.add_rows(
-                at, scale[at] * self._weights[stance], point_gradients(samples, at, link, offset, ways)[:, None], (0,)
-            )
+        links, positions, spots, drifts = self._arrays
+        link, since = links[stance], samples.t[at] - self._times[0][stance]
+        x, rotation = samples.links.poses(link * samples.count + at)
+        arm = applied(rotation, positions[:, stance])
+        away = x + arm - spots[:, stance] - drifts[:, stance] * since
+        at, link, arm, weight = (np.tile(part, 3) for part in (at, link, arm, self._weights[stance]))
+        yield Block(at, away.ravel(), (of_point(at, link, arm, each_axis(stance.size)),), weight)
 
     def _during(self, t: Array) -> tuple[Index, Index]:
         """The pairs of a stance and a sample at times t (S,) that it holds for, (p,) each."""

@@ -6,6 +6,7 @@ the tips of shoes are, rolls: what rests of it is its lowest point, which may be
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
@@ -14,15 +15,14 @@ import numpy as np
 
 from ... import quaternion as quat
 from ...array import Array, Index, Mask
-from ...figure.adjoint import Cotangent
 from ...figure.algebra import cross, dot
 from ...figure.kinematics import Samples
+from ...figure.wrenches import each_axis, of_point, of_velocity
 from ...surface import Plane, Surface
 from ...surface.heights import height_over
 from ...surface.points import Point, arrays_of
-from ..curvature import Curvature
+from ..block import Block
 from ..penalty import Penalty, Scale
-from .contact import add_by_velocity, point_gradients, velocity_gradients
 
 UP = np.array([0.0, 0, 1])  # of level ground
 SETTLING = 0.05  # [s]: a speed counts like the way it makes in so long
@@ -80,49 +80,12 @@ class Resting(Penalty):
     def scale(self) -> Scale:
         return Scale(1e-4, is_violation=True, is_sharp=True)
 
-    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+    def residuals(self, samples: Samples) -> Iterator[Block]:
         seen = self._seen(samples)
-        own = SETTLING**2 * dot(seen.velocity, seen.velocity) + seen.height**2
-        values: Array = np.bincount(seen.at, own, samples.count).astype(float)
-        if into is None or not seen.at.size:
-            return values
-        weight = 2 * (scale + np.zeros(samples.count))[seen.at]
-        by_velocity = SETTLING**2 * weight * seen.velocity
-        same = self._same[seen.which]
-        for first in np.unique(same):
-            some = np.flatnonzero(same == first)
-            self._add_by_velocity(into, seen, some, by_velocity[:, some])
-        into.add_forces(seen.link * samples.count + seen.at, seen.offset, weight * seen.height * seen.up)
-        return values
-
-    @staticmethod
-    def _add_by_velocity(into: Cotangent, seen: _Seen, some: Index, gradient: Array) -> None:
-        """Adds gradients (3, p) with respect to velocities, of some pairs that are of one point."""
-        link, (at, place) = int(seen.link[some[0]]), np.unique(seen.at[some], return_inverse=True)
-        total, turning, arm = np.zeros((3, at.size, 3))
-        np.add.at(total, place, gradient.T)
-        np.add.at(turning, place, cross(seen.foot[:, some] - seen.offset[:, some], gradient).T)
-        arm[place] = seen.offset[:, some].T
-        add_by_velocity(into, link, at, arm.T, total.T)
-        if turning.any():
-            into.buffer("omega")[:, link, at] += turning.T
-
-    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
-        seen = self._seen(samples)
-        if not seen.at.size:
-            return
-        rows = point_gradients(samples, seen.at, seen.link, seen.offset, seen.up)
-        into.add_rows(seen.at, scale[seen.at], rows[:, None], (0,))
-        at, link, foot = np.repeat(seen.at, 3), np.repeat(seen.link, 3), np.repeat(seen.foot, 3, axis=1)
-        rows = velocity_gradients(samples, at, link, foot, np.tile(np.eye(3), seen.at.size))
-        into.add_rows(at, SETTLING**2 * scale[at], rows, (0, 1))
-
-    @cached_property
-    def _same(self) -> Index:
-        """(n,) the first rest of the same point, of every rest."""
-        known: dict[tuple[int, bytes], int] = {}
-        keys = [(rest.point.link, rest.point.position.tobytes()) for rest in self.rests]
-        return np.array([known.setdefault(key, i) for i, key in enumerate(keys)], np.intp)
+        yield Block(seen.at, seen.height, (of_point(seen.at, seen.link, seen.offset, seen.up),))
+        at, link, foot, offset = (np.tile(part, 3) for part in (seen.at, seen.link, seen.foot, seen.offset))
+        moved = of_velocity(samples, at, link, foot, each_axis(seen.at.size), turning=offset)
+        yield Block(at, seen.velocity.ravel(), (moved,), SETTLING**2)
 
     @cached_property
     def _grounds(self) -> tuple[Mask, Array, Array]:

@@ -6,6 +6,7 @@ its rotation counts like one of place, or one if its `torquescale` is nought.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -14,13 +15,11 @@ import numpy as np
 
 from ... import quaternion as quat
 from ...array import Array, Index
-from ...figure.adjoint import Cotangent
-from ...figure.algebra import applied, dot
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
+from ...figure.wrenches import each_axis, of_point
 from ...surface.points import Point
-from ..curvature import Curvature
-from ..ground.contact import point_gradients
+from ..block import Block
 from ..penalty import Penalty, Scale
 
 TORQUE_SCALE = 10  # of a weld's numbers: nought leaves rotations alone
@@ -66,26 +65,15 @@ class Closed(Penalty):
         (links, positions), (others, places) = self._sides
         return samples.links.points(links, positions)[0] - samples.links.points(others, places)[0]
 
-    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
-        apart = self.apart(samples)
-        if into is not None:
-            here = np.arange(samples.count)
-            for (links, positions), sign in zip(self._sides, (2.0, -2.0), strict=True):
-                _, arms = samples.links.points(links, positions)
-                flat = (links[:, None] * samples.count + here).ravel()
-                into.add_forces(flat, arms.reshape(3, -1), (sign * scale * apart).reshape(3, -1))
-        return dot(apart, apart).sum(axis=0)
-
-    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
-        at = np.repeat(np.arange(samples.count), len(self.closures))
-        for direction in np.eye(3):
-            ways = np.repeat(direction[:, None], at.size, axis=1)
-            rows = np.zeros((at.size, samples.y.shape[1]))
-            for (links, positions), sign in zip(self._sides, (1.0, -1.0), strict=True):
-                link, place = np.tile(links, samples.count), np.tile(positions, samples.count)
-                offset = applied(samples.links.rotation[:, :, link, at], place)
-                rows += sign * point_gradients(samples, at, link, offset, ways)
-            into.add_rows(at, scale[at], rows[:, None], (0,))
+    def residuals(self, samples: Samples) -> Iterator[Block]:
+        count, places, changes = len(self.closures), [], []
+        at = np.tile(np.arange(samples.count), 3 * count)
+        for (links, positions), sign in zip(self._sides, (1.0, -1.0), strict=True):
+            place, arms = samples.links.points(links, positions)
+            places.append(place)
+            link, arm = np.tile(np.repeat(links, samples.count), 3), np.tile(arms.reshape(3, -1), 3)
+            changes.append(of_point(at, link, arm, sign * each_axis(count * samples.count)))
+        yield Block(at, (places[0] - places[1]).ravel(), tuple(changes))
 
 
 def closures(figure: Figure) -> tuple[Closure, ...]:

@@ -6,7 +6,7 @@ A coupling of degree one that all frames of a spline keep holds everywhere betwe
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -15,10 +15,9 @@ import numpy as np
 from numpy.polynomial.polynomial import polyder, polyval
 
 from ...array import Array, Index
-from ...figure.adjoint import Cotangent
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
-from ..curvature import Curvature
+from ..block import Block, Entries
 from ..penalty import Penalty, Scale
 
 
@@ -75,25 +74,12 @@ class Coupled(Penalty):
         slope = np.array([c.slope(q) for c, q in zip(self.couplings, driven, strict=True)])
         return samples.columns(followers) - wanted, slope
 
-    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
-        away, slope = self.away(samples)
-        if into is not None:
-            followers, drivers = self._columns
-            pull = 2 * scale * away
-            np.add.at(into.buffer("y").T, followers, pull)
-            np.add.at(into.buffer("y").T, drivers, -slope * pull)
-        return np.einsum("ns,ns->s", away, away)
-
-    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+    def residuals(self, samples: Samples) -> Iterator[Block]:
         followers, drivers = self._columns
-        _, slope = self.away(samples)
-        count, here = len(self.couplings), np.arange(samples.count)
-        rows = np.zeros((samples.count, count, samples.y.shape[1]))
-        for k in range(count):
-            rows[here, k, followers[k]] += 1
-            rows[here, k, drivers[k]] -= slope[k]
-        at = np.repeat(here, count)
-        into.add_rows(at, scale[at], rows.reshape(at.size, 1, -1), (0,))
+        away, slope = self.away(samples)
+        at = np.tile(np.arange(samples.count), len(self.couplings))
+        own, other = (np.repeat(columns, samples.count) for columns in (followers, drivers))
+        yield Block(at, away.ravel(), (Entries(at, 0, own), Entries(at, 0, other, -slope.ravel())))
 
 
 def couplings(figure: Figure) -> tuple[Coupling, ...]:

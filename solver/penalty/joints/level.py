@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from ... import quaternion as quat
 from ...array import Array, Index
-from ...figure.adjoint import Cotangent
+from ...figure.algebra import cross
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
-from ..penalty import Scale
-from ..squares import SumOfSquares
+from ...figure.wrenches import each_axis, of_turn
+from ..block import Block
+from ..penalty import Penalty, Scale
 
 
 @dataclass(frozen=True, eq=False)
-class Level(SumOfSquares):
+class Level(Penalty):
     """Σ over bodies of |R axis − z|², nearly the squared angle [rad²] of an axis to the vertical.
 
     links  (B,) that the bodies are on;  axes  (3, B) unit vectors in the links' axes
@@ -45,16 +46,10 @@ class Level(SumOfSquares):
     def scale(self) -> Scale:
         return Scale(float(np.radians(10) ** 2), is_violation=True)
 
-    def residuals(self, samples: Samples) -> Array:
-        away = self._turned(samples) - np.array([0.0, 0, 1])[:, None, None]
-        return away.reshape(-1, samples.count)
-
-    def pull_back(self, samples: Samples, into: Cotangent, bar: Array) -> None:
-        turn = np.cross(self._turned(samples), bar.reshape(3, self.links.size, -1), axis=0)
-        buffer = into.buffer("turn")
-        for k, link in enumerate(self.links.tolist()):
-            buffer[:, link] += turn[:, k]
-
-    def _turned(self, samples: Samples) -> Array:
-        """(3, B, S)"""
-        return np.einsum("ijbs,jb->ibs", samples.links.rotation[:, :, self.links], self.axes)
+    def residuals(self, samples: Samples) -> Iterator[Block]:
+        axes = np.einsum("ijbs,jb->ibs", samples.links.rotation[:, :, self.links], self.axes)
+        away = axes - np.array([0.0, 0, 1])[:, None, None]
+        bodies, count = self.links.size, samples.count
+        at, link = np.tile(np.arange(count), 3 * bodies), np.tile(np.repeat(self.links, count), 3)
+        turned = of_turn(at, link, cross(np.tile(axes.reshape(3, -1), 3), each_axis(bodies * count)))
+        yield Block(at, away.ravel(), (turned,))

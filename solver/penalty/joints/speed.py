@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
 from ...array import Array, Index
-from ...figure.adjoint import Cotangent
-from ...figure.algebra import add_at
 from ...figure.figure import Figure, JointKind
 from ...figure.kinematics import Samples
-from ..curvature import Curvature, jacobian
+from ...figure.wrenches import Wrenches
+from ..block import Block
 from ..penalty import Penalty, Scale
 
 STILL = 1e-12  # [rad/s] a turn that has no axis
@@ -42,22 +42,15 @@ class Speed(Penalty):
     def scale(self) -> Scale:
         return Scale(1.0, is_violation=True, time_power=2, is_sharp=True)
 
-    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
-        way, beyond = self._beyond(samples)
-        if into is not None:
-            self._pull_back(samples, into, 2 * scale * beyond * way)
-        return np.einsum("js,js->s", beyond, beyond)
-
-    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
-        way, beyond = self._beyond(samples)
-        at, joint = np.nonzero(beyond.T)
-
-        def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
-            bar = np.zeros((3, self.links.size, copies.count))
-            bar[:, joint[rows], np.arange(rows.size)] = way[:, joint[rows], at[rows]]
-            self._pull_back(copies, cotangent, bar)
-
-        into.add_rows(at, scale[at], jacobian(samples, at, seeded)[:, :2], (0, 1))
+    def residuals(self, samples: Samples) -> Iterator[Block]:
+        relative = self._relative(samples)
+        size = np.linalg.norm(relative, axis=0)
+        at, joint = np.nonzero((size > self.limits[:, None]).T)
+        fast, link = size[joint, at], self.links[joint]
+        axis = relative[:, joint, at] / np.maximum(fast, STILL)
+        parent = samples.figure.tables.parents[link]
+        changes = Wrenches(at, link, torque_d=axis), Wrenches(at, parent, torque_d=-axis)
+        yield Block(at, fast - self.limits[joint], changes)
 
     def speeds(self, samples: Samples) -> Array:
         """(J, S) [rad/s] how fast the joints turn."""
@@ -67,14 +60,3 @@ class Speed(Penalty):
         """(3, J, S)"""
         omega, parents = samples.links.omega, samples.figure.tables.parents
         return omega[:, self.links] - omega[:, parents[self.links]]
-
-    def _beyond(self, samples: Samples) -> tuple[Array, Array]:
-        """Unit vectors (3, J, S) along which joints turn, and how much too fast (J, S) [rad/s]."""
-        relative = self._relative(samples)
-        size = np.linalg.norm(relative, axis=0)
-        return relative / np.maximum(size, STILL), np.maximum(size - self.limits[:, None], 0.0)
-
-    def _pull_back(self, samples: Samples, into: Cotangent, bar: Array) -> None:
-        buffer = into.buffer("omega")
-        add_at(buffer, self.links, bar)
-        add_at(buffer, samples.figure.tables.parents[self.links], -bar)

@@ -6,7 +6,7 @@ Beyond the paper.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -14,12 +14,11 @@ import numpy as np
 
 from ...array import Array, Index
 from ...curve.frame import Timeline
-from ...figure.adjoint import Cotangent
-from ...figure.algebra import applied, dot
+from ...figure.algebra import applied, cross
 from ...figure.figure import Figure, JointKind, quaternion_columns
 from ...figure.kinematics import Samples
-from ..curvature import Curvature
-from ..ground.contact import point_gradients
+from ...figure.wrenches import each_axis, of_turn
+from ..block import Block
 from ..penalty import Momentary, Scale
 
 
@@ -51,36 +50,15 @@ class Upright(Momentary):
     def times(self) -> Array:
         return self._times
 
-    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
-        which, at = self.pairs(samples)
-        if not which.size:
-            return np.zeros(samples.count)
-        flat, offset, away = self._seen(samples, which, at)
-        if into is not None:
-            force = (2 * scale + np.zeros(samples.count))[at] * away
-            into.add_forces(flat, offset, force)
-            into.add_forces(flat, 0 * offset, -force)  # the axis alone counts, wherever its link is
-        return np.bincount(at, dot(away, away), samples.count).astype(float)
-
-    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+    def residuals(self, samples: Samples) -> Iterator[Block]:
         which, at = self.pairs(samples)
         if not which.size:
             return
-        links = self._arrays[0][which]
-        _, offset, _ = self._seen(samples, which, at)
-        for direction in np.eye(3):
-            ways = np.repeat(direction[:, None], at.size, axis=1)
-            rows = point_gradients(samples, at, links, offset, ways) - point_gradients(
-                samples, at, links, 0 * offset, ways
-            )
-            into.add_rows(at, scale[at], rows[:, None], (0,))
-
-    def _seen(self, samples: Samples, which: Index, at: Index) -> tuple[Index, Array, Array]:
-        """link · S + sample (p,), the axes as they are turned and what they are away from their ways, (3, p)."""
         links, axes, ways = self._arrays
-        flat = links[which] * samples.count + at
-        turned = applied(samples.links.poses(flat)[1], axes[:, which])
-        return flat, turned, turned - ways[:, which]
+        turned = applied(samples.links.rotation[:, :, links[which], at], axes[:, which])
+        at, link, axis = (np.tile(part, 3) for part in (at, links[which], turned))
+        changes = of_turn(at, link, cross(axis, each_axis(which.size)))
+        yield Block(at, (turned - ways[:, which]).ravel(), (changes,))
 
     @cached_property
     def _times(self) -> Array:

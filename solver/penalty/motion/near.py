@@ -13,12 +13,11 @@ from ...array import Array, Index
 from ...curve.frame import Frame, Timeline
 from ...curve.quadrature import gauss_nodes
 from ...curve.spline import natural_spline
-from ...figure.adjoint import OF_THE_STATE, Cotangent
 from ...figure.figure import Figure, JointKind, quaternion_columns
 from ...figure.kinematics import Samples
+from ...figure.wrenches import each_axis, of_point
 from ...reading.recorded import Recorded
-from ..curvature import Curvature
-from ..ground.contact import point_gradients
+from ..block import Block, every
 from ..penalty import Guide, Scale
 
 AWAY, FOR = 0.03, 0.3  # [m], [s]: how far a limb's end may be off by one joint, for so long, as what counts one
@@ -64,30 +63,17 @@ class Near(Guide):
     def scale(self) -> Scale:
         return Scale(1.0, is_violation=True)
 
-    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+    def residuals(self, samples: Samples) -> Iterator[Block]:
         off, weights = self._off(samples)
-        if into is not None:
-            for (name, _, _), part, weight in zip(OF_THE_STATE, off, weights, strict=True):
-                into.absorb(name, (2 * np.reshape(scale, (-1, 1))) * weight * part)
-        values = np.einsum("ksn,ksn->s", weights * off, off)
-        for link, offset, away, weight in self._ends_off(samples):
-            values += weight * np.sum(away**2, axis=0)
-            if into is not None:
-                at = link * samples.count + np.arange(samples.count)
-                into.add_forces(at, offset, 2 * scale * weight * away)
-        return values
-
-    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
-        _, weights = self._off(samples)
-        for columns in self.recorded.groups:
-            for order in range(3):
-                into.add_squares(columns, order, scale * weights[order][:, columns[0]])
-        at = np.arange(samples.count)
-        for link, offset, _, weight in self._ends_off(samples):
-            for direction in np.eye(3):
-                ways = np.repeat(direction[:, None], at.size, axis=1)
-                rows = point_gradients(samples, at, np.full(at.size, link), offset, ways)
-                into.add_rows(at, scale * weight, rows[:, None], (0,))
+        columns = np.arange(samples.y.shape[1])
+        for order in range(3):
+            yield every(samples, columns, order, off[order], weights[order])
+        links, positions = self.ends
+        places, arms = samples.links.points(links, positions)
+        target = self._at(samples.t)
+        at, link = np.tile(np.arange(samples.count), 3 * links.size), np.tile(np.repeat(links, samples.count), 3)
+        moved = of_point(at, link, np.tile(arms.reshape(3, -1), 3), each_axis(links.size * samples.count))
+        yield Block(at, (places - target.ends).ravel(), (moved,), target.end_weight[at])
 
     def led(self, timeline: Timeline, most: int | None) -> Timeline:
         """What was recorded where variable frames are."""
@@ -136,14 +122,6 @@ class Near(Guide):
         tables = self.recorded.figure.tables
         ends = np.flatnonzero(tables.children == 0)
         return ends, tables.centre[:, ends]
-
-    def _ends_off(self, samples: Samples) -> Iterator[tuple[int, Array, Array, Array]]:
-        """Of every limb's end its link, the offset to it (3, S), how far it is off (3, S), what that weighs (S,)."""
-        links, positions = self.ends
-        places, arms = samples.links.points(links, positions)
-        target = self._at(samples.t)
-        for i, link in enumerate(links.tolist()):
-            yield link, arms[:, i], places[:, i] - target.ends[:, i], target.end_weight
 
     @cached_property
     def _pose(self) -> Array:

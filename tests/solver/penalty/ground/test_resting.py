@@ -3,6 +3,7 @@
 import mujoco
 import numpy as np
 import pytest
+from block_rows import assert_rows_of
 from penalty_slope import penalty_slope
 from random_samples import at_times, random_samples
 
@@ -12,8 +13,6 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import CovariantAcceleration, Rest, Resting, RootAcceleration, UnitMagnitude
-from dynsplines.solver.penalty.curvature import Curvature
-from dynsplines.solver.penalty.ground.contact import point_gradients, velocity_gradients
 from dynsplines.solver.penalty.ground.resting import SETTLING, Rolling
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface import Plane
@@ -56,25 +55,9 @@ def test_the_gradient_has_taylor_slope_two(figure, rng):
     assert penalty_slope(resting, samples, rng) > 1.95
 
 
-def test_its_curvature_is_that_of_height_and_velocity(figure, rng):
+def test_height_and_velocity_change_as_their_rows_say(figure, rng):
     samples, resting = case(figure, rng)
-    curvature, phi, scale = Curvature(samples), rng.normal(size=(6, 3)), rng.uniform(1, 2, 6)
-    resting.curvature(samples, curvature, scale)
-    expected = 0
-    for rest in resting.rests:
-        at = np.flatnonzero((samples.t >= rest.first) & (samples.t <= rest.last))
-        link = np.full(at.size, rest.point.link)
-        offset = np.einsum("ijs,j->is", samples.links.rotation[:, :, rest.point.link, at], rest.point.position)
-        ways = [np.repeat(direction[:, None], at.size, axis=1) for direction in np.eye(3)]
-        up = np.repeat((UP if rest.ground is None else TILT)[:, None], at.size, axis=1)
-        lowest = offset - rest.rolls * rest.point.radius * up
-        moved = [phi[at, :1] * point_gradients(samples, at, link, offset, up)]
-        for direction in ways:
-            rows = velocity_gradients(samples, at, link, lowest, direction)
-            moved.append(SETTLING * np.einsum("po,pon->pn", phi[at, :2], rows))
-        for part in moved:
-            expected = expected + 2 * np.einsum("p,pm,pn->mn", scale[at], part, part)
-    np.testing.assert_allclose(curvature.quadratic(phi, 0, 6), expected, rtol=1e-9, atol=1e-9)
+    assert_rows_of(resting, samples, rng)
 
 
 def test_a_foot_rests_where_nobody_said_that_it_should():

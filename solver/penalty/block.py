@@ -1,0 +1,220 @@
+"""Residual blocks: what soft constraints are made of. Value, gradient and curvature of all follow here, once.
+
+    f = Σ weight r², or Σ weight max(0, r)² of residuals that count on one side only
+
+A residual r says by what it changes: as links move, by wrenches (see `figure.wrenches`); with single entries of y, y'
+or y''; or, where it is neither, by rows that it makes itself.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from ..array import Array, Index
+from ..figure.adjoint import OF_THE_STATE, Cotangent
+from ..figure.kinematics import Samples
+from ..figure.wrenches import Wrenches
+from .curvature import Curvature
+from .one_sided import OneSided, Rows
+
+FREEDOMS = 6  # of a link's motion
+MANY = 2  # times as many residuals of a link as freedoms, and their rows are kept as combinations of those
+
+
+@dataclass(frozen=True, eq=False)
+class Entries:
+    """Residuals that change with one entry each of y, y' or y'' (order 0, 1, 2): at samples (P,), by slope (P,)."""
+
+    at: Index
+    order: int
+    column: Index
+    slope: Array | float = 1.0
+
+    def taken(self, some: Index) -> Entries:
+        """Some of them."""
+        slope = self.slope if isinstance(self.slope, float) else self.slope[some]
+        return replace(self, at=self.at[some], column=self.column[some], slope=slope)
+
+    @property
+    def orders(self) -> int:
+        """How many of y, y', y'' the rows depend on."""
+        return self.order + 1
+
+    def rows(self, samples: Samples) -> Array:
+        """(P, order + 1, N) gradients."""
+        out = np.zeros((self.at.size, self.order + 1, samples.y.shape[1]))
+        out[np.arange(self.at.size), self.order, self.column] = self.slope
+        return out
+
+    def pull_back(self, into: Cotangent, bar: Array) -> None:
+        """Adds the gradient of Σ bar r, bar (P,)."""
+        buffer = into.buffer(OF_THE_STATE[self.order][0])
+        flat = self.at * buffer.shape[1] + self.column
+        buffer += np.bincount(flat, bar * self.slope, buffer.size).reshape(buffer.shape)
+
+
+Change = Wrenches | Entries
+
+
+@dataclass(frozen=True, eq=False)
+class Block:
+    """P residuals at samples `at` (P,).
+
+    value, weight  (P,)
+    changes        by which they change, which add up: a wrench or an entry for every residual, in the same order
+    one_sided      whether they count where they are positive only
+    of             (Q,) where several wrenches make one residual: the residual that each belongs to
+    """
+
+    at: Index
+    value: Array
+    changes: tuple[Change, ...]
+    weight: Array | float = 1.0
+    one_sided: bool = False
+    of: Index | None = None
+
+    @cached_property
+    def counted(self) -> Array:
+        """(P,) the residuals, zero where they do not count."""
+        return np.maximum(self.value, 0) if self.one_sided else self.value
+
+    def values(self, count: int) -> Array:
+        """f at every one of so many samples, (S,)."""
+        return np.bincount(self.at, self.weight * self.counted * self.counted, count).astype(float)
+
+    def pull_back(self, into: Cotangent, scale: Array) -> None:
+        """Adds the gradient of Σ_s scale_s f(s), scale (S,)."""
+        bar = 2 * scale[self.at] * self.weight * self.counted
+        bar = bar if self.of is None else bar[self.of]
+        some = np.flatnonzero(bar)
+        if not some.size:
+            return
+        for change in self.changes:
+            part = change if some.size == bar.size else change.taken(some)
+            if isinstance(part, Wrenches):
+                into.add_wrenches(part.scaled(bar[some]))
+            else:
+                part.pull_back(into, bar[some])
+
+    def add_to(self, curvature: Curvature, scale: Array) -> None:
+        """Adds the Gauss-Newton matrices of Σ_s scale_s f(s), those of one-sided residuals left out."""
+        if self.one_sided or not self.at.size:
+            return
+        factor = scale[self.at] * self.weight
+        only = self.changes[0]
+        if isinstance(only, Entries) and len(self.changes) == 1:
+            curvature.add_diagonal(only.at, only.column, only.order, factor * only.slope**2)
+            return
+        rows, at, order = self.rows(curvature.samples), self.at, _rising(self.at)
+        if order is not None:
+            rows, at, factor = rows[order], at[order], factor[order]
+        curvature.add_rows(at, factor, rows, tuple(range(rows.shape[1])))
+
+    def rows(self, samples: Samples) -> Array:
+        """(P, 1 to 3, N): the residuals' gradients with respect to y, and to y' and y'' as far as they matter."""
+        total = np.zeros((self.at.size, max(change.orders for change in self.changes), samples.y.shape[1]))
+        for change in self.changes:
+            rows = change.rows(samples)
+            if self.of is None:
+                total[:, : rows.shape[1]] += rows
+            else:
+                np.add.at(total[:, : rows.shape[1]], self.of, rows)
+        return total
+
+    def sides(self, samples: Samples) -> OneSided:
+        """As a model of E keeps them, whose weights are one: rows by y alone."""
+        root = np.sqrt(self.weight)
+        block = self if np.all(root == 1) else replace(self, value=root * self.value, changes=self._scaled(root))
+        return OneSided(block.at, block.value, (block._side_rows(samples),))
+
+    def _scaled(self, factor: Array | float) -> tuple[Change, ...]:
+        factor = (factor + np.zeros(self.at.size))[slice(None) if self.of is None else self.of]
+        return tuple(
+            change.scaled(factor) if isinstance(change, Wrenches) else replace(change, slope=change.slope * factor)
+            for change in self.changes
+        )
+
+    def _side_rows(self, samples: Samples) -> Rows:
+        """The gradients by y, as combinations of the links' own where many residuals are of the same links."""
+        motions = self._motions(samples.count)
+        if motions is None:
+            return Rows.plain(self.at, self.rows(samples)[:, 0])
+        first, of = motions
+        shares, bases = [], []
+        for change in self.changes:
+            assert isinstance(change, Wrenches)
+            none = np.zeros((3, self.at.size))
+            vectors = (none if part is None else part for part in (change.force, change.torque))
+            shares.append(np.concatenate([*vectors]).T)
+            bases.append(_unit_rows(samples, change.at[first], change.link[first]))
+        return Rows(of, np.concatenate(shares, axis=1), self.at[first], np.concatenate(bases, axis=1))
+
+    def _motions(self, count: int) -> tuple[Index, Index] | None:
+        """Of residuals of the same links and sample the first (M,), and which every one is alike (P,); None if they are
+        too few."""
+        kinds = [change for change in self.changes if isinstance(change, Wrenches)]
+        if len(kinds) < len(self.changes) or self.of is not None or self.at.size <= MANY * FREEDOMS:
+            return None
+        most = max((int(change.link.max()) for change in kinds), default=0) + 1
+        key = self.at.astype(np.int64)
+        for change in kinds:
+            key = key * most + change.link
+        _, first, of = np.unique(key, return_index=True, return_inverse=True)
+        return (first, of) if self.at.size > MANY * FREEDOMS * len(kinds) * first.size else None
+
+
+@dataclass(frozen=True, eq=False)
+class Dense:
+    """Residuals that are no wrenches on links: R of them at every sample, (R, S); f is the sum of their squares.
+
+    pulled_back  pulled_back(cotangent, bar) adds the gradient of Σ bar r, bar (R, S)
+    curved       curved(curvature, scale) adds the Gauss-Newton matrices of Σ_s scale_s f(s), scale (S,)
+    """
+
+    value: Array
+    pulled_back: Callable[[Cotangent, Array], None]
+    curved: Callable[[Curvature, Array], None]
+    one_sided = False
+
+    def values(self, count: int) -> Array:
+        """f at every sample, (S,)."""
+        return np.einsum("rs,rs->s", self.value, self.value)
+
+    def pull_back(self, into: Cotangent, scale: Array) -> None:
+        """Adds the gradient of Σ_s scale_s f(s)."""
+        self.pulled_back(into, 2 * scale * self.value)
+
+    def add_to(self, curvature: Curvature, scale: Array) -> None:
+        """Adds the Gauss-Newton matrices of Σ_s scale_s f(s)."""
+        self.curved(curvature, scale)
+
+
+def every(
+    samples: Samples, columns: Index, order: int, value: Array | None = None, weight: Array | float = 1.0
+) -> Block:
+    """Entries of y, y' or y'' in some columns (C,) at every sample, or value (S, C) that grows as they do; weights
+    (S, C)."""
+    value = (samples.y, samples.y_d, samples.y_dd)[order][:, columns] if value is None else value
+    at = np.repeat(np.arange(samples.count), columns.size)
+    weight = weight if isinstance(weight, float) else np.ravel(weight)
+    return Block(at, value.ravel(), (Entries(at, order, np.tile(columns, samples.count)),), weight)
+
+
+def _unit_rows(samples: Samples, at: Index, link: Index) -> Array:
+    """(M, 6, N): how links' origins move along the world's axes, and how links turn about them."""
+    count = at.size
+    units = np.zeros((2, 3, FREEDOMS, count))
+    for k in range(3):
+        units[0, k, k], units[1, k, 3 + k] = 1, 1
+    force, torque = units.reshape(2, 3, -1)
+    rows = Wrenches(np.tile(at, FREEDOMS), np.tile(link, FREEDOMS), force, torque).rows(samples)[:, 0]
+    return rows.reshape(FREEDOMS, count, -1).swapaxes(0, 1)
+
+
+def _rising(at: Index) -> Index | None:
+    """The order in which samples rise, None if they do."""
+    return np.argsort(at, kind="stable") if np.any(at[1:] < at[:-1]) else None
