@@ -8,7 +8,7 @@ or y''; or, where it is neither, by rows that it makes itself.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -76,6 +76,16 @@ class Block:
     weight: Array | float = 1.0
     one_sided: bool = False
     of: Index | None = None
+
+    @classmethod
+    def joined(cls, parts: Sequence[Block]) -> Block:
+        """One-sided residuals by wrenches, one wrench each, some after others; none if there are no parts."""
+        none = np.zeros(0, np.intp)
+        if not parts:
+            return cls(none, np.zeros(0), (Wrenches(none, none, np.zeros((3, 0))),), one_sided=True)
+        at, value = (np.concatenate([getattr(part, name) for part in parts]) for name in ("at", "value"))
+        changes = zip(*(part.changes for part in parts), strict=True)
+        return cls(at, value, tuple(Wrenches.joined(own) for own in changes), one_sided=True)
 
     @cached_property
     def counted(self) -> Array:
@@ -172,25 +182,23 @@ class Dense:
     """Residuals that are no wrenches on links: R of them at every sample, (R, S); f is the sum of their squares.
 
     pulled_back  pulled_back(cotangent, bar) adds the gradient of Σ bar r, bar (R, S)
-    curved       curved(curvature, scale) adds the Gauss-Newton matrices of Σ_s scale_s f(s), scale (S,)
+    curved       curved(curvature, scale) adds the Gauss-Newton matrices of Σ_s scale_s f(s), scale (S,); without it
+                 they take a sweep of the kinematics for every residual
+    more         (S,) what f has beside the squares, with the gradient that theirs have
     """
 
     value: Array
     pulled_back: Callable[[Cotangent, Array], None]
-    curved: Callable[[Curvature, Array], None]
-    one_sided = False
+    curved: Callable[[Curvature, Array], None] | None = None
+    more: Array | float = 0.0
 
     def values(self, count: int) -> Array:
         """f at every sample, (S,)."""
-        return np.einsum("rs,rs->s", self.value, self.value)
+        return np.einsum("rs,rs->s", self.value, self.value) + self.more
 
     def pull_back(self, into: Cotangent, scale: Array) -> None:
         """Adds the gradient of Σ_s scale_s f(s)."""
         self.pulled_back(into, 2 * scale * self.value)
-
-    def add_to(self, curvature: Curvature, scale: Array) -> None:
-        """Adds the Gauss-Newton matrices of Σ_s scale_s f(s)."""
-        self.curved(curvature, scale)
 
 
 def every(

@@ -17,7 +17,7 @@ from ..curve.frame import Timeline
 from ..figure.adjoint import Cotangent
 from ..figure.kinematics import Samples
 from .block import Block, Dense
-from .curvature import Curvature, add_differences
+from .curvature import Curvature, add_differences, jacobian
 from .one_sided import OneSided
 
 
@@ -78,8 +78,26 @@ class Penalty(ABC):
         if type(self).residuals is Penalty.residuals:
             add_differences(self.evaluate, samples, into, scale)
             return
-        for block in self.nearby(samples):
-            block.add_to(into, scale)
+        for k, block in enumerate(self.nearby(samples)):
+            if isinstance(block, Block):
+                block.add_to(into, scale)
+            elif block.curved is not None:
+                block.curved(into, scale)
+            else:
+                self._add_by_sweeps(k, len(block.value), samples, into, scale)
+
+    def _add_by_sweeps(self, k: int, residuals: int, samples: Samples, into: Curvature, scale: Array) -> None:
+        """The curvature of block k, which has so many residuals at every sample, by a sweep of the kinematics each."""
+        at, which = np.repeat(np.arange(samples.count), residuals), np.tile(np.arange(residuals), samples.count)
+
+        def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
+            block = list(self.nearby(copies))[k]
+            assert isinstance(block, Dense)
+            bar = np.zeros((residuals, copies.count))
+            bar[which[rows], np.arange(rows.size)] = 1.0
+            block.pulled_back(cotangent, bar)
+
+        into.add_rows(at, scale[at], jacobian(samples, at, seeded))
 
     def sides(self, samples: Samples) -> OneSided | None:
         """The part of f_j that is a sum of squares max(0, d)²: those that count or soon may. None: it has none ever."""

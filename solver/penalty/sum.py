@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
-import numpy as np
-
-from ..array import Array
-from ..figure.adjoint import Cotangent
 from ..figure.kinematics import Samples
-from .curvature import Curvature
-from .one_sided import OneSided
+from .block import Block, Dense
 from .penalty import Penalty, Scale
 
 
@@ -29,13 +25,10 @@ class Sum(Penalty):
     def scale(self) -> Scale:
         return self.parts[0].scale
 
-    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
-        return np.add.reduce([part.evaluate(samples, into, scale) for part in self.parts])
-
-    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+    def residuals(self, samples: Samples) -> Iterator[Block | Dense]:
         for part in self.parts:
-            part.curvature(samples, into, scale)
+            yield from part.residuals(samples)
 
-    def sides(self, samples: Samples) -> OneSided | None:
-        found = [sides for part in self.parts if (sides := part.sides(samples)) is not None]
-        return OneSided.joined(found) if found else None
+    def nearby(self, samples: Samples) -> Iterator[Block | Dense]:
+        for part in self.parts:
+            yield from part.nearby(samples)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
@@ -11,24 +11,20 @@ import numpy as np
 
 from ...array import Array, Index
 from ...curve.frame import Timeline
-from ...figure.adjoint import Cotangent, attached_pulled_back
-from ...figure.algebra import applied, cross, dot
+from ...figure.algebra import applied, dot
 from ...figure.figure import Figure
-from ...figure.jacobian_rows import has_point_rows, point_rows, velocity_rows
-from ...figure.joint_rows import any_point_rows, any_velocity_rows
 from ...figure.kinematics import Samples
+from ...figure.wrenches import of_point
 from ...surface import Surface
 from ...surface.points import Point, arrays_of, placed, places_of
 from ..allowance import Allowance
-from ..curvature import Curvature
-from ..one_sided import OneSided, Rows
+from ..block import Block
 from ..penalty import Penalty, Scale
 
 NEAR = 0.03  # [m] within which a point may touch after one step of the search
-FREEDOMS = 6  # of a link's motion
-MANY = 2  # times as many points, and rows of motions are worth their combinations
 ROUNDING = 1e-9  # [s] a keyframe may be outside an interval that it is meant to begin or end
 MOST_TOGETHER = 64  # points that one sphere stands for; a limb of capsules has 10-30
+_Near = tuple[Index, Array, Array, Array]
 
 
 @dataclass(frozen=True)
@@ -144,36 +140,43 @@ class Contact(Penalty):
         away = points - samples.links.x[:, self.carrier, None]
         return np.einsum("ijs,ins->jns", samples.links.rotation[:, :, self.carrier], away)
 
-    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
-        values = np.zeros(samples.count)
+    def residuals(self, samples: Samples) -> Iterator[Block]:
+        return self._within(samples, 0.0)
+
+    def nearby(self, samples: Samples) -> Iterator[Block]:
+        return self._within(samples, NEAR)
+
+    def _within(self, samples: Samples, margin: float) -> Iterator[Block]:
+        """Points that are deep in a surface, or less than a margin [m] off it."""
         if not self.points or not self.surfaces:
-            return values
+            return
         carriers, middles, reach = self._bounds
         around = self.seen(samples, samples.links.points(carriers, middles)[0])
-        touching = [surface.near(around, reach[:, None]) for surface in self.surfaces]
+        touching = [surface.near(around, reach[:, None] + margin) for surface in self.surfaces]
         near = np.flatnonzero(np.logical_or.reduce(touching))
-        if not near.size:
-            return values
-        flat, arms, centres, radii = self._near(samples, near)
-        scale = 2 * scale + np.zeros(samples.count)
+        seen = self._near(samples, near) if near.size else None
+        parts = []
         for surface, touched in zip(self.surfaces, touching, strict=True):
-            if not touched.any():
-                continue
-            depth, gradient = surface.depth(centres, radii)
-            deep = np.flatnonzero(depth > 0)
-            if not deep.size:
-                continue
-            depth, pairs = depth.take(deep), flat.take(deep % flat.size)
-            at = pairs % samples.count
-            values += np.bincount(at, depth * depth, samples.count)
-            if into is not None:
-                force = gradient.reshape(3, -1).take(deep, axis=1)
-                force *= scale.take(at) * depth
-                force, leg = self._in_world(samples, at, force, centres.reshape(3, -1).take(deep, axis=1))
-                into.add_forces(pairs, arms.take(deep, axis=1), force)
-                if self.carrier:
-                    into.add_forces(self.carrier * samples.count + at, leg, -force)
-        return values
+            if seen is not None and touched.any():
+                parts.append(self._in(surface, samples, seen, margin))
+        yield Block.joined(parts)
+
+    def _in(self, surface: Surface, samples: Samples, seen: _Near, margin: float) -> Block:
+        flat, arms, centres, radii = seen
+        about, away = surface.depth(centres, radii + margin)
+        some = np.flatnonzero(about > 0)
+        depth, direction = about.ravel()[some], away.reshape(3, -1)[:, some]
+        if margin:  # depth of what is off the surface grows by |away| a metre, through a box's sides by more than 1
+            exact, way = surface.depth(centres[:, some], radii[some])
+            inside = exact[:, 0] > 0
+            beyond = np.minimum(depth - margin * np.sqrt(dot(direction, direction)), 0)
+            depth, direction = np.where(inside, exact[:, 0], beyond), np.where(inside, way[..., 0], direction)
+        link, at = np.divmod(flat[some % flat.size], samples.count)
+        direction, leg = self._in_world(samples, at, direction, centres[:, some, 0])
+        changes = [of_point(at, link, arms[:, some], direction)]
+        if self.carrier:
+            changes.append(of_point(at, np.full(at.size, self.carrier), leg, -direction))
+        return Block(at, depth, tuple(changes), one_sided=True)
 
     def _in_world(self, samples: Samples, at: Index, force: Array, place: Array) -> tuple[Array, Array]:
         """A vector and a place (3, P) in the carrier's axes, turned into the world's, at samples `at` (P,)."""
@@ -182,7 +185,7 @@ class Contact(Penalty):
         rotation = samples.links.rotation[:, :, self.carrier, at]
         return applied(rotation, force), applied(rotation, place)
 
-    def _near(self, samples: Samples, near: Index) -> tuple[Index, Array, Array, Array]:
+    def _near(self, samples: Samples, near: Index) -> _Near:
         """All points of k pairs of a group and a sample: link · S + sample (k,), arms (3, p k), centres (3, p k, 1) in
         the axes of the surfaces and radii (p k,).
 
@@ -203,54 +206,6 @@ class Contact(Penalty):
             radii = radii - self._allowed_by_group.of(carrier, samples.t.take(at))
         return flat, arms.reshape(3, -1), centres, radii.ravel()
 
-    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
-        """Nothing: depths count on one side only."""
-
-    def sides(self, samples: Samples) -> OneSided | None:
-        if not self.points or not self.surfaces:
-            return None
-        carriers, middles, reach = self._bounds
-        around = self.seen(samples, samples.links.points(carriers, middles)[0])
-        parts = []
-        for surface in self.surfaces:
-            near = np.flatnonzero(surface.near(around, reach[:, None] + NEAR))
-            if not near.size:
-                continue
-            flat, arms, centres, radii = self._near(samples, near)
-            about, way_about = surface.depth(centres, radii + NEAR)
-            kept = np.flatnonzero(about > 0)
-            depth, direction = surface.depth(centres[:, kept], radii[kept])
-            inside = depth[:, 0] > 0
-            # a depth grows by |direction| a metre, through a box's sides by more than 1
-            way_about = way_about[:, kept, 0]
-            beyond = about[kept, 0] - NEAR * np.sqrt(dot(way_about, way_about))
-            depth = np.where(inside, depth[:, 0], np.minimum(beyond, 0))
-            direction = np.where(inside, direction[..., 0], way_about)
-            pairs = flat[kept % flat.size]
-            at = pairs % samples.count
-            direction, leg = self._in_world(samples, at, direction, centres[:, kept, 0])
-            rows = self._rows(samples, pairs, arms[:, kept], direction, leg)
-            parts.append(OneSided(at, depth, (rows,)))
-        return OneSided.joined(parts) if parts else OneSided.none()
-
-    def _rows(self, samples: Samples, pairs: Index, arms: Array, direction: Array, leg: Array) -> Rows:
-        """The gradients of direction · p (3, P), p at arms (3, P) on the links of pairs (P,), link · S + sample, seen
-        from `leg` (3, P) on the carrier; by way of the links' motions, where these are fewer."""
-        motions, of = np.unique(pairs, return_inverse=True)
-        link, at = np.divmod(motions, samples.count)
-        if pairs.size <= MANY * FREEDOMS * motions.size:
-            link, at = link[of], at[of]
-            rows = point_gradients(samples, at, link, arms, direction)
-            if self.carrier:
-                rows -= point_gradients(samples, at, np.full(at.size, self.carrier), leg, direction)
-            return Rows.plain(at, rows)
-        basis = motion_gradients(samples, at, link, np.zeros((3, at.size)))
-        if self.carrier:
-            x = samples.links.x
-            there = x[:, link, at] - x[:, self.carrier, at]
-            basis -= motion_gradients(samples, at, np.full(at.size, self.carrier), there)
-        return Rows(of, np.concatenate([direction, cross(arms, direction)]).T, at, basis)
-
 
 def neighbours(positions: Array, some: Index) -> list[Index]:
     """Some of points (3, n) by groups of at most MOST_TOGETHER, halved across where they spread farthest."""
@@ -260,38 +215,3 @@ def neighbours(positions: Array, some: Index) -> list[Index]:
     order = some[np.argsort(positions[axis, some], kind="stable")]
     half = order.size // 2
     return [*neighbours(positions, order[:half]), *neighbours(positions, order[half:])]
-
-
-def point_gradients(samples: Samples, at: Index, link: Index, offset: Array, direction: Array) -> Array:
-    """(P, N): the gradient of direction · p for points p at an offset (3, P) on their links, at samples `at` (P,)."""
-    rows = point_rows if has_point_rows(samples.figure) else any_point_rows
-    return rows(samples, at, link, offset, direction)
-
-
-def motion_gradients(samples: Samples, at: Index, link: Index, offset: Array) -> Array:
-    """(P, 6, N): how points at an offset (3, P) on their links move, and how the links turn, about the world's axes."""
-    axes, count = np.eye(3), at.size
-    moved = [point_gradients(samples, at, link, offset, np.tile(axis[:, None], count)) for axis in axes]
-    turned = [
-        point_gradients(
-            samples, at, link, offset + axes[(i + 1) % 3][:, None], np.tile(axes[(i + 2) % 3][:, None], count)
-        )
-        - moved[(i + 2) % 3]
-        for i in range(3)
-    ]
-    return np.stack([*moved, *turned], axis=1)
-
-
-def velocity_gradients(samples: Samples, at: Index, link: Index, offset: Array, direction: Array) -> Array:
-    """(P, 2, N): the gradients of direction · v with respect to y and y', v the velocities of points as in
-    `point_gradients`."""
-    rows = velocity_rows if has_point_rows(samples.figure) else any_velocity_rows
-    return rows(samples, at, link, offset, direction)
-
-
-def add_by_velocity(into: Cotangent, link: int, at: Index, offset: Array, gradient: Array) -> None:
-    """Adds gradients (3, P) with respect to the velocities of points at `offset` (3, P) on a link, at samples `at`."""
-    gradients, arms = np.zeros((2, 3, 1, into.samples.count))
-    gradients[:, 0, at], arms[:, 0, at] = gradient, offset
-    into.buffer("x_d")[:, link] += gradients[:, 0]
-    attached_pulled_back(into, arms, (None, gradients, None), np.array([link]))

@@ -5,6 +5,7 @@ This goes beyond the paper. What is penalised is the wrench that would have to c
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,6 +17,7 @@ from ...figure.jacobian_rows import Pushes, has_moment_rows, wrench_rows
 from ...figure.joint_wrench import any_wrench_rows
 from ...figure.kinematics import Samples
 from ...figure.wrench import RootWrench, height, weight
+from ..block import Dense
 from ..curvature import Curvature
 from ..penalty import Penalty, Scale
 
@@ -51,29 +53,26 @@ class Flight(Penalty):
     def scale(self) -> Scale:
         return Scale(A_TENTH, is_violation=True, is_sharp=True)
 
-    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
-        values = np.zeros(samples.count)
+    def residuals(self, samples: Samples) -> Iterator[Dense]:
         aloft = within(self.intervals, samples.t)
-        if not aloft.any():
-            return values
-        wrench = RootWrench(samples, self.root)
-        shares = np.array([1.0, self.angular / self.length**2]) / self.unit**2
-        force, moment = wrench.force * aloft, wrench.moment * aloft
-        if into is not None:
-            wrench.pull_back(into, 2 * scale * shares[0] * force, 2 * scale * shares[1] * moment)
-        values += shares[0] * np.einsum("is,is->s", force, force)
-        values += shares[1] * np.einsum("is,is->s", moment, moment)
-        return values
-
-    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
-        at = np.flatnonzero(within(self.intervals, samples.t))
+        at = np.flatnonzero(aloft)
         if not at.size:
             return
-        rows = rows_of_wrench(samples.taken(at), self.root)
-        rows = rows * (np.repeat([1.0, np.sqrt(self.angular) / self.length], 3) / self.unit)[:, None, None]
-        rows = rows[:, : 6 if self.angular else 3]
-        each = np.repeat(at, rows.shape[1])
-        into.add_rows(each, scale[each], rows.reshape(each.size, 3, -1))
+        wrench = RootWrench(samples, self.root)
+        share = np.repeat([1.0, np.sqrt(self.angular) / self.length], 3)[: 6 if self.angular else 3] / self.unit
+        value = share[:, None] * (np.concatenate([wrench.force, wrench.moment])[: share.size] * aloft)
+
+        def pulled_back(into: Cotangent, bar: Array) -> None:
+            felt = np.zeros((6, samples.count))
+            felt[: share.size] = share[:, None] * bar * aloft
+            wrench.pull_back(into, felt[:3], felt[3:])
+
+        def curved(into: Curvature, scale: Array) -> None:
+            rows = share[:, None, None] * rows_of_wrench(samples.taken(at), self.root)[:, : share.size]
+            each = np.repeat(at, share.size)
+            into.add_rows(each, scale[each], rows.reshape(each.size, 3, -1))
+
+        yield Dense(value, pulled_back, curved)
 
 
 def within(intervals: tuple[tuple[float, float], ...], t: Array) -> Mask:

@@ -6,32 +6,31 @@ is let go: the pull fades with the height. Not so where keyframes leave the heig
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
-from ...array import Array, Index
+from ...array import Array, Index, Mask
 from ...curve.frame import Timeline
-from ...figure.adjoint import Cotangent
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
+from ...figure.wrenches import of_point
 from ...surface import Surface
 from ...surface.heights import FAR, heights, ways_up
 from ...surface.points import Point, arrays_of, places_of
-from ..curvature import Curvature
+from ..block import Block
 from ..penalty import Penalty, Scale
-from .contact import point_gradients
 from .flight import within
 
 TOUCHING = 0.05  # [m] that the lowest point of a keyframe on the ground may be over it
 AWAY = 0.25  # of the way to a keyframe in the air, how far one stays low that is on the ground
 NEGLIGIBLE = 1e-9  # of the lowest point's share
+TINY = 1e-300  # [m] a residual that is zero
 REACH, BLEND = 0.05, 0.01  # [m] unless told
 CLOSE, FIRM = 0.002, 10.0  # [m] the blend of a body that nothing else holds to a height, and how much firmer it is held
 Interval = tuple[float, float]
-_Shares = tuple[Index, Index, Array, Array, Array]  # points and samples (q,), shares (q,), arms and ways up (3, q)
 
 
 @dataclass(frozen=True)
@@ -67,65 +66,37 @@ class Grounded(Penalty):
         """Links (n,), positions (3, n) and radii (n,) of the points."""
         return arrays_of(self.points)
 
-    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+    def residuals(self, samples: Samples) -> Iterator[Block]:
         at = self._during(samples.t)
-        values = np.zeros(samples.count)
         if not at.size:
-            return values
-        lowest, seen = self._seen(samples, at)
-        firm = within(self.firm, samples.t[at])
-        fading = np.where(firm, FIRM, np.exp(-((lowest / self.reach) ** 2)))
-        values[at] = np.where(firm, FIRM * lowest**2, self.reach**2 * (1 - fading))
-        if into is not None and lowest.any():
-            pull = 2 * (scale + np.zeros(samples.count))[at] * lowest * fading
-            which, pair, share, offset, up = seen()
-            into.add_forces(self._arrays[0][which] * samples.count + at[pair], offset, share * pull[pair] * up)
-        return values
+            return
+        links, positions, radius = self._arrays
+        centre, offset = (part[:, :, at] for part in samples.links.points(links, positions))
+        height, nearest = heights(self.surfaces, centre, radius)
+        least = height.min(axis=0)
+        which, pair = np.nonzero(height < least + self.blend * np.log(1 / NEGLIGIBLE))
+        share = np.exp((least[pair] - height[which, pair]) / self.blend)
+        total = np.bincount(pair, share, at.size)
+        lowest = np.maximum(least - self.blend * np.log(total), 0)
+        value, slope = self._faded(lowest, within(self.firm, samples.t[at]))
+        high = np.flatnonzero(lowest[pair] > 0)
+        which, pair, share = which[high], pair[high], (share / total[pair] * slope[pair])[high]
+        up = ways_up(self.surfaces, nearest[which, pair], centre[:, which, pair])
+        changes = of_point(at[pair], links[which], offset[:, which, pair], share * up)
+        yield Block(at, value, (changes,), of=pair)
 
-    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
-        """As of √fading · m with the fading held: it only ever makes the pull weaker."""
-        at = self._during(samples.t)
-        if not at.size:
-            return
-        lowest, seen = self._seen(samples, at)
-        which, pair, share, offset, up = seen()
-        if not pair.size:
-            return
-        gradients = point_gradients(samples, at[pair], self._arrays[0][which], offset, up * share)
-        rows = np.zeros((at.size, gradients.shape[1]))
-        np.add.at(rows, pair, gradients)
-        some = np.flatnonzero(lowest > 0)
-        some = some[np.argsort(at[some], kind="stable")]
-        firm = within(self.firm, samples.t[at[some]])
-        fading = np.where(firm, FIRM, np.exp(-((lowest[some] / self.reach) ** 2)))
-        into.add_rows(at[some], scale[at[some]] * fading, rows[some, None], (0,))
+    def _faded(self, lowest: Array, firm: Mask) -> tuple[Array, Array]:
+        """Residuals (P,) [m] of heights (P,), some of them firm, and how fast they grow with these."""
+        share = (lowest / self.reach) ** 2
+        value = self.reach * np.sqrt(-np.expm1(-share))
+        slope = np.where(value > 0, lowest * np.exp(-share) / np.maximum(value, TINY), 1.0)
+        root = np.sqrt(FIRM)
+        return np.where(firm, root * lowest, value), np.where(firm, root, slope)
 
     def _during(self, t: Array) -> Index:
         """The samples of times t (S,) in the intervals."""
         inside = within((*self.intervals, *self.firm), t)
         return np.flatnonzero(inside) if self.points and self.surfaces else np.zeros(0, np.intp)
-
-    def _seen(self, samples: Samples, at: Index) -> tuple[Array, Callable[[], _Shares]]:
-        """m (P,) at samples `at` (P,), and the points that have a share in it where it is not zero."""
-        links, positions, radius = self._arrays
-        centre, offset = samples.links.points(links, positions)
-        if at.size < samples.count:
-            centre, offset = centre[:, :, at], offset[:, :, at]
-        height, nearest = heights(self.surfaces, centre, radius)
-        least = height.min(axis=0)
-        near = height < least + self.blend * np.log(1 / NEGLIGIBLE)
-        which, pair = np.nonzero(near)
-        part = np.exp((least[pair] - height[which, pair]) / self.blend)
-        total = np.bincount(pair, part, at.size)
-        lowest = np.maximum(least - self.blend * np.log(total), 0)
-
-        def shares() -> _Shares:
-            high = np.flatnonzero(lowest[pair] > 0)
-            i, k = which[high], pair[high]
-            up = ways_up(self.surfaces, nearest[i, k], centre[:, i, k])
-            return i, k, part[high] / total[k], offset[:, i, k], up
-
-        return lowest, shares
 
 
 def grounded_intervals(

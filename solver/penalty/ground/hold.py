@@ -12,13 +12,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...array import Array, Index, Mask
-from ...figure.adjoint import Cotangent
-from ...figure.algebra import applied, cross, dot
+from ...figure.algebra import applied, cross
 from ...figure.kinematics import Samples
+from ...figure.wrenches import each_axis, of_point, of_velocity
 from ...surface.points import Point
-from ..curvature import Curvature
+from ..block import Block
 from ..penalty import Penalty, Scale
-from .contact import add_by_velocity, point_gradients, velocity_gradients
 from .resting import SETTLING
 
 TINY = 1e-12  # [m] a distance without a direction
@@ -110,35 +109,18 @@ class Holding(Penalty):
     def scale(self) -> Scale:
         return Scale(1e-4, is_violation=True, is_sharp=True)
 
-    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
-        values = np.zeros(samples.count)
-        scale = 2 * scale + values
+    def residuals(self, samples: Samples) -> Iterator[Block]:
         for hold, at in self._during(samples.t):
             spot = hold.spot(samples.t[at])
+            offset, own, away = _apart(samples, hold, at, spot)
             if spot is None:
-                values[at] += self._slide(samples, hold, at, into, scale)
+                yield _sliding(samples, hold, at, offset, own)
                 continue
-            offset, own, away = _apart(samples, hold, at, spot)
-            away = away * _counted(hold, samples.t[at], away)
-            values[at] += dot(away, away)
-            if into is not None:
-                into.add_forces(hold.point.link * samples.count + at, offset, scale[at] * away)
-                into.add_forces(hold.link * samples.count + at, own, -scale[at] * away)
-        return values
-
-    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
-        for hold, at in self._during(samples.t):
-            spot = hold.spot(samples.t[at])
-            offset, own, away = _apart(samples, hold, at, spot)
-            for ways in _residual_ways(away, 1.0 if spot is None else _counted(hold, samples.t[at], away)):
-                rows = _apart_rows(samples, hold, at, offset, own, ways)
-                if spot is not None:
-                    into.add_rows(at, scale[at], rows[:, None], (0,))
-                    continue
-                sliding = _velocity_rows(samples, hold, at, offset, own, ways)
-                spin = samples.links.omega[:, hold.link, at]
-                sliding[:, 0] -= _apart_rows(samples, hold, at, offset, own, cross(ways, spin))
-                into.add_rows(at, SETTLING**2 * scale[at], sliding, (0, 1))
+            counted = _counted(hold, samples.t[at], away)
+            one, two = (np.full(3 * at.size, link) for link in (hold.point.link, hold.link))
+            ways, when = np.concatenate(list(_residual_ways(away, counted)), axis=1), np.tile(at, 3)
+            changes = of_point(when, one, np.tile(offset, 3), ways), of_point(when, two, np.tile(own, 3), -ways)
+            yield Block(when, (counted * away).ravel(), changes)
 
     def _during(self, t: Array) -> Iterator[tuple[Hold, Index]]:
         """The holds with the samples at times t (S,) that they last for, where there are any."""
@@ -147,21 +129,24 @@ class Holding(Penalty):
             if at.size:
                 yield hold, at
 
-    def _slide(self, samples: Samples, hold: Hold, at: Index, into: Cotangent | None, scale: Array) -> Array:
-        """(P,) (0.05 s)² |u|² at samples `at`."""
-        links = samples.links
-        offset, own, _ = _apart(samples, hold, at, None)
-        spin = links.omega[:, hold.link, at]
-        speed = links.x_d[:, hold.point.link, at] + cross(links.omega[:, hold.point.link, at], offset)
-        slide = speed - links.x_d[:, hold.link, at] - cross(spin, own)
-        if into is not None:
-            by_slide = SETTLING**2 * scale[at] * slide
-            for link, arms, force in ((hold.point.link, offset, by_slide), (hold.link, own, -by_slide)):
-                add_by_velocity(into, link, at, arms, force)
-            by_place = cross(spin, by_slide)  # the matter under the point is other matter when the point moves
-            into.add_forces(hold.point.link * samples.count + at, offset, by_place)
-            into.add_forces(hold.link * samples.count + at, own, -by_place)
-        return SETTLING**2 * dot(slide, slide)
+
+def _sliding(samples: Samples, hold: Hold, at: Index, offset: Array, own: Array) -> Block:
+    """The velocity of a hold's point beside the matter of the body under it, at samples `at` (P,)."""
+    links, axes, when = samples.links, each_axis(at.size), np.tile(at, 3)
+    (one, arm), (two, leg) = (
+        (np.full(3 * at.size, k), np.tile(v, 3)) for k, v in ((hold.point.link, offset), (hold.link, own))
+    )
+    spin = links.omega[:, hold.link, at]
+    slide = links.x_d[:, hold.point.link, at] + cross(links.omega[:, hold.point.link, at], offset)
+    slide -= links.x_d[:, hold.link, at] + cross(spin, own)
+    other = cross(np.tile(spin, 3), axes)  # the matter under the point is other matter when the point moves
+    changes = (
+        of_velocity(samples, when, one, arm, axes),
+        of_velocity(samples, when, two, leg, -axes),
+        of_point(when, one, arm, other),
+        of_point(when, two, leg, -other),
+    )
+    return Block(when, slide.ravel(), changes, SETTLING**2)
 
 
 def slipped(samples: Samples, hold: Hold) -> Array:
@@ -192,17 +177,3 @@ def _residual_ways(away: Array, counted: Array | float) -> Iterator[Array]:
     within = np.where(np.greater(counted, 0), 1 - counted, 0.0)
     for axis, unit in enumerate(np.eye(3)):
         yield counted * unit[:, None] + within * along[axis] * along
-
-
-def _apart_rows(samples: Samples, hold: Hold, at: Index, offset: Array, own: Array, direction: Array) -> Array:
-    """(P, N) the gradient of direction · (point − spot), both fixed on their links."""
-    one, two = (np.full(at.size, link) for link in (hold.point.link, hold.link))
-    return point_gradients(samples, at, one, offset, direction) - point_gradients(samples, at, two, own, direction)
-
-
-def _velocity_rows(samples: Samples, hold: Hold, at: Index, offset: Array, own: Array, direction: Array) -> Array:
-    """(P, 2, N) the gradients of direction · (velocity of the point − that of the spot), both fixed on their links."""
-    one, two = (np.full(at.size, link) for link in (hold.point.link, hold.link))
-    return velocity_gradients(samples, at, one, offset, direction) - velocity_gradients(
-        samples, at, two, own, direction
-    )

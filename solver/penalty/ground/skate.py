@@ -5,7 +5,7 @@ The paper leaves skidding to future work (§6). Nothing here needs to know when 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -13,18 +13,17 @@ import numpy as np
 
 from ...array import Array, Index
 from ...curve.frame import Timeline
-from ...figure.adjoint import Cotangent, attached_pulled_back
-from ...figure.algebra import cross, dot
+from ...figure.algebra import cross
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
+from ...figure.wrenches import each_axis, of_point, of_velocity
 from ...surface import Surface
 from ...surface.heights import height_over
 from ...surface.points import Point, arrays_of, placed, places_of
-from ..curvature import Curvature
+from ..block import Block
 from ..penalty import Penalty, Scale
-from .contact import velocity_gradients
 
-NEGLIGIBLE = 1e-3  # of the weight: higher up a point is free
+NEGLIGIBLE, TINY = 0.03, 1e-8  # of the weight's root: higher up a point is free in a model of E, and in E
 STRIDDEN = 0.08  # [m] between two neighbouring keyframes, from which on a point is in the air in between
 SHORTLY = 0.25  # [s] between them, up to which it cannot stand on the way as well
 LONG = 0.45  # [s] between two keyframes, from which on they tell less of where feet stand in between
@@ -89,43 +88,33 @@ class Skate(Penalty):
         """Links (n,), positions (3, n) and radii (n,) of the points."""
         return arrays_of(self.points)
 
-    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+    def residuals(self, samples: Samples) -> Iterator[Block]:
+        return self._slides(samples, TINY)
+
+    def nearby(self, samples: Samples) -> Iterator[Block]:
+        return self._slides(samples, NEGLIGIBLE)
+
+    def _slides(self, samples: Samples, least: float) -> Iterator[Block]:
+        """√weight · v where √weight is more than `least`; it changes with v and, by the weight, with the height."""
         if not self.points or not self.surfaces:
-            return np.zeros(samples.count)
+            return
         links, positions, radius = self._arrays
         motion = samples.links
-        at, offset = motion.points(links, positions)
-        height, up = height_over(self.surfaces, at, radius)
+        where, arms = motion.points(links, positions)
+        height, up = height_over(self.surfaces, where, radius)
         np.maximum(height, 0, out=height)
-        velocity = motion.x_d.take(links, axis=1) + cross(motion.omega.take(links, axis=1), offset)
-        weight = self._weight(height, samples.t)
-        energy = weight * dot(velocity, velocity)
-        if into is not None:
-            by_velocity = (2 * scale * weight) * velocity
-            buffer = into.buffer("x_d")
-            for i, link in enumerate(links):
-                buffer[:, link] += by_velocity[:, i]
-            attached_pulled_back(into, offset, (None, by_velocity, None), links)
-            force = (-2 * scale * energy * height / self.reach**2) * up
-            flat = links[:, None] * samples.count + np.arange(samples.count)
-            into.add_forces(flat.ravel(), offset.reshape(3, -1), force.reshape(3, -1))
-        return energy.sum(axis=0)
+        root = np.sqrt(self._weight(height, samples.t))
+        at, which = np.nonzero(least < root.T)
+        link, arm, share, high = links[which], arms[:, which, at], root[which, at], height[which, at]
+        velocity = motion.x_d[:, link, at] + cross(motion.omega[:, link, at], arm)
+        fading = (-share * high / self.reach**2 * velocity).ravel()
+        axes, ways = each_axis(at.size), np.tile(up[:, which, at], 3)
+        value, share = (share * velocity).ravel(), np.tile(share, 3)
+        at, link, arm = (np.tile(part, 3) for part in (at, link, arm))
+        changes = of_velocity(samples, at, link, arm, share * axes), of_point(at, link, arm, fading * ways)
+        yield Block(at, value, changes)
 
     def _weight(self, height: Array, t: Array) -> Array:
         """(n, S) how much points at heights (n, S) over the ground are bound."""
         near = np.exp(-((height / self.reach) ** 2))
         return near if self.bound is None else near * self.bound.at(t)
-
-    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
-        """As of √weight · v with the weight held: what it changes by is of either sign."""
-        if not self.points or not self.surfaces:
-            return
-        links, positions, radius = self._arrays
-        where, arms = samples.links.points(links, positions)
-        height, _ = height_over(self.surfaces, where, radius)
-        weight = self._weight(np.maximum(height, 0), samples.t)
-        at, which = np.nonzero(weight.T > NEGLIGIBLE)
-        offset, share = arms[:, which, at], scale[at] * weight[which, at]
-        for direction in np.eye(3):
-            ways = np.repeat(direction[:, None], at.size, axis=1)
-            into.add_rows(at, share, velocity_gradients(samples, at, links[which], offset, ways), (0, 1))

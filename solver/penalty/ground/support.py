@@ -6,7 +6,7 @@ supply; in flight nothing can, and all of it counts. This goes beyond the paper.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
@@ -21,6 +21,7 @@ from ...figure.figure import Figure
 from ...figure.jacobian_rows import Pushes
 from ...figure.kinematics import Samples
 from ...figure.wrench import RootWrench, height, weight
+from ..block import Dense
 from ..curvature import Curvature
 from ..penalty import Penalty, Scale
 from .flight import A_TENTH, rows_of_wrench, within
@@ -122,31 +123,30 @@ class Support(Penalty):
         x, _ = samples.links.poses(pushes.link * samples.count + pushes.at)
         return Reactions(pushes.at, which, x + pushes.offset, pushes.force)
 
-    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
-        values, at = np.zeros(samples.count), np.flatnonzero(self.known(samples.t))
-        if not at.size:
-            return values
-        found = self._found(samples, at)
-        values[at] = found.left.value
-        if into is not None:
-            bars = np.zeros((2, 3, samples.count))
-            bars[:, :, at] = found.left.rest.reshape(2, 3, -1) * (2 / self.unit)
-            bars *= scale
-            found.pushes.pull_back(found.wrench, into, bars[0], bars[1] / self.length)
-        return values
-
-    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+    def residuals(self, samples: Samples) -> Iterator[Dense]:
         at = np.flatnonzero(self.known(samples.t))
         if not at.size:
             return
-        chosen = samples.taken(at)
-        found = self._found(chosen, np.arange(at.size))
-        rows = rows_of_wrench(chosen, self.root, found.pushes)
-        rows *= (np.repeat([1.0, 1 / self.length], 3) / self.unit)[:, None, None]
-        root = np.linalg.cholesky(projection(found.left, found.edges, self.softness))
-        rows = np.einsum("scd,scon->sdon", root, rows)
-        each = np.repeat(at, 6)
-        into.add_rows(each, scale[each], rows.reshape(each.size, 3, -1))
+        found = self._found(samples, at)
+        value, more = np.zeros((6, samples.count)), np.zeros(samples.count)
+        value[:, at] = found.left.rest
+        more[at] = found.left.value - np.sum(found.left.rest**2, axis=0)
+        share = np.repeat([1.0, 1 / self.length], 3)[:, None] / self.unit
+
+        def pulled_back(into: Cotangent, bar: Array) -> None:
+            force_bar, moment_bar = (share * bar).reshape(2, 3, -1)
+            found.pushes.pull_back(found.wrench, into, force_bar, moment_bar)
+
+        def curved(into: Curvature, scale: Array) -> None:
+            chosen = samples.taken(at)
+            again = self._found(chosen, np.arange(at.size))
+            rows = share[:, :, None] * rows_of_wrench(chosen, self.root, again.pushes)
+            root = np.linalg.cholesky(projection(again.left, again.edges, self.softness))
+            rows = np.einsum("scd,scon->sdon", root, rows)
+            each = np.repeat(at, 6)
+            into.add_rows(each, scale[each], rows.reshape(each.size, 3, -1))
+
+        yield Dense(value, pulled_back, curved, more)
 
     def _found(self, samples: Samples, known: Index, wrench: RootWrench | None = None) -> _Found:
         """At the samples `known` (P,)."""

@@ -7,7 +7,7 @@ of u in the parent's sagittal plane, sideways bend the angle of u out of it, twi
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -16,17 +16,17 @@ import numpy as np
 from ... import quaternion as quat
 from ...array import Array, Index
 from ...curve.frame import Timeline
-from ...figure.adjoint import Cotangent
-from ...figure.algebra import cross, gathered
+from ...figure.algebra import cross
 from ...figure.figure import Figure, on_links, quaternion_columns
 from ...figure.kinematics import Samples
+from ...figure.wrenches import of_turn
 from ..allowance import Allowance
-from ..curvature import Curvature, jacobian
-from ..one_sided import OneSided
+from ..block import Block
 from ..penalty import Penalty, Scale
 
 NEAR = np.radians(4)  # within which a bound may be passed after one step of the search
 ALONG, FLAT = 1e-9, 1e-18  # sine of the angle to its hinge axis at which a limb has no flexion, and its square
+ANGLE, SIGN = np.array([0, 1, 1, 2, 2]), np.array([-1.0, 1, -1, 1, -1])  # of flexion's bound and both of the others
 Seen = tuple[Array, Array, Array, Array, Array, Array]
 
 
@@ -103,16 +103,6 @@ class BendLimits(Penalty):
         forward = np.cross(lateral.T, down.T).T
         return np.array([joint.link for joint in self.joints], np.intp), np.array([forward, down, lateral])
 
-    def _bounds(self, t: Array) -> tuple[Array, Array]:
-        """Least and most flexion, sideways bend and twist, (3, n, S) or (3, 1, 1) [rad]."""
-        least, most = [-np.inf, -self.sideways, -self.twist], [np.inf, self.sideways, self.twist]
-        low, high = np.reshape(least, (3, 1, 1)), np.reshape(most, (3, 1, 1))
-        low[0] = self.least
-        if self.allowed is None or not self.allowed.excess.any():
-            return low, high
-        allowed = self.allowed.at(t)
-        return low - allowed[[0, 2, 4]], high + allowed[[1, 1, 3]]
-
     def _seen(self, samples: Samples) -> tuple[Array, Seen]:
         own, axes = self._axes
         tables = samples.figure.tables
@@ -128,54 +118,42 @@ class BendLimits(Penalty):
         angles, planar, p = _bent(u, v)
         return angles, (world, frame, u, v, planar, p)
 
-    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+    def residuals(self, samples: Samples) -> Iterator[Block]:
+        return self._beyond(samples, 0.0)
+
+    def nearby(self, samples: Samples) -> Iterator[Block]:
+        return self._beyond(samples, -NEAR)
+
+    def _beyond(self, samples: Samples, least: float) -> Iterator[Block]:
+        """Angles that are beyond their bounds by more than `least` [rad]."""
         if not self.joints:
-            return np.zeros(samples.count)
+            return
         angles, seen = self._seen(samples)
-        least, most = self._bounds(samples.t)
-        excess = np.maximum(angles, least)
-        np.minimum(excess, most, out=excess)
-        np.subtract(angles, excess, out=excess)
-        if into is not None and excess.any():
-            self._pull_back(samples, into, seen, 2 * scale * excess)
-        return np.einsum("kns,kns->s", excess, excess)
-
-    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
-        """Nothing: angles count beyond their bounds only."""
-
-    def sides(self, samples: Samples) -> OneSided | None:
-        if not self.joints:
-            return None
-        excess = self._excess(self._seen(samples)[0])
-        if self.allowed is not None:
+        excess = self._excess(angles)
+        if self.allowed is not None and self.allowed.excess.any():
             excess -= self.allowed.at(samples.t)
-        side, joint, at = np.nonzero(excess > -NEAR)
-        angle, sign = np.array([0, 1, 1, 2, 2])[side], np.array([-1.0, 1, -1, 1, -1])[side]
+        side, joint, at = np.nonzero(excess > least)
+        axis = SIGN[side] * _turning_axes(seen, ANGLE[side], joint, at)
+        link = self._axes[0][joint]
+        changes = of_turn(at, link, axis), of_turn(at, samples.figure.tables.parents[link], -axis)
+        yield Block(at, excess[side, joint, at], changes, one_sided=True)
 
-        def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
-            seeds = np.zeros((3, len(self.joints), rows.size))
-            seeds[angle[rows], joint[rows], np.arange(rows.size)] = sign[rows]
-            self._pull_back(copies, cotangent, self._seen(copies)[1], seeds)
 
-        return OneSided.plain(at, excess[side, joint, at], jacobian(samples, at, seeded)[:, 0])
-
-    def _pull_back(self, samples: Samples, into: Cotangent, seen: Seen, gradient: Array) -> None:
-        world, frame, (x, z, _), v, planar, p = seen
-        flexion_bar, sideways_bar, twist_bar = gradient
-        q = v[2]
-        both = np.maximum(p**2 + q**2, FLAT)
-        # what v and u get along the parent's axes
-        bars = np.empty((2, *v.shape))
-        p_bar = twist_bar * q / (both * planar)
-        bars[0] = -p_bar * z, p_bar * x, -twist_bar * p / both
-        # the normal turns in the sagittal plane as the limb flexes: d normal / d flexion = (z d + x f) / |(x, z)|
-        flexion_bar = (flexion_bar + p_bar * (z * v[1] + x * v[0])) / planar**2
-        bars[1] = flexion_bar * z, -flexion_bar * x, sideways_bar / planar
-        torque = np.add.reduce(cross(world.swapaxes(0, 1), np.einsum("kbns,bins->ikns", bars, frame)), axis=1)
-        identity = np.eye(len(samples.figure.links))
-        own = self._axes[0]
-        incidence = identity[:, own] - identity[:, samples.figure.tables.parents[own]]
-        into.absorb("turn", gathered(incidence, torque))
+def _turning_axes(seen: Seen, angle: Index, joint: Index, at: Index) -> Array:
+    """(3, P): what of a small turn of the child in the parent an angle (0 to 2) of a joint grows by."""
+    world, frame = (part[..., joint, at] for part in seen[:2])
+    (x, z, _), v, planar, p = (part[..., joint, at] for part in seen[2:])
+    flexes, leans, twists = ((angle == k).astype(float) for k in range(3))
+    q = v[2]
+    both = np.maximum(p**2 + q**2, FLAT)
+    # what v and u get along the parent's axes
+    bars = np.empty((2, 3, at.size))
+    by_p = twists * q / (both * planar)
+    bars[0] = -by_p * z, by_p * x, -twists * p / both
+    # the normal turns in the sagittal plane as the limb flexes: d normal / d flexion = (z d + x f) / |(x, z)|
+    flexes = (flexes + by_p * (z * v[1] + x * v[0])) / planar**2
+    bars[1] = flexes * z, -flexes * x, leans / planar
+    return np.add.reduce(cross(world.swapaxes(0, 1), np.einsum("kbp,bip->ikp", bars, frame)), axis=1)
 
 
 def bent(figure: Figure, joints: Sequence[Bend], relative: Array) -> Array:

@@ -7,6 +7,7 @@ half a turn the axis flips: there π − θ is rounded off to √((π − θ)² 
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -15,13 +16,12 @@ import numpy as np
 from ... import quaternion as quat
 from ...array import Array, Index
 from ...curve.frame import Timeline
-from ...figure.adjoint import Cotangent
-from ...figure.algebra import add_at, dot, hamilton, vector_product
+from ...figure.algebra import dot, hamilton, vector_product
 from ...figure.figure import Figure, JointKind, quaternion_columns
 from ...figure.kinematics import Samples
+from ...figure.wrenches import of_turn
 from ..allowance import Allowance
-from ..curvature import Curvature, jacobian
-from ..one_sided import OneSided
+from ..block import Block, Entries
 from ..penalty import Penalty, Scale
 
 NEAR = {JointKind.BALL: np.radians(4), JointKind.HINGE: np.radians(4), JointKind.SLIDE: 0.03}
@@ -106,62 +106,29 @@ class JointRange(Penalty):
         """(3, b, S) the axes in the world about which the ball joints are turned away from their rest."""
         return self._turned(samples)[3]
 
-    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
-        values = np.zeros(samples.count)
+    def residuals(self, samples: Samples) -> Iterator[Block]:
+        return self._outside(samples, near=False)
+
+    def nearby(self, samples: Samples) -> Iterator[Block]:
+        return self._outside(samples, near=True)
+
+    def _outside(self, samples: Samples, *, near: bool) -> Iterator[Block]:
+        """Joints beyond their ranges; with `near` those, too, that are hardly within them."""
         plain, balls = self._which
         if plain.size:
-            columns = self._columns(samples)
+            columns, (low, high) = self._columns(samples), self._limits(samples.t, plain)
             value = samples.columns(columns)
-            excess = value - np.clip(value, *self._limits(samples.t, plain))
-            values += np.einsum("ns,ns->s", excess, excess)
-            if into is not None and excess.any():
-                np.add.at(into.buffer("y").T, columns, 2 * scale * excess)
+            least = np.array([-near * NEAR[self.joints[i].kind] for i in plain])[:, None]
+            for sign, over in ((-1.0, low - value), (1.0, value - high)):
+                joint, at = np.nonzero(over > least)
+                yield Block(at, over[joint, at], (Entries(at, 0, columns[joint], sign),), one_sided=True)
         if balls.size:
             _, angle, rate, axis = self._turned(samples)
-            excess = np.maximum(angle - self._limits(samples.t, balls)[1], 0)
-            values += np.einsum("ns,ns->s", excess, excess)
-            if into is not None and excess.any():
-                self._pull_back(samples, into, 2 * scale * excess * rate * axis)
-        return values
-
-    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
-        """Nothing: ranges count on one side only."""
-
-    def sides(self, samples: Samples) -> OneSided | None:
-        if not self.joints:
-            return None
-        return OneSided.joined([*self._plain_sides(samples), self._ball_sides(samples)])
-
-    def _plain_sides(self, samples: Samples) -> list[OneSided]:
-        plain, _ = self._which
-        if not plain.size:
-            return []
-        columns, (low, high) = self._columns(samples), self._limits(samples.t, plain)
-        value = samples.columns(columns)
-        near = np.array([NEAR[self.joints[i].kind] for i in plain])[:, None]
-        parts = []
-        for sign, over in ((-1.0, low - value), (1.0, value - high)):
-            joint, at = np.nonzero(over > -near)
-            rows = np.zeros((at.size, samples.y.shape[1]))
-            rows[np.arange(at.size), columns[joint]] = sign
-            parts.append(OneSided.plain(at, over[joint, at], rows))
-        return parts
-
-    def _ball_sides(self, samples: Samples) -> OneSided:
-        _, balls = self._which
-        if not balls.size:
-            return OneSided.none()
-        _, angle, rate, axis = self._turned(samples)
-        over = angle - self._limits(samples.t, balls)[1]
-        joint, at = np.nonzero(over > -NEAR[JointKind.BALL])
-        direction = (rate * axis)[:, joint, at]
-
-        def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
-            seeds = np.zeros((3, balls.size, rows.size))
-            seeds[:, joint[rows], np.arange(rows.size)] = direction[:, rows]
-            self._pull_back(copies, cotangent, seeds)
-
-        return OneSided.plain(at, over[joint, at], jacobian(samples, at, seeded)[:, 0])
+            over = angle - self._limits(samples.t, balls)[1]
+            joint, at = np.nonzero(over > -near * NEAR[JointKind.BALL])
+            way, link = (rate * axis)[:, joint, at], self._links[joint]
+            changes = of_turn(at, link, way), of_turn(at, samples.figure.tables.parents[link], -way)
+            yield Block(at, over[joint, at], changes, one_sided=True)
 
     @cached_property
     def _which(self) -> tuple[Index, Index]:
@@ -231,12 +198,6 @@ class JointRange(Penalty):
                 is_free = figure.links[joint.link].kind is JointKind.FREE
                 out[:, k] = joint.home if is_free else quat.product(out[:, k], np.array(joint.home))
         return out
-
-    def _pull_back(self, samples: Samples, into: Cotangent, torque: Array) -> None:
-        """Gradients with respect to the children's turns relative to their parents, (3, b, S)."""
-        own, buffer = self._links, into.buffer("turn")
-        buffer[:, own] += torque
-        add_at(buffer, samples.figure.tables.parents[own], -torque)
 
 
 def joint_ranges(figure: Figure) -> tuple[Range, ...]:

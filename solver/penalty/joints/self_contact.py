@@ -9,7 +9,7 @@ and geoms that overlap at rest.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -18,15 +18,13 @@ import numpy as np
 
 from ... import quaternion as quat
 from ...array import Array, Index
-from ...figure.adjoint import Cotangent
 from ...figure.algebra import cross, dot
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
+from ...figure.wrenches import of_point
 from ...surface.cover import filling_spheres
 from ...surface.touch import movers
-from ..curvature import Curvature
-from ..ground.contact import point_gradients
-from ..one_sided import OneSided
+from ..block import Block
 from ..penalty import Penalty, Scale
 
 NEAR = 0.03  # [m] within which capsules may touch after one step of the search
@@ -105,30 +103,23 @@ class SelfContact(Penalty):
         geoms = np.array([bar.geom for bar in self.bars], np.intp)
         return np.unique(geoms[self.pairs], axis=1) if self.pairs.size else np.zeros((2, 0), np.intp)
 
-    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
-        values = np.zeros(samples.count)
-        met = self.meetings(samples, 0.0)
-        if met is None:
-            return values
-        values += np.bincount(met.at, met.depth * met.depth, samples.count)
-        if into is not None:
-            force = -met.apart * ((2 * scale + np.zeros(samples.count)).take(met.at) * met.depth)
-            into.add_forces(met.first * samples.count + met.at, met.first_arm, force)
-            into.add_forces(met.last * samples.count + met.at, met.last_arm, -force)
-        return values
+    def residuals(self, samples: Samples) -> Iterator[Block]:
+        return self._met_by(samples, 0.0)
 
-    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
-        """Nothing: depths count on one side only."""
+    def nearby(self, samples: Samples) -> Iterator[Block]:
+        return self._met_by(samples, NEAR)
 
-    def sides(self, samples: Samples) -> OneSided | None:
+    def _met_by(self, samples: Samples, near: float) -> Iterator[Block]:
+        """Pairs of capsules less than `near` [m] apart."""
         if not self.pairs.size:
-            return None
-        met = self.meetings(samples, NEAR)
+            return
+        met = self.meetings(samples, near)
         if met is None:
-            return OneSided.none()
-        rows = point_gradients(samples, met.at, met.first, met.first_arm, -met.apart)
-        rows += point_gradients(samples, met.at, met.last, met.last_arm, met.apart)
-        return OneSided.plain(met.at, met.depth, rows)
+            yield Block.joined([])
+            return
+        first = of_point(met.at, met.first, met.first_arm, -met.apart)
+        last = of_point(met.at, met.last, met.last_arm, met.apart)
+        yield Block(met.at, met.depth, (first, last), one_sided=True)
 
     def meetings(self, samples: Samples, near: float) -> Meeting | None:
         """The pairs of capsules less than `near` [m] apart, or None."""

@@ -7,7 +7,9 @@ w = P(q'' − 2 s q') and f₂* = |w|²/b = |ω'|²/4.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -15,6 +17,7 @@ from ...array import Array
 from ...figure.adjoint import Cotangent
 from ...figure.algebra import dot
 from ...figure.kinematics import Samples
+from ..block import Block, Dense, every
 from ..curvature import Curvature
 from ..penalty import Penalty, Scale
 
@@ -47,56 +50,54 @@ class CovariantAcceleration(Penalty):
     def scale(self) -> Scale:
         return Scale(16.0, time_power=4)
 
-    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
-        values = (
-            self._intrinsic(samples, into, scale) if self.form == "intrinsic" else self._paper(samples, into, scale)
-        )
-        hinges = samples.figure.tables.hinge_columns
-        if hinges.size:
-            theta_dd = samples.y_dd[:, hinges]
-            values = values + 0.25 * np.sum(theta_dd**2, axis=1)
-            if into is not None:
-                into.buffer("y_dd")[:, hinges] += 0.5 * np.reshape(scale, (-1, 1)) * theta_dd
-        return values
+    def residuals(self, samples: Samples) -> Iterator[Block | Dense]:
+        yield self._intrinsic(samples) if self.form == "intrinsic" else self._paper(samples)
+        yield every(samples, samples.figure.tables.hinge_columns, 2, weight=0.25)
 
-    def _paper(self, samples: Samples, into: Cotangent | None, scale: Array | float) -> Array:
+    def _paper(self, samples: Samples) -> Dense:
         q, q_dd = samples.q, samples.q_dd
         along = dot(q_dd, q) / dot(q, q)
-        w = q_dd - along * q
-        if into is not None:
-            into.accumulate("q", (2 * scale * along) * (along * q - q_dd))
-            into.accumulate("q_dd", (2 * scale) * w)
-        return dot(w, w).sum(axis=0)
 
-    def _intrinsic(self, samples: Samples, into: Cotangent | None, scale: Array | float) -> Array:
+        def pulled_back(into: Cotangent, bar: Array) -> None:
+            bar = bar.reshape(q.shape)
+            across = dot(bar, q) / dot(q, q)
+            into.absorb("q", across * (2 * along * q - q_dd) - along * bar)
+            into.absorb("q_dd", bar - across * q)
+
+        return Dense((q_dd - along * q).reshape(-1, samples.count), pulled_back, partial(self._curved, samples))
+
+    def _intrinsic(self, samples: Samples) -> Dense:
         q, q_d = samples.q, samples.q_d
         inverse = 1 / samples.q_dots[0]
         s, along = samples.q_dots[1:] * inverse
-        rate, off = 2 * s, along - 2 * s * s
+        rate, off, root = 2 * s, along - 2 * s * s, np.sqrt(inverse)
         w = samples.q_dd - rate * q_d
         w -= off * q
-        values = dot(w, w) * inverse
-        if into is not None:
-            k = (2 * scale) * inverse
-            by_q_dd = k * w
+        w *= root
+
+        def pulled_back(into: Cotangent, bar: Array) -> None:
+            bar = bar.reshape(q.shape)
+            by_q_dd = bar * root
+            across = dot(by_q_dd, q) * inverse
+            by_q_dd -= across * q  # w is across q, and bar may not be
             c = dot(by_q_dd, q_d)
             c *= -2 * inverse
             by_q_d = c * q
             by_q_d -= rate * by_q_dd
             by_q = c * q_d
             by_q -= off * by_q_dd
-            by_q -= (rate * c + k * values) * q
+            by_q -= (rate * c + dot(bar, w) * inverse) * q
+            by_q -= across / root * w
             into.absorb("q", by_q)
             into.absorb("q_d", by_q_d)
             into.absorb("q_dd", by_q_dd)
-        return np.add.reduce(values, axis=0)
 
-    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
-        tables = samples.figure.tables
+        return Dense(w.reshape(-1, samples.count), pulled_back, partial(self._curved, samples))
+
+    def _curved(self, samples: Samples, into: Curvature, scale: Array) -> None:
         q, q_d, q_dd = (part.transpose(2, 1, 0) for part in (samples.q, samples.q_d, samples.q_dd))
         rows = _residual_jacobians(q, q_d, q_dd, samples.q_dots.transpose(0, 2, 1), intrinsic=self.form == "intrinsic")
-        into.add_blocks(tables.quaternion_columns.T, rows, scale)
-        into.add_squares(tables.hinge_columns, 2, 0.25 * scale)
+        into.add_blocks(samples.figure.tables.quaternion_columns.T, rows, scale)
 
 
 def _residual_jacobians(q: Array, q_d: Array, q_dd: Array, dots: Array, *, intrinsic: bool) -> Array:

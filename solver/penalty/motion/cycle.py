@@ -6,6 +6,7 @@ Keyframes half a period apart tell little of what is between them, but all of th
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
@@ -21,7 +22,8 @@ from ...figure.figure import Figure
 from ...figure.kinematics import Samples
 from ...reading.pose_vectors import HEIGHT
 from ...reading.rhythm import Rhythm
-from ..curvature import Curvature, jacobian
+from ..block import Block, Dense, every
+from ..curvature import Curvature
 from ..penalty import Guide, Scale
 from .posture import apart
 
@@ -46,45 +48,36 @@ class Cycle(Guide):
     def scale(self) -> Scale:
         return Scale(LITTLE**2, is_violation=True)
 
-    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
-        target, trust = self._at(samples.t)
-        w, v = self._off(samples, target)
-        values = 4 * dot(v, v).sum(axis=0)
-        columns, rates = self._columns
-        straight = rates * (samples.y[:, columns] - target[:, self._turns :])
-        values += np.sum(straight**2, axis=1)
-        if into is not None:
-            share = scale * trust
-            child, parent = _joints(samples.figure)
-            turn = applied(samples.links.rotation[:, :, child], (4 * share * w) * v)
-            buffer = into.buffer("turn")
-            add_at(buffer, child, turn)
-            add_at(buffer, parent, -turn)
-            into.buffer("y")[:, columns] += 2 * share[:, None] * rates * straight
-        return trust * values
-
-    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+    def residuals(self, samples: Samples) -> Iterator[Block | Dense]:
         figure = samples.figure
         target, trust = self._at(samples.t)
-        share = scale * trust
         columns, rates = self._columns
-        for rate in np.unique(rates):
-            into.add_squares(columns[rates == rate], 0, rate**2 * share)
+        straight = samples.y[:, columns] - target[:, self._turns :]
+        yield every(samples, columns, 0, straight, trust[:, None] * rates**2)
         child, parent = _joints(figure)
         if not child.size:
             return
-        w, v = self._off(samples, target)
-        if not figure.is_world:
-            self._add_by_adjoint(samples, into, share, (w, v))
-            return
-        links = samples.links
-        moved = _moved(w, v, links.rotation[:, :, child])
-        by_q = vector_product(links.Q) * links.scale
-        rows = np.zeros((samples.count, child.size, 3, 3, 8))
-        rows[:, :, :, 0, :4] = np.einsum("ijns,jkns->snik", moved, by_q[:, :, child])
-        rows[:, :, :, 0, 4:] = -np.einsum("ijns,jkns->snik", moved, by_q[:, :, parent])
-        for some, blocks in apart(figure, tuple(child.tolist())):
-            into.add_blocks(blocks, rows[:, some, ..., : blocks.shape[1]], share)
+        (w, v), root = self._off(samples, target), np.sqrt(trust)
+        rotation = samples.links.rotation[:, :, child]
+
+        def pulled_back(into: Cotangent, bar: Array) -> None:
+            bar = root * bar.reshape(v.shape)
+            turn = applied(rotation, w * bar + cross(bar, v))
+            buffer = into.buffer("turn")
+            add_at(buffer, child, turn)
+            add_at(buffer, parent, -turn)
+
+        def curved(into: Curvature, scale: Array) -> None:
+            links = samples.links
+            moved = _moved(w, v, rotation)
+            by_q = vector_product(links.Q) * links.scale
+            rows = np.zeros((samples.count, child.size, 3, 3, 8))
+            rows[:, :, :, 0, :4] = np.einsum("ijns,jkns->snik", moved, by_q[:, :, child])
+            rows[:, :, :, 0, 4:] = -np.einsum("ijns,jkns->snik", moved, by_q[:, :, parent])
+            for some, blocks in apart(figure, tuple(child.tolist())):
+                into.add_blocks(blocks, rows[:, some, ..., : blocks.shape[1]], scale * trust)
+
+        yield Dense((2 * root * v).reshape(-1, samples.count), pulled_back, curved if figure.is_world else None)
 
     def off(self, samples: Samples) -> Array:
         """(n, S) [rad] how far every joint with a quaternion is off the cycle."""
@@ -165,24 +158,6 @@ class Cycle(Guide):
         q = hamilton(conjugated(hamilton(base, wanted)), links.Q[:, child])
         q /= np.sqrt(dot(q, q))
         return q[0], q[1:]
-
-    def _add_by_adjoint(self, samples: Samples, into: Curvature, share: Array, off: tuple[Array, Array]) -> None:
-        """The rows of joint coordinates, by the adjoint sweep."""
-        child, parent = _joints(samples.figure)
-        moved = _moved(*off, samples.links.rotation[:, :, child])
-        at = np.repeat(np.arange(samples.count), 3 * child.size)
-        joint, direction = (
-            np.tile(np.repeat(np.arange(child.size), 3), samples.count),
-            np.tile(np.arange(3), at.size // 3),
-        )
-
-        def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
-            buffer, here = cotangent.buffer("turn"), np.arange(rows.size)
-            seeds = moved[direction[rows], :, joint[rows], at[rows]].T
-            buffer[:, child[joint[rows]], here] += seeds
-            buffer[:, parent[joint[rows]], here] -= seeds
-
-        into.add_rows(at, share[at], jacobian(samples, at, seeded)[:, :1], (0,))
 
 
 def _moved(w: Array, v: Array, rotation: Array) -> Array:

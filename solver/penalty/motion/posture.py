@@ -7,8 +7,9 @@ over segments longer than 2π times the ratio of the two, and like the latter ov
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
 
 import numpy as np
 
@@ -17,7 +18,8 @@ from ...figure.adjoint import Cotangent
 from ...figure.algebra import add_at, cross, vector_product
 from ...figure.figure import Figure, JointKind
 from ...figure.kinematics import Samples
-from ..curvature import Curvature, jacobian
+from ..block import Block, Dense, every
+from ..curvature import Curvature
 from ..penalty import Penalty, Scale
 
 SETTLING = 0.3  # [s] unless told
@@ -40,40 +42,39 @@ class Posture(Penalty):
     def scale(self) -> Scale:
         return Scale(self.settling**2, time_power=2, beside="covariant")
 
-    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
-        child, parent = _joints(samples.figure)
-        hinges = samples.figure.tables.hinge_columns
-        values = 0.25 * np.sum(samples.y_d[:, hinges] ** 2, axis=1)
-        omega = samples.links.omega
-        relative = omega[:, child] - omega[:, parent]
-        if into is not None:
-            by_omega = (0.5 * scale) * relative
-            buffer = into.buffer("omega")
-            add_at(buffer, child, by_omega)
-            add_at(buffer, parent, -by_omega)
-            into.buffer("y_d")[:, hinges] += 0.5 * np.reshape(scale, (-1, 1)) * samples.y_d[:, hinges]
-        return values + 0.25 * np.einsum("kns,kns->s", relative, relative)
-
-    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+    def residuals(self, samples: Samples) -> Iterator[Block | Dense]:
         figure = samples.figure
-        into.add_squares(figure.tables.hinge_columns, 1, 0.25 * scale)
+        yield every(samples, figure.tables.hinge_columns, 1, weight=0.25)
         child, parent = _joints(figure)
         if not child.size:
             return
-        if not figure.is_world:
-            _add_by_adjoint(samples, into, 0.25 * scale)
-            return
-        links = samples.links
-        by_rate = vector_product(links.Q) * links.scale
-        by_q = vector_product(links.Q_d) * links.scale - links.rates[0] * by_rate
-        for k in range(4):
-            by_q[:, k] -= cross(links.omega, by_rate[:, k])
-        rows = np.zeros((samples.count, child.size, 3, 3, 8))
-        for order, part in enumerate((by_q, by_rate)):
-            rows[:, :, :, order, :4] = part[:, :, child].transpose(3, 2, 0, 1)
-            rows[:, :, :, order, 4:] = -part[:, :, parent].transpose(3, 2, 0, 1)
-        for some, columns in apart(figure, tuple(child.tolist())):
-            into.add_blocks(columns, rows[:, some, ..., : columns.shape[1]], 0.25 * scale)
+        omega = samples.links.omega
+        value = 0.5 * (omega[:, child] - omega[:, parent])
+
+        def pulled_back(into: Cotangent, bar: Array) -> None:
+            by_omega = 0.5 * bar.reshape(value.shape)
+            buffer = into.buffer("omega")
+            add_at(buffer, child, by_omega)
+            add_at(buffer, parent, -by_omega)
+
+        curved = partial(_curved, samples) if figure.is_world else None
+        yield Dense(value.reshape(-1, samples.count), pulled_back, curved)
+
+
+def _curved(samples: Samples, into: Curvature, scale: Array) -> None:
+    """Of joints whose links' orientations are in the state: rows of eight columns each."""
+    figure, links = samples.figure, samples.links
+    child, parent = _joints(figure)
+    by_rate = vector_product(links.Q) * links.scale
+    by_q = vector_product(links.Q_d) * links.scale - links.rates[0] * by_rate
+    for k in range(4):
+        by_q[:, k] -= cross(links.omega, by_rate[:, k])
+    rows = np.zeros((samples.count, child.size, 3, 3, 8))
+    for order, part in enumerate((by_q, by_rate)):
+        rows[:, :, :, order, :4] = part[:, :, child].transpose(3, 2, 0, 1)
+        rows[:, :, :, order, 4:] = -part[:, :, parent].transpose(3, 2, 0, 1)
+    for some, columns in apart(figure, tuple(child.tolist())):
+        into.add_blocks(columns, rows[:, some, ..., : columns.shape[1]], 0.25 * scale)
 
 
 @lru_cache(maxsize=8)
@@ -101,17 +102,3 @@ def apart(figure: Figure, child: tuple[int, ...]) -> list[tuple[Index, Index]]:
         group[1].update(pair)
     columns = [np.concatenate([place[link] for link in pair]) for pair in pairs]
     return [(np.array(some), np.array([columns[i] for i in some])) for some, _ in groups]
-
-
-def _add_by_adjoint(samples: Samples, into: Curvature, scale: Array) -> None:
-    """The rows of joint coordinates, by the adjoint sweep."""
-    child, parent = _joints(samples.figure)
-    at = np.repeat(np.arange(samples.count), 3 * child.size)
-    joint, direction = np.tile(np.repeat(np.arange(child.size), 3), samples.count), np.tile(np.arange(3), at.size // 3)
-
-    def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
-        buffer, here = cotangent.buffer("omega"), np.arange(rows.size)
-        buffer[direction[rows], child[joint[rows]], here] += 1
-        buffer[direction[rows], parent[joint[rows]], here] -= 1
-
-    into.add_rows(at, scale[at], jacobian(samples, at, seeded)[:, :2], (0, 1))

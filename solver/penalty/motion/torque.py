@@ -7,6 +7,7 @@ Included are inertia, Coriolis and centrifugal forces, gravity and armature. Not
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,7 +18,8 @@ from ...figure.algebra import add_at, cross, dot
 from ...figure.dynamics import InverseDynamics
 from ...figure.jacobian_rows import has_moment_rows, moment_rows
 from ...figure.kinematics import Samples
-from ..curvature import Curvature, jacobian
+from ..block import Dense
+from ..curvature import Curvature
 from ..penalty import Penalty, Scale
 
 
@@ -33,81 +35,66 @@ class Torque(Penalty):
     def scale(self) -> Scale:
         return Scale(1.0)
 
-    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+    def residuals(self, samples: Samples) -> Iterator[Dense]:
         tables, links = samples.figure.tables, samples.links
-        inverse = samples.once(InverseDynamics)
-        balls = tables.ball_links
-        is_ball = np.zeros((len(samples.figure.links), 1))
-        is_ball[balls] = 1
-        moment = inverse.moment * is_ball
-        armature = tables.armature[balls][:, None]
-        parents, spin = tables.parents[balls], None
+        inverse, balls = samples.once(InverseDynamics), tables.ball_links
+        moment, spin = inverse.moment[:, balls], None
+        armature, parents = tables.armature[balls][:, None], tables.parents[balls]
         if armature.any():
             spin = links.omega[:, balls] - links.omega[:, parents]
             reflected = links.alpha[:, balls] - links.alpha[:, parents] - cross(links.omega[:, balls], spin)
-            moment[:, balls] += armature * reflected
-        values = np.einsum("ils,ils->s", moment, moment)
-        moment_bar = np.multiply(moment, 2 * scale, out=moment)
-        force_bar = np.zeros_like(inverse.force) if tables.slide_links.size else None
-        motors = [(tables.hinge_links, tables.hinge_columns, inverse.moment, moment_bar)]
-        if force_bar is not None:
-            motors.append((tables.slide_links, tables.slide_columns, inverse.force, force_bar))
-        for indices, columns, source, target in motors:
-            axis = (links.rotation[:, :, indices] * tables.axis[None, :, indices, None]).sum(axis=1)
-            own = tables.armature[indices]
-            effort = dot(axis, source[:, indices]) + own[:, None] * samples.columns(columns, 2)
-            values = values + np.sum(effort**2, axis=0)
-            target[:, indices] = 2 * scale * effort * axis
-            if into is not None:
-                into.buffer("y_dd")[:, columns] += (2 * scale * effort * own[:, None]).T
-                into.buffer("turn")[:, indices] += cross(axis, 2 * scale * effort * source[:, indices])
-        if into is not None:
-            inverse.pull_back(into, moment_bar, force_bar)
+            moment = moment + armature * reflected
+        motors = [
+            _Motors.of(samples, tables.hinge_links, tables.hinge_columns, inverse.moment),
+            _Motors.of(samples, tables.slide_links, tables.slide_columns, inverse.force),
+        ]
+        efforts = [moment.reshape(-1, samples.count), *(each.effort for each in motors)]
+
+        def pulled_back(into: Cotangent, bar: Array) -> None:
+            edges = np.cumsum([len(part) for part in efforts])
+            of_balls, of_hinges, of_slides = np.split(bar, edges[:2])
+            moment_bar, force_bar = np.zeros_like(inverse.moment), np.zeros_like(inverse.force)
+            moment_bar[:, balls] = of_balls.reshape(3, -1, samples.count)
+            for each, part, target in zip(motors, (of_hinges, of_slides), (moment_bar, force_bar), strict=True):
+                each.pull_back(into, part, target)
+            inverse.pull_back(into, moment_bar, force_bar if tables.slide_links.size else None)
             if spin is not None:
                 _reflected_pulled_back(into, balls, parents, armature * moment_bar[:, balls], spin)
-        return values
 
-    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
-        figure, tables = samples.figure, samples.figure.tables
-        motors = np.concatenate([tables.hinge_links, tables.slide_links])
-        if has_moment_rows(figure) and not motors.size:
+        def curved(into: Curvature, scale: Array) -> None:
             rows = moment_rows(samples)
             at = np.repeat(np.arange(samples.count), rows.shape[1])
             into.add_rows(at, scale[at], rows.reshape(at.size, 3, -1))
-            return
-        link = np.concatenate([np.repeat(tables.ball_links, 3), motors])
-        axis = np.concatenate([np.tile(np.arange(3), tables.ball_links.size), np.full(motors.size, -1)])
-        at = np.repeat(np.arange(samples.count), link.size)
 
-        def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
-            _one_effort(copies, cotangent, link[rows % link.size], axis[rows % link.size])
-
-        into.add_rows(at, scale[at], jacobian(samples, at, seeded))
+        is_closed = has_moment_rows(samples.figure) and not tables.hinge_links.size + tables.slide_links.size
+        yield Dense(np.concatenate(efforts), pulled_back, curved if is_closed else None)
 
 
-def _one_effort(samples: Samples, into: Cotangent, link: Index, axis: Index) -> None:
-    """The gradient of one effort a sample, at the joint of link (S,); of a ball joint component `axis` (S,)."""
-    tables, links = samples.figure.tables, samples.links
-    inverse = samples.once(InverseDynamics)
-    moment_bar, force_bar = np.zeros_like(inverse.moment), np.zeros_like(inverse.force)
-    ball = np.flatnonzero(np.isin(link, tables.ball_links))
-    moment_bar[axis[ball], link[ball], ball] = 1.0
-    every = tables.ball_links
-    if np.any(tables.armature[every]):
-        spin = links.omega[:, every] - links.omega[:, tables.parents[every]]
-        reflected = tables.armature[every][:, None] * moment_bar[:, every]
-        _reflected_pulled_back(into, every, tables.parents[every], reflected, spin)
-    motors = ((tables.hinge_links, inverse.moment, moment_bar), (tables.slide_links, inverse.force, force_bar))
-    for chosen, source, target in motors:
-        at = np.flatnonzero(np.isin(link, chosen))
-        if not at.size:
-            continue
-        own = link[at]
-        direction = (links.rotation[:, :, own, at] * tables.axis[None, :, own]).sum(axis=1)
-        target[:, own, at] = direction
-        into.buffer("y_dd")[at, [samples.figure.links[i].qpos for i in own]] += tables.armature[own]
-        into.buffer("turn")[:, own, at] += cross(direction, source[:, own, at])
-    inverse.pull_back(into, moment_bar, force_bar if tables.slide_links.size else None)
+@dataclass(frozen=True, eq=False)
+class _Motors:
+    """Hinges or slides: links (h,), columns (h,), axes (3, h, S), moments or forces there, and efforts along the axes
+    (h, S), with what the armature takes."""
+
+    links: Index
+    columns: Index
+    armature: Array
+    axis: Array
+    source: Array
+    effort: Array
+
+    @classmethod
+    def of(cls, samples: Samples, links: Index, columns: Index, source: Array) -> _Motors:
+        tables = samples.figure.tables
+        axis = (samples.links.rotation[:, :, links] * tables.axis[None, :, links, None]).sum(axis=1)
+        armature = tables.armature[links][:, None]
+        effort = dot(axis, source[:, links]) + armature * samples.columns(columns, 2)
+        return cls(links, columns, armature, axis, source[:, links], effort)
+
+    def pull_back(self, into: Cotangent, bar: Array, target: Array) -> None:
+        """Adds the gradient of Σ bar · effort, bar (h, S), to `target`, that by moments or forces, and to `into`."""
+        target[:, self.links] = bar * self.axis
+        into.buffer("y_dd")[:, self.columns] += (bar * self.armature).T
+        into.buffer("turn")[:, self.links] += cross(self.axis, bar * self.source)
 
 
 def _reflected_pulled_back(into: Cotangent, own: Index, parents: Index, gradient: Array, spin: Array) -> None:

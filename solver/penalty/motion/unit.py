@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,6 +10,7 @@ import numpy as np
 from ...array import Array
 from ...figure.adjoint import Cotangent
 from ...figure.kinematics import Samples
+from ..block import Dense
 from ..curvature import Curvature
 from ..penalty import Penalty, Scale
 
@@ -40,20 +42,20 @@ class UnitMagnitude(Penalty):
     def scale(self) -> Scale:
         return Scale(4e-4 if self.form == "square" else 2e-2, most=self.most)
 
-    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+    def residuals(self, samples: Samples) -> Iterator[Dense]:
         excess = samples.q_dots[0] - 1
-        if self.form == "square":
-            values, slope = excess * excess, 2 * excess
-        else:
+        value, slope = excess, np.ones_like(excess)
+        if self.form == "absolute":  # √(e² + ε²) − ε = (e g)²
             root = np.sqrt(excess**2 + self.epsilon**2)
-            values, slope = root - self.epsilon, excess / root
-        if into is not None:
-            into.absorb("q", (2 * scale * slope) * samples.q)
-        return values.sum(axis=0)
+            g = 1 / np.sqrt(root + self.epsilon)
+            value, slope = excess * g, 1 / (2 * root * g)
 
-    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
-        excess = samples.q_dots[0] - 1
-        slope = 2.0 if self.form == "square" else np.sqrt(2) / (excess**2 + self.epsilon**2) ** 0.25
-        rows = np.zeros((samples.count, excess.shape[0], 1, 3, 4))
-        rows[:, :, 0, 0] = (slope * samples.q).transpose(2, 1, 0)
-        into.add_blocks(samples.figure.tables.quaternion_columns.T, rows, scale)
+        def pulled_back(into: Cotangent, bar: Array) -> None:
+            into.absorb("q", (2 * slope * bar) * samples.q)
+
+        def curved(into: Curvature, scale: Array) -> None:
+            rows = np.zeros((samples.count, excess.shape[0], 1, 3, 4))
+            rows[:, :, 0, 0] = (2 * slope * samples.q).transpose(2, 1, 0)
+            into.add_blocks(samples.figure.tables.quaternion_columns.T, rows, scale)
+
+        yield Dense(value, pulled_back, curved)

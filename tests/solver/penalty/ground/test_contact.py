@@ -13,8 +13,7 @@ from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import Contact
-from dynsplines.solver.penalty.ground import contact as contact_module
+from dynsplines.solver.penalty import Contact, block
 from dynsplines.solver.penalty.ground.contact import neighbours
 from dynsplines.solver.surface import Box, static_surfaces
 from dynsplines.solver.surface.points import Point, body_points, site_points
@@ -83,7 +82,7 @@ def test_by_way_of_their_links_motions_the_rows_of_many_points_are_what_they_are
     if not points:
         pytest.skip("nothing beside what carries the surfaces")
     for many in (1000, 0):
-        monkeypatch.setattr(contact_module, "MANY", many)
+        monkeypatch.setattr(block, "MANY", many)
         sides = contact.sides(samples)
         assert sides is not None
         found.append(sides)

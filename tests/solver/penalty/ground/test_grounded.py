@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import mujoco
 import numpy as np
+from block_rows import assert_rows_of
 from penalty_slope import penalty_slope, scaled_like
 from random_samples import at_times, random_samples
 
@@ -65,22 +66,9 @@ def test_it_does_not_feel_the_quaternions_length(figure, rng):
     np.testing.assert_allclose(grounded.evaluate(scaled_like(samples, rng)), grounded.evaluate(samples), rtol=1e-9)
 
 
-def test_its_curvature_is_that_of_the_lowest_height(figure, rng):
+def test_heights_change_as_their_rows_say(figure, rng):
     samples, grounded = case(figure, rng)
-    curvature, phi, h = Curvature(samples), rng.normal(size=(6, 3)), 1e-6
-    grounded.curvature(samples, curvature, np.ones(6))
-
-    def height(y: np.ndarray) -> np.ndarray:
-        value = grounded.evaluate(Samples(figure, y, samples.y_d, samples.y_dd, samples.t))
-        return 0.8 * np.sqrt(-np.log(1 - value / 0.64))
-
-    rows = [
-        (height(samples.y + h * phi[:, :1] * e) - height(samples.y - h * phi[:, :1] * e)) / (2 * h)
-        for e in np.eye(figure.width)
-    ]
-    fading = np.exp(-((height(samples.y) / 0.8) ** 2))
-    expected = 2 * np.einsum("s,ms,ns->mn", fading, np.array(rows), np.array(rows))
-    np.testing.assert_allclose(curvature.quadratic(phi, 0, 6), expected, rtol=1e-4, atol=1e-5 * expected.max())
+    assert_rows_of(grounded, samples, rng, rtol=1e-5)
 
 
 def test_where_it_is_firm_it_is_ten_times_the_square_of_the_height(figure, rng):

@@ -3,6 +3,7 @@
 import mujoco
 import numpy as np
 import pytest
+from block_rows import assert_rows_of
 from penalty_slope import penalty_slope, scaled_like
 from random_samples import random_samples
 
@@ -12,8 +13,6 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import Contact, CovariantAcceleration, RootAcceleration, Skate, UnitMagnitude
-from dynsplines.solver.penalty.curvature import Curvature
-from dynsplines.solver.penalty.ground.contact import velocity_gradients
 from dynsplines.solver.penalty.ground.skate import LONG, Bound
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface import Box, Plane
@@ -64,43 +63,9 @@ def test_it_does_not_feel_the_quaternions_length(figure, rng):
     np.testing.assert_allclose(skate.evaluate(scaled_like(samples, rng)), skate.evaluate(samples), rtol=1e-9)
 
 
-def test_velocity_rows_are_differences_of_the_velocity(figure, rng):
-    samples, h = random_samples(figure, rng, 4), 1e-6
-    point, direction = some_points(samples)[1], rng.normal(size=(3, 4))
-
-    def velocity(y: np.ndarray, y_d: np.ndarray) -> np.ndarray:
-        links = Samples(figure, y, y_d, samples.y_dd).links
-        offset = np.einsum("ijs,j->is", links.rotation[:, :, point.link], point.position)
-        return np.sum(
-            direction * (links.x_d[:, point.link] + np.cross(links.omega[:, point.link].T, offset.T).T), axis=0
-        )
-
-    offset = np.einsum("ijs,j->is", samples.links.rotation[:, :, point.link], point.position)
-    rows = velocity_gradients(samples, np.arange(4), np.full(4, point.link), offset, direction)
-    step = rng.normal(size=samples.y.shape)
-    for order, (by_y, by_y_d) in enumerate(((step, 0 * step), (0 * step, step))):
-        up, down = (velocity(samples.y + s * h * by_y, samples.y_d + s * h * by_y_d) for s in (1, -1))
-        np.testing.assert_allclose(np.sum(rows[:, order] * step, axis=1), (up - down) / (2 * h), rtol=1e-6, atol=1e-6)
-
-
-def test_its_curvature_is_that_of_the_weighted_velocities(figure, rng):
+def test_weighted_velocities_change_as_their_rows_say(figure, rng):
     samples = random_samples(figure, rng, 3)
-    floor, scale = below(samples), rng.uniform(1, 2, 3)
-    skate = Skate(some_points(samples), (floor,), 1.0)
-    curvature = Curvature(samples)
-    skate.curvature(samples, curvature, scale)
-    phi = rng.normal(size=(3, 3))
-    centres, arms, links = places_of(skate.points, samples)
-    height = centres[2] - floor.point[2] - np.array([0.05, 0])[:, None]
-    weight = np.exp(-(height**2))
-    expected = 0
-    for i, link in enumerate(links):
-        for direction in np.eye(3):
-            ways = np.repeat(direction[:, None], 3, axis=1)
-            rows = velocity_gradients(samples, np.arange(3), np.full(3, link), arms[:, i], ways)
-            moved = np.einsum("so,son->sn", phi[:, :2], rows)
-            expected = expected + 2 * np.einsum("s,sm,sn->mn", scale * weight[i], moved, moved)
-    np.testing.assert_allclose(curvature.quadratic(phi, 0, 3), expected, rtol=1e-9, atol=1e-9)
+    assert_rows_of(Skate(some_points(samples), (below(samples),), 1.0), samples, rng)
 
 
 def test_high_points_are_free_and_no_points_cost_nothing(figure, rng):
