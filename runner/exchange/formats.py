@@ -14,7 +14,7 @@ from ..errors import UserError, unknown
 from ..motion import Saved
 from ..system import largest
 from ..system.output import Replacement, check_new, check_target
-from . import layouts, unsaid
+from . import gaps, layouts, unsaid
 from .held import names_in
 from .take import Recording, Take, Wishes
 
@@ -303,10 +303,10 @@ def _read(
     read = _module(form).read
     assert read is not None, "a format that is read"
     if form.scales:
-        return read(source, model, fps, scale=scale)
+        return gaps.as_far_as_it_goes(lambda: read(source, model, fps, scale=scale))
     if scale is not None:
         raise UserError(f"{source}: lengths of the format '{form.name}' are metres; a scale is not for it")
-    return read(source, model, fps)
+    return gaps.as_far_as_it_goes(lambda: read(source, model, fps))
 
 
 def read_by(own: Reader, source: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:

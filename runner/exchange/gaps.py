@@ -1,11 +1,12 @@
-"""Samples that hold no numbers: an error where every sample counts, left out where a recording is to be mended.
+"""Samples without numbers and truncated files: errors where every sample counts, tolerated in recordings to be cleaned.
 
-Readers see the sample before in their place, so that they need not know; what was made of it is taken out at the end.
+Readers get the sample before in place of one without numbers, so that they need no code for it; those samples are
+removed at the end. A file whose arrays differ in their number of samples is read again, up to the fewest.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass, field, replace
@@ -15,14 +16,38 @@ import numpy as np
 from dynsplines.solver.array import Array, Mask
 
 from ..errors import UserError
+from .layouts import noted
 from .take import Recording
+
+FEWEST = 2  # samples of a motion
+
+
+class UnequalSamples(UserError):
+    """A file whose arrays differ in their number of samples.
+
+    shapes   of its arrays, by name, the samples first
+    """
+
+    def __init__(self, where: object, shapes: Mapping[str, tuple[int, ...]]) -> None:
+        self.count = min(shape[0] for shape in shapes.values())
+        self.counts = ", ".join(f"'{name}' {shape[0]}" for name, shape in shapes.items())
+        called = ", ".join(f"'{name}' {shape}" for name, shape in shapes.items())
+        remedy = f"`dynsplines clean` uses the first {self.count}"
+        if self.count < FEWEST:
+            remedy = f"a motion has at least {FEWEST}"
+        super().__init__(f"{where}: its arrays differ in their number of samples, the first axis: {called}; {remedy}")
 
 
 @dataclass
 class Gaps:
-    """Which samples of the file that is read hold no numbers, (T,) for all its arrays together."""
+    """The defects of the file that is read.
+
+    missing  the samples that hold no numbers, (T,) for all its arrays together
+    most     the number of samples that all its arrays have; None as long as none is known to be shorter
+    """
 
     missing: Mask | None = field(default=None)
+    most: int | None = None
 
     def bridged(self, array: Array) -> Array | None:
         """An array, its samples along the first axis, with those of no numbers as the one before, which is noted.
@@ -77,3 +102,32 @@ def left_out(found: Recording, where: object) -> Recording:
     """As `Gaps.left_out` where gaps are allowed."""
     gaps = _now.get()
     return found if gaps is None else gaps.left_out(found, where)
+
+
+def samples_used(count: int) -> int:
+    """Return how many of an array's samples are used: those that all arrays of the file have, as far as is known."""
+    gaps = _now.get()
+    return count if gaps is None or gaps.most is None else min(count, gaps.most)
+
+
+def as_far_as_it_goes(read: Callable[[], Recording]) -> Recording:
+    """Return the recording that a reader returns; with a note if its arrays differ in their number of samples.
+
+    Raises UnequalSamples for such a file unless gaps are allowed.
+    """
+    gaps, unequal = _now.get(), None
+    if gaps is not None:
+        gaps.most = None
+    while True:
+        try:
+            found = read()
+        except UnequalSamples as error:
+            if gaps is None or error.count < FEWEST:
+                raise
+            gaps.most, gaps.missing, unequal = error.count, None, error
+        else:
+            break
+    if unequal is None:
+        return found
+    note = f"the file is cut short, samples of its arrays: {unequal.counts}; the first {unequal.count} are used"
+    return noted(found, (note,))

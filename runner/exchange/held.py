@@ -14,11 +14,12 @@ from dynsplines.solver.array import Array
 from ..errors import UserError
 from ..system import archive as archive_sizes
 from ..system import largest
-from .gaps import bridged
+from .gaps import UnequalSamples, bridged, samples_used
 from .take import BodyPoses
 
 LARGEST = 1e9  # of any number: its square still is one
 NUMBER = 8  # [bytes]
+SAMPLES = "samples"  # the first axis of arrays with a row an instant
 
 
 class Held:
@@ -30,6 +31,7 @@ class Held:
     def __init__(self, where: object, entries: Mapping[str, Any]) -> None:
         self.where, self.entries = where, entries
         self.sizes: dict[str, int] = {}
+        self.sampled: dict[str, tuple[int, ...]] = {}  # shapes of the arrays of samples
 
     def __contains__(self, name: str) -> bool:
         return self.entries.get(name) is not None
@@ -42,15 +44,22 @@ class Held:
         return self.entries[name]
 
     def numbers(self, name: str, *shape: int | str) -> Array:
-        """An array of finite numbers; letters in its shape are sizes that it shares with others, any at first."""
+        """An array of finite numbers; letters in its shape are sizes that it shares with others, any at first.
+
+        Raises UserError for other arrays, UnequalSamples if its first axis, SAMPLES, is not as long as those before.
+        """
         array = self._array(name, len(shape))
         if array.dtype.kind not in "fiu":
             raise UserError(f"{self.where}: '{name}' holds {array.dtype.name}, not numbers")
         wanted = [self.sizes.get(size, size) if isinstance(size, str) else size for size in shape]
+        is_sampled = shape[:1] == (SAMPLES,)
         fits = array.ndim == len(shape)
-        if not fits or any(isinstance(w, int) and w != n for w, n in zip(wanted, array.shape, strict=True)):
+        sizes = list(zip(wanted, array.shape, strict=False))[is_sampled:]
+        if not fits or any(isinstance(w, int) and w != n for w, n in sizes):
             told = ", ".join(map(str, wanted)) + ("," if len(wanted) == 1 else "")
             raise UserError(f"{self.where}: '{name}' has the shape {array.shape}, not ({told})")
+        if is_sampled:
+            array = array[: self.check_samples(name, array.shape)]
         self.sizes |= {size: n for size, n in zip(shape, array.shape, strict=True) if isinstance(size, str)}
         array = array.astype(float)
         if not np.all(np.isfinite(array)) and (mended := bridged(array)) is not None:
@@ -59,6 +68,14 @@ class Held:
             what = "is too large" if np.all(np.isfinite(array)) else "is not a finite number"
             raise UserError(f"{self.where}: '{name}': an entry {what}")
         return array
+
+    def check_samples(self, name: str, shape: tuple[int, ...]) -> int:
+        """Return how many samples of an array are used; raises UnequalSamples if those before have another number."""
+        self.sampled[name] = shape
+        count = samples_used(shape[0])
+        if count != self.sizes.get(SAMPLES, count):
+            raise UnequalSamples(self.where, self.sampled)
+        return count
 
     def quaternions(self, name: str, *shape: int | str, scalar_last: bool = False) -> Array:
         """Unit quaternions wxyz, of an array of quaternions wxyz, or xyzw if the scalar comes last."""

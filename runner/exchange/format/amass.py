@@ -34,8 +34,8 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
 from ...errors import UserError
-from .. import gaps, unsaid
-from ..held import Held, held, names_in, times
+from .. import unsaid
+from ..held import SAMPLES, Held, held, names_in, times
 from ..pickles import plain_pickle
 from ..skeleton import smpl
 from ..skeleton.person import Person
@@ -76,7 +76,7 @@ def recognises(path: Path) -> bool:
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
     """The motion of SMPL's body on a figure, or as a figure of its own."""
     found = _arrays(path)
-    position, poses, notes = _motion(found)
+    position, poses = _motion(found)
     name = _first(found, RATES)
     if name is None and fps is None:
         raise UserError(f"{path}: it has no '{RATES[0]}'; {unsaid.RATE}")
@@ -84,7 +84,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     local = quat.from_rotation_vector(poses)
     position, local, turned = smpl.z_up(position, local)
     position, scaled = (position, ()) if SCALE in found else smpl.in_metres(position, local)
-    notes += turned + scaled
+    notes = turned + scaled
     person = None if model is None else _person(model)
     if person is None:
         notes += _on_shape(found)
@@ -110,8 +110,8 @@ def _first(found: Held, names: tuple[str, ...]) -> str | None:
     return next((name for name in names if name in found), None)
 
 
-def _motion(found: Held) -> tuple[Array, Array, tuple[str, ...]]:
-    """Positions (T, 3), rotation vectors (T, 22, 3), and notes; raises UserError for other shapes."""
+def _motion(found: Held) -> tuple[Array, Array]:
+    """Positions (T, 3) and rotation vectors (T, 22, 3); raises UserError for other shapes."""
     place, poses = _first(found, PLACES) or PLACES[0], _first(found, POSES)
     root, body = _first(found, ROOTS), _first(found, BODIES)
     if poses is None and root is not None and body is not None:
@@ -119,29 +119,21 @@ def _motion(found: Held) -> tuple[Array, Array, tuple[str, ...]]:
     else:
         poses = poses or POSES[0]
         arrays = {poses: _rows(found, poses, BODY)}
-    arrays[place] = found.numbers(place, f"samples of {place}", 3)
-    counts = {name: len(array) for name, array in arrays.items()}
-    count, notes = min(counts.values()), ()
+    arrays[place] = found.numbers(place, SAMPLES, 3)
+    count = len(arrays[place])
     if not count:
         raise UserError(f"{found.where}: it has no samples")
-    if max(counts.values()) > count:
-        different = ", ".join(f"'{name}' {length}" for name, length in counts.items())
-        if not gaps.are_allowed():
-            raise UserError(
-                f"{found.where}: samples of its arrays: {different}; `dynsplines clean` uses the first {count}"
-            )
-        notes = (f"the file is cut short, samples of its arrays: {different}; the first {count} are used",)
-    position = arrays.pop(place)[:count]
+    position = arrays.pop(place)
     if SCALE in found:
         position = position / _scale(found)
-    turns = np.concatenate([array[:count] for array in arrays.values()], axis=1)
-    return position, turns[:, :BODY].reshape(count, -1, 3), notes
+    turns = np.concatenate(list(arrays.values()), axis=1)
+    return position, turns[:, :BODY].reshape(count, -1, 3)
 
 
 def _rows(found: Held, name: str, least: int) -> Array:
     """(T, least or more) of an array (T, n), or of one (T, joints, 3)."""
     nested = isinstance(found.of(name), np.ndarray) and found.of(name).ndim == 3
-    shape = (f"samples of {name}", f"joints of {name}", 3) if nested else (f"samples of {name}", f"numbers of {name}")
+    shape = (SAMPLES, f"joints of {name}", 3) if nested else (SAMPLES, f"numbers of {name}")
     array = found.numbers(name, *shape)
     array = array.reshape(len(array), int(np.prod(array.shape[1:])))
     if array.shape[1] < least:

@@ -95,12 +95,14 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
             f"{path}: a data set of observations for imitation learning, which leave out the root's place; load the "
             "trajectory that it was made of with LocoMuJoCo 1.0, and save that"
         )
-    _check_single(found, path)
+    declared = _declared(found, path)
     names, kinds = found.texts("joint_names"), found.numbers("jnt_type", "joints").astype(int).tolist()
     if len(kinds) != len(names) or not set(kinds) <= WIDTHS.keys() or kinds.count(0) != 1:
         raise UserError(f"{path}: 'jnt_type' does not tell one free joint and hinges, one for each of 'joint_names'")
     starts = np.cumsum([0, *(WIDTHS[kind] for kind in kinds)]).tolist()
     qpos = found.numbers("qpos", "samples", starts[-1])
+    if declared > len(qpos):
+        found.check_samples("split_points", (declared,))
     root = starts[kinds.index(0)]
     hinges = [i for i, kind in enumerate(kinds) if kind != 0]
     rotation = Held(path, {"qpos (the root's quaternion)": qpos[:, root + 3 : root + 7]})
@@ -115,10 +117,12 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     )
 
 
-def _check_single(found: Held, path: Path) -> None:
+def _declared(found: Held, path: Path) -> int:
+    """The number of samples that the file declares; raises UserError for several motions."""
     splits = found.numbers("split_points", "splits")
     if len(splits) > 2:
         raise UserError(f"{path}: it holds {len(splits) - 1} motions one after another; cut them apart first")
+    return int(splits[-1] - splits[0]) if splits.size == 2 else 0
 
 
 def _before_1_0(found: Held, model: mujoco.MjModel, path: Path, fps: float | None) -> Recording:
@@ -133,7 +137,7 @@ def _before_1_0(found: Held, model: mujoco.MjModel, path: Path, fps: float | Non
             f"{there}; name that model, or load the data set with LocoMuJoCo 1.0 and save its trajectory"
         )
     if "split_points" in found:
-        _check_single(found, path)
+        _declared(found, path)
     if "frequency" not in found and fps is None:
         raise UserError(f"{path}: a file of LocoMuJoCo before 1.0 has no rate; {unsaid.RATE}")
     rate = found.rate("frequency") if "frequency" in found else float(fps or 0)

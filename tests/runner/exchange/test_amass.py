@@ -184,7 +184,9 @@ def test_a_file_of_no_or_one_sample_is_refused_or_read(tmp_path):
 def test_a_file_cut_short_is_used_as_far_as_it_goes_where_that_is_allowed(tmp_path):
     poses, trans = walk()
     path = written(tmp_path, poses=poses, trans=trans[:60], mocap_framerate=RATE)
-    with pytest.raises(UserError, match="'poses' 75, 'trans' 60; `dynsplines clean` uses the first 60"):
+    with pytest.raises(
+        UserError, match=r"'poses' \(75, 52, 3\), 'trans' \(60, 3\); `dynsplines clean` uses the first 60"
+    ):
         formats.recording(path, model=HUMAN)
     with gaps.allowed():
         found = formats.recording(path, model=HUMAN)

@@ -212,7 +212,7 @@ def test_plain_arrays_bring_motion_and_figure(human, tmp_path):
 BAD = {
     "mjlab": (
         ({"body_pos_w": None}, r"no 'body_pos_w'; it holds: fps, joint_pos"),
-        ({"joint_pos": np.zeros((4, 5))}, r"'body_pos_w' has the shape \(\d+, 4, 3\), not \(4, bodies, 3\)"),
+        ({"joint_pos": np.zeros((4, 5))}, r"'joint_pos' \(4, 5\), 'body_pos_w' \(61, 4, 3\); `dynsplines clean` uses"),
         ({"body_quat_w": np.zeros((61, 4, 4))}, "quaternion of length 0"),
         ({"joint_names": np.array(["a", *JOINTS[1:]])}, "no joint 'left_hip_pitch'; it has: a, left_hip_roll"),
         ({"fps": np.array([0.0])}, "'fps' is not a number of samples a second"),
