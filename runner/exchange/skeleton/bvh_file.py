@@ -281,19 +281,21 @@ def _values(lines: _Lines, count: int, width: int) -> tuple[Array, tuple[str, ..
     for i, (number, line) in enumerate(rest):
         lines.number = number
         words = line.split()
-        is_cut = not is_strict and i == len(rest) - 1 and i < count
+        is_last = i == len(rest) - 1 and len(words) <= width
+        is_cut = not is_strict and is_last and i < count
         if is_strict and i == count:
-            raise lines.wrong(f"more images than the {count} of 'Frames:'")
+            raise lines.wrong(f"more images than the {count} of 'Frames:'; `dynsplines clean` uses all {len(rest)}")
         row = [_number(word, is_strict=is_strict) for word in words]
         if is_cut and (None in row or len(row) < width or (i + 1 < count and not lines.is_ended)):
             break  # the file ends within this line
         if None in row:
             raise lines.wrong(f"'{shown(words[row.index(None)])}' is no number")
         if len(row) != width:
-            raise lines.wrong(f"{len(row)} numbers for the {width} channels of the joints")
+            hint = "; `dynsplines clean` uses the frames before it" if is_last and 1 < i < count else ""
+            raise lines.wrong(f"{len(row)} numbers for the {width} channels of the joints{hint}")
         rows.append(np.array(row, float))
-    if not rows or (is_strict and len(rows) < count):
-        hint = "; `dynsplines clean` uses those that there are" if rows else ""
+    if not rows or (is_strict and len(rows) < count) or len(rows) < min(count, gaps.FEWEST):
+        hint = "; `dynsplines clean` uses those that there are" if len(rows) >= gaps.FEWEST else ""
         raise lines.wrong(f"the file ends after {len(rows)} images; 'Frames:' declares {count}{hint}")
     few = f"{len(rows)} of the {count} frames that 'Frames:' declares are complete in the file: they are used"
     many = f"the file has {len(rows)} frames, 'Frames:' declares {count}: all are used"

@@ -90,3 +90,18 @@ def test_a_line_of_another_width_in_the_middle_is_refused(tmp_path):
 def test_names_in_shift_jis_are_read(tmp_path):
     (tmp_path / "a.bvh").write_bytes(text(rows()).replace("LeftUpLeg", "左足").encode("cp932"))
     assert "左足" in bvh_file.read(tmp_path / "a.bvh")[0].names
+
+
+@pytest.mark.parametrize(
+    "content", [text(rows(), declared=5), text([*rows()[:-1], "0.7 80 14 7"], end=""), text(rows(), declared=12)]
+)
+def test_the_error_of_a_file_cut_short_names_the_command_that_reads_it(content, tmp_path):
+    (tmp_path / "a.bvh").write_text(content)
+    with pytest.raises(UserError, match=r"a\.bvh: line \d+: .*`dynsplines clean` uses"):
+        bvh_file.read(tmp_path / "a.bvh")
+
+
+def test_a_file_cut_to_one_frame_is_refused(tmp_path):
+    (tmp_path / "a.bvh").write_text(text(rows(1), declared=12))
+    with gaps.allowed(), pytest.raises(UserError, match="the file ends after 1 images; 'Frames:' declares 12"):
+        bvh_file.read(tmp_path / "a.bvh")
