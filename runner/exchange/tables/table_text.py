@@ -3,6 +3,9 @@
 Commas, semicolons, tabs or spaces separate the cells; decimal commas go with any of them but unquoted commas. Lines
 that begin with #, % or // are comments, but for one directly before the numbers that has a name for every column. A
 line `sep=;` is Excel's. Empty cells are nan.
+
+A table is cut short if its last row has fewer cells than the others, or if the file ends within the last number. That
+is inferred if no end of line follows the number, and it is shorter than those above it or far from them.
 """
 
 from __future__ import annotations
@@ -18,6 +21,7 @@ import numpy as np
 from dynsplines.solver.array import Array
 
 from ...errors import UserError
+from .. import gaps
 
 SEPARATORS = {",": "commas", ";": "semicolons", "\t": "tabs", " ": "spaces"}
 MARKS = ("#", "%", "//")
@@ -25,6 +29,10 @@ RATE = re.compile(
     r"\b(?:fps|frame[ _]?rate|frequency|sampl\w*[ _]rate|hz)\b\W{0,3}([0-9]+(?:\.[0-9]+)?)", re.IGNORECASE
 )
 ENCODINGS = {b"\xff\xfe": "utf-16", b"\xfe\xff": "utf-16", b"\xef\xbb\xbf": "utf-8-sig"}
+BEGINNING = re.compile(r"[+-]?([0-9]*[.,]?[0-9]*(e[+-]?)?|na?|inf?|infin?i?t?)", re.IGNORECASE)  # of a number
+NUMBER = re.compile(r"[+-]?[0-9]*(?:[.,](?P<decimals>[0-9]*))?(?:e[+-]?(?P<exponent>[0-9]+))?", re.IGNORECASE)
+PRECISE = 9  # decimals: numbers with as many are right within 1e-9, whatever of them is missing
+FAR, NEAR = 3, 1e-6  # times the largest step of a column, and besides: a number farther off lacks its exponent
 Rows = list[list[str]]
 
 
@@ -71,7 +79,7 @@ DIALECTS = [Dialect(separator, comma) for comma in (False, True) for separator i
 
 def table(path: Path) -> Table:
     """Return the table in a file; raises UserError for a file that is none, naming row and separator."""
-    lines, comments, heading = _lines(path)
+    lines, comments, heading, is_ended = _lines(path)
     if not lines:
         raise UserError(f"{path}: the file is empty")
     dialect = _dialect(lines)
@@ -85,20 +93,66 @@ def table(path: Path) -> Table:
     if names is not None and len(names) != width:
         raise UserError(f"{path}: {len(names)} names for {width} columns, separated by {SEPARATORS[dialect.separator]}")
     numbers = [[dialect.number(cell) for cell in row] for row in rows]
-    bad = next((i for i, row in enumerate(numbers) if len(row) != width or None in row), None)
-    if bad is not None:
+    notes: tuple[str, ...] = ("decimal commas are read as points",) if dialect.has_decimal_comma else ()
+    cut = _cut(rows, numbers, is_ended=is_ended)
+    whole = numbers if cut is None else numbers[:-1]
+    bad = [i + 1 + first for i, row in enumerate(whole) if len(row) != width or None in row]
+    if bad:
+        do = "complete or delete it" if len(bad) == 1 else f"complete or delete it and {len(bad) - 1} more such"
         raise UserError(
-            f"{path}: row {bad + 1 + first} does not hold {width} numbers, separated by {SEPARATORS[dialect.separator]}"
+            f"{path}: row {bad[0]} does not hold {width} numbers, separated by {SEPARATORS[dialect.separator]}"
             + (", with decimal commas" if dialect.has_decimal_comma else "")
+            + f"; {do}"
         )
+    if cut is not None:
+        notes += (_truncated(path, f"row {len(rows) + first}, the last, {cut}", len(whole), len(rows[-1]) == width),)
     rates = [float(match[1]) for comment in comments if (match := RATE.search(comment))]
-    notes = ("decimal commas are read as points",) if dialect.has_decimal_comma else ()
     fps = rates[0] if rates and 0.01 <= rates[0] <= 100_000 else None
-    return Table(np.array(numbers, float).reshape(-1, width), names, fps, notes)
+    return Table(np.array(whole, float).reshape(-1, width), names, fps, notes)
 
 
-def _lines(path: Path) -> tuple[list[str], list[str], str | None]:
-    """The lines of a file that are not empty, its comments, and the comment before the first line."""
+def _cut(rows: Rows, numbers: list[list[float | None]], *, is_ended: bool) -> str | None:
+    """How the last row is incomplete; None if it is complete, or damaged in another way than by a cut."""
+    last, values, width = rows[-1], numbers[-1], len(rows[0])
+    if len(last) > width or None in values[:-1] or (values[-1] is None and not BEGINNING.fullmatch(last[-1])):
+        return None
+    if len(last) < width or values[-1] is None:
+        return f"has {len(last) - (values[-1] is None)} of {width} numbers"
+    above = [(row[-1], values[-1]) for row, values in zip(rows[:-1], numbers[:-1], strict=True) if len(row) == width]
+    if is_ended or not (len(rows) == 1 or _is_cut(last[-1], values[-1], above)):
+        return None
+    return f"has no end after the number {last[-1]}" + (", which differs from those above it" if above else "")
+
+
+def _truncated(path: Path, cut: str, count: int, is_wide: bool) -> str:
+    """Return the note on a table of which so many rows are complete; raises UserError unless those may be used."""
+    cut = f"the file is cut short: {cut}"
+    if count < gaps.FEWEST:
+        raise UserError(f"{path}: {cut}; a motion has at least {gaps.FEWEST} complete rows")
+    if not gaps.are_allowed():
+        end = "; if it is complete, end its line" if is_wide else ""
+        raise UserError(f"{path}: {cut}; `dynsplines clean` uses the {count} rows before it{end}")
+    return f"{cut}: {count} of {count + 1} rows are used"
+
+
+def _is_cut(cell: str, number: float, above: Sequence[tuple[str, float | None]]) -> bool:
+    """Whether a number has fewer digits than all above it, or is so far from them that its end must be missing."""
+    matches = [match for text, _ in above if (match := NUMBER.fullmatch(text))]
+    match = NUMBER.fullmatch(cell)
+    if match is None or not matches:
+        return False
+    if match["exponent"]:
+        return len(match["exponent"]) < min((len(each["exponent"]) for each in matches if each["exponent"]), default=2)
+    decimals = len(match["decimals"] or "")
+    least = min((len(each["decimals"] or "") for each in matches if not each["exponent"]), default=None)
+    if least is None or decimals < min(least, PRECISE):
+        return True
+    values = np.array([value for _, value in above if value is not None and np.isfinite(value)])
+    return values.size > 1 and bool(abs(number - values[-1]) > FAR * np.abs(np.diff(values)).max() + NEAR)
+
+
+def _lines(path: Path) -> tuple[list[str], list[str], str | None, bool]:
+    """The lines that are not empty, the comments, the one before the first line, and whether the last line ends."""
     content = path.read_bytes()
     encoding = next((name for mark, name in ENCODINGS.items() if content.startswith(mark)), "utf-8")
     try:
@@ -119,7 +173,8 @@ def _lines(path: Path) -> tuple[list[str], list[str], str | None]:
             heading = comments[-1] if not lines else heading
         else:
             lines.append(line)
-    return lines, comments, heading
+    is_ended = text.endswith(("\n", "\r")) or not lines or text.splitlines()[-1].strip() != lines[-1]
+    return lines, comments, heading, is_ended
 
 
 def _dialect(lines: Sequence[str]) -> Dialect:
