@@ -8,9 +8,8 @@ adjoint        gradients with respect to that motion, pulled back to the path
 dynamics       inverse dynamics of all samples at once, and its adjoint; eqs. 18-21 and appendix A of the paper
 wrench         the wrench at a free root: what must push the figure from outside for it to move as it does
 axes           what each coordinate of a figure does to its links, as a function of time
-jacobian_rows  rows of points, moments and the root's wrench, for ball joints in world coordinates
-joint_rows     rows of points, for any joints
+wrenches       rows of what changes as links move, for any joints
+jacobian_rows  rows of moments and of the root's wrench, for ball joints in world coordinates
 joint_wrench   rows of the root's wrench, for any joints
-joint_spin     rows of joints' angular accelerations, for any joints
 naming         what geoms are called, so that people know them
 """

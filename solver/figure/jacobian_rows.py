@@ -1,9 +1,8 @@
-"""Jacobian rows in closed form: of points fixed on links, of the moments at ball joints, of the wrench at a free root.
+"""Jacobian rows in closed form of the moments at ball joints and of the wrench at a free root.
 
 They are what `curvature.jacobian` finds by one adjoint sweep a row, many times faster, for figures in world coordinates
-whose joints sit at their bodies' origins. A point p moves with every link on the way from the root: δp = δT + Σ δφ × s,
-s the part of the way that turns with the link. A moment takes from the links beyond its joint what inverse dynamics
-says (eqs. 18-21), and hands it on to the links before it through the accelerations of their origins (eq. 13).
+whose joints sit at their bodies' origins. A moment takes from the links beyond its joint what inverse dynamics says
+(eqs. 18-21), and hands it on to the links before it through the accelerations of their origins (eq. 13).
 """
 
 from __future__ import annotations
@@ -21,93 +20,11 @@ from .kinematics import LinkMotion, Samples
 from .wrench import RootWrench
 
 
-def has_point_rows(figure: Figure) -> bool:
-    """Whether `point_rows` knows the figure."""
-    return figure.is_world and not figure.tables.has_anchors
-
-
 def has_moment_rows(figure: Figure) -> bool:
-    """Whether `moment_rows` knows the figure."""
+    """Whether `moment_rows` and `wrench_rows` know the figure."""
     balls = np.array([link.kind == JointKind.BALL for link in figure.links])
-    return has_point_rows(figure) and not np.any(figure.tables.armature[balls])
-
-
-def point_rows(samples: Samples, at: Index, link: Index, offset: Array, direction: Array) -> Array:
-    """(P, N): the gradient of direction · p with respect to y, for points p at an offset (3, P) [m] on their links.
-
-    at    (P,) sample of each point;  link  (P,) the link it is fixed on
-    direction  (3, P) in the world
-    """
-    links = samples.links
-    carrier, lever = _levers(samples, at, link, offset)
-    turn = cross(lever, direction[:, None, :]) * (carrier > 0)
-    per_length = (2 / links.length_squared)[carrier, at]
-    gradient = pure_product(turn, links.Q[:, carrier, at] * per_length)
-    out = _by_columns(samples, carrier, gradient)
-    _add_positions(out, samples.figure, carrier, direction)
-    return out
-
-
-def velocity_rows(samples: Samples, at: Index, link: Index, offset: Array, direction: Array) -> Array:
-    """(P, 2, N): the gradients of direction · v with respect to y and y', v the velocities of points as `point_rows`'s.
-
-    v = (∂p/∂y) y', so that the second is the row of the point itself, and the first that row's rate of change.
-    """
-    links = samples.links
-    carrier, lever = _levers(samples, at, link, offset)
-    turn = cross(lever, direction[:, None, :]) * (carrier > 0)
-    turn_d = cross(cross(links.omega[:, carrier, at], lever), direction[:, None, :]) * (carrier > 0)
-    scale, rate = links.scale[carrier, at], links.rates[0][carrier, at]
-    own = links.Q[:, carrier, at] * scale
-    own_d = (links.Q_d[:, carrier, at] - rate * links.Q[:, carrier, at]) * scale
-    first = _by_columns(samples, carrier, pure_product(turn, own_d) + pure_product(turn_d, own))
-    second = _by_columns(samples, carrier, pure_product(turn, own))
-    _add_positions(second, samples.figure, carrier, direction)
-    return np.stack([first, second], axis=1)
-
-
-def _levers(samples: Samples, at: Index, link: Index, offset: Array) -> tuple[Index, Array]:
-    """The links on the way to each point, (depth, P), 0 where there are fewer, and the part of the way that turns with
-    each, (3, depth, P)."""
-    chain, following = _chains(samples.figure)
-    onward = following[:, link]
-    return chain[:, link], np.where(onward > 0, samples.links.step[:, onward, at], offset[:, None, :])
-
-
-def _by_columns(samples: Samples, carrier: Index, gradient: Array) -> Array:
-    """(P, N): gradients (4, depth, P) with respect to the quaternions of links (depth, P) in their columns."""
-    tables = samples.figure.tables
-    out = np.zeros((carrier.shape[1], samples.y.shape[1]))
-    block = np.zeros(len(samples.figure.links), np.intp)
-    block[tables.quaternion_links] = np.arange(tables.quaternion_links.size)
-    level, pair = np.nonzero(carrier > 0)
-    out[pair, tables.quaternion_columns[:, block[carrier[level, pair]]]] = gradient[:, level, pair]
-    return out
-
-
-def _add_positions(out: Array, figure: Figure, carrier: Index, direction: Array) -> None:
-    """The columns of free roots' positions."""
-    for free, position in zip(figure.tables.free_links, figure.tables.position_columns.T, strict=True):
-        carried = np.flatnonzero((carrier == free).any(axis=0))
-        out[carried[:, None], position] = direction[:, carried].T
-
-
-def _chains(figure: Figure) -> tuple[Index, Index]:
-    """For every link, the links on the way to it and which comes next: (depth, L) each, 0 where there is none."""
-    parents = figure.tables.parents
-    ways = []
-    for link in range(len(figure.links)):
-        way = []
-        while link:
-            way.append(link)
-            link = int(parents[link])
-        ways.append(way[::-1])
-    depth = max(len(way) for way in ways)
-    chain, following = np.zeros((2, depth, len(ways)), np.intp)
-    for link, way in enumerate(ways):
-        chain[: len(way), link] = way
-        following[: max(len(way) - 1, 0), link] = way[1:]
-    return chain, following
+    tables = figure.tables
+    return figure.is_world and not tables.has_anchors and not np.any(tables.armature[balls])
 
 
 @dataclass(frozen=True)
@@ -248,25 +165,6 @@ def wrench_rows(wrench: RootWrench, pushes: Pushes | None = None) -> Array:
     return out
 
 
-def relative_spin_rows(samples: Samples, at: Index, link: Index, direction: Array) -> Array:
-    """(P, 3, N): gradients of direction · (ω' − ω'_parent) in y, y', y'', for figures in world coordinates.
-
-    at, link  (P,) sample and link of each;  direction  (3, P) in the world, held
-    """
-    tables = samples.figure.tables
-    block = np.full(len(samples.figure.links), -1)
-    block[tables.quaternion_links] = np.arange(tables.quaternion_links.size)
-    out = np.zeros((at.size, 3, samples.y.shape[1]))
-    for owner, sign in ((link, 1.0), (tables.parents[link], -1.0)):
-        some = np.flatnonzero(block[owner] >= 0)
-        nothing = np.zeros((3, some.size))
-        here = _Picked(samples.links, owner[some], at[some])
-        columns = tables.quaternion_columns[:, block[owner[some]]]
-        for order, gradient in enumerate(_quaternion_gradients(here, nothing, nothing, sign * direction[:, some])):
-            out[some, order, columns] = gradient
-    return out
-
-
 def _attached_wrench(
     rates: tuple[Array, Array], s: Array, mass: Array, hold: Array, away: Array
 ) -> tuple[Array, Array, Array]:
@@ -290,15 +188,6 @@ class _Chosen:
         self.length_squared, self.stretch_rate = (
             part[chosen, None] for part in (links.length_squared, links.stretch_rate)
         )
-
-
-class _Picked:
-    """A LinkMotion's quaternions and rates for pairs of a link and a sample: (c, P)."""
-
-    def __init__(self, links: LinkMotion, link: Index, at: Index) -> None:
-        self.Q, self.Q_d, self.Q_dd = links.quaternions[:, :, link, at]
-        self.omega, self.alpha = links.spins[:, :, link, at]
-        self.length_squared, self.stretch_rate = links.length_squared[link, at], links.stretch_rate[link, at]
 
 
 def _link_gradients(
@@ -349,9 +238,7 @@ def _attached(rates: tuple[Array, Array], s: Array, g: Array, g_dd: Array) -> tu
     return cross(s, pull), cross(cross(omega, s), g_dd) + cross(s, through), cross(s, g_dd)
 
 
-def _quaternion_gradients(
-    links: _Chosen | _Picked, turn: Array, omega: Array, alpha: Array
-) -> tuple[Array, Array, Array]:
+def _quaternion_gradients(links: _Chosen, turn: Array, omega: Array, alpha: Array) -> tuple[Array, Array, Array]:
     """Gradients of (turn, ω, ω') as gradients of Q, Q', Q''; the reasons are in the kinematics."""
     b = links.length_squared
     rate = 2 * links.stretch_rate

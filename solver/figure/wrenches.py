@@ -115,6 +115,12 @@ def each_axis(count: int) -> Array:
     return np.repeat(np.eye(3), count, axis=1)
 
 
+def every_axis(links: Index, count: int) -> tuple[Index, Index, Array]:
+    """Samples, links (3 n S,) and the world's axes (3, 3 n S) of vectors (3, n, S) of some links at so many samples."""
+    at, link = np.tile(np.arange(count), 3 * links.size), np.tile(np.repeat(links, count), 3)
+    return at, link, each_axis(links.size * count)
+
+
 @dataclass(frozen=True, eq=False)
 class _Chains:
     """For every link the joints on the way to it, by kind: links (depth, L), 0 where there are fewer.

@@ -1,6 +1,6 @@
 """The soft constraints, one a file.
 
-penalty    what one is                       squares   one that gives residuals has all the rest from there
+penalty    what one is                       block     its residuals, from which all the rest follows
 curvature  what they say of E's second derivatives     sum      some as one
 one_sided  residuals that count on one side only
 check      is one what it says?
@@ -8,6 +8,9 @@ allowance  what keyframes violate is let pass
 motion, ground, joints  the soft constraints themselves
 """
 
+from .block import Block as Block
+from .block import Dense as Dense
+from .block import Entries as Entries
 from .check import check as check
 from .ground.carried import carried_links as carried_links
 from .ground.carried import surfaces_on as surfaces_on
@@ -68,5 +71,4 @@ from .penalty import Guide as Guide
 from .penalty import Momentary as Momentary
 from .penalty import Penalty as Penalty
 from .penalty import Scale as Scale
-from .squares import SumOfSquares as SumOfSquares
 from .sum import Sum as Sum

@@ -35,7 +35,6 @@ class Curvature:
         self.width = samples.y.shape[1]
         self._rows: list[tuple[Index, Array, tuple[int, ...]]] = []
         self._blocks: list[tuple[Index, Array]] = []
-        self._squares: list[tuple[Index, int, Array]] = []
         self._diagonals: list[Array | None] = [None, None, None]
 
     def add_rows(self, at: Index, scale: Array, jacobian: Array, orders: tuple[int, ...] = (0, 1, 2)) -> None:
@@ -55,11 +54,6 @@ class Curvature:
                 total += squared
                 return
         self._blocks.append((columns, squared))
-
-    def add_squares(self, columns: Index, order: int, scale: Array) -> None:
-        """Residuals that are entries of y, y' or y'' themselves, times scale (S,)."""
-        if columns.size:
-            self._squares.append((columns, order, 2 * scale))
 
     def add_diagonal(self, at: Index, column: Index, order: int, scale: Array) -> None:
         """Residuals that are single entries of y, y' or y'', at samples (P,) in columns (P,), times scale (P,)."""
@@ -94,11 +88,6 @@ class Curvature:
             by_orders = blocks.transpose(0, 2, 4, 1, 3, 5).reshape(count, together * 9, -1)
             local = np.matmul(pairs, by_orders).reshape(count, directions, directions, n, k, k)
             made.append((columns, local.transpose(0, 3, 1, 4, 2, 5)))
-        for columns, order, scale in self._squares:
-            one = phi[:, order].reshape(count, together, -1)
-            each = np.matmul((one * scale.reshape(count, together, 1)).swapaxes(1, 2), one)
-            every = np.broadcast_to(each[:, None, :, None, :, None], (count, columns.size, *_apart(each.shape)))
-            made.append((columns[:, None], every))
         for order, diagonal in enumerate(self._diagonals):
             if diagonal is not None:
                 used = np.flatnonzero(diagonal.any(axis=0))
@@ -121,8 +110,6 @@ class Curvature:
             pairs = (phi[some, :, None] * phi[some, None, :]).reshape(-1)
             by_orders = blocks[some].transpose(0, 2, 4, 1, 3, 5).reshape(pairs.size, n * k * k)
             out[columns[:, :, None], columns[:, None, :]] += (pairs @ by_orders).reshape(n, k, k)
-        for columns, order, scale in self._squares:
-            out[columns, columns] += np.sum(scale[some] * phi[some, order] ** 2)
         for order, diagonal in enumerate(self._diagonals):
             if diagonal is not None:
                 out[np.diag_indices(self.width)] += phi[some, order] ** 2 @ diagonal[some]
@@ -136,16 +123,7 @@ class Curvature:
                 np.add.at(out, at, rows[:, orders.index(2)] ** 2)
         for columns, blocks in self._blocks:
             out[:, columns] += np.einsum("snkk->snk", blocks[:, :, 2, :, 2])
-        for columns, order, scale in self._squares:
-            if order == 2:
-                out[:, columns] += scale[:, None]
         return out if self._diagonals[2] is None else out + self._diagonals[2]
-
-
-def _apart(shape: tuple[int, ...]) -> tuple[int, int, int, int]:
-    """(S, K, K) -> (K, 1, K, 1)."""
-    size = shape[-1]
-    return size, 1, size, 1
 
 
 def jacobian(samples: Samples, at: Index, seeded: Callable[[Samples, Cotangent, Index], None]) -> Array:

@@ -17,7 +17,7 @@ from ... import quaternion as quat
 from ...array import Array, Index
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
-from ...figure.wrenches import each_axis, of_point
+from ...figure.wrenches import every_axis, of_point
 from ...surface.points import Point
 from ..block import Block
 from ..penalty import Penalty, Scale
@@ -66,14 +66,13 @@ class Closed(Penalty):
         return samples.links.points(links, positions)[0] - samples.links.points(others, places)[0]
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
-        count, places, changes = len(self.closures), [], []
-        at = np.tile(np.arange(samples.count), 3 * count)
+        places, changes = [], []
         for (links, positions), sign in zip(self._sides, (1.0, -1.0), strict=True):
             place, arms = samples.links.points(links, positions)
             places.append(place)
-            link, arm = np.tile(np.repeat(links, samples.count), 3), np.tile(arms.reshape(3, -1), 3)
-            changes.append(of_point(at, link, arm, sign * each_axis(count * samples.count)))
-        yield Block(at, (places[0] - places[1]).ravel(), tuple(changes))
+            at, link, axes = every_axis(links, samples.count)
+            changes.append(of_point(at, link, np.tile(arms.reshape(3, -1), 3), sign * axes))
+        yield Block(changes[0].at, (places[0] - places[1]).ravel(), tuple(changes))
 
 
 def closures(figure: Figure) -> tuple[Closure, ...]:

@@ -12,7 +12,7 @@ from ...array import Array, Index
 from ...figure.algebra import cross
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
-from ...figure.wrenches import each_axis, of_turn
+from ...figure.wrenches import every_axis, of_turn
 from ..block import Block
 from ..penalty import Penalty, Scale
 
@@ -49,7 +49,6 @@ class Level(Penalty):
     def residuals(self, samples: Samples) -> Iterator[Block]:
         axes = np.einsum("ijbs,jb->ibs", samples.links.rotation[:, :, self.links], self.axes)
         away = axes - np.array([0.0, 0, 1])[:, None, None]
-        bodies, count = self.links.size, samples.count
-        at, link = np.tile(np.arange(count), 3 * bodies), np.tile(np.repeat(self.links, count), 3)
-        turned = of_turn(at, link, cross(np.tile(axes.reshape(3, -1), 3), each_axis(bodies * count)))
+        at, link, along = every_axis(self.links, samples.count)
+        turned = of_turn(at, link, cross(np.tile(axes.reshape(3, -1), 3), along))
         yield Block(at, away.ravel(), (turned,))

@@ -15,7 +15,7 @@ from ...curve.quadrature import gauss_nodes
 from ...curve.spline import natural_spline
 from ...figure.figure import Figure, JointKind, quaternion_columns
 from ...figure.kinematics import Samples
-from ...figure.wrenches import each_axis, of_point
+from ...figure.wrenches import every_axis, of_point
 from ...reading.recorded import Recorded
 from ..block import Block, every
 from ..penalty import Guide, Scale
@@ -71,8 +71,8 @@ class Near(Guide):
         links, positions = self.ends
         places, arms = samples.links.points(links, positions)
         target = self._at(samples.t)
-        at, link = np.tile(np.arange(samples.count), 3 * links.size), np.tile(np.repeat(links, samples.count), 3)
-        moved = of_point(at, link, np.tile(arms.reshape(3, -1), 3), each_axis(links.size * samples.count))
+        at, link, axes = every_axis(links, samples.count)
+        moved = of_point(at, link, np.tile(arms.reshape(3, -1), 3), axes)
         yield Block(at, (places - target.ends).ravel(), (moved,), target.end_weight[at])
 
     def led(self, timeline: Timeline, most: int | None) -> Timeline:

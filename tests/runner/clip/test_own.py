@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -16,11 +17,12 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import Scale, SumOfSquares, check
+from dynsplines.solver.figure.wrenches import Wrenches, every_axis
+from dynsplines.solver.penalty import Block, Penalty, Scale, check
 
 
 @dataclass(frozen=True)
-class Calm(SumOfSquares):
+class Calm(Penalty):
     """The squared speed of all bodies' origins, its gradient too large by a factor."""
 
     called: str = "calm"
@@ -34,11 +36,11 @@ class Calm(SumOfSquares):
     def scale(self) -> Scale:
         return Scale(1.0, time_power=2)
 
-    def residuals(self, samples: Samples) -> Array:
-        return samples.links.x_d[:, 1:].reshape(-1, samples.count)
-
-    def pull_back(self, samples: Samples, into: Cotangent, bar: Array) -> None:
-        into.buffer("x_d")[:, 1:] += self.wrong * bar.reshape(3, -1, samples.count)
+    def residuals(self, samples: Samples) -> Iterator[Block]:
+        links = np.arange(1, len(samples.figure.links))
+        at, link, axes = every_axis(links, samples.count)
+        changes = Wrenches(at, link, force_d=self.wrong * axes)
+        yield Block(at, samples.links.x_d[:, links].ravel(), (changes,))
 
 
 class Negative(Calm):

@@ -10,13 +10,10 @@ from random_model import random_figure
 from random_samples import random_samples
 
 from dynsplines.solver.array import Array, Index
-from dynsplines.solver.figure import joint_spin
 from dynsplines.solver.figure.adjoint import Cotangent
-from dynsplines.solver.figure.algebra import add_at
 from dynsplines.solver.figure.axes import turning
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.jacobian_rows import Pushes
-from dynsplines.solver.figure.joint_spin import any_relative_spin_rows
 from dynsplines.solver.figure.joint_wrench import any_wrench_rows
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.wrench import RootWrench
@@ -51,19 +48,6 @@ def swept(samples: Samples, root: int, pushes: Pushes | None) -> Array:
     return jacobian(samples, at, seeded).reshape(samples.count, 6, 3, -1)
 
 
-def spins_swept(samples: Samples, at: Index, link: Index, direction: Array) -> Array:
-    """Rows of direction · (ω' − ω'_parent) by one adjoint sweep each, (P, 3, N)."""
-
-    def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
-        seeds = np.zeros((3, len(copies.figure.links), rows.size))
-        seeds[:, link[rows], np.arange(rows.size)] = direction[:, rows]
-        buffer = cotangent.buffer("alpha")
-        buffer += seeds
-        add_at(buffer, copies.figure.tables.parents, -seeds)
-
-    return jacobian(samples, at, seeded)
-
-
 def check_wrench(figure: Figure, rng: np.random.Generator) -> int:
     """Compares those of every free root; how many there are."""
     samples, roots = random_samples(figure, rng), figure.tables.free_links
@@ -73,38 +57,16 @@ def check_wrench(figure: Figure, rng: np.random.Generator) -> int:
     return roots.size
 
 
-def check_spins(figure: Figure, rng: np.random.Generator) -> None:
-    samples = random_samples(figure, rng)
-    at, link = rng.integers(0, samples.count, 40), rng.integers(1, len(figure.links), 40)
-    direction = rng.normal(size=(3, 40))
-    assert_near(any_relative_spin_rows(samples, at, link, direction), spins_swept(samples, at, link, direction), 1e-10)
-
-
 def test_rows_are_those_of_the_adjoint_sweep(figure, rng):
     assert check_wrench(figure, rng) == figure.tables.free_links.size > 0
-    check_spins(figure, rng)
 
 
 @pytest.mark.parametrize("coordinates", ["auto", "joint"])
 def test_so_they_are_on_random_models(coordinates):
     assert sum(check_wrench(*random_figure(seed, coordinates)) for seed in SEEDS) > 5
-    for seed in SEEDS:
-        check_spins(*random_figure(seed, coordinates))
 
 
 def test_so_they_are_where_quaternions_in_the_world_follow_each_other(rng):
     figure = Figure(mujoco.MjModel.from_xml_string(WOOD), "world")
     assert not np.array_equal(turning(figure), figure.tables.beyond)
     assert check_wrench(figure, rng) == 2
-    check_spins(figure, rng)
-
-
-def test_many_joints_are_taken_in_parts(figure, rng, monkeypatch):
-    samples = random_samples(figure, rng)
-    at, link = rng.integers(0, samples.count, 200), rng.integers(1, len(figure.links), 200)
-    direction = rng.normal(size=(3, 200))
-    whole = any_relative_spin_rows(samples, at, link, direction)
-    monkeypatch.setattr(joint_spin, "AT_ONCE", 60)
-    np.testing.assert_allclose(
-        any_relative_spin_rows(samples, at, link, direction), whole, atol=1e-12 * np.abs(whole).max()
-    )

@@ -3,21 +3,17 @@
 import mujoco
 import numpy as np
 import pytest
-from closed_forms import CLOSED, PLAIN, assert_near, some_points
+from closed_forms import CLOSED, PLAIN, assert_near
 from figures import BALL_TREE, EVERY_JOINT, with_armature
 from random_samples import random_samples
 
 from dynsplines.solver.array import Array, Index
-from dynsplines.solver.figure.adjoint import Cotangent, attached_pulled_back
-from dynsplines.solver.figure.algebra import cross
+from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.dynamics import InverseDynamics
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.jacobian_rows import (
     has_moment_rows,
-    has_point_rows,
     moment_rows,
-    point_rows,
-    velocity_rows,
 )
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty.curvature import jacobian
@@ -27,62 +23,6 @@ from dynsplines.solver.penalty.curvature import jacobian
 def closed(request: pytest.FixtureRequest) -> Figure:
     """A figure in world coordinates whose joints sit at their bodies' origins."""
     return Figure(mujoco.MjModel.from_xml_string(CLOSED[request.param]), "world")
-
-
-def test_rows_of_points_are_those_of_the_adjoint_sweep(closed, rng):
-    samples = random_samples(closed, rng)
-    at, link, offset, direction = some_points(closed, samples, rng)
-
-    def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
-        here = np.arange(rows.size)
-        cotangent.buffer("x")[:, link[rows], here] = direction[:, rows]
-        cotangent.buffer("turn")[:, link[rows], here] = cross(offset[:, rows], direction[:, rows])
-
-    expected = jacobian(samples, at, seeded)
-    assert not expected[:, 1:].any()
-    assert_near(point_rows(samples, at, link, offset, direction), expected[:, 0], 1e-12)
-
-
-def test_rows_of_points_are_the_differences_of_where_the_points_are(closed, rng):
-    samples, h = random_samples(closed, rng), 1e-6
-    at, link, offset, direction = some_points(closed, samples, rng)
-    local = np.einsum("ijp,ip->jp", samples.links.rotation[:, :, link, at], offset)
-
-    def heights(y: Array) -> Array:
-        links = Samples(closed, y, 0 * y, 0 * y).links
-        places = links.x[:, link, at] + np.einsum("ijp,jp->ip", links.rotation[:, :, link, at], local)
-        return np.sum(direction * places, axis=0)
-
-    found = point_rows(samples, at, link, offset, direction)
-    expected = np.zeros_like(found)
-    for column in range(closed.width):
-        by = h * np.eye(closed.width)[column]
-        expected[:, column] = (heights(samples.y + by) - heights(samples.y - by)) / (2 * h)
-    assert_near(found, expected, 1e-8)
-
-
-def test_rows_of_velocities_are_those_of_the_adjoint_sweep(closed, rng):
-    samples = random_samples(closed, rng)
-    at, link, offset, direction = some_points(closed, samples, rng)
-
-    def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
-        here = np.arange(rows.size)
-        along, arms = np.zeros((2, 3, rows.size, rows.size))
-        along[:, here, here], arms[:, here, here] = direction[:, rows], offset[:, rows]
-        cotangent.buffer("x_d")[:, link[rows], here] = direction[:, rows]
-        attached_pulled_back(cotangent, arms, (None, along, None), link[rows])
-
-    expected = jacobian(samples, at, seeded)
-    found = velocity_rows(samples, at, link, offset, direction)
-    assert not expected[:, 2].any()
-    assert_near(found, expected[:, :2], 1e-12)
-    np.testing.assert_allclose(found[:, 1], point_rows(samples, at, link, offset, direction), atol=1e-12)
-
-
-def test_no_points_have_no_rows(closed, rng):
-    none = np.zeros(0, np.intp)
-    found = point_rows(random_samples(closed, rng), none, none, np.zeros((3, 0)), np.zeros((3, 0)))
-    assert found.shape == (0, closed.width)
 
 
 def test_rows_of_moments_are_those_of_the_adjoint_sweep(closed, rng):
@@ -138,20 +78,17 @@ def test_the_jacobian_of_many_rows_is_that_of_each(closed, rng, monkeypatch):
 
 
 def test_closed_forms_know_figures_in_world_coordinates_without_offset_joints_only(closed):
-    assert has_point_rows(closed)
     assert has_moment_rows(closed)
     for other in (
         Figure(closed.model, "joint"),
         Figure(mujoco.MjModel.from_xml_string(BALL_TREE), "world"),  # its hip sits off the leg's origin
         Figure(mujoco.MjModel.from_xml_string(EVERY_JOINT)),
     ):
-        assert not has_point_rows(other)
         assert not has_moment_rows(other)
 
 
 def test_closed_forms_of_moments_know_no_armature_of_balls(closed, rng):
     heavy = with_armature(closed, rng)
-    assert has_point_rows(heavy)
     assert not has_moment_rows(heavy)
     on_the_root = mujoco.MjModel.from_xml_string(PLAIN)
     on_the_root.dof_armature[:6] = 0.3
