@@ -27,6 +27,9 @@ from ..take import Recording, Take
 def write(take: Take, path: Path) -> None:
     """Keys after the model as it is, or one that stands by itself, see `simulation`."""
     simulation = scene.Simulation.of(take) if take.wishes.simulate else None
+    tracked = None
+    if simulation is not None and len(take.time) > 1:
+        simulation, tracked = tracking.refined(simulation, take)
     root = ElementTree.fromstring(take.saved.mjcf) if simulation is None else simulation.root
     for keyframes in root.findall("keyframe"):
         root.remove(keyframes)
@@ -41,8 +44,8 @@ def write(take: Take, path: Path) -> None:
         count = len(simulation.drives)
         take.notes.append(f"{count} position actuators; `ctrl` of the keys is what to aim them at")
         take.notes.extend(simulation.notes)
-        if len(take.time) > 1:
-            take.notes.append(tracking.note(tracking.tracked(simulation, take), simulation, take))
+        if tracked is not None:
+            take.notes.append(tracking.note(tracked, simulation, take))
     ElementTree.indent(root)
     ElementTree.ElementTree(root).write(path, encoding="unicode")
 

@@ -11,7 +11,8 @@ motion, τ the torque that moves it so: `mj_inverse` of this very scene without 
 (`forces`). On the motion the actuators give just τ, and off it they pull back. The gains:
 
     kp = m ω², ω = 2π · 8 Hz, m the joint's inertia at rest (of a ball joint the largest), and for the joints of limbs
-         that stand at least 0.7 / rad of weight times height (a slide: as if 0.1 m were a radian): they bear it all
+         that stand at least 0.7 / rad of weight times height (a slide: as if 0.1 m were a radian): they bear it all;
+         at least the motion's largest torque / rad: `ctrl` stays near q, as errors of ball joints wrap at half a turn
     kv = kp · 0.04 s, which is critical damping, 2 / ω
 
 A free root has no actuator. Gains are in N m/rad and N m s/rad, of slides in N/m and N s/m.
@@ -22,8 +23,9 @@ that turn off forces of the figure itself (`FIGURE_FLAGS`): the feed-forward con
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from xml.etree import ElementTree
 
 import mujoco
@@ -45,7 +47,8 @@ from ..take import Take
 FREQUENCY = 8.0  # [Hz] at which a limb held by its actuators would swing: several times what people do
 DAMPING = 2 / (2 * np.pi * FREQUENCY)  # [s] kv / kp of critical damping
 STANDING = 0.7  # [1/rad] of weight times height: one limb holds an upright figure, which falls by 0.55; more bounces
-SLIDE = 0.1  # [m] by which a slide may give where a hinge gives a radian
+OFFSET = 1.0  # [rad] between `ctrl` and a joint at most, by its torque
+GIVE = 0.1  # [m] by which a slide may give where a hinge gives a radian
 TIMESTEPS = (1e-4, 0.002)  # [s] least and most
 ITERATIONS = (100, 50)  # of the constraint solver and its line search, at least
 SOFTNESS = (0.01, 1.5)  # time constant [s] and damping of contacts: feet land without bouncing
@@ -55,8 +58,8 @@ SLIDING = 3  # dimension of a contact with friction
 OVERLAP = 2e-4  # of the figure's size, by which bodies are in each other by design
 LISTED, LOOKED_AT = 3, 200  # pairs in a note, poses of a motion
 ALL = 1  # the bit by which geoms that were for the eye meet what is solid
-BALL, FREE, HINGE = (
-    int(kind) for kind in (mujoco.mjtJoint.mjJNT_BALL, mujoco.mjtJoint.mjJNT_FREE, mujoco.mjtJoint.mjJNT_HINGE)
+BALL, FREE, HINGE, SLIDE = (
+    int(getattr(mujoco.mjtJoint, f"mjJNT_{kind}")) for kind in ("BALL", "FREE", "HINGE", "SLIDE")
 )
 CONSTRAINED = ("EQUALITY", "FRICTIONLOSS", "LIMIT")  # forces that the flag CONSTRAINT turns off beside contacts
 FIGURE_FLAGS = ("GRAVITY", "PASSIVE", "SPRING", "DAMPER", *CONSTRAINED, "SENSOR")
@@ -115,17 +118,29 @@ class Simulation:
             )
         return cls(root, model, actuators, targets(take, model, actuators), tuple(notes))
 
+    def with_timestep(self, timestep: float) -> Simulation:
+        """The same scene with another time step [s]."""
+        root, model = copy.deepcopy(self.root), copy.copy(self.model)
+        option = root.find("option")
+        option = ElementTree.SubElement(root, "option") if option is None else option
+        option.set("timestep", f"{timestep:g}")
+        model.opt.timestep = timestep
+        return replace(self, root=root, model=model)
+
 
 def drives(take: Take) -> list[Drive]:
     """The actuators of a figure, joint after joint."""
     model, least, joints = take.model, _least(take), joint_names(take.model)
+    largest = np.abs(np.nan_to_num(Forces.of(take).torques)).max(axis=0, initial=0)
     out: list[Drive] = []
     for joint in range(model.njnt):
         kind, dof = int(model.jnt_type[joint]), int(model.jnt_dofadr[joint])
         if kind == FREE:
             continue
-        inertia = float(model.dof_M0[dof : dof + (3 if kind == BALL else 1)].max())
-        kp = _rounded(max(inertia * (2 * np.pi * FREQUENCY) ** 2, least[joint]))
+        dofs = slice(dof, dof + (3 if kind == BALL else 1))
+        inertia = float(model.dof_M0[dofs].max())
+        offset = OFFSET * (GIVE if kind == SLIDE else 1)
+        kp = _rounded(max(inertia * (2 * np.pi * FREQUENCY) ** 2, least[joint], largest[dofs].max() / offset))
         kv = _rounded(kp * DAMPING)
         for axis in range(3) if kind == BALL else (None,):
             name = joints[joint] if axis is None else f"{joints[joint]}_{'xyz'[axis]}"
@@ -167,7 +182,7 @@ def _least(take: Take) -> Array:
     for link in _standing(figure, {point.link for point in points}):
         joint = figure.links[link].joint
         hinged = int(model.jnt_type[joint]) in (BALL, HINGE)
-        out[joint] = gain if hinged else gain / SLIDE**2
+        out[joint] = gain if hinged else gain / GIVE**2
     return out
 
 

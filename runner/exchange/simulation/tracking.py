@@ -1,13 +1,15 @@
 """How far `mj_step` of an exported scene leaves the motion, with `ctrl` interpolated between the keys.
 
-The first second is simulated from the first key. A scene that stays within 0.05 rad and 5 cm follows its motion;
-otherwise the note names the joint that leaves it first, and likely causes.
+The first second is simulated from the first key. A scene that stays within 0.05 rad and 5 cm follows its motion.
+Otherwise smaller time steps are tried, and if none suffices, the note names the joint that leaves it first, and likely
+causes.
 """
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import mujoco
 import numpy as np
@@ -19,15 +21,16 @@ from ...measure.penetration import moving_geoms, solid_geoms
 from ...scene.compose import quietly
 from ..forces import Forces
 from ..take import Take
-from .scene import FREE, Simulation
+from .scene import FREE, SLIDE, TIMESTEPS, Simulation
 
 LASTS = 1.0  # [s]
 ANGLE, DISTANCE = 0.05, 0.05  # [rad] and [m] within which a scene follows its motion
 DEEP = 0.01  # [m] of a contact at the first key that pushes the figure away
 APART = 0.01  # [m] or [rad] by which equality constraints are violated at a key
 GAP, FAR = 0.01, 10.0  # [m] above the ground that is reported, and that is looked for
+FINER = (5e-4, TIMESTEPS[0])  # [s] of time steps to try
+EXCEEDED = 0.01  # [m] or [rad] of a joint beyond its range that is reported
 UNSUPPLIED = 0.05  # of the weight: force at the root that nothing supplies
-SLIDE = int(mujoco.mjtJoint.mjJNT_SLIDE)
 
 Control = Callable[[mujoco.MjData], Array]
 
@@ -57,6 +60,14 @@ class Tracking:
         """The largest error, as a multiple of what is allowed."""
         return float(max(np.nanmax(self.angle, initial=0) / ANGLE, np.nanmax(self.length, initial=0) / DISTANCE))
 
+    @property
+    def leaves(self) -> tuple[int, int]:
+        """The first step beyond what is allowed, or the last, and the degree of freedom that is farthest off then."""
+        share = np.fmax(self.angle / ANGLE, self.length / DISTANCE)
+        beyond = np.flatnonzero((share > 1).any(axis=1))
+        step = int(beyond[0]) if beyond.size else len(share) - 1
+        return step, int(np.nanargmax(share[step]))
+
 
 def tracked(simulation: Simulation, take: Take, control: Array | None = None, lasts: float = LASTS) -> Tracking:
     """Simulates a scene from its first key.
@@ -84,6 +95,24 @@ def tracked(simulation: Simulation, take: Take, control: Array | None = None, la
     return Tracking(
         np.array(times), np.where(is_length, np.nan, deviations), np.where(is_length, deviations, np.nan), fell=fell
     )
+
+
+def refined(simulation: Simulation, take: Take) -> tuple[Simulation, Tracking]:
+    """The scene with the largest time step of those tried by which it follows its motion, else as it is.
+
+    They do not help a free joint that leaves the motion first, which has no actuator, and geoms that are in each other.
+    """
+    first, model = tracked(simulation, take), simulation.model
+    if first.is_within or model.jnt_type[model.dof_jntid[first.leaves[1]]] == FREE or _depths(simulation, take):
+        return simulation, first
+    for timestep in FINER:
+        if timestep < simulation.model.opt.timestep:
+            finer = simulation.with_timestep(timestep)
+            tracking = tracked(finer, take)
+            if tracking.is_within:
+                line = f"the scene to simulate has time steps of {timestep:g} s: larger ones leave the motion"
+                return replace(finer, notes=(*finer.notes, line)), tracking
+    return simulation, first
 
 
 def started(model: mujoco.MjModel, take: Take, aims: Array) -> mujoco.MjData:
@@ -117,10 +146,7 @@ def note(tracking: Tracking, simulation: Simulation, take: Take) -> str:
         size += f", {_rounded(100 * length)} cm"
     if tracking.is_within:
         return f"mj_step of the scene stays within {size} of the motion for {lasts:.2g} s"
-    share = np.fmax(tracking.angle / ANGLE, tracking.length / DISTANCE)
-    beyond = np.flatnonzero((share > 1).any(axis=1))
-    at = int(beyond[0]) if beyond.size else len(share) - 1
-    dof = int(np.nanargmax(share[at]))
+    at, dof = tracking.leaves
     name = simulation.model.joint(int(simulation.model.dof_jntid[dof])).name
     off = f"{100 * DISTANCE:g} cm" if np.isfinite(tracking.length[at, dof]) else f"{ANGLE:g} rad"
     then = "MuJoCo stops the simulation" if tracking.fell else f"up to {size} after {lasts:.2g} s"
@@ -133,10 +159,10 @@ def _rounded(value: float) -> str:
     return f"{value:.2g}" if value >= 1e-4 else f"{value:.0e}"
 
 
-def _depths(simulation: Simulation, take: Take) -> list[str]:
-    """The two geoms that the motion has deepest in each other in the first second, where they push the figure away."""
+def _depths(simulation: Simulation, take: Take, deepest: float = DEEP) -> list[str]:
+    """The two geoms that the motion has deepest in each other in the first second, if by more than `deepest` [m]."""
     model, data = simulation.model, mujoco.MjData(simulation.model)
-    deepest, out = DEEP, list[str]()
+    out = list[str]()
     for time, qpos in zip(take.time[take.time <= take.time[0] + LASTS], take.qpos, strict=False):
         data.qpos = qpos
         mujoco.mj_fwdPosition(model, data)
@@ -190,4 +216,32 @@ def _reasons(simulation: Simulation, take: Take) -> list[str]:
         out.append("nothing holds what the figure carries")
     if np.any(model.jnt_type == FREE):
         out.append("nothing balances it")
-    return out or ["its actuators do not hold it"]
+    out += _exceeded(model, take)
+    return out or _tested(simulation, take)
+
+
+def _exceeded(model: mujoco.MjModel, take: Take) -> list[str]:
+    """The hinge or slide that the motion has farthest beyond its range, where that exerts forces."""
+    if model.opt.disableflags & int(mujoco.mjtDisableBit.mjDSBL_LIMIT):
+        return []
+    scalar = np.flatnonzero(model.jnt_limited.astype(bool) & (model.jnt_type >= SLIDE))
+    if not scalar.size:
+        return []
+    qpos, (low, high) = take.qpos[:, model.jnt_qposadr[scalar]], model.jnt_range[scalar].T
+    beyond = np.maximum(low - qpos, qpos - high).max(axis=0)
+    most = int(beyond.argmax())
+    name, kind = model.joint(int(scalar[most])).name, int(model.jnt_type[scalar[most]])
+    size = f"{100 * beyond[most]:.2g} cm" if kind == SLIDE else f"{beyond[most]:.2g} rad"
+    return [f"the motion has '{name}' {size} beyond its range"] if beyond[most] > EXCEEDED else []
+
+
+def _tested(simulation: Simulation, take: Take) -> list[str]:
+    """What the scene follows its motion without: contacts or large time steps."""
+    model = copy.copy(simulation.model)
+    model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONTACT)
+    if tracked(replace(simulation, model=model), take).is_within:
+        return _depths(simulation, take, 0.0) or ["contacts push it away"]
+    before, finest = tracked(simulation, take), tracked(simulation.with_timestep(FINER[-1]), take)
+    if finest.worst < before.worst / 2:
+        return [f"its time step is too large; {FINER[-1]:g} s reduces the error to {finest.worst / before.worst:.0%}"]
+    return ["its actuators do not hold it"]

@@ -1,12 +1,14 @@
 """What an export reports of a scene that leaves its motion, and what keeps scenes from pushing figures away."""
 
+from xml.etree import ElementTree
+
 import mujoco
 import numpy as np
 import pytest
 import wild
 
 from dynsplines.exchange.simulation.scene import Simulation
-from dynsplines.exchange.simulation.tracking import note, tracked
+from dynsplines.exchange.simulation.tracking import note, refined
 from dynsplines.exchange.take import Take
 
 BOX = """<mujoco><worldbody><geom type="plane" size="0 0 1" name="floor"/>
@@ -24,13 +26,21 @@ LIMB = """<mujoco><worldbody><body name="thigh" pos="0 0 1"><joint name="hip" ax
     <body name="shank"><joint name="twist" axis="0 0 1"/>
       <geom type="capsule" size=".05" fromto="0 0 {top} 0 0 -.3" mass="1"/></body></body></body></worldbody></mujoco>"""
 
+HAND = """<mujoco><option gravity="0 0 0"/><worldbody><body pos="0 0 1"><joint name="arm" axis="0 1 0" {arm}/>
+  <geom type="capsule" size=".03" fromto="0 0 0 .3 0 0" mass="1"/>
+  <body pos=".3 0 0"><joint name="hand" {hand}/><geom size=".02" mass=".05"/></body></body></worldbody></mujoco>"""
+ARMS = """<mujoco><worldbody><body name="trunk"><joint name="turn" axis="0 0 1"/><geom size=".05"/>
+  <body name="left" pos="0 .2 1"><joint name="left" axis="1 0 0"/>
+    <geom type="capsule" size=".05" fromto="0 0 0 0 0 -.4" mass="1"/></body>
+  <body name="right" pos="0 -.2 1"><joint name="right" axis="1 0 0"/>
+    <geom type="capsule" size=".05" fromto="0 0 0 0 0 -.4" mass="1"/></body></body></worldbody></mujoco>"""
 
-def simulated(tmp_path, text, qpos):
-    """The scene of the motion through poses 0.5 s apart, how it follows it, and the line on that."""
+
+def simulated(tmp_path, text, qpos, step=0.5):
+    """The scene of the motion through poses some time apart [s], how it follows it, and the line on that."""
     (tmp_path / "model.xml").write_text(text)
-    take = Take.of(wild.through(str(tmp_path / "model.xml"), 0.5 * np.arange(len(qpos)), np.array(qpos, float)))
-    simulation = Simulation.of(take)
-    tracking = tracked(simulation, take)
+    take = Take.of(wild.through(str(tmp_path / "model.xml"), step * np.arange(len(qpos)), np.array(qpos, float)))
+    simulation, tracking = refined(Simulation.of(take), take)
     return simulation, tracking, note(tracking, simulation, take)
 
 
@@ -76,14 +86,7 @@ def test_limbs_that_the_model_has_in_each_other_do_not_collide(top, tmp_path):
 
 
 def test_siblings_that_only_the_motion_puts_in_each_other_still_collide(tmp_path):
-    arms = "".join(
-        f'<body name="{side}" pos="0 {y} 1"><joint name="{side}" axis="1 0 0"/>'
-        '<geom type="capsule" size=".05" fromto="0 0 0 0 0 -.4" mass="1"/></body>'
-        for side, y in (("left", 0.2), ("right", -0.2))
-    )
-    body = f'<body name="trunk"><joint name="turn" axis="0 0 1"/><geom size=".05"/>{arms}</body>'
-    text = f"<mujoco><worldbody>{body}</worldbody></mujoco>"
-    simulation, tracking, line = simulated(tmp_path, text, [[0, 0, 0], [0, -0.6, 0.6], [0, 0, 0]])
+    simulation, tracking, line = simulated(tmp_path, ARMS, [[0, 0, 0], [0, -0.6, 0.6], [0, 0, 0]])
     assert simulation.model.nexclude == 0 and not tracking.is_within
     assert "'left' and 'right'" in line and "cm in each other at 0." in line
 
@@ -106,3 +109,30 @@ def test_the_base_of_an_arm_collides_as_the_model_has_it(tmp_path):
     assert tracking.is_within
     assert simulation.model.nexclude >= 1
     assert (simulation.model.geom_contype[simulation.model.geom("table").id] & 1) == 1
+
+
+def test_a_light_ball_joint_with_a_strong_spring_has_targets_within_half_a_turn(tmp_path):
+    """MuJoCo wraps the error of a position actuator on a ball joint at half a turn, in newer versions."""
+    text = HAND.format(arm="", hand='type="ball" stiffness="2"')
+    qpos = [[0, 1, 0, 0, 0], [0.3, 0.9, 0.3, -0.3, 0.1], [0, 1, 0, 0, 0]]
+    simulation, tracking, _ = simulated(tmp_path, text, qpos, 0.25)
+    assert np.abs(simulation.control).max() < np.pi
+    assert tracking.is_within
+
+
+@pytest.mark.slow
+def test_a_light_link_in_fast_motion_gets_a_small_time_step(tmp_path):
+    text = HAND.format(arm="", hand='axis="0 1 0" pos=".02 0 .01" frictionloss="1"')
+    simulation, tracking, line = simulated(tmp_path, text, [[0, 0], [0.9, 0.5], [0, 0], [0.9, 1]], 0.1)
+    assert tracking.is_within and "stays within" in line
+    assert simulation.model.opt.timestep < 0.002
+    written = mujoco.MjModel.from_xml_string(ElementTree.tostring(simulation.root, encoding="unicode"))
+    assert written.opt.timestep == simulation.model.opt.timestep
+    assert f"time steps of {written.opt.timestep:g} s" in simulation.notes[-1]
+
+
+def test_a_joint_beyond_its_range_is_a_reason(tmp_path):
+    text = SLIDER.replace('name="rootx"', 'name="rootx" range="-.1 .1"').replace("<geom", '<geom contype="0"')
+    qpos = [[0, 0, 0, 0], [0.3, 0, 0, 0.5], [0, 0, 0, 0], [-0.3, 0, 0, 0]]
+    _, tracking, line = simulated(tmp_path, text, qpos, 0.05)
+    assert not tracking.is_within and "the motion has 'rootx' 19 cm beyond its range" in line
