@@ -46,9 +46,9 @@ def torques(take: Take, forces: Forces) -> Columns:
 
 
 def wrench(take: Take, forces: Forces) -> Columns:
-    """At the free root that carries the figure; raises UserError where none does."""
-    found = forces.wrench
-    if found is None:
+    """At the free root that carries the figure; raises UserError where none does, whatever objects are free."""
+    found, root = forces.wrench, take.figure.root
+    if found is None or root is None or not root.is_free:
         raise UserError(f"{take.name}: the figure has no free root, so no wrench moves it from outside")
     name = take.figure.links[found.root].name
     return (
