@@ -1,10 +1,9 @@
-"""MuJoCo's inverse dynamics of a motion, sample by sample, and motions of any model to try it on."""
+"""MuJoCo's inverse dynamics of a motion, sample by sample."""
 
 from __future__ import annotations
 
 import mujoco
 import numpy as np
-import wild
 
 
 def oracle(model, at, rows=slice(None)):
@@ -17,12 +16,3 @@ def oracle(model, at, rows=slice(None)):
         mujoco.mj_inverse(model, data)
         out.append(data.qfrc_inverse.copy())
     return np.array(out)
-
-
-def motion_of(path, seed):
-    """The spline through three random poses of any model, 0.2 s apart; all joints are within 0.6 of their reference."""
-    model, rng = mujoco.MjModel.from_xml_path(str(path)), np.random.default_rng(seed)
-    qpos = np.tile(model.qpos0, (3, 1))
-    for row in qpos:
-        mujoco.mj_integratePos(model, row, rng.uniform(-0.6, 0.6, model.nv), 1.0)
-    return wild.through(str(path), 0.2 * np.arange(3), qpos)

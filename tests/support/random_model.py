@@ -17,60 +17,6 @@ def random_model(rng: np.random.Generator) -> mujoco.MjModel:
     return _random_spec(rng).compile()
 
 
-def random_forced_spec(rng: np.random.Generator) -> mujoco.MjSpec:
-    """A random model with every passive and constraint force of MuJoCo, and some of its flags."""
-    spec = _random_spec(rng)
-    while not spec.joints:
-        spec = _random_spec(rng)
-    disable = mujoco.mjtDisableBit
-    spec.option.density, spec.option.viscosity = rng.uniform(0, [20, 0.5])
-    spec.option.wind = rng.normal(size=3)
-    for flag in (disable.mjDSBL_GRAVITY, disable.mjDSBL_FRICTIONLOSS, disable.mjDSBL_LIMIT, disable.mjDSBL_EQUALITY):
-        spec.option.disableflags |= int(flag) * int(rng.random() < 0.15)
-    for number, body in enumerate(spec.bodies[1:]):
-        body.name = f"body_{number}"
-        body.gravcomp = rng.choice([0.0, 0.6])
-        body.add_site(name=f"site_{number}", pos=0.1 * rng.normal(size=3))
-    for number, joint in enumerate(spec.joints):
-        joint.name = f"joint_{number}"
-        if joint.type == mujoco.mjtJoint.mjJNT_FREE and rng.random() < 0.5:
-            continue
-        _set_stiffness(joint, rng)
-        if joint.type in (HINGE, SLIDE):
-            joint.springref, joint.range = rng.normal(), [-0.5, 0.8]
-            joint.limited = int(rng.random() < 0.3)
-    _add_tendons(spec, rng)
-    return spec
-
-
-def _set_stiffness(element: mujoco.MjsJoint | mujoco.MjsTendon, rng: np.random.Generator) -> None:
-    """A spring, a damper and friction; older versions have one number for each, newer ones polynomials."""
-    for name, most in (("stiffness", 30.0), ("damping", 4.0), ("frictionloss", 2.0)):
-        value = rng.choice([0.0, rng.uniform(0, most)])
-        if np.ndim(getattr(element, name)):
-            getattr(element, name)[0] = value
-        else:
-            setattr(element, name, value)
-
-
-def _add_tendons(spec: mujoco.MjSpec, rng: np.random.Generator) -> None:
-    """A tendon between the first and the last body, one over a joint, and two joints that are coupled."""
-    sites, scalar = list(spec.sites), [joint for joint in spec.joints if joint.type in (HINGE, SLIDE)]
-    if len(sites) > 1:
-        tendon = spec.add_tendon(name="spatial")
-        tendon.wrap_site(sites[0].name)
-        tendon.wrap_site(sites[-1].name)
-        _set_stiffness(tendon, rng)
-    if scalar:
-        tendon = spec.add_tendon(name="fixed")
-        tendon.wrap_joint(scalar[0].name, 0.7)
-        _set_stiffness(tendon, rng)
-    if len(scalar) > 1:
-        coupling = spec.add_equality(type=mujoco.mjtEq.mjEQ_JOINT, name1=scalar[0].name, name2=scalar[1].name)
-        coupling.objtype = mujoco.mjtObj.mjOBJ_JOINT
-        coupling.data[:5] = [0.1, 0.5, 0, 0, 0]
-
-
 def _random_spec(rng: np.random.Generator) -> mujoco.MjSpec:
     spec = mujoco.MjSpec()
     spec.option.gravity = rng.normal(size=3) * [1, 1, 9]

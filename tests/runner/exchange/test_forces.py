@@ -6,12 +6,12 @@ import mujoco
 import numpy as np
 import pytest
 import wild
-from inverse_oracle import motion_of, oracle
-from random_model import random_forced_spec
+from inverse_oracle import oracle
+from random_robots import motion_of
 
+from dynsplines.errors import UserError
 from dynsplines.exchange import formats
-from dynsplines.exchange.forces import Forces
-from dynsplines.exchange.take import Take, Wishes
+from dynsplines.exchange.take import Wishes
 from dynsplines.solver import quaternion as quat
 
 ARM = """
@@ -88,17 +88,6 @@ def test_torques_include_every_passive_force_of_the_users_own_file(name, tmp_pat
         assert np.abs(plain - expected).max() > 0.01 * np.abs(plain).max()  # so much does the force matter
 
 
-@pytest.mark.parametrize("seed", range(12))
-def test_torques_are_mj_inverse_on_random_models(seed, tmp_path):
-    path = tmp_path / "model.xml"
-    spec = random_forced_spec(np.random.default_rng(seed))
-    spec.compile()
-    path.write_text(spec.to_xml())
-    saved = motion_of(path, seed)
-    expected = oracle(mujoco.MjModel.from_xml_path(str(path)), wild.samples(saved))
-    assert_equal(Forces.of(Take.of(saved)).torques, expected)
-
-
 def test_the_wrench_is_mj_inverse_at_the_root_about_the_centre_of_mass(tmp_path):
     path = tmp_path / "robot.xml"
     path.write_text(ROBOT)
@@ -117,6 +106,15 @@ def test_the_wrench_is_mj_inverse_at_the_root_about_the_centre_of_mass(tmp_path)
         np.testing.assert_allclose(row, data.subtree_com[1], atol=1e-12)
     assert_equal(force, expected[:, :3])
     assert_equal(moment, turned - np.cross(centre - at.qpos[:, :3], expected[:, :3]))
+
+
+def test_a_figure_on_slides_has_no_wrench_though_a_box_beside_it_moves_freely(tmp_path):
+    path = tmp_path / "robot.xml"
+    slide = '<joint name="x" type="slide" axis="1 0 0"/><joint name="z" type="slide" axis="0 0 1"/>'
+    text = ROBOT.replace('<joint name="root" type="free" damping="4" armature=".3"/>', slide)
+    path.write_text(text.replace("</worldbody>", '<body name="box"><freejoint/><geom size=".1"/></body></worldbody>'))
+    with pytest.raises(UserError, match="the figure has no free root"):
+        table(motion_of(path, 5), tmp_path / "a.csv", ("wrench",))
 
 
 def test_large_forces_of_a_joint_limit_are_reported(tmp_path):

@@ -5,9 +5,6 @@ import re
 import mujoco
 import numpy as np
 import pytest
-import wild
-from inverse_oracle import motion_of, oracle
-from random_model import random_forced_spec
 
 from dynsplines import inbetween, load, load_motion
 from dynsplines.exchange import formats
@@ -174,31 +171,6 @@ def test_gravity_that_the_model_turns_off_stays_off(tmp_path):
     model, _, lines = exported(biped(tmp_path, flags='<flag gravity="disable"/>'), tmp_path)
     assert model.opt.disableflags == int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
     assert not any("overrides" in line for line in lines)
-
-
-@pytest.mark.parametrize("seed", range(8))
-def test_the_actuators_give_what_mj_inverse_says_on_random_models(seed, tmp_path):
-    path = tmp_path / "model.xml"
-    spec = random_forced_spec(np.random.default_rng(100 + seed))
-    spec.compile()
-    path.write_text(spec.to_xml())
-    saved = motion_of(path, seed)
-    formats.export(saved, "mjcf", tmp_path / "a.simulate.xml")
-    model, at = mujoco.MjModel.from_xml_path(str(tmp_path / "a.simulate.xml")), wild.samples(saved)
-    data, given = mujoco.MjData(model), []
-    expected = oracle(mujoco.MjModel.from_xml_path(str(path)), at)
-    for key in range(model.nkey):
-        mujoco.mj_resetDataKeyframe(model, data, key)
-        mujoco.mj_forward(model, data)
-        given.append(data.qfrc_actuator.copy())
-    driven = np.concatenate(
-        [
-            np.arange(dof, dof + {0: 0, 1: 3}.get(int(kind), 1))
-            for kind, dof in zip(model.jnt_type, model.jnt_dofadr, strict=True)
-        ]
-    ).astype(int)
-    difference = np.abs(np.array(given)[:, driven] - expected[:, driven]).max(initial=0)
-    assert difference < 1e-6 * np.abs(expected).max()
 
 
 def test_a_scene_that_is_left_says_what_and_why(tmp_path):

@@ -1,0 +1,136 @@
+"""Random robots through export, import and simulation, each compared with MuJoCo's results on the user's own file."""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+
+import mujoco
+import numpy as np
+import pytest
+import wild
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from inverse_oracle import oracle
+from random_robots import RandomRobot, motion_of, robots
+from round_trip import EXACT, check_round_trip
+
+from dynsplines.errors import UserError
+from dynsplines.exchange import formats, quantities
+from dynsplines.exchange.forces import Forces
+from dynsplines.exchange.take import Take
+from dynsplines.motion import Saved
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array, Mask
+
+WITHIN = 0.05  # [rad], [m]
+EVERY = ("csv", "npz", "mjcf")
+ROBOTICS = ("mjlab", "mjlab-csv", "locomujoco", "gmr")
+FREE, SLIDE = int(mujoco.mjtJoint.mjJNT_FREE), int(mujoco.mjtJoint.mjJNT_SLIDE)
+
+
+def assert_close(actual: Array, expected: Array) -> None:
+    """To 1e-6 of the largest value."""
+    np.testing.assert_allclose(actual, expected, rtol=0, atol=EXACT * np.abs(expected).max(initial=1e-9))
+
+
+def borne(forces: Forces) -> Mask:
+    """(T,) whether the ground gives forces."""
+    return np.any([np.any(foot.force != 0, axis=0) for foot in forces.feet], axis=0)
+
+
+def check_forces(saved: Saved, expected: Array) -> None:
+    """Torques, and the root's wrench about the centre of mass, are those of mj_inverse."""
+    forces, at, model = Forces.of(Take.of(saved)), wild.samples(saved), saved.figure.model
+    rows = forces.known & ~borne(forces)
+    np.testing.assert_allclose(forces.torques[rows], expected[rows], rtol=0, atol=EXACT * np.abs(expected).max())
+    root = saved.figure.root
+    if root is None or not root.is_free:
+        with pytest.raises(UserError, match="no free root"):
+            quantities.wrench(Take.of(saved), forces)
+        return
+    columns = quantities.wrench(Take.of(saved), forces)
+    force, moment, centre = np.array(list(columns.values())).reshape(3, 3, -1).transpose(0, 2, 1)
+    q, dof, data = int(model.jnt_qposadr[root.joints[0]]), int(model.jnt_dofadr[root.joints[0]]), mujoco.MjData(model)
+    for qpos, row in zip(at.qpos, centre, strict=True):
+        data.qpos = qpos
+        mujoco.mj_fwdPosition(model, data)
+        np.testing.assert_allclose(row, data.subtree_com[root.body], atol=EXACT)
+    assert_close(force, expected[:, dof : dof + 3])
+    turned = quat.rotated(at.qpos[:, q + 3 : q + 7], expected[:, dof + 3 : dof + 6])
+    assert_close(moment, turned - np.cross(centre - at.qpos[:, q : q + 3], force))
+
+
+def carriers(robot: RandomRobot) -> tuple[str, ...]:
+    """The formats that can hold the motion of a robot."""
+    is_alone = robot.root == "free" and not robot.has("objects")
+    single = ("mimickit",) if is_alone and robot.is_single else ()
+    return (*EVERY, *(ROBOTICS if is_alone else ()), *single)
+
+
+def check_feed_forward(model: mujoco.MjModel, expected: Array, rows: Mask) -> None:
+    """At keys without ground reactions the actuators exert the forces of mj_inverse, at all joints but free ones."""
+    data, forces = mujoco.MjData(model), []
+    for key in range(model.nkey):
+        mujoco.mj_resetDataKeyframe(model, data, key)
+        mujoco.mj_forward(model, data)
+        forces.append(data.qfrc_actuator.copy())
+    driven = model.jnt_type[model.dof_jntid] != FREE
+    assert np.abs(np.array(forces) - expected)[np.ix_(rows, driven)].max(initial=0) <= EXACT * np.abs(expected).max()
+
+
+def largest_errors(model: mujoco.MjModel) -> tuple[float, float]:
+    """How far `mj_step` leaves the keys in a second, `ctrl` interpolated between theirs: [rad] and [m]."""
+    data, away, worst = mujoco.MjData(model), np.zeros(model.nv), np.zeros(model.nv)
+    mujoco.mj_resetDataKeyframe(model, data, 0)
+    end = min(model.key_time[-1], model.key_time[0] + 1)
+    while data.time < end:
+        before = data.time
+        data.ctrl = [np.interp(data.time, model.key_time, column) for column in model.key_ctrl.T]
+        mujoco.mj_step(model, data)
+        if data.time <= before:
+            return np.inf, np.inf
+        after = min(int(np.searchsorted(model.key_time, data.time)), model.nkey - 1)
+        share = (data.time - model.key_time[after - 1]) / (model.key_time[after] - model.key_time[after - 1])
+        qpos = (1 - min(share, 1)) * model.key_qpos[after - 1] + min(share, 1) * model.key_qpos[after]
+        mujoco.mj_normalizeQuat(model, qpos)
+        mujoco.mj_differentiatePos(model, away, 1, qpos, data.qpos)
+        worst = np.maximum(worst, np.abs(away))
+    is_length = model.jnt_type[model.dof_jntid] == SLIDE
+    for joint in np.flatnonzero(model.jnt_type == FREE):
+        is_length[model.jnt_dofadr[joint] + np.arange(3)] = True
+    return worst[~is_length].max(initial=0), worst[is_length].max(initial=0)
+
+
+def check_simulation(saved: Saved, folder: Path, expected: Array) -> None:
+    """The scene follows the motion, or a note says that it does not, and why."""
+    notes: list[str] = []
+    path = formats.export(saved, "mjcf", folder / "out.simulate.xml", tell=notes.append)
+    model = mujoco.MjModel.from_xml_path(str(path))
+    forces = Forces.of(Take.of(saved))
+    check_feed_forward(model, expected, forces.known & ~borne(forces))
+    angle, length = largest_errors(model)
+    line = next(note for note in notes if note.startswith("mj_step of the scene"))
+    assert ("stays within" in line) == (angle < WITHIN and length < WITHIN), (line, angle, length)
+    assert "its actuators do not hold it" not in line, (line, notes)
+
+
+@pytest.mark.slow
+@settings(
+    max_examples=16,
+    deadline=None,
+    database=None,
+    derandomize=True,
+    suppress_health_check=[HealthCheck.too_slow],
+)
+@given(robot=robots(), spread=st.sampled_from([0.1, 0.6]))
+def test_random_robots_are_exported_imported_and_simulated_as_mujoco_computes(robot: RandomRobot, spread: float):
+    with tempfile.TemporaryDirectory() as name:
+        folder, figure = Path(name), Path(name) / "robot.xml"
+        figure.write_text(robot.mjcf())
+        model, saved = mujoco.MjModel.from_xml_path(str(figure)), motion_of(figure, robot.seed, spread)
+        check_forces(saved, oracle(model, wild.samples(saved)))
+        for kind in carriers(robot):
+            check_round_trip(saved, kind, folder, str(figure))
+        model.jnt_actgravcomp[:] = 0  # the scene compensates gravity without actuators
+        check_simulation(saved, folder, oracle(model, wild.samples(saved)))
