@@ -14,12 +14,13 @@ import numpy as np
 from .array import Array
 from .curve.frame import Timeline
 from .curve.quadrature import Quadrature, gauss_nodes
-from .curve.spline import Path, Sampling, spline_of
+from .curve.spline import Path, Piece, Sampling, spline_of
 from .curve.unknowns import Unknowns
 from .figure.adjoint import Cotangent
 from .figure.figure import Figure
 from .figure.kinematics import Samples
-from .penalty import Penalty
+from .penalty import Block, Dense, Penalty
+from .penalty.block import summed
 from .penalty.penalty import instants_of
 
 SMALL_SHARE = 0.01  # of the clip: a violation of 1 cm over so much of it is the unit of a term that is nearly nought
@@ -217,6 +218,15 @@ def run_of(figure: Figure) -> int:
     return max(RUN, RUN_ENTRIES // figure.width)
 
 
+@dataclass(frozen=True, eq=False)
+class Seen:
+    """A run of samples as they were evaluated, and every term's residuals there, where these are known."""
+
+    piece: Piece
+    samples: Samples
+    blocks: Sequence[Sequence[Block | Dense] | None]
+
+
 @dataclass(frozen=True)
 class Evaluation:
     """E at one x: value, gradient (n,), and the terms' parts by name."""
@@ -250,6 +260,7 @@ class Discretised:
             for term, own in zip(objective.terms, each, strict=True)
             if instants_of(term.penalty).size and own.any()
         ]
+        self._last: tuple[Array, Sequence[Seen]] | None = None
         self._shares = [factors * each[:, piece.which] for piece in self._pieces]
 
     def path(self, x: Array) -> Path:
@@ -265,12 +276,32 @@ class Discretised:
         coefficients = self.sampling.coefficients(self.unknowns.rows(x))
         gradient = np.zeros(coefficients.shape)
         parts: dict[str, float] = {}
-        for piece, shares in zip(self._pieces, self._shares, strict=True):
-            samples = Samples(self.objective.figure, *piece.samples(coefficients), t=piece.t)
-            cotangent = Cotangent(samples)
-            for term, share in zip(self.objective.terms, shares, strict=True):
-                part = float(share @ term.penalty.evaluate(samples, cotangent, share))
+        self._last = (x, [self._seen(coefficients, piece) for piece in self._pieces])
+        for seen, shares in zip(self._last[1], self._shares, strict=True):
+            cotangent = Cotangent(seen.samples)
+            for term, share, blocks in zip(self.objective.terms, shares, seen.blocks, strict=True):
+                part = float(share @ _valued(term, seen.samples, blocks, cotangent, share))
                 parts[term.penalty.name] = parts.get(term.penalty.name, 0.0) + part
-            piece.add_pulled_back(gradient, cotangent.gradients())
+            seen.piece.add_pulled_back(gradient, cotangent.gradients())
         rows = self.sampling.coefficients_transposed(gradient)
         return Evaluation(sum(parts.values()), self.unknowns.pulled_back(rows), parts)
+
+    def seen(self, x: Array) -> Sequence[Seen]:
+        """The samples at x (n,), those of the last evaluation if it was there."""
+        if self._last is None or self._last[0] is not x:
+            coefficients = self.sampling.coefficients(self.unknowns.rows(x))
+            return [self._seen(coefficients, piece) for piece in self._pieces]
+        return self._last[1]
+
+    def _seen(self, coefficients: Array, piece: Piece) -> Seen:
+        samples = Samples(self.objective.figure, *piece.samples(coefficients), t=piece.t)
+        return Seen(piece, samples, [term.penalty.blocks(samples) for term in self.objective.terms])
+
+
+def _valued(
+    term: Term, samples: Samples, blocks: Sequence[Block | Dense] | None, into: Cotangent, share: Array
+) -> Array:
+    """f of a term at every sample, (S,); adds the gradient of Σ share f to `into`."""
+    if blocks is None:
+        return term.penalty.evaluate(samples, into, share)
+    return summed(blocks, samples, into, share)

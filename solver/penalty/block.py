@@ -8,7 +8,7 @@ or y''; or, where it is neither, by rows that it makes itself.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -199,6 +199,18 @@ class Dense:
     def pull_back(self, into: Cotangent, scale: Array) -> None:
         """Adds the gradient of Σ_s scale_s f(s)."""
         self.pulled_back(into, 2 * scale * self.value)
+
+
+def summed(
+    blocks: Iterable[Block | Dense], samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0
+) -> Array:
+    """f at every sample, (S,); with `into`, also adds the gradient of Σ_s scale_s f(s) to it."""
+    values, scale = np.zeros(samples.count), scale + np.zeros(samples.count)
+    for block in blocks:
+        values += block.values(samples.count)
+        if into is not None:
+            block.pull_back(into, scale)
+    return values
 
 
 def every(

@@ -6,7 +6,7 @@ Many points of a link move as it moves: their rows are combinations of the few r
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -126,6 +126,11 @@ class OneSided:
         """One after the other."""
         at, value = (np.concatenate([getattr(part, name) for part in parts]) for name in ("at", "value"))
         return cls(at, value, tuple(rows for part in parts for rows in part.gradients))
+
+    def shifted(self, first: int) -> OneSided:
+        """The same, of samples that are counted from one that comes so much earlier."""
+        gradients = tuple(replace(rows, at=rows.at + first) for rows in self.gradients)
+        return OneSided(self.at + first, self.value, gradients)
 
     @property
     def rows(self) -> Array:

@@ -7,7 +7,7 @@ residual. A new soft constraint is one class here, one Taylor test, one row in t
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,7 +16,7 @@ from ..array import Array, Index
 from ..curve.frame import Timeline
 from ..figure.adjoint import Cotangent
 from ..figure.kinematics import Samples
-from .block import Block, Dense
+from .block import Block, Dense, summed
 from .curvature import Curvature, add_differences, jacobian
 from .one_sided import OneSided
 
@@ -66,19 +66,28 @@ class Penalty(ABC):
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         """f_j at every sample, (S,); with `into`, also adds the gradient of Σ_s scale_s f_j(s) to it."""
-        values, scale = np.zeros(samples.count), scale + np.zeros(samples.count)
-        for block in self.residuals(samples):
-            values += block.values(samples.count)
-            if into is not None:
-                block.pull_back(into, scale)
-        return values
+        return summed(self.residuals(samples), samples, into, scale)
 
-    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
-        """Adds the Gauss-Newton matrices of Σ_s scale_s f_j(s), scale (S,), to `into`, but for what `sides` says."""
+    def blocks(self, samples: Samples) -> tuple[Block | Dense, ...] | None:
+        """The residuals, to be used for value, gradient and curvature; None of a penalty with an `evaluate` of its own,
+        which is no sum of squares."""
+        return tuple(self.residuals(samples)) if type(self).evaluate is Penalty.evaluate else None
+
+    def modelled(self, samples: Samples, known: Sequence[Block | Dense] | None) -> Iterable[Block | Dense]:
+        """`nearby`, with what is known of `residuals` at these samples."""
+        return known if known is not None and type(self).nearby is Penalty.nearby else self.nearby(samples)
+
+    def curvature(
+        self, samples: Samples, into: Curvature, scale: Array, known: Sequence[Block | Dense] | None = None
+    ) -> None:
+        """Adds the Gauss-Newton matrices of Σ_s scale_s f_j(s), scale (S,), to `into`, but for what `sides` says.
+
+        known  what `blocks` gave at the same samples
+        """
         if type(self).residuals is Penalty.residuals:
             add_differences(self.evaluate, samples, into, scale)
             return
-        for k, block in enumerate(self.nearby(samples)):
+        for k, block in enumerate(self.modelled(samples, known)):
             if isinstance(block, Block):
                 block.add_to(into, scale)
             elif block.curved is not None:
@@ -99,12 +108,12 @@ class Penalty(ABC):
 
         into.add_rows(at, scale[at], jacobian(samples, at, seeded))
 
-    def sides(self, samples: Samples) -> OneSided | None:
+    def sides(self, samples: Samples, known: Sequence[Block | Dense] | None = None) -> OneSided | None:
         """The part of f_j that is a sum of squares max(0, d)²: those that count or soon may. None: it has none ever."""
         if type(self).residuals is Penalty.residuals:
             return None
-        found = [block.sides(samples) for block in self.nearby(samples) if isinstance(block, Block) and block.one_sided]
-        return OneSided.joined(found) if found else None
+        blocks = [block for block in self.modelled(samples, known) if isinstance(block, Block) and block.one_sided]
+        return OneSided.joined([block.sides(samples) for block in blocks]) if blocks else None
 
 
 class Momentary(Penalty):

@@ -30,7 +30,7 @@ from ..curve.quadrature import gauss_nodes
 from ..curve.seam import Seam
 from ..curve.spline import DEGREE, Path, Piece, Sampling, Spline
 from ..figure.kinematics import Samples
-from ..objective import Discretised, Term
+from ..objective import Discretised, Seen, Term
 from ..penalty.curvature import Curvature
 from ..penalty.one_sided import OneSided
 
@@ -54,7 +54,7 @@ class Layout:
 
     A loop's coefficients are taken alternately from both ends, so that its seam is in the band too.
 
-    sided  the terms that have one-sided residuals, as far as is known
+    sided  indices of the terms that have one-sided residuals, as far as is known
     """
 
     def __init__(self, problem: Discretised) -> None:
@@ -74,12 +74,10 @@ class Layout:
         sampling = Sampling.of(spline, t)
         at_once = max(SPANS_AT_ONCE, SPAN_ENTRIES // self.width)
         edges = [*range(0, spline.times.size - 1, at_once), spline.times.size - 1]
-        own = np.searchsorted(problem.sampling.first, edges)
         self.pieces = [
-            (sampling.piece(slice(POINTS * a, POINTS * b)), self._pairs(a, b - a), problem.sampling.piece(slice(c, d)))
-            for (a, b), (c, d) in zip(pairwise(edges), pairwise(own.tolist()), strict=True)
+            (sampling.piece(slice(POINTS * a, POINTS * b)), self._pairs(a, b - a)) for a, b in pairwise(edges)
         ]
-        self.sided = problem.objective.terms
+        self.sided = list(range(len(problem.objective.terms)))
         self.flat = self._flat(sampling.values)
 
     @cached_property
@@ -331,14 +329,17 @@ class OneSidedTerms:
     sampling: Sampling
 
     @classmethod
-    def of(cls, layout: Layout, path: Path) -> OneSidedTerms | None:
-        if not layout.sided:
-            return None
-        problem = layout.problem
-        samples = problem.samples(path)
-        found = [(term, term.penalty.sides(samples)) for term in layout.sided]
-        layout.sided = tuple(term for term, sides in found if sides is not None)
-        parts = [(term.factor, sides) for term, sides in found if sides is not None and sides.at.size]
+    def of(cls, layout: Layout, every: Sequence[Seen]) -> OneSidedTerms | None:
+        problem, parts, sided = layout.problem, list[tuple[float, OneSided]](), set[int]()
+        terms = problem.objective.terms
+        for seen in every:
+            for k in layout.sided:
+                sides = terms[k].penalty.sides(seen.samples, seen.blocks[k])
+                if sides is not None:
+                    sided.add(k)
+                    parts.append((terms[k].factor, sides.shifted(seen.piece.which.start)))
+        layout.sided = sorted(sided)
+        parts = [(factor, sides) for factor, sides in parts if sides.at.size]
         if not parts:
             return None
         sides, order = OneSided.joined([sides for _, sides in parts]).sorted()
@@ -407,38 +408,46 @@ class Model:
     def __init__(self, layout: Layout, x: Array, gradient: Array, scale: float | None = None) -> None:
         """x (n,) with dE/dx (n,) there; scale where it is known."""
         self.layout = layout
-        path = layout.problem.path(x)
+        every = layout.problem.seen(x)
         self.held = layout.springs.copy()
-        self.scale = self._add_smooth(path, scale)
-        self.sided = OneSidedTerms.of(layout, path)
+        self.scale = self._add_smooth(layout.problem.path(x), every, scale)
+        self.sided = OneSidedTerms.of(layout, every)
         self.gradient = layout.from_x(gradient)
         if self.sided is not None:
             pull = 2 * self.sided.weight * np.maximum(self.sided.value, 0)
             self.gradient -= self.sided.pulled_back(pull)
 
-    def _add_smooth(self, path: Path, scale: float | None) -> float:
+    def _add_smooth(self, path: Path, every: Sequence[Seen], scale: float | None) -> float:
         """Adds the curvature of the two-sided residuals; its median density in y'', unless it is known."""
         layout, problem = self.layout, self.layout.problem
-        room, sizes = layout.empty(), []
+        room, sizes, rows = layout.empty(), [], []
         terms = problem.objective.terms
-        smooth, sharp = ([term for term in terms if term.penalty.scale.is_sharp is kind] for kind in (False, True))
+        sharp = [k for k, term in enumerate(terms) if term.penalty.scale.is_sharp]
+        smooth = [term for k, term in enumerate(terms) if k not in sharp]
 
-        def seen(piece: Piece, some: Sequence[Term], weights: Array) -> Curvature:
+        def curved(piece: Piece, some: Sequence[Term], weights: Array) -> Curvature:
             samples = Samples(problem.objective.figure, *piece.samples(path.coefficients), t=piece.t)
             curvature = Curvature(samples)
             for term in some:
                 term.penalty.curvature(samples, curvature, term.factor * weights)
             return curvature
 
-        for piece, pairs, own in layout.pieces:
+        for seen in every:
+            curvature = Curvature(seen.samples)
+            for k in sharp:
+                weights = terms[k].factor * problem.weights[seen.piece.which]
+                terms[k].penalty.curvature(seen.samples, curvature, weights, seen.blocks[k])
+            rows.append((curvature, seen.piece))
+        for piece, pairs in layout.pieces:
             weights = layout.weights[piece.which]
-            few, every = seen(piece, smooth, weights), seen(own, sharp, problem.weights[own.which])
-            layout.add_rows(room, (few, piece), (every, own))
+            few = curved(piece, smooth, weights)
+            rows.append((few, piece))
             layout.add_blocks(room, few, piece, pairs)
             if scale is None:
                 sizes.append(few.acceleration() / weights[:, None])
+        layout.add_rows(room, *rows)
         for term, sampling in problem.instants:
-            layout.add_rows(room, (seen(sampling.whole, [term], np.ones(sampling.t.size)), sampling.whole))
+            layout.add_rows(room, (curved(sampling.whole, [term], np.ones(sampling.t.size)), sampling.whole))
         diagonal = layout.diagonal(room)[:, 0]
         size = max(middle(diagonal), LEAST)
         diagonal += FAINT * size
