@@ -14,9 +14,10 @@ from hypothesis import strategies as st
 from inverse_oracle import oracle
 from random_robots import RandomRobot, motion_of, robots
 from round_trip import EXACT, check_round_trip
+from simulated import exported, played
 
 from dynsplines.errors import UserError
-from dynsplines.exchange import formats, quantities
+from dynsplines.exchange import quantities
 from dynsplines.exchange.forces import Forces
 from dynsplines.exchange.take import Take
 from dynsplines.motion import Saved
@@ -80,22 +81,8 @@ def check_feed_forward(model: mujoco.MjModel, expected: Array, rows: Mask) -> No
 
 
 def largest_errors(model: mujoco.MjModel) -> tuple[float, float]:
-    """How far `mj_step` leaves the keys in a second, `ctrl` interpolated between theirs: [rad] and [m]."""
-    data, away, worst = mujoco.MjData(model), np.zeros(model.nv), np.zeros(model.nv)
-    mujoco.mj_resetDataKeyframe(model, data, 0)
-    end = min(model.key_time[-1], model.key_time[0] + 1)
-    while data.time < end:
-        before = data.time
-        data.ctrl = [np.interp(data.time, model.key_time, column) for column in model.key_ctrl.T]
-        mujoco.mj_step(model, data)
-        if data.time <= before:
-            return np.inf, np.inf
-        after = min(int(np.searchsorted(model.key_time, data.time)), model.nkey - 1)
-        share = (data.time - model.key_time[after - 1]) / (model.key_time[after] - model.key_time[after - 1])
-        qpos = (1 - min(share, 1)) * model.key_qpos[after - 1] + min(share, 1) * model.key_qpos[after]
-        mujoco.mj_normalizeQuat(model, qpos)
-        mujoco.mj_differentiatePos(model, away, 1, qpos, data.qpos)
-        worst = np.maximum(worst, np.abs(away))
+    """How far `mj_step` leaves the keys in a second: [rad] and [m]."""
+    worst = played(model, 1.0).worst
     is_length = model.jnt_type[model.dof_jntid] == SLIDE
     for joint in np.flatnonzero(model.jnt_type == FREE):
         is_length[model.jnt_dofadr[joint] + np.arange(3)] = True
@@ -104,9 +91,7 @@ def largest_errors(model: mujoco.MjModel) -> tuple[float, float]:
 
 def check_simulation(saved: Saved, folder: Path, expected: Array) -> None:
     """The scene follows the motion, or a note says that it does not, and why."""
-    notes: list[str] = []
-    path = formats.export(saved, "mjcf", folder / "out.simulate.xml", tell=notes.append)
-    model = mujoco.MjModel.from_xml_path(str(path))
+    model, notes = exported(saved, folder)
     forces = Forces.of(Take.of(saved))
     check_feed_forward(model, expected, forces.known & ~borne(forces))
     angle, length = largest_errors(model)

@@ -5,10 +5,9 @@ import re
 import mujoco
 import numpy as np
 import pytest
+from simulated import clip_file, exported, played
 
 from dynsplines import inbetween, load, load_motion
-from dynsplines.exchange import formats
-from dynsplines.exchange.take import Wishes
 
 BIPED = """
 <mujoco>
@@ -31,18 +30,8 @@ LEG = """
         <geom type="box" size=".1 .04 .02" pos=".04 0 -.02" mass="1" {geom}/></body></body></body>
 """
 FLOOR = '<geom name="floor" type="plane" size="0 0 1" {}/>'
-KEYS = """
-figure = "{file}"
-[[keyframe]]
-time = 0
-others = "rest"
-[[keyframe]]
-time = 0.5
-root.position = [0, 0, 0.72]
-[[keyframe]]
-time = 1
-others = "rest"
-"""
+REST = 'others = "rest"'
+SQUAT, LEAN = "root.position = [0, 0, 0.72]", "root.position = [0.3, 0, 0.72]"
 DEFAULTS = {
     "motors": '<motor ctrllimited="true" ctrlrange="-.3 .3" gear="40"/>',
     "positions": '<position kp="7" kv="3" ctrlrange="-.1 .1" forcerange="-1 1" inheritrange="0"/>',
@@ -103,30 +92,20 @@ def biped(folder, **changes):
     return folder / "robot.xml"
 
 
-def exported(path, folder):
-    """The scene, its text, and the notes of a squat of a biped; exported from a clip by the ending alone."""
-    (folder / "clip.toml").write_text(KEYS.format(file=path))
-    saved, lines = inbetween(load(folder / "clip.toml")).saved, []
-    scene = folder / "squat.simulate.xml"
-    formats.export(saved, formats.chosen(None, scene).name, scene, tell=lines.append)
-    return mujoco.MjModel.from_xml_path(str(scene)), scene.read_text(), lines
+def solved(path, folder, middle=SQUAT):
+    """The motion of a biped from rest to rest in a second."""
+    keyframes = (f"time = 0\n{REST}", f"time = 0.5\n{middle}", f"time = 1\n{REST}")
+    return inbetween(load(clip_file(folder, path, *keyframes)))
 
 
-def errors(model):
-    """The largest error of a joint [rad] and of the root's position [m] while `ctrl` follows the keys."""
-    data, away, worst = mujoco.MjData(model), np.zeros(model.nv), np.zeros(2)
-    mujoco.mj_resetDataKeyframe(model, data, 0)
-    while data.time < model.key_time[-1]:
-        data.ctrl = [np.interp(data.time, model.key_time, column) for column in model.key_ctrl.T]
-        mujoco.mj_step(model, data)
-        qpos = np.array([np.interp(data.time, model.key_time, column) for column in model.key_qpos.T])
-        mujoco.mj_differentiatePos(model, away, 1, qpos, data.qpos)
-        worst = np.maximum(worst, [np.abs(away[3:]).max(), np.linalg.norm(away[:3])])
-    return worst
+def squatting(folder, **changes):
+    """The scene of a squat of a biped, and the notes of its export."""
+    return exported(solved(biped(folder, **changes), folder).saved, folder)
 
 
 def assert_follows(model):
-    assert np.all(errors(model) < [0.05, 0.05])
+    worst = played(model).worst
+    assert np.abs(worst[3:]).max() < 0.05 and np.linalg.norm(worst[:3]) < 0.05
 
 
 def assert_plain(model):
@@ -151,7 +130,7 @@ def assert_plain(model):
 def test_no_default_of_the_models_actuators_is_inherited(name, tmp_path):
     nested = {"child": 'childclass="limb"'} if name == "nested" else {}
     rest = OWN if name in ("motors", "nested") else ""
-    model, _, lines = exported(biped(tmp_path, default=DEFAULTS[name], rest=rest, **nested), tmp_path)
+    model, lines = squatting(tmp_path, default=DEFAULTS[name], rest=rest, **nested)
     assert_plain(model)
     assert_follows(model)
     assert (model.nkey, model.na, model.nsensor, model.ntuple) == (31, 0, int(bool(rest)), 0)
@@ -160,7 +139,7 @@ def test_no_default_of_the_models_actuators_is_inherited(name, tmp_path):
 
 @pytest.mark.parametrize("name", [*OPTIONS, *SILENT, *NOTED])
 def test_options_of_the_model_do_not_let_the_figure_fall(name, tmp_path):
-    model, _, lines = exported(biped(tmp_path, **(OPTIONS | SILENT | NOTED)[name]), tmp_path)
+    model, lines = squatting(tmp_path, **(OPTIONS | SILENT | NOTED)[name])
     assert_follows(model)
     assert any("overrides options" in line for line in lines) == (name in OPTIONS)
     assert any("coefficient of friction" in line or "collide" in line for line in lines) == (name in NOTED)
@@ -168,26 +147,21 @@ def test_options_of_the_model_do_not_let_the_figure_fall(name, tmp_path):
 
 
 def test_gravity_that_the_model_turns_off_stays_off(tmp_path):
-    model, _, lines = exported(biped(tmp_path, flags='<flag gravity="disable"/>'), tmp_path)
+    model, lines = squatting(tmp_path, flags='<flag gravity="disable"/>')
     assert model.opt.disableflags == int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
     assert not any("overrides" in line for line in lines)
 
 
 def test_a_scene_that_is_left_says_what_and_why(tmp_path):
     """The keyframes lean until the centre of mass is beyond the toes."""
-    (tmp_path / "clip.toml").write_text(
-        KEYS.format(file=biped(tmp_path)).replace("root.position = [0, 0, 0.72]", "root.position = [0.3, 0, 0.72]")
-    )
-    saved, lines = inbetween(load(tmp_path / "clip.toml")).saved, []
-    formats.export(saved, "mjcf", tmp_path / "a.xml", wishes=Wishes(simulate=True), tell=lines.append)
+    _, lines = exported(solved(biped(tmp_path), tmp_path, LEAN).saved, tmp_path)
     assert any(
         re.search(r"leaves the motion: '\w+' by .* after 0\.\d+ s, up to .* nothing balances it", x) for x in lines
     )
 
 
 def test_the_ending_alone_asks_for_a_scene_to_simulate(tmp_path):
-    (tmp_path / "clip.toml").write_text(KEYS.format(file=biped(tmp_path)))
-    motion = inbetween(load(tmp_path / "clip.toml"))
+    motion = solved(biped(tmp_path), tmp_path)
     motion.save(tmp_path / "m.npz")
     path = load_motion(tmp_path / "m.npz").export(tmp_path / "m.simulate.xml")
     assert mujoco.MjModel.from_xml_path(str(path)).nu == 6

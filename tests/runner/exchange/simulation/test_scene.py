@@ -6,6 +6,7 @@ import mujoco
 import numpy as np
 import pytest
 from rich.console import Console
+from simulated import between, clip_file, exported, played
 
 from dynsplines import work
 from dynsplines.clip import load as clip
@@ -35,16 +36,7 @@ RIG = """
   <sensor><actuatorpos actuator="old"/><jointpos joint="lift"/></sensor>
 </mujoco>
 """
-KEYS = """
-figure = "{file}"
-[[keyframe]]
-time = 0
-others = "rest"
-[[keyframe]]
-time = 1
-joints.lift = 0.2
-others = "rest"
-"""
+KEYS = ('time = 0\nothers = "rest"', 'time = 1\njoints.lift = 0.2\nothers = "rest"')
 
 
 def quiet():
@@ -61,41 +53,16 @@ def person(request, tmp_path_factory):
     return request.param, folder
 
 
-def played(path, lasts=LASTS):
-    """The model, its state after so long with the keys' ctrl as targets, and the deepest contact on the way [m]."""
-    model = mujoco.MjModel.from_xml_path(str(path))
-    data = mujoco.MjData(model)
-    mujoco.mj_resetDataKeyframe(model, data, 0)
-    begin, deepest = data.time, 0.0
-    while data.time < begin + lasts:
-        data.ctrl = at(model, model.key_ctrl, data.time)
-        mujoco.mj_step(model, data)
-        deepest = max([deepest, *(-contact.dist for contact in data.contact)])
-    return model, data, deepest
-
-
-def at(model, rows, time):
-    """Rows of a model's keys at a time between them."""
-    return np.array([np.interp(time, model.key_time, column) for column in rows.T])
-
-
-def off(model, data):
-    """How far the root is from the motion [m], how far turned, and the joint farthest off [degrees]."""
-    away = np.zeros(model.nv)
-    mujoco.mj_differentiatePos(model, away, 1, at(model, model.key_qpos, data.time), data.qpos)
-    return np.linalg.norm(away[:3]), np.degrees(np.linalg.norm(away[3:6])), np.degrees(np.abs(away[6:]).max())
-
-
 @pytest.mark.slow
 def test_the_human_follows_its_motion_and_falls_through_nothing(person):
     name, folder = person
-    model, data, deepest = played(folder / "stands.xml")
-    moved, turned, joint = off(model, data)
-    assert moved < WITHIN[name][0]
-    assert turned < WITHIN[name][1]
-    assert joint < 5
-    assert deepest < FALLEN
-    assert data.xpos[1, 2] == pytest.approx(at(model, model.key_qpos, data.time)[2], abs=FALLEN)
+    model = mujoco.MjModel.from_xml_path(str(folder / "stands.xml"))
+    end = played(model, LASTS)
+    assert np.linalg.norm(end.last[:3]) < WITHIN[name][0]
+    assert np.degrees(np.linalg.norm(end.last[3:6])) < WITHIN[name][1]
+    assert np.degrees(np.abs(end.last[6:]).max()) < 5
+    assert end.deepest < FALLEN
+    assert end.data.xpos[1, 2] == pytest.approx(between(model, model.key_qpos, end.data.time)[2], abs=FALLEN)
 
 
 @pytest.mark.slow
@@ -126,16 +93,15 @@ def test_every_joint_has_actuators_with_gains_that_hold_it(person):
 def rig(tmp_path_factory):
     folder = tmp_path_factory.mktemp("rig")
     (folder / "rig.xml").write_text(RIG)
-    problem = clip.from_text(KEYS.format(file=folder / "rig.xml"), name="rig")
+    problem = clip.load(str(clip_file(folder, folder / "rig.xml", *KEYS)))
     saved = work.unsolved(problem).saved(quiet(), with_report=False)
-    formats.export(saved, "mjcf", folder / "rig.simulate.xml", wishes=Wishes(simulate=True))
-    return saved, folder / "rig.simulate.xml"
+    return saved, exported(saved, folder)[0]
 
 
 @pytest.mark.slow
 def test_what_a_model_lets_collide_stays_so_and_meets_the_floor(rig):
-    _, path = rig
-    model, data, _ = played(path, 0.9)
+    _, model = rig
+    data = played(model, 0.9).data
     assert data.qpos[2] == pytest.approx(0.05, abs=0.01)  # it has dropped on to the floor and lies there
     assert data.joint("lift").qpos[0] == pytest.approx(0.18, abs=0.01)
     bits = {
@@ -145,7 +111,7 @@ def test_what_a_model_lets_collide_stays_so_and_meets_the_floor(rig):
 
 
 def test_actuators_of_the_model_are_replaced_and_what_has_no_name_gets_one(rig):
-    model = mujoco.MjModel.from_xml_path(str(rig[1]))
+    model = rig[1]
     assert [model.actuator(i).name for i in range(model.nu)] == ["lift", "joint2"]
     assert model.nsensor == 1
 
