@@ -288,10 +288,10 @@ def _values(lines: _Lines, count: int, width: int) -> tuple[Array, tuple[str, ..
         row = [_number(word, is_strict=is_strict) for word in words]
         if is_cut and (None in row or len(row) < width or (i + 1 < count and not lines.is_ended)):
             break  # the file ends within this line
+        hint = "; `dynsplines clean` uses the frames before it" if is_last and 1 < i < count else ""
         if None in row:
-            raise lines.wrong(f"'{shown(words[row.index(None)])}' is no number")
+            raise lines.wrong(f"'{shown(words[row.index(None)])}' is no number{hint if row[-1] is None else ''}")
         if len(row) != width:
-            hint = "; `dynsplines clean` uses the frames before it" if is_last and 1 < i < count else ""
             raise lines.wrong(f"{len(row)} numbers for the {width} channels of the joints{hint}")
         rows.append(np.array(row, float))
     if not rows or (is_strict and len(rows) < count) or len(rows) < min(count, gaps.FEWEST):

@@ -93,7 +93,13 @@ def test_names_in_shift_jis_are_read(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "content", [text(rows(), declared=5), text([*rows()[:-1], "0.7 80 14 7"], end=""), text(rows(), declared=12)]
+    "content",
+    [
+        text(rows(), declared=5),
+        text([*rows()[:-1], "0.7 80 14 7"], end=""),
+        text([*rows()[:-1], "0.7 80 14 -"], end=""),
+        text(rows(), declared=12),
+    ],
 )
 def test_the_error_of_a_file_cut_short_names_the_command_that_reads_it(content, tmp_path):
     (tmp_path / "a.bvh").write_text(content)
