@@ -41,6 +41,7 @@ SHARE_OF_PROMISE = 0.1  # of what more frames promise: a round ends where its ne
 MOST_FRAMES = 12  # variable ones in a segment between keyframes, in the end
 OF_CONTACTS = frozenset({"skate", "grounded", "planted", "resting", "hold", "flight", "support", "peak"})
 OF_LIMBS = frozenset({"bend", "range"})
+CLEARLY = 0.5  # of the first E: what is lower than that is better than the raw path, however exactly E is summed
 ALIKE = 1.1  # times the lower E of two searches: what is no higher lies in the same valley
 
 
@@ -52,7 +53,7 @@ def inbetween(problem: Problem, *, improved: Callable[[Improvement], None] | Non
     The keyframes are met exactly whenever the search is stopped. Raises TimelineError for frames that make no clip.
     """
     raw = problem.raw
-    return _found(problem, raw, raw, improved, lambda loop: best(loop.objective, [loop.over(raw), raw]))
+    return _found(problem, raw, raw, improved, lambda loop: loop.better_than(raw, loop.over(raw)))
 
 
 def resumed(
@@ -128,6 +129,11 @@ class _Loop:
     def is_whole(self) -> bool:
         """Whether all of the path is searched at once."""
         return not np.isfinite([self.since, self.until]).any()
+
+    def better_than(self, raw: Timeline, found: Timeline) -> Timeline:
+        """What was found, unless the raw timeline is better; that is out of the question where E has fallen far."""
+        is_clear = self.trace and self.trace[-1][2] < CLEARLY * self.trace[0][2]
+        return found if is_clear else best(self.objective, [found, raw])
 
     def over(self, raw: Timeline) -> Timeline:
         """The best timeline found through the keyframes of a raw one, long clips window by window."""

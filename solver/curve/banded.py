@@ -37,9 +37,9 @@ def other_half_solved(factor: Array, right: Array) -> Array:
     return _TBTRS(factor.T, right, uplo=b"L", trans=b"T")[0]
 
 
-def squared(rows: Array) -> Array:
-    """RᵀR of R (k, n), its upper triangle; zeros below."""
-    return _SYRK(1.0, rows.T, lower=1).T
+def squared(rows: Array, factor: float = 1.0) -> Array:
+    """RᵀR of R (k, n) times a factor, its upper triangle; zeros below."""
+    return _SYRK(factor, rows.T, lower=1).T
 
 
 class Tridiagonal:

@@ -146,9 +146,9 @@ class Layout:
             if first < last:
                 self.add_square(room, int(spans[first]), rows[first:last])
 
-    def add_square(self, room: Array, span: int, rows: Array) -> None:
-        """Adds Σ rowᵀrow of rows (P, 4 N) over the coefficients of one span."""
-        width, upper = self.width, banded.squared(rows)
+    def add_square(self, room: Array, span: int, rows: Array, sign: float = 1.0) -> None:
+        """Adds Σ rowᵀrow of rows (P, 4 N) over the coefficients of one span, or takes it off."""
+        width, upper = self.width, banded.squared(rows, sign)
         if self.is_loop:
             self._add_folded(room, span, upper + np.triu(upper, 1).T)
             return
@@ -475,13 +475,14 @@ class Model:
         step, pull = np.zeros_like(self.gradient), np.zeros_like(self.gradient)  # δ and H δ
         over, root = sided.value, np.sqrt(2 * sided.weight)
         worth = first = float(sided.weight @ np.maximum(over, 0) ** 2)
-        room = np.empty_like(held)
+        counted = np.zeros(over.size, bool)  # which residuals `held` has in it
         for _ in range(MOST_CHANGES):
             active = over > 0
-            np.copyto(room, held)
-            for span, rows in sided.spans(active, root):
-                layout.add_square(room, span, rows)
-            factor = layout.factor(room)
+            for sign, some in ((1.0, active & ~counted), (-1.0, counted & ~active)):
+                for span, rows in sided.spans(some, root):
+                    layout.add_square(held, span, rows, sign)
+            counted = active
+            factor = layout.factor(held)
             if factor is None:
                 break
             last = factor
