@@ -119,7 +119,7 @@ def _cut(rows: Rows, numbers: list[list[float | None]], *, is_ended: bool) -> st
     if len(last) < width or values[-1] is None:
         return f"has {len(last) - (values[-1] is None)} of {width} numbers"
     above = [(row[-1], values[-1]) for row, values in zip(rows[:-1], numbers[:-1], strict=True) if len(row) == width]
-    if is_ended or not (len(rows) == 1 or _is_cut(last[-1], values[-1], above)):
+    if is_ended or not (len(rows) == 1 or is_cut(last[-1], values[-1], above)):
         return None
     return f"has no end after the number {last[-1]}" + (", which differs from those above it" if above else "")
 
@@ -135,8 +135,8 @@ def _truncated(path: Path, cut: str, count: int, is_wide: bool) -> str:
     return f"{cut}: {count} of {count + 1} rows are used"
 
 
-def _is_cut(cell: str, number: float, above: Sequence[tuple[str, float | None]]) -> bool:
-    """Whether a number has fewer digits than all above it, or is so far from them that its end must be missing."""
+def is_cut(cell: str, number: float, above: Sequence[tuple[str, float | None]]) -> bool:
+    """Return whether a number has fewer digits than all above it, or is so far from them that its end is missing."""
     matches = [match for text, _ in above if (match := NUMBER.fullmatch(text))]
     match = NUMBER.fullmatch(cell)
     if match is None or not matches:
