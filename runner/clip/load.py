@@ -10,7 +10,7 @@ import tomllib
 from collections.abc import Callable, Iterator, Sequence
 from contextvars import ContextVar
 from dataclasses import dataclass, replace
-from functools import lru_cache, partial
+from functools import lru_cache
 from importlib import import_module
 from itertools import pairwise
 from pathlib import Path
@@ -37,7 +37,7 @@ from dynsplines.solver.surface import static_surfaces
 
 from ..errors import UserError, unknown
 from ..motion import Saved, read_arrays
-from ..scene.assets import Scene
+from ..scene.assets import Scene, taken_along
 from ..scene.compose import Step, compose, figure_spec, first_line, quietly, spec_joint_names
 from ..scene.configuration import first_wrong
 from .constraints import chosen, constraints, flights_given, posing_bends
@@ -769,16 +769,17 @@ def _set_joint(qpos: Array, fixed: Mask, link: Any, value: RotationTable | float
 
 def _from_mjcf(path: Path, fps: float | None) -> Clip:
     """An MJCF file whose <keyframe> elements, with their times, are the keyframes."""
-    return from_spec(path.stem, partial(figure_spec, str(path)), fps, path.name)
-
-
-def from_spec(name: str, read: Callable[[], mujoco.MjSpec], fps: float | None, where: str) -> Clip:
-    """A model whose <keyframe> elements, with their times, are the keyframes; `where` is how errors call it.
-
-    read  makes the model's specification, twice: MuJoCo 3.2.7 loses meshes of one that was compiled
-    """
     try:
-        spec, fresh = read(), read()
+        spec = figure_spec(str(path))
+    except UserError as error:
+        raise UserError(_placed(error, path.name)) from None
+    return from_spec(path.stem, spec, fps, path.name)
+
+
+def from_spec(name: str, spec: mujoco.MjSpec, fps: float | None, where: str) -> Clip:
+    """A model whose <keyframe> elements, with their times, are the keyframes; `where` is how errors call it."""
+    try:
+        spec.assets = dict(taken_along(spec))  # MuJoCo 3.2.7 keeps meshes of such names
     except UserError as error:
         raise UserError(_placed(error, where)) from None
     written = [np.array(key.qpos) for key in spec.keys]
@@ -797,7 +798,7 @@ def from_spec(name: str, read: Callable[[], mujoco.MjSpec], fps: float | None, w
         if own.size:
             qpos[i] = own  # as written: MuJoCo turns a zero quaternion into no rotation
     try:
-        scene = compose(fresh)
+        scene = compose(spec, bare=model)
     except UserError as error:
         raise UserError(_placed(error, where)) from None
     return from_qpos(name, scene, time, qpos, fps, where)

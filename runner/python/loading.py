@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -42,7 +41,7 @@ def load(
     source = str(os.fspath(source))
     if is_text(source):
         with outside.allowed(allow_outside):
-            return with_own(clips.from_spec("clip", partial(spec_of_text, source), fps, "clip"), own)
+            return with_own(clips.from_spec("clip", spec_of_text(source), fps, "clip"), own)
     if "\n" in source:
         with outside.allowed(allow_outside):
             return with_own(clips.from_text(source, name="clip", where="clip", fps=fps), own)
