@@ -138,7 +138,7 @@ class Cotangent:
                 flat = np.concatenate([w.link * count + w.at for w, _ in given])
                 places = flat + size * np.arange(3)[:, None]
                 vectors = np.concatenate([part for _, part in given], axis=1)
-                self.absorb(name, np.bincount(places.ravel(), vectors.ravel(), 3 * size).reshape(shape))
+                self.absorb(name, np.bincount(places.ravel(), vectors.ravel(), 3 * size).astype(float).reshape(shape))
 
     def gradients(self) -> tuple[Array, Array, Array]:
         """The three gradients with respect to y, y', y'', each (S, N); the cotangent is used up."""

@@ -18,17 +18,18 @@ turns what lies before the next such link on the way out, whose anchor then stan
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
 
-from ..array import Array, Index
+from ..array import Array, Index, Mask
 from .algebra import cross, dot, hamilton, pure_product, rotation_matrix, turned, turned_back
 from .axes import followers
 from .figure import Figure
 from .kinematics import LinkMotion, Samples
 
+VECTORS = ("force", "torque", "force_d", "torque_d", "torque_dd")
 AT_ONCE = 2000  # wrenches whose vectors stay in cache
 
 
@@ -58,27 +59,31 @@ class Wrenches:
 
     def taken(self, some: Index | slice) -> Wrenches:
         """Some of them."""
-        parts = {name: None if part is None else part[..., some] for name, part in vars(self).items()}
-        return Wrenches(**parts)
+        vectors = {name: part[:, some] for name, part in self.vectors.items()}
+        return Wrenches(self.at[some], self.link[some], **vectors)
+
+    @property
+    def vectors(self) -> dict[str, Array]:
+        """Those that are given, by name."""
+        return {name: part for name in VECTORS if (part := getattr(self, name)) is not None}
 
     def scaled(self, factor: Array) -> Wrenches:
         """Each times a factor (P,)."""
-        vectors = {name: part * factor for name, part in vars(self).items() if part is not None and part.ndim == 2}
-        return replace(self, **vectors)
+        return Wrenches(self.at, self.link, **{name: part * factor for name, part in self.vectors.items()})
 
     @classmethod
     def joined(cls, parts: Sequence[Wrenches]) -> Wrenches:
         """One after the other."""
         if len(parts) == 1:
             return parts[0]
+        at, link = (np.concatenate([getattr(part, name) for part in parts]) for name in ("at", "link"))
         found: dict[str, Array] = {}
-        for name in ("at", "link", "force", "torque", "force_d", "torque_d", "torque_dd"):
+        for name in VECTORS:
             given = [getattr(part, name) for part in parts]
-            if any(part is not None for part in given):
-                counts = [part.at.size for part in parts]
-                filled = [np.zeros((3, n)) if part is None else part for n, part in zip(counts, given, strict=True)]
-                found[name] = np.concatenate(filled, axis=-1)
-        return cls(**found)
+            if any(vectors is not None for vectors in given):
+                filled = [np.zeros((3, p.at.size)) if v is None else v for p, v in zip(parts, given, strict=True)]
+                found[name] = np.concatenate(filled, axis=1)
+        return cls(at, link, **found)
 
     def rows(self, samples: Samples) -> Array:
         """(P, 1 to 3, N): the gradients of the residuals with respect to y, and to y' and y'' as far as they matter."""
@@ -110,15 +115,14 @@ def of_turn(at: Index, link: Index, axis: Array) -> Wrenches:
     return Wrenches(at, link, None, axis)
 
 
-def each_axis(count: int) -> Array:
-    """(3, 3 P): the world's x for each of so many, then y, then z; what else there is of them is to be tiled."""
-    return np.repeat(np.eye(3), count, axis=1)
+def along_axes(at: Index, link: Index) -> tuple[Index, Index, Array]:
+    """Samples and links (3 P,), and the world's axes (3, 3 P), of P vectors' components: x of all, then y, then z."""
+    return np.tile(at, 3), np.tile(link, 3), np.repeat(np.eye(3), at.size, axis=1)
 
 
 def every_axis(links: Index, count: int) -> tuple[Index, Index, Array]:
-    """Samples, links (3 n S,) and the world's axes (3, 3 n S) of vectors (3, n, S) of some links at so many samples."""
-    at, link = np.tile(np.arange(count), 3 * links.size), np.tile(np.repeat(links, count), 3)
-    return at, link, each_axis(links.size * count)
+    """The same of vectors (3, n, S) of some links at so many samples."""
+    return along_axes(np.tile(np.arange(count), links.size), np.repeat(links, count))
 
 
 @dataclass(frozen=True, eq=False)
@@ -153,7 +157,7 @@ def _chains(figure: Figure) -> _Chains:
     return _Chains(free, slides, hinges, world, after, relative, place)
 
 
-def _padded(path: Array, links: Index) -> Index:
+def _padded(path: Mask, links: Index) -> Index:
     """(depth, L) those of some links on the way to every link."""
     ways = [links[path[link, links]] for link in range(len(path))]
     out = np.zeros((max(way.size for way in ways), len(path)), np.intp)

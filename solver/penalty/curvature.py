@@ -58,7 +58,7 @@ class Curvature:
     def add_diagonal(self, at: Index, column: Index, order: int, scale: Array) -> None:
         """Residuals that are single entries of y, y' or y'', at samples (P,) in columns (P,), times scale (P,)."""
         width = self.width
-        added = np.bincount(at * width + column, 2 * scale, self.samples.count * width).reshape(-1, width)
+        added = np.bincount(at * width + column, 2 * scale, self.samples.count * width).astype(float).reshape(-1, width)
         known = self._diagonals[order]
         self._diagonals[order] = added if known is None else known + added
 

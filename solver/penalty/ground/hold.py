@@ -14,7 +14,7 @@ import numpy as np
 from ...array import Array, Index, Mask
 from ...figure.algebra import applied, cross
 from ...figure.kinematics import Samples
-from ...figure.wrenches import each_axis, of_point, of_velocity
+from ...figure.wrenches import along_axes, of_point, of_velocity
 from ...surface.points import Point
 from ..block import Block
 from ..penalty import Penalty, Scale
@@ -132,19 +132,18 @@ class Holding(Penalty):
 
 def _sliding(samples: Samples, hold: Hold, at: Index, offset: Array, own: Array) -> Block:
     """The velocity of a hold's point beside the matter of the body under it, at samples `at` (P,)."""
-    links, axes, when = samples.links, each_axis(at.size), np.tile(at, 3)
-    (one, arm), (two, leg) = (
-        (np.full(3 * at.size, k), np.tile(v, 3)) for k, v in ((hold.point.link, offset), (hold.link, own))
-    )
+    links, one, two = samples.links, np.full(at.size, hold.point.link), np.full(at.size, hold.link)
     spin = links.omega[:, hold.link, at]
     slide = links.x_d[:, hold.point.link, at] + cross(links.omega[:, hold.point.link, at], offset)
     slide -= links.x_d[:, hold.link, at] + cross(spin, own)
+    (when, first, axes), (_, second, _) = along_axes(at, one), along_axes(at, two)
+    arm, leg = np.tile(offset, 3), np.tile(own, 3)
     other = cross(np.tile(spin, 3), axes)  # the matter under the point is other matter when the point moves
     changes = (
-        of_velocity(samples, when, one, arm, axes),
-        of_velocity(samples, when, two, leg, -axes),
-        of_point(when, one, arm, other),
-        of_point(when, two, leg, -other),
+        of_velocity(samples, when, first, arm, axes),
+        of_velocity(samples, when, second, leg, -axes),
+        of_point(when, first, arm, other),
+        of_point(when, second, leg, -other),
     )
     return Block(when, slide.ravel(), changes, SETTLING**2)
 

@@ -16,7 +16,7 @@ from ...curve.frame import Timeline
 from ...figure.algebra import applied
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
-from ...figure.wrenches import each_axis, of_point
+from ...figure.wrenches import along_axes, of_point
 from ...surface import Surface
 from ...surface.points import Point, placed, places_of
 from ..block import Block
@@ -72,8 +72,8 @@ class Planted(Penalty):
         x, rotation = samples.links.poses(link * samples.count + at)
         arm = applied(rotation, positions[:, stance])
         away = x + arm - spots[:, stance] - drifts[:, stance] * since
-        at, link, arm, weight = (np.tile(part, 3) for part in (at, link, arm, self._weights[stance]))
-        yield Block(at, away.ravel(), (of_point(at, link, arm, each_axis(stance.size)),), weight)
+        at, link, axes = along_axes(at, link)
+        yield Block(at, away.ravel(), (of_point(at, link, np.tile(arm, 3), axes),), np.tile(self._weights[stance], 3))
 
     def _during(self, t: Array) -> tuple[Index, Index]:
         """The pairs of a stance and a sample at times t (S,) that it holds for, (p,) each."""

@@ -17,7 +17,7 @@ from ... import quaternion as quat
 from ...array import Array, Index, Mask
 from ...figure.algebra import cross, dot
 from ...figure.kinematics import Samples
-from ...figure.wrenches import each_axis, of_point, of_velocity
+from ...figure.wrenches import along_axes, of_point, of_velocity
 from ...surface import Plane, Surface
 from ...surface.heights import height_over
 from ...surface.points import Point, arrays_of
@@ -83,8 +83,8 @@ class Resting(Penalty):
     def residuals(self, samples: Samples) -> Iterator[Block]:
         seen = self._seen(samples)
         yield Block(seen.at, seen.height, (of_point(seen.at, seen.link, seen.offset, seen.up),))
-        at, link, foot, offset = (np.tile(part, 3) for part in (seen.at, seen.link, seen.foot, seen.offset))
-        moved = of_velocity(samples, at, link, foot, each_axis(seen.at.size), turning=offset)
+        at, link, axes = along_axes(seen.at, seen.link)
+        moved = of_velocity(samples, at, link, np.tile(seen.foot, 3), axes, turning=np.tile(seen.offset, 3))
         yield Block(at, seen.velocity.ravel(), (moved,), SETTLING**2)
 
     @cached_property

@@ -16,7 +16,7 @@ from ...curve.frame import Timeline
 from ...figure.algebra import cross
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
-from ...figure.wrenches import each_axis, of_point, of_velocity
+from ...figure.wrenches import along_axes, of_point, of_velocity
 from ...surface import Surface
 from ...surface.heights import height_over
 from ...surface.points import Point, arrays_of, placed, places_of
@@ -108,9 +108,9 @@ class Skate(Penalty):
         link, arm, share, high = links[which], arms[:, which, at], root[which, at], height[which, at]
         velocity = motion.x_d[:, link, at] + cross(motion.omega[:, link, at], arm)
         fading = (-share * high / self.reach**2 * velocity).ravel()
-        axes, ways = each_axis(at.size), np.tile(up[:, which, at], 3)
-        value, share = (share * velocity).ravel(), np.tile(share, 3)
-        at, link, arm = (np.tile(part, 3) for part in (at, link, arm))
+        value, ways = (share * velocity).ravel(), np.tile(up[:, which, at], 3)
+        arm, share = np.tile(arm, 3), np.tile(share, 3)
+        at, link, axes = along_axes(at, link)
         changes = of_velocity(samples, at, link, arm, share * axes), of_point(at, link, arm, fading * ways)
         yield Block(at, value, changes)
 

@@ -17,7 +17,7 @@ from ...curve.frame import Timeline
 from ...figure.algebra import applied, cross
 from ...figure.figure import Figure, JointKind, quaternion_columns
 from ...figure.kinematics import Samples
-from ...figure.wrenches import each_axis, of_turn
+from ...figure.wrenches import along_axes, of_turn
 from ..block import Block
 from ..penalty import Momentary, Scale
 
@@ -56,8 +56,8 @@ class Upright(Momentary):
             return
         links, axes, ways = self._arrays
         turned = applied(samples.links.rotation[:, :, links[which], at], axes[:, which])
-        at, link, axis = (np.tile(part, 3) for part in (at, links[which], turned))
-        changes = of_turn(at, link, cross(axis, each_axis(which.size)))
+        at, link, along = along_axes(at, links[which])
+        changes = of_turn(at, link, cross(np.tile(turned, 3), along))
         yield Block(at, (turned - ways[:, which]).ravel(), (changes,))
 
     @cached_property

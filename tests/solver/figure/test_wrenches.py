@@ -11,7 +11,7 @@ from random_samples import random_samples
 
 from dynsplines.solver.array import Index
 from dynsplines.solver.figure import wrenches
-from dynsplines.solver.figure.adjoint import Cotangent
+from dynsplines.solver.figure.adjoint import Cotangent, Quantity
 from dynsplines.solver.figure.dynamics import velocities
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
@@ -19,7 +19,13 @@ from dynsplines.solver.figure.wrenches import Wrenches
 from dynsplines.solver.penalty.curvature import jacobian
 
 ALL = ("force", "torque", "force_d", "torque_d", "torque_dd")
-BUFFERS = dict(zip(ALL, ("x", "turn", "x_d", "omega", "alpha"), strict=True))
+BUFFERS: dict[str, Quantity] = {
+    "force": "x",
+    "torque": "turn",
+    "force_d": "x_d",
+    "torque_d": "omega",
+    "torque_dd": "alpha",
+}
 
 
 def some(figure: Figure, samples: Samples, rng: np.random.Generator, names: tuple[str, ...] = ALL) -> Wrenches:
@@ -87,8 +93,8 @@ def test_rows_times_the_motion_are_what_mujoco_measures(seed, coordinates):
         places, turns = first.copy()
         mujoco.mj_jacDot(model, data, first[0], first[1], data.xpos[body], body)
         linear, angular = places @ acceleration + first[0] @ data.qvel, turns @ acceleration + first[1] @ data.qvel
-        expected[p] = given.force[:, p] @ places @ data.qvel + given.torque[:, p] @ turns @ data.qvel
-        expected[p] += given.force_d[:, p] @ linear + given.torque_d[:, p] @ angular
+        force, torque, force_d, torque_d = (given.vectors[name][:, p] for name in ALL[:4])
+        expected[p] = force @ places @ data.qvel + torque @ turns @ data.qvel + force_d @ linear + torque_d @ angular
     np.testing.assert_allclose(found, expected, rtol=0, atol=1e-10 * np.abs(expected).max())
 
 

@@ -1,5 +1,6 @@
 """A long clip in windows: every segment is kept once, and what comes out is the whole clip as one solve finds it."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from importlib import import_module
 from itertools import pairwise
@@ -21,8 +22,15 @@ from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Objective, segment_integrals
-from dynsplines.solver.penalty import Contact, CovariantAcceleration, Penalty, RootAcceleration, UnitMagnitude
-from dynsplines.solver.penalty.curvature import Curvature
+from dynsplines.solver.penalty import (
+    Block,
+    Contact,
+    CovariantAcceleration,
+    Dense,
+    Penalty,
+    RootAcceleration,
+    UnitMagnitude,
+)
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.refine.subdivision import evenly
 from dynsplines.solver.refine.windows import AHEAD, BEHIND, KEPT, LARGEST, Assembly, Window, is_long, windows
@@ -260,9 +268,9 @@ class Counted(CovariantAcceleration):
         self.count()
         return super().evaluate(samples, into, scale)
 
-    def curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
+    def nearby(self, samples: Samples) -> Iterable[Block | Dense]:
         self.count()
-        super().curvature(samples, into, scale)
+        return super().nearby(samples)
 
 
 @pytest.mark.slow
