@@ -6,7 +6,7 @@ The paper leaves skidding to future work (§6). Nothing here needs to know when 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -92,7 +92,10 @@ class Skate(Penalty):
         return self._slides(samples, TINY)
 
     def nearby(self, samples: Samples) -> Iterator[Block]:
-        return self._slides(samples, NEGLIGIBLE)
+        """With the weight held: squares of what it changes by would keep down a foot that costs less higher up."""
+        for block in self._slides(samples, NEGLIGIBLE):
+            velocity, _ = block.changes
+            yield replace(block, changes=(velocity,))
 
     def _slides(self, samples: Samples, least: float) -> Iterator[Block]:
         """√weight · v where √weight is more than `least`; it changes with v and, by the weight, with the height."""

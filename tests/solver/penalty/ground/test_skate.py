@@ -3,7 +3,6 @@
 import mujoco
 import numpy as np
 import pytest
-from block_rows import assert_rows_of
 from penalty_slope import penalty_slope, scaled_like
 from random_samples import random_samples
 
@@ -63,9 +62,15 @@ def test_it_does_not_feel_the_quaternions_length(figure, rng):
     np.testing.assert_allclose(skate.evaluate(scaled_like(samples, rng)), skate.evaluate(samples), rtol=1e-9)
 
 
-def test_weighted_velocities_change_as_their_rows_say(figure, rng):
+def test_the_model_holds_the_weight(figure, rng):
+    """Rows by y' are those of the residuals, and by y those of the velocity alone."""
     samples = random_samples(figure, rng, 3)
-    assert_rows_of(Skate(some_points(samples), (below(samples),), 1.0), samples, rng)
+    skate = Skate(some_points(samples), (below(samples),), 1.0)
+    (block,), (modelled,) = skate.residuals(samples), skate.nearby(samples)
+    np.testing.assert_array_equal(block.value, modelled.value)
+    own, held = block.rows(samples), modelled.rows(samples)
+    np.testing.assert_allclose(held[:, 1], own[:, 1])
+    assert np.abs(held[:, 0] - own[:, 0]).max() > 1e-3
 
 
 def test_high_points_are_free_and_no_points_cost_nothing(figure, rng):
