@@ -21,7 +21,7 @@ from .curve.frame import Timeline
 from .curve.spline import path_of
 from .objective import Evaluation, Objective, segment_integrals
 from .one_thread import one_thread
-from .penalty import JointRange, Penalty
+from .penalty import JointRange, Penalty, Role
 from .penalty.joints.joint_range import Range
 from .problem import Problem, Settings, guide_of
 from .refine.cut import Cut
@@ -39,8 +39,7 @@ NEGLIGIBLE = 1e-3  # of E at the start: what is left of it counts as so much at 
 ROUGH = 1e-2  # relative progress at which a round ends that another may follow
 SHARE_OF_PROMISE = 0.1  # of what more frames promise: a round ends where its next step promises less
 MOST_FRAMES = 12  # variable ones in a segment between keyframes, in the end
-OF_CONTACTS = frozenset({"skate", "grounded", "planted", "resting", "hold", "flight", "support", "peak"})
-OF_LIMBS = frozenset({"bend", "range"})
+OF_CONTACTS, OF_LIMBS = frozenset({Role.CONTACT, Role.PHYSICS}), frozenset({Role.LIMIT})
 CLEARLY = 0.5  # of the first E: what is lower than that is better than the raw path, however exactly E is summed
 ALIKE = 1.1  # times the lower E of two searches: what is no higher lies in the same valley
 
@@ -255,9 +254,9 @@ class _Loop:
             timeline = split(timeline, chosen)
             self.round += bool(chosen.size)
 
-    def loosened(self, timeline: Timeline, without: frozenset[str]) -> Timeline:
-        """Where a rough search comes to without some terms."""
-        terms = tuple(term for term in self.objective.terms if term.penalty.name not in without)
+    def loosened(self, timeline: Timeline, without: frozenset[Role]) -> Timeline:
+        """Where a rough search comes to without the terms of some roles."""
+        terms = tuple(term for term in self.objective.terms if term.penalty.role not in without)
         descent = Descent(replace(self.objective, terms=terms), timeline)
         found = descent.run(max_evaluations=self.settings.max_evaluations, tolerance=ROUGH)
         self.evaluations += found.evaluations

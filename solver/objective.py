@@ -81,22 +81,22 @@ class Objective:
         """
         integrals = self._typical(raw, self.integrals(raw))
         if led is not None:
-            costs = np.array([not term.penalty.scale.is_violation for term in self.terms])
+            costs = np.array([not term.penalty.normalization.is_violation for term in self.terms])
             integrals = np.where(costs, np.maximum(integrals, self._typical(led, self.integrals(led))), integrals)
         first, last = raw.span
         spacing = (last - first) / (raw.spline.times.size - 1)
         terms = []
         for term, integral in zip(self.terms, integrals, strict=True):
-            scale, instants = term.penalty.scale, instants_of(term.penalty)
+            scale, instants = term.penalty.normalization, instants_of(term.penalty)
             length = instants.size or last - first
             whole = scale.reference * length / spacing**scale.time_power
             most = whole if scale.is_violation else scale.most * length
             terms.append(replace(term, factor=term.weight / min(max(float(integral), SMALL_SHARE * whole), most)))
         measures = {term.penalty.name: term.factor / term.weight for term in terms if term.weight > 0}
         for i, term in enumerate(terms):
-            beside = term.penalty.scale.beside
+            beside = term.penalty.normalization.beside
             if beside in measures:
-                terms[i] = replace(term, factor=term.weight * measures[beside] / term.penalty.scale.reference)
+                terms[i] = replace(term, factor=term.weight * measures[beside] / term.penalty.normalization.reference)
         return replace(self, terms=tuple(terms), heavy=HEAVY * self.raw_cost or np.inf)
 
     @property
@@ -108,7 +108,9 @@ class Objective:
     @property
     def measured(self) -> tuple[Term, ...]:
         """The terms that are measured by their own integrals over the raw spline."""
-        return tuple(t for t in self.terms if not t.penalty.scale.is_violation and not t.penalty.scale.beside)
+        return tuple(
+            t for t in self.terms if not t.penalty.normalization.is_violation and not t.penalty.normalization.beside
+        )
 
     def _typical(self, raw: Path, integrals: Array) -> Array:
         """Integrals (terms,) over the raw path with what its violent segments have too much taken off.
@@ -117,7 +119,7 @@ class Objective:
         tenth of the integral is left at least.
         """
         times = np.asarray(raw.spline.times)
-        costs = [i for i, term in enumerate(self.terms) if not term.penalty.scale.is_violation]
+        costs = [i for i, term in enumerate(self.terms) if not term.penalty.normalization.is_violation]
         plain = tuple(replace(self.terms[i], factor=1.0) for i in costs)
         if times.size < 3 or not plain:
             return integrals

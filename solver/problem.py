@@ -16,7 +16,7 @@ from .curve.spline import path_of
 from .curve.unknowns import raw_timeline
 from .figure.figure import Figure
 from .objective import Objective
-from .penalty import Guide, Penalty, Steady
+from .penalty import Guide, Penalty, Role
 from .refine.subdivision import CRITERIA
 from .search.descent import NEWTON
 from .search.minimum import Optimiser
@@ -146,5 +146,5 @@ class Guides:
 def guide_of(objective: Objective) -> Guide | Guides | None:
     """The soft constraints that provide an initial path, None without any; holds last, to keep what others changed."""
     guides = [term.penalty for term in objective.terms if isinstance(term.penalty, Guide) and term.weight > 0]
-    guides.sort(key=lambda guide: isinstance(guide, Steady))
+    guides.sort(key=lambda guide: guide.role is Role.LIMIT)
     return Guides(tuple(guides)) if len(guides) > 1 else next(iter(guides), None)

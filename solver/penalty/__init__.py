@@ -69,6 +69,7 @@ from .motion.torque import Torque as Torque
 from .motion.unit import UnitMagnitude as UnitMagnitude
 from .penalty import Guide as Guide
 from .penalty import Momentary as Momentary
+from .penalty import Normalization as Normalization
 from .penalty import Penalty as Penalty
-from .penalty import Scale as Scale
+from .penalty import Role as Role
 from .sum import Sum as Sum

@@ -9,11 +9,13 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from enum import Enum
 
 import numpy as np
 
 from ..array import Array, Index
 from ..curve.frame import Timeline
+from ..curve.spline import Path
 from ..figure.adjoint import Cotangent
 from ..figure.kinematics import Samples
 from .block import Block, Dense, summed
@@ -22,7 +24,7 @@ from .one_sided import OneSided
 
 
 @dataclass(frozen=True)
-class Scale:
+class Normalization:
     """What counts as little of a soft constraint, for terms that (nearly) vanish on the raw spline.
 
     reference     f_j of a violation of 1 cm or 1°, or of 8 rad (2 m) per squared key spacing at keyframes 1 s apart
@@ -43,8 +45,21 @@ class Scale:
     is_sharp: bool = False
 
 
+class Role(Enum):
+    """What a soft constraint is for. The search goes by it: where it ends in a poor minimum it begins again without
+    those that trap limbs, first the contacts with their physics, then the limits."""
+
+    SMOOTHNESS = "what all motion costs"
+    CONTACT = "feet and hands stay where they stand or hold"
+    OBSTACLE = "nothing goes through a surface or a limb"
+    LIMIT = "joints keep to their bounds"
+    PHYSICS = "forces that the ground can supply, without impacts"
+    EQUALITY = "joints and points that belong together"
+    TRACKING = "poses and places that are asked for"
+
+
 class Penalty(ABC):
-    """A soft constraint f_j: its name, what counts as little, and its residuals. All else follows from these."""
+    """A soft constraint f_j: name, role, what counts as little, and its residuals. All else follows from these."""
 
     @property
     @abstractmethod
@@ -53,8 +68,18 @@ class Penalty(ABC):
 
     @property
     @abstractmethod
-    def scale(self) -> Scale:
+    def role(self) -> Role:
+        """What it is for."""
+
+    @property
+    @abstractmethod
+    def normalization(self) -> Normalization:
         """What counts as little."""
+
+    @property
+    def obstructs(self) -> bool:
+        """Whether it keeps the figure out of more than floors and steps, so that there is another way round."""
+        return False
 
     def residuals(self, samples: Samples) -> Iterable[Block | Dense]:
         """What f_j is the sum of squares of, see `block`; one-sided residuals as far as they count."""
@@ -141,6 +166,11 @@ class Momentary(Penalty):
 
 class Guide(Penalty):
     """A soft constraint that knows of a path to begin with, where the spline through the keyframes is far off."""
+
+    @property
+    def expected(self) -> Path | None:
+        """The path that all of the motion is to be near to, if there is one."""
+        return None
 
     @abstractmethod
     def led(self, timeline: Timeline, most: int | None) -> Timeline:

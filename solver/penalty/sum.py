@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from ..figure.kinematics import Samples
 from .block import Block, Dense
-from .penalty import Penalty, Scale
+from .penalty import Normalization, Penalty, Role
 
 
 @dataclass(frozen=True)
@@ -22,8 +22,16 @@ class Sum(Penalty):
         return self.called
 
     @property
-    def scale(self) -> Scale:
-        return self.parts[0].scale
+    def role(self) -> Role:
+        return self.parts[0].role
+
+    @property
+    def obstructs(self) -> bool:
+        return any(part.obstructs for part in self.parts)
+
+    @property
+    def normalization(self) -> Normalization:
+        return self.parts[0].normalization
 
     def residuals(self, samples: Samples) -> Iterator[Block | Dense]:
         for part in self.parts:

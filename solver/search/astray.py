@@ -17,8 +17,7 @@ from ..curve.spline import Path, path_of
 from ..figure.figure import Figure
 from ..figure.kinematics import Samples
 from ..objective import Objective
-from ..penalty import Contact, Near
-from ..surface import Box, Plane
+from ..penalty import Guide
 
 DEAR = 2.0  # times what motion cost on the raw spline: from here on another way round an obstacle may be less
 FAR = 0.5  # of a figure's size, its farthest joint at rest from its root
@@ -33,14 +32,15 @@ def is_astray(objective: Objective, timeline: Timeline, parts: Mapping[str, floa
 
 
 def is_far(objective: Objective, timeline: Timeline) -> bool:
-    """Whether a limb is far from where its neighbouring keyframes have it, or from what was recorded."""
-    recorded = next((t.penalty.recorded.path for t in objective.terms if isinstance(t.penalty, Near)), None)
-    return farthest(objective.figure, timeline, recorded) > FAR
+    """Whether a limb is far from where its neighbouring keyframes have it, or from a path that a term expects."""
+    guides = [term.penalty for term in objective.terms if isinstance(term.penalty, Guide)]
+    expected = next((guide.expected for guide in guides if guide.expected is not None), None)
+    return farthest(objective.figure, timeline, expected) > FAR
 
 
 def is_violent(objective: Objective, parts: Mapping[str, float]) -> bool:
     """Whether what constraints cost exceeds what motion costs and what motion cost on the raw spline."""
-    bounds = {term.penalty.name for term in objective.terms if term.penalty.scale.is_violation}
+    bounds = {term.penalty.name for term in objective.terms if term.penalty.normalization.is_violation}
     violated = sum(value for name, value in parts.items() if name in bounds)
     return violated > max(sum(parts.values()) - violated, objective.raw_cost)
 
@@ -50,25 +50,18 @@ def is_dear(objective: Objective, parts: Mapping[str, float]) -> bool:
     feet that must come off the floor or on a step cost as much whichever way they are searched."""
     measured = {term.penalty.name for term in objective.measured}
     cost = sum(value for name, value in parts.items() if name in measured)
-    return cost > DEAR * objective.raw_cost and _is_obstructed(objective)
+    return cost > DEAR * objective.raw_cost and any(term.penalty.obstructs for term in objective.terms)
 
 
-def _is_obstructed(objective: Objective) -> bool:
-    """Whether a soft constraint keeps the figure out of more than floors and steps."""
-    penalties = [part for term in objective.terms for part in getattr(term.penalty, "parts", (term.penalty,))]
-    surfaces = [surface for part in penalties if isinstance(part, Contact) for surface in part.surfaces]
-    return any(not isinstance(each, Plane) and not (isinstance(each, Box) and each.buried) for each in surfaces)
-
-
-def farthest(figure: Figure, timeline: Timeline, recorded: Path | None = None) -> float:
-    """How far a joint is off what was recorded, or else off the straight way between frames of which something is
+def farthest(figure: Figure, timeline: Timeline, expected: Path | None = None) -> float:
+    """How far a joint is off a path that is expected, or else off the straight way between frames of which something is
     fixed, seen from its root, beside the figure's size."""
     given = np.flatnonzero(timeline.fixed.any(axis=1))
     if given.size < 2:
         return 0.0
     times = timeline.times[given]
     t = _looks(times)
-    there = straight(figure, times, timeline.states[given], t) if recorded is None else recorded.at(t)
+    there = straight(figure, times, timeline.states[given], t) if expected is None else expected.at(t)
     apart = _from_root(figure, path_of(timeline).at(t)) - _from_root(figure, there)
     size = float(np.linalg.norm(_from_root(figure, figure.to_state(figure.model.qpos0[None])), axis=0).max())
     return float(np.linalg.norm(apart, axis=0).max()) / size if size > 0 else 0.0

@@ -422,7 +422,7 @@ class Model:
         layout, problem = self.layout, self.layout.problem
         room, sizes, rows = layout.empty(), [], []
         terms = problem.objective.terms
-        sharp = [k for k, term in enumerate(terms) if term.penalty.scale.is_sharp]
+        sharp = [k for k, term in enumerate(terms) if term.penalty.normalization.is_sharp]
         smooth = [term for k, term in enumerate(terms) if k not in sharp]
 
         def curved(piece: Piece, some: Sequence[Term], weights: Array) -> Curvature:

@@ -32,10 +32,11 @@ from dynsplines.solver.objective import (
 from dynsplines.solver.penalty import (
     Contact,
     CovariantAcceleration,
+    Normalization,
     Penalty,
     Posture,
+    Role,
     RootAcceleration,
-    Scale,
 )
 from dynsplines.solver.penalty.penalty import Momentary
 from dynsplines.solver.refine.subdivision import evenly
@@ -48,9 +49,9 @@ ONE_HINGE = '<mujoco><worldbody><body><joint axis="0 1 0"/><geom size=".1"/></bo
 def test_the_renormalised_raw_spline_costs_the_sum_of_the_weights(figure, rng):
     raw = path_of(clip(figure, rng))
     length, spacing = TIMES[-1] - TIMES[0], np.mean(np.diff(TIMES))
-    every = [(p, weight) for p, weight in every_penalty(figure) if not p.scale.is_violation]
+    every = [(p, weight) for p, weight in every_penalty(figure) if not p.normalization.is_violation]
     integrals = Objective.of(figure, every).integrals(raw)
-    floors = [p.scale.reference * SMALL_SHARE * length / spacing**p.scale.time_power for p, _ in every]
+    floors = [p.normalization.reference * SMALL_SHARE * length / spacing**p.normalization.time_power for p, _ in every]
     penalties = [pair for pair, integral, floor in zip(every, integrals, floors, strict=True) if integral > floor]
     assert len(penalties) >= 3
     objective = Objective.of(figure, penalties)
@@ -307,7 +308,7 @@ def test_what_costs_more_on_a_path_that_leads_is_divided_by_that_and_violations_
     )
     below = 0
     for own, there, both in zip(plain, other, found, strict=True):
-        scale = both.penalty.scale
+        scale = both.penalty.normalization
         if scale.is_violation:
             assert both.factor == own.factor
         elif not scale.beside:
@@ -344,8 +345,12 @@ class Clock(Penalty):
         return "clock"
 
     @property
-    def scale(self) -> Scale:
-        return Scale(1.0)
+    def role(self) -> Role:
+        return Role.SMOOTHNESS
+
+    @property
+    def normalization(self) -> Normalization:
+        return Normalization(1.0)
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: object = 1.0) -> np.ndarray:
         return samples.t**5
@@ -359,8 +364,12 @@ class Bell(Momentary):
         return "bell"
 
     @property
-    def scale(self) -> Scale:
-        return Scale(1.0)
+    def role(self) -> Role:
+        return Role.SMOOTHNESS
+
+    @property
+    def normalization(self) -> Normalization:
+        return Normalization(1.0)
 
     @property
     def times(self) -> np.ndarray:

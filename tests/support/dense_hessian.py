@@ -54,7 +54,7 @@ def dense_hessian(problem: Discretised, names: tuple[str, ...], x: Array) -> Arr
     def residuals(at: Array) -> Array:
         parts = []
         for name, term in zip(names, problem.objective.terms, strict=True):
-            t, w = own if term.penalty.scale.is_sharp else few
+            t, w = own if term.penalty.normalization.is_sharp else few
             samples = problem.objective.samples(problem.path(at), t)
             parts.append((np.sqrt(2 * term.factor * w)[:, None] * RESIDUALS[name][1](samples)).ravel())
         return np.concatenate(parts)

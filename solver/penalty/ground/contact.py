@@ -15,11 +15,11 @@ from ...figure.algebra import applied, dot
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
 from ...figure.wrenches import of_point
-from ...surface import Surface
+from ...surface import Box, Plane, Surface
 from ...surface.points import Point, arrays_of, placed, places_of
 from ..allowance import Allowance
 from ..block import Block
-from ..penalty import Penalty, Scale
+from ..penalty import Normalization, Penalty, Role
 
 NEAR = 0.03  # [m] within which a point may touch after one step of the search
 ROUNDING = 1e-9  # [s] a keyframe may be outside an interval that it is meant to begin or end
@@ -71,8 +71,16 @@ class Contact(Penalty):
         return replace(self, allowed=Allowance(keys.times, excess))
 
     @property
-    def scale(self) -> Scale:
-        return Scale(1e-4, is_violation=True)
+    def obstructs(self) -> bool:
+        return any(not isinstance(s, Plane) and not (isinstance(s, Box) and s.buried) for s in self.surfaces)
+
+    @property
+    def role(self) -> Role:
+        return Role.OBSTACLE
+
+    @property
+    def normalization(self) -> Normalization:
+        return Normalization(1e-4, is_violation=True)
 
     @cached_property
     def _arrays(self) -> tuple[Index, Array, Array]:

@@ -19,7 +19,7 @@ from ...figure.kinematics import Samples
 from ...figure.wrench import RootWrench, height, weight
 from ..block import Dense
 from ..curvature import Curvature
-from ..penalty import Penalty, Scale
+from ..penalty import Normalization, Penalty, Role
 
 A_TENTH = 0.01  # a tenth of the weight, squared
 
@@ -50,8 +50,12 @@ class Flight(Penalty):
         return cls(root, intervals, weight(figure, root), height(figure, root), angular)
 
     @property
-    def scale(self) -> Scale:
-        return Scale(A_TENTH, is_violation=True, is_sharp=True)
+    def role(self) -> Role:
+        return Role.PHYSICS
+
+    @property
+    def normalization(self) -> Normalization:
+        return Normalization(A_TENTH, is_violation=True, is_sharp=True)
 
     def residuals(self, samples: Samples) -> Iterator[Dense]:
         aloft = within(self.intervals, samples.t)

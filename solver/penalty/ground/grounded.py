@@ -21,7 +21,7 @@ from ...surface import Surface
 from ...surface.heights import FAR, heights, ways_up
 from ...surface.points import Point, arrays_of, places_of
 from ..block import Block
-from ..penalty import Penalty, Scale
+from ..penalty import Normalization, Penalty, Role
 from .flight import within
 
 TOUCHING = 0.05  # [m] that the lowest point of a keyframe on the ground may be over it
@@ -58,8 +58,12 @@ class Grounded(Penalty):
         return "grounded"
 
     @property
-    def scale(self) -> Scale:
-        return Scale(1e-4, is_violation=True)
+    def role(self) -> Role:
+        return Role.CONTACT
+
+    @property
+    def normalization(self) -> Normalization:
+        return Normalization(1e-4, is_violation=True)
 
     @cached_property
     def _arrays(self) -> tuple[Index, Array, Array]:

@@ -17,7 +17,7 @@ from ...figure.kinematics import Samples
 from ...figure.wrenches import along_axes, of_point, of_velocity
 from ...surface.points import Point
 from ..block import Block
-from ..penalty import Penalty, Scale
+from ..penalty import Normalization, Penalty, Role
 from .resting import SETTLING
 
 TINY = 1e-12  # [m] a distance without a direction
@@ -106,8 +106,12 @@ class Holding(Penalty):
         return "hold"
 
     @property
-    def scale(self) -> Scale:
-        return Scale(1e-4, is_violation=True, is_sharp=True)
+    def role(self) -> Role:
+        return Role.CONTACT
+
+    @property
+    def normalization(self) -> Normalization:
+        return Normalization(1e-4, is_violation=True, is_sharp=True)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
         for hold, at in self._during(samples.t):

@@ -17,7 +17,7 @@ from ...figure.kinematics import Samples
 from ...figure.wrenches import of_point
 from ...surface.points import Point
 from ..block import Block
-from ..penalty import Momentary, Scale
+from ..penalty import Momentary, Normalization, Role
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,8 +40,12 @@ class Placement(Momentary):
         return "placement"
 
     @property
-    def scale(self) -> Scale:
-        return Scale(1e-4, is_violation=True)
+    def role(self) -> Role:
+        return Role.TRACKING
+
+    @property
+    def normalization(self) -> Normalization:
+        return Normalization(1e-4, is_violation=True)
 
     @property
     def times(self) -> Array:

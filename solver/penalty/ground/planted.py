@@ -20,7 +20,7 @@ from ...figure.wrenches import along_axes, of_point
 from ...surface import Surface
 from ...surface.points import Point, placed, places_of
 from ..block import Block
-from ..penalty import Penalty, Scale
+from ..penalty import Normalization, Penalty, Role
 
 NEAR_SURFACE = 0.012  # [m] by which a sole that stands may be off its surface in a keyframe
 SAME_SPOT = 0.05  # [m] that keyframes may put a standing point apart
@@ -60,8 +60,12 @@ class Planted(Penalty):
         return "planted"
 
     @property
-    def scale(self) -> Scale:
-        return Scale(1e-4, is_violation=True, is_sharp=True)
+    def role(self) -> Role:
+        return Role.CONTACT
+
+    @property
+    def normalization(self) -> Normalization:
+        return Normalization(1e-4, is_violation=True, is_sharp=True)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
         stance, at = self._during(samples.t)

@@ -22,7 +22,7 @@ from ...surface import Plane, Surface
 from ...surface.heights import height_over
 from ...surface.points import Point, arrays_of
 from ..block import Block
-from ..penalty import Penalty, Scale
+from ..penalty import Normalization, Penalty, Role
 
 UP = np.array([0.0, 0, 1])  # of level ground
 SETTLING = 0.05  # [s]: a speed counts like the way it makes in so long
@@ -77,8 +77,12 @@ class Resting(Penalty):
         return "resting"
 
     @property
-    def scale(self) -> Scale:
-        return Scale(1e-4, is_violation=True, is_sharp=True)
+    def role(self) -> Role:
+        return Role.CONTACT
+
+    @property
+    def normalization(self) -> Normalization:
+        return Normalization(1e-4, is_violation=True, is_sharp=True)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
         seen = self._seen(samples)

@@ -21,7 +21,7 @@ from ...surface import Surface
 from ...surface.heights import height_over
 from ...surface.points import Point, arrays_of, placed, places_of
 from ..block import Block
-from ..penalty import Penalty, Scale
+from ..penalty import Normalization, Penalty, Role
 
 NEGLIGIBLE, TINY = 0.03, 1e-8  # of the weight's root: higher up a point is free in a model of E, and in E
 STRIDDEN = 0.08  # [m] between two neighbouring keyframes, from which on a point is in the air in between
@@ -80,8 +80,12 @@ class Skate(Penalty):
         return "skate"
 
     @property
-    def scale(self) -> Scale:
-        return Scale(WORTH, time_power=2, beside="covariant")
+    def role(self) -> Role:
+        return Role.CONTACT
+
+    @property
+    def normalization(self) -> Normalization:
+        return Normalization(WORTH, time_power=2, beside="covariant")
 
     @cached_property
     def _arrays(self) -> tuple[Index, Array, Array]:

@@ -23,7 +23,7 @@ from ...figure.kinematics import Samples
 from ...figure.wrench import RootWrench, height, weight
 from ..block import Dense
 from ..curvature import Curvature
-from ..penalty import Penalty, Scale
+from ..penalty import Normalization, Penalty, Role
 from .flight import A_TENTH, rows_of_wrench, within
 from .footing import Footing, Interval
 
@@ -87,8 +87,12 @@ class Support(Penalty):
         return cls(root, tuple(footings), tuple(flights), weight(figure, root), height(figure, root), friction)
 
     @property
-    def scale(self) -> Scale:
-        return Scale(A_TENTH, is_violation=True, is_sharp=True)
+    def role(self) -> Role:
+        return Role.PHYSICS
+
+    @property
+    def normalization(self) -> Normalization:
+        return Normalization(A_TENTH, is_violation=True, is_sharp=True)
 
     @property
     def tells(self) -> bool:

@@ -22,7 +22,7 @@ from ...figure.kinematics import Samples
 from ...figure.wrenches import of_turn
 from ..allowance import Allowance
 from ..block import Block
-from ..penalty import Penalty, Scale
+from ..penalty import Normalization, Penalty, Role
 
 NEAR = np.radians(4)  # within which a bound may be passed after one step of the search
 ALONG, FLAT = 1e-9, 1e-18  # sine of the angle to its hinge axis at which a limb has no flexion, and its square
@@ -88,8 +88,12 @@ class BendLimits(Penalty):
         )
 
     @property
-    def scale(self) -> Scale:
-        return Scale(float(np.radians(1) ** 2), is_violation=True)
+    def role(self) -> Role:
+        return Role.LIMIT
+
+    @property
+    def normalization(self) -> Normalization:
+        return Normalization(float(np.radians(1) ** 2), is_violation=True)
 
     def angles(self, samples: Samples) -> Array:
         """(3, n, S) [rad]: flexion, sideways bend and twist of every joint."""

@@ -20,7 +20,7 @@ from ...figure.kinematics import Samples
 from ...figure.wrenches import every_axis, of_point
 from ...surface.points import Point
 from ..block import Block
-from ..penalty import Penalty, Scale
+from ..penalty import Normalization, Penalty, Role
 
 TORQUE_SCALE = 10  # of a weld's numbers: nought leaves rotations alone
 UNTURNED = np.array([1.0, 0, 0, 0])
@@ -47,8 +47,12 @@ class Closed(Penalty):
         return "closed"
 
     @property
-    def scale(self) -> Scale:
-        return Scale(1e-4, is_violation=True)
+    def role(self) -> Role:
+        return Role.EQUALITY
+
+    @property
+    def normalization(self) -> Normalization:
+        return Normalization(1e-4, is_violation=True)
 
     @cached_property
     def _sides(self) -> tuple[tuple[Index, Array], tuple[Index, Array]]:

@@ -18,7 +18,7 @@ from ...array import Array, Index
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
 from ..block import Block, Entries
-from ..penalty import Penalty, Scale
+from ..penalty import Normalization, Penalty, Role
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,8 +56,12 @@ class Coupled(Penalty):
         return "coupled"
 
     @property
-    def scale(self) -> Scale:
-        return Scale(float(np.radians(1) ** 2), is_violation=True)
+    def role(self) -> Role:
+        return Role.EQUALITY
+
+    @property
+    def normalization(self) -> Normalization:
+        return Normalization(float(np.radians(1) ** 2), is_violation=True)
 
     @cached_property
     def _columns(self) -> tuple[Index, Index]:

@@ -22,7 +22,7 @@ from ...figure.kinematics import Samples
 from ...figure.wrenches import of_turn
 from ..allowance import Allowance
 from ..block import Block, Entries
-from ..penalty import Penalty, Scale
+from ..penalty import Normalization, Penalty, Role
 
 NEAR = {JointKind.BALL: np.radians(4), JointKind.HINGE: np.radians(4), JointKind.SLIDE: 0.03}
 ROUNDING = np.radians(0.5)  # ε
@@ -86,9 +86,13 @@ class JointRange(Penalty):
         return replace(self, allowed=Allowance(keys.times, np.maximum(excess, 0) * fixed))
 
     @property
-    def scale(self) -> Scale:
+    def role(self) -> Role:
+        return Role.LIMIT
+
+    @property
+    def normalization(self) -> Normalization:
         little = np.radians(0.1 if self.hard else 1)
-        return Scale(float(little**2), is_violation=True)
+        return Normalization(float(little**2), is_violation=True)
 
     def beyond(self, samples: Samples) -> Array:
         """How far every joint is beyond its range, negative within it, (n, S) [rad or m]."""

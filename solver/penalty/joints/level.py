@@ -14,7 +14,7 @@ from ...figure.figure import Figure
 from ...figure.kinematics import Samples
 from ...figure.wrenches import every_axis, of_turn
 from ..block import Block
-from ..penalty import Penalty, Scale
+from ..penalty import Normalization, Penalty, Role
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,8 +43,12 @@ class Level(Penalty):
         return "level"
 
     @property
-    def scale(self) -> Scale:
-        return Scale(float(np.radians(10) ** 2), is_violation=True)
+    def role(self) -> Role:
+        return Role.TRACKING
+
+    @property
+    def normalization(self) -> Normalization:
+        return Normalization(float(np.radians(10) ** 2), is_violation=True)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
         axes = np.einsum("ijbs,jb->ibs", samples.links.rotation[:, :, self.links], self.axes)

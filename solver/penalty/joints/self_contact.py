@@ -25,7 +25,7 @@ from ...figure.wrenches import of_point
 from ...surface.cover import filling_spheres
 from ...surface.touch import movers
 from ..block import Block
-from ..penalty import Penalty, Scale
+from ..penalty import Normalization, Penalty, Role
 
 NEAR = 0.03  # [m] within which capsules may touch after one step of the search
 GAP = 0.008  # [m] by which spheres may leave a geom unfilled
@@ -94,8 +94,12 @@ class SelfContact(Penalty):
         return cls(bars, _pairs(figure, bars), margin)
 
     @property
-    def scale(self) -> Scale:
-        return Scale(1e-4, is_violation=True)
+    def role(self) -> Role:
+        return Role.OBSTACLE
+
+    @property
+    def normalization(self) -> Normalization:
+        return Normalization(1e-4, is_violation=True)
 
     @property
     def geom_pairs(self) -> Index:

@@ -12,7 +12,7 @@ from ...figure.figure import Figure, JointKind
 from ...figure.kinematics import Samples
 from ...figure.wrenches import Wrenches
 from ..block import Block
-from ..penalty import Penalty, Scale
+from ..penalty import Normalization, Penalty, Role
 
 STILL = 1e-12  # [rad/s] a turn that has no axis
 
@@ -39,8 +39,12 @@ class Speed(Penalty):
         return "speed"
 
     @property
-    def scale(self) -> Scale:
-        return Scale(1.0, is_violation=True, time_power=2, is_sharp=True)
+    def role(self) -> Role:
+        return Role.LIMIT
+
+    @property
+    def normalization(self) -> Normalization:
+        return Normalization(1.0, is_violation=True, time_power=2, is_sharp=True)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
         relative = self._relative(samples)

@@ -19,7 +19,7 @@ from ...figure.figure import Figure, JointKind, quaternion_columns
 from ...figure.kinematics import Samples
 from ...figure.wrenches import along_axes, of_turn
 from ..block import Block
-from ..penalty import Momentary, Scale
+from ..penalty import Momentary, Normalization, Role
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,8 +43,12 @@ class Upright(Momentary):
         return "upright"
 
     @property
-    def scale(self) -> Scale:
-        return Scale(float(np.radians(10) ** 2), is_violation=True)
+    def role(self) -> Role:
+        return Role.TRACKING
+
+    @property
+    def normalization(self) -> Normalization:
+        return Normalization(float(np.radians(10) ** 2), is_violation=True)
 
     @property
     def times(self) -> Array:

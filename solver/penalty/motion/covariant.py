@@ -19,7 +19,7 @@ from ...figure.algebra import dot
 from ...figure.kinematics import Samples
 from ..block import Block, Dense, every
 from ..curvature import Curvature
-from ..penalty import Penalty, Scale
+from ..penalty import Normalization, Penalty, Role
 
 
 def covariant_acceleration(q: Array, q_dd: Array) -> Array:
@@ -47,8 +47,12 @@ class CovariantAcceleration(Penalty):
             raise ValueError(f"covariant acceleration: form = {self.form!r} is not one of 'intrinsic', 'paper'")
 
     @property
-    def scale(self) -> Scale:
-        return Scale(16.0, time_power=4)
+    def role(self) -> Role:
+        return Role.SMOOTHNESS
+
+    @property
+    def normalization(self) -> Normalization:
+        return Normalization(16.0, time_power=4)
 
     def residuals(self, samples: Samples) -> Iterator[Block | Dense]:
         yield self._intrinsic(samples) if self.form == "intrinsic" else self._paper(samples)

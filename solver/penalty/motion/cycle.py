@@ -24,7 +24,7 @@ from ...reading.pose_vectors import HEIGHT
 from ...reading.rhythm import Rhythm
 from ..block import Block, Dense, every
 from ..curvature import Curvature
-from ..penalty import Guide, Scale
+from ..penalty import Guide, Normalization, Role
 from .posture import apart
 
 FRAMES = 8  # variable frames a period that a path needs to follow a cycle
@@ -45,8 +45,12 @@ class Cycle(Guide):
         return "cycle"
 
     @property
-    def scale(self) -> Scale:
-        return Scale(LITTLE**2, is_violation=True)
+    def role(self) -> Role:
+        return Role.TRACKING
+
+    @property
+    def normalization(self) -> Normalization:
+        return Normalization(LITTLE**2, is_violation=True)
 
     def residuals(self, samples: Samples) -> Iterator[Block | Dense]:
         figure = samples.figure

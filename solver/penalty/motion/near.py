@@ -12,13 +12,13 @@ import numpy as np
 from ...array import Array, Index
 from ...curve.frame import Frame, Timeline
 from ...curve.quadrature import gauss_nodes
-from ...curve.spline import natural_spline
+from ...curve.spline import Path, natural_spline
 from ...figure.figure import Figure, JointKind, quaternion_columns
 from ...figure.kinematics import Samples
 from ...figure.wrenches import every_axis, of_point
 from ...reading.recorded import Recorded
 from ..block import Block, every
-from ..penalty import Guide, Scale
+from ..penalty import Guide, Normalization, Role
 
 AWAY, FOR = 0.03, 0.3  # [m], [s]: how far a limb's end may be off by one joint, for so long, as what counts one
 STRAYS, BACK = 0.01, 0.1  # [m], [s]: how far what is filmed strays, and how soon it comes back
@@ -60,8 +60,16 @@ class Near(Guide):
         return "near"
 
     @property
-    def scale(self) -> Scale:
-        return Scale(1.0, is_violation=True)
+    def expected(self) -> Path:
+        return self.recorded.path
+
+    @property
+    def role(self) -> Role:
+        return Role.TRACKING
+
+    @property
+    def normalization(self) -> Normalization:
+        return Normalization(1.0, is_violation=True)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
         off, weights = self._off(samples)

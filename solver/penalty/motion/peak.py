@@ -15,7 +15,7 @@ from ...figure.figure import JointKind
 from ...figure.kinematics import Samples
 from ...figure.wrenches import Wrenches
 from ..block import Block
-from ..penalty import Penalty, Scale
+from ..penalty import Normalization, Penalty, Role
 
 POWER = 4  # of squared accelerations: eighth powers of accelerations
 NEGLIGIBLE = 1e-3  # of the largest residual's gradient
@@ -32,8 +32,12 @@ class PeakAcceleration(Penalty):
         return "peak"
 
     @property
-    def scale(self) -> Scale:
-        return Scale(8.0 ** (2 * POWER), time_power=4 * POWER, is_sharp=True)
+    def role(self) -> Role:
+        return Role.PHYSICS
+
+    @property
+    def normalization(self) -> Normalization:
+        return Normalization(8.0 ** (2 * POWER), time_power=4 * POWER, is_sharp=True)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
         return self._larger(samples, 0.0, 1.0)

@@ -20,7 +20,7 @@ from ...figure.figure import Figure, JointKind
 from ...figure.kinematics import Samples
 from ..block import Block, Dense, every
 from ..curvature import Curvature
-from ..penalty import Penalty, Scale
+from ..penalty import Normalization, Penalty, Role
 
 SETTLING = 0.3  # [s] unless told
 
@@ -39,8 +39,12 @@ class Posture(Penalty):
         return "posture"
 
     @property
-    def scale(self) -> Scale:
-        return Scale(self.settling**2, time_power=2, beside="covariant")
+    def role(self) -> Role:
+        return Role.SMOOTHNESS
+
+    @property
+    def normalization(self) -> Normalization:
+        return Normalization(self.settling**2, time_power=2, beside="covariant")
 
     def residuals(self, samples: Samples) -> Iterator[Block | Dense]:
         figure = samples.figure

@@ -9,7 +9,7 @@ import numpy as np
 
 from ...figure.kinematics import Samples
 from ..block import Block, every
-from ..penalty import Penalty, Scale
+from ..penalty import Normalization, Penalty, Role
 
 
 @dataclass(frozen=True)
@@ -21,8 +21,12 @@ class RootAcceleration(Penalty):
         return "root"
 
     @property
-    def scale(self) -> Scale:
-        return Scale(4.0, time_power=4)
+    def role(self) -> Role:
+        return Role.SMOOTHNESS
+
+    @property
+    def normalization(self) -> Normalization:
+        return Normalization(4.0, time_power=4)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
         tables = samples.figure.tables

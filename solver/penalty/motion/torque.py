@@ -20,7 +20,7 @@ from ...figure.jacobian_rows import has_moment_rows, moment_rows
 from ...figure.kinematics import Samples
 from ..block import Dense
 from ..curvature import Curvature
-from ..penalty import Penalty, Scale
+from ..penalty import Normalization, Penalty, Role
 
 
 @dataclass(frozen=True)
@@ -32,8 +32,12 @@ class Torque(Penalty):
         return "torque"
 
     @property
-    def scale(self) -> Scale:
-        return Scale(1.0)
+    def role(self) -> Role:
+        return Role.SMOOTHNESS
+
+    @property
+    def normalization(self) -> Normalization:
+        return Normalization(1.0)
 
     def residuals(self, samples: Samples) -> Iterator[Dense]:
         tables, links = samples.figure.tables, samples.links

@@ -12,7 +12,7 @@ from ...figure.adjoint import Cotangent
 from ...figure.kinematics import Samples
 from ..block import Dense
 from ..curvature import Curvature
-from ..penalty import Penalty, Scale
+from ..penalty import Normalization, Penalty, Role
 
 EPSILON = 1e-3  # unless told
 
@@ -39,8 +39,12 @@ class UnitMagnitude(Penalty):
             raise ValueError(f"unit magnitude: form = {self.form!r} is not one of 'square', 'absolute'")
 
     @property
-    def scale(self) -> Scale:
-        return Scale(4e-4 if self.form == "square" else 2e-2, most=self.most)
+    def role(self) -> Role:
+        return Role.SMOOTHNESS
+
+    @property
+    def normalization(self) -> Normalization:
+        return Normalization(4e-4 if self.form == "square" else 2e-2, most=self.most)
 
     def residuals(self, samples: Samples) -> Iterator[Dense]:
         excess = samples.q_dots[0] - 1

@@ -18,7 +18,7 @@ from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.wrenches import Wrenches, every_axis
-from dynsplines.solver.penalty import Block, Penalty, Scale, check
+from dynsplines.solver.penalty import Block, Normalization, Penalty, Role, check
 
 
 @dataclass(frozen=True)
@@ -33,8 +33,12 @@ class Calm(Penalty):
         return self.called
 
     @property
-    def scale(self) -> Scale:
-        return Scale(1.0, time_power=2)
+    def role(self) -> Role:
+        return Role.SMOOTHNESS
+
+    @property
+    def normalization(self) -> Normalization:
+        return Normalization(1.0, time_power=2)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
         links = np.arange(1, len(samples.figure.links))

@@ -11,7 +11,15 @@ from figures import BALL_TREE, figure_of
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import CovariantAcceleration, Penalty, RootAcceleration, Scale, Torque, UnitMagnitude
+from dynsplines.solver.penalty import (
+    CovariantAcceleration,
+    Normalization,
+    Penalty,
+    Role,
+    RootAcceleration,
+    Torque,
+    UnitMagnitude,
+)
 from dynsplines.solver.penalty.check import check
 
 FIGURE = figure_of(BALL_TREE)
@@ -30,8 +38,12 @@ class Power(Penalty):
         return "power"
 
     @property
-    def scale(self) -> Scale:
-        return Scale(1.0)
+    def role(self) -> Role:
+        return Role.SMOOTHNESS
+
+    @property
+    def normalization(self) -> Normalization:
+        return Normalization(1.0)
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         x = samples.y_d[:, 0]

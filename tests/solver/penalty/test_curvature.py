@@ -39,9 +39,10 @@ from dynsplines.solver.penalty import (
     BendLimits,
     Contact,
     CovariantAcceleration,
+    Normalization,
     Penalty,
+    Role,
     RootAcceleration,
-    Scale,
     Torque,
     UnitMagnitude,
 )
@@ -159,8 +160,12 @@ class Plain(Penalty):
         return "plain"
 
     @property
-    def scale(self) -> Scale:
-        return Scale(1.0)
+    def role(self) -> Role:
+        return Role.SMOOTHNESS
+
+    @property
+    def normalization(self) -> Normalization:
+        return Normalization(1.0)
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         z = np.hstack([samples.y, samples.y_d, samples.y_dd])

@@ -66,10 +66,10 @@ def test_a_centimetre_counts_as_the_reference_says(name):
     away = {"contact": -0.01, "self": 0.0}.get(name, 0.01)
     y = np.array([[0, 0, away, 1, 0, 0, 0.0]])
     still = Samples(figure, y, 0 * y, 0 * y, t=np.zeros(1))
-    assert penalty.scale.is_violation
-    assert penalty.scale.time_power == 0
-    np.testing.assert_allclose(penalty.evaluate(still), penalty.scale.reference, rtol=1e-5)
-    assert Sum((penalty,), "both").scale == penalty.scale
+    assert penalty.normalization.is_violation
+    assert penalty.normalization.time_power == 0
+    np.testing.assert_allclose(penalty.evaluate(still), penalty.normalization.reference, rtol=1e-5)
+    assert Sum((penalty,), "both").normalization == penalty.normalization
 
 
 @pytest.mark.parametrize("degrees", [-1.0, 1.0])
@@ -82,13 +82,13 @@ def test_a_degree_beyond_a_joints_range_a_bends_bound_or_a_couplings_line_counts
     of_range = JointRange((Range("hinge", 2, kind, *((0.4, 9.0) if degrees < 0 else (-9.0, 0.4))),))
     of_coupling = Coupled((Coupling("hinge", 4, -1, (0.3, 0.0), np.array([0.1, 0, 0, 0, 0]), "degrees"),))
     for penalty in (of_range, of_coupling):
-        np.testing.assert_allclose(penalty.evaluate(still), penalty.scale.reference)
-        assert penalty.scale.is_violation
+        np.testing.assert_allclose(penalty.evaluate(still), penalty.normalization.reference)
+        assert penalty.normalization.is_violation
     balls = figure_of(CHAIN.format("ball"), "joint")
     straight = quat.from_rotation_vector(np.array([0, 0.2 - np.radians(1), 0]))
     y = np.concatenate([[1.0, 0, 0, 0], straight])[None]
     knee = BendLimits((Bend("knee", 2, np.array([0.0, 1, 0]), -UP),), 0.2, 1.0, 1.0)
-    np.testing.assert_allclose(knee.evaluate(Samples(balls, y, 0 * y, 0 * y)), knee.scale.reference)
+    np.testing.assert_allclose(knee.evaluate(Samples(balls, y, 0 * y, 0 * y)), knee.normalization.reference)
 
 
 @pytest.mark.parametrize(
@@ -99,7 +99,7 @@ def test_ten_degrees_off_the_vertical_count_as_the_reference_says(penalty):
     y = np.concatenate([np.zeros(3), quat.from_rotation_vector(np.radians(10) * X)])[None]
     value = penalty.evaluate(Samples(figure, y, 0 * y, 0 * y, t=np.zeros(1)))
     np.testing.assert_allclose(value, (2 * np.sin(np.radians(5))) ** 2)  # a chord, nearly the angle
-    np.testing.assert_allclose(value, penalty.scale.reference, rtol=5e-3)
+    np.testing.assert_allclose(value, penalty.normalization.reference, rtol=5e-3)
 
 
 def points_of(figure) -> tuple[Point, ...]:
@@ -120,15 +120,17 @@ def test_a_clip_that_is_played_slower_costs_less_by_the_power_that_its_scale_say
     slower = Samples(figure, seen.y, seen.y_d / 3, seen.y_dd / 9)
     values: Array = penalty.evaluate(seen)
     assert values.any()
-    np.testing.assert_allclose(penalty.evaluate(slower) * 3.0**penalty.scale.time_power, values, rtol=1e-9)
-    assert not penalty.scale.is_violation
+    np.testing.assert_allclose(penalty.evaluate(slower) * 3.0**penalty.normalization.time_power, values, rtol=1e-9)
+    assert not penalty.normalization.is_violation
 
 
 def test_a_newton_metre_counts_as_the_reference_of_torques_says():
     arm = '<body><joint type="hinge" axis="0 1 0"/><geom size=".001" pos="0.1 0 0" mass="1"/></body>'
     figure = figure_of(f'<mujoco><option gravity="0 0 -10"/><worldbody>{arm}</worldbody></mujoco>')
     y = np.zeros((1, figure.width))
-    np.testing.assert_allclose(Torque().evaluate(Samples(figure, y, y, y)), Torque().scale.reference, rtol=1e-12)
+    np.testing.assert_allclose(
+        Torque().evaluate(Samples(figure, y, y, y)), Torque().normalization.reference, rtol=1e-12
+    )
 
 
 def test_two_radians_a_unit_of_spacing_squared_count_as_the_references_of_accelerations_say():
@@ -137,11 +139,11 @@ def test_two_radians_a_unit_of_spacing_squared_count_as_the_references_of_accele
     y = np.array([[1.0, 0, 0, 0, 0.3]])
     hinge = Samples(figure, y, 0 * y, np.array([[0.0, 0, 0, 0, 8]]))
     for penalty in (CovariantAcceleration(), PeakAcceleration()):
-        np.testing.assert_allclose(penalty.evaluate(hinge), penalty.scale.reference)
+        np.testing.assert_allclose(penalty.evaluate(hinge), penalty.normalization.reference)
     turning = Samples(figure, y, np.array([[0.0, 0, 0, 0, 2]]), 0 * y)
     posture = Posture(0.3)
     np.testing.assert_allclose(posture.evaluate(turning), (2 / 2) ** 2)
     root = figure_of(BALL)
     y = np.array([[0, 0, 1, 1, 0, 0, 0.0]])
     lifted = Samples(root, y, 0 * y, np.array([[0, 0, 2, 0, 0, 0, 0.0]]))
-    np.testing.assert_allclose(RootAcceleration().evaluate(lifted), RootAcceleration().scale.reference)
+    np.testing.assert_allclose(RootAcceleration().evaluate(lifted), RootAcceleration().normalization.reference)

@@ -15,7 +15,7 @@ def test_its_value_gradient_and_curvature_are_the_sums_of_its_parts(figure, rng)
     samples, parts = random_samples(figure, rng, 4), (CovariantAcceleration(), Torque())
     both, scale = Sum(parts, "both"), rng.uniform(1, 2, 4)
     assert both.name == "both"
-    assert both.scale == parts[0].scale
+    assert both.normalization == parts[0].normalization
     into, own = Cotangent(samples), [Cotangent(samples) for _ in parts]
     values = [part.evaluate(samples, one, scale) for part, one in zip(parts, own, strict=True)]
     np.testing.assert_allclose(both.evaluate(samples, into, scale), values[0] + values[1])

@@ -48,7 +48,9 @@ def test_it_is_measured_by_a_point_that_is_a_centimetre_off():
     y = figure.to_state(np.array([0.01, 0, 0.6, 1, 0, 0, 0]))[None]
     stance = Stance(FOOT, -1.0, 1.0, np.array([0, 0, 0.1]), np.array([0, 0, 0.1]))
     planted = Planted((stance,))
-    assert planted.evaluate(Samples(figure, y, 0 * y, 0 * y))[0] == pytest.approx(planted.scale.reference, rel=1e-9)
+    assert planted.evaluate(Samples(figure, y, 0 * y, 0 * y))[0] == pytest.approx(
+        planted.normalization.reference, rel=1e-9
+    )
 
 
 def test_it_does_not_feel_the_quaternions_length(figure, rng):

@@ -52,7 +52,7 @@ def test_unit_quaternions_cost_nothing_and_have_no_gradient(figure, rng, form):
 def test_the_reference_is_the_penalty_of_one_percent(form):
     penalty, excess = UnitMagnitude(form, epsilon=1e-9), 1.01**2 - 1
     expected = excess**2 if form == "square" else excess
-    np.testing.assert_allclose(penalty.scale.reference, expected, rtol=0.02)
+    np.testing.assert_allclose(penalty.normalization.reference, expected, rtol=0.02)
 
 
 def test_an_unknown_form_is_refused():
