@@ -124,7 +124,7 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "frames": "variable frames in all, at most",
             "criterion": 'where frames are inserted: "weak", "residual", "objective", "resolution"',
             "threshold": "of the criterion, from which on",
-            "optimiser": '"newton", or with NLopt\'s "lbfgs", "slsqp", "ccsaq", "tnewton", "var2"',
+            "optimiser": 'of NLopt, for the last stage: "lbfgs", "slsqp", "ccsaq", "tnewton", "var2"; or "none"',
             "evaluations": "of the objective in a round, at most",
             "tolerance": "relative progress at which it ends",
             "quadrature": "how the objective is summed",

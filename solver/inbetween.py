@@ -29,10 +29,10 @@ from .refine.limits import limited
 from .refine.subdivision import CRITERIA, midpoints, split
 from .refine.windows import Assembly, is_long, windows
 from .search.astray import is_astray, is_dear, is_far, is_violent
-from .search.descent import Descent
+from .search.descent import Descent, optimiser_of
 from .search.judgement import best
-from .search.minimum import Stop
-from .search.newton import FIRST_DAMPING
+from .search.minimum import Optimiser, Stop
+from .search.refinement import NONE
 from .solution import Improvement, Solution
 
 NEGLIGIBLE = 1e-3  # of E at the start: what is left of it counts as so much at least where thresholds are shares
@@ -102,11 +102,10 @@ def hard_ranges(penalties: Sequence[tuple[Penalty, float]]) -> tuple[Range, ...]
 
 @dataclass(frozen=True, eq=False)
 class _End:
-    """How a round ended: its timeline, why it stopped, the last damping of its steps."""
+    """How a round ended: its timeline, and why it stopped."""
 
     timeline: Timeline
     stop: Stop
-    damping: float
 
 
 class _Loop:
@@ -118,7 +117,7 @@ class _Loop:
         self.evaluations, self.round = 0, 0
         self.best: Callable[[], Timeline] | None = None
         self.stop = Stop.CONVERGED
-        self.damping = FIRST_DAMPING
+        self.optimiser = self.fresh()
         self.elsewhere = np.zeros(len(objective.terms))
         self.since, self.until = -np.inf, np.inf
         self.whole: Callable[[Timeline], Timeline] = lambda timeline: timeline
@@ -128,6 +127,10 @@ class _Loop:
     def is_whole(self) -> bool:
         """Whether all of the path is searched at once."""
         return not np.isfinite([self.since, self.until]).any()
+
+    def fresh(self) -> Optimiser:
+        """An optimiser that has learnt nothing yet."""
+        return optimiser_of(self.settings.optimiser, self.objective.figure.width, self.settings.tolerance)
 
     def better_than(self, raw: Timeline, found: Timeline) -> Timeline:
         """What was found, unless the raw timeline is better; that is out of the question where E has fallen far."""
@@ -165,7 +168,7 @@ class _Loop:
                     inside = cut.inside(raw.times)
                     edges = raw.times[inside.start : inside.stop + 1]
                     parts[inside] = segment_integrals(self.objective, path_of(begin), edges)
-                self.damping = FIRST_DAMPING
+                self.optimiser = self.fresh()
             return begin
         end = self.run(begin, segments, None if budget is None else max(budget, begin.variable_count))[-1]
         self.stop = end.stop
@@ -198,7 +201,7 @@ class _Loop:
         while waiting:
             if ends:
                 self.round += 1
-                self.damping = FIRST_DAMPING
+                self.optimiser = self.fresh()
             ends += self.run(waiting.pop(0)(), segments, budget)
             values.append(sum(self.last.values()))
             if self.stop is Stop.ASKED:
@@ -208,7 +211,7 @@ class _Loop:
                 waiting = [] if is_last_word else waiting[-1:]
         found = best(self.objective, [end.timeline for end in reversed(ends)])
         end = next(end for end in reversed(ends) if end.timeline is found)
-        self.stop, self.damping = Stop.ASKED if self.stop is Stop.ASKED else end.stop, end.damping
+        self.stop = Stop.ASKED if self.stop is Stop.ASKED else end.stop
         return found
 
     def _starts(self, timeline: Timeline) -> list[Callable[[], Timeline]]:
@@ -244,7 +247,7 @@ class _Loop:
         while True:
             is_last = timeline.variable_count >= budget
             timeline = self.descend(timeline, tolerance if is_last else rough)
-            ends.append(_End(timeline, self.stop, self.damping))
+            ends.append(_End(timeline, self.stop))
             if self.stop is Stop.ASKED or is_last:
                 return ends
             chosen, promise = self.chosen(timeline, budget - timeline.variable_count)
@@ -258,7 +261,7 @@ class _Loop:
         """Where a rough search comes to without the terms of some roles."""
         terms = tuple(term for term in self.objective.terms if term.penalty.role not in without)
         descent = Descent(replace(self.objective, terms=terms), timeline)
-        found = descent.run(max_evaluations=self.settings.max_evaluations, tolerance=ROUGH)
+        found = descent.run(optimiser=NONE, max_evaluations=self.settings.max_evaluations, tolerance=ROUGH)
         self.evaluations += found.evaluations
         return timeline.with_rows(descent.problem.unknowns.rows(found.x))
 
@@ -270,7 +273,7 @@ class _Loop:
             self.whole = assembly.around(window)
             self.elsewhere = assembly.elsewhere(window)
             self.since = float(raw.times[window.first])
-            self.damping = FIRST_DAMPING
+            self.optimiser = self.fresh()
             count, budget = window.last - window.first, self.settings.frames
             opened = assembly.opened(window)
             solved = self.searched(opened, count, None if budget is None else assembly.room(window, budget))
@@ -281,7 +284,7 @@ class _Loop:
         return assembly.timeline()
 
     def descend(self, timeline: Timeline, tolerance: float) -> Timeline:
-        descent = Descent(self.objective, timeline, damping=self.damping)
+        descent = Descent(self.objective, timeline)
         before, elsewhere = self.evaluations, float(self.elsewhere.sum())
 
         def report(count: int, evaluation: Evaluation, x: Array) -> None:
@@ -299,12 +302,11 @@ class _Loop:
                 self.improved(Improvement(before + count, self.round, value, parts, self.best))
 
         found = descent.run(
-            method=self.settings.method,
+            optimiser=self.optimiser,
             max_evaluations=self.settings.max_evaluations,
             tolerance=tolerance,
             improved=report,
         )
-        self.damping = descent.damping
         self.evaluations = before + found.evaluations
         self.stop = found.stop
         return timeline.with_rows(descent.problem.unknowns.rows(found.x))

@@ -18,8 +18,8 @@ from .figure.figure import Figure
 from .objective import Objective
 from .penalty import Guide, Penalty, Role
 from .refine.subdivision import CRITERIA
-from .search.descent import NEWTON
 from .search.minimum import Optimiser
+from .search.refinement import LBFGS
 
 FEW, MORE = 2, 3  # variable frames in a segment to begin with: of any clip, of one that is solved window by window
 TINY = 0.05  # of the spacing of adjacent frames: a segment so short needs none, and with some E is hard to lower
@@ -39,7 +39,8 @@ class Settings:
     threshold        a segment is split if its criterion exceeds this; weak: share of the mean E between two keyframes;
                      the other criteria have units of their own
     batch            share of the segments that are split in one round, at most
-    method           "newton" (Gauss-Newton steps), one of NLopt's by name, or a custom optimiser
+    optimiser        NLopt's algorithm for the last stage, by name; "none": Gauss-Newton steps alone; or a function for
+                     all of the search
     max_evaluations  budget of evaluations in each round
     tolerance        relative progress at which the last round ends
     renormalise      divide each term by its integral over the raw spline (eq. 7)
@@ -50,7 +51,7 @@ class Settings:
     criterion: str = "weak"
     threshold: float = THRESHOLD
     batch: float = 1.0
-    method: str | Optimiser = NEWTON
+    optimiser: str | Optimiser = LBFGS
     max_evaluations: int = MOST_EVALUATIONS
     tolerance: float = TOLERANCE
     renormalise: bool = True

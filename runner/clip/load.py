@@ -32,7 +32,7 @@ from dynsplines.solver.posing import entries
 from dynsplines.solver.problem import FEW, Problem, Settings
 from dynsplines.solver.refine.subdivision import CRITERIA
 from dynsplines.solver.search.descent import check_method
-from dynsplines.solver.search.methods import DENSE, copes
+from dynsplines.solver.search.refinement import DENSE, copes
 from dynsplines.solver.surface import static_surfaces
 
 from ..errors import UserError, unknown
@@ -529,11 +529,11 @@ def _too_many(problem: Problem) -> Iterator[str]:
     about = (
         settings.beginning(np.array([key.time for key in problem.keys]), in_windows=False).size * problem.figure.width
     )
-    if isinstance(settings.method, str) and not copes(settings.method, about):
-        most = DENSE[settings.method.lower()]
+    if isinstance(settings.optimiser, str) and not copes(settings.optimiser, about):
+        most = DENSE[settings.optimiser.lower()]
         yield (
-            f"optimiser '{settings.method}' is dense: with some {about} unknowns, over {most}, "
-            "every step is Gauss-Newton's own and it refines none"
+            f"optimiser '{settings.optimiser}' is dense: with some {about} unknowns, over {most}, "
+            "all steps are Gauss-Newton's and nothing refines them"
         )
 
 
@@ -652,7 +652,7 @@ def _settings(solve: SolveTable, times: Sequence[float]) -> Settings:
         "frames": solve.frames,
         "criterion": solve.criterion,
         "threshold": solve.threshold,
-        "method": solve.optimiser,
+        "optimiser": solve.optimiser,
         "max_evaluations": solve.evaluations,
         "tolerance": solve.tolerance,
     }

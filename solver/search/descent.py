@@ -6,77 +6,52 @@ from functools import partial
 
 from ..curve.frame import Timeline
 from ..objective import Discretised, Objective
-from . import methods
+from .matrix_free import matrix_free
 from .minimum import MOST_EVALUATIONS, TOLERANCE, Improved, Minimum, Optimiser, Stop
-from .newton import FIRST_DAMPING, gauss_newton
+from .newton import GaussNewton
+from .refinement import LBFGS, METHODS, NONE, algorithm, refine
 
 WIDEST = 150  # columns of the state for which a step of Newton's is worth its matrices, squares of these
-
 FINE = 1e-7  # relative progress at which a timeline is at its minimum, unless told
-NEWTON = "newton"
-METHODS = {
-    NEWTON: "Gauss-Newton steps on banded matrices",
-    **{name: text for name, (_, text) in methods.METHODS.items()},
-}
 
 
 def check_method(method: str | Optimiser) -> None:
     """Raises ValueError for a name that is no method."""
-    if not isinstance(method, str) or method.lower() in METHODS:
-        return
-    from . import optimiser  # only here: NLopt knows more names than we do
+    if isinstance(method, str) and method.lower() not in METHODS:
+        if method.lower() == "newton":
+            raise ValueError(f"optimiser 'newton' is called '{NONE}' now: Gauss-Newton steps alone")
+        algorithm(method)
 
-    try:
-        optimiser.algorithm(method)
-    except ValueError:
-        known = ", ".join(METHODS)
-        raise ValueError(f"no optimiser '{method}'; there are: {known} (or any LD_ name of NLopt)") from None
+
+def optimiser_of(method: str | Optimiser, width: int, final: float) -> Optimiser:
+    """The optimiser that a name means for states of so many columns, whose last rounds have the tolerance `final`; one
+    of a program's own is itself."""
+    check_method(method)
+    if not isinstance(method, str):
+        return method
+    if width > WIDEST:
+        return matrix_free
+    stage = None if method.lower() == NONE else partial(refine, method=method)
+    return GaussNewton(stage, final)
 
 
 class Descent:
-    """The minimisation of E over one timeline's unknowns: by Gauss-Newton steps, with NLopt's refinement of each, or by
-    an optimiser of one's own.
+    """The minimisation of E over one timeline's unknowns."""
 
-    damping  of the Gauss-Newton steps, to begin with and as it was left
-    """
-
-    def __init__(self, objective: Objective, timeline: Timeline, *, damping: float = FIRST_DAMPING) -> None:
+    def __init__(self, objective: Objective, timeline: Timeline) -> None:
         self.problem: Discretised = objective.on(timeline)
-        self.damping = damping
 
     def run(
         self,
         *,
-        method: str | Optimiser = NEWTON,
+        optimiser: str | Optimiser = LBFGS,
         max_evaluations: int = MOST_EVALUATIONS,
         tolerance: float = TOLERANCE,
         improved: Improved | None = None,
     ) -> Minimum:
         """The Minimum, its x in the unknowns of the timeline; `improved` gets (evaluation, Evaluation, x)."""
-        check_method(method)
-        found, self.damping = _optimiser(method, self.problem)(
-            self.problem,
-            max_evaluations=max_evaluations,
-            tolerance=tolerance,
-            damping=self.damping,
-            improved=improved,
-        )
-        return found
-
-
-def _optimiser(method: str | Optimiser, problem: Discretised) -> Optimiser:
-    """The one that a name means, for problems of this size; one of a program's own is itself."""
-    if not isinstance(method, str):
-        return method
-    if problem.timeline.width > WIDEST:
-        from .matrix_free import matrix_free
-
-        return matrix_free
-    if method.lower() == NEWTON:
-        return gauss_newton
-    from .refinement import refined  # only here: it needs NLopt
-
-    return partial(refined, method=method)
+        found = optimiser_of(optimiser, self.problem.timeline.width, tolerance)
+        return found(self.problem, max_evaluations=max_evaluations, tolerance=tolerance, improved=improved)
 
 
 def optimised(

@@ -14,9 +14,9 @@ from ..array import Array
 from ..curve import banded
 from ..objective import Discretised
 from .minimum import Improved, Minimum, Stop, StopSearch
-from .newton import Search
-from .optimiser import minimise
+from .newton import FIRST_DAMPING, Search
 from .quadratic import STIFF, Layout
+from .refinement import minimise
 
 METHOD = "lbfgs"
 SMALL = 1e-4  # of the step that would bring E to nought: along the gradient, to see how E curves
@@ -28,16 +28,15 @@ def matrix_free(
     *,
     max_evaluations: int,
     tolerance: float,
-    damping: float,
     improved: Improved | None = None,
-) -> tuple[Minimum, float]:
-    """As `gauss_newton`, in memory that is linear in the number of joints; the damping is given back."""
-    search = Search(problem, max_evaluations, damping, improved)
+) -> Minimum:
+    """As `GaussNewton`, in memory that is linear in the number of joints."""
+    search = Search(problem, max_evaluations, FIRST_DAMPING, improved)
     try:
         stop = search.begun() or _run(search, tolerance)
     except (KeyboardInterrupt, StopSearch):
         stop = Stop.ASKED
-    return search.minimum(stop), damping
+    return search.minimum(stop)
 
 
 def _run(search: Search, tolerance: float) -> Stop:

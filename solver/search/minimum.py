@@ -48,10 +48,9 @@ class Optimiser(Protocol):
         *,
         max_evaluations: int,
         tolerance: float,
-        damping: float,
         improved: Improved | None,
-    ) -> tuple[Minimum, float]:
-        """The best point, and a damping for the next round; those that damp nothing give back what they got.
+    ) -> Minimum:
+        """The best point. What it learns in a round for the next it keeps itself.
 
         problem    E and its gradient, problem(x) -> Evaluation, from problem.unknowns.start
         tolerance  relative progress at which it ends

@@ -17,6 +17,7 @@ from ..objective import Discretised, Evaluation
 from .minimum import TOLERANCE, Improved, Minimum, Stop, StopSearch
 from .quadratic import Layout, Model, Proposal
 
+Refine = Callable[["Search", Array, float], None]
 MOST_STEPS = 100  # evaluations, unless told
 FIRST_DAMPING = 1.0  # E's own curvature in y'' is one
 LEAST_DAMPING, MOST_DAMPING = 1e-6, 1e9  # between Newton's step and hardly any
@@ -27,27 +28,41 @@ NEGLIGIBLE = 1e-3  # of the first E: less than that counts as so much
 SUDDEN, SURE, UNSEEN = 0.1, 0.02, 2.0
 
 
-def gauss_newton(
-    problem: Discretised,
-    *,
-    max_evaluations: int = MOST_STEPS,
-    tolerance: float = TOLERANCE,
-    damping: float = FIRST_DAMPING,
-    improved: Improved | None = None,
-) -> tuple[Minimum, float]:
-    """The Minimum of E over a timeline's unknowns from where it is, and the last damping, for the next round.
+class GaussNewton:
+    """The optimiser: Gauss-Newton steps into the valley, and a stage that refines what they find.
 
-    tolerance  stop when the next step promises less than this share of E, or of a thousandth of the first E
-    improved   called with (evaluation, Evaluation, x) whenever E falls; may raise StopSearch to end the search
-
-    KeyboardInterrupt ends the search like StopSearch.
+    refine   that stage, refine(search, factor, tolerance) with Cholesky's factor of the last model, or None
+    final    tolerance of the searches that it follows, the last rounds
+    damping  of the next step; it is kept from round to round
     """
-    search = Search(problem, max_evaluations, damping, improved)
-    try:
-        stop = search.begun() or _run(search, tolerance)
-    except (KeyboardInterrupt, StopSearch):
-        stop = Stop.ASKED
-    return search.minimum(stop), search.damping
+
+    def __init__(self, refine: Refine | None = None, final: float = TOLERANCE, damping: float = FIRST_DAMPING) -> None:
+        self.refine, self.final, self.damping = refine, final, damping
+
+    def __call__(
+        self,
+        problem: Discretised,
+        *,
+        max_evaluations: int = MOST_STEPS,
+        tolerance: float = TOLERANCE,
+        improved: Improved | None = None,
+    ) -> Minimum:
+        """The Minimum of E over a timeline's unknowns from where it is.
+
+        tolerance  stop when the next step promises less than this share of E, or of a thousandth of the first E
+        improved   called with (evaluation, Evaluation, x) whenever E falls; may raise StopSearch to end the search
+
+        KeyboardInterrupt ends the search like StopSearch.
+        """
+        search = Search(problem, max_evaluations, self.damping, improved)
+        try:
+            stop = search.begun() or _run(search, tolerance)
+            if self.refine is not None and search.factor is not None and tolerance <= self.final:
+                self.refine(search, search.factor, tolerance)
+        except (KeyboardInterrupt, StopSearch):
+            stop = Stop.ASKED
+        self.damping = search.damping
+        return search.minimum(stop)
 
 
 def _run(search: Search, tolerance: float) -> Stop:
@@ -72,6 +87,7 @@ class Search:
     """The best point so far, and the way from there.
 
     x, value, gradient  (n,), E and dE/dx (n,) of the best point
+    factor  Cholesky's, of the last model
     """
 
     def __init__(self, problem: Discretised, budget: int, damping: float, improved: Callable | None) -> None:
@@ -80,6 +96,7 @@ class Search:
         self.gradient = np.zeros(0)
         self.first = np.inf
         self.unit: float | None = None
+        self.factor: Array | None = None
 
     @cached_property
     def layout(self) -> Layout:
@@ -121,6 +138,7 @@ class Search:
         """The model's step that was taken, damped until E falls; or one not worth it, and why the search ends."""
         while True:
             proposal = model.minimised(self.damping * model.scale)
+            self.factor = proposal.factor
             if proposal.factor is None:  # no curvature, no step
                 self.damping *= REJECT
                 if self.damping > MOST_DAMPING:

@@ -26,9 +26,8 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.figure import Figure, JointKind
-from dynsplines.solver.search.descent import NEWTON
 from dynsplines.solver.search.judgement import common_grid
-from dynsplines.solver.search.methods import METHODS
+from dynsplines.solver.search.refinement import METHODS
 from dynsplines.system.progress import Progress
 
 CLIPS = ("sit_down", "walk_loop", "run_loop", "cartwheel", "tumble", "run_and_step", "stairs")
@@ -56,8 +55,8 @@ def varied(seed: int) -> Clip:
             other = clips.with_keys(clip, keys)
         except UserError:  # keyframes that contradict a contact
             continue
-        evaluations, method = int(rng.choice(EVALUATIONS)), str(rng.choice([NEWTON, *METHODS]))
-        return other.asking(settings=replace(other.settings, max_evaluations=evaluations, method=method))
+        evaluations, method = int(rng.choice(EVALUATIONS)), str(rng.choice([*METHODS]))
+        return other.asking(settings=replace(other.settings, max_evaluations=evaluations, optimiser=method))
     raise AssertionError(f"{clip.name}: whatever is moved contradicts a contact")
 
 
@@ -83,8 +82,8 @@ def drawn(seed: int) -> Clip:
     """A clip of a small figure whose keyframes, penalties and search are all drawn at random."""
     rng = np.random.default_rng([7, seed])
     clip = clips.from_text(grammar.solvable_text(seed), name=f"drawn {seed}", spec=grammar.spec())
-    evaluations, method = int(rng.choice(EVALUATIONS)), str(rng.choice([NEWTON, *METHODS]))
-    settings = replace(clip.settings, max_evaluations=evaluations, method=method, frames=int(rng.choice([0, 4, 8])))
+    evaluations, method = int(rng.choice(EVALUATIONS)), str(rng.choice([*METHODS]))
+    settings = replace(clip.settings, max_evaluations=evaluations, optimiser=method, frames=int(rng.choice([0, 4, 8])))
     return clip.asking(settings=settings)
 
 
@@ -118,4 +117,4 @@ def assert_no_worse(clip: Clip) -> None:
     share = np.arange(FINER) / FINER
     times = np.append((edges[:-1, None] + share * np.diff(edges)[:, None]).ravel(), edges[-1])
     found, raw = (motion.objective.value(path_of(line), times) for line in (motion.timeline, motion.raw))
-    assert found <= raw * (1 + 1e-6) + ROUNDING, (clip.name, clip.settings.method, clip.settings.max_evaluations)
+    assert found <= raw * (1 + 1e-6) + ROUNDING, (clip.name, clip.settings.optimiser, clip.settings.max_evaluations)

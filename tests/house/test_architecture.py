@@ -16,7 +16,7 @@ SOLVER = [path for path in FILES if path.parts[0] == "solver"]
 PACKAGES = {"runner": "dynsplines", "solver": "dynsplines.solver", "models": "dynsplines.models"}  # that they are
 MAY_IMPORT = {"runner": set(HOUSE), "solver": {"solver"}, "models": {"models"}}
 ONLY_IN = {
-    "nlopt": {"solver/search/optimiser.py"},
+    "nlopt": {"solver/search/refinement.py"},
     "imageio": {"runner/picture/film.py"},
     "threadpoolctl": {"solver/one_thread.py"},
     "tomllib": {"runner/clip/load.py", "runner/studio/document.py", "runner/studio/edits/tables.py"},

@@ -157,7 +157,7 @@ def test_settings_in_the_file_reach_the_solver(tmp_path):
     problem = loaded(tmp_path, text)
     s = problem.settings
     assert (s.variable, s.frames, s.criterion, s.threshold) == (3, 9, "residual", 0.5)
-    assert (s.method, s.tolerance, s.max_evaluations, problem.ends) == ("slsqp", 1e-3, 77, "clamped")
+    assert (s.optimiser, s.tolerance, s.max_evaluations, problem.ends) == ("slsqp", 1e-3, 77, "clamped")
     assert problem.problem.end_slope is not None
     assert problem.fps == 20
     assert clip.load(str(tmp_path / "tiny.toml"), fps=12.5).fps == 12.5

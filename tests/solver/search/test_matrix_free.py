@@ -15,7 +15,7 @@ from dynsplines.solver.search import descent
 from dynsplines.solver.search.descent import Descent
 from dynsplines.solver.search.matrix_free import FlatMetric, matrix_free
 from dynsplines.solver.search.minimum import Stop, StopSearch
-from dynsplines.solver.search.newton import Search, gauss_newton
+from dynsplines.solver.search.newton import GaussNewton, Search
 
 
 @pytest.fixture
@@ -26,16 +26,15 @@ def problem(rng: np.random.Generator) -> Discretised:
 @pytest.mark.parametrize("ends", ["free", "clamped", "periodic"])
 def test_it_ends_nearly_as_low_as_gauss_newton(rng: np.random.Generator, ends: str) -> None:
     problem = problem_of(rng, ends)
-    found, damping = matrix_free(problem, max_evaluations=500, tolerance=1e-8, damping=3.0)
-    lowest, _ = gauss_newton(problem, tolerance=1e-9)
+    found = matrix_free(problem, max_evaluations=500, tolerance=1e-8)
+    lowest = GaussNewton()(problem, tolerance=1e-9)
     assert found.stop is Stop.CONVERGED
-    assert damping == 3.0
     assert found.value <= 1.01 * lowest.value
     assert problem(found.x).value == found.value
 
 
 def test_at_the_minimum_two_evaluations_see_that_there_is_nothing_to_gain(problem: Discretised) -> None:
-    lowest, _ = gauss_newton(problem, tolerance=1e-12)
+    lowest = GaussNewton()(problem, tolerance=1e-12)
 
     class There:
         def __getattr__(self, name: str) -> object:
@@ -50,7 +49,7 @@ def test_at_the_minimum_two_evaluations_see_that_there_is_nothing_to_gain(proble
         def __call__(self, x: np.ndarray) -> object:
             return problem(x)
 
-    found, _ = matrix_free(Begun(), max_evaluations=100, tolerance=1e-4, damping=1.0)  # type: ignore[arg-type]
+    found = matrix_free(Begun(), max_evaluations=100, tolerance=1e-4)  # type: ignore[arg-type]
     assert (found.stop, found.evaluations) == (Stop.CONVERGED, 2)
 
 
@@ -73,13 +72,13 @@ def test_a_stop_asked_for_keeps_the_best_point(problem: Discretised, error: type
         if len(told) == at:
             raise error
 
-    found, _ = matrix_free(problem, max_evaluations=100, tolerance=1e-12, damping=1.0, improved=improved)
+    found = matrix_free(problem, max_evaluations=100, tolerance=1e-12, improved=improved)
     assert (found.stop, found.value) == (Stop.ASKED, told[-1])
 
 
 @pytest.mark.parametrize("budget", [1, 2, 6])
 def test_the_budget_holds(problem: Discretised, budget: int) -> None:
-    found, _ = matrix_free(problem, max_evaluations=budget, tolerance=1e-15, damping=1.0)
+    found = matrix_free(problem, max_evaluations=budget, tolerance=1e-15)
     assert (found.stop, found.evaluations) == (Stop.BUDGET, budget)
 
 
@@ -90,7 +89,7 @@ def test_figures_of_many_joints_are_searched_like_that(
     own = Descent(free.objective, free.timeline).run(max_evaluations=4)
     monkeypatch.setattr(descent, "WIDEST", 1)
     found = Descent(free.objective, free.timeline).run(max_evaluations=4)
-    wanted, _ = matrix_free(free, max_evaluations=4, tolerance=1e-6, damping=1.0)
+    wanted = matrix_free(free, max_evaluations=4, tolerance=1e-6)
     assert found.value == wanted.value != own.value
 
 

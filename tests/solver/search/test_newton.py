@@ -20,12 +20,11 @@ from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.objective import HEAVY, Discretised, Evaluation, Objective
 from dynsplines.solver.penalty import Contact, Penalty
 from dynsplines.solver.refine.subdivision import evenly
-from dynsplines.solver.search import optimiser
-from dynsplines.solver.search.descent import METHODS, NEWTON, Descent
+from dynsplines.solver.search.descent import Descent
 from dynsplines.solver.search.minimum import Minimum, Stop, StopSearch
-from dynsplines.solver.search.newton import FIRST_DAMPING, Search, gauss_newton
-from dynsplines.solver.search.optimiser import minimise
+from dynsplines.solver.search.newton import FIRST_DAMPING, GaussNewton, Search
 from dynsplines.solver.search.quadratic import Model, Proposal
+from dynsplines.solver.search.refinement import minimise
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point
 
@@ -65,7 +64,7 @@ def by_nlopt_alone(problem: Discretised) -> Minimum:
 @pytest.mark.parametrize("coordinates", ["world", "joint"])
 def test_it_finds_the_minimum_that_nlopt_finds_with_fewer_evaluations(rng, ends, coordinates):
     problem = problem_of(rng, ends, coordinates)
-    found, _ = gauss_newton(problem, max_evaluations=200, tolerance=1e-10)
+    found = GaussNewton()(problem, max_evaluations=200, tolerance=1e-10)
     other = by_nlopt_alone(problem)
     assert found.stop is Stop.CONVERGED
     np.testing.assert_allclose(found.value, other.value, rtol=1e-7)
@@ -96,7 +95,7 @@ def test_so_it_does_with_residuals_on_one_side(rng, kind):
     problem = one_sided(rng, kind)
     parts = problem(problem.unknowns.start).parts
     assert all(parts.get(name, 1) > 0.1 for name in ("contact", "bend"))
-    found, _ = gauss_newton(problem, max_evaluations=200, tolerance=1e-9)
+    found = GaussNewton()(problem, max_evaluations=200, tolerance=1e-9)
     other = by_nlopt_alone(problem)
     assert found.stop is Stop.CONVERGED
     np.testing.assert_allclose(found.value, other.value, rtol=1e-6)
@@ -108,21 +107,21 @@ def test_one_evaluation_sees_that_there_is_nothing_to_search():
     figure = figure_of(TINY)
     keys = [Frame.key(time, figure.model.qpos0) for time in (0.0, 1.0)]
     timeline = raw_timeline(figure, keys, "clamped", np.zeros((2, figure.width)))
-    found, _ = gauss_newton(Objective.of(figure, TERMS).on(timeline))
+    found = GaussNewton()(Objective.of(figure, TERMS).on(timeline))
     assert (found.x.size, found.evaluations, found.stop) == (0, 1, Stop.CONVERGED)
 
 
 @pytest.mark.parametrize("variable", [1, 4])
 def test_a_flat_problem_takes_three_evaluations_at_most(variable):
     problem = slider(np.array([0.0, 0.3, 1.0, 2.5]), variable)
-    found, _ = gauss_newton(problem, tolerance=1e-6)
+    found = GaussNewton()(problem, tolerance=1e-6)
     assert found.evaluations <= 3
     assert found.stop is Stop.CONVERGED
 
 
 def test_e_falls_strictly_and_improved_hears_of_every_fall(rng):
     problem, told = Watched(problem_of(rng)), []
-    found, _ = gauss_newton(problem, tolerance=1e-9, improved=lambda *each: told.append(each))
+    found = GaussNewton()(problem, tolerance=1e-9, improved=lambda *each: told.append(each))
     counts, evaluations, points = zip(*told, strict=True)
     values = [evaluation.value for evaluation in evaluations]
     assert len(values) > 3
@@ -139,7 +138,7 @@ def test_e_falls_strictly_and_improved_hears_of_every_fall(rng):
 @pytest.mark.parametrize("budget", [1, 2, 4])
 def test_the_budget_is_kept(rng, budget):
     problem = Watched(problem_of(rng))
-    found, _ = gauss_newton(problem, max_evaluations=budget, tolerance=1e-14)
+    found = GaussNewton()(problem, max_evaluations=budget, tolerance=1e-14)
     assert len(problem.values) == found.evaluations == budget
     assert found.stop is Stop.BUDGET
     assert found.value == min(problem.values)
@@ -150,12 +149,13 @@ def test_the_budget_is_kept_where_every_step_is_refused(rng):
         return found if k == 1 else Evaluation(found.value + 1e9, found.gradient, found.parts)
 
     problem = Watched(problem_of(rng), spoil)
-    found, damping = gauss_newton(problem, max_evaluations=5)
+    optimiser = GaussNewton()
+    found = optimiser(problem, max_evaluations=5)
     assert (found.stop, found.evaluations) == (Stop.BUDGET, 5)
-    assert damping > FIRST_DAMPING
+    assert optimiser.damping > FIRST_DAMPING
     lengths = [np.linalg.norm(x - problem.points[0]) for x in problem.points[1:]]
     assert np.all(np.diff(lengths) < 0)
-    found, _ = gauss_newton(Watched(problem_of(np.random.default_rng(7)), spoil), max_evaluations=1000)
+    found = GaussNewton()(Watched(problem_of(np.random.default_rng(7)), spoil), max_evaluations=1000)
     assert found.evaluations < 100
     assert found.stop in (Stop.STUCK, Stop.CONVERGED)
 
@@ -168,7 +168,7 @@ def test_a_step_that_does_not_lower_e_is_refused_and_a_shorter_one_tried(rng, hi
         return Evaluation(min(problem.values) + higher, found.gradient, found.parts) if k == 3 else found
 
     problem = Watched(problem_of(rng), spoil)
-    found, _ = gauss_newton(problem, tolerance=1e-8, improved=lambda k, _found, _x: told.append(k))
+    found = GaussNewton()(problem, tolerance=1e-8, improved=lambda k, _found, _x: told.append(k))
     assert told[:3] == [1, 2, 4]
     long, short = (np.linalg.norm(problem.points[k] - problem.points[1]) for k in (2, 3))
     assert 0 < short < long
@@ -189,7 +189,7 @@ def test_a_stop_asked_for_anywhere_keeps_the_best_x(rng, error, place, count):
             raise error
 
     problem = Watched(problem_of(rng), spoil)
-    found, _ = gauss_newton(problem, tolerance=1e-12, improved=improved)
+    found = GaussNewton()(problem, tolerance=1e-12, improved=improved)
     assert found.stop is Stop.ASKED
     assert found.value == min(problem.values, default=np.inf)
     if problem.values:
@@ -203,7 +203,7 @@ def test_an_error_of_the_callers_comes_out(rng):
         raise ZeroDivisionError("mine")
 
     with pytest.raises(ZeroDivisionError, match="mine"):
-        gauss_newton(problem_of(rng), improved=improved)
+        GaussNewton()(problem_of(rng), improved=improved)
 
 
 @pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
@@ -216,8 +216,8 @@ def test_what_is_no_number_never_becomes_the_best(rng, bad, what):
         return found
 
     problem = Watched(problem_of(rng), spoil)
-    whole, _ = gauss_newton(problem_of(np.random.default_rng(7)), tolerance=1e-8)
-    found, _ = gauss_newton(problem, tolerance=1e-8)
+    whole = GaussNewton()(problem_of(np.random.default_rng(7)), tolerance=1e-8)
+    found = GaussNewton()(problem, tolerance=1e-8)
     assert np.isfinite(found.value)
     assert found.value == Discretised.__call__(problem, found.x).value
     np.testing.assert_allclose(found.value, whole.value, rtol=1e-3)
@@ -225,7 +225,7 @@ def test_what_is_no_number_never_becomes_the_best(rng, bad, what):
 
 def test_a_start_that_is_no_number_is_stuck(rng):
     problem = Watched(problem_of(rng), lambda _, found: Evaluation(np.nan, found.gradient, found.parts))
-    found, _ = gauss_newton(problem)
+    found = GaussNewton()(problem)
     assert (found.stop, found.evaluations) == (Stop.STUCK, 1)
     np.testing.assert_array_equal(found.x, problem.unknowns.start)
 
@@ -233,24 +233,25 @@ def test_a_start_that_is_no_number_is_stuck(rng):
 def test_nothing_to_choose_is_one_evaluation(rng):
     raw = tiny_clip(rng, "clamped", "world")
     problem = Objective.of(figure_of(TINY), TERMS).on(raw)
-    found, _ = gauss_newton(problem)
+    found = GaussNewton()(problem)
     assert found.x.size == 0
     assert (found.stop, found.evaluations) == (Stop.CONVERGED, 1)
 
 
 def test_at_the_minimum_it_converges_at_once(rng):
     problem = problem_of(rng)
-    best, damping = gauss_newton(problem, max_evaluations=300, tolerance=1e-11)
+    optimiser = GaussNewton()
+    best = optimiser(problem, max_evaluations=300, tolerance=1e-11)
     again = problem.objective.on(problem.timeline.with_rows(problem.unknowns.rows(best.x)))
-    found, _ = gauss_newton(again, tolerance=1e-6, damping=damping)
+    found = optimiser(again, tolerance=1e-6)
     assert found.evaluations <= 2
     assert found.stop is Stop.CONVERGED
 
 
 def test_a_tighter_tolerance_gets_nearer_to_the_minimum(rng):
     problem = problem_of(rng)
-    least = gauss_newton(problem, max_evaluations=300, tolerance=1e-12)[0].value
-    ends = [gauss_newton(problem, tolerance=tolerance)[0] for tolerance in (1e-2, 1e-4, 1e-7)]
+    least = GaussNewton()(problem, max_evaluations=300, tolerance=1e-12).value
+    ends = [GaussNewton()(problem, tolerance=tolerance) for tolerance in (1e-2, 1e-4, 1e-7)]
     gaps = [found.value - least for found in ends]
     evaluations = [found.evaluations for found in ends]
     assert gaps[0] >= gaps[1] >= gaps[2]
@@ -265,10 +266,10 @@ def test_what_is_gross_and_cannot_be_helped_does_not_end_the_search_early(rng):
     deep = one_sided(rng, "floor", Plane("floor", np.array([0, 0, 0.4]), np.array([0.0, 0, 1])))
     costs = sum(weight for _, weight in TERMS)
     assert deep.objective.heavy == HEAVY * costs
-    least = gauss_newton(deep, max_evaluations=500, tolerance=1e-12)[0].value
+    least = GaussNewton()(deep, max_evaluations=500, tolerance=1e-12).value
     assert least > 50 * deep.objective.heavy
     found, early = (
-        gauss_newton(problem, max_evaluations=300, tolerance=1e-4)[0]
+        GaussNewton()(problem, max_evaluations=300, tolerance=1e-4)
         for problem in (deep, replace(deep.objective, heavy=np.inf).on(deep.timeline))
     )
     assert found.stop is early.stop is Stop.CONVERGED
@@ -299,24 +300,23 @@ def test_where_e_is_nothing_so_is_every_decrease(rng):
     assert not search.is_negligible(1e-300, 1e-3)
 
 
-def test_the_damping_that_was_left_is_where_a_descent_goes_on(rng):
-    problem = problem_of(rng)
-    descent = Descent(problem.objective, problem.timeline, damping=3.0)
-    found = descent.run(max_evaluations=6, tolerance=1e-12)
-    same, damping = gauss_newton(problem, max_evaluations=6, tolerance=1e-12, damping=3.0)
-    assert descent.damping == damping != 3.0
-    assert found.value == same.value
+def test_the_damping_that_was_left_is_where_the_next_round_goes_on(rng):
+    problem, optimiser = problem_of(rng), GaussNewton(damping=3.0)
+    optimiser(problem, max_evaluations=6, tolerance=1e-12)
+    assert optimiser.damping != 3.0
+    again = GaussNewton(damping=optimiser.damping)
+    assert optimiser(problem, max_evaluations=3).value == again(problem, max_evaluations=3).value
 
 
-def test_the_search_is_a_method_beside_those_of_nlopt(rng):
-    assert [*METHODS] == [NEWTON, *optimiser.METHODS]
-    assert all(len(text) > 10 for text in METHODS.values())
+def test_newtons_steps_alone_are_called_none_and_unknown_names_are_refused(rng):
     problem = problem_of(rng)
-    newton = Descent(problem.objective, problem.timeline).run(method="Newton", tolerance=1e-8)
-    default = Descent(problem.objective, problem.timeline).run(tolerance=1e-8)
-    assert newton.value == default.value
-    with pytest.raises(ValueError, match="no optimiser 'gauss'"):
-        Descent(problem.objective, problem.timeline).run(method="gauss")
+    descent = Descent(problem.objective, problem.timeline)
+    alone, refined = (descent.run(optimiser=name, tolerance=1e-3) for name in ("None", "lbfgs"))
+    assert alone.value >= refined.value
+    with pytest.raises(ValueError, match="no optimiser 'gauss'; there are: lbfgs, "):
+        descent.run(optimiser="gauss")
+    with pytest.raises(ValueError, match="optimiser 'newton' is called 'none' now"):
+        descent.run(optimiser="newton")
 
 
 @pytest.mark.parametrize("failures", [2, 10_000])
@@ -331,7 +331,7 @@ def test_a_curvature_that_has_no_factor_is_damped_until_it_has_one_and_is_no_min
 
     monkeypatch.setattr(Model, "minimised", failing)
     problem = problem_of(rng)
-    found, _ = gauss_newton(Watched(problem), tolerance=1e-10)
+    found = GaussNewton()(Watched(problem), tolerance=1e-10)
     assert np.all(np.diff(count[: min(failures, len(count))]) > 0)
     if failures == 2:
         assert found.stop is Stop.CONVERGED

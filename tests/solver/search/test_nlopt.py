@@ -10,9 +10,9 @@ import pytest
 from dynsplines import load
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.search.methods import METHODS
 from dynsplines.solver.search.minimum import Minimum, Stop, StopSearch
-from dynsplines.solver.search.optimiser import DAMPINGS, algorithm, minimise
+from dynsplines.solver.search.refinement import METHODS as NAMES
+from dynsplines.solver.search.refinement import NONE, algorithm, minimise
 
 
 def rosenbrock(x: np.ndarray) -> tuple[float, np.ndarray]:
@@ -26,6 +26,7 @@ def bowl(x: np.ndarray) -> tuple[float, np.ndarray]:
     return 3 + float(stiffness @ away**2), 2 * stiffness * away
 
 
+METHODS = [name for name in NAMES if name != NONE]
 START = np.array([-1.2, 1.0])
 
 
@@ -75,40 +76,31 @@ def test_the_budget_holds_and_the_best_x_within_it_is_kept(method, budget):
 
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("error", [StopSearch, KeyboardInterrupt])
-@pytest.mark.parametrize("place", ["fun", "improved"])
-def test_a_stop_asked_for_anywhere_keeps_the_best_x(method, error, place):
+def test_a_stop_asked_for_anywhere_keeps_the_best_x(method, error):
     values: list[float] = []
 
     def fun(x: np.ndarray) -> tuple[float, np.ndarray]:
-        if place == "fun" and len(values) == 3:
+        if len(values) == 3:
             raise error
         value, slope = rosenbrock(x)
         values.append(value)
         return value, slope
 
-    def improved(_count: int, _value: float, _x: np.ndarray) -> None:
-        if place == "improved" and len(values) >= 3:
-            raise error
-
-    found = minimise(fun, START, method=method, improved=improved)
+    found = minimise(fun, START, method=method)
     assert found.stop is Stop.ASKED
     assert found.value == min(values)
     assert rosenbrock(found.x)[0] == found.value
 
 
 @pytest.mark.parametrize("method", METHODS)
-@pytest.mark.parametrize("place", ["fun", "improved"])
-def test_an_error_of_the_caller_comes_out_as_it_went_in(method, place):
+def test_an_error_of_the_caller_comes_out_as_it_went_in(method):
     error = ZeroDivisionError("mine")
 
     def fail(*_: object) -> NoReturn:
         raise error
 
     with pytest.raises(ZeroDivisionError) as caught:
-        if place == "fun":
-            minimise(fail, START, method=method)
-        else:
-            minimise(rosenbrock, START, method=method, improved=fail)
+        minimise(fail, START, method=method)
     assert caught.value is error
 
 
@@ -131,43 +123,22 @@ def test_a_gradient_that_is_no_number_counts_as_infinitely_bad():
     np.testing.assert_array_equal(found.x, START)
 
 
-@pytest.mark.parametrize("method", METHODS)
-def test_improved_gets_strictly_falling_values_each_at_its_evaluation(method):
-    told: list[tuple[int, float]] = []
-    all_values: list[float] = []
-
-    def fun(x: np.ndarray) -> tuple[float, np.ndarray]:
-        value, slope = rosenbrock(x)
-        all_values.append(value)
-        return value, slope
-
-    found = minimise(
-        fun, START, method=method, max_evaluations=60, improved=lambda n, value, x: told.append((n, value))
-    )
-    counts, values = zip(*told, strict=True)
-    assert np.all(np.diff(values) < 0)
-    assert all(all_values[n - 1] == value for n, value in told)
-    assert counts[0] == 1
-    assert values[-1] == found.value == min(all_values)
-    assert len(values) > 3
-
-
 def test_the_callers_x_is_neither_changed_nor_handed_out_again():
-    start, kept = START.copy(), []
-    minimise(rosenbrock, start, improved=lambda n, value, x: kept.append(x), max_evaluations=30)
+    start, asked = START.copy(), list[np.ndarray]()
+
+    def kept(x: np.ndarray) -> tuple[float, np.ndarray]:
+        asked.append(x)
+        return rosenbrock(x)
+
+    minimise(kept, start, max_evaluations=30)
     np.testing.assert_array_equal(start, START)
-    assert [rosenbrock(x)[0] for x in kept] == sorted((rosenbrock(x)[0] for x in kept), reverse=True)
+    assert len({x.tobytes() for x in asked}) > 10
 
 
 def test_nothing_to_choose_is_one_evaluation():
     empty = np.zeros(0)
     found = minimise(lambda x: (5.0, x), empty)
     assert (found.value, found.evaluations, found.stop) == (5.0, 1, Stop.CONVERGED)
-
-    def stop(*_: object) -> None:
-        raise StopSearch
-
-    assert minimise(lambda x: (5.0, x), empty, improved=stop).stop is Stop.ASKED
 
 
 def test_a_minimum_is_a_value_and_every_stop_gives_advice():
@@ -196,14 +167,10 @@ def test_a_search_that_ended_in_a_minimum_is_not_begun_again_from_there(method):
 
 
 @pytest.mark.parametrize("method", ["lbfgs", "tnewton", "var2"])
-def test_a_search_that_is_stuck_begins_again_with_a_shorter_first_step_until_these_are_spent(method):
-    """Up a gradient that is wrong by its sign; the first step is the gradient over the value, then less."""
-    found, asked = asked_of(lambda x: (float(x @ x), -2 * x), method)
+def test_up_a_gradient_that_is_wrong_by_its_sign_a_search_is_stuck(method):
+    found, _ = asked_of(lambda x: (float(x @ x), -2 * x), method)
     assert found.stop is Stop.STUCK
     np.testing.assert_array_equal(found.x, START)
-    begun = [k for k, x in enumerate(asked) if np.array_equal(x, START)]
-    steps = [np.linalg.norm(asked[k + 1] - START) for k in begun]
-    np.testing.assert_allclose(steps, np.array(DAMPINGS) * 2 / np.linalg.norm(START), rtol=1e-6)
 
 
 def test_an_optimiser_of_ones_own_is_asked_every_round_and_keeps_the_keyframes():
@@ -211,7 +178,7 @@ def test_an_optimiser_of_ones_own_is_asked_every_round_and_keeps_the_keyframes()
     clip = load("tumble")
     asked: list[int] = []
 
-    def steepest(problem, *, max_evaluations, tolerance, damping, improved):
+    def steepest(problem, *, max_evaluations, tolerance, improved):
         asked.append(max_evaluations)
         x = problem.unknowns.start.copy()
         here = problem(x)
@@ -225,9 +192,9 @@ def test_an_optimiser_of_ones_own_is_asked_every_round_and_keeps_the_keyframes()
                     improved(count, here, x)
             else:
                 step /= 2
-        return Minimum(x, here.value, count, Stop.CONVERGED), damping
+        return Minimum(x, here.value, count, Stop.CONVERGED)
 
-    solved = inbetween(replace(clip.problem, settings=replace(clip.settings, method=steepest)))
+    solved = inbetween(replace(clip.problem, settings=replace(clip.settings, optimiser=steepest)))
     assert asked
     assert all(budget == clip.settings.max_evaluations for budget in asked)
     own, raw = (clip.problem.objective.value(path_of(timeline)) for timeline in (solved.timeline, solved.raw))
