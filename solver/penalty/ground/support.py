@@ -7,7 +7,7 @@ supply; in flight nothing can, and all of it counts. This goes beyond the paper.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
 
@@ -142,10 +142,9 @@ class Support(Penalty):
             found.pushes.pull_back(found.wrench, into, force_bar, moment_bar)
 
         def curved(into: Curvature, scale: Array) -> None:
-            chosen = samples.taken(at)
-            again = self._found(chosen, np.arange(at.size))
-            rows = share[:, :, None] * rows_of_wrench(chosen, self.root, again.pushes)
-            root = np.linalg.cholesky(projection(again.left, again.edges, self.softness))
+            pushes = replace(found.pushes, at=np.searchsorted(at, found.pushes.at))
+            rows = share[:, :, None] * rows_of_wrench(samples.taken(at), self.root, pushes)
+            root = np.linalg.cholesky(projection(found.left, found.edges, self.softness))
             rows = np.einsum("scd,scon->sdon", root, rows)
             each = np.repeat(at, 6)
             into.add_rows(each, scale[each], rows.reshape(each.size, 3, -1))
