@@ -20,6 +20,14 @@ MOVING = 0.05  # degrees or [rad]: joints that move less are no evidence of the 
 FAST = 50.0  # [rad/s]: joints of robots and people do not turn so fast
 SLIDING = 1.0  # [m/s] of the lowest point, which is at rest in most motions
 LYING = 0.35  # of its length, the height of a figure whose rest pose lies down and shows no direction to be up
+LEANING, UPRIGHT, FALLEN = np.radians(25), np.radians(45), np.radians(60)  # tilts of the root
+AT_FLOOR, SUNK = 0.08, 0.2  # of the figure's size: |height| of the lowest point at the floor, and depth in it
+ON_FLOOR = 0.04  # [m] of the lowest point from the floor, median, of a figure that evidently stands on it
+FLYING = 2.5  # [m] from which on the lowest point is too high even for a jump
+LITTLE_OUTSIDE, MUCH_OUTSIDE = 0.03, 0.1  # shares of joint angles beyond their ranges
+FAR_OUTSIDE = 0.15  # the same of angles in degrees that are taken for radians
+DOUBTED, REFUTED = 0.5, 0.9  # differences of scores from which on the documented layout is doubted, and replaced
+ENOUGH = 20  # samples from which sliding is evidence
 JUMP = np.radians(45)  # of the root between samples
 FREE, HINGE = int(mujoco.mjtJoint.mjJNT_FREE), int(mujoco.mjtJoint.mjJNT_HINGE)
 
@@ -106,48 +114,100 @@ def spread(count: int, most: int = LOOKED_AT) -> Index:
 
 @dataclass(frozen=True)
 class Plausibility:
-    """What a figure does in a motion: the less of all of it, the more plausible is the motion.
+    """How plausible a motion of a figure is, from shares of its samples.
 
     tilt     [rad] of the root from upright, mean
-    height   [m] of the lowest point above or below z = 0, mean; size [m] of the figure
+    height   [m] of the lowest point above or below z = 0, median
     sliding  [m/s] of the lowest point, mean
-    outside  share of joint angles beyond their ranges
+    outside  share of joint angles beyond their ranges; the joint that is beyond its range most often does not count
     jumps    share of the steps from sample to sample in which the root or a joint turns faster than any does
+    upright  share of samples in which the root is upright, and the figure neither in the floor nor metres above it
+    fallen   share of samples in which the root is far from upright, or the figure in the floor or metres above it
+    standing share of samples in which the root is upright to `LEANING` and the lowest point at the floor
+    samples  number of samples
     """
 
     tilt: float
     height: float
-    size: float
     sliding: float
     outside: float
     jumps: float
+    upright: float
+    fallen: float
+    standing: float
+    samples: int
 
     @classmethod
     def of(cls, model: mujoco.MjModel, found: Recording) -> Plausibility:
         """Return that of a recording; samples without numbers are left out."""
         finite = np.isfinite(found.qpos).all(axis=1)
         qpos, time = found.qpos[finite], found.time[finite]
-        outside, jumps = _outside(model, qpos), _fast(model, qpos, time)
+        outside, jumps = _mostly_outside(model, qpos), _fast(model, qpos, time)
         root = root_of(model)
         if root is None or not len(qpos):
-            return cls(0.0, 0.0, 1.0, 0.0, outside, jumps)
+            return cls(0.0, 0.0, 0.0, outside, jumps, 1.0, 0.0, 1.0, len(qpos))
         if root.is_free:
             start = int(model.jnt_qposadr[root.joints[0]])
             rotation = quat.normalised(qpos[:, start + 3 : start + 7])
             turned = quat.angle_between(rotation[1:], rotation[:-1])
             jumps += float(np.mean(turned > JUMP)) if turned.size else 0.0
-        tilt, height, sliding, size = _stands(model, root.body, qpos, time)
-        return cls(tilt, height, size, sliding, outside, jumps)
+        tilts, heights, speeds, size = _stands(model, root.body, qpos, time)
+        is_off = (heights < -SUNK * size) | (heights > FLYING)
+        at_floor = np.abs(heights) < AT_FLOOR * size
+        return cls(
+            tilt=float(tilts.mean()),
+            height=float(np.median(np.abs(heights))),
+            sliding=float(np.minimum(speeds, 3 * SLIDING).mean()),
+            outside=outside,
+            jumps=jumps,
+            upright=float(np.mean((tilts < UPRIGHT) & ~is_off)),
+            fallen=float(np.mean((tilts > FALLEN) | is_off)),
+            standing=float(np.mean((tilts < LEANING) & at_floor)),
+            samples=len(qpos),
+        )
 
     @property
-    def fault(self) -> float:
-        """Without unit; below 0.6 for what people and robots do on their feet."""
-        return self.tilt / (np.pi / 2) + min(1.0, self.height / (0.3 * self.size)) + self.outside + self.jumps
+    def score(self) -> float:
+        """Without unit, at most 2: the greater, the more plausible; sliding does not count."""
+        return self.upright - self.fallen + self.standing - self.tilt / np.pi - 8 * self.outside - 3 * self.jumps
 
     @property
-    def cost(self) -> float:
-        """The same with feet that slide, which they do in poor recordings, too."""
-        return self.fault + 0.5 * min(1.0, self.sliding / SLIDING)
+    def is_implausible(self) -> bool:
+        """Whether the root is fallen, in the floor or metres above it at most samples, or joints are out of range."""
+        return self.fallen > 0.5 or self.upright < 0.2 or self.outside > MUCH_OUTSIDE
+
+    @property
+    def is_evident(self) -> bool:
+        """Whether the root is upright on the floor at most samples, with joints in their ranges."""
+        return self.standing > 0.5 and self.outside < LITTLE_OUTSIDE
+
+    def is_doubted_by(self, other: Plausibility) -> bool:
+        """Whether another reading is clearly more plausible than this one, the documented one.
+
+        It is plausible while this one is not, or joints are in their ranges there alone, or it is upright on the floor
+        while this one is off the floor or leans.
+        """
+        if self.is_evident or other.is_implausible or other.score - self.score < DOUBTED:
+            return False
+        nearer = other.standing > 0.5 and other.height < min(self.height / 2, ON_FLOOR)
+        straighter = other.standing > 0.9 and other.tilt < LEANING / 4 and self.tilt > LEANING
+        return nearer or straighter or self.is_implausible or self.outside > max(LITTLE_OUTSIDE, 2 * other.outside)
+
+    def is_refuted_by(self, other: Plausibility) -> bool:
+        """Whether another reading is so much more plausible that it replaces this one, the documented one.
+
+        This one is implausible, or leans at the samples where the other stands upright and nearer to the floor.
+        """
+        if not self.is_doubted_by(other) or other.score - self.score < REFUTED:
+            return False
+        stands = other.standing > 0.9 and other.tilt < LEANING / 2 and other.height < self.height / 2
+        return self.is_implausible or (stands and self.tilt > LEANING)
+
+    def rests_beside(self, other: Plausibility) -> bool:
+        """Whether the lowest point slides evidently less than in another reading, over enough samples."""
+        return (
+            self.samples >= ENOUGH and self.sliding < other.sliding / 2 and other.sliding - self.sliding > 0.3 * SLIDING
+        )
 
     def __str__(self) -> str:
         parts = [f"tilt {np.degrees(self.tilt):.0f}°, lowest point at {100 * self.height:.0f} cm"]
@@ -160,7 +220,8 @@ class Plausibility:
 
 
 def in_degrees(model: mujoco.MjModel, qpos: Array, time: Array) -> bool:
-    """Whether hinges are evidently in degrees: beyond a turn as radians, and within their ranges as degrees.
+    """Whether hinges are evidently in degrees: as radians half of them are beyond a turn, or one is and many angles are
+    out of range, and as degrees they are within their ranges.
 
     Of figures without ranges: faster than any joint as radians, and not as degrees.
     """
@@ -176,15 +237,30 @@ def in_degrees(model: mujoco.MjModel, qpos: Array, time: Array) -> bool:
         return _fast(model, values, clock) > 0.5 and _fast(model, scaled, clock) == 0
     most = np.abs(values[:, model.jnt_qposadr[limited]]).max(axis=0)
     moving = most[most > MOVING]
-    return bool(moving.size and np.mean(moving > 2 * np.pi) >= 0.5 and _outside(model, scaled) <= 0.05)
+    if not moving.size or _outside(model, scaled) > 0.05:
+        return False
+    is_beyond = moving > 2 * np.pi
+    return bool(is_beyond.mean() >= 0.5 or (is_beyond.any() and _outside(model, values) > FAR_OUTSIDE))
+
+
+def _beyond(model: mujoco.MjModel, qpos: Array) -> Array:
+    """(n,) the share of samples in which each limited hinge or slide is beyond its range."""
+    limited = (model.jnt_limited == 1) & (model.jnt_type >= int(mujoco.mjtJoint.mjJNT_SLIDE))
+    values, bounds = qpos[:, model.jnt_qposadr[limited]], model.jnt_range[limited]
+    if not len(values):
+        return np.zeros(0)
+    return np.mean((values < bounds[:, 0] - SLACK) | (values > bounds[:, 1] + SLACK), axis=0)
 
 
 def _outside(model: mujoco.MjModel, qpos: Array) -> float:
-    limited = (model.jnt_limited == 1) & (model.jnt_type >= int(mujoco.mjtJoint.mjJNT_SLIDE))
-    if not limited.any() or not len(qpos):
-        return 0.0
-    values, bounds = qpos[:, model.jnt_qposadr[limited]], model.jnt_range[limited]
-    return float(np.mean((values < bounds[:, 0] - SLACK) | (values > bounds[:, 1] + SLACK)))
+    shares = _beyond(model, qpos)
+    return float(shares.mean()) if shares.size else 0.0
+
+
+def _mostly_outside(model: mujoco.MjModel, qpos: Array) -> float:
+    """`_outside` without the joint that is beyond its range most often: its range may be wrong."""
+    shares = _beyond(model, qpos)
+    return float((shares.sum() - shares.max()) / shares.size) if shares.size else 0.0
 
 
 def _fast(model: mujoco.MjModel, qpos: Array, time: Array) -> float:
@@ -197,9 +273,9 @@ def _fast(model: mujoco.MjModel, qpos: Array, time: Array) -> float:
     return float(np.median(is_fast.mean(axis=0)))  # of a joint as most are: single rotors do
 
 
-def _stands(model: mujoco.MjModel, body: int, qpos: Array, time: Array) -> tuple[float, float, float, float]:
-    """How a figure stands: its body's tilt from rest [rad], its lowest point's height from the floor [m] and speed
-    [m/s], all mean, and the figure's size [m]."""
+def _stands(model: mujoco.MjModel, body: int, qpos: Array, time: Array) -> tuple[Array, Array, Array, float]:
+    """How a figure stands in n samples: its body's tilt from rest (n,) [rad], its lowest point's height (n,) [m] and
+    speed (n,) [m/s], and the figure's size [m]."""
     bodies = np.flatnonzero(model.body_rootid == model.body_rootid[body])
     geoms = np.flatnonzero(np.isin(model.geom_bodyid, bodies))
     data = mujoco.MjData(model)
@@ -223,13 +299,8 @@ def _stands(model: mujoco.MjModel, body: int, qpos: Array, time: Array) -> tuple
         here, low = points(qpos[i])
         first = int(np.argmin(low))
         tilts[n] = np.arccos(np.clip(data.xmat[body].reshape(3, 3)[2] @ up, -1, 1))
-        heights[n] = abs(low[first])
+        heights[n] = low[first]
         if i + 1 < len(qpos):
             there, _ = points(qpos[i + 1])
             speeds[n] = np.linalg.norm((there - here)[first, :2]) / max(time[i + 1] - time[i], 1e-3)
-    return (
-        0.0 if lies else float(tilts.mean()),
-        float(heights.mean()),
-        float(np.minimum(speeds, 3 * SLIDING).mean()),
-        size,
-    )
+    return np.zeros_like(tilts) if lies else tilts, heights, speeds, size

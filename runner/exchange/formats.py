@@ -294,7 +294,7 @@ def recording(
     if not recordings:
         assert failure is not None, "a file fits a format or is refused"
         raise failure
-    return layouts.chosen(recordings, model, source)
+    return layouts.chosen(recordings, model, source, is_named=kind is not None)
 
 
 def _read(

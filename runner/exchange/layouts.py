@@ -1,8 +1,10 @@
 """Which layout a file's numbers have, decided by `evidence`: what the file holds twice, or else what a figure can do.
 
 A reader returns a recording as its format is documented, with `others`: the layouts that files of this kind have
-besides. The documented layout has precedence unless it contradicts the file's body poses or is implausible; formats
-that share an ending have equal rank. What was decided is reported in a note, and what cannot be decided is refused.
+besides. The documented layout has precedence: another one replaces it only if the documented one contradicts the file's
+body poses, or is implausible while the other is plausible. Formats that share an ending have equal rank. What was
+decided is reported in a note. What cannot be decided is refused, unless the user names the format: then its documented
+layout is read.
 """
 
 from __future__ import annotations
@@ -25,8 +27,7 @@ from .take import BodyPoses, Recording
 
 FREE, BALL, HINGE = (int(getattr(mujoco.mjtJoint, f"mjJNT_{kind}")) for kind in ("FREE", "BALL", "HINGE"))
 EQUAL = 0.05  # of the bounds of agreement: layouts so near to each other agree equally well
-IMPLAUSIBLE = 0.6  # fault from which on the documented layout is doubted
-CLEARLY, FAR = 0.15, 0.3  # difference of two costs that decides between equals, and against the documented layout
+EQUALLY, CLEARLY = 0.3, 0.5  # differences of scores within which layouts, and formats, are equally plausible
 SAME = 1e-6  # [m, rad] between layouts that give one motion
 Y_UP = (  # words; the axes of the file that are our x, y and z, and their signs; whether the root's frame is y up, too
     ("y up", ((0, 1), (2, -1), (1, 1)), False),
@@ -86,13 +87,16 @@ def noted(found: Recording, notes: Sequence[str]) -> Recording:
     return replace(found, notes=(*found.notes, *notes), others=others)
 
 
-def chosen(recordings: Mapping[str, Recording], model: mujoco.MjModel | None, where: object) -> Recording:
+def chosen(
+    recordings: Mapping[str, Recording], model: mujoco.MjModel | None, where: object, *, is_named: bool = False
+) -> Recording:
     """Return the recording in the layout for which there is most evidence, with a note where that was in question.
 
     Args:
         recordings: By the name of the format that it is read as; several for a file that several formats fit.
         model: The figure; None for files that bring their own.
         where: How errors call the file.
+        is_named: Whether the user names the format: then its documented layout is read where others are possible.
 
     Raises:
         UserError: No layout agrees with the file's body poses, or several are equally plausible.
@@ -103,7 +107,7 @@ def chosen(recordings: Mapping[str, Recording], model: mujoco.MjModel | None, wh
     model = _figure(first) if model is None else model
     layouts = [(form, variant) for form, base in recordings.items() for variant in (base, *base.others)]
     fitting, notes = _agreeing(layouts, model, where)
-    best, note = _most_plausible(fitting, model, where)
+    best, note = _most_plausible(fitting, model, where, is_named=is_named)
     return replace(best, bodies=None, others=(), notes=(*best.notes, *notes, *note))
 
 
@@ -136,31 +140,62 @@ def _agreeing(
 
 
 def _most_plausible(
-    candidates: Sequence[Candidate], model: mujoco.MjModel, where: object
+    candidates: Sequence[Candidate], model: mujoco.MjModel, where: object, *, is_named: bool
 ) -> tuple[Recording, tuple[str, ...]]:
-    """The layout of fewest differences if it is plausible, else the one that clearly is, and what was decided."""
+    """The layout of fewest differences unless it is implausible and another clearly plausible, and what was decided."""
     least = min(len(variant.layout) for _, variant in candidates)
-    ranked = _ranked([candidate for candidate in candidates if len(candidate[1].layout) == least], model)
-    best, first = ranked[0]
+    documented = _judged([candidate for candidate in candidates if len(candidate[1].layout) == least], model)
+    first = documented[0]
+    rivals = _doubts(first, candidates, model, least)
+    if rivals:
+        best = _best([judged for judged in rivals if rivals[0][0].score - judged[0].score < EQUALLY])
+        is_refuted = first[0].is_refuted_by(best[0][0])
+        if is_refuted and len(best) == 1:
+            return best[0][1][1], (_decided(best[0], first),)
+        if not is_named:
+            raise UserError(f"{where}: {_doubted(first, best)}")
+        return first[1][1], (_decided(first, best[0]),)
+    if len(documented) == 1:
+        return first[1][1], ()
+    near = [judged for judged in documented if judged[0].is_evident or first[0].score - judged[0].score < CLEARLY]
+    best = _best(near)
+    if len(best) > 1:
+        raise UserError(f"{where}: {_equally(best)}")
+    other = next(each for each in documented if each is not best[0])
+    return best[0][1][1], (_decided(best[0], other),)
+
+
+def _doubts(first: Judged, candidates: Sequence[Candidate], model: mujoco.MjModel, least: int) -> list[Judged]:
+    """The layouts of more differences that are clearly more plausible, the most plausible first."""
+    if first[0].is_evident:
+        return []
     axes = [other for candidate in candidates for other in _axes(model, candidate)]
-    rest = [candidate for candidate in (*candidates, *axes) if len(candidate[1].layout) > least]
-    others = _ranked(rest, model) if best.cost > FAR else []
-    others = [judged for judged in others if judged[0].fault < IMPLAUSIBLE]
-    if others and best.cost - others[0][0].cost > (CLEARLY if best.fault > IMPLAUSIBLE else FAR):
-        rivals = [judged for judged in others if judged[0].cost - others[0][0].cost < CLEARLY]
-        fewest = min(len(variant.layout) for _, (_, variant) in rivals)
-        rivals = [judged for judged in rivals if len(judged[1][1].layout) == fewest]
-        if len(rivals) > 1:
-            raise UserError(f"{where}: as {_called(*first)} it is implausible ({best}); {_equally(rivals)}")
-        return rivals[0][1][1], (_decided(rivals[0], ranked[0]),)
-    if len(ranked) > 1 and ranked[1][0].cost - ranked[0][0].cost < CLEARLY:
-        raise UserError(f"{where}: {_equally(ranked[:2])}")
-    return first[1], (_decided(*ranked[:2]),) if len(ranked) > 1 else ()
+    others = _judged([each for each in (*candidates, *axes) if len(each[1].layout) > least], model)
+    return [judged for judged in others if first[0].is_doubted_by(judged[0])]
+
+
+def _best(near: Sequence[Judged]) -> list[Judged]:
+    """Of equally plausible layouts those of fewest differences, or the only one of these whose feet slide evidently
+    less than in the others."""
+    fewest = min(len(variant.layout) for _, (_, variant) in near)
+    near = [judged for judged in near if len(judged[1][1].layout) == fewest]
+    at_rest = [one for one in near if all(one is other or one[0].rests_beside(other[0]) for other in near)]
+    return at_rest or list(near)
 
 
 def _decided(used: Judged, other: Judged) -> str:
     """One line on a decision between two layouts."""
     return f"read as {_called(*used[1])}: {used[0]}; as {_called(*other[1])} it would be: {other[0]}"
+
+
+def _doubted(first: Judged, best: Sequence[Judged]) -> str:
+    """What to do about a doubtful documented layout that none of the best others replaces."""
+    form = first[1][0]
+    do = f"convert the file, or {unsaid.FORMAT}: {form} reads it as documented"
+    if len(best) > 1:
+        names = " and ".join(_called(*candidate) for _, candidate in best)
+        return f"as {form} it is implausible ({first[0]}); {names} are equally plausible ({best[0][0]}); {do}"
+    return f"as {form} it is doubtful ({first[0]}); as {_called(*best[0][1])} it would be: {best[0][0]}; {do}"
 
 
 def _equally(rivals: Sequence[Judged]) -> str:
@@ -171,13 +206,13 @@ def _equally(rivals: Sequence[Judged]) -> str:
     return f"{names} are equally plausible ({rivals[0][0]}), and differ; {do}"
 
 
-def _ranked(candidates: Sequence[Candidate], model: mujoco.MjModel) -> list[Judged]:
-    """Layouts, the most plausible first; of those that give one motion the first alone."""
+def _judged(candidates: Sequence[Candidate], model: mujoco.MjModel) -> list[Judged]:
+    """Layouts, the most plausible first; of those that give one motion the one of fewest differences alone."""
     out: list[Judged] = []
-    for form, variant in candidates:
+    for form, variant in sorted(candidates, key=lambda each: len(each[1].layout)):
         if not any(_is_same(model, variant, other) for _, (_, other) in out):
             out.append((Plausibility.of(model, variant), (form, variant)))
-    return sorted(out, key=lambda each: each[0].cost)
+    return sorted(out, key=lambda each: -each[0].score)
 
 
 def _is_same(model: mujoco.MjModel, one: Recording, other: Recording) -> bool:

@@ -204,24 +204,9 @@ def robots(draw: st.DrawFn) -> RandomRobot:
 
 
 def motion_of(path: str | Path, seed: int, spread: float = 0.6, count: int = 3, step: float = 0.2) -> Saved:
-    """The spline through random poses: joints within `spread` of their reference, a single free root on the ground."""
+    """The spline through random poses: joints and root within `spread` of their reference [rad, m]."""
     model, rng = mujoco.MjModel.from_xml_path(str(path)), np.random.default_rng(seed)
-    qpos, free = np.tile(model.qpos0, (count, 1)), np.flatnonzero(model.jnt_type == FREE)
+    qpos = np.tile(model.qpos0, (count, 1))
     for row in qpos:
-        change = rng.uniform(-spread, spread, model.nv)
-        change[np.isin(model.dof_jntid, free)] *= 0.3
-        mujoco.mj_integratePos(model, row, change, 1.0)
-        if free.size == 1:
-            row[model.jnt_qposadr[free[0]] + 2] -= _lowest(model, row)
+        mujoco.mj_integratePos(model, row, rng.uniform(-spread, spread, model.nv), 1.0)
     return wild.through(str(path), step * np.arange(count), qpos)
-
-
-def _lowest(model: mujoco.MjModel, qpos: np.ndarray) -> float:
-    """The least height [m] of the boxes about the geoms of moving bodies."""
-    data = mujoco.MjData(model)
-    data.qpos = qpos
-    mujoco.mj_kinematics(model, data)
-    middle, half = np.split(model.geom_aabb, 2, axis=1)
-    up = data.geom_xmat[:, 6:]
-    low = data.geom_xpos[:, 2] + np.sum(up * middle - np.abs(up) * half, axis=1)
-    return float(low[model.body_weldid[model.geom_bodyid] != 0].min())
