@@ -5,7 +5,8 @@ python benchmarks/robots.py FOLDER -o OUTPUT [--only NAME ...]
 FOLDER holds the unpacked packages and repositories that MODELS names; a missing one is reported. Each command runs as a
 user would run it. MuJoCo checks the motion independently of the product: the configuration between keyframes against
 joint ranges, equality constraints, the floor and the simulated scene. A violation that MuJoCo measures and no message
-reports counts as silent. OUTPUT receives robots.md, a row a model, and a picture a model.
+reports, in words about violations of its kind, counts as silent. OUTPUT receives robots.md, a row a model, and a picture
+a model.
 """
 
 from __future__ import annotations
@@ -80,6 +81,11 @@ SQUAT = 0.88  # of the root's height
 SQUAT_TURN = 1 - SQUAT  # of a joint's range
 MINUTES = 4  # a command may take
 BOUNDS = {"range [deg]": 1.0, "equality [mm]": 10.0, "floor [mm]": 15.0}  # of what must be reported beyond
+WORDS = {  # of which a message about each has one
+    "range [deg]": ("range", "backward", "sideways", "twisted"),
+    "equality [mm]": ("torn", "off what it follows", "loop", "closes", "equality"),
+    "floor [mm]": (" in the ", " in '", "below the floor", "floor"),
+}
 CLOSE_JOINT, CLOSE_ROOT = 0.05, 0.05  # [rad], [m]: of a simulated scene after a second
 
 
@@ -114,6 +120,11 @@ class Result:
         if (folder / "MUJOCO_LOG.TXT").exists():
             self.cells[words[0]] += ", leaves MUJOCO_LOG.TXT"
         return code == 0
+
+
+def _is_told(kind: str, told: list[str]) -> bool:
+    """Whether one of some messages is about a kind of violation."""
+    return any(word in line for line in told for word in WORDS[kind])
 
 
 def _is_news(line: str) -> bool:
@@ -175,11 +186,16 @@ def measured(arrays: Path) -> dict[str, float]:
     model = mujoco.MjModel.from_xml_string(mjcf, _assets(files))
     data = mujoco.MjData(model)
     worst = dict.fromkeys(BOUNDS, 0.0)
-    floors = [g for g in range(model.ngeom) if model.geom_type[g] == mujoco.mjtGeom.mjGEOM_PLANE]
+    floors = [g for g in range(model.ngeom) if model.body_weldid[model.geom_bodyid[g]] == 0]
     for row in qpos:
         data.qpos[:] = row
         mujoco.mj_fwdPosition(model, data)
         for joint in np.flatnonzero(model.jnt_limited):
+            if model.jnt_type[joint] == mujoco.mjtJoint.mjJNT_BALL:
+                turn = np.zeros(3)
+                mujoco.mju_quat2Vel(turn, row[model.jnt_qposadr[joint] :][:4], 1.0)
+                beyond = float(np.linalg.norm(turn)) - model.jnt_range[joint].max()
+                worst["range [deg]"] = max(worst["range [deg]"], np.degrees(beyond))
             if model.jnt_type[joint] != mujoco.mjtJoint.mjJNT_HINGE:
                 continue
             angle, (low, high) = row[model.jnt_qposadr[joint]], model.jnt_range[joint]
@@ -241,11 +257,13 @@ def tried(name: str, file: Path, walks: bool, walk: Path, output: Path) -> Resul
             return result
         squat(mujoco.MjModel.from_xml_path(str(file)), folder / "start.toml", folder / "squat.toml")
         if result.run(folder, "solve", "squat.toml", "-o", "squat.npz", "--allow-outside"):
-            reported = any(line.startswith(("problem:", "violation:", "note:")) for line in result.output)
+            told = [line for line in result.output if line.startswith(("problem:", "violation:", "note:"))]
             result.run(folder, "mirror", "squat.npz", "-o", "mirrored.npz")
             if result.run(folder, "export", "squat.npz", "-o", "squat.qpos.npz"):
-                beyond = [f"{k} {v:.0f}" for k, v in measured(folder / "squat.qpos.npz").items() if v > BOUNDS[k]]
-                result.cells["violations"] = ("" if reported or not beyond else "SILENT ") + ", ".join(beyond)
+                beyond = {k: v for k, v in measured(folder / "squat.qpos.npz").items() if v > BOUNDS[k]}
+                result.cells["violations"] = ", ".join(
+                    f"{kind} {value:.0f}" + " SILENT" * (not _is_told(kind, told)) for kind, value in beyond.items()
+                )
             if result.run(folder, "export", "squat.npz", "--to", "mjcf", "--simulate", "-o", "squat.simulate.xml"):
                 result.cells["simulated"] = simulated(folder / "squat.simulate.xml")
             result.run(folder, "render", "squat.npz", "--only", "after", "-o", "squat.png", "--size", "960x540")
