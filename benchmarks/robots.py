@@ -5,7 +5,7 @@ python benchmarks/robots.py FOLDER -o OUTPUT [--only NAME ...]
 FOLDER holds the unpacked packages and repositories that MODELS names; a missing one is reported. Each command runs as a
 user would run it. MuJoCo checks the motion independently of the product: the configuration between keyframes against
 joint ranges, equality constraints, the floor and the simulated scene. A violation that MuJoCo measures and no message
-reports, in words about violations of its kind, counts as silent. OUTPUT receives robots.md, a row a model, and a picture
+reports, in words of its kind, counts as silent. OUTPUT receives robots.md, a row a model, and a picture
 a model.
 """
 

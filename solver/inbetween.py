@@ -47,7 +47,7 @@ ALIKE = 1.1  # times the lower E of two searches: what is no higher lies in the 
 def inbetween(problem: Problem, *, improved: Callable[[Improvement], None] | None = None) -> Solution:
     """Smooth motion through keyframes that keeps to soft constraints.
 
-    improved  gets every evaluation that lowers E; raise optimiser.StopSearch in it to stop and keep the best path
+    improved  gets every evaluation that lowers E; raise `StopSearch` in it to stop and keep the best path
 
     The keyframes are met exactly whenever the search is stopped. Raises TimelineError for frames that make no clip.
     """

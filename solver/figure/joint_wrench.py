@@ -25,7 +25,7 @@ from .wrench import RootWrench
 
 
 def any_wrench_rows(wrench: RootWrench, pushes: Pushes | None = None) -> Array:
-    """(S, 6, 3, N), as `rows.wrench_rows`."""
+    """(S, 6, 3, N), as `jacobian_rows.wrench_rows`."""
     samples = wrench.samples
     out = np.zeros((samples.count, 6, 3, samples.y.shape[1]))
     links = samples.links
