@@ -24,7 +24,7 @@ LEANING, UPRIGHT, FALLEN = np.radians(25), np.radians(45), np.radians(60)  # til
 AT_FLOOR, SUNK = 0.08, 0.2  # of the figure's size: |height| of the lowest point at the floor, and depth in it
 ON_FLOOR = 0.04  # [m] of the lowest point from the floor, median, of a figure that evidently stands on it
 FLYING = 2.5  # [m] from which on the lowest point is too high even for a jump
-LITTLE_OUTSIDE, MUCH_OUTSIDE = 0.03, 0.1  # shares of joint angles beyond their ranges
+NONE_OUTSIDE, LITTLE_OUTSIDE, MUCH_OUTSIDE = 0.01, 0.03, 0.1  # shares of joint angles beyond their ranges
 FAR_OUTSIDE = 0.15  # the same of angles in degrees that are taken for radians
 DOUBTED, REFUTED = 0.5, 0.9  # differences of scores from which on the documented layout is doubted, and replaced
 ENOUGH = 20  # samples from which sliding is evidence
@@ -172,9 +172,9 @@ class Plausibility:
         return self.upright - self.fallen + self.standing - self.tilt / np.pi - 8 * self.outside - 3 * self.jumps
 
     @property
-    def is_implausible(self) -> bool:
-        """Whether the root is fallen, in the floor or metres above it at most samples, or joints are out of range."""
-        return self.fallen > 0.5 or self.upright < 0.2 or self.outside > MUCH_OUTSIDE
+    def is_fallen(self) -> bool:
+        """Whether the root is far from upright, or the figure in the floor or metres above it, at most samples."""
+        return self.fallen > 0.5 or self.upright < 0.2
 
     @property
     def is_evident(self) -> bool:
@@ -184,30 +184,36 @@ class Plausibility:
     def is_doubted_by(self, other: Plausibility) -> bool:
         """Whether another reading is clearly more plausible than this one, the documented one.
 
-        It is plausible while this one is not, or joints are in their ranges there alone, or it is upright on the floor
-        while this one is off the floor or leans.
+        It is plausible, and this one is fallen, or joints are in their ranges there alone, or the other is upright on
+        the floor while this one is off the floor or leans.
         """
-        if self.is_evident or other.is_implausible or other.score - self.score < DOUBTED:
+        if self.is_evident or other.is_fallen or other.outside > MUCH_OUTSIDE or other.score - self.score < DOUBTED:
             return False
-        nearer = other.standing > 0.5 and other.height < min(self.height / 2, ON_FLOOR)
+        nearer = self._is_off_floor(other) and other.standing > 0.5 and other.height < ON_FLOOR
         straighter = other.standing > 0.9 and other.tilt < LEANING / 4 and self.tilt > LEANING
-        return nearer or straighter or self.is_implausible or self.outside > max(LITTLE_OUTSIDE, 2 * other.outside)
+        return self.is_fallen or nearer or straighter or self._exceeds(other, LITTLE_OUTSIDE)
 
     def is_refuted_by(self, other: Plausibility) -> bool:
         """Whether another reading is so much more plausible that it replaces this one, the documented one.
 
-        This one is implausible, or leans at the samples where the other stands upright and nearer to the floor.
+        This one is fallen, or many joints are in their ranges in the other alone, or this one leans at the samples
+        where the other stands upright and nearer to the floor.
         """
         if not self.is_doubted_by(other) or other.score - self.score < REFUTED:
             return False
-        stands = other.standing > 0.9 and other.tilt < LEANING / 2 and other.height < self.height / 2
-        return self.is_implausible or (stands and self.tilt > LEANING)
+        leans = self.tilt > LEANING and other.tilt < LEANING / 2 and other.standing > 0.9 and self._is_off_floor(other)
+        return self.is_fallen or self._exceeds(other, MUCH_OUTSIDE) or leans
+
+    def _is_off_floor(self, other: Plausibility) -> bool:
+        return self.height > max(ON_FLOOR, 2 * other.height)
+
+    def _exceeds(self, other: Plausibility, share: float) -> bool:
+        return self.outside > share and other.outside < NONE_OUTSIDE
 
     def rests_beside(self, other: Plausibility) -> bool:
-        """Whether the lowest point slides evidently less than in another reading, over enough samples."""
-        return (
-            self.samples >= ENOUGH and self.sliding < other.sliding / 2 and other.sliding - self.sliding > 0.3 * SLIDING
-        )
+        """Whether the feet on the floor slide evidently less than in another reading, over enough samples."""
+        is_less = self.sliding < other.sliding / 2 and other.sliding - self.sliding > 0.3 * SLIDING
+        return is_less and self.samples >= ENOUGH and self.standing > 0.5
 
     def __str__(self) -> str:
         parts = [f"tilt {np.degrees(self.tilt):.0f}°, lowest point at {100 * self.height:.0f} cm"]

@@ -27,7 +27,6 @@ from .take import BodyPoses, Recording
 
 FREE, BALL, HINGE = (int(getattr(mujoco.mjtJoint, f"mjJNT_{kind}")) for kind in ("FREE", "BALL", "HINGE"))
 EQUAL = 0.05  # of the bounds of agreement: layouts so near to each other agree equally well
-EQUALLY, CLEARLY = 0.3, 0.5  # differences of scores within which layouts, and formats, are equally plausible
 SAME = 1e-6  # [m, rad] between layouts that give one motion
 Y_UP = (  # words; the axes of the file that are our x, y and z, and their signs; whether the root's frame is y up, too
     ("y up", ((0, 1), (2, -1), (1, 1)), False),
@@ -148,7 +147,7 @@ def _most_plausible(
     first = documented[0]
     rivals = _doubts(first, candidates, model, least)
     if rivals:
-        best = _best([judged for judged in rivals if rivals[0][0].score - judged[0].score < EQUALLY])
+        best = _best(rivals)
         is_refuted = first[0].is_refuted_by(best[0][0])
         if is_refuted and len(best) == 1:
             return best[0][1][1], (_decided(best[0], first),)
@@ -157,8 +156,7 @@ def _most_plausible(
         return first[1][1], (_decided(first, best[0]),)
     if len(documented) == 1:
         return first[1][1], ()
-    near = [judged for judged in documented if judged[0].is_evident or first[0].score - judged[0].score < CLEARLY]
-    best = _best(near)
+    best = _best(documented)
     if len(best) > 1:
         raise UserError(f"{where}: {_equally(best)}")
     other = next(each for each in documented if each is not best[0])
@@ -174,13 +172,14 @@ def _doubts(first: Judged, candidates: Sequence[Candidate], model: mujoco.MjMode
     return [judged for judged in others if first[0].is_doubted_by(judged[0])]
 
 
-def _best(near: Sequence[Judged]) -> list[Judged]:
-    """Of equally plausible layouts those of fewest differences, or the only one of these whose feet slide evidently
-    less than in the others."""
+def _best(ranked: Sequence[Judged]) -> list[Judged]:
+    """Of the layouts that the most plausible one does not exclude those of fewest differences, or the only one of these
+    whose feet slide evidently less than in the others."""
+    near = [ranked[0], *(judged for judged in ranked[1:] if not judged[0].is_doubted_by(ranked[0][0]))]
     fewest = min(len(variant.layout) for _, (_, variant) in near)
     near = [judged for judged in near if len(judged[1][1].layout) == fewest]
     at_rest = [one for one in near if all(one is other or one[0].rests_beside(other[0]) for other in near)]
-    return at_rest or list(near)
+    return at_rest or near
 
 
 def _decided(used: Judged, other: Judged) -> str:
