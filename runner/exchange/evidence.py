@@ -189,9 +189,10 @@ class Plausibility:
         """
         if self.is_evident or other.is_fallen or other.outside > MUCH_OUTSIDE or other.score - self.score < DOUBTED:
             return False
+        falls = self.is_fallen and other.score - self.score > REFUTED
         nearer = self._is_off_floor(other) and other.standing > 0.5 and other.height < ON_FLOOR
         straighter = other.standing > 0.9 and other.tilt < LEANING / 4 and self.tilt > LEANING
-        return self.is_fallen or nearer or straighter or self._exceeds(other, LITTLE_OUTSIDE)
+        return falls or nearer or straighter or self._exceeds(other, LITTLE_OUTSIDE)
 
     def is_refuted_by(self, other: Plausibility) -> bool:
         """Whether another reading is so much more plausible that it replaces this one, the documented one.
