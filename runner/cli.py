@@ -32,7 +32,12 @@ WRONG = 3  # the exit code of --strict
 OURS = 4  # that of a mistake in the program
 DEBUG = "DYNSPLINES_DEBUG"
 HOW = "what the same command prints as `dynsplines --debug ...`"
-NO_ROOM = ("failed to map segment", "annot allocate memory", "ould not allocate memory")  # the linker's and MuJoCo's
+NO_ROOM = (  # the linker's, MuJoCo's, and Python's where it has no memory for the error itself
+    "failed to map segment",
+    "annot allocate memory",
+    "ould not allocate memory",
+    "error return without exception set",
+)
 BEFORE_MUJOCO = ("scipy.sparse", "scipy.linalg", ".clip.table", ".system.progress")
 
 app = typer.Typer(

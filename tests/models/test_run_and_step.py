@@ -191,7 +191,7 @@ def _off(clip: Clip, key: Frame, qpos: np.ndarray) -> float:
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    ("method", "evaluations"), [("none", 1), ("none", 2), ("lbfgs", 4), ("lbfgs", 5), ("lbfgs", 20)]
+    ("method", "evaluations"), [("none", 1), ("none", 2), ("lbfgs", 4), ("lbfgs", 5), ("lbfgs", 13)]
 )
 def test_stopped_early_the_path_is_valid_and_no_worse_than_raw(run_and_step, method, evaluations):
     clip, count = run_and_step.clip, 0
