@@ -216,12 +216,12 @@ def test_stopped_early_the_path_is_valid_and_no_worse_than_raw(run_and_step, met
 
 @pytest.mark.slow
 def test_perturbed_clips_stay_out_of_floor_and_step():
-    """Of forty, one ends in a valley of lower E that is 2.8 mm deep; which one, the sixth digit of a mass decides."""
+    """One of ten may end in a valley that is a little deeper than 2 mm; which one, the sixth digit of a mass decides."""
     clips = [perturbed(TEXT, seed) for seed in range(PERTURBED)]
     depths = np.array([deepest(clip, solved(clip)) for clip in clips])
     assert np.median(depths) <= 0.0005
     assert np.sum(depths > 0.002) <= 1
-    assert depths.max() <= 0.003
+    assert depths.max() <= 0.0025
 
 
 @pytest.mark.slow
