@@ -186,7 +186,7 @@ def measured(arrays: Path) -> dict[str, float]:
     model = mujoco.MjModel.from_xml_string(mjcf, _assets(files))
     data = mujoco.MjData(model)
     worst = dict.fromkeys(BOUNDS, 0.0)
-    floors = [g for g in range(model.ngeom) if model.body_weldid[model.geom_bodyid[g]] == 0]
+    floors = np.flatnonzero(model.geom_bodyid == 0).tolist()
     for row in qpos:
         data.qpos[:] = row
         mujoco.mj_fwdPosition(model, data)
