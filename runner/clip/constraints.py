@@ -14,7 +14,7 @@ from dynsplines.solver.penalty import BendLimits, Contact, Penalty
 
 from ..errors import UserError, unknown
 from .context import Context, knees_and_elbows
-from .kinds import KINDS, BendOptions, CycleOptions, FlightOptions, Options, SoleMargin, limits
+from .kinds import KINDS, RENAMED, BendOptions, CycleOptions, FlightOptions, Options, SoleMargin, limits
 from .table import PenaltyTable, spoken
 
 CARRIED = ("flight", "support", "peak")  # on by default where keyframes tell what carries the figure
@@ -31,6 +31,8 @@ def chosen(entries: Sequence[PenaltyTable], where: str) -> dict[str, Options]:
     raw = {"penalty": [{"kind": entry.kind, **entry.said} for entry in entries]}
     for i, entry in enumerate(entries, 1):
         here = f"{where}: penalty {i}"
+        if entry.kind in RENAMED:
+            raise UserError(f"{here}: penalty '{entry.kind}' is called '{RENAMED[entry.kind]}' now")
         if entry.kind not in KINDS:
             raise UserError(f"{here}: {unknown('penalty', entry.kind, KINDS)}")
         if entry.kind in given:

@@ -282,6 +282,12 @@ def _grounded(context: Context, chosen: Reach) -> Penalty | None:
     return Grounded(points, surfaces, rest, chosen.reach or Grounded.reach, blend, firm)
 
 
+def _equality(context: Context, chosen: Options) -> Penalty | None:
+    """Closed loops [m²], and joints that follow others [rad² or m²]: a degree off counts like 17 mm."""
+    parts = _some(Closed, closures(context.figure)), _some(Coupled, couplings(context.figure))
+    return _some(lambda given: Sum(tuple(given), called="equality"), [part for part in parts if part is not None])
+
+
 def _flight(context: Context, chosen: FlightOptions) -> Penalty:
     support = _supported(context, "flight")
     return Flight.of(context.figure, support.root, support.flights, chosen.angular or 0.0)
@@ -361,6 +367,7 @@ def _level(context: Context, chosen: LevelOptions) -> Penalty | None:
     return _some(lambda bodies: Level.of(context.figure, bodies, chosen.axis), found)
 
 
+RENAMED = {"coupled": "equality", "closed": "equality"}  # what older clip files call them, and what it is called now
 KINDS = {
     kind.name: kind
     for kind in (
@@ -394,14 +401,7 @@ KINDS = {
             _range, RangeOptions,
         ),
         Kind("steady", 10.0, "motion of joints between neighbouring keyframes that give them the same value", _steady),
-        Kind(
-            "coupled", 300.0, "joints off what <equality> makes them follow",
-            lambda context, chosen: _some(Coupled, couplings(context.figure)),
-        ),
-        Kind(
-            "closed", 300.0, "distance of points that <equality> holds together",
-            lambda context, chosen: _some(Closed, closures(context.figure)),
-        ),
+        Kind("equality", 300.0, "points and joints off what <equality> holds together or makes follow", _equality),
         Kind(
             "placement", 30.0, 'distance of sites with by = "search" from their places',
             lambda context, chosen: _some(Placement, context.placed),

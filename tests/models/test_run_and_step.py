@@ -216,7 +216,7 @@ def test_stopped_early_the_path_is_valid_and_no_worse_than_raw(run_and_step, met
 
 @pytest.mark.slow
 def test_perturbed_clips_stay_out_of_floor_and_step():
-    """One of ten may end in a valley that is a little deeper than 2 mm; which one, the sixth digit of a mass decides."""
+    """One of ten may end in a valley a little deeper than 2 mm; which one, the sixth digit of a mass decides."""
     clips = [perturbed(TEXT, seed) for seed in range(PERTURBED)]
     depths = np.array([deepest(clip, solved(clip)) for clip in clips])
     assert np.median(depths) <= 0.0005

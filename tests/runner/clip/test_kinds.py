@@ -28,7 +28,7 @@ def test_every_option_says_what_it_is_given_in():
 def test_every_kind_is_made_or_is_nothing_to_look_at(kind):
     clip = load(CLIP + f'kind = "{kind}"\nweight = 0.5\n' + NEEDED.get(kind, ""))
     made = {penalty.name: weight for penalty, weight in clip.penalties}
-    absent = {"placement", "upright", "resting", "hold", "coupled", "closed", "range", "cycle", "steady"}
+    absent = {"placement", "upright", "resting", "hold", "equality", "range", "cycle", "steady"}
     assert made.get(kind, 0.5 if kind in absent else None) == 0.5
 
 
@@ -44,6 +44,7 @@ def test_every_kind_is_made_or_is_nothing_to_look_at(kind):
         ('kind = "bend"\nweight = -1', "penalty 1: weight must be at least 0, not -1"),
         ('kind = "bend"\nmargin = 0', "penalty 1: 'margin' is not for kind 'bend', which takes: weight, joints, least"),
         ('kind = "bent"', "no penalty 'bent'"),
+        ('kind = "closed"', "penalty 'closed' is called 'equality' now"),
         ('kind = "flight"\nintervals = [[0]]', "penalty 1: intervals must be a list of [from, to] in seconds"),
         ('kind = "speed"', "penalty 'speed' needs a limit = ..., in degrees a second"),
         ('kind = "level"\nbodies = "chest"', "penalty 1: bodies must be a list of names, not 'chest'"),

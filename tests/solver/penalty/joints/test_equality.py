@@ -171,7 +171,7 @@ joints = {swing = 10, left = 10}
 others = "hold"
 """
     found = solved(GRIPPER, keys, tmp_path)
-    assert "coupled" in [penalty.name for penalty, _ in found.clip.penalties]
+    assert "equality" in [penalty.name for penalty, _ in found.clip.penalties]
     tip, right, lock = (found.clip.figure.model.joint(name).qposadr[0] for name in ("tip", "right", "lock"))
     assert all(key.fixed[right] for key in found.clip.keys[:2])
     assert all(key.fixed[lock] for key in found.clip.keys)
