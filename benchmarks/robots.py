@@ -230,6 +230,8 @@ def simulated(scene: Path) -> str:
         key = int(np.clip(np.searchsorted(times, data.time - start, side="right") - 1, 0, model.nkey - 1))
         data.ctrl[:] = model.key_ctrl[key]
         mujoco.mj_step(model, data)
+        if data.warning[mujoco.mjtWarning.mjWARN_BADQACC].number:  # MuJoCo starts again from time 0
+            return "unstable far"
     key = int(np.argmin(np.abs(times - until)))
     wanted, joint, root = model.key_qpos[key], 0.0, 0.0
     for j in range(model.njnt):
