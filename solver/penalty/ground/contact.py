@@ -42,6 +42,9 @@ class Contact(Penalty):
     called: str = "contact"
     carrier: int = 0
 
+    role = Role.OBSTACLE
+    normalization = Normalization(1e-4, is_violation=True)
+
     @property
     def name(self) -> str:
         return self.called
@@ -73,14 +76,6 @@ class Contact(Penalty):
     @property
     def obstructs(self) -> bool:
         return any(not isinstance(s, Plane) and not (isinstance(s, Box) and s.buried) for s in self.surfaces)
-
-    @property
-    def role(self) -> Role:
-        return Role.OBSTACLE
-
-    @property
-    def normalization(self) -> Normalization:
-        return Normalization(1e-4, is_violation=True)
 
     @cached_property
     def _arrays(self) -> tuple[Index, Array, Array]:

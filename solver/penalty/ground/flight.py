@@ -41,21 +41,13 @@ class Flight(Penalty):
     length: float
     angular: float = 0.0
 
-    @property
-    def name(self) -> str:
-        return "flight"
+    name = "flight"
+    role = Role.PHYSICS
+    normalization = Normalization(A_TENTH, is_violation=True, is_sharp=True)
 
     @classmethod
     def of(cls, figure: Figure, root: int, intervals: tuple[tuple[float, float], ...], angular: float = 0.0) -> Flight:
         return cls(root, intervals, weight(figure, root), height(figure, root), angular)
-
-    @property
-    def role(self) -> Role:
-        return Role.PHYSICS
-
-    @property
-    def normalization(self) -> Normalization:
-        return Normalization(A_TENTH, is_violation=True, is_sharp=True)
 
     def residuals(self, samples: Samples) -> Iterator[Dense]:
         aloft = within(self.intervals, samples.t)

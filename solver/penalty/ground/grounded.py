@@ -53,17 +53,9 @@ class Grounded(Penalty):
     blend: float = BLEND
     firm: tuple[Interval, ...] = ()
 
-    @property
-    def name(self) -> str:
-        return "grounded"
-
-    @property
-    def role(self) -> Role:
-        return Role.CONTACT
-
-    @property
-    def normalization(self) -> Normalization:
-        return Normalization(1e-4, is_violation=True)
+    name = "grounded"
+    role = Role.CONTACT
+    normalization = Normalization(1e-4, is_violation=True)
 
     @cached_property
     def _arrays(self) -> tuple[Index, Array, Array]:

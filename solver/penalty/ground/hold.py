@@ -101,17 +101,9 @@ class Holding(Penalty):
 
     holds: tuple[Hold, ...]
 
-    @property
-    def name(self) -> str:
-        return "hold"
-
-    @property
-    def role(self) -> Role:
-        return Role.CONTACT
-
-    @property
-    def normalization(self) -> Normalization:
-        return Normalization(1e-4, is_violation=True, is_sharp=True)
+    name = "hold"
+    role = Role.CONTACT
+    normalization = Normalization(1e-4, is_violation=True, is_sharp=True)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
         for hold, at in self._during(samples.t):

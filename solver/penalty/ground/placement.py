@@ -35,17 +35,9 @@ class Placement(Momentary):
 
     placed: tuple[Placed, ...]
 
-    @property
-    def name(self) -> str:
-        return "placement"
-
-    @property
-    def role(self) -> Role:
-        return Role.TRACKING
-
-    @property
-    def normalization(self) -> Normalization:
-        return Normalization(1e-4, is_violation=True)
+    name = "placement"
+    role = Role.TRACKING
+    normalization = Normalization(1e-4, is_violation=True)
 
     @property
     def times(self) -> Array:

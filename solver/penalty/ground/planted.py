@@ -55,17 +55,9 @@ class Planted(Penalty):
 
     stances: tuple[Stance, ...]
 
-    @property
-    def name(self) -> str:
-        return "planted"
-
-    @property
-    def role(self) -> Role:
-        return Role.CONTACT
-
-    @property
-    def normalization(self) -> Normalization:
-        return Normalization(1e-4, is_violation=True, is_sharp=True)
+    name = "planted"
+    role = Role.CONTACT
+    normalization = Normalization(1e-4, is_violation=True, is_sharp=True)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
         stance, at = self._during(samples.t)

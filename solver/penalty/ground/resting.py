@@ -72,17 +72,9 @@ class Resting(Penalty):
     rests: tuple[Rest, ...]
     surfaces: tuple[Surface, ...]
 
-    @property
-    def name(self) -> str:
-        return "resting"
-
-    @property
-    def role(self) -> Role:
-        return Role.CONTACT
-
-    @property
-    def normalization(self) -> Normalization:
-        return Normalization(1e-4, is_violation=True, is_sharp=True)
+    name = "resting"
+    role = Role.CONTACT
+    normalization = Normalization(1e-4, is_violation=True, is_sharp=True)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
         seen = self._seen(samples)

@@ -75,17 +75,9 @@ class Skate(Penalty):
     reach: float = REACH
     bound: Bound | None = None
 
-    @property
-    def name(self) -> str:
-        return "skate"
-
-    @property
-    def role(self) -> Role:
-        return Role.CONTACT
-
-    @property
-    def normalization(self) -> Normalization:
-        return Normalization(WORTH, time_power=2, beside="covariant")
+    name = "skate"
+    role = Role.CONTACT
+    normalization = Normalization(WORTH, time_power=2, beside="covariant")
 
     @cached_property
     def _arrays(self) -> tuple[Index, Array, Array]:

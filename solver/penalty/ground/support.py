@@ -71,9 +71,9 @@ class Support(Penalty):
     friction: float = FRICTION
     softness: float = SOFTNESS
 
-    @property
-    def name(self) -> str:
-        return "support"
+    name = "support"
+    role = Role.PHYSICS
+    normalization = Normalization(A_TENTH, is_violation=True, is_sharp=True)
 
     @classmethod
     def of(
@@ -85,14 +85,6 @@ class Support(Penalty):
         friction: float = FRICTION,
     ) -> Support:
         return cls(root, tuple(footings), tuple(flights), weight(figure, root), height(figure, root), friction)
-
-    @property
-    def role(self) -> Role:
-        return Role.PHYSICS
-
-    @property
-    def normalization(self) -> Normalization:
-        return Normalization(A_TENTH, is_violation=True, is_sharp=True)
 
     @property
     def tells(self) -> bool:

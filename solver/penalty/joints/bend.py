@@ -60,9 +60,9 @@ class BendLimits(Penalty):
     twist: float = np.radians(10)
     allowed: Allowance | None = None
 
-    @property
-    def name(self) -> str:
-        return "bend"
+    name = "bend"
+    role = Role.LIMIT
+    normalization = Normalization(float(np.radians(1) ** 2), is_violation=True)
 
     def allowing(self, figure: Figure, keys: Timeline) -> BendLimits:
         """The same that lets pass how far joints that keyframes fix are beyond their bounds in them."""
@@ -86,14 +86,6 @@ class BendLimits(Penalty):
                 -twist - self.twist,
             ]
         )
-
-    @property
-    def role(self) -> Role:
-        return Role.LIMIT
-
-    @property
-    def normalization(self) -> Normalization:
-        return Normalization(float(np.radians(1) ** 2), is_violation=True)
 
     def angles(self, samples: Samples) -> Array:
         """(3, n, S) [rad]: flexion, sideways bend and twist of every joint."""

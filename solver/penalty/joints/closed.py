@@ -42,17 +42,9 @@ class Closed(Penalty):
 
     closures: tuple[Closure, ...]
 
-    @property
-    def name(self) -> str:
-        return "closed"
-
-    @property
-    def role(self) -> Role:
-        return Role.EQUALITY
-
-    @property
-    def normalization(self) -> Normalization:
-        return Normalization(1e-4, is_violation=True)
+    name = "closed"
+    role = Role.EQUALITY
+    normalization = Normalization(1e-4, is_violation=True)
 
     @cached_property
     def _sides(self) -> tuple[tuple[Index, Array], tuple[Index, Array]]:

@@ -51,17 +51,9 @@ class Coupled(Penalty):
 
     couplings: tuple[Coupling, ...]
 
-    @property
-    def name(self) -> str:
-        return "coupled"
-
-    @property
-    def role(self) -> Role:
-        return Role.EQUALITY
-
-    @property
-    def normalization(self) -> Normalization:
-        return Normalization(float(np.radians(1) ** 2), is_violation=True)
+    name = "coupled"
+    role = Role.EQUALITY
+    normalization = Normalization(float(np.radians(1) ** 2), is_violation=True)
 
     @cached_property
     def _columns(self) -> tuple[Index, Index]:

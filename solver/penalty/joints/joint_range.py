@@ -63,6 +63,8 @@ class JointRange(Penalty):
     called: str = "range"
     hard: tuple[Range, ...] = ()
 
+    role = Role.LIMIT
+
     @property
     def name(self) -> str:
         return self.called
@@ -84,10 +86,6 @@ class JointRange(Penalty):
         columns = [quaternion_columns(link) or slice(link.qpos, link.qpos + 1) for link in links]
         fixed = np.array([keys.fixed[:, some].all(axis=1) for some in columns])
         return replace(self, allowed=Allowance(keys.times, np.maximum(excess, 0) * fixed))
-
-    @property
-    def role(self) -> Role:
-        return Role.LIMIT
 
     @property
     def normalization(self) -> Normalization:

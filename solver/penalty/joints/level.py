@@ -27,6 +27,10 @@ class Level(Penalty):
     links: Index
     axes: Array
 
+    name = "level"
+    role = Role.TRACKING
+    normalization = Normalization(float(np.radians(10) ** 2), is_violation=True)
+
     @classmethod
     def of(cls, figure: Figure, bodies: Sequence[int], axis: Sequence[float] | None = None) -> Level:
         """Bodies by index, and their axis (3,); without one what is up at rest. Raises ValueError for [0, 0, 0]."""
@@ -37,18 +41,6 @@ class Level(Penalty):
         if not size:
             raise ValueError("axis is [0, 0, 0], which points nowhere")
         return cls(links, np.array([quat.rotated(figure.body_turn[body], axis) for body in bodies]).T / size)
-
-    @property
-    def name(self) -> str:
-        return "level"
-
-    @property
-    def role(self) -> Role:
-        return Role.TRACKING
-
-    @property
-    def normalization(self) -> Normalization:
-        return Normalization(float(np.radians(10) ** 2), is_violation=True)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
         axes = np.einsum("ijbs,jb->ibs", samples.links.rotation[:, :, self.links], self.axes)

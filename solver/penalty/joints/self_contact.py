@@ -83,6 +83,9 @@ class SelfContact(Penalty):
     pairs: Index
     margin: float = 0.0
 
+    role = Role.OBSTACLE
+    normalization = Normalization(1e-4, is_violation=True)
+
     @property
     def name(self) -> str:
         return "self"
@@ -92,14 +95,6 @@ class SelfContact(Penalty):
         """All pairs of a figure's own shapes that could meet."""
         bars = _outer([bar for geom in movers(figure.model) for bar in _bars(figure, geom)])
         return cls(bars, _pairs(figure, bars), margin)
-
-    @property
-    def role(self) -> Role:
-        return Role.OBSTACLE
-
-    @property
-    def normalization(self) -> Normalization:
-        return Normalization(1e-4, is_violation=True)
 
     @property
     def geom_pairs(self) -> Index:

@@ -27,24 +27,16 @@ class Speed(Penalty):
     links: Index
     limits: Array
 
+    name = "speed"
+    role = Role.LIMIT
+    normalization = Normalization(1.0, is_violation=True, time_power=2, is_sharp=True)
+
     @classmethod
     def of(cls, figure: Figure, limit: float) -> Speed:
         """All hinges and ball joints, none faster than limit [rad/s]."""
         turning = (JointKind.HINGE, JointKind.BALL)
         links = np.array([i for i, link in enumerate(figure.links) if i and link.kind in turning], np.intp)
         return cls(links, np.full(links.size, limit))
-
-    @property
-    def name(self) -> str:
-        return "speed"
-
-    @property
-    def role(self) -> Role:
-        return Role.LIMIT
-
-    @property
-    def normalization(self) -> Normalization:
-        return Normalization(1.0, is_violation=True, time_power=2, is_sharp=True)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
         relative = self._relative(samples)

@@ -38,17 +38,9 @@ class Upright(Momentary):
 
     leans: tuple[Lean, ...]
 
-    @property
-    def name(self) -> str:
-        return "upright"
-
-    @property
-    def role(self) -> Role:
-        return Role.TRACKING
-
-    @property
-    def normalization(self) -> Normalization:
-        return Normalization(float(np.radians(10) ** 2), is_violation=True)
+    name = "upright"
+    role = Role.TRACKING
+    normalization = Normalization(float(np.radians(10) ** 2), is_violation=True)
 
     @property
     def times(self) -> Array:

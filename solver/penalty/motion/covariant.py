@@ -38,21 +38,13 @@ class CovariantAcceleration(Penalty):
 
     form: str = "intrinsic"
 
-    @property
-    def name(self) -> str:
-        return "covariant"
+    name = "covariant"
+    role = Role.SMOOTHNESS
+    normalization = Normalization(16.0, time_power=4)
 
     def __post_init__(self) -> None:
         if self.form not in ("intrinsic", "paper"):
             raise ValueError(f"covariant acceleration: form = {self.form!r} is not one of 'intrinsic', 'paper'")
-
-    @property
-    def role(self) -> Role:
-        return Role.SMOOTHNESS
-
-    @property
-    def normalization(self) -> Normalization:
-        return Normalization(16.0, time_power=4)
 
     def residuals(self, samples: Samples) -> Iterator[Block | Dense]:
         yield self._intrinsic(samples) if self.form == "intrinsic" else self._paper(samples)

@@ -40,17 +40,9 @@ class Cycle(Guide):
     figure: Figure
     rhythm: Rhythm
 
-    @property
-    def name(self) -> str:
-        return "cycle"
-
-    @property
-    def role(self) -> Role:
-        return Role.TRACKING
-
-    @property
-    def normalization(self) -> Normalization:
-        return Normalization(LITTLE**2, is_violation=True)
+    name = "cycle"
+    role = Role.TRACKING
+    normalization = Normalization(LITTLE**2, is_violation=True)
 
     def residuals(self, samples: Samples) -> Iterator[Block | Dense]:
         figure = samples.figure

@@ -55,21 +55,13 @@ class Near(Guide):
     eased: tuple[tuple[float, float], ...] = ()
     _seen: dict[tuple[float, float, int], _Target] = field(default_factory=dict)
 
-    @property
-    def name(self) -> str:
-        return "near"
+    name = "near"
+    role = Role.TRACKING
+    normalization = Normalization(1.0, is_violation=True)
 
     @property
     def expected(self) -> Path:
         return self.recorded.path
-
-    @property
-    def role(self) -> Role:
-        return Role.TRACKING
-
-    @property
-    def normalization(self) -> Normalization:
-        return Normalization(1.0, is_violation=True)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
         off, weights = self._off(samples)

@@ -27,17 +27,9 @@ STILL = 1e-12  # [rad/s²] a turn that has no axis
 class PeakAcceleration(Penalty):
     """Σ over ball joints and hinges of |α − α_parent|⁸ [rad⁸/s¹⁶]."""
 
-    @property
-    def name(self) -> str:
-        return "peak"
-
-    @property
-    def role(self) -> Role:
-        return Role.PHYSICS
-
-    @property
-    def normalization(self) -> Normalization:
-        return Normalization(8.0 ** (2 * POWER), time_power=4 * POWER, is_sharp=True)
+    name = "peak"
+    role = Role.PHYSICS
+    normalization = Normalization(8.0 ** (2 * POWER), time_power=4 * POWER, is_sharp=True)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
         return self._larger(samples, 0.0, 1.0)

@@ -34,13 +34,8 @@ class Posture(Penalty):
 
     settling: float = SETTLING
 
-    @property
-    def name(self) -> str:
-        return "posture"
-
-    @property
-    def role(self) -> Role:
-        return Role.SMOOTHNESS
+    name = "posture"
+    role = Role.SMOOTHNESS
 
     @property
     def normalization(self) -> Normalization:

@@ -16,17 +16,9 @@ from ..penalty import Normalization, Penalty, Role
 class RootAcceleration(Penalty):
     """Σ of the squared accelerations of free roots' positions and of slides [m²/s⁴]."""
 
-    @property
-    def name(self) -> str:
-        return "root"
-
-    @property
-    def role(self) -> Role:
-        return Role.SMOOTHNESS
-
-    @property
-    def normalization(self) -> Normalization:
-        return Normalization(4.0, time_power=4)
+    name = "root"
+    role = Role.SMOOTHNESS
+    normalization = Normalization(4.0, time_power=4)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
         tables = samples.figure.tables

@@ -27,17 +27,9 @@ from ..penalty import Normalization, Penalty, Role
 class Torque(Penalty):
     """Σ of squared torques of ball joints and hinges and forces of slides [N² m²]; not of the free roots' wrench."""
 
-    @property
-    def name(self) -> str:
-        return "torque"
-
-    @property
-    def role(self) -> Role:
-        return Role.SMOOTHNESS
-
-    @property
-    def normalization(self) -> Normalization:
-        return Normalization(1.0)
+    name = "torque"
+    role = Role.SMOOTHNESS
+    normalization = Normalization(1.0)
 
     def residuals(self, samples: Samples) -> Iterator[Dense]:
         tables, links = samples.figure.tables, samples.links

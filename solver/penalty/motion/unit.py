@@ -30,17 +30,12 @@ class UnitMagnitude(Penalty):
     epsilon: float = EPSILON
     most: float = 1.0
 
-    @property
-    def name(self) -> str:
-        return "unit"
+    name = "unit"
+    role = Role.SMOOTHNESS
 
     def __post_init__(self) -> None:
         if self.form not in ("square", "absolute"):
             raise ValueError(f"unit magnitude: form = {self.form!r} is not one of 'square', 'absolute'")
-
-    @property
-    def role(self) -> Role:
-        return Role.SMOOTHNESS
 
     @property
     def normalization(self) -> Normalization:
