@@ -145,14 +145,18 @@ def _bases(links: LinkMotion, chosen: Index) -> Array:
     return _carried(links, axes, np.repeat(parents, 3))
 
 
-def _ways(links: LinkMotion) -> Array:
-    """E with φ = E η, the small turn of a small change of a quaternion, and two derivatives: (3, 3, 4, n, S)."""
+def ways(links: LinkMotion) -> Array:
+    """The quaternions p of E η = vec(η ⊗ conj(p)), and two derivatives: (3, 4, n, S)."""
     (q, q_d, q_dd), dots = links.states.quaternions[:, :, 1:], links.states.dots[:, 1:]
     scale = 2 / dots[0]
     stretch = dots[1] * scale
     stretch_d = (dot(q_d, q_d) + dots[2]) * scale - stretch**2
-    parts = (q, q_d - stretch * q, q_dd - 2 * stretch * q_d + (stretch**2 - stretch_d) * q)
-    return np.array([vector_product(part * scale) for part in parts])
+    return np.array([q, q_d - stretch * q, q_dd - 2 * stretch * q_d + (stretch**2 - stretch_d) * q]) * scale
+
+
+def _ways(links: LinkMotion) -> Array:
+    """E with φ = E η, the small turn of a small change of a quaternion, and two derivatives: (3, 3, 4, n, S)."""
+    return np.array([vector_product(part) for part in ways(links)])
 
 
 @lru_cache(maxsize=8)

@@ -271,6 +271,12 @@ class LinkMotion:
         tables = self.figure.tables
         return turned(self.rotation[:, :, tables.slide_links], tables.axis[:, tables.slide_links])
 
+    @cached_property
+    def hinge_axis(self) -> Array:
+        """R · axis of the hinges, (3, h, S)."""
+        tables = self.figure.tables
+        return turned(self.rotation[:, :, tables.hinge_links], tables.axis[:, tables.hinge_links])
+
     def slide(self, order: int) -> Array:
         """The slides' displacements from their reference, or the derivatives of that, (s, S)."""
         tables = self.figure.tables

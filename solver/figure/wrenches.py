@@ -24,10 +24,10 @@ from functools import lru_cache
 import numpy as np
 
 from ..array import Array, Index, Mask
-from .algebra import cross, dot, hamilton, pure_product, rotation_matrix, turned, turned_back
-from .axes import followers
+from .algebra import cross, dot, hamilton, pure_product, rotation_matrix, turned_back
+from .axes import followers, ways
 from .figure import Figure
-from .kinematics import LinkMotion, Samples
+from .kinematics import Samples
 
 VECTORS = ("force", "torque", "force_d", "torque_d", "torque_dd")
 AT_ONCE = 2000  # wrenches whose vectors stay in cache
@@ -191,8 +191,8 @@ class _Sweep:
     def add_to(self, out: Array) -> None:
         """Adds rows (P, orders, N)."""
         self._free(out)
-        self._axes(out, self.chains.slides, self.tables.slide_links, self.tables.slide_columns)
-        self._axes(out, self.chains.hinges, self.tables.hinge_links, self.tables.hinge_columns)
+        self._slides(out)
+        self._hinges(out)
         self._world_quaternions(out)
         self._relative_quaternions(out)
 
@@ -261,15 +261,21 @@ class _Sweep:
             if force is not None:
                 out[pairs.wrench, order, columns[:, pairs.joint]] = force
 
-    def _axes(self, out: Array, chain: Index, links: Index, columns: Index) -> None:
-        """Hinges, on whose axes moments count, or slides, on which forces do."""
-        if not links.size:
-            return
-        pairs, motion = self._pairs(chain), self.motion
+    def _slides(self, out: Array) -> None:
+        if self.tables.slide_links.size:
+            pairs = self._pairs(self.chains.slides)
+            forces = self._of_pairs(self.forces, pairs)
+            self._add_axes(out, pairs, self.motion.slide_axis, self.tables.slide_columns, forces)
+
+    def _hinges(self, out: Array) -> None:
+        if self.tables.hinge_links.size:
+            pairs = self._pairs(self.chains.hinges)
+            self._add_axes(out, pairs, self.motion.hinge_axis, self.tables.hinge_columns, self._moments(pairs))
+
+    def _add_axes(self, out: Array, pairs: _Pairs, axes: Array, columns: Index, moments: Orders) -> None:
+        """What counts on axes (3, n, S) of hinges or slides."""
         place = self.chains.place[pairs.joint]
-        slides = links is self.tables.slide_links
-        moments = self._of_pairs(self.forces, pairs) if slides else self._moments(pairs)
-        axis = turned(motion.rotation[:, :, links], self.tables.axis[:, links])[:, place, pairs.at]
+        axis = axes[:, place, pairs.at]
         for order, moment in enumerate(self._on_axes(moments, pairs.joint, pairs.at)):
             if moment is not None:
                 out[pairs.wrench, order, columns[place]] = dot(axis, moment)
@@ -292,28 +298,19 @@ class _Sweep:
     def _add_quaternions(self, out: Array, pairs: _Pairs, moments: Orders) -> None:
         """By φ = E η, φ' = E' η + E η', φ'' = E'' η + 2 E' η' + E η''; the moments are in the quaternions' axes."""
         place = self.chains.place[pairs.joint]
-        ways = self.samples.once(_ways)[: out.shape[1], :, place, pairs.at]
+        turns = self.samples.once(ways)[: out.shape[1], :, place, pairs.at]
         totals: Orders = [None, None, None]
         for order, factors in enumerate(((1,), (1, 1), (1, 2, 1))):
             moment = moments[order]
             if moment is not None:
                 for derivative, factor in enumerate(factors):
-                    part = pure_product(moment, ways[derivative])
+                    part = pure_product(moment, turns[derivative])
                     target = order - derivative
                     totals[target] = _sum(totals[target], part if factor == 1 else factor * part)
         columns = self.tables.quaternion_columns[:, place]
         for order, total in enumerate(totals):
             if total is not None:
                 out[pairs.wrench, order, columns] = total
-
-
-def _ways(links: LinkMotion) -> Array:
-    """The quaternions p of φ = vec(η ⊗ conj(p)), and two derivatives: (3, 4, n, S)."""
-    (q, q_d, q_dd), dots = links.states.quaternions[:, :, 1:], links.states.dots[:, 1:]
-    scale = 2 / dots[0]
-    stretch = dots[1] * scale
-    stretch_d = (dot(q_d, q_d) + dots[2]) * scale - stretch**2
-    return np.array([q, q_d - stretch * q, q_dd - 2 * stretch * q_d + (stretch**2 - stretch_d) * q]) * scale
 
 
 def _sum(one: Array | None, other: Array) -> Array:
