@@ -39,6 +39,10 @@ class Entries:
         slope = self.slope if isinstance(self.slope, float) else self.slope[some]
         return replace(self, at=self.at[some], column=self.column[some], slope=slope)
 
+    def scaled(self, factor: Array) -> Entries:
+        """Each times a factor (P,)."""
+        return replace(self, slope=self.slope * factor)
+
     @property
     def orders(self) -> int:
         """How many of y, y', y'' the rows depend on."""
@@ -143,14 +147,11 @@ class Block:
 
     def _scaled(self, factor: Array | float) -> tuple[Change, ...]:
         factor = (factor + np.zeros(self.at.size))[slice(None) if self.of is None else self.of]
-        return tuple(
-            change.scaled(factor) if isinstance(change, Wrenches) else replace(change, slope=change.slope * factor)
-            for change in self.changes
-        )
+        return tuple(change.scaled(factor) for change in self.changes)
 
     def _side_rows(self, samples: Samples) -> Rows:
         """The gradients by y, as combinations of the links' own where many residuals are of the same links."""
-        motions = self._motions(samples.count)
+        motions = self._motions()
         if motions is None:
             return Rows.plain(self.at, self.rows(samples)[:, 0])
         first, of = motions
@@ -158,12 +159,11 @@ class Block:
         for change in self.changes:
             assert isinstance(change, Wrenches)
             none = np.zeros((3, self.at.size))
-            vectors = (none if part is None else part for part in (change.force, change.torque))
-            shares.append(np.concatenate([*vectors]).T)
+            shares.append(np.concatenate([none if v is None else v for v in (change.force, change.torque)]).T)
             bases.append(_unit_rows(samples, change.at[first], change.link[first]))
         return Rows(of, np.concatenate(shares, axis=1), self.at[first], np.concatenate(bases, axis=1))
 
-    def _motions(self, count: int) -> tuple[Index, Index] | None:
+    def _motions(self) -> tuple[Index, Index] | None:
         """Of residuals of the same links and sample the first (M,), and which every one is alike (P,); None if they are
         too few."""
         kinds = [change for change in self.changes if isinstance(change, Wrenches)]

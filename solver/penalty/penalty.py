@@ -82,8 +82,13 @@ class Penalty(ABC):
         return False
 
     def residuals(self, samples: Samples) -> Iterable[Block | Dense]:
-        """What f_j is the sum of squares of, see `block`; one-sided residuals as far as they count."""
-        raise NotImplementedError(f"penalty '{self.name}': it has no residuals")
+        """What f_j is the sum of squares of, see `block`; one-sided residuals as far as they count.
+
+        A penalty that is no sum of squares has an `evaluate` of its own instead, whose gradients are differenced.
+        """
+        raise NotImplementedError(
+            f"penalty '{self.name}': give it residuals(samples), or evaluate if it is no sum of squares"
+        )
 
     def nearby(self, samples: Samples) -> Iterable[Block | Dense]:
         """The residuals for a model of E: among the one-sided ones those, too, that may count after a step."""
