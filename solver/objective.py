@@ -269,10 +269,6 @@ class Discretised:
         """The curve that x stands for."""
         return Path(self.spline, self.unknowns.rows(x))
 
-    def samples(self, path: Path) -> Samples:
-        """The figure's motion at all samples, along a path of this spline."""
-        return Samples(self.objective.figure, *self.sampling.whole.samples(path.coefficients), t=self.sampling.t)
-
     def __call__(self, x: Array) -> Evaluation:
         """E and dE/dx at x (n,)."""
         coefficients = self.sampling.coefficients(self.unknowns.rows(x))
