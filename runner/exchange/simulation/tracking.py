@@ -151,7 +151,7 @@ def note(tracking: Tracking, simulation: Simulation, take: Take) -> str:
     off = f"{100 * DISTANCE:g} cm" if np.isfinite(tracking.length[at, dof]) else f"{ANGLE:g} rad"
     then = "MuJoCo stops the simulation" if tracking.fell else f"up to {size} after {lasts:.2g} s"
     when = tracking.time[at] - tracking.time[0]
-    reason = "; ".join(_reasons(simulation, take))
+    reason = "; ".join(_reasons(tracking, simulation, take))
     return f"mj_step of the scene leaves the motion: '{name}' by {off} after {when:.2f} s, {then}; {reason}"
 
 
@@ -192,7 +192,7 @@ def _aloft(simulation: Simulation, take: Take) -> list[str]:
     return [f"it begins {100 * gap:.2g} cm above the ground"] if GAP < gap < FAR else []
 
 
-def _reasons(simulation: Simulation, take: Take) -> list[str]:
+def _reasons(tracking: Tracking, simulation: Simulation, take: Take) -> list[str]:
     """What there is to see in the motion that no actuators make up for."""
     model, out = simulation.model, _depths(simulation, take) or _aloft(simulation, take)
     data = started(model, take, simulation.control)
@@ -217,7 +217,7 @@ def _reasons(simulation: Simulation, take: Take) -> list[str]:
     if np.any(model.jnt_type == FREE):
         out.append("nothing balances it")
     out += _exceeded(model, take)
-    return out or _tested(simulation, take)
+    return out or _tested(tracking, simulation, take)
 
 
 def _exceeded(model: mujoco.MjModel, take: Take) -> list[str]:
@@ -235,13 +235,13 @@ def _exceeded(model: mujoco.MjModel, take: Take) -> list[str]:
     return [f"the motion has '{name}' {size} beyond its range"] if beyond[most] > EXCEEDED else []
 
 
-def _tested(simulation: Simulation, take: Take) -> list[str]:
+def _tested(before: Tracking, simulation: Simulation, take: Take) -> list[str]:
     """What the scene follows its motion without: contacts or large time steps."""
     model = copy.copy(simulation.model)
     model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONTACT)
     if tracked(replace(simulation, model=model), take).is_within:
         return _depths(simulation, take, 0.0) or ["contacts push it away"]
-    before, finest = tracked(simulation, take), tracked(simulation.with_timestep(FINER[-1]), take)
+    finest = tracked(simulation.with_timestep(FINER[-1]), take)
     if finest.worst < before.worst / 2:
         return [f"its time step is too large; {FINER[-1]:g} s reduces the error to {finest.worst / before.worst:.0%}"]
     return ["its actuators do not hold it"]
