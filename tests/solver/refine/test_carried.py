@@ -128,7 +128,7 @@ def test_variable_frames_lie_between_keyframes_as_they_did_and_move_with_them(rn
 @pytest.mark.slow
 def test_a_search_goes_on_from_it_and_keeps_what_an_edit_does_not_reach(clip, found):
     keys = edited(clip, "moved")
-    problem = replace(clip.problem, keys=keys, settings=replace(clip.settings, max_evaluations=8, frames=0))
+    problem = replace(clip.problem, keys=keys, settings=replace(clip.settings, max_evaluations=4, frames=0))
     begin = carried(clip.figure, found.timeline, clip.keys, keys, problem.raw)
     seen = []
     solution = resumed(problem, begin, between=[(keys[2].time, keys[4].time)], improved=seen.append)
@@ -158,7 +158,7 @@ def test_several_stretches_are_searched_one_after_the_other_and_nothing_between_
         for frame in found.timeline.frames
     )
     begin = replace(found.timeline, frames=shaken)
-    problem = replace(clip.problem, settings=replace(clip.settings, max_evaluations=8, frames=0))
+    problem = replace(clip.problem, settings=replace(clip.settings, max_evaluations=4, frames=0))
     seen = []
     solution = resumed(problem, begin, between=stretches, improved=seen.append)
     values = [each.value for each in seen]
