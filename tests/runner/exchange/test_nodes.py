@@ -179,7 +179,7 @@ def test_a_motion_written_by_this_program_comes_back(ending, tmp_path):
     wanted = sampled(written.figure, written.timeline, written.fps).qpos
     found = sampled(back.figure, back.timeline, written.fps).qpos
     found[:, 2] += wanted[0, 2] - found[0, 2]
-    np.testing.assert_allclose(found[: len(wanted)], wanted, atol=2e-5)
+    np.testing.assert_allclose(found[: len(wanted)], wanted, atol=1e-6)
 
 
 def test_the_first_of_several_animations_is_read_and_named(tmp_path):
