@@ -16,11 +16,11 @@ import nlopt
 import numpy as np
 from bench import NOT_INSTALLED, REPEATS, Effort, Section, Target, alternated, median, peer
 from numpy.typing import NDArray
+from paper.barr import Discrete
 from rotations import Track, energy, exact_energy, solved, track
 from runner39 import noting
 from scipy import optimize, sparse
 
-from dynsplines.claims.barr import Discrete
 from dynsplines.solver import Improvement, Path, Settings
 
 Array = NDArray[np.float64]

@@ -13,8 +13,8 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from paper.orientations import INTRINSIC, moderate, spinner
 
-from dynsplines.claims.orientations import INTRINSIC, moderate, spinner
 from dynsplines.solver import Frame, Objective, Path, Problem, Quadrature, Settings, Solution, inbetween
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.penalty import CovariantAcceleration, UnitMagnitude

@@ -15,7 +15,7 @@ import typer
 from .system import stopping
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Callable, Iterator, Sequence
 
     from .clip.load import Clip
     from .edit.files import Edit
@@ -91,7 +91,12 @@ AsJson = Annotated[bool, typer.Option("--json", help="print JSON")]
 
 
 def main() -> None:
-    """The command; bad input is reported in one line with exit code 2, internal errors in one line, too."""
+    """The command `dynsplines`."""
+    run(lambda: app(sys.argv[1:] or ["--help"], prog_name="dynsplines", standalone_mode=False))
+
+
+def run(command: Callable[[], int | None]) -> NoReturn:
+    """End with a command's exit code; bad input and internal errors are reported in one line."""
     from .system import mujoco_warnings
     from .system.terminal import fit
     from .system.threads import keep_to_one
@@ -100,7 +105,7 @@ def main() -> None:
     fit()
     try:
         with mujoco_warnings.reported_to(mujoco_warnings.print_note):
-            code = app(sys.argv[1:] or ["--help"], prog_name="dynsplines", standalone_mode=False)
+            code = command()
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or Python complains while it shuts down
         sys.exit(1)
@@ -771,58 +776,6 @@ def studio(
         allow_remote=allow_remote,
         say=lambda line: print(line, flush=True),
     )
-
-
-@app.command()
-def paper(
-    seeds: Annotated[int | None, typer.Option(help="sets of keyframes [default: 20]", min=1)] = None,
-    figures: Annotated[
-        Path | None, typer.Option(help="draw the paper's figures into this folder instead", metavar="DIR")
-    ] = None,
-    as_json: AsJson = False,
-) -> None:
-    """Reproduce the paper's claims on fixed sets: verdict, claim, paper, here; or draw its figures."""
-    if figures is not None:
-        _paper_figures(figures, seeds, as_json=as_json)
-        return
-    _without_graphics()
-    from rich.console import Console
-
-    from . import work
-    from .claims import claim
-    from .claims import paper as study
-    from .clip import load as clip
-    from .measure.report import report as measured
-    from .system.progress import Progress
-
-    with Progress() as progress:
-        claims = study.run(seeds or study.SETS, progress)
-        solved = work.solve(clip.load("run_and_step"), progress)
-        claims += study.clip_claims(measured(solved.clip, solved.motion, solved.seconds))
-    if as_json:
-        print(json.dumps(claim.as_json(claims), indent=2))
-    else:
-        Console(highlight=False).print(claim.table(claims))
-
-
-def _paper_figures(folder: Path, seeds: int | None, *, as_json: bool) -> None:
-    """The paper's figures in a folder, told one by one."""
-    from .errors import UserError
-
-    if seeds is not None:
-        raise UserError("--seeds: figures are of the clips run_and_step and tumble, not of sets; leave it out")
-    graphics = _graphics()
-    from .claims.figures import drawing
-    from .system.progress import Progress
-
-    drawing.check_folder(folder)
-    with Progress() as progress:
-        progress.say(graphics.line)
-        drawn = drawing.draw(folder, graphics, progress)
-        for each in drawn:
-            progress.say(f"wrote {each.file}")
-    if as_json:
-        print(json.dumps([each.as_json for each in drawn], indent=2))
 
 
 @app.command()

@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Callable
 
 from .system import stopping
 
 STOPPED = 130  # the exit code of Ctrl-C
 
 
-def main() -> None:
-    """The command `dynsplines`, see `cli`."""
+def _dynsplines() -> None:
+    from .cli import main as command
+
+    command()
+
+
+def main(command: Callable[[], None] = _dynsplines) -> None:
+    """Run a command, `dynsplines` unless another one is named; its imports are its first part."""
     stopping.heed()
     try:
-        from .cli import main as command
-
         command()
     except KeyboardInterrupt:
         _stopped()

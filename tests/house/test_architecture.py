@@ -150,7 +150,7 @@ STRATA = {
         measure picture
         work
         exchange kept
-        edit claims
+        edit
         clean
         batch
         python studio

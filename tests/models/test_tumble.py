@@ -6,11 +6,11 @@ import io
 
 import numpy as np
 import pytest
+from paper.orientations import INTRINSIC, KEYFRAMES, Run, energy
 from rich.console import Console
 from scipy.spatial.transform import Rotation
 
 from dynsplines import work
-from dynsplines.claims.orientations import INTRINSIC, KEYFRAMES, Run, energy
 from dynsplines.clip import load as clip
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import Path, path_of

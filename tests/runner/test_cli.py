@@ -258,25 +258,6 @@ def test_soft_constraints_are_listed_with_weights_options_and_units(run):
     assert (told["hold"]["weight"], told["torque"]["weight"], told["hold"]["options"]) == (750, None, {})
 
 
-def test_figures_of_the_paper_are_told_one_by_one_and_as_json(run, monkeypatch, tmp_path):
-    from dynsplines.claims.figures import drawing
-
-    drawn = [drawing.Drawn(7, Path("figures/figure_7.png"), "seven orientations")]
-    monkeypatch.setattr(drawing, "draw", lambda folder, *_: drawn if folder == Path("figures") else [])
-    done = run("paper", "--figures", "figures")
-    assert (done.code, done.out) == (0, "")
-    assert "wrote figures/figure_7.png" in done.err
-    done = run("paper", "--figures", "figures", "--json")
-    assert json.loads(done.out) == [
-        {"figure": 7, "file": "figures/figure_7.png", "caption": "seven orientations"},
-    ]
-
-
-def test_figures_of_the_paper_need_a_folder_and_no_sets(run, tmp_path, solving_forbidden):
-    assert_refused(run("paper", "--figures", "figures", "--seeds", 3), "--seeds", "leave it out")
-    assert_refused(run("paper", "--figures", "tiny.toml"), "tiny.toml", "it is a file")
-
-
 @pytest.mark.parametrize("words", [(), ("--help",), ("render", "--help")])
 def test_help_is_help(run, words):
     done = run(*words)
@@ -585,8 +566,6 @@ BAD_WORDS = [
     (["report", "--model", "tiny.xml", "--keys", "folder"], ["'folder' is a folder"]),
     (["solve", "--model", "tiny.xml", "--keys", "tiny.toml"], ["not an .npz file"]),
     (["solve", "--model", "tiny.xml", "--keys", "poses.npz"], ["poses.npz", "(K, 11)"]),
-    (["paper", "--seeds", "0"], ["--seeds"]),
-    (["paper", "--seeds", "many"], ["--seeds"]),
 ]
 
 

@@ -20,6 +20,9 @@ pytestmark = pytest.mark.skipif(os.name == "nt", reason="signals are another mat
 LONG = changed("evaluations = 8\nframes = 2", "evaluations = 100000\nframes = 400\ntolerance = 1e-15\nthreshold = 0")
 DEFAULT = "import signal, sys; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
 COMMAND = DEFAULT + "sys.argv = sys.argv[1:]; from dynsplines.start import main; main()"
+BENCHMARKS = Path(__file__).parents[2] / "benchmarks"
+PAPER = DEFAULT + f"sys.argv = sys.argv[1:]; sys.path.insert(0, {str(BENCHMARKS)!r}); "
+PAPER += "from paper.__main__ import main; main()"
 INTERRUPTED = (
     DEFAULT
     + """
@@ -115,7 +118,7 @@ def test_a_signal_ends_the_papers_claims_and_figures_with_nothing_half_done(
     start: Start, tmp_path: Path, number: signal.Signals, words: tuple[str, ...]
 ):
     """Inside solves, too, which elsewhere keep their best path: here one that is cut short is no answer."""
-    process = start(COMMAND, "dynsplines", "paper", *words)
+    process = start(PAPER, "paper", *words)
     assert process.stderr is not None
     process.stderr.readline()
     time.sleep(0.5 + 0.4 * list(CODES).index(number))

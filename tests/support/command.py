@@ -28,13 +28,15 @@ class Done:
 Command = Callable[..., Done]
 
 
-def commanded(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Command:
+def commanded(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], main: Callable[[], None] = cli.main
+) -> Command:
     """What runs it, in the present folder."""
 
     def run(*words: object) -> Done:
         monkeypatch.setattr(sys, "argv", ["dynsplines", *map(str, words)])
         with pytest.raises(SystemExit) as ended:
-            cli.main()
+            main()
         code = ended.value.code
         assert code is None or isinstance(code, int)
         said = capsys.readouterr()

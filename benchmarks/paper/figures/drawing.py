@@ -15,17 +15,17 @@ from typing import Any
 
 from PIL import Image
 
+from dynsplines import work
+from dynsplines.clip import load as clip
+from dynsplines.errors import UserError
+from dynsplines.motion import Saved
+from dynsplines.picture.graphics import Graphics
 from dynsplines.solver.curve.frame import Frame
+from dynsplines.system import stopping
+from dynsplines.system.output import Replacement
+from dynsplines.system.progress import Progress
+from dynsplines.system.workers import MOST_WORKERS, cores
 
-from ... import work
-from ...clip import load as clip
-from ...errors import UserError
-from ...motion import Saved
-from ...picture.graphics import Graphics
-from ...system import stopping
-from ...system.output import Replacement
-from ...system.progress import Progress
-from ...system.workers import MOST_WORKERS, cores
 from . import charts, scenes
 from .captioned import Picture, captioned
 from .scenes import Dip

@@ -22,8 +22,8 @@ from dynsplines.solver.penalty import CovariantAcceleration, UnitMagnitude
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.refine.displacement import displacement
 from dynsplines.solver.solution import Improvement
+from dynsplines.system.progress import Progress
 
-from ..system.progress import Progress
 from .barr import Discrete
 from .claim import Claim
 from .orientations import (

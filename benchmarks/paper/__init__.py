@@ -1,6 +1,6 @@
 """What the paper claims, measured.
 
-paper         the claims, measured
+study         the claims, measured
 claim         one claim beside what was measured, and the criterion
 barr          the older method that the paper compares itself with: Barr, Currin, Gabriel & Hughes, SIGGRAPH 1992
 orientations  seven orientations of one body, the paths through them that the paper compares

@@ -13,16 +13,16 @@ import numpy as np
 import pytest
 from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
+from paper.figures import charts, drawing, scenes
+from paper.figures.captioned import captioned
+from paper.figures.charts import Deviations, Lengths, draw_deviations, draw_lengths
+from paper.figures.drawing import FIGURES, Results, check_folder
+from paper.figures.scenes import Dip, inset, keyframes_and_sample, looked_at
+from paper.orientations import PAPER, TENTHS, Case, Run, figure_ten, promised, strong_tenths, weak_tenths
 from rich.console import Console
 from tiny import names
 
 from dynsplines import work
-from dynsplines.claims.figures import charts, drawing, scenes
-from dynsplines.claims.figures.captioned import captioned
-from dynsplines.claims.figures.charts import Deviations, Lengths, draw_deviations, draw_lengths
-from dynsplines.claims.figures.drawing import FIGURES, Results, check_folder
-from dynsplines.claims.figures.scenes import Dip, inset, keyframes_and_sample, looked_at
-from dynsplines.claims.orientations import PAPER, TENTHS, Case, Run, figure_ten, promised, strong_tenths, weak_tenths
 from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
 from dynsplines.motion import Saved

@@ -8,12 +8,12 @@ from io import StringIO
 
 import numpy as np
 import pytest
+from paper import study
+from paper.barr import Discrete
+from paper.claim import Claim, as_json, table
+from paper.study import Case, clip_claims, run
 from rich.console import Console
 
-from dynsplines.claims import paper
-from dynsplines.claims.barr import Discrete
-from dynsplines.claims.claim import Claim, as_json, table
-from dynsplines.claims.paper import Case, clip_claims, run
 from dynsplines.solver.quaternion import angle_between
 from dynsplines.system.progress import Progress
 
@@ -94,7 +94,7 @@ def test_without_a_set_there_is_nothing_to_measure() -> None:
 
 
 def test_the_work_tells_how_far_it_has_come(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(paper, "STUDIES", paper.STUDIES[:1])
+    monkeypatch.setattr(study, "STUDIES", study.STUDIES[:1])
     steps: list[tuple[float | None, str]] = []
     progress = Progress(Console(file=StringIO()))
     monkeypatch.setattr(progress, "step", lambda _work, share, note="", **_: steps.append((share, note)))

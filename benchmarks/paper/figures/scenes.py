@@ -7,17 +7,17 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 
+from dynsplines.measure.penetration import Penetration, penetration
+from dynsplines.motion import Saved, continuous, key_configurations
+from dynsplines.picture.camera import ANGLES, View, still
+from dynsplines.picture.ghost import Ghost
+from dynsplines.picture.graphics import Graphics
+from dynsplines.picture.show import Look, figure_height, figure_six, root_path
+from dynsplines.picture.stage import Stage
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.curve.spline import path_of
 
-from ...measure.penetration import Penetration, penetration
-from ...motion import Saved, continuous, key_configurations
-from ...picture.camera import ANGLES, View, still
-from ...picture.ghost import Ghost
-from ...picture.graphics import Graphics
-from ...picture.show import Look, figure_height, figure_six, root_path
-from ...picture.stage import Stage
 from .captioned import Picture
 
 WIDTH = 1600  # [pixels]

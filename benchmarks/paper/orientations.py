@@ -25,8 +25,7 @@ from dynsplines.solver.penalty import CovariantAcceleration, Penalty, UnitMagnit
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.refine.euler_lagrange import WeakForm, covariant_residual, tangential
 from dynsplines.solver.solution import Improvement, Solution
-
-from ..system import stopping
+from dynsplines.system import stopping
 
 KEYFRAMES = 7  # as many orientations as in the paper's figure 7
 TENTHS = 10  # equal parts of a path, as in figure 10
