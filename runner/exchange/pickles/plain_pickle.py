@@ -1,16 +1,16 @@
-"""Pickles of plain data: dicts, lists, numbers, texts and numpy arrays; whatever else is in one is refused unread.
+"""Pickles of plain data: dicts, lists, numbers, texts and numpy arrays; anything else in one is refused.
 
-A pickle is a program, and one from elsewhere can do anything when Python loads it. It is run by `pickle_program`
-instead, which has no functions but those of `pickled_arrays`.
+A pickle calls functions by name, and can do anything when Python loads it. Here `Unpickler.find_class` gives it
+only the safe constructors of `pickled_arrays`. Instructions that set attributes or need extensions are left out.
 """
 
 from __future__ import annotations
 
 import bz2
-import gzip
 import io
 import lzma
 import pickle
+import pickletools
 import zlib
 from collections.abc import Callable
 from pathlib import Path
@@ -19,59 +19,123 @@ from typing import Any
 from ...errors import UserError
 from ...system import largest
 from ..held import Held
-from .pickle_program import Machine, Refused
-from .pickled_arrays import MAKERS
+from .pickled_arrays import CONSTRUCTORS, Refused, Trailing, Unfinished
+
+TENSORS = ": save its tensors as arrays in Python, with .numpy(), and dump it again"
+STEP_BYTES = 100  # the most that an instruction without data leaves in memory: an empty dict and its entry
+LARGEST_INTEGER = 64  # [bits]
+INSTRUCTIONS = """
+    MARK STOP POP POP_MARK NONE NEWTRUE NEWFALSE INT BININT BININT1 BININT2 LONG LONG1 LONG4 FLOAT BINFLOAT
+    STRING BINSTRING SHORT_BINSTRING UNICODE BINUNICODE SHORT_BINUNICODE BINUNICODE8 BINBYTES SHORT_BINBYTES BINBYTES8
+    BYTEARRAY8 EMPTY_LIST LIST APPEND APPENDS EMPTY_DICT DICT SETITEM SETITEMS EMPTY_TUPLE TUPLE TUPLE1 TUPLE2 TUPLE3
+    PUT BINPUT LONG_BINPUT MEMOIZE GET BINGET LONG_BINGET PROTO FRAME GLOBAL STACK_GLOBAL REDUCE NEWOBJ BUILD
+"""
+COMPRESSED: dict[bytes, Callable[[], Any]] = {
+    b"\x78\x01": zlib.decompressobj, b"\x78\x5e": zlib.decompressobj, b"\x78\x9c": zlib.decompressobj,
+    b"\x78\xda": zlib.decompressobj, b"\x1f\x8b": lambda: zlib.decompressobj(wbits=31), b"BZh": bz2.BZ2Decompressor,
+    b"\xfd7zXZ": lzma.LZMADecompressor, b"\x5d\x00\x00": lzma.LZMADecompressor,
+}  # fmt: skip
 
 
 def content(source: Path) -> bytes:
     """Return a pickle's bytes, decompressed if joblib has compressed them; raises UserError for too many of them."""
     data = source.read_bytes()
-    for mark, opened in COMPRESSED.items():
-        if data.startswith(mark):
-            try:
-                most = largest.bound()
-                with opened(io.BytesIO(data)) as stream:
-                    out = stream.read(most + 1)
-            except (OSError, EOFError, ValueError, lzma.LZMAError, zlib.error) as error:
-                raise UserError(f"{source}: damaged compressed file: {error}") from None
-            largest.check(source, len(out), "it, decompressed,")
-            return out
-    return data
+    opened = next((opened for mark, opened in COMPRESSED.items() if data.startswith(mark)), None)
+    if opened is None:
+        return data
+    most = largest.bound()
+    stream = opened()
+    try:
+        out = stream.decompress(data, most + 1)
+    except (OSError, EOFError, ValueError, lzma.LZMAError, zlib.error) as error:
+        raise UserError(f"{source}: damaged compressed file: {error}") from None
+    largest.check(source, len(out), "it, decompressed,")
+    if not stream.eof:
+        raise UserError(f"{source}: damaged compressed file: cut short")
+    return out
 
 
-class _Inflated:
-    """A zlib stream, as a file that is read once."""
-
-    def __init__(self, stream: io.BytesIO) -> None:
-        self._data = stream.read()
-
-    def __enter__(self) -> _Inflated:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self._data = b""
-
-    def read(self, most: int) -> bytes:
-        """At most so many bytes; raises EOFError if the stream is cut short."""
-        machine = zlib.decompressobj()
-        out = machine.decompress(self._data, most)
-        if not machine.eof and len(out) < most:
-            raise EOFError("cut short")
-        return out
+InPython: Any = pickle._Unpickler  # as joblib's: only this one can stop where an array's bytes follow
 
 
-TENSORS = ": save its tensors as arrays in Python, with .numpy(), and dump it again"
-COMPRESSED: dict[bytes, Callable[[io.BytesIO], Any]] = {
-    b"\x78\x01": _Inflated, b"\x78\x5e": _Inflated, b"\x78\x9c": _Inflated, b"\x78\xda": _Inflated,
-    b"\x1f\x8b": lambda stream: gzip.GzipFile(fileobj=stream), b"BZh": bz2.BZ2File, b"\xfd7zXZ": lzma.LZMAFile,
-    b"\x5d\x00\x00": lzma.LZMAFile,
-}  # fmt: skip
+class _Unpickler(InPython):
+    """Loads plain data from a stream.
+
+    size  [bytes] that the file comes to before its instructions are counted
+    """
+
+    def __init__(self, stream: io.BytesIO, size: int, where: object) -> None:
+        super().__init__(stream, encoding="latin1")
+        self.stream, self.size, self.where, self.most = stream, size, where, largest.bound()
+
+    def find_class(self, module: str, name: str) -> Any:
+        """The safe constructor of a name."""
+        found = CONSTRUCTORS.get((module, name))
+        if found is None:
+            raise Refused(f"{module}.{name}")
+        return found
+
+    def count(self) -> None:
+        """Count an instruction; raises UserError once they come to more memory than a file may."""
+        self.size += STEP_BYTES
+        if self.size > self.most:
+            largest.check(self.where, self.size, "what it holds")
+
+    def check_top(self) -> None:
+        """Complete the top of the stack if its state is known by now; raises Refused for long integers."""
+        top = self.stack[-1] if self.stack else None
+        if isinstance(top, Unfinished) and top.value is not None:
+            self.stack[-1] = top.value
+        elif isinstance(top, int) and top.bit_length() > LARGEST_INTEGER:
+            raise Refused(f"an integer of {top.bit_length()} bits")
+
+    def load_build(self) -> None:
+        """Complete an array or a type by its state; nothing else has one."""
+        state = self.stack.pop()
+        made = self.stack[-1]
+        if not isinstance(made, Unfinished):
+            raise Refused("a state of an object without one")
+        made.value = made.complete(state)
+        if isinstance(made.value, Trailing):
+            made.value = made.value.read(self.stream, _Unpickler(self.stream, self.size, self.where).load)
+
+    def load_bytearray8(self) -> None:
+        """As in Python, but without making room for bytes that are not there."""
+        self.append(bytearray(self.read(int.from_bytes(self.read(8), "little"))))
+
+
+def _checked(name: str) -> tuple[int, Callable[[_Unpickler], None]]:
+    """An instruction's code, and what it does with its checks."""
+    code = getattr(pickle, name)[0]
+    own = {"BUILD": _Unpickler.load_build, "BYTEARRAY8": _Unpickler.load_bytearray8}
+    run = own.get(name) or InPython.dispatch[pickle.REDUCE[0] if name == "NEWOBJ" else code]
+
+    def checked(unpickler: _Unpickler) -> None:
+        unpickler.count()
+        run(unpickler)
+        unpickler.check_top()
+
+    return code, checked
+
+
+class _Instructions(dict[int, Callable[[_Unpickler], None]]):
+    """The instructions of plain data."""
+
+    def __missing__(self, code: int) -> Any:
+        name = next((each.name for each in pickletools.opcodes if each.code == chr(code)), None)
+        if name is None:
+            raise ValueError(f"no instruction {code}")
+        raise Refused(name)
+
+
+_Unpickler.dispatch = _Instructions(map(_checked, INSTRUCTIONS.split()))
 
 
 def load(source: Path) -> Held:
     """The dict in a pickle; raises UserError for a damaged one, and for one that holds more than plain data."""
     try:
-        entries = Machine(MAKERS).run(content(source), source)
+        data = content(source)
+        entries = _Unpickler(io.BytesIO(data), len(data), source).load()
     except (UserError, OSError, MemoryError):
         raise
     except Refused as error:
@@ -80,7 +144,7 @@ def load(source: Path) -> Held:
             + (TENSORS if str(error).startswith("torch") else "")
         ) from None
     except Exception as error:  # a damaged pickle raises nearly anything
-        raise UserError(f"{source}: not a readable pickle: {' '.join(str(error).split())}") from None
+        raise UserError(f"{source}: not a readable pickle: {' '.join(str(error).split()) or 'cut short'}") from None
     if not isinstance(entries, dict):
         raise UserError(f"{source}: it holds a {type(entries).__name__}, not a dict")
     foreign = next((key for key in entries if not isinstance(key, str)), None)

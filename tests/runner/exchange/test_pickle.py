@@ -180,6 +180,28 @@ def test_every_plain_type_of_either_numpy_comes_back_as_it_was(protocol, core, t
         np.testing.assert_array_equal(found, value, strict=True)
 
 
+FAR = (2**40).to_bytes(8, "little")
+STRANGE = {
+    "bytes that are not there": (b"\x80\x05\x8e" + FAR + b"ab.", "cut short"),
+    "an array of bytes that is not there": (b"\x80\x05\x96" + FAR + b"ab.", "cut short"),
+    "a frame that is not there": (b"\x80\x05\x95" + FAR + b"ab.", "not a readable pickle"),
+    "a persistent name": (b"Pabc\n.", "'PERSID'"),
+    "an extension": (b"\x82\x01.", "'EXT1'"),
+    "an instance by its class": (b"(ios\nsystem\n.", "'INST'"),
+    "an object by its class": (b"(cos\nsystem\no.", "'os.system'"),
+    "a name with dots": (b"\x8c\x05numpy\x8c\x0adtype.type\x93.", "'numpy.dtype.type'"),
+    "a state of a dict": (b"}}b.", "'a state of an object without one'"),
+    "digits without end": (b"L" + b"9" * 100_000 + b"L\n.", "not a readable pickle"),
+}
+
+
+@pytest.mark.parametrize(("content", "message"), STRANGE.values(), ids=STRANGE)
+def test_instructions_of_hostile_pickles_are_refused_without_their_memory(content, message, tmp_path):
+    (tmp_path / "bad.pkl").write_bytes(content)
+    with pytest.raises(UserError, match=message):
+        plain_pickle.load(tmp_path / "bad.pkl")
+
+
 @pytest.mark.slow
 def test_a_short_pickle_that_asks_for_much_memory_is_refused_at_once(tmp_path, monkeypatch):
     monkeypatch.setenv("DYNSPLINES_LARGEST", "10")
