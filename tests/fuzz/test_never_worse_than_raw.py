@@ -32,7 +32,9 @@ from dynsplines.system.progress import Progress
 
 CLIPS = ("sit_down", "walk_loop", "run_loop", "cartwheel", "tumble", "run_and_step", "stairs")
 EVALUATIONS = (1, 2, 5, 20, 60)
-SHORT = 10
+SHORT = 7
+BRIEF = (1, 2, 5, 20)  # evaluations of the short run
+COUNT = int(os.environ.get("DYNSPLINES_FUZZ", SHORT))
 FINER = 7  # parts of the spans of both splines: another grid than the search's own
 EXACT = 1e-12
 ROUNDING = 1e-15  # of E: what two keyframes alone ask for can be kept exactly, and then E is 1e-26 or so
@@ -55,7 +57,7 @@ def varied(seed: int) -> Clip:
             other = clips.with_keys(clip, keys)
         except UserError:  # keyframes that contradict a contact
             continue
-        evaluations, method = int(rng.choice(EVALUATIONS)), str(rng.choice([*METHODS]))
+        evaluations, method = int(rng.choice(EVALUATIONS if COUNT > SHORT else BRIEF)), str(rng.choice([*METHODS]))
         return other.asking(settings=replace(other.settings, max_evaluations=evaluations, optimiser=method))
     raise AssertionError(f"{clip.name}: whatever is moved contradicts a contact")
 
@@ -85,9 +87,6 @@ def drawn(seed: int) -> Clip:
     evaluations, method = int(rng.choice(EVALUATIONS)), str(rng.choice([*METHODS]))
     settings = replace(clip.settings, max_evaluations=evaluations, optimiser=method, frames=int(rng.choice([0, 4, 8])))
     return clip.asking(settings=settings)
-
-
-COUNT = int(os.environ.get("DYNSPLINES_FUZZ", SHORT))
 
 
 @pytest.mark.slow

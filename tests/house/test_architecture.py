@@ -88,42 +88,35 @@ def test_the_folders_are_one_package():
     assert sorted(SETUPTOOLS["packages"]) == sorted(named)
 
 
-@pytest.mark.parametrize("path", FILES + TESTS, ids=lambda path: path.as_posix())
-def test_everything_is_imported_by_its_name_in_the_package(path):
-    written = {name.split(".")[0] for name in written_imports(path)}
-    assert not written & set(HOUSE) - {path.parts[0]}  # relative imports are resolved by folder
+def test_everything_is_imported_by_its_name_in_the_package():
+    for path in FILES + TESTS:  # relative imports are resolved by folder
+        written = {name.split(".")[0] for name in written_imports(path)}
+        assert not written & set(HOUSE) - {path.parts[0]}, path
 
 
-def test_there_is_something_to_read():
-    assert {"solver/inbetween.py", "solver/penalty/motion/unit.py", "models/__init__.py"} <= {
-        p.as_posix() for p in FILES
-    }
+def test_imports_run_from_the_runner_to_solver_and_models_and_never_back():
+    assert {"solver/inbetween.py", "solver/penalty/motion/unit.py", "models/__init__.py"} <= {*map(str, FILES)}
+    for path in FILES:
+        assert packages(path) & set(HOUSE) <= MAY_IMPORT[path.parts[0]], path
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("path", FILES, ids=lambda path: path.as_posix())
-def test_imports_run_from_the_runner_to_solver_and_models_and_never_back(path):
-    assert packages(path) & set(HOUSE) <= MAY_IMPORT[path.parts[0]]
+def test_third_parties_stay_in_the_file_that_knows_them():
+    for path in FILES:
+        for package, homes in {**ONLY_IN, **({"scipy": SCIPY_IN_SOLVER} if path in SOLVER else {})}.items():
+            assert package not in packages(path) or path.as_posix() in homes, path
 
 
-@pytest.mark.parametrize("path", FILES, ids=lambda path: path.as_posix())
-def test_third_parties_stay_in_the_file_that_knows_them(path):
-    for package, homes in ONLY_IN.items():
-        assert package not in packages(path) or path.as_posix() in homes
-    if path.parts[0] == "solver":
-        assert "scipy" not in packages(path) or path.as_posix() in SCIPY_IN_SOLVER
+def test_the_solver_knows_no_files_no_clock_and_no_terminal():
+    for path in SOLVER:
+        assert not packages(path) & NO_WORLD, path
+        called = {n.func.id for n in ast.walk(tree(path)) if isinstance(n, ast.Call) and isinstance(n.func, ast.Name)}
+        assert not called & {"open", "print", "input", "exec", "eval", "hasattr"}, path
 
 
-@pytest.mark.parametrize("path", SOLVER, ids=lambda path: path.as_posix())
-def test_the_solver_knows_no_files_no_clock_and_no_terminal(path):
-    assert not packages(path) & NO_WORLD
-    called = {n.func.id for n in ast.walk(tree(path)) if isinstance(n, ast.Call) and isinstance(n.func, ast.Name)}
-    assert not called & {"open", "print", "input", "exec", "eval", "hasattr"}
-
-
-@pytest.mark.parametrize("path", FILES, ids=lambda path: path.as_posix())
-def test_every_file_says_what_it_is(path):
-    assert len(ast.get_docstring(tree(path)) or "") > 20
+def test_every_file_says_what_it_is_and_none_is_named_for_a_drawer():
+    for path in FILES:
+        assert len(ast.get_docstring(tree(path)) or "") > 20, path
+        assert path.stem not in {"utils", "util", "helpers", "misc", "common"}
 
 
 # every folder, or module beside the folders, rests only on those in lines before its own
@@ -197,11 +190,6 @@ def test_the_foundations_of_the_solver_rest_on_nothing_above_them():
     assert within("curve/frame") == {"array"}
 
 
-@pytest.mark.parametrize("path", FILES, ids=lambda path: path.as_posix())
-def test_no_module_is_named_for_a_drawer(path):
-    assert path.stem not in {"utils", "util", "helpers", "misc", "common"}
-
-
 def test_no_folder_of_the_product_has_more_files_than_one_sees_at_a_glance():
     counts = Counter(path.parent for path in FILES if path.name != "__init__.py")
     assert {folder: count for folder, count in counts.items() if count > 15} == {}
@@ -238,6 +226,5 @@ def bare_constants(path: Path) -> list[str]:
     return found
 
 
-@pytest.mark.parametrize("path", FILES, ids=lambda path: path.as_posix())
-def test_a_number_with_a_name_says_its_unit_or_why(path):
-    assert not bare_constants(path)
+def test_a_number_with_a_name_says_its_unit_or_why():
+    assert {path: names for path in FILES if (names := bare_constants(path))} == {}

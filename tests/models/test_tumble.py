@@ -2,25 +2,20 @@
 
 from __future__ import annotations
 
-import io
-
 import numpy as np
 import pytest
+import shipped
 from paper.orientations import INTRINSIC, KEYFRAMES, Run, energy
-from rich.console import Console
 from scipy.spatial.transform import Rotation
 
-from dynsplines import work
-from dynsplines.clip import load as clip
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import Path, path_of
-from dynsplines.system.progress import Progress
 from dynsplines.work import Solved
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture
 def tumble() -> Solved:
-    return work.solve(clip.load("tumble"), Progress(Console(file=io.StringIO())))
+    return shipped.solved("tumble")
 
 
 def turning(path: Path) -> Path:
@@ -36,11 +31,6 @@ def test_it_has_seven_whole_keyframes_with_large_steps_between_them(tumble):
     steps = np.degrees((turns[:-1].inv() * turns[1:]).magnitude())
     assert steps.min() > 50
     assert steps.max() < 91
-
-
-def test_keyframes_are_met_exactly(tumble):
-    at = tumble.motion.path.at(np.array([key.time for key in tumble.clip.keys]))
-    np.testing.assert_allclose(at, [key.state for key in tumble.clip.keys], atol=1e-12)
 
 
 def test_it_travels_evenly_from_left_to_right_which_is_x_from_the_side(tumble):

@@ -34,14 +34,12 @@ COMMANDS = {
     "new": ("new", "tiny.xml", "-o", "out.toml"),
     "export": ("export", "motion.npz", "-o", "out.csv"),
     "import": ("import", "there.csv", "--figure", "tiny.xml", "-o", "out.npz"),
-    "retime": ("retime", "tiny.toml", "--speed", "2", "-o", "out.toml"),
     "trim": ("trim", "motion.npz", "--from", "0.1", "--to", "0.4", "-o", "out.npz"),
-    "join": ("join", "motion.npz", "motion.npz", "-o", "out.npz"),
     "mirror": ("mirror", "tumble", "-o", "out.toml"),
     "thin": ("thin", "motion.npz", "-o", "out.toml"),
     "render": ("render", "motion.npz", "--size", "64x48", "-o", "out.png"),
 }
-EDITS = ("export", "import", "new", "retime", "thin", "trim", "join", "mirror")
+EDITS = ("export", "import", "new", "thin", "trim", "mirror")
 SEARCHING = ("solve", "thin")  # which keep what they have found by then
 CODES = {signal.SIGINT: 130, signal.SIGTERM: 143, signal.SIGHUP: 129}
 

@@ -73,7 +73,7 @@ def fewest(recorded: Recorded, below: int) -> int:
 @pytest.mark.parametrize("name", ["ball tree, world", "every joint"])
 def test_no_choice_of_keyframes_has_more_than_one_fewer(name, seed):
     figure = of(name)
-    recorded = Recorded(figure, *recording(figure, seed, bends=4 + seed % 3), WIDE)
+    recorded = Recorded(figure, *recording(figure, seed, 11, bends=4 + seed % 3), WIDE)
     found = thin(recorded)
     assert len(found.kept) <= fewest(recorded, len(found.kept)) + 1
 

@@ -47,25 +47,26 @@ DEFAULTS = {
     "limits of joints": '<joint actuatorfrcrange="-3 3" actuatorfrclimited="true"/>',
     "adhesion": '<adhesion gain="4" ctrlrange="0 1"/>',
 }
-OPTIONS = {
-    "contact": {"flags": '<flag contact="disable"/>'},
+OPTIONS = {  # each of which alone lets the figure fall
+    "all but constraints": {
+        "flags": '<flag contact="disable" actuation="disable" override="enable" filterparent="disable"/>',
+        "option": 'o_solref=".3 1" o_friction="0 0 0 0 0" actuatorgroupdisable="0 1"',
+    },
     "constraint": {"flags": '<flag constraint="disable"/>'},
-    "actuation": {"flags": '<flag actuation="disable"/>'},
-    "override": {"flags": '<flag override="enable"/>', "option": 'o_solref=".3 1" o_friction="0 0 0 0 0"'},
-    "filterparent": {"flags": '<flag filterparent="disable"/>'},
-    "groups of actuators": {"option": 'actuatorgroupdisable="0 1"'},
-    "tiny timestep": {"option": 'timestep="1e-6"'},
 }
 SILENT = {
-    "eulerdamp": {"flags": '<flag eulerdamp="disable" refsafe="disable" warmstart="disable"/>'},
-    "Euler": {"option": 'integrator="Euler" timestep=".02" cone="pyramidal" impratio="1"'},
-    "few iterations": {"option": 'solver="PGS" iterations="1" ls_iterations="1" tolerance=".1" noslip_iterations="3"'},
-    "clampctrl": {"flags": '<flag clampctrl="disable" autoreset="disable" energy="enable"/>'},
-    "forces of the figure": {"flags": '<flag limit="disable" frictionloss="disable" equality="disable"/>'},
-    "memory": {"rest": '<size memory="60K"/>'},
-    "damping": {"joint": 'damping="5" stiffness="30" springref=".4" frictionloss="2"'},
-    "wind": {"option": 'density="50" viscosity=".2" wind="2 0 1"'},
-    "seen only": {"geom": 'contype="0" conaffinity="0"'},
+    "solver": {
+        "flags": """<flag eulerdamp="disable" refsafe="disable" warmstart="disable" clampctrl="disable"
+            autoreset="disable" energy="enable" limit="disable" frictionloss="disable" equality="disable"/>""",
+        "option": """integrator="Euler" timestep=".02" cone="pyramidal" impratio="1" solver="PGS" iterations="1"
+            ls_iterations="1" tolerance=".1" noslip_iterations="3" """,
+        "rest": '<size memory="60K"/>',
+    },
+    "forces": {
+        "joint": 'damping="5" stiffness="30" springref=".4" frictionloss="2"',
+        "option": 'density="50" viscosity=".2" wind="2 0 1"',
+        "geom": 'contype="0" conaffinity="0"',
+    },
 }
 NOTED = {
     "ice": {"world": FLOOR.format('condim="1" friction="0 0 0"'), "geom": 'friction="0 0 0" condim="1"'},
@@ -92,9 +93,9 @@ def biped(folder, **changes):
     return folder / "robot.xml"
 
 
-def solved(path, folder, middle=SQUAT):
-    """The motion of a biped from rest to rest in a second."""
-    keyframes = (f"time = 0\n{REST}", f"time = 0.5\n{middle}", f"time = 1\n{REST}")
+def solved(path, folder, middle=SQUAT, lasts=1.0):
+    """The motion of a biped from rest to rest in some time [s]."""
+    keyframes = (f"time = 0\n{REST}", f"time = {lasts / 2}\n{middle}", f"time = {lasts}\n{REST}")
     return inbetween(load(clip_file(folder, path, *keyframes)))
 
 
@@ -144,6 +145,13 @@ def test_options_of_the_model_do_not_let_the_figure_fall(name, tmp_path):
     assert any("overrides options" in line for line in lines) == (name in OPTIONS)
     assert any("coefficient of friction" in line or "collide" in line for line in lines) == (name in NOTED)
     assert any("stays within" in line for line in lines)
+
+
+def test_a_tiny_time_step_is_replaced(tmp_path):
+    path = biped(tmp_path, option='timestep="1e-6"')
+    model, lines = exported(solved(path, tmp_path, "root.position = [0, 0, 0.79]", 0.1).saved, tmp_path)
+    assert model.opt.timestep > 1e-5
+    assert any("overrides options" in line and "timestep 1e-06 s" in line for line in lines)
 
 
 def test_gravity_that_the_model_turns_off_stays_off(tmp_path):

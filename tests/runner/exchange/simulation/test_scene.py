@@ -5,6 +5,7 @@ import io
 import mujoco
 import numpy as np
 import pytest
+import shipped
 from rich.console import Console
 from simulated import between, clip_file, exported, played
 
@@ -46,7 +47,7 @@ def quiet():
 @pytest.fixture(scope="module", params=WITHIN)
 def person(request, tmp_path_factory):
     """A shipped clip, solved and exported to be simulated, and without."""
-    saved = work.solve(clip.load(request.param), quiet()).saved(quiet(), with_report=False)
+    saved = shipped.solved(request.param).saved(quiet(), with_report=False)
     folder = tmp_path_factory.mktemp("person")
     formats.export(saved, "mjcf", folder / "stands.xml", wishes=Wishes(simulate=True))
     formats.export(saved, "mjcf", folder / "falls.xml")
