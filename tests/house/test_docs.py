@@ -13,6 +13,7 @@ import sys
 from pathlib import Path
 
 import pytest
+import shipped
 from sybil import Example, Sybil
 from sybil.parsers.markdown import CodeBlockParser, PythonCodeBlockParser
 
@@ -68,6 +69,7 @@ SYBIL = Sybil(
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
 def test_the_blocks_of_a_page_run(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
+    shipped.share(monkeypatch)
     document = SYBIL.parse(page)
     ran = 0
     for example in document.examples():

@@ -6,6 +6,7 @@ import re
 from pathlib import Path
 
 import pytest
+import shipped
 
 from dynsplines import inbetween
 from dynsplines.clip import load as clip
@@ -31,6 +32,7 @@ def test_the_python_example_runs(
     capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
+    shipped.share(monkeypatch)
     (example,) = blocks("python")
     exec(compile(example, "README.md", "exec"), {})
     assert capsys.readouterr().out.startswith("(67, 51) <Motion run_and_step: 2.20 s, 12 keyframes")

@@ -20,7 +20,7 @@ from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.penalty import Planted
 from dynsplines.solver.posing import entries
 
-HEIGHTS = [0.9, 0.85, 0.8, 0.75, 0.7, 0.65, 0.6, 0.55, 0.5, 0.45]
+HEIGHTS = [(0.9, True), (0.8, False), (0.7, True), (0.65, False), (0.55, False), (0.45, True), (0.45, False)]
 KNEES = ("left_knee", "right_knee")
 ROUNDING = 0.1  # degrees beyond a range that a soft constraint leaves
 REST = 'figure = "human"\n[[keyframe]]\ntime = 0\nothers = "rest"\n'
@@ -68,8 +68,7 @@ def assert_squat(found: Measured) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("contacts", [True, False], ids=["contacts", "keyframes"])
-@pytest.mark.parametrize("height", HEIGHTS)
+@pytest.mark.parametrize(("height", "contacts"), HEIGHTS)
 def test_a_lowered_pelvis_is_a_squat(height, contacts):
     problem = squat(height, contacts=contacts)
     timeline = solved(problem).motion.timeline

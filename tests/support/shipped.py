@@ -6,15 +6,18 @@ import io
 import os
 import shutil
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import cache
 from pathlib import Path
+from typing import Any
 
+import pytest
 from rich.console import Console
 
 from dynsplines import kept, work
 from dynsplines.clip import load as clip
+from dynsplines.clip.load import Clip
 from dynsplines.system.progress import Progress
 from dynsplines.work import Solved
 
@@ -34,14 +37,27 @@ def remove_folder() -> None:
 @cache
 def solved(name: str) -> Solved:
     """A shipped clip as `dynsplines solve` solves it."""
-    problem = clip.load(name)
+    return _once(clip.load(name), Progress(Console(file=io.StringIO())), work.solve)
+
+
+def _once(problem: Clip, progress: Progress, solve: Callable[[Clip, Progress], Solved]) -> Solved:
     file = Path(os.environ[PLACE]) / f"{kept.key_of(problem)}.npz"
     with _alone(file.with_suffix(".lock")):
         found = kept.read(file, problem)
         if found is None:
-            found = work.solve(problem, Progress(Console(file=io.StringIO())))
+            found = solve(problem, progress)
             kept.write(found, file)
     return found
+
+
+def share(monkeypatch: pytest.MonkeyPatch) -> None:
+    """From here on whatever is solved in a test is solved once for all tests of a run that ask for the same."""
+    solve = work.solve
+
+    def shared(problem: Clip, progress: Progress, **more: Any) -> Solved:
+        return solve(problem, progress, **more) if more or problem.own else _once(problem, progress, solve)
+
+    monkeypatch.setattr(work, "solve", shared)
 
 
 @contextmanager

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import shipped
 import tiny
 from rich.console import Console
 
@@ -28,6 +29,11 @@ FLYING = tiny.CLIP.replace("[[keyframe]]", '[[penalty]]\nkind = "flight"\ninterv
 
 def quiet() -> Progress:
     return Progress(Console(file=io.StringIO()))
+
+
+@pytest.fixture(autouse=True)
+def shared(monkeypatch: pytest.MonkeyPatch) -> None:
+    shipped.share(monkeypatch)
 
 
 def solved(clip: clips.Clip) -> Saved:
@@ -132,7 +138,7 @@ def test_a_motion_is_saved_as_a_clip_elsewhere_without_the_recording_that_lies_i
 
 @pytest.mark.slow
 def test_one_that_follows_what_ships_is_saved_as_the_same_edit(tmp_path):
-    saved = solved(clips.load("step_on_kerb"))
+    saved = shipped.solved("step_on_kerb").saved(quiet(), with_report=False)
     clip_file.write(saved, tmp_path / "kerb.toml", overwrite=False)
     again = clips.load(str(tmp_path / "kerb.toml"))
     assert again.follows

@@ -3,7 +3,6 @@
 import mujoco
 import numpy as np
 import pytest
-from hinged import hinge_keys, hinged
 from oracles import by_scipy
 from random_keys import TIMES, closed, distance_from_key, partial_keys, random_keys
 
@@ -12,7 +11,7 @@ from dynsplines.solver.array import Array, Index
 from dynsplines.solver.curve.arcs import straight, straightened
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.curve.unknowns import Unknowns, raw_timeline
+from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.refine.subdivision import evenly, split
 
@@ -64,15 +63,6 @@ def test_variable_frames_are_moved_and_what_keyframes_fix_stays_even_partly(figu
         assert distance_from_key(figure, state, key) < 1e-11
 
 
-@pytest.mark.parametrize("ends", ["free", "clamped", "periodic"])
-def test_a_straightened_timeline_is_one_that_the_unknowns_can_stand_for(figure, rng, ends):
-    keys = partial_keys(figure, rng)
-    keys = closed(keys) if ends == "periodic" else keys
-    found = straightened(figure, evenly(raw_timeline(figure, keys, ends, rng.normal(size=(2, figure.width))), 1))
-    unknowns = Unknowns.of(figure, found)
-    np.testing.assert_allclose(unknowns.rows(unknowns.start), found.rows, atol=1e-12)
-
-
 def test_free_ends_set_out_along_the_way_and_clamped_ones_as_they_are_told(figure, rng):
     keys, slope = random_keys(figure, rng), rng.normal(size=(2, figure.width))
     free = straightened(figure, evenly(raw_timeline(figure, keys), 1))
@@ -81,16 +71,6 @@ def test_free_ends_set_out_along_the_way_and_clamped_ones_as_they_are_told(figur
     np.testing.assert_allclose(free.rows[-1], (states[-1] - states[-2]) / (t[-1] - t[-2]))
     clamped = evenly(raw_timeline(figure, keys, "clamped", slope), 1)
     np.testing.assert_array_equal(straightened(figure, clamped).rows[-2:], clamped.rows[-2:])
-
-
-def test_hinges_go_along_lines():
-    figure = hinged()
-    first = evenly(raw_timeline(figure, hinge_keys()), 3)
-    found = straightened(figure, first)
-    keyed = [first.states[given(first), i] for i in range(2)]
-    lines = [np.interp(first.times, first.times[given(first)], track) for track in keyed]
-    np.testing.assert_allclose(found.states.T, lines, atol=1e-14)
-    assert np.abs(first.states.T - lines).max() > 0.1
 
 
 def test_a_body_in_a_spin_goes_the_longer_way_round_where_its_signs_say_so():
@@ -104,15 +84,6 @@ def test_a_body_in_a_spin_goes_the_longer_way_round_where_its_signs_say_so():
     assert quat.angle_between(ways, wanted).max() < 1e-7
     backwards = straight(figure, raw.times, raw.states * np.array([[1], [1], [-1], [-1]]), t)[:, 3:]
     assert np.degrees(quat.angle_between(backwards, wanted)[15]) == pytest.approx(180, abs=1e-6)
-
-
-def test_between_two_keyframes_there_is_one_straight_way(figure, rng):
-    first = evenly(raw_timeline(figure, random_keys(figure, rng)[:2], "clamped", rng.normal(size=(2, figure.width))), 3)
-    ends = first.times[[0, -1]]
-    found = figure.to_qpos(straightened(figure, first).states)
-    expected = by_scipy(figure, ends, figure.to_qpos(first.states[[0, -1]]), first.times)
-    assert apart(figure, found, expected) < 1e-12
-    assert apart(figure, figure.to_qpos(first.states), expected) > 0.01
 
 
 def test_what_keyframes_say_nothing_about_stays_where_it_is(figure, rng):

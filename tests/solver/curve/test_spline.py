@@ -94,14 +94,6 @@ def test_the_basis_is_scipys_design_matrix_and_its_derivatives():
         np.testing.assert_allclose(spline.basis(t, order).toarray(), expected, rtol=1e-10, atol=1e-10 * 30**order)
 
 
-def test_the_basis_sums_to_one_and_its_derivatives_to_zero():
-    spline = Spline(TIMES)
-    np.testing.assert_allclose(spline.basis(inside(TIMES), 0).sum(axis=1), 1, atol=1e-14)
-    for order in (1, 2, 3):
-        size = abs(spline.basis(inside(TIMES), order)).max()
-        np.testing.assert_allclose(spline.basis(inside(TIMES), order).sum(axis=1), 0, atol=1e-13 * size)
-
-
 UNEVEN = np.cumsum([0.0, 1.0, 1e-5, 3.0, 2e-4, 1e-4, 40.0, 1.0])
 
 
@@ -188,13 +180,6 @@ def test_cost_grows_linearly_with_the_number_of_frames(ends):
     assert many[0] < 10 * 1002
     assert few[1] == 4 * 500
     assert many[1] == 4 * 5000
-
-
-def test_a_samplings_times_may_repeat_and_touch_both_ends(rng):
-    rows = rng.normal(size=(TIMES.size + 2, 2))
-    spline = Spline(TIMES)
-    t = np.array([TIMES[-1], TIMES[0], TIMES[2], TIMES[2]])
-    np.testing.assert_allclose(Sampling.of(spline, t).samples(rows)[0], rows[[5, 0, 2, 2]], atol=1e-12)
 
 
 @pytest.mark.parametrize("ends", ENDS)

@@ -2,12 +2,12 @@
 
 import numpy as np
 import pytest
-from figures import EVERY_JOINT, TINY, figure_of
+from figures import TINY, figure_of
 from scipy.spatial.transform import Rotation
 from scipy.stats import multivariate_normal
 
-from dynsplines.solver.figure.figure import Figure, Link
-from dynsplines.solver.reading.recorded import LIVELINESS, Recorded, between, groups, places
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.reading.recorded import LIVELINESS, Recorded, between
 
 TIMES = np.linspace(0.3, 3.3, 181)
 
@@ -117,44 +117,6 @@ def test_how_lively_a_motion_is_makes_its_changes_of_slope_as_likely_as_scipy_sa
     _, lively = recorded._likeliest(columns, weight)
     chosen = recorded._fitted(columns, weight, lively)[1]
     assert chosen == max(recorded._fitted(columns, weight, float(prior))[1] for prior in LIVELINESS)
-
-
-@pytest.mark.parametrize("count", [1, 2])
-def test_one_or_two_samples_are_their_own_curve(count):
-    figure = figure_of(TINY)
-    times, qpos = 0.1 * np.arange(count), np.tile(figure.model.qpos0, (count, 1))
-    recorded = Recorded(figure, times, figure.to_state(qpos), np.ones((count, 11)))
-    np.testing.assert_array_equal(recorded._fitted(np.arange(3), np.ones(count), 1.0)[0], recorded.states[:, :3])
-
-
-def test_three_samples_are_drawn_towards_a_line():
-    figure = figure_of(TINY)
-    qpos = np.tile(figure.model.qpos0, (3, 1))
-    qpos[1, 0] += 1.0
-    recorded = Recorded(figure, np.array([0.0, 0.1, 0.2]), figure.to_state(qpos), np.ones((3, 11)))
-    smooth, _ = recorded._fitted(np.array([0]), np.ones(3), 1e-6)
-    np.testing.assert_allclose(smooth[:, 0] - qpos[0, 0], 1 / 3, atol=1e-3)  # so lively they are a line: their mean
-
-
-def test_what_is_recorded_together_are_places_of_roots_quaternions_and_single_joints():
-    figure = figure_of(EVERY_JOINT)
-    found = groups(figure)
-    assert sorted(np.concatenate(found).tolist()) == list(range(figure.width))
-    sizes = {tuple(columns.tolist()): columns.size for columns in found}
-    for link in figure.links[1:]:
-        if link.kind is link.kind.FREE:
-            assert sizes[link.qpos, link.qpos + 1, link.qpos + 2] == 3
-            assert sizes[tuple(range(link.qpos + 3, link.qpos + 7))] == 4
-        elif link.kind is link.kind.BALL:
-            assert sizes[tuple(range(link.qpos, link.qpos + 4))] == 4
-        else:
-            assert sizes[(link.qpos,)] == 1
-    metres = [i for link in figure.links[1:] if link.kind in (link.kind.FREE, link.kind.SLIDE) for i in _metres(link)]
-    np.testing.assert_array_equal(np.flatnonzero(places(figure)), sorted(metres))
-
-
-def _metres(link: Link) -> range:
-    return range(link.qpos, link.qpos + (3 if link.kind is link.kind.FREE else 1))
 
 
 def test_moved_and_turned_all_poses_are_by_as_much(rng):

@@ -194,18 +194,3 @@ def test_what_is_predicted_is_the_regression_of_a_gaussian_process(process):
     here, sure = process.predicted(PERIOD, process.poses.times)
     np.testing.assert_allclose(here, rows[: process.poses.times.size], atol=0.02)  # but for the noise
     assert sure.max() < variance.max() / 5
-
-
-def test_half_a_period_on_the_mirrored_poses_are_as_alike_as_the_poses_were(process):
-    n, times = process.poses.times.size, process.poses.times
-    whole = process._across(PERIOD)
-    np.testing.assert_allclose(whole, whole.T)
-    np.testing.assert_allclose(np.diag(whole), 1)
-    np.testing.assert_allclose(whole[:n, :n], whole[n:, n:])
-    assert np.linalg.eigvalsh(whole).min() > -1e-9
-    # a period on the same pose is all but as alike; half a period on, the mirrored one
-    near = process._across(PERIOD, times[:1] + PERIOD)[0, 0]
-    half = process._across(PERIOD, times[:1] + PERIOD / 2)[0, [0, n]]
-    assert near > 0.75
-    assert half[1] > 0.75
-    assert half[0] < 0.3

@@ -10,9 +10,7 @@ from faulted import Take
 from dynsplines.clip.follow.keeping import Ground
 from dynsplines.clip.posing.feet import sole_points
 from dynsplines.motion import samples_at
-from dynsplines.solver import quaternion as quat
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.reading import stances
 from dynsplines.solver.reading.moving import surprise
 from dynsplines.solver.reading.recorded import ORDER, Recorded
 from dynsplines.solver.reading.settled import settled
@@ -23,8 +21,6 @@ from dynsplines.solver.reading.stances import (
     ROLLS,
     Stood,
     _cut,
-    _joined,
-    _trimmed,
     stood,
     unsure,
     white,
@@ -81,30 +77,6 @@ def test_what_shakes_slides_and_sinks_keeps_most_of_them(take, rng):
     assert (found & ~true).sum() <= 0.25 * found.sum()
 
 
-@pytest.mark.slow
-def test_what_is_set_down_is_as_high_and_as_level_as_its_stances_say(take):
-    ground, figure = ground_of(take), take.figure
-    stances = stood(Recorded.of(figure, take.time, take.qpos), ground.points, ground.surfaces)
-    qpos = take.qpos.copy()
-    qpos[:, 2] += 0.04
-    link = ground.points[0].link
-    first = figure.links[link].qpos
-    tilt = quat.from_rotation_vector(np.radians([0.0, 12.0, 0.0]))
-    qpos[:, first : first + 4] = quat.product(qpos[:, first : first + 4], tilt)
-    found = settled(Recorded.of(figure, take.time, qpos), stances, ground.surfaces)
-    places, _, _ = places_of(ground.points, samples_at(figure, found.path, take.time))
-    height, _ = height_over(ground.surfaces, places, np.array([point.radius for point in ground.points]))
-    assert np.abs(np.median(height[marked(stances, take, ground)])) < 0.005
-    true = Recorded.of(figure, take.time, take.qpos)
-    apart = quat.product(quat.conjugate(true.path.at(take.time)[:, _columns(figure, link)]),
-                         found.path.at(take.time)[:, _columns(figure, link)])  # fmt: skip
-    assert np.degrees(np.median(2 * np.arccos(np.clip(np.abs(apart[:, 0]), 0, 1)))) < 4
-
-
-def _columns(figure, link: int) -> slice:
-    return slice(figure.links[link].qpos, figure.links[link].qpos + 4)
-
-
 SLED = Figure(
     mujoco.MjModel.from_xml_string(
         """<mujoco><worldbody><body><joint type="slide" axis="1 0 0"/><geom size=".1"/>
@@ -130,14 +102,6 @@ def test_what_rests_for_long_is_a_stance_up_to_half_as_high_as_anything_is(below
     for share, stands in ((0.998, True), (1.002, False)):
         height = share * HIGHEST / 2 * (-1 if below else 1)
         assert spans(stances_of(times, 0 * times, np.full(60, height))) == ([(times[0], times[-1])] if stands else [])
-
-
-@pytest.mark.parametrize("samples", [0, 1, 2, 3])
-def test_a_stance_has_a_first_sample_and_a_last(monkeypatch, samples):
-    monkeypatch.setattr(stances, "_trimmed", lambda slow, first, end: (first + 5, first + 5 + samples))
-    times = np.arange(60) / FPS
-    found = spans(stances_of(times, 0 * times, np.zeros(60)))
-    assert found == ([(times[5], times[4 + samples])] if samples > 1 else [])
 
 
 def test_the_shorter_it_rests_the_nearer_to_the_ground_it_has_to():
@@ -197,13 +161,6 @@ def test_of_all_ways_to_cut_a_recording_into_stances_the_likeliest_is_taken(rate
     assert seen >= ({0, 1, 2} if most == count else {1, 2, 3})
 
 
-def test_a_run_loses_the_ends_at_which_it_is_not_slow():
-    slow = np.array([False, False, True, False, True, False])
-    assert _trimmed(slow, 0, 6) == (2, 5)
-    assert _trimmed(slow, 3, 5) == (4, 5)
-    assert _trimmed(slow, 0, 2) == (0, 0)
-
-
 def test_a_stance_on_an_edge_is_on_what_ends_there():
     """A box's top ends 4 cm before the point, which stands as high as it, and the floor is half a metre down."""
     box = Box("box", np.array([-1.04, 0.0, 0.25]), np.eye(3), np.array([1.0, 1.0, 0.25]))
@@ -261,15 +218,6 @@ def test_more_samples_a_second_than_tell_anything_make_the_same_stances(times_as
     (one,) = found
     assert one.first == pytest.approx(30 / FPS, abs=1.01 / FPS)
     assert one.last == pytest.approx(70 / FPS, abs=1.01 / FPS)
-
-
-@pytest.mark.parametrize(("apart", "gap", "one"), [(0.0, 3, True), (0.02, 3, True), (0.04, 3, False), (0.0, 12, False)])
-def test_two_runs_shortly_after_each_other_in_the_same_place_are_one_stance(apart, gap, one):
-    times = np.arange(60) / FPS
-    place = np.zeros((3, 60))
-    place[0, 20 + gap :] = apart
-    runs = _joined(times, [(0, 20), (20 + gap, 60)], place, 0.0)
-    assert runs == ([(0, 60)] if one else [(0, 20), (20 + gap, 60)])
 
 
 def test_places_of_which_no_few_in_a_row_are_seen_have_no_noise_that_is_told():

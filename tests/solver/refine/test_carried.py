@@ -14,7 +14,7 @@ from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.inbetween import inbetween, resumed
-from dynsplines.solver.refine.carried import SAME, _matched, carried
+from dynsplines.solver.refine.carried import carried
 from dynsplines.solver.refine.cut import Cut
 from dynsplines.solver.refine.subdivision import split
 
@@ -173,36 +173,3 @@ def test_several_stretches_are_searched_one_after_the_other_and_nothing_between_
     np.testing.assert_array_equal(solution.timeline.states[~free], begin.states[~free])
     assert np.any(solution.timeline.states[free] != begin.states[free])
     assert met(clip.figure, solution.timeline, clip.keys) < 1e-9
-
-
-def test_a_cut_is_none_where_an_edit_reaches_nearly_all(clip, found):
-    times = np.array([key.time for key in clip.keys])
-    assert Cut.about(found.timeline, times, (0.0, 2.2)) is None
-    cut = Cut.about(found.timeline, times, (float(times[1]), float(times[2])))
-    assert cut is not None
-    assert cut.part.times[0] == 0.0
-    assert cut.part.times[-1] < 2.2
-    whole = cut.around(found.timeline)(cut.part)
-    np.testing.assert_array_equal(whole.times, found.timeline.times)
-    np.testing.assert_array_equal(whole.states, found.timeline.states)
-
-
-def keys_at(*times: float) -> list[Frame]:
-    return [Frame.key(time, np.zeros(2)) for time in times]
-
-
-@pytest.mark.parametrize(
-    ("before", "keys", "common"),
-    [
-        ((0.0, 1, 2), (0.0, 1.5, 3), [(0, 0), (1, 1.5), (2, 3)]),  # as many: by number
-        ((0.0, 1, 2), (0.0, 2), [(0, 0), (2, 2)]),  # one fewer: those of one time
-        ((0.0, 1, 2), (0.0, 0.5, 1, 2), [(0, 0), (1, 1), (2, 2)]),
-        ((0.0, 1, 2), (0.5 * SAME, 2), [(0, 0.5 * SAME), (2, 2)]),
-        ((0.0, 1, 2), (SAME, 2), [(2, 2)]),
-        ((0.0, 1, 2), (0.5, 3), [(0, 0.5), (2, 3)]),  # none: from end to end
-    ],
-)
-def test_keyframes_are_the_same_by_number_or_else_by_their_time_or_else_the_ends_are(before, keys, common):
-    old, new = _matched(keys_at(*before), keys_at(*keys))
-    np.testing.assert_array_equal(old, [a for a, _ in common])
-    np.testing.assert_array_equal(new, [b for _, b in common])

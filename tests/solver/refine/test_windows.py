@@ -145,20 +145,6 @@ def test_a_clip_in_windows_costs_what_the_whole_costs_and_meets_its_keyframes(en
         np.testing.assert_allclose(sum(parts.values()), value)
 
 
-def test_windows_begin_with_their_whole_budget_up_to_three_frames_a_segment_unless_told():
-    assert Settings().in_each(9, in_windows=False) == 2
-    assert [Settings(frames=n).in_each(9, in_windows=True) for n in (None, 0, 5, 18, 27, 100)] == [3, 2, 2, 2, 3, 3]
-    assert Settings(variable=1, frames=100).in_each(9, in_windows=True) == 1
-
-
-def test_a_window_has_its_share_of_the_budget_or_what_the_other_segments_leave_of_it():
-    """Two frames in each of the twenty segments; segments 6 to 16, ten of them, hold twenty of these forty."""
-    raw = raw_timeline(FIGURE, long_keys())
-    assembly = Assembly(Objective.of(FIGURE, penalties()[:1]), raw, evenly(raw, 2))
-    window = Window(held=3, first=6, kept=12, last=16)
-    assert [assembly.room(window, budget) for budget in (100, 40, 30)] == [50, 20, 10]
-
-
 @dataclass(frozen=True)
 class Told:
     """A search in windows: what came out, improvements with their paths when they were told, frames that were lost."""

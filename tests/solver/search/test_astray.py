@@ -48,7 +48,7 @@ TERMS: list[tuple[Penalty, float]] = [
     (limits(KNEE), 1.0),
 ]
 HEAPS = [10, 41]  # seeds whose first search ends with a knee behind itself
-SWINGS = [*HEAPS, 6, 26, 31, 35, 56]
+SWINGS = [*HEAPS, 6, 35]
 
 
 def swinging(seed: int) -> list[Frame]:

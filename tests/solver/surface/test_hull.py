@@ -3,9 +3,6 @@ MuJoCo's distance, and vertical lines sampled point by point."""
 
 from __future__ import annotations
 
-import itertools
-
-import mujoco
 import numpy as np
 import pytest
 from hypothesis import example, given, settings
@@ -121,39 +118,6 @@ def test_a_vertical_line_is_inside_between_both_ends_of_its_span_and_nowhere_els
             np.testing.assert_array_equal(inside[sure], ((heights > low) & (heights < high))[sure])
 
 
-@pytest.mark.parametrize(
-    ("place", "distance", "outward"),
-    [
-        ((0.5, 0.5, 3), 2, (0, 0, 1)),
-        ((2, 0.25, 2), np.sqrt(2), (np.sqrt(0.5), 0, np.sqrt(0.5))),
-        ((2, 3, -2), 3, (1 / 3, 2 / 3, -2 / 3)),
-        ((0.5, 0.9, 0.6), -0.1, (0, 1, 0)),
-        ((0.5, 0.5, 0.05), -0.05, (0, 0, -1)),
-    ],
-)
-def test_a_cubes_distances_are_those_to_a_face_an_edge_a_corner_and_from_within(place, distance, outward):
-    found, direction = one(CUBE, *place)
-    assert found == pytest.approx(distance, abs=1e-7)
-    np.testing.assert_allclose(direction, outward, atol=1e-7)
-
-
-def test_a_cube_has_six_planes_of_its_twelve_triangles_and_each_edge_once():
-    normals, offsets = CUBE._planes
-    assert CUBE.faces.shape == (12, 3)
-    np.testing.assert_allclose(sorted(map(tuple, normals)), sorted(map(tuple, [*np.eye(3), *-np.eye(3)])), atol=1e-12)
-    np.testing.assert_allclose(np.sort(offsets), [0, 0, 0, 1, 1, 1], atol=1e-9)
-    assert len(CUBE._edges) == 12 + 6  # 6 diagonals of its faces
-    assert pytest.approx(np.sqrt(3)) == CUBE._size
-
-
-def test_an_edge_is_one_whichever_corner_its_triangles_begin_with():
-    """Of a tetrahedron, whose six edges lie in two triangles each, all 81 ways to write these."""
-    corners, faces = np.eye(4)[:, 1:].T, [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
-    for ways in itertools.product(range(3), repeat=4):
-        turned = np.array([np.roll(face, way) for face, way in zip(faces, ways, strict=True)])
-        assert Hull("tetrahedron", corners, turned)._edges.tolist() == [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]]
-
-
 def test_what_is_buried_has_no_way_out_below_but_has_them_at_the_sides():
     assert len(SUNK._planes[1]) == 5
     for depth in (0.05, -0.5, -30.0):
@@ -176,14 +140,6 @@ def test_only_a_face_that_lies_on_the_floor_is_buried_not_one_that_rises_from_it
     assert (below > 0) == (lift > 0.01)
 
 
-def test_what_is_flatter_than_what_counts_as_the_floor_keeps_its_sides_and_its_top():
-    thin = CUBE_CORNERS * np.array([[1.0], [1.0], [0.009]])
-    found = of_points(thin.T, buried=True)
-    assert sorted(np.round(found._planes[0], 6).tolist()) == sorted(
-        [[-1.0, 0, 0], [1, 0, 0], [0, -1, 0], [0, 1, 0], [0, 0, 1]]
-    )
-
-
 def test_triangles_without_an_area_are_no_faces():
     flat: Index = np.vstack([CUBE.faces, [[0, 0, 1], [2, 2, 2]]])
     found = Hull("cube", CUBE.corners, flat)
@@ -201,21 +157,6 @@ def test_a_crowd_of_points_is_measured_in_parts_and_all_the_same(monkeypatch, rn
         again, direction = solid.distance(points)
         np.testing.assert_array_equal(again, distance)
         np.testing.assert_array_equal(direction, outward)
-
-
-def test_a_hulls_distances_are_mujocos_inside_and_out(rng):
-    vertices = rng.normal(size=(12, 3)) * 0.4
-    text = """<mujoco><asset><mesh name="m" vertex="{}"/></asset><worldbody><geom name="m" type="mesh" mesh="m"/>
-      <body name="ball"><freejoint/><geom name="ball" size=".05"/></body></worldbody></mujoco>"""
-    model = mujoco.MjModel.from_xml_string(text.format(" ".join(map(str, vertices.ravel()))))
-    solid, data = of_points(vertices), mujoco.MjData(model)
-    at = np.concatenate([rng.normal(size=(30, 3)), rng.dirichlet(np.ones(12), 10) @ vertices])
-    expected = []
-    for place in at:
-        data.qpos[:3] = place
-        mujoco.mj_kinematics(model, data)
-        expected.append(0.05 + mujoco.mj_geomDistance(model, data, model.geom("ball").id, model.geom("m").id, 9, None))
-    np.testing.assert_allclose(solid.distance(at.T)[0], expected, atol=5e-6)
 
 
 def test_points_in_a_plane_have_no_hull_and_a_hull_of_few_corners_has_no_more():

@@ -6,9 +6,8 @@ import mujoco
 import numpy as np
 import pytest
 
-from dynsplines.solver.array import Array
-from dynsplines.solver.surface import Box, Cylinder, HeightField, Hull, Plane, Surface, hull_of, static_surfaces
-from dynsplines.solver.surface.static import DOWN, LEVEL, _outward
+from dynsplines.solver.surface import Box, Cylinder, HeightField, Hull, Plane, Surface, static_surfaces
+from dynsplines.solver.surface.static import DOWN, LEVEL
 from dynsplines.solver.surface.surface import GROUNDED, UPRIGHT
 
 HAIR = 1e-5
@@ -105,24 +104,6 @@ def test_a_mesh_becomes_its_hull_where_it_is_with_all_triangles_outward_whether_
     assert volume(found) == pytest.approx(1 / 6, rel=1e-5)
     np.testing.assert_allclose(sorted(np.ptp(found.corners, axis=1)), [1, 1, 1], atol=1e-6)
     assert found.distance(found.corners.mean(axis=1)[:, None])[0] < 0
-
-
-def test_triangles_are_turned_round_that_look_inward_and_no_others():
-    corners: Array = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]).T
-    outward = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
-    mixed = np.where(np.array([True, False, True, False])[:, None], outward, outward[:, ::-1])
-    found = _outward(corners, mixed)
-    np.testing.assert_array_equal(found, outward)
-
-
-def test_a_hull_of_more_corners_than_it_may_have_has_as_many_as_it_may(rng):
-    points = rng.normal(size=(60, 3))
-    points /= np.linalg.norm(points, axis=1)[:, None]
-    every, few = hull_of(points), hull_of(points, 12)
-    assert every is not None and few is not None
-    assert every[0].shape[1] == 60
-    assert few[0].shape[1] <= 12
-    assert few[1].max() == few[0].shape[1] - 1
 
 
 def test_a_height_field_is_as_high_and_as_wide_as_mujoco_has_it():

@@ -42,23 +42,6 @@ def depth_at(surface, centre: np.ndarray, radius: float = 0.15) -> float:
     return float(surface.depth(np.reshape(centre, (3, 1, 1)), np.array([radius]))[0][0, 0])
 
 
-def test_planes_and_boxes_of_the_world_are_found_and_nothing_that_moves(scene):
-    _, surfaces = scene
-    assert sorted(surfaces) == ["crate", "floor", "ramp", "step", "sunk"]
-    assert {name for name, s in surfaces.items() if isinstance(s, Plane)} == {"floor", "ramp"}
-    assert (surfaces["crate"].buried, surfaces["step"].buried, surfaces["sunk"].buried) == (False, True, True)
-
-
-def test_a_scene_without_a_floor_buries_no_box():
-    model = mujoco.MjModel.from_xml_string(
-        '<mujoco><worldbody><geom type="box" size="1 1 1" pos="0 0 -9"/></worldbody></mujoco>'
-    )
-    (box,) = static_surfaces(model)
-    assert isinstance(box, Box)
-    assert not box.buried
-    assert box.name == "geom 0"
-
-
 @pytest.mark.parametrize("name", ["floor", "ramp"])
 @pytest.mark.parametrize("height", [-0.7, -0.01, 0.1, 0.149, 0.151, 0.9])
 def test_depth_in_a_plane_is_mujocos(scene, name, height, rng):

@@ -3,15 +3,11 @@
 from __future__ import annotations
 
 import mujoco
-import numpy as np
 
 from dynsplines.clip.obstacles import obstacles
 from dynsplines.clip.table import SceneTable
 from dynsplines.scene.compose import Step, compose
-from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.surface import static_surfaces
-from dynsplines.solver.surface.cover import covering_points
-from dynsplines.solver.surface.points import body_points
 from dynsplines.solver.surface.touch import bolted, counts_all, grounds, movers, solids
 
 ARM = """
@@ -57,23 +53,6 @@ def test_limbs_are_bolted_to_what_they_are_in_at_rest_unless_they_can_leave_it()
     found = {(model.body(body).name, model.geom(geom).name) for body, geom in bolted(model)}
     # the arm's first limb turns in its socket and reaches into the floor, the cart cannot leave it; lift and die can
     assert found == {("one", "base"), ("one", "floor"), ("cart", "floor")}
-
-
-def test_the_corners_of_a_mesh_of_the_figure_are_covered():
-    figure = Figure(mujoco.MjModel.from_xml_string(ARM))
-    link = figure.link_named("two")
-    for points in (body_points(figure), covering_points(figure)):
-        own = np.array([point.position for point in points if point.link == link])
-        model = figure.model
-        vertices = model.mesh_vert @ np.array(_axes(model, "two")).T + model.geom("two").pos
-        for vertex in vertices:
-            assert np.linalg.norm(own - vertex, axis=1).min() < 1e-6
-
-
-def _axes(model: mujoco.MjModel, geom: str) -> np.ndarray:
-    out = np.zeros(9)
-    mujoco.mju_quat2Mat(out, model.geom(geom).quat)
-    return out.reshape(3, 3)
 
 
 ROOM = """
