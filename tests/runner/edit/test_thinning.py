@@ -149,7 +149,7 @@ def test_a_loop_stays_a_loop_in_its_clip(walk, tmp_path):
 
 @pytest.mark.slow
 def test_the_solved_motion_keeps_the_bound_where_that_is_asked(walk, tmp_path):
-    source, target, step = tmp_path / "step.npz", tmp_path / "step.toml", edits.trimmed(walk, 0.1, 0.2)
+    source, target, step = tmp_path / "step.npz", tmp_path / "step.toml", edits.trimmed(walk, 0.1, 0.15)
     motion.save(step, source)
     run(source, tmp_path / "spline.toml")
     run(source, target, solve=True)
