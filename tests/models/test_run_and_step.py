@@ -24,6 +24,7 @@ from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.search.minimum import Stop, StopSearch
 from dynsplines.solver.solution import Solution
+from dynsplines.solver.surface import Box
 
 pytestmark = pytest.mark.slow
 TEXT = models.clip_text("run_and_step")
@@ -56,7 +57,8 @@ def test_the_clip_has_eight_to_twelve_keyframes_out_of_the_scene_between_which_a
     clip = of("run_and_step").clip
     assert 8 <= len(clip.keys) <= 12
     assert 2 <= clip.keys[-1].time - clip.keys[0].time <= 3
-    assert clip.context.surfaces[1].half[2] == pytest.approx(0.35 / 2)
+    step = clip.context.surfaces[1]
+    assert isinstance(step, Box) and step.half[2] == pytest.approx(0.35 / 2)
     whole = [key for key in clip.keys if key.is_key]
     deep = penetration(clip.figure.model, np.array([k.time for k in whole]), np.array([k.state for k in whole]))
     assert deep.deepest <= 1e-4
