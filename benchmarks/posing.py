@@ -65,7 +65,7 @@ class Draw:
         links = {point.link for point in named}
         return cls(
             figure,
-            posing_bends(figure, [PenaltyTable(kind="bend")]),
+            posing_bends(figure, [PenaltyTable(kind="limits")]),
             (*named, *(point for point in soles if point.link not in links)),
         )
 

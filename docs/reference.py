@@ -162,13 +162,17 @@ def keys() -> Iterator[str]:
 
 def kinds() -> Iterator[str]:
     """The soft constraints."""
-    yield "| `kind` | default weight | what it keeps small | options |"
-    yield "|---|---|---|---|"
+    yield "| `kind` | part | default weight | what it keeps small | options |"
+    yield "|---|---|---|---|---|"
     for kind in KINDS.values():
-        weight = "–" if kind.weight is None else f"{kind.weight:g}"
         options = ", ".join(f"`{name}` ({text})" for name, text in kind.choices().items())
-        says = re.sub(r'(<\w+>|\[\[\w+\]\]|by = "\w+")', r"`\1`", kind.says)
-        yield f"| `{kind.name}` | {weight} | {says} | {options} |"
+        for i, part in enumerate(kind.parts):
+            small = re.sub(r'(<\w+>|\[\[\w+\]\]|by = "\w+")', r"`\1`", part.keeps_small)
+            weight = f"{part.weight:g}" + (
+                f" with `{part.option}`" if part.option else "" if kind.is_default else ", if listed"
+            )
+            first = (f"`{kind.name}`", options) if i == 0 else ("", "")
+            yield f"| {first[0]} | {f'`{part.name}`' if part.name else ''} | {weight} | {small} | {first[1]} |"
 
 
 def written(page: str) -> str:

@@ -804,13 +804,16 @@ def list_penalties(as_json: AsJson = False) -> None:
     from .clip.kinds import KINDS
 
     if as_json:
-        rows = [{"kind": k.name, "weight": k.weight, "says": k.says, "options": k.choices()} for k in KINDS.values()]
-        print(json.dumps(rows, indent=2))
+        print(json.dumps([kind.described() for kind in KINDS.values()], indent=2))
         return
     for kind in KINDS.values():
-        print(f"{kind.name:10} {'-' if kind.weight is None else f'{kind.weight:g}':>5}  {kind.says}")
-        for name, given in kind.choices().items():
-            print(f"{'':18}{name} ({given})")
+        if kind.parts[0].name:
+            print(kind.name)
+        for part in kind.parts:
+            on = f"; on with {part.option}" if part.option else "" if kind.is_default else "; on where listed"
+            print(f"{f'  {part.name}' if part.name else kind.name:13} {part.weight:4g}  {part.keeps_small}{on}")
+        for name, values in kind.choices().items():
+            print(f"{'':20}{name} ({values})")
 
 
 @app.command(name="models")

@@ -148,7 +148,7 @@ def strong_tenths(objective: Objective, path: Path) -> dict[str, Array]:
     cuts = np.linspace(*path.span, TENTHS + 1)
     t, w = gauss_nodes(np.union1d(path.spline.times, cuts), NODES)
     factors = {term.penalty.name: term.factor for term in objective.terms}
-    value = covariant_residual(path, t, factors["unit"] / factors["covariant"])
+    value = covariant_residual(path, t, factors["unit"] / factors["acceleration.angular"])
     part = np.clip(np.searchsorted(cuts, t, side="right") - 1, 0, TENTHS - 1)
     parts = {"strong": value, "tangential": tangential(value, path.at(t))}
     length = np.diff(cuts)

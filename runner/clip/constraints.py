@@ -1,9 +1,10 @@
-"""A clip's soft constraints: every kind's default, what its [[penalty]] tables change, what its keyframes tell."""
+"""A clip's soft constraints: the defaults of every kind, and the changes of its [[penalty]] tables."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from pydantic import ValidationError
@@ -14,46 +15,109 @@ from dynsplines.solver.penalty import BendLimits, Contact, Penalty
 
 from ..errors import UserError, unknown
 from .context import Context, knees_and_elbows
-from .kinds import KINDS, RENAMED, BendOptions, CycleOptions, FlightOptions, Options, SoleMargin, limits
+from .kinds import (
+    KINDS,
+    RENAMED,
+    CollisionOptions,
+    CycleOptions,
+    FlightOptions,
+    Kind,
+    LimitOptions,
+    Options,
+    bend_limits,
+)
 from .table import PenaltyTable, spoken
+from .text import assignment
 
-CARRIED = ("flight", "support", "peak")  # on by default where keyframes tell what carries the figure
-ROOT_WEIGHT_CARRIED = 0.45  # of "root", which flight and support then know better
-ANY = {option for kind in KINDS.values() for option in kind.options.model_fields}
+CARRIED = ("flight", "support", "peak")  # on by default where it is known what carries the figure
+LINEAR_WEIGHT_CARRIED = 0.45  # of acceleration.linear there, which flight and support then cover
 NO_CYCLE = "no cycle: that takes three keyframes that fix every joint, not all alike, and one free joint or none"
 DEEP = 0.02  # [m] of a sole point in something, by a keyframe, from which on the user is told
 
 
 def chosen(entries: Sequence[PenaltyTable], where: str) -> dict[str, Options]:
-    """What the tables say by kind; raises UserError for kinds and options that are not there, wrong or given twice."""
-    given: dict[str, int] = {}
-    found: dict[str, Options] = {}
+    """The options of every kind that is listed.
+
+    Raises UserError for unknown kinds, parts and options, for wrong values, and for kinds that are listed twice.
+    """
+    numbers: dict[str, int] = {}
+    options: dict[str, Options] = {}
     raw = {"penalty": [{"kind": entry.kind, **entry.said} for entry in entries]}
     for i, entry in enumerate(entries, 1):
         here = f"{where}: penalty {i}"
         if entry.kind in RENAMED:
-            raise UserError(f"{here}: penalty '{entry.kind}' is called '{RENAMED[entry.kind]}' now")
+            raise UserError(f"{here}: {_renamed(entry, entries)}")
         if entry.kind not in KINDS:
             raise UserError(f"{here}: {unknown('penalty', entry.kind, KINDS)}")
-        if entry.kind in given:
-            raise UserError(f"{here}: kind '{entry.kind}' is given already by penalty {given[entry.kind]}")
-        options = KINDS[entry.kind].options
-        for option in sorted(entry.said.keys() - options.model_fields.keys()):
-            takes = ["weight", *sorted(options.model_fields.keys() - {"weight"})]
-            if option not in ANY:
-                raise UserError(f"{here}: {unknown('key', option, takes)}")
-            raise UserError(f"{here}: '{option}' is not for kind '{entry.kind}', which takes: {', '.join(takes)}")
+        if entry.kind in numbers:
+            raise UserError(f"{here}: kind '{entry.kind}' is given already by penalty {numbers[entry.kind]}")
+        kind = KINDS[entry.kind]
+        for option in sorted(entry.said.keys() - kind.options.model_fields.keys()):
+            raise UserError(f"{here}: {_unknown_option(kind, option)}")
         try:
-            found[entry.kind] = options.model_validate(entry.said)
+            options[entry.kind] = kind.options.model_validate(entry.said)
         except ValidationError as error:
             raise UserError(f"{where}: {spoken(error, raw, ('penalty', i - 1))}") from None
-        given[entry.kind] = i
-    return found
+        _check_weight(kind, options[entry.kind], here)
+        numbers[entry.kind] = i
+    return options
+
+
+def _unknown_option(kind: Kind, option: str) -> str:
+    takes = ["weight", *sorted(kind.choices())]
+    new = [f"'{old.options[option]}'" for old in RENAMED.values() if old.kind == kind.name and option in old.options]
+    if new:
+        return f"'{option}' is called {' or '.join(new)} in kind '{kind.name}'"
+    if any(option in other.options.model_fields for other in KINDS.values()):
+        return f"'{option}' is not for kind '{kind.name}', which takes: {', '.join(takes)}"
+    return unknown("key", option, takes)
+
+
+def _check_weight(kind: Kind, options: Options, here: str) -> None:
+    """Raises UserError for weights of parts that the kind does not have, or that are off."""
+    if not isinstance(options.weight, dict):
+        return
+    parts = {part.name: part for part in kind.parts if part.name}
+    if not parts:
+        raise UserError(f"{here}: weight must be a number, not a table: '{kind.name}' is one term")
+    for name in options.weight:
+        if name not in parts:
+            raise UserError(f"{here}: weight: {unknown('part', name, parts)}")
+        option = parts[name].option
+        if option is not None and not getattr(options, option):
+            unit = kind.choices()[option]
+            raise UserError(f"{here}: weight.{name} needs {option} = ... ({unit}); without it '{name}' is off")
+
+
+def _renamed(entry: PenaltyTable, entries: Sequence[PenaltyTable]) -> str:
+    """The error for a kind of older clip files, with the table that replaces it and those of the same new kind."""
+    new = RENAMED[entry.kind]
+    alike = [each for each in entries if each.kind in RENAMED and RENAMED[each.kind].kind == new.kind]
+    kind = KINDS[new.kind]
+    weights: dict[str, Any] = {}
+    options: dict[str, Any] = {}
+    for each in alike:
+        old = RENAMED[each.kind]
+        (part,) = (part for part in kind.parts if part.name == old.part)
+        weight = each.said.get("weight", 1)
+        if weight != part.weight:
+            weights[old.part] = weight
+        options |= old.requires | {old.options[key]: value for key, value in each.said.items() if key in old.options}
+    if weights:
+        options = {"weight": weights.get("", weights)} | options
+    lines = [assignment(*item) for item in ({"kind": kind.name} | options).items()]
+    gone = sorted({key for each in alike for key in each.said.keys() - {"weight"} - RENAMED[each.kind].options.keys()})
+    part = f"part '{new.part}' of " if new.part else ""
+    others = "".join(f", '{each.kind}'" for each in alike if each is not entry)
+    return (
+        f"penalty '{entry.kind}' is {part}'{kind.name}' now; replace '{entry.kind}'{others} by "
+        f"[[penalty]] {', '.join(lines)}" + (f"; leave out {', '.join(gone)}, which no longer exists" if gone else "")
+    )
 
 
 @dataclass(frozen=True)
 class Constraints:
-    """The soft constraints of a clip with their weights, what they were made of, a line on everything to know."""
+    """The soft constraints of a clip with their weights, their context, and a line on everything to know."""
 
     context: Context
     penalties: tuple[tuple[Penalty, float], ...]
@@ -61,51 +125,65 @@ class Constraints:
 
 
 def constraints(context: Context, entries: Sequence[PenaltyTable]) -> Constraints:
-    """What a clip's keyframes and tables make; raises UserError for what does not fit the figure."""
-    said = chosen(entries, context.where)
-    default = {kind.name: kind.options(weight=kind.weight) for kind in KINDS.values() if kind.weight is not None}
-    every = default | said
+    """The soft constraints of a clip's keyframes and tables; raises UserError for what does not fit the figure."""
+    listed = chosen(entries, context.where)
+    options = {kind.name: kind.options() for kind in KINDS.values() if kind.is_default} | listed
     notes = context.lacking
-    context = _asked(context, every, said)
-    if "cycle" in said and every["cycle"].weight > 0 and context.rhythm is None:
+    context = _with_options(context, options, listed.keys())
+    if "cycle" in listed and _weight("cycle", options["cycle"]) > 0 and context.rhythm is None:
         notes.append(NO_CYCLE)
-    told = context.support is not None and context.support.tells
-    absent = {kind for kind in CARRIED if kind not in said and not told}
-    if told and "root" not in said:
-        every["root"] = Options(weight=ROOT_WEIGHT_CARRIED)
-    built = [(_made(context, kind, options), options.weight) for kind, options in every.items() if kind not in absent]
-    found = [(penalty, weight) for penalty, weight in built if penalty is not None]
-    notes += _deep(
-        context, [penalty for penalty, _ in found if isinstance(penalty, Contact) and penalty.name == "contact"]
-    )
-    return Constraints(context, tuple((penalty, weight) for penalty, weight in found if weight > 0), tuple(notes))
+    is_carried = context.support is not None and context.support.tells
+    absent = {kind for kind in CARRIED if kind not in listed and not is_carried}
+    penalties = list[tuple[Penalty, float]]()
+    for name in [name for name in options if name not in absent]:
+        penalties += _built(context, _carried(KINDS[name]) if is_carried else KINDS[name], options[name])
+    notes += _deep(context, [p for p, _ in penalties if isinstance(p, Contact) and p.name == Contact.called])
+    return Constraints(context, tuple((p, weight) for p, weight in penalties if weight > 0), tuple(notes))
 
 
-def _made(context: Context, kind: str, options: Options) -> Penalty | None:
-    try:
-        return KINDS[kind].make(context, options)
-    except UserError:
-        raise
-    except ValueError as error:
-        raise UserError(f"{context.where}: penalty '{kind}': {error}") from None
+def _carried(kind: Kind) -> Kind:
+    """A kind with the weights of a figure of which it is known what carries it."""
+    if kind.name != "acceleration":
+        return kind
+    parts = [replace(part, weight=LINEAR_WEIGHT_CARRIED) if part.name == "linear" else part for part in kind.parts]
+    return replace(kind, parts=tuple(parts))
 
 
-def _asked(context: Context, every: Mapping[str, Options], said: Mapping[str, Options]) -> Context:
-    """What some options say of the whole clip: the points of its soles, its limbs, its flights, its cycle."""
-    soles, bend, flight, cycle = (every[kind] for kind in ("contact", "bend", "flight", "cycle"))
-    assert isinstance(soles, SoleMargin) and isinstance(bend, BendOptions)
+def _built(context: Context, kind: Kind, options: Options) -> Iterator[tuple[Penalty, float]]:
+    weights = kind.weights(options)
+    for part in [part for part in kind.parts if part.name in weights]:
+        try:
+            penalty = part.build(context, options)
+        except UserError:
+            raise
+        except ValueError as error:
+            raise UserError(f"{context.where}: penalty '{kind.name}': {error}") from None
+        if penalty is not None:
+            yield penalty, weights[part.name]
+
+
+def _weight(kind: str, options: Options, part: str = "") -> float:
+    return KINDS[kind].weights(options)[part]
+
+
+def _with_options(context: Context, options: Mapping[str, Options], listed: Container[str]) -> Context:
+    """The context with the options that concern several kinds: points of soles, limbs, flights, the cycle."""
+    collision, limits, flight, cycle = (options[kind] for kind in ("collision", "limits", "flight", "cycle"))
+    assert isinstance(collision, CollisionOptions) and isinstance(limits, LimitOptions)
     assert isinstance(flight, FlightOptions) and isinstance(cycle, CycleOptions)
-    if soles.points is not None:
-        context = replace(context, points=context.sites(soles.points))
-    if bend.joints is not None:
-        context = replace(context, bends=context.limbs(bend.joints))
-    context = replace(context, support=context.carried_when(flight.intervals, "flight" in said))
-    return replace(context, rhythm=context.cycle(cycle.period, "cycle" in said)) if cycle.weight > 0 else context
+    if collision.points is not None:
+        context = replace(context, points=context.sites(collision.points))
+    if limits.bend_joints is not None:
+        context = replace(context, bends=context.limbs(limits.bend_joints))
+    context = replace(context, support=context.carried_when(flight.intervals, "flight" in listed))
+    if _weight("cycle", cycle) > 0:
+        context = replace(context, rhythm=context.cycle(cycle.period, "cycle" in listed))
+    return context
 
 
-def _deep(context: Context, found: Sequence[Contact]) -> Iterator[str]:
-    """A line on keyframes that drive a foot into something: the motion goes through them all the same."""
-    for contact in found:
+def _deep(context: Context, contacts: Sequence[Contact]) -> Iterator[str]:
+    """A line on keyframes with a foot deep inside a geom: the motion meets them all the same."""
+    for contact in contacts:
         if contact.allowed is None or not contact.allowed.excess.any():
             continue
         states = context.keys.states
@@ -125,15 +203,33 @@ def _deep(context: Context, found: Sequence[Contact]) -> Iterator[str]:
 
 
 def posing_bends(figure: Figure, entries: Sequence[PenaltyTable]) -> BendLimits | None:
-    """How far knees and elbows may go in a pose: as in the motion, or None where their penalty is taken away."""
-    asked = chosen([entry for entry in entries if entry.kind == "bend"], "clip").get("bend", BendOptions())
-    assert isinstance(asked, BendOptions)
-    bends = tuple(bend for bend in knees_and_elbows(figure) if asked.joints is None or bend.name in asked.joints)
-    return limits(bends, asked) if bends and asked.weight > 0 else None
+    """The limits of knees and elbows in a pose: those of the motion, or None where their penalty is off."""
+    options = _options("limits", entries)
+    assert isinstance(options, LimitOptions)
+    names = options.bend_joints
+    bends = tuple(bend for bend in knees_and_elbows(figure) if names is None or bend.name in names)
+    return bend_limits(bends, options) if bends and _weight("limits", options, "bend") > 0 else None
 
 
-def flights_given(entries: Sequence[PenaltyTable]) -> tuple[tuple[float, float], ...]:
-    """(first, last) [s] of every flight that the tables give by themselves."""
-    asked = chosen([entry for entry in entries if entry.kind == "flight"], "clip").get("flight", FlightOptions())
-    assert isinstance(asked, FlightOptions)
-    return tuple(asked.intervals or ())
+def listed_flights(entries: Sequence[PenaltyTable]) -> tuple[tuple[float, float], ...]:
+    """(first, last) [s] of every flight in the tables."""
+    options = _options("flight", entries)
+    assert isinstance(options, FlightOptions)
+    return tuple(options.intervals or ())
+
+
+def weight_factors(entries: Sequence[PenaltyTable], where: str) -> dict[str, float]:
+    """Factors of the weights of terms, by the terms' names, of a clip that follows a recording."""
+    factors: dict[str, float] = {}
+    for name, options in chosen(entries, where).items():
+        weight, kind = options.weight, KINDS[name]
+        for part in kind.parts:
+            factor = weight.get(part.name) if isinstance(weight, dict) else weight
+            if factor is not None:
+                factors[kind.term(part)] = factor
+    return factors
+
+
+def _options(kind: str, entries: Sequence[PenaltyTable]) -> Options:
+    listed = chosen([entry for entry in entries if entry.kind == kind], "clip")
+    return listed.get(kind, KINDS[kind].options())

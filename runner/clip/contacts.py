@@ -60,7 +60,7 @@ def contacts(
 ) -> Contacts:
     """The contacts of a clip's tables. Raises UserError that names the table and what is wrong with it.
 
-    surfaces  where a keyframe has a point in one of these, the point rises as `clearance` and `contact` ask for it
+    surfaces  where a keyframe has a point in one of these, the point rises as `collision` requires
     """
     places = Places(figure, soles)
     points = {table.point: places.point(table.point) for table in tables}

@@ -46,8 +46,8 @@ class Context:
     """What there is to make soft constraints of.
 
     where     how errors call the clip
-    points    of the soles, or the sites that the clip names for `contact`
-    bends     knees and elbows on ball joints, or those that the clip names for `bend`
+    points    of the soles, or the sites that the clip names for `collision`
+    bends     knees and elbows on ball joints, or those that the clip names for `limits`
     contacts  that the clip gives;  holds, too;  placed, the points that it leaves to the search to place
     support   what carries the figure when, for one that moves freely
     rhythm    the cycle that the keyframes are parts of, if they are
@@ -175,7 +175,7 @@ class Context:
         for name in names:
             point = places.point(name)
             if point is None:
-                raise UserError(f"{self.where}: penalty 'contact': {unknown('site', name, places.points_listed)}")
+                raise UserError(f"{self.where}: penalty 'collision': {unknown('site', name, places.points_listed)}")
             found.append(point)
         return tuple(found)
 
@@ -184,7 +184,7 @@ class Context:
         known = {bend.name: bend for bend in self.bends}
         for name in names:
             if name not in known:
-                raise UserError(f"{self.where}: penalty 'bend': {unknown('joint', name, known)}")
+                raise UserError(f"{self.where}: penalty 'limits': {unknown('joint', name, known)}")
         return tuple(known[name] for name in names)
 
 

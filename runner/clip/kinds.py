@@ -1,16 +1,16 @@
-"""The soft constraints that clips know, a record each: its weight, its options, what it keeps small, how it is made.
+"""The kinds of soft constraint in clip files, a record each: its parts with their weights, and its options.
 
-A new one is a class in the solver and a record here.
+A new kind is a class in the solver and a record here.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import Field
+from pydantic import Discriminator, Field, StrictBool, Tag
 
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.naming import geom_name
@@ -67,61 +67,63 @@ from .table import Angle, Number, Real, Table
 HARD, HARD_TRAVEL = float(np.radians(0.05)), 5e-5  # [rad, m] that a keyframe may be beyond a hard range
 BEND_BOUND = 8.0  # degrees; 10° with room for a soft constraint
 RAW_UNIT = 0.1  # of the raw spline's squared deviations from unit length, summed over joints, that are believed
+BODY = "collision.body"  # the term of the body's contacts with surfaces
+
+
+Weight = Annotated[Real, Field(ge=0, le=1e9)]
 
 
 class Options(Table):
-    """The options of a [[penalty]] table besides its kind; None: the default of the kind."""
+    """The options of a [[penalty]] table besides its kind. None: the default.
 
-    weight: Annotated[Real, Field(ge=0, le=1e9)] = 1.0
+    weight  of the first part, which scales the other parts alike; or a table with weights of parts
+    """
 
-
-class CovariantOptions(Options):
-    """Which of two readings of the covariant acceleration: the intrinsic one, or eq. 25 as it stands."""
-
-    form: str | None = Field(default=None, description="'intrinsic' or 'paper'")
-
-
-class UnitOptions(Options):
-    """Which measure of how far a quaternion's length is from one."""
-
-    form: str | None = Field(default=None, description="'square' or 'absolute'")
+    weight: (
+        Annotated[
+            Annotated[Weight, Tag("number")] | Annotated[dict[str, Weight], Tag("table")],
+            Discriminator(lambda value: "table" if isinstance(value, dict) else "number"),
+        ]
+        | None
+    ) = None
 
 
-class Margin(Options):
-    """How far off points are kept."""
+class CollisionOptions(Options):
+    """The distance from surfaces, the points of the soles, and whether limbs collide with each other."""
 
-    margin: Annotated[Real, Field(ge=0, le=0.1)] | None = Field(default=None, description="m")
-
-
-class SoleMargin(Margin):
-    """How far off the soles are kept, and which points they are."""
-
-    points: list[str] | None = Field(default=None, description="sites")
+    margin: Annotated[Real, Field(ge=0, le=0.1)] | None = Field(default=None, description="m, of body and self")
+    points: list[str] | None = Field(default=None, description="sites, of soles")
+    self: StrictBool | None = Field(default=None, description="true or false")
 
 
 class Reach(Options):
-    """How high above a surface a point still counts."""
+    """The height above a surface up to which a point counts."""
 
     reach: Annotated[Real, Field(gt=0, le=1)] | None = Field(default=None, description="m")
 
 
-class BendOptions(Options):
-    """Which limbs, and how far they may go."""
+class LimitOptions(Options):
+    """The limits of knees and elbows, whether joint ranges are hard, and the limit of joint speed."""
 
-    joints: list[str] | None = Field(default=None, description="joints")
-    least: Annotated[Real, Field(ge=-360, le=360)] | None = Field(default=None, description="degrees")
+    bend_joints: list[str] | None = Field(default=None, description="joints")
+    least_bend: Annotated[Real, Field(ge=-360, le=360)] | None = Field(default=None, description="degrees")
     sideways: Angle | None = Field(default=None, description="degrees")
     twist: Angle | None = Field(default=None, description="degrees")
+    range: Literal["soft", "hard"] | None = Field(default=None, description="'soft' or 'hard'")
+    speed: Annotated[Real, Field(gt=0, le=100_000)] | None = Field(default=None, description="degrees/s")
 
 
-class RangeOptions(Options):
-    """Whether the path may go beyond the ranges a little."""
+class UprightOptions(Options):
+    """Bodies to keep upright, besides the trunk, and the axis in them that is vertical."""
 
-    limit: Literal["soft", "hard"] | None = Field(default=None, description="'soft' or 'hard'")
+    bodies: list[str] | None = Field(default=None, description="bodies")
+    axis: tuple[Number, Number, Number] | None = Field(
+        default=None, description="in the bodies' axes, else what is up at rest"
+    )
 
 
 class FlightOptions(Options):
-    """When the figure flies, and how much its moment counts."""
+    """The intervals of flight, and the weight of the moment."""
 
     intervals: list[tuple[Number, Number]] | None = Field(default=None, description="[from, to] in s")
     angular: Annotated[Real, Field(ge=0, le=1e6)] | None = Field(
@@ -130,172 +132,196 @@ class FlightOptions(Options):
 
 
 class SupportOptions(Options):
-    """How slippery the ground is."""
+    """The friction of the ground."""
 
     friction: Annotated[Real, Field(gt=0, le=10)] | None = Field(default=None, description="coefficient")
 
 
 class CycleOptions(Options):
-    """How long a cycle lasts."""
+    """The duration of a cycle."""
 
     period: Annotated[Real, Field(gt=0, le=60)] | None = Field(default=None, description="s")
 
 
-class SpeedOptions(Options):
-    """How fast joints may turn."""
+@dataclass(frozen=True)
+class Part:
+    """A term of E that a kind of soft constraint adds.
 
-    limit: Annotated[Real, Field(gt=0, le=100_000)] | None = Field(default=None, description="degrees/s")
+    weight       default, α in E
+    keeps_small  the quantity
+    build        of a clip's context and the options of its table; None without anything to penalise
+    name         in a table of weights; the term is called KIND.NAME, or as the kind that has this part alone
+    option       without which it is off
+    """
 
-
-class LevelOptions(Options):
-    """Which bodies, and what in them is up."""
-
-    bodies: list[str] = Field(default=[], description="bodies")
-    axis: tuple[Number, Number, Number] | None = Field(
-        default=None, description="in the body's axes, else what is up at rest"
-    )
+    weight: float
+    keeps_small: str
+    build: Callable[[Context, Any], Penalty | None]
+    name: str = ""
+    option: str | None = None
 
 
 @dataclass(frozen=True)
 class Kind:
-    """A soft constraint as clips have it.
+    """A kind of soft constraint in clip files.
 
-    weight   default; None: absent unless a clip lists it
-    says     what it keeps small
-    make     of what a clip tells and its options; None where there is nothing to look at
-    options  of a table, with units
+    is_default  whether it is on in clips that do not list it
     """
 
     name: str
-    weight: float | None
-    says: str
-    make: Callable[[Context, Any], Penalty | None]
+    parts: tuple[Part, ...]
     options: type[Options] = Options
+    is_default: bool = True
 
     def choices(self) -> dict[str, str]:
-        """The options besides the weight, and what each is given in."""
-        return {name: field.description or "" for name, field in self.options.model_fields.items() if name != "weight"}
+        """The options besides the weight, with the unit or the values of each."""
+        fields = self.options.model_fields.items()
+        return {name: info.description or "" for name, info in fields if name != "weight"}
+
+    def described(self) -> dict[str, Any]:
+        """The kind, its parts and its options as plain tables."""
+        parts = [
+            {
+                "part": part.name,
+                "term": self.term(part),
+                "weight": part.weight,
+                "keeps small": part.keeps_small,
+                "is on": self.is_default and part.option is None,
+            }
+            for part in self.parts
+        ]
+        return {"kind": self.name, "parts": parts, "options": self.choices()}
+
+    def term(self, part: Part) -> str:
+        """The name of a part in E."""
+        return f"{self.name}.{part.name}" if part.name else self.name
+
+    def weights(self, options: Options) -> dict[str, float]:
+        """The weights of all parts that are on, by the parts' names."""
+        weight, first = options.weight, self.parts[0].weight
+        on = [part for part in self.parts if part.option is None or getattr(options, part.option)]
+        if isinstance(weight, dict):
+            return {part.name: weight.get(part.name, part.weight) for part in on}
+        return {part.name: part.weight if weight is None else weight * (part.weight / first) for part in on}
 
 
-def _some(make: Callable[[Any], Penalty], given: Sequence[Any]) -> Penalty | None:
-    return make(given) if given else None
+def _soles(context: Context, options: CollisionOptions) -> Penalty | None:
+    contact = Contact(context.points, context.surfaces)
+    return contact.allowing(context.figure, context.keys) if context.points else None
 
 
-def _contact(context: Context, chosen: SoleMargin) -> Penalty | None:
-    made = Contact(context.points, context.surfaces, chosen.margin or 0.0)
-    return made.allowing(context.figure, context.keys) if context.points else None
+def _bend(context: Context, options: LimitOptions) -> Penalty | None:
+    if not context.bends:
+        return None
+    return bend_limits(context.bends, options).allowing(context.figure, context.keys)
 
 
-def _bend(context: Context, chosen: BendOptions) -> Penalty | None:
-    return limits(context.bends, chosen).allowing(context.figure, context.keys) if context.bends else None
-
-
-def limits(bends: tuple[Bend, ...], chosen: BendOptions) -> BendLimits:
-    """How far knees and elbows may go."""
-    sideways, twist = chosen.sideways or BEND_BOUND, chosen.twist or BEND_BOUND
-    least, sideways, twist = np.radians([chosen.least or 0.0, sideways, twist])
+def bend_limits(bends: tuple[Bend, ...], options: LimitOptions) -> BendLimits:
+    """Limits of knees and elbows."""
+    sideways, twist = options.sideways or BEND_BOUND, options.twist or BEND_BOUND
+    least, sideways, twist = np.radians([options.least_bend or 0.0, sideways, twist])
     return BendLimits(bends, float(least), float(sideways), float(twist))
 
 
-def _clearance(context: Context, chosen: Margin) -> Penalty:
-    """The body's corners out of floors and steps, all of its skin out of whatever is round, thin or in the air."""
-    figure, margin = context.figure, chosen.margin or 0.0
+def _body(context: Context, options: CollisionOptions) -> Penalty:
+    """The body's corners out of floors and steps, all of its skin out of surfaces that are round, thin or raised."""
+    figure, margin = context.figure, options.margin or 0.0
     ground = tuple(s for s in context.surfaces if isinstance(s, Plane) or (isinstance(s, Box) and s.buried))
     others = tuple(s for s in context.surfaces if all(s is not g for g in ground))
-    clear = _apart(context, body_points(figure), ground, margin)
+    corners = _contacts(context, body_points(figure), ground, margin)
     if not others and not context.carried:
-        return clear[0] if len(clear) == 1 else Sum(clear, called="clearance")
-    skin = _apart(context, covering_points(figure), others, margin) if others else ()
-    return Sum((*clear, *skin, *_beside(context, margin)), called="clearance")
+        return corners[0] if len(corners) == 1 else Sum(corners, called=BODY)
+    skin = _contacts(context, covering_points(figure), others, margin) if others else ()
+    return Sum((*corners, *skin, *_from_held(context, margin)), called=BODY)
 
 
-def _beside(context: Context, margin: float) -> tuple[Contact, ...]:
-    """The corners of the figure out of what it carries, which is near its hands all the time: the whole of its skin
-    would take ten times as long."""
-    own = context.own(body_points(context.figure))
-    found = [(link, surfaces_on(context.figure, link)) for link in context.carried]
+def _from_held(context: Context, margin: float) -> tuple[Contact, ...]:
+    """The figure's corners out of the objects that it holds. They are near its hands all the time, so that all of its
+    skin would take ten times as long."""
+    points = context.own(body_points(context.figure))
+    objects = [(link, surfaces_on(context.figure, link)) for link in context.carried]
     return tuple(
-        Contact(own, surfaces, margin, called="clearance", carrier=link).allowing(
+        Contact(points, surfaces, margin, called=BODY, carrier=link).allowing(
             context.figure,
             context.keys,
             [(hold.point.link, hold.first, hold.last) for hold in context.holds if hold.link == link],
         )
-        for link, surfaces in found
+        for link, surfaces in objects
         if surfaces
     )
 
 
-def _apart(
+def _contacts(
     context: Context, points: tuple[Point, ...], surfaces: tuple[Surface, ...], margin: float
 ) -> tuple[Contact, ...]:
-    """Points out of surfaces, each but those of links that are bolted to it."""
-    held = bolted_links(context.figure)
+    """Points out of surfaces, without those of links that are bolted to a surface."""
+    links = bolted_links(context.figure)
     groups: dict[frozenset[int], list[Surface]] = {}
     for surface in surfaces:
-        groups.setdefault(held.get(surface.name, frozenset()), []).append(surface)
-    found = [
-        Contact(tuple(p for p in points if p.link not in some), tuple(group), margin, called="clearance")
-        for some, group in groups.items()
-    ] or [Contact(points, surfaces, margin, called="clearance")]
-    return tuple(contact.allowing(context.figure, context.keys) for contact in found)
+        groups.setdefault(links.get(surface.name, frozenset()), []).append(surface)
+    contacts = [
+        Contact(tuple(p for p in points if p.link not in bolted_here), tuple(group), margin, called=BODY)
+        for bolted_here, group in groups.items()
+    ] or [Contact(points, surfaces, margin, called=BODY)]
+    return tuple(contact.allowing(context.figure, context.keys) for contact in contacts)
 
 
 def bolted_links(figure: Figure) -> dict[str, frozenset[int]]:
-    """The links that are in a static geom by design, by the geom's name as surfaces have it."""
-    found: dict[str, set[int]] = {}
+    """The links that are in a static geom by design, by the name that surfaces have for the geom."""
+    links: dict[str, set[int]] = {}
     for body, geom in bolted(figure.model):
-        name = geom_name(figure.model, geom)
-        found.setdefault(name, set()).add(int(figure.body_link[body]))
-    return {name: frozenset(links) for name, links in found.items()}
+        links.setdefault(geom_name(figure.model, geom), set()).add(int(figure.body_link[body]))
+    return {name: frozenset(numbers) for name, numbers in links.items()}
 
 
-def _planted(context: Context, chosen: Options) -> Penalty | None:
+def _stance(context: Context, options: Options) -> Penalty | None:
     stances = (*context.stances, *context.lying)
     return Planted(stances) if context.points or context.lying else None
 
 
-def _resting(context: Context, chosen: Options) -> Penalty | None:
-    given = context.contacts
-    parts = Planted(given.stances), Resting(given.rests, context.surfaces)
-    return Sum(parts, called="resting") if given.given else None
+def _contact(context: Context, options: Options) -> Penalty | None:
+    contacts = context.contacts
+    parts = Planted(contacts.stances), Resting(contacts.rests, context.surfaces)
+    return Sum(parts, called=Resting.name) if contacts.given else None
 
 
-def _skate(context: Context, chosen: Reach) -> Penalty | None:
+def _no_slip(context: Context, options: Reach) -> Penalty | None:
     if not context.points:
         return None
     bound = Bound.of(context.figure, context.keys, context.points, swings=not context.flies)
-    return Skate(context.points, context.surfaces, chosen.reach or Skate.reach, bound)
+    return Skate(context.points, context.surfaces, options.reach or Skate.reach, bound)
 
 
-def _grounded(context: Context, chosen: Reach) -> Penalty | None:
-    """The lowest point of sole or body stays down between keyframes that are, but for flights."""
+def _grounded(context: Context, options: Reach) -> Penalty | None:
+    """The lowest point of soles or body stays down between keyframes that are down, except in flights."""
     if not context.points and not context.figure.tables.free_links.size:
         return None
     points, support = context.own((*context.points, *body_points(context.figure))), context.support
-    if support is not None:  # which is what else moves freely
+    if support is not None:  # then there may be other free bodies
         points = hanging(context.figure, support.root, points)
     aloft = () if support is None else support.flights
     figure, keys, surfaces = context.figure, context.keys, context.surfaces
     firm = open_intervals(figure, support.root, keys, points, surfaces, aloft) if support and context.points else ()
     rest = tuple(one for one in grounded_intervals(figure, keys, points, surfaces, aloft) if one not in firm)
     blend = CLOSE if firm else Grounded.blend
-    return Grounded(points, surfaces, rest, chosen.reach or Grounded.reach, blend, firm)
+    return Grounded(points, surfaces, rest, options.reach or Grounded.reach, blend, firm)
 
 
-def _equality(context: Context, chosen: Options) -> Penalty | None:
+def _equality(context: Context, options: Options) -> Penalty | None:
     """Closed loops [m²], and joints that follow others [rad² or m²]: a degree off counts like 17 mm."""
-    parts = _some(Closed, closures(context.figure)), _some(Coupled, couplings(context.figure))
-    return _some(lambda given: Sum(tuple(given), called="equality"), [part for part in parts if part is not None])
+    loops, followers = closures(context.figure), couplings(context.figure)
+    parts = (Closed(loops),) if loops else (), (Coupled(followers),) if followers else ()
+    return Sum((*parts[0], *parts[1]), called="equality") if loops or followers else None
 
 
-def _flight(context: Context, chosen: FlightOptions) -> Penalty:
+def _flight(context: Context, options: FlightOptions) -> Penalty:
     support = _supported(context, "flight")
-    return Flight.of(context.figure, support.root, support.flights, chosen.angular or 0.0)
+    return Flight.of(context.figure, support.root, support.flights, options.angular or 0.0)
 
 
-def _support(context: Context, chosen: SupportOptions) -> Penalty:
+def _support(context: Context, options: SupportOptions) -> Penalty:
     support = _supported(context, "support")
-    return replace(support, friction=chosen.friction or support.friction)
+    return replace(support, friction=options.friction or support.friction)
 
 
 def _supported(context: Context, kind: str) -> Support:
@@ -304,14 +330,14 @@ def _supported(context: Context, kind: str) -> Support:
     return context.support
 
 
-def _range(context: Context, chosen: RangeOptions) -> Penalty | None:
+def _range(context: Context, options: LimitOptions) -> Penalty | None:
     figure, joints = context.figure, joint_ranges(context.figure)
-    if chosen.limit != "hard":
+    if options.range != "hard":
         return JointRange(joints).allowing(figure, context.keys) if joints else None
-    where = f"{context.where}: penalty 'range': limit = 'hard'"
+    where = f"{context.where}: penalty 'limits': range = 'hard'"
     if not joints:
         raise UserError(f"{where}: no joint of the figure has a range")
-    if not chosen.weight:
+    if not KINDS["limits"].weights(options)["range"]:
         raise UserError(f"{where}: it needs a weight over 0; leave weight out")
     _check_keyframes(context, joints)
     inner = tuple(replace(joint, low=joint.low + _inside(joint), high=joint.high - _inside(joint)) for joint in joints)
@@ -334,104 +360,201 @@ def _check_keyframes(context: Context, joints: Sequence[Range]) -> None:
             unit = "m" if slides else "degrees"
             raise UserError(
                 f"{context.where}: keyframe {k + 1} (t = {context.keys.times[k]:g} s): '{joint.name}' is {over:.3g} "
-                f"{unit} beyond its range, {low:g} to {high:g} {unit}, which penalty 'range' makes hard; move it inside"
+                f"{unit} beyond its range, {low:g} to {high:g} {unit}, hard by penalty 'limits'; move it inside"
             )
 
 
 def steady_joints(context: Context) -> tuple[Range, ...]:
-    """The joints that keyframes hold and that the spline through them would swing."""
+    """The joints that neighbouring keyframes give one value and that the spline through the keyframes would swing."""
     aloft = () if context.support is None else context.support.flights
     repeats = context.keys.ends == "periodic" or context.rhythm is not None
     return steady(context.figure, context.keys, repeats=repeats, aloft=aloft)
 
 
-def _steady(context: Context, chosen: Options) -> Penalty | None:
-    return _some(lambda held: Steady.of(context.figure, held, context.keys.times), steady_joints(context))
+def _overshoot(context: Context, options: Options) -> Penalty | None:
+    joints = steady_joints(context)
+    return Steady.of(context.figure, joints, context.keys.times) if joints else None
 
 
-def _speed(context: Context, chosen: SpeedOptions) -> Penalty | None:
-    if chosen.limit is None:
-        raise UserError(f"{context.where}: penalty 'speed' needs a limit = ..., in degrees a second")
-    made = Speed.of(context.figure, float(np.radians(chosen.limit)))
-    return made if made.links.size else None
+def _speed(context: Context, options: LimitOptions) -> Penalty | None:
+    speed = Speed.of(context.figure, float(np.radians(options.speed or 0.0)))
+    return speed if speed.links.size else None
 
 
-def _level(context: Context, chosen: LevelOptions) -> Penalty | None:
-    if not chosen.bodies:
-        raise UserError(f"{context.where}: penalty 'level' needs bodies = [...], the ones that are to be level")
-    known, found = moving_bodies(context.figure), list[int]()
-    for name in chosen.bodies:
+def _trunk(context: Context, options: UprightOptions) -> Penalty | None:
+    if not options.bodies and (options.bodies is not None or options.axis is not None):
+        raise UserError(f"{context.where}: penalty 'upright' needs bodies = [...], the bodies to keep upright")
+    return Upright(context.leans) if context.leans else None
+
+
+def _bodies(context: Context, options: UprightOptions) -> Penalty | None:
+    known, links = moving_bodies(context.figure), list[int]()
+    for name in options.bodies or ():
         if name not in known:
-            raise UserError(f"{context.where}: penalty 'level': {unknown('body', name, known)}")
-        found.append(known[name])
-    return _some(lambda bodies: Level.of(context.figure, bodies, chosen.axis), found)
+            raise UserError(f"{context.where}: penalty 'upright': {unknown('body', name, known)}")
+        links.append(known[name])
+    return Level.of(context.figure, links, options.axis)
 
 
-RENAMED = {"coupled": "equality", "closed": "equality"}  # what older clip files call them, and what it is called now
+@dataclass(frozen=True)
+class Renamed:
+    """A kind of older clip files.
+
+    kind, part  what it is now
+    options     new names of its options; without those that are gone
+    requires    options that are needed
+    """
+
+    kind: str
+    part: str = ""
+    options: Mapping[str, str] = field(default_factory=dict)
+    requires: Mapping[str, Any] = field(default_factory=dict)
+
+
+RENAMED = {
+    "covariant": Renamed("acceleration", "angular"),
+    "root": Renamed("acceleration", "linear"),
+    "contact": Renamed("collision", "soles", {"points": "points"}),
+    "clearance": Renamed("collision", "body", {"margin": "margin"}),
+    "self": Renamed("collision", "self", {"margin": "margin"}, {"self": True}),
+    "planted": Renamed("attach", "stance"),
+    "resting": Renamed("attach", "contact"),
+    "hold": Renamed("attach", "hold"),
+    "placement": Renamed("attach", "placement"),
+    "skate": Renamed("no_slip", "", {"reach": "reach"}),
+    "bend": Renamed(
+        "limits",
+        "bend",
+        {"joints": "bend_joints", "least": "least_bend", "sideways": "sideways", "twist": "twist"},
+    ),
+    "range": Renamed("limits", "range", {"limit": "range"}),
+    "steady": Renamed("limits", "overshoot"),
+    "speed": Renamed("limits", "speed", {"limit": "speed"}),
+    "level": Renamed("upright", "bodies", {"bodies": "bodies", "axis": "axis"}),
+    "coupled": Renamed("equality"),
+    "closed": Renamed("equality"),
+}
 KINDS = {
     kind.name: kind
     for kind in (
         Kind(
-            "covariant", 1.0, "angular acceleration of every body (of every joint in joint coordinates)",
-            lambda context, chosen: CovariantAcceleration(chosen.form or "intrinsic"), CovariantOptions,
-        ),
-        Kind("root", 1.0, "acceleration of the root and of slides", lambda context, chosen: RootAcceleration()),
-        Kind(
-            "unit", 1.0, "deviation of quaternions from unit length",
-            lambda context, chosen: UnitMagnitude(chosen.form or "square", most=RAW_UNIT)
-            if context.figure.tables.quaternion_links.size else None, UnitOptions,
-        ),
-        Kind("contact", 30.0, "depth of heels and toes, or points, in any static geom", _contact, SoleMargin),
-        Kind(
-            "clearance", 30.0, "depth of every geom of the figure in what it may run into, and in what it carries",
-            _clearance, Margin,
-        ),
-        Kind("planted", 0.3, "movement of soles that neighbouring keyframes put on one spot", _planted),
-        Kind("resting", 750.0, "movement of the points of [[contact]]s while they rest", _resting),
-        Kind(
-            "hold", 750.0, "movement of the sites of [[hold]]s on what they hold",
-            lambda context, chosen: _some(Holding, context.holds),
-        ),
-        Kind("skate", 1.4, "speed of heels and toes near a surface", _skate, Reach),
-        Kind("grounded", 0.3, "height of the lowest point between keyframes that touch the ground", _grounded, Reach),
-        Kind("posture", 0.7, "angular velocity of joints beside their acceleration", lambda context, chosen: Posture()),
-        Kind("bend", 1.0, "knees and elbows bent backward, sideways or twisted", _bend, BendOptions),
-        Kind(
-            "range", 1.0, "angle or displacement beyond the model's joint ranges",
-            _range, RangeOptions,
-        ),
-        Kind("steady", 10.0, "motion of joints between neighbouring keyframes that give them the same value", _steady),
-        Kind("equality", 300.0, "points and joints off what <equality> holds together or makes follow", _equality),
-        Kind(
-            "placement", 30.0, 'distance of sites with by = "search" from their places',
-            lambda context, chosen: _some(Placement, context.placed),
+            "acceleration",
+            (
+                Part(
+                    1.0, "angular acceleration of every body (of every joint in joint coordinates)",
+                    lambda context, options: CovariantAcceleration(), "angular",
+                ),
+                Part(
+                    1.0, "acceleration of the root and of slides", lambda context, options: RootAcceleration(), "linear"
+                ),
+            ),
         ),
         Kind(
-            "upright", 1.0, "lean of a trunk away from how it was posed",
-            lambda context, chosen: _some(Upright, context.leans),
+            "unit",
+            (
+                Part(
+                    1.0, "deviation of quaternions from unit length",
+                    lambda context, options: UnitMagnitude(most=RAW_UNIT)
+                    if context.figure.tables.quaternion_links.size else None,
+                ),
+            ),
         ),
-        Kind("flight", 3.0, "force on the figure in flight", _flight, FlightOptions),
-        Kind("support", 0.01, "force and moment that feet in contact cannot supply", _support, SupportOptions),
         Kind(
-            "peak", 0.01, "eighth power of joints' angular acceleration",
-            lambda context, chosen: PeakAcceleration(),
+            "collision",
+            (
+                Part(30.0, "depth of heels and toes, or points, in any static geom", _soles, "soles"),
+                Part(
+                    30.0, "depth of every geom of the figure in static geoms and in objects that it holds",
+                    _body, "body",
+                ),
+                Part(
+                    30.0, "depth of limbs in the trunk and in each other",
+                    lambda context, options: SelfContact.of(context.figure, options.margin or 0.0), "self", "self",
+                ),
+            ),
+            CollisionOptions,
         ),
         Kind(
-            "cycle", 0.1, "joints off the walking or running cycle that the keyframes tell",
-            lambda context, chosen: None if context.rhythm is None else Cycle(context.figure, context.rhythm),
+            "attach",
+            (
+                Part(0.3, "movement of soles that neighbouring keyframes put on one spot", _stance, "stance"),
+                Part(750.0, "movement of the points of [[contact]]s while they rest", _contact, "contact"),
+                Part(
+                    750.0, "movement of the sites of [[hold]]s on the body that they hold",
+                    lambda context, options: Holding(context.holds) if context.holds else None, "hold",
+                ),
+                Part(
+                    30.0, 'distance of sites with by = "search" from their places',
+                    lambda context, options: Placement(context.placed) if context.placed else None, "placement",
+                ),
+            ),
+        ),
+        Kind("no_slip", (Part(1.4, "speed of heels and toes near a surface", _no_slip),), Reach),
+        Kind(
+            "grounded",
+            (Part(0.3, "height of the lowest point between keyframes that touch the ground", _grounded),), Reach,
+        ),
+        Kind(
+            "posture",
+            (Part(0.7, "angular velocity of joints beside their acceleration", lambda context, options: Posture()),),
+        ),
+        Kind(
+            "limits",
+            (
+                Part(1.0, "knees and elbows bent backward, sideways or twisted", _bend, "bend"),
+                Part(1.0, "angle or displacement beyond the model's joint ranges", _range, "range"),
+                Part(
+                    10.0, "motion of joints between neighbouring keyframes that give them the same value",
+                    _overshoot, "overshoot",
+                ),
+                Part(100.0, "speed of hinges and ball joints beyond a limit", _speed, "speed", "speed"),
+            ),
+            LimitOptions,
+        ),
+        Kind(
+            "equality",
+            (Part(300.0, "points and joints off what <equality> holds together or makes follow", _equality),),
+        ),
+        Kind(
+            "upright",
+            (
+                Part(1.0, "lean of a trunk away from how it was posed", _trunk, "trunk"),
+                Part(30.0, "lean of bodies, such as a head or a tray, from the vertical", _bodies, "bodies", "bodies"),
+            ),
+            UprightOptions,
+        ),
+        Kind("flight", (Part(3.0, "force on the figure in flight", _flight),), FlightOptions),
+        Kind("support", (Part(0.01, "force and moment that feet in contact cannot supply", _support),), SupportOptions),
+        Kind(
+            "peak",
+            (
+                Part(
+                    0.01, "eighth power of joints' angular acceleration",
+                    lambda context, options: PeakAcceleration(),
+                ),
+            ),
+        ),
+        Kind(
+            "cycle",
+            (
+                Part(
+                    0.1, "joints off the walking or running cycle of the keyframes",
+                    lambda context, options: None if context.rhythm is None
+                    else Cycle(context.figure, context.rhythm),
+                ),
+            ),
             CycleOptions,
         ),
         Kind(
-            "self", None, "depth of limbs in the trunk and in each other",
-            lambda context, chosen: SelfContact.of(context.figure, chosen.margin or 0.0), Margin,
-        ),
-        Kind(
             "torque",
-            None,
-            "joint torques by inverse dynamics: inertia, gravity, armature; no passive or contact forces",
-            lambda context, chosen: Torque(),
+            (
+                Part(
+                    1.0,
+                    "joint torques by inverse dynamics: inertia, gravity, armature; no passive or contact forces",
+                    lambda context, options: Torque(),
+                ),
+            ),
+            is_default=False,
         ),
-        Kind("speed", None, "speed of hinges and ball joints beyond a limit", _speed, SpeedOptions),
-        Kind("level", None, "lean of bodies, a trunk or a tray, from the vertical", _level, LevelOptions),
     )
 }  # fmt: skip

@@ -40,7 +40,7 @@ from ..motion import Saved, read_arrays
 from ..scene.assets import Scene, taken_along
 from ..scene.compose import Step, compose, figure_spec, first_line, quietly, spec_joint_names
 from ..scene.configuration import first_wrong
-from .constraints import chosen, constraints, flights_given, posing_bends
+from .constraints import chosen, constraints, listed_flights, posing_bends, weight_factors
 from .contacts import Contacts, rests
 from .context import Context
 from .follow.keeping import ground_of, rests_of, stances_in, stances_of
@@ -459,7 +459,7 @@ def with_keys(clip: Clip, keys: Sequence[Frame]) -> Clip:
 
 def _stander(figure: Figure, table: ClipTable, where: str) -> Stander:
     bends, surfaces = posing_bends(figure, table.penalty), static_surfaces(figure.model)
-    aloft = flights_given(table.penalty)
+    aloft = listed_flights(table.penalty)
     return Stander(figure, surfaces, table.contact, bends, table.solve, where, held=table.hold, aloft=aloft)
 
 
@@ -509,8 +509,8 @@ def _following(
     given = rests_of(ground, table.contact, recording.recorded.path.span, where)
     kept = recording.stances(ground, edits, given) if known is None else stances_in(known, ground, where)
     problem = recording.problem(ground, edits, kept)
-    said = {entry.kind: entry.said["weight"] for entry in table.penalty if "weight" in entry.said}
-    weighted = tuple((p, w * said.get(p.name, 1.0)) for p, w in problem.penalties)
+    factors = weight_factors(table.penalty, where)
+    weighted = tuple((p, w * factors.get(p.name, 1.0)) for p, w in problem.penalties)
     problem = replace(problem, penalties=weighted)
     try:
         timeline = problem.raw
@@ -569,7 +569,7 @@ def _check_text(table: ClipTable, where: str) -> None:
             _settings(table.solve, times)
         except ValueError as error:
             raise UserError(f"{where}: {error}") from None
-        chosen(table.penalty, where)
+    chosen(table.penalty, where)
     for number, row in enumerate(table.keyframe, start=1):
         here = f"{where}: {_called(number, row.time)}"
         if isinstance(row.root.rotation, RotationTable):

@@ -174,7 +174,7 @@ def _body(name: str, table: dict[str, Any], sides: _Sides) -> dict[str, Any]:
 
 def _renamed(entry: dict[str, Any], sides: _Sides) -> dict[str, Any]:
     """A penalty for the points, joints and bodies of the other side, an axis of these in their own axes there."""
-    lists = ("points", "joints", "bodies")
+    lists = ("points", "bend_joints", "bodies")
     out = entry | {key: [sides.other(name) for name in entry[key]] for key in lists if entry.get(key)}
     if entry.get("axis") is None or not entry.get("bodies"):
         return out

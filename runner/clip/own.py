@@ -21,7 +21,7 @@ def with_own(clip: Clip, own: Own) -> Clip:
 
     Raises UserError for one that is none, has no weight, or is called as another.
     """
-    taken = {penalty.name for penalty, _ in clip.penalties} | KINDS.keys()
+    taken = {penalty.name for penalty, _ in clip.penalties} | {k.term(part) for k in KINDS.values() for part in k.parts}
     where = f"{clip.name}: own"
     for entry in own:
         if not (isinstance(entry, tuple) and len(entry) == 2 and isinstance(entry[0], Penalty)):

@@ -50,16 +50,13 @@ PENALTIES = """\
 # Soft constraints: those that fit the figure are on already. Each can be weighed, or taken away by weight = 0.
 #
 # [[penalty]]
-# kind = "contact"                  # feet out of floors and steps; the points above, or sites of your choice
-# points = ["a_site", "another"]
-#
-# [[penalty]]
-# kind = "range"                    # joints within the model's ranges
-# weight = 10
-#
-# [[penalty]]
-# kind = "clearance"                # the whole figure out of everything that does not move
+# kind = "collision"                # feet, and the whole figure, out of everything that does not move
+# points = ["a_site", "another"]    # of the soles: the points above, or sites of your choice
 # margin = 0.01
+#
+# [[penalty]]
+# kind = "limits"                   # joints within the model's ranges
+# weight = {range = 10}
 #
 # [[penalty]]
 # kind = "torque"                   # small joint torques

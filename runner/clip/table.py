@@ -335,7 +335,7 @@ def _shown(value: Any) -> str:
     return text if len(text) <= 60 else text[:57] + "..."
 
 
-_OF_PENALTIES = {"joints": "bent joints", "bodies": "bodies of a penalty", "axis": "axis of a penalty"}
+_OF_PENALTIES = {"weight": "weight", "bodies": "bodies of a penalty", "axis": "axis of a penalty"}
 _NAMED: dict[str, tuple[str, type[Table]]] = {
     "joints": ("joint", RotationTable),
     "roots": ("root", RootTable),
@@ -360,14 +360,14 @@ _TABLES: dict[str, type[Table]] = {
 }
 
 ROTATION = "{rotvec = [x, y, z]}, {euler = [...], order = ...} or {quat = [w, x, y, z]}"
-_NUMBERS = ("time", "fps", "x", "y", "height", "length", "width", "weight", "margin", "least", "sideways", "twist")
-_OF_OTHERS = ("angular", "friction", "heading", "mass", "period", "radius", "reach", "turn")
+_NUMBERS = ("time", "fps", "x", "y", "height", "length", "width", "weight", "margin", "least_bend", "sideways", "twist")
+_OF_OTHERS = ("angular", "friction", "heading", "mass", "period", "radius", "reach", "speed", "turn")
 _WHOLE = ("variable", "frames", "evaluations", "samples")
 _EXPECTED = {
     **dict.fromkeys((*_NUMBERS, *_OF_OTHERS, "threshold", "tolerance"), "a number"),
     **dict.fromkeys(_WHOLE, "a whole number"),
-    **dict.fromkeys(("kind", "form", "criterion", "optimiser", "order", "point", "hand"), "a word in quotes"),
-    **dict.fromkeys(("points", "bent joints", "bodies of a penalty"), "a list of names"),
+    **dict.fromkeys(("kind", "criterion", "optimiser", "order", "point", "hand"), "a word in quotes"),
+    **dict.fromkeys(("points", "bend_joints", "bodies of a penalty"), "a list of names"),
     "intervals": "a list of [from, to] in seconds",
     "others": "'free', 'rest', 'hold' or 'key:NAME', a <key> of the model",
     "figure": "the name of a figure or a path in quotes",
@@ -391,6 +391,7 @@ _EXPECTED = {
     "axis of a penalty": "[x, y, z] in the body's own axes",
     "by": "'pose' or 'search'",
     "flat": "true",
+    "self": "true or false",
     "rotvec": "three angles [x, y, z] in degrees",
     "euler": "a list of angles in degrees",
     "quat": "four numbers [w, x, y, z]",

@@ -28,10 +28,10 @@ def tables(table: ClipTable) -> dict[str, Any]:
 def written(clip: dict[str, Any]) -> str:
     """TOML text of a clip's tables, keyframes last; entries of a table inside a table stand on one line."""
     head = [(key, value) for key, value in clip.items() if not _is_table(value)]
-    blocks = ["\n".join(_entry(key, value) for key, value in head)]
+    blocks = ["\n".join(assignment(key, value) for key, value in head)]
     for key, value in sorted(clip.items(), key=lambda item: item[0] == "keyframe"):
         if isinstance(value, dict) and value:
-            blocks.append("\n".join([f"[{_key(key)}]", *(_entry(*entry) for entry in value.items())]))
+            blocks.append("\n".join([f"[{_key(key)}]", *(assignment(*entry) for entry in value.items())]))
         elif _is_table(value) and not isinstance(value, dict):
             blocks += ["\n".join([f"[[{_key(key)}]]", *_rows(row)]) for row in value]
     return "\n\n".join(blocks) + "\n"
@@ -46,13 +46,14 @@ def _rows(row: dict[str, Any]) -> list[str]:
     lines = []
     for key, value in row.items():
         if key in ("root", "roots", "joints", "sites", "bodies") and isinstance(value, dict):
-            lines += [f"{_key(key)}.{_entry(*entry)}" for entry in value.items()]
+            lines += [f"{_key(key)}.{assignment(*entry)}" for entry in value.items()]
         else:
-            lines.append(_entry(key, value))
+            lines.append(assignment(key, value))
     return lines
 
 
-def _entry(key: str, value: Any) -> str:
+def assignment(key: str, value: Any) -> str:
+    """KEY = VALUE in TOML."""
     return f"{_key(key)} = {_value(value)}"
 
 
@@ -70,7 +71,7 @@ def _value(value: Any) -> str:
     if isinstance(value, str):
         return _text(value)
     if isinstance(value, dict):
-        return "{" + ", ".join(_entry(*entry) for entry in value.items() if entry[1] is not None) + "}"
+        return "{" + ", ".join(assignment(*entry) for entry in value.items() if entry[1] is not None) + "}"
     if isinstance(value, list | tuple):
         return "[" + ", ".join(map(_value, value)) + "]"
     return repr(value)

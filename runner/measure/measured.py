@@ -142,7 +142,7 @@ def _bend_report(clip: Clip, grid: Grid) -> dict[str, dict[str, float]]:
 
 
 def _self_report(clip: Clip, grid: Grid) -> dict[str, Any]:
-    """The deepest that limbs are in the trunk or in each other; empty unless the clip asks for `self`."""
+    """The deepest that limbs are in the trunk or in each other; empty without `self` of `collision`."""
     for penalty, _ in clip.penalties:
         if isinstance(penalty, SelfContact):
             deepest, where = self_penetration(clip.figure.model, penalty.geom_pairs, grid.time, grid.qpos)

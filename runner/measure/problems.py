@@ -40,7 +40,7 @@ from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.points import Point, arrays_of, body_points, places_of
 
 from ..clip import load as clips
-from ..clip.kinds import bolted_links, steady_joints
+from ..clip.kinds import BODY, bolted_links, steady_joints
 from ..clip.load import Clip
 from ..clip.pose_report import standing_trees
 from ..errors import UserError
@@ -283,9 +283,9 @@ def _kept_out(clip: Clip, parts: Sequence[Penalty]) -> tuple[Contact, ...]:
     """Soles and body, and what they are to stay out of, whether or not the clip has it penalised."""
     found = [part for part in parts if isinstance(part, Contact)]
     names = {part.name for part in found}
-    if "contact" not in names:
+    if Contact.called not in names:
         found.append(Contact(clip.context.points, clip.context.surfaces))
-    if "clearance" not in names:
+    if BODY not in names:
         body, bolted = body_points(clip.figure), bolted_links(clip.figure)
         for surface in clip.context.surfaces:
             links = bolted.get(surface.name, frozenset())

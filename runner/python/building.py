@@ -80,7 +80,7 @@ def build(
     scene      as the file's [scene]: {"step": {"x": 0.3, "height": 0.27}, "box": [{...}, ...]}
     contacts   as [[contact]]: {"point": "right_heel", "from": 0.0, "to": 0.8}
     holds      as [[hold]]: {"hand": "left_hand", "body": "crate", "from": 1.2, "to": 2.8}
-    penalties  what differs from the defaults: {"torque": 0.1, "clearance": {"weight": 100, "margin": 0.002}}
+    penalties  what differs from the defaults: {"torque": 0.1, "collision": {"weight": 100, "margin": 0.002}}
     solve      as [solve]: {"ends": "periodic", "variable": 3}
     recording  as [recording]: {"file": "walk.npz", "blend": 0.4}, from this folder; keyframes edit it
     own        soft constraints of your own with their weights: [(Calm(), 0.1)]; no file holds them

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from ..clip.constraints import chosen, weight_factors
 from ..clip.kinds import KINDS
 from ..clip.load import table_of
 from ..clip.table import ClipTable
@@ -22,7 +23,7 @@ def outline(text: str, where: str) -> dict[str, Any]:
         "keys": [_key(row) for row in said.get("keyframe", [])],
         "contacts": said.get("contact", []),
         "holds": said.get("hold", []),
-        "weights": weights(table),
+        "weights": weights(table, where),
         "options": {entry["kind"]: entry for entry in said.get("penalty", [])},
         "obstacles": [
             {"kind": kind, "index": index, **each}
@@ -34,16 +35,26 @@ def outline(text: str, where: str) -> dict[str, Any]:
     }
 
 
-def weights(table: ClipTable) -> dict[str, float | None]:
-    """The weights that the clip gives, by kind; None where it names a kind and leaves the weight at its default."""
-    return {entry.kind: entry.said.get("weight") for entry in table.penalty}
+def weights(table: ClipTable, where: str) -> dict[str, float]:
+    """The weights in the clip's text by term; for a clip with a recording, the factors."""
+    if table.recording is not None:
+        return weight_factors(table.penalty, where)
+    listed: dict[str, float] = {}
+    for name, options in chosen(table.penalty, where).items():
+        kind, given = KINDS[name], options.weight
+        weights = {} if given is None else kind.weights(options)
+        for part in kind.parts:
+            if part.name in weights and (not isinstance(given, dict) or part.name in given):
+                listed[kind.term(part)] = weights[part.name]
+    return listed
 
 
 def kinds() -> list[dict[str, Any]]:
-    """The table of soft constraints."""
+    """The terms of soft constraints, a row each."""
     return [
-        {"kind": kind.name, "weight": kind.weight, "says": kind.says, "options": kind.choices()}
-        for kind in KINDS.values()
+        {"kind": kind["kind"], **part}
+        for kind in (kind.described() for kind in KINDS.values())
+        for part in kind["parts"]
     ]
 
 

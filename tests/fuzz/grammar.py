@@ -82,16 +82,14 @@ criterion = "weak"
 kind = "torque"
 weight = 0.1
 [[penalty]]
-kind = "contact"
+kind = "collision"
 points = ["left_heel", "left_toe"]
 margin = 0.01
 [[penalty]]
-kind = "range"
-weight = 10
-[[penalty]]
-kind = "bend"
-joints = ["left_knee"]
-least = 5
+kind = "limits"
+weight = {range = 10}
+bend_joints = ["left_knee"]
+least_bend = 5
 
 [[contact]]
 point = "left_heel"
@@ -135,7 +133,7 @@ SOURCES = (SIMPLE, SIMPLE, CLIP)
 ODD = (0, -1, 1e9, -1e9, float("nan"), float("inf"), 10**30, True, "", "free", [], {}, [0, 0, 0], 1e-12, "naïve", [[]])
 BODIES, JOINTS = ("pelvis", "left_shin", "nobody", "world"), ("left_knee", "root", "none")
 SITES = ("left_toe", "no_site")
-SURE = ("torque", "unit", "root", "range", "covariant", "peak", "self", "clearance")
+SURE = ("torque", "unit", "acceleration", "limits", "attach", "peak", "collision")
 ODDLY = 0.004  # of all values are of another kind
 
 
@@ -274,12 +272,15 @@ class _Drawn:
         ]
 
     def _penalty(self, kind: object) -> dict[str, object]:
-        found: dict[str, Callable[[], object]] = {"weight": lambda: self.draw.choice([0, 0.1, 1, 100])}
+        found: dict[str, Callable[[], object]] = {
+            "weight": lambda: self.draw.choice([0, 0.1, 1, 100, {"self": 1}, {"range": 0}])
+        }
         if self.draw.random() < 50 * self.oddly:
             found |= {
                 "margin": lambda: 0.01,
                 "points": lambda: [self._site()],
-                "joints": lambda: [self.draw.choice(JOINTS)],
+                "bend_joints": lambda: [self.draw.choice(JOINTS)],
+                "self": lambda: True,
                 "friction": lambda: 0.5,
                 "intervals": lambda: [[0, 0.1]],
             }

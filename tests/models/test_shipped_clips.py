@@ -207,7 +207,7 @@ def test_no_clip_that_ships_ends_in_a_heap_or_begins_with_a_jerk(name):
     raw = path_of(motion.raw)
     length, spacing = np.ptp(raw.span), np.ptp(raw.span) / (raw.spline.times.size - 1)
     for term, whole in zip(motion.objective.terms, motion.objective.integrals(raw), strict=True):
-        if term.penalty.name in ("covariant", "root"):
+        if term.penalty.name in ("acceleration.angular", "acceleration.linear"):
             scale = term.penalty.normalization
             small = SMALL_SHARE * scale.reference * length / spacing**scale.time_power
             assert term.factor == pytest.approx(term.weight / max(whole, small), rel=1e-12)

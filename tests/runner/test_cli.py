@@ -251,11 +251,15 @@ def test_soft_constraints_are_listed_with_weights_options_and_units(run):
     done = run("penalties")
     assert (done.code, done.err) == (0, "")
     assert [line.split()[0] for line in done.out.splitlines() if not line.startswith(" ")] == list(KINDS)
-    assert "contact       30  depth of heels and toes" in done.out
-    assert f"{'':18}margin (m)\n" in done.out
+    assert "collision\n  soles         30  depth of heels and toes" in done.out
+    assert f"{'':20}reach (m)\n" in done.out
     told = {row["kind"]: row for row in json.loads(run("penalties", "--json").out)}
-    assert told["bend"]["options"] == {"joints": "joints", **dict.fromkeys(("least", "sideways", "twist"), "degrees")}
-    assert (told["hold"]["weight"], told["torque"]["weight"], told["hold"]["options"]) == (750, None, {})
+    assert told["support"]["options"] == {"friction": "coefficient"}
+    assert told["attach"]["options"] == {}
+    weights = {part["part"]: part["weight"] for part in told["attach"]["parts"]}
+    assert weights == {"stance": 0.3, "contact": 750, "hold": 750, "placement": 30}
+    assert [part["is on"] for part in told["collision"]["parts"]] == [True, True, False]
+    assert not told["torque"]["parts"][0]["is on"]
 
 
 @pytest.mark.parametrize("words", [(), ("--help",), ("render", "--help")])
@@ -334,7 +338,7 @@ BAD_CLIPS = {
     "a figure over two lines": (changed("tiny.xml", r"a\nb"), [r"'a\nb'"]),
     "an unknown joint": (changed("joints.left_knee = {rotvec = [0, 40", "joints.left_kne = {rotvec = [0, 40"),
         [KEY_2, "no joint 'left_kne'", "did you mean 'left_knee'?"]),
-    "an unknown penalty": (CLIP + '[[penalty]]\nkind = "contct"\n', ["penalty 1", "did you mean 'contact'?"]),
+    "an unknown penalty": (CLIP + '[[penalty]]\nkind = "colision"\n', ["penalty 1", "'collision'?"]),
     "a penalty without a kind": (CLIP + "[[penalty]]\nweight = 1\n", ["penalty 1", "'kind' is missing"]),
     "a penalty twice": (CLIP + 2 * '[[penalty]]\nkind = "unit"\n', ["penalty 2", "'unit'", "already by penalty 1"]),
     "one [penalty]": (CLIP + '[penalty]\nkind = "unit"\n', ["[[penalty]] tables"]),
@@ -343,12 +347,11 @@ BAD_CLIPS = {
     "a negative weight": (CLIP + '[[penalty]]\nkind = "unit"\nweight = -1\n', ["penalty 1: weight", "at least 0"]),
     "a weight that is nan": (CLIP + '[[penalty]]\nkind = "unit"\nweight = nan\n', ["weight", "finite", "nan"]),
     "an enormous weight": (CLIP + '[[penalty]]\nkind = "unit"\nweight = 1e300\n', ["weight", "at most"]),
-    "an unknown form": (CLIP + '[[penalty]]\nkind = "unit"\nform = "sqare"\n', ["'unit'", "'sqare'", "'square'"]),
-    "an option of another kind": (CLIP + '[[penalty]]\nkind = "root"\nform = "x"\n', ["penalty 1: 'form' is not for"]),
-    "an unknown site": (CLIP + '[[penalty]]\nkind = "contact"\npoints = ["left_to"]\n', ["no site", "'left_toe'?"]),
-    "sites that are one word": (CLIP + '[[penalty]]\nkind = "contact"\npoints = "a"\n', ["points", "a list of names"]),
-    "an unknown joint of bend": (CLIP + '[[penalty]]\nkind = "bend"\njoints = ["left_kne"]\n', ["'left_knee'?"]),
-    "joints of bend in a table": (CLIP + '[[penalty]]\nkind = "bend"\njoints = {a = 1}\n', ["a list of names"]),
+    "an option of another kind": (CLIP + '[[penalty]]\nkind = "unit"\nreach = 1\n', ["'reach' is not for"]),
+    "an unknown site": (CLIP + '[[penalty]]\nkind = "collision"\npoints = ["left_to"]\n', ["no site", "'left_toe'?"]),
+    "sites that are one word": (CLIP + '[[penalty]]\nkind = "collision"\npoints = "a"\n', ["a list of names"]),
+    "an unknown joint of bend": (CLIP + '[[penalty]]\nkind = "limits"\nbend_joints = ["left_kne"]\n', ["'left_knee'?"]),
+    "joints of bend in a table": (CLIP + '[[penalty]]\nkind = "limits"\nbend_joints = {a = 1}\n', ["a list of names"]),
     "an unknown key": ("fsp = 3\n" + CLIP, ["no key 'fsp'", "did you mean 'fps'?"]),
     "an unknown key of scene": (CLIP + "[scene]\nstpe = {x = 1, height = 1}\n", ["scene: no key 'stpe'", "'step'?"]),
     "an unknown key of step": (

@@ -41,7 +41,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     ("text", "complaint"),
     [
         (changed("left_knee = {rotvec = [0, 40", "left_kne = {rotvec = [0, 40"), "no joint 'left_kne'; did you mean"),
-        (changed("[solve]", '[[penalty]]\nkind = "clearence"\n[solve]'), "no penalty 'clearence'; did you mean"),
+        (changed("[solve]", '[[penalty]]\nkind = "colision"\n[solve]'), "no penalty 'colision'; did you mean"),
         (changed("[solve]", '[[penalty]]\nkind = "torque"\nreach = 1\n[solve]'), "'reach' is not for kind 'torque'"),
         (changed("[solve]", '[solve]\ncriterion = "weka"'), "no criterion 'weka'; did you mean 'weak'"),
         (changed("[solve]", '[solve]\noptimiser = "newtn"'), "no optimiser 'newtn'"),

@@ -170,8 +170,15 @@ def test_the_parts_add_up_to_the_value_and_the_value_is_that_of_the_path(figure,
     found = problem(problem.unknowns.start)
     np.testing.assert_allclose(sum(found.parts.values()), found.value, rtol=1e-14)
     np.testing.assert_allclose(objective.value(problem.path(problem.unknowns.start)), found.value, rtol=1e-10)
-    np.testing.assert_allclose(found.parts["covariant"], 2.5, rtol=1e-10)  # two terms of one name
-    assert set(found.parts) == {"covariant", "unit", "root", "torque", "bend", "contact"}
+    np.testing.assert_allclose(found.parts["acceleration.angular"], 2.5, rtol=1e-10)  # two terms of one name
+    assert set(found.parts) == {
+        "acceleration.angular",
+        "unit",
+        "acceleration.linear",
+        "torque",
+        "limits.bend",
+        "collision.soles",
+    }
 
 
 def test_sample_gradients_are_those_of_the_density(figure, rng):
@@ -325,14 +332,14 @@ def test_motion_costs_the_weights_of_what_its_own_integrals_measure():
     keys = [Frame.key(t, [q]) for t, q in ((0, 0.0), (1, 1.0), (2, 0.5))]
     objective = Objective.of(figure, [(CovariantAcceleration(), 2.0), (Posture(), 5.0), (RootAcceleration(), 0.25)])
     assert objective.raw_cost == 2.25
-    assert [term.penalty.name for term in objective.measured] == ["covariant", "root"]
+    assert [term.penalty.name for term in objective.measured] == ["acceleration.angular", "acceleration.linear"]
     assert objective.renormalised(path_of(raw_timeline(figure, keys))).heavy == pytest.approx(10 * 2.25)
     assert Objective.of(figure, [(Posture(), 5.0)]).renormalised(path_of(raw_timeline(figure, keys))).heavy == np.inf
 
 
 @pytest.mark.parametrize("weight", [-1.0, np.nan, np.inf])
 def test_a_weight_that_is_none_is_refused_by_name(weight, figure):
-    with pytest.raises(ValueError, match=r"the weight of 'root' is .*; it must be a number, at least 0"):
+    with pytest.raises(ValueError, match=r"the weight of 'acceleration.linear' is .*; it must be a number, at least 0"):
         Objective.of(figure, [(RootAcceleration(), weight)])
     assert Objective.of(figure, [(RootAcceleration(), 0)]).terms[0].weight == 0
 

@@ -40,7 +40,7 @@ from dynsplines.solver.posing import (
 from dynsplines.solver.surface.points import Point, site_points
 
 HUMAN = {c: Figure(mujoco.MjModel.from_xml_string(models.figure_text("human")), c) for c in ("world", "joint")}
-BENDS = posing_bends(HUMAN["world"], [PenaltyTable.of("bend", least=2.0)])
+BENDS = posing_bends(HUMAN["world"], [PenaltyTable.of("limits", least_bend=2.0)])
 SITES = [f"{side}_{part}" for side in ("left", "right") for part in ("heel", "toe", "hand", "wrist")]
 ARM = """
 <mujoco><compiler angle="degree"/><worldbody>
@@ -211,7 +211,7 @@ def test_legs_that_home_has_turned_far_round_stand_all_the_same():
                 columns = entries(figure, figure.link_named(f"{side}_{name}") or 0)
                 home[columns] = quat.normalised(turn + 0.01 * rng.normal(size=4))
                 free[columns] = True
-        found = posed(figure, home, free, goals, posing_bends(figure, [PenaltyTable.of("bend", least=4.0)]))
+        found = posed(figure, home, free, goals, posing_bends(figure, [PenaltyTable.of("limits", least_bend=4.0)]))
         met += found.is_met
     assert met >= 2
 

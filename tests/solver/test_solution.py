@@ -58,7 +58,7 @@ def test_it_is_raw_if_nothing_was_evaluated_and_times_states_and_speeds_are_thos
 
 def test_an_improvement_builds_its_path_once_and_only_when_it_is_asked_for():
     built, raw = [], solution().raw
-    told = Improvement(3, 1, 0.5, {"covariant": 0.5}, lambda: built.append(1) or raw)
+    told = Improvement(3, 1, 0.5, {"acceleration.angular": 0.5}, lambda: built.append(1) or raw)
     assert not built
     np.testing.assert_array_equal(told.path.at(raw.times), path_of(raw).at(raw.times))
     assert told.path is told.path

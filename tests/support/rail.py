@@ -42,18 +42,14 @@ joints.shoulder = {rotvec = [0, 0, 0]}
 
 WITHOUT = """
 [[penalty]]
-kind = "clearance"
-weight = 0
-[[penalty]]
-kind = "contact"
+kind = "collision"
 weight = 0
 """
 
 
 WITH = """
 [[penalty]]
-kind = "clearance"
-weight = 30
+kind = "collision"
 margin = 0.002
 """
 

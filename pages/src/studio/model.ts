@@ -12,7 +12,7 @@ export interface Bar { point?: string; hand?: string; body?: string; from: numbe
 export interface Obstacle { kind: string; index: number; [key: string]: unknown; }
 export interface Outline {
   name: string; file: string | null; dirty: boolean; revision: number; undo: string | null; redo: string | null;
-  figure: string; fps: number; keys: KeySaid[]; contacts: Bar[]; holds: Bar[]; weights: Record<string, number | null>;
+  figure: string; fps: number; keys: KeySaid[]; contacts: Bar[]; holds: Bar[]; weights: Record<string, number>;
   options: Record<string, Record<string, unknown>>; obstacles: Obstacle[]; solve: Record<string, unknown>; copied: number;
   recording: unknown;
 }
@@ -31,7 +31,7 @@ export interface Stage extends Drawn {
   limbs: { name: string; joints: string[]; end: number }[];
 }
 export interface Flaw { kind: string; name: string; time: number | null; amount: number; unit: string; keyframe: number | null; text: string; }
-export interface Kind { kind: string; weight: number | null; says: string; options: Record<string, string>; }
+export interface Kind { kind: string; part: string; term: string; weight: number; "keeps small": string; "is on": boolean; }
 export interface Course { value?: number; parts?: Record<string, number>; evaluation?: number; frames: number[]; kind: string; }
 
 export type Which = "after" | "before" | "both" | "side" | "snapshot";

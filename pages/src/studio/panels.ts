@@ -168,24 +168,24 @@ const weights = (): void => {
   const box = $("panel-weights"), parts = course?.parts ?? {}, scroll = box.scrollTop;
   if (box.contains(window.document.activeElement) && (window.document.activeElement as HTMLInputElement).type === "range") return;
   const sum = Object.values(parts).reduce((total, each) => total + each, 0);
-  const rows = kinds.map(({ kind, weight, says }) => {
-    const own = document.weights[kind], given = kind in document.weights;
-    const base = weight ?? 1, now = own ?? loaded?.weights[kind] ?? weight ?? 0;
-    const slider = el("input", { type: "range", min: -SCALE, max: SCALE, step: 0.05, "aria-label": `weight of ${kind}`, value: now > 0 ? Math.log10(now / base) : -SCALE });
-    const entry = field(`weight of ${kind}`, now, "", (value) => void edit("set_weight", { kind, weight: value }), 0.1);
+  const rows = kinds.map(({ kind, part, term, weight: base, "keeps small": small, "is on": on }) => {
+    const own = document.weights[term], given = term in document.weights;
+    const now = own ?? loaded?.weights[term] ?? (on ? base : 0);
+    const slider = el("input", { type: "range", min: -SCALE, max: SCALE, step: 0.05, "aria-label": `weight of ${term}`, value: now > 0 ? Math.log10(now / base) : -SCALE });
+    const entry = field(`weight of ${term}`, now, "", (value) => void edit("set_weight", { kind, part, weight: value }), 0.1);
     slider.addEventListener("input", () => { entry.value = short(base * 10 ** Number(slider.value), 4); });
     slider.addEventListener("change", () => {
       const value = Number(slider.value) <= -SCALE ? 0 : Number((base * 10 ** Number(slider.value)).toPrecision(3));
       slider.blur();
-      void edit("set_weight", { kind, weight: value });
+      void edit("set_weight", { kind, part, weight: value });
     });
-    const share = sum > 0 ? (parts[kind] ?? 0) / sum : 0;
+    const share = sum > 0 ? (parts[term] ?? 0) / sum : 0;
     const bar = el("i", { class: "share" });
     bar.style.width = `${100 * share}%`;
-    return el("div", { class: `weight${kind in (loaded?.weights ?? {}) ? "" : " off"}`, title: `keeps small: ${says}` },
-      el("span", { class: "name" }, el("b", { text: kind }), el("small", { text: says })), slider, entry,
-      el("button", { type: "button", class: "axis", text: "↺", disabled: !given, title: "its default", "aria-label": `default weight of ${kind}`, onclick: () => void edit("set_weight", { kind, weight: null }) }),
-      el("span", { class: "part", title: "its share of E" }, bar, el("small", { text: parts[kind] === undefined ? "" : parts[kind].toPrecision(2) })));
+    return el("div", { class: `weight${term in (loaded?.weights ?? {}) ? "" : " off"}`, title: `keeps small: ${small}` },
+      el("span", { class: "name" }, el("b", { text: term }), el("small", { text: small })), slider, entry,
+      el("button", { type: "button", class: "axis", text: "↺", disabled: !given, title: "its default", "aria-label": `default weight of ${term}`, onclick: () => void edit("set_weight", { kind, part, weight: null }) }),
+      el("span", { class: "part", title: "its share of E" }, bar, el("small", { text: parts[term] === undefined ? "" : parts[term].toPrecision(2) })));
   });
   const tolerance = field("tolerance of the search", Number(document.solve.tolerance ?? 0.001), "", (value) => void edit("set_solve", { option: "tolerance", value }), 0.001);
   tolerance.value = String(document.solve.tolerance ?? 0.001);

@@ -49,13 +49,13 @@ from ..table import ContactTable
 WEIGHTS = {
     "near": 1.0,
     "unit": 1e4,
-    "contact": 1e8,  # 1 for 0.1 mm of depth
-    "clearance": 2e8,  # what rests may rather hover than sink
-    "resting": 1e8,  # 1 for a slide of 2 mm/s
-    "range": 1e7,  # 1 for 0.02°
-    "bend": 1e7,
-    "self": 1e6,
-    "speed": 1e5,  # 1 for 0.2 °/s
+    "collision.soles": 1e8,  # 1 for 0.1 mm of depth
+    "collision.body": 2e8,  # bodies on the ground hover rather than sink
+    "attach.contact": 1e8,  # 1 for a slide of 2 mm/s
+    "limits.range": 1e7,  # 1 for 0.02°
+    "limits.bend": 1e7,
+    "collision.self": 1e6,
+    "limits.speed": 1e5,  # 1 for 0.2 °/s
     "support": 1000.0,  # 1 for a thirtieth of the weight
 }
 LONGEST_PANEL, POINTS = 0.05, 3  # [s], of Gauss's rule
@@ -219,7 +219,7 @@ def penalties_of(ground: Ground, rests: Sequence[Rest]) -> list[Penalty]:
     if surfaces and ground.points:
         found.append(Contact(ground.points, surfaces))
     if surfaces and (body := ground.clear):
-        found.append(Contact(body, surfaces, called="clearance"))
+        found.append(Contact(body, surfaces, called="collision.body"))
     if rests:
         found.append(Resting(tuple(rests), surfaces))
         footings = [Footing(rest.point, rest.first, rest.last, np.array([0.0, 0, 1])) for rest in rests]

@@ -228,9 +228,12 @@ def _unfit(table: ClipTable) -> Iterator[str]:
     if table.solve.model_fields_set - {"coordinates"}:
         yield f"solve.{sorted(table.solve.model_fields_set)[0]} is for clips of keyframes, not for one with [recording]"
     for entry in table.penalty:
-        if entry.kind not in WEIGHTS or entry.said.keys() - {"weight"}:
-            kinds = ", ".join(kind for kind in WEIGHTS if kind != "near")
-            yield f"penalty '{entry.kind}': beside a recording only weights may be said, of: {kinds}"
+        weight = entry.said.get("weight")
+        terms = [f"{entry.kind}.{part}" for part in weight] if isinstance(weight, dict) else []
+        unfit = [term for term in terms if term not in WEIGHTS]
+        known = [term for term in WEIGHTS if term != "near"]
+        if entry.kind not in {term.split(".")[0] for term in known} or unfit or entry.said.keys() - {"weight"}:
+            yield f"penalty '{entry.kind}': beside a recording only weights count, of: {', '.join(known)}"
 
 
 def _cut(time: Array, qpos: Array, said: RecordingTable, where: str) -> tuple[Array, Array]:

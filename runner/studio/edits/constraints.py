@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from ...clip.kinds import KINDS
 from ...errors import UserError
 from .tables import Blocks, add, number, numbers, put, remove, row
 
 EDITS = ("set_contact", "set_hold", "delete_bar", "set_weight", "set_option", "set_solve")
 SHORTEST = 0.001  # [s] of a contact or hold
+SWITCHED = {("collision", "self"): "self"}  # parts that a weight switches on, by the option that does
 
 
 def set_contact(
@@ -55,30 +57,47 @@ def delete_bar(tree: Blocks, *, kind: str, index: int) -> str:
     return f"delete a {kind}"
 
 
-def set_weight(tree: Blocks, *, kind: str, weight: float | None) -> str:
-    """The weight of a soft constraint; None for its default."""
-    return set_option(tree, kind=kind, option="weight", value=weight)
+def set_weight(tree: Blocks, *, kind: str, weight: float | None, part: str = "") -> str:
+    """The weight of a soft constraint, or of a part of it; None for its default."""
+    if not part:
+        return set_option(tree, kind=kind, option="weight", value=weight)
+    known, record = _penalty(tree, kind), KINDS.get(kind)
+    if record is None or part not in {each.name for each in record.parts}:
+        raise UserError(f"'{kind}' has no part '{part}'")
+    listed = {} if known is None else known.unwrap()
+    before = listed.get("weight", {})
+    if not isinstance(before, dict):
+        before = record.weights(record.options.model_validate({k: v for k, v in listed.items() if k != "kind"}))
+    weights = {name: value for name, value in before.items() if name != part}
+    if weight is not None:
+        weights[part] = number(weight, f"weight of {part}")
+    if (kind, part) in SWITCHED:
+        set_option(tree, kind=kind, option=SWITCHED[kind, part], value=None if weight is None else True)
+    set_option(tree, kind=kind, option="weight", value=weights or None)
+    return f"weight of {part} of {kind}"
 
 
 def set_option(tree: Blocks, *, kind: str, option: str, value: Any) -> str:
     """An option of a soft constraint; None for its default."""
-    known = tree.rows("penalty")
-    index = next((i for i, each in enumerate(known) if each.table["kind"] == kind), None)
+    table = _penalty(tree, kind)
     what = f"{option} of {kind}"
     if isinstance(value, int | float) and not isinstance(value, bool):
         value = number(value, what)
-    if index is None:
+    if table is None:
         if value is not None:
             add(tree, ("penalty",), {"kind": kind, option: value})
         return what
-    table = known[index].table
     if value is not None:
         put(table, option, value)
     elif option in table:
         del table[option]
         if set(table) == {"kind"}:
-            remove(tree, "penalty", index)
+            remove(tree, "penalty", [each.table["kind"] for each in tree.rows("penalty")].index(kind))
     return what
+
+
+def _penalty(tree: Blocks, kind: str) -> Any:
+    return next((each.table for each in tree.rows("penalty") if each.table["kind"] == kind), None)
 
 
 def set_solve(tree: Blocks, *, option: str, value: Any) -> str:

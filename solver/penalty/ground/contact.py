@@ -39,7 +39,7 @@ class Contact(Penalty):
     surfaces: tuple[Surface, ...]
     margin: float = 0.0
     allowed: Allowance | None = None
-    called: str = "contact"
+    called: str = "collision.soles"
     carrier: int = 0
 
     role = Role.OBSTACLE

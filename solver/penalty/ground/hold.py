@@ -101,7 +101,7 @@ class Holding(Penalty):
 
     holds: tuple[Hold, ...]
 
-    name = "hold"
+    name = "attach.hold"
     role = Role.CONTACT
     normalization = Normalization(1e-4, is_violation=True, is_sharp=True)
 

@@ -35,7 +35,7 @@ class Placement(Momentary):
 
     placed: tuple[Placed, ...]
 
-    name = "placement"
+    name = "attach.placement"
     role = Role.TRACKING
     normalization = Normalization(1e-4, is_violation=True)
 

@@ -55,7 +55,7 @@ class Planted(Penalty):
 
     stances: tuple[Stance, ...]
 
-    name = "planted"
+    name = "attach.stance"
     role = Role.CONTACT
     normalization = Normalization(1e-4, is_violation=True, is_sharp=True)
 

@@ -72,7 +72,7 @@ class Resting(Penalty):
     rests: tuple[Rest, ...]
     surfaces: tuple[Surface, ...]
 
-    name = "resting"
+    name = "attach.contact"
     role = Role.CONTACT
     normalization = Normalization(1e-4, is_violation=True, is_sharp=True)
 

@@ -75,9 +75,9 @@ class Skate(Penalty):
     reach: float = REACH
     bound: Bound | None = None
 
-    name = "skate"
+    name = "no_slip"
     role = Role.CONTACT
-    normalization = Normalization(WORTH, time_power=2, beside="covariant")
+    normalization = Normalization(WORTH, time_power=2, beside="acceleration.angular")
 
     @cached_property
     def _arrays(self) -> tuple[Index, Array, Array]:

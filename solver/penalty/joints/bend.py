@@ -60,7 +60,7 @@ class BendLimits(Penalty):
     twist: float = np.radians(10)
     allowed: Allowance | None = None
 
-    name = "bend"
+    name = "limits.bend"
     role = Role.LIMIT
     normalization = Normalization(float(np.radians(1) ** 2), is_violation=True)
 

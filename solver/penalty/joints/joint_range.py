@@ -60,7 +60,7 @@ class JointRange(Penalty):
 
     joints: tuple[Range, ...]
     allowed: Allowance | None = None
-    called: str = "range"
+    called: str = "limits.range"
     hard: tuple[Range, ...] = ()
 
     role = Role.LIMIT

@@ -27,7 +27,7 @@ class Level(Penalty):
     links: Index
     axes: Array
 
-    name = "level"
+    name = "upright.bodies"
     role = Role.TRACKING
     normalization = Normalization(float(np.radians(10) ** 2), is_violation=True)
 

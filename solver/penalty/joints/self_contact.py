@@ -88,7 +88,7 @@ class SelfContact(Penalty):
 
     @property
     def name(self) -> str:
-        return "self"
+        return "collision.self"
 
     @classmethod
     def of(cls, figure: Figure, margin: float = 0.0) -> SelfContact:

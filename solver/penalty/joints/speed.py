@@ -27,7 +27,7 @@ class Speed(Penalty):
     links: Index
     limits: Array
 
-    name = "speed"
+    name = "limits.speed"
     role = Role.LIMIT
     normalization = Normalization(1.0, is_violation=True, time_power=2, is_sharp=True)
 

@@ -39,7 +39,7 @@ class Steady(JointRange, Guide):
     frames  [s] of variable frames by which a spline can stay within them
     """
 
-    called: str = "steady"
+    called: str = "limits.overshoot"
     frames: tuple[float, ...] = ()
     figure: Figure | None = None
 

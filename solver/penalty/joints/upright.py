@@ -38,7 +38,7 @@ class Upright(Momentary):
 
     leans: tuple[Lean, ...]
 
-    name = "upright"
+    name = "upright.trunk"
     role = Role.TRACKING
     normalization = Normalization(float(np.radians(10) ** 2), is_violation=True)
 

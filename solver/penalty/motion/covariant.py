@@ -38,7 +38,7 @@ class CovariantAcceleration(Penalty):
 
     form: str = "intrinsic"
 
-    name = "covariant"
+    name = "acceleration.angular"
     role = Role.SMOOTHNESS
     normalization = Normalization(16.0, time_power=4)
 

@@ -16,7 +16,7 @@ from ..penalty import Normalization, Penalty, Role
 class RootAcceleration(Penalty):
     """Σ of the squared accelerations of free roots' positions and of slides [m²/s⁴]."""
 
-    name = "root"
+    name = "acceleration.linear"
     role = Role.SMOOTHNESS
     normalization = Normalization(4.0, time_power=4)
 

@@ -158,7 +158,9 @@ def test_tenths_of_the_strong_form_are_the_mean_size_of_equation_ten(case):
     found = strong_tenths(motion.objective, motion.path)["strong"]
     for i, value in enumerate(found):
         t = np.linspace(cuts[i], cuts[i + 1], 20001)[:-1] + (cuts[1] - cuts[0]) / 40000
-        size = np.linalg.norm(covariant_residual(motion.path, t, factors["unit"] / factors["covariant"]), axis=1)
+        size = np.linalg.norm(
+            covariant_residual(motion.path, t, factors["unit"] / factors["acceleration.angular"]), axis=1
+        )
         assert value == pytest.approx(size.mean(), rel=0.01)  # a size has corners, which Gauss' nodes blur
 
 

@@ -35,7 +35,7 @@ def text(*contacts: str, x: float = 0.0, y: float = 0.0) -> str:
 
 
 def planted(clip: clips.Clip) -> tuple[tuple[Stance, ...], tuple[Rest, ...]]:
-    penalties = [penalty for penalty, _ in clip.penalties if penalty.name in ("planted", "resting")]
+    penalties = [penalty for penalty, _ in clip.penalties if penalty.name in ("attach.stance", "attach.contact")]
     parts = [p for penalty in penalties for p in (penalty.parts if isinstance(penalty, Sum) else (penalty,))]
     stances = tuple(stance for part in parts if isinstance(part, Planted) for stance in part.stances)
     return stances, tuple(rest for part in parts if isinstance(part, Resting) for rest in part.rests)
@@ -64,7 +64,7 @@ def test_a_contact_that_a_keyframe_begins_in_the_floor_rises_with_what_is_let_pa
     before, after = sorted(
         (s for s in stances if s.point.name == "left_heel" and s.first >= 0.3), key=lambda s: s.first
     )
-    (clearance,) = [p for p, _ in clip.penalties if p.name == "contact" and isinstance(p, Contact)]
+    (clearance,) = [p for p, _ in clip.penalties if p.name == "collision.soles" and isinstance(p, Contact)]
     assert clearance.allowed is not None
     heel = [point.name for point in clearance.points].index("left_heel")
     for end, spot in ((0.3, before.spot), (0.5, before.landed), (0.5, after.spot), (0.8, after.landed)):
@@ -115,8 +115,8 @@ def test_a_foot_rests_where_a_contact_says_and_without_it_does_not():
         centres, _, _ = places_of(toe, Samples(clip.figure, y, y_d, y_dd, t))
         return float(np.ptp(centres[0, 0]))
 
-    free = text(x=0.2, y=0.4) + '[[penalty]]\nkind = "skate"\nweight = 0'
-    held = text(contact, x=0.2, y=0.4) + '[[penalty]]\nkind = "skate"\nweight = 0'
+    free = text(x=0.2, y=0.4) + '[[penalty]]\nkind = "no_slip"\nweight = 0'
+    held = text(contact, x=0.2, y=0.4) + '[[penalty]]\nkind = "no_slip"\nweight = 0'
     assert moved(clips.from_text(free, name="slides")) > 0.05
     assert moved(clips.from_text(held, name="rests")) < 0.005
 

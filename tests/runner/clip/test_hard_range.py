@@ -15,7 +15,7 @@ from dynsplines.errors import UserError
 from dynsplines.measure.problems import problems
 from tests.support.biped import biped, scene
 
-HARD = '[[penalty]]\nkind = "range"\nlimit = "hard"\n'
+HARD = '[[penalty]]\nkind = "limits"\nrange = "hard"\n'
 REST = '[[keyframe]]\ntime = {}\nothers = "rest"\n'
 FREE_HINGE = '<mujoco><worldbody><body><joint/><geom size=".1"/></body></worldbody></mujoco>'
 KICK = f"{REST.format(0)}{REST.format(0.4)}joints = {{left_hip = -80, left_knee = 125}}\n"

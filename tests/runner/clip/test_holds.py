@@ -105,7 +105,7 @@ def test_a_hold_is_where_the_keyframes_have_the_site_on_the_body():
     for hold, y in zip(clip.context.holds, (0.17, -0.17), strict=True):
         assert (hold.first, hold.last, clip.figure.links[hold.link].name) == (0.6, 1.5, "crate")
         np.testing.assert_allclose(spot_of(hold, 0.6, 0.8, 1.0, 1.5), [[0, y, 0]] * 4, atol=1e-5)
-    (holding,) = parts(clip, "hold")
+    (holding,) = parts(clip, "attach.hold")
     assert isinstance(holding, Holding) and [w for p, w in clip.penalties if p is holding] == [750]
 
 
@@ -142,7 +142,7 @@ def test_a_thing_lies_where_it_was_put_until_it_is_held_and_again_after():
     own = slice(clip.figure.model.joint("crate").qposadr[0], None)
     assert [bool(key.fixed[own].all()) for key in clip.keys] == [True, True, True, True, True]
     np.testing.assert_array_equal(clip.keys[4].state[own], clip.keys[3].state[own])
-    stances = [stance for part in parts(clip, "planted") if isinstance(part, Planted) for stance in part.stances]
+    stances = [stance for part in parts(clip, "attach.stance") if isinstance(part, Planted) for stance in part.stances]
     assert {(s.first, s.last) for s in stances if s.point.name == "crate"} == {(0.0, 0.6), (1.5, 2.1)}
     late = clips.from_text(lift().replace(AT, "", 1), name="late")
     np.testing.assert_array_equal(late.keys[0].state[own], clip.keys[0].state[own])
@@ -197,7 +197,7 @@ def test_the_report_says_how_far_hands_move_and_how_deep_the_figure_is_in_what_i
 @pytest.mark.slow
 def test_limbs_stay_out_of_what_is_carried_and_not_of_what_nobody_holds():
     for hands, expected in (((), 0), (("left",), 1)):
-        found = parts(clips.from_text(lift(hands=hands), name="lift"), "clearance")
+        found = parts(clips.from_text(lift(hands=hands), name="lift"), "collision.body")
         assert sum(isinstance(part, Contact) and part.carrier > 0 for part in found) == expected
 
 
@@ -270,4 +270,4 @@ def test_at_another_speed_and_in_a_part_of_the_clip_holds_keep_their_place(solve
     part = trimmed(work.unsolved(clip).saved(Progress(Console(file=io.StringIO())), with_report=False), 0.8, 1.3)
     (left, right) = clips.answered(part).context.holds
     assert (left.first, left.last, right.last) == (0.8, 1.3, 1.3)
-    assert [penalty.name for penalty, _ in clips.answered(part).penalties].count("hold") == 1
+    assert [penalty.name for penalty, _ in clips.answered(part).penalties].count("attach.hold") == 1

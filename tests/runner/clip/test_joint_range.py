@@ -41,16 +41,16 @@ def solved(problem: clip.Clip) -> dict:
 
 
 def test_ranges_count_by_default_where_the_model_has_them(tmp_path):
-    assert "range" not in kinds(clip.load(str(written(tmp_path))))
+    assert "limits.range" not in kinds(clip.load(str(written(tmp_path))))
     (tmp_path / "tiny.xml").write_text(LIMITED, encoding="utf-8")
-    assert "range" in kinds(clip.load(str(tmp_path / "tiny.toml")))
-    written(tmp_path, changed("[[keyframe]]", "[[penalty]]\nkind='range'\nweight=0\n[[keyframe]]", CLIP))
+    assert "limits.range" in kinds(clip.load(str(tmp_path / "tiny.toml")))
+    written(tmp_path, changed("[[keyframe]]", "[[penalty]]\nkind='limits'\nweight={range=0}\n[[keyframe]]", CLIP))
     (tmp_path / "tiny.xml").write_text(LIMITED, encoding="utf-8")
-    assert "range" not in kinds(clip.load(str(tmp_path / "tiny.toml")))
+    assert "limits.range" not in kinds(clip.load(str(tmp_path / "tiny.toml")))
 
 
 def test_the_human_has_ranges():
-    assert "range" in kinds(clip.load("run_and_step"))
+    assert "limits.range" in kinds(clip.load("run_and_step"))
 
 
 @pytest.mark.slow
@@ -68,7 +68,7 @@ def test_a_motion_that_overshoots_a_range_is_kept_within_and_the_report_says_so(
     figure = figure.replace('name="swing"', f'name="swing" limited="true" {limit}')
     beyond = {}
     for weight in (0, 10):
-        path = written(tmp_path, text + f"[[penalty]]\nkind = 'range'\nweight = {weight}\n")
+        path = written(tmp_path, text + f"[[penalty]]\nkind = 'limits'\nweight = {{range = {weight}}}\n")
         (tmp_path / "hinge.xml").write_text(figure, encoding="utf-8")
         data = solved(clip.load(str(path)))
         json.dumps(data, allow_nan=False)

@@ -1,11 +1,17 @@
-"""The records of soft constraints: options are known, and what is wrong is told."""
+"""The kinds of soft constraint in clip files: weights of parts, options, what replaces older kinds, errors."""
 
+import re
 import tomllib
 
+import numpy as np
 import pytest
 
-from dynsplines import UserError, load
-from dynsplines.clip.kinds import KINDS
+from dynsplines import Keyframe, UserError, build, load
+from dynsplines.cli import list_penalties
+from dynsplines.clip.kinds import KINDS, RENAMED, Kind, Part
+from dynsplines.solver.figure.wrenches import Wrenches, every_axis
+from dynsplines.solver.penalty import Block, Normalization, Penalty, Role
+from dynsplines.studio.outline import kinds, outline
 
 CLIP = """
 figure = "human"
@@ -15,50 +21,188 @@ others = "rest"
 [[keyframe]]
 time = 1
 others = "rest"
-[[penalty]]
 """
-NEEDED = {"level": 'bodies = ["chest"]', "speed": "limit = 300"}
+ON = {"collision": "self = true", "limits": "speed = 300", "upright": 'bodies = ["chest"]'}
+OLD = {
+    "covariant": "",
+    "root": "weight = 2",
+    "contact": 'points = ["left_heel"]',
+    "clearance": "weight = 100\nmargin = 0.002",
+    "self": "weight = 7",
+    "planted": "weight = 20",
+    "resting": "weight = 300",
+    "hold": "weight = 20",
+    "placement": "weight = 20",
+    "skate": "weight = 0.4\nreach = 0.1",
+    "bend": 'weight = 2\njoints = ["left_knee"]\nleast = 4\nsideways = 3\ntwist = 5',
+    "range": 'limit = "hard"',
+    "steady": "weight = 3",
+    "speed": "limit = 300\nweight = 5",
+    "level": 'bodies = ["chest"]\naxis = [0, 0, 1]\nweight = 4',
+    "coupled": "weight = 3",
+    "closed": "weight = 3",
+}
 
 
-def test_every_option_says_what_it_is_given_in():
+def weights(penalty: str = "") -> dict[str, float]:
+    clip = load(CLIP + (f"[[penalty]]\n{penalty}\n" if penalty else ""))
+    return {penalty.name: weight for penalty, weight in clip.penalties}
+
+
+def test_there_are_at_most_fifteen_kinds_whose_options_have_units():
+    assert len(KINDS) <= 15
     assert all(text for kind in KINDS.values() for text in kind.choices().values())
+    for kind in KINDS.values():
+        assert len(kind.parts) == 1 or all(part.name for part in kind.parts)
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_every_kind_is_made_or_is_nothing_to_look_at(kind):
-    clip = load(CLIP + f'kind = "{kind}"\nweight = 0.5\n' + NEEDED.get(kind, ""))
-    made = {penalty.name: weight for penalty, weight in clip.penalties}
-    absent = {"placement", "upright", "resting", "hold", "equality", "range", "cycle", "steady"}
-    assert made.get(kind, 0.5 if kind in absent else None) == 0.5
+def test_every_part_is_a_term_of_its_name_or_there_is_nothing_to_penalise(kind):
+    absent = {
+        "attach.contact", "attach.hold", "attach.placement", "limits.range", "limits.overshoot", "equality",
+        "upright.trunk", "cycle",
+    }  # fmt: skip
+    record = KINDS[kind]
+    given = {part.name: 0.5 + i for i, part in enumerate(record.parts)}
+    listed = ", ".join(f"{name} = {weight}" for name, weight in given.items())
+    found = weights(f'kind = "{kind}"\nweight = {f"{{{listed}}}" if "" not in given else 0.5}\n' + ON.get(kind, ""))
+    terms = {record.term(part): given[part.name] for part in record.parts}
+    assert {term: found.get(term, weight) for term, weight in terms.items()} == terms
+    assert set(terms) - set(found) <= absent
+    assert set(found) <= {each.term(part) for each in KINDS.values() for part in each.parts}
+
+
+def test_a_number_scales_all_parts_and_a_table_sets_some():
+    default = weights()
+    assert (default["collision.soles"], default["collision.body"]) == (30, 30)
+    twice = weights('kind = "collision"\nweight = 60\nself = true')
+    assert [twice[f"collision.{part}"] for part in ("soles", "body", "self")] == [60, 60, 60]
+    assert weights('kind = "collision"\nweight = {body = 7}') == default | {"collision.body": 7}
+    speed = weights('kind = "limits"\nweight = 3\nspeed = 300')
+    assert (speed["limits.bend"], speed["limits.speed"]) == (3, 300)
+    assert weights('kind = "attach"\nweight = 0') == {k: w for k, w in default.items() if k != "attach.stance"}
+
+
+def test_options_alone_leave_the_default_weights():
+    default = weights()
+    assert weights('kind = "collision"\nmargin = 0.01') == default
+    assert weights('kind = "limits"\nleast_bend = 4') == default
+    assert weights('kind = "torque"') == default | {"torque": 1}
+    assert weights('kind = "upright"\nbodies = ["chest"]') == default | {"upright.bodies": 30}
 
 
 @pytest.mark.parametrize(
-    ("said", "told"),
+    ("table", "told"),
     [
-        (
-            'kind = "bend"\nsideway = 3',
-            "penalty 1: no key 'sideway'; did you mean 'sideways'?",
-        ),
-        ('kind = "bend"\nsideways = "x"', "penalty 1: sideways must be a number, not 'x'"),
-        ('kind = "bend"\nsideways = 0', "penalty 1: sideways must be above 0, not 0"),
-        ('kind = "bend"\nweight = -1', "penalty 1: weight must be at least 0, not -1"),
-        ('kind = "bend"\nmargin = 0', "penalty 1: 'margin' is not for kind 'bend', which takes: weight, joints, least"),
-        ('kind = "bent"', "no penalty 'bent'"),
-        ('kind = "closed"', "penalty 'closed' is called 'equality' now"),
+        ('kind = "limits"\nsideway = 3', "penalty 1: no key 'sideway'; did you mean 'sideways'?"),
+        ('kind = "limits"\nsideways = "x"', "penalty 1: sideways must be a number, not 'x'"),
+        ('kind = "limits"\nsideways = 0', "penalty 1: sideways must be above 0, not 0"),
+        ('kind = "limits"\nspeed = -1', "penalty 1: speed must be above 0, not -1"),
+        ('kind = "limits"\nrange = "hrd"', "penalty 1: range must be 'soft' or 'hard', not 'hrd'"),
+        ('kind = "limits"\nweight = -1', "penalty 1: weight must be at least 0, not -1"),
+        ('kind = "limits"\nweight = {bend = -1}', "penalty 1: weight.bend must be at least 0, not -1"),
+        ('kind = "limits"\nweight = {bend = "x"}', "penalty 1: weight.bend must be a number, not 'x'"),
+        ('kind = "limits"\nweight = {bnd = 1}', "penalty 1: weight: no part 'bnd'; did you mean 'bend'?"),
+        ('kind = "limits"\nweight = {speed = 1}', "penalty 1: weight.speed needs speed = ... (degrees/s)"),
+        ('kind = "collision"\nweight = {self = 1}', "penalty 1: weight.self needs self = ... (true or false)"),
+        ('kind = "collision"\nself = 1', "penalty 1: self must be true or false, not 1"),
+        ('kind = "collision"\nself = false\nweight = {self = 1}', "penalty 1: weight.self needs self = ..."),
+        ('kind = "flight"\nweight = {a = 1}', "penalty 1: weight must be a number, not a table: 'flight' is one term"),
+        ('kind = "limits"\nmargin = 0', "'margin' is not for kind 'limits', which takes: weight, bend_joints, least_"),
+        ('kind = "limits"\nleast = 4', "penalty 1: 'least' is called 'least_bend' in kind 'limits'"),
+        ('kind = "limits"\nlimit = 4', "penalty 1: 'limit' is called 'range' or 'speed' in kind 'limits'"),
+        ('kind = "unit"\nform = "square"', "penalty 1: no key 'form'. Keys: weight"),
+        ('kind = "limit"', "no penalty 'limit'; did you mean 'limits'?"),
         ('kind = "flight"\nintervals = [[0]]', "penalty 1: intervals must be a list of [from, to] in seconds"),
-        ('kind = "speed"', "penalty 'speed' needs a limit = ..., in degrees a second"),
-        ('kind = "level"\nbodies = "chest"', "penalty 1: bodies must be a list of names, not 'chest'"),
-        ('kind = "level"\nbodies = ["chets"]', "no body 'chets'"),
-        ('kind = "level"\nweight = 2', "penalty 'level' needs bodies = [...]"),
-        ('kind = "level"\nbodies = ["chest"]\naxis = [0, 0, 0]', "axis is [0, 0, 0], which points nowhere"),
+        ('kind = "upright"\nbodies = "chest"', "penalty 1: bodies must be a list of names, not 'chest'"),
+        ('kind = "upright"\nbodies = ["chets"]', "no body 'chets'"),
+        ('kind = "upright"\nbodies = []', "penalty 'upright' needs bodies = [...]"),
+        ('kind = "upright"\naxis = [0, 0, 1]', "penalty 'upright' needs bodies = [...]"),
+        ('kind = "upright"\nbodies = ["chest"]\naxis = [0, 0, 0]', "axis is [0, 0, 0], which points nowhere"),
         (
-            'kind = "level"\nbodies = ["chest"]\naxis = [0, 1]',
+            'kind = "upright"\nbodies = ["chest"]\naxis = [0, 1]',
             "axis must be [x, y, z] in the body's own axes, not [0, 1]",
         ),
     ],
 )
-def test_what_is_wrong_names_table_key_and_value(said, told):
+def test_errors_name_table_key_and_value(table, told):
     with pytest.raises(UserError) as caught:
-        load(CLIP + said)
+        load(f"{CLIP}[[penalty]]\n{table}")
     assert told in str(caught.value)
-    assert tomllib.loads(CLIP + said)
+    assert tomllib.loads(f"{CLIP}[[penalty]]\n{table}")
+
+
+def replacement(text: str) -> tuple[str, str]:
+    """The message for older kinds, and the table that it proposes."""
+    with pytest.raises(UserError) as caught:
+        load(CLIP + text)
+    message = str(caught.value)
+    table = message.split("[[penalty]] ")[1].split("; leave out")[0]
+    return message, re.sub(r", (?=\w+ = )(?![^{]*\})", "\n", table)
+
+
+@pytest.mark.parametrize("kind", RENAMED)
+def test_an_older_kind_is_refused_with_the_table_that_replaces_it(kind):
+    message, table = replacement(f'[[penalty]]\nkind = "{kind}"\n{OLD[kind]}\n')
+    assert f"penalty 1: penalty '{kind}' is " in message
+    said, before = tomllib.loads(table), tomllib.loads(OLD[kind])
+    new = RENAMED[kind]
+    assert said["kind"] == new.kind
+    weight, default = said.get("weight"), {part.name: part.weight for part in KINDS[new.kind].parts}[new.part]
+    kept = default if weight is None else weight[new.part] if isinstance(weight, dict) else weight
+    assert kept == before.pop("weight", 1)
+    assert {said[new.options[name]] for name in before if name not in ("joints", "bodies", "points", "axis")} == {
+        value for name, value in before.items() if name not in ("joints", "bodies", "points", "axis")
+    }
+    if kind not in ("range", "coupled", "closed"):  # ranges that are hard need a figure with some
+        term = KINDS[new.kind].term(next(p for p in KINDS[new.kind].parts if p.name == new.part))
+        assert weights(table).get(term, kept) == kept
+
+
+def test_older_kinds_that_are_one_now_are_replaced_by_one_table():
+    old = (
+        'kind = "bend"\nleast = 4\n[[penalty]]\nkind = "steady"\nweight = 2\n[[penalty]]\nkind = "speed"\nlimit = 300\n'
+    )
+    message, table = replacement(f"[[penalty]]\n{old}")
+    assert "replace 'bend', 'steady', 'speed' by" in message
+    assert tomllib.loads(table) == {
+        "kind": "limits",
+        "weight": {"overshoot": 2, "speed": 1},
+        "least_bend": 4,
+        "speed": 300,
+    }
+
+
+def test_options_without_a_new_name_are_named():
+    message, table = replacement('[[penalty]]\nkind = "covariant"\nform = "paper"\n')
+    assert message.endswith("leave out form, which no longer exists")
+    assert table == 'kind = "acceleration"'
+
+
+class Calm(Penalty):
+    """The squared speed of all links' origins [m²/s²]."""
+
+    name, role, normalization = "calm", Role.SMOOTHNESS, Normalization(1.0, time_power=2)
+
+    def residuals(self, samples):
+        links = np.arange(1, len(samples.figure.links))
+        at, link, axes = every_axis(links, samples.count)
+        yield Block(at, samples.links.x_d[:, links].ravel(), (Wrenches(at, link, force_d=axes),))
+
+
+def test_a_custom_penalty_becomes_a_kind_by_one_record(monkeypatch, capsys):
+    record = Kind("calm", (Part(0.2, "speed of all links", lambda context, options: Calm()),))
+    monkeypatch.setitem(KINDS, "calm", record)
+    assert weights()["calm"] == 0.2
+    assert weights('kind = "calm"\nweight = 3')["calm"] == 3
+    assert "calm" not in weights('kind = "calm"\nweight = 0')
+    with pytest.raises(UserError, match="no key 'wieght'; did you mean 'weight'"):
+        load(CLIP + '[[penalty]]\nkind = "calm"\nwieght = 3')
+    with pytest.raises(UserError, match="no penalty 'clam'; did you mean 'calm'"):
+        load(CLIP + '[[penalty]]\nkind = "clam"')
+    made = build("human", [Keyframe(0, others="rest"), Keyframe(1, others="rest")], penalties={"calm": 4})
+    assert {penalty.name: weight for penalty, weight in made.penalties}["calm"] == 4
+    list_penalties()
+    assert "calm           0.2  speed of all links" in capsys.readouterr().out
+    assert kinds()[-1]["term"] == "calm"
+    assert outline(CLIP + '[[penalty]]\nkind = "calm"\nweight = 3', "clip")["weights"] == {"calm": 3}

@@ -139,7 +139,8 @@ def test_without_penalties_in_the_file_the_defaults_are_the_papers(tmp_path):
 
 def test_a_penalty_in_the_file_changes_adds_or_takes_away_a_default(tmp_path):
     entries = (
-        '[[penalty]]\nkind = "unit"\nweight = 7\n[[penalty]]\nkind = "torque"\n[[penalty]]\nkind="root"\nweight=0\n'
+        '[[penalty]]\nkind = "unit"\nweight = 7\n[[penalty]]\nkind = "torque"\n'
+        '[[penalty]]\nkind = "acceleration"\nweight = {linear = 0}\n'
     )
     plain, told = by_name(loaded(tmp_path)), by_name(loaded(tmp_path, CLIP + entries))
     unit = next(name for name, (penalty, _) in plain.items() if isinstance(penalty, UnitMagnitude))
@@ -216,12 +217,12 @@ def test_what_was_looked_for_and_not_found_is_one_line_each(tmp_path):
 
 
 def test_a_site_named_by_the_clip_must_be_there(tmp_path):
-    entry = '[[penalty]]\nkind = "contact"\npoints = ["left_to"]\n'
+    entry = '[[penalty]]\nkind = "collision"\npoints = ["left_to"]\n'
     for weight in (1, 0):
         with pytest.raises(UserError, match="no site 'left_to'; did you mean 'left_toe'"):
             loaded(tmp_path, CLIP + entry + f"weight = {weight}\n")
     problem = loaded(tmp_path, CLIP + entry.replace("left_to", "left_toe"))
-    (contact,) = [p for p, _ in problem.penalties if isinstance(p, Contact) and p.name == "contact"]
+    (contact,) = [p for p, _ in problem.penalties if isinstance(p, Contact) and p.name == "collision.soles"]
     assert [point.name for point in contact.points] == ["left_toe"]
 
 
@@ -398,14 +399,16 @@ def test_flight_support_and_peak_come_with_what_keyframes_tell_and_root_steps_ba
     flight = found["flight"][0]
     assert isinstance(flight, Flight)
     assert flight.intervals == ((0.0, 0.4),)
-    assert {name: found[name][1] for name in ("flight", "support", "peak", "root")} == {
+    assert {name: found[name][1] for name in ("flight", "support", "peak", "acceleration.linear")} == {
         "flight": 3.0,
         "support": 0.01,
         "peak": 0.01,
-        "root": 0.45,
+        "acceleration.linear": 0.45,
     }
     assert not {"flight", "support", "peak"} & set(by_name(loaded(tmp_path)))
-    assert by_name(hovering(tmp_path, '[[penalty]]\nkind = "root"\nweight = 2\n'))["root"][1] == 2
+    more = '[[penalty]]\nkind = "acceleration"\nweight = '
+    for weight, linear in (("{linear = 2}", 2), ("{angular = 2}", 0.45), ("2", 0.9)):
+        assert by_name(hovering(tmp_path, f"{more}{weight}\n"))["acceleration.linear"][1] == linear
 
 
 def test_a_clip_can_say_when_it_flies_itself(tmp_path):
@@ -417,7 +420,7 @@ def test_a_clip_can_say_when_it_flies_itself(tmp_path):
     assert isinstance(support, Support)
     assert flight.intervals == support.flights == ((0.1, 0.2), (0.3, 0.4))
     assert (flight.angular, support.friction) == (0.5, 0.3)
-    assert found["flight"][1] == 1.0
+    assert found["flight"][1] == 3.0
     with pytest.raises(UserError, match=r"'flight': \[0.3, 0.2\] is no interval of the clip, which runs from 0 to 0.4"):
         hovering(tmp_path, '[[penalty]]\nkind = "flight"\nintervals = [[0.3, 0.2]]\n')
 

@@ -147,7 +147,7 @@ def test_feet_and_bodies_change_sides_in_a_mirror():
 
 def test_bodies_that_are_kept_level_and_their_axis_change_sides_in_a_mirror():
     whole, rows = figure(), {"keyframe": [{"time": 0}]}
-    level = {"kind": "level", "bodies": ["left_calf"], "axis": [0.6, 0.8, 0]}
+    level = {"kind": "upright", "bodies": ["left_calf"], "axis": [0.6, 0.8, 0]}
     (out,) = mirrored_tables(rows | {"penalty": [level]}, whole, Mirror.of(whole))["penalty"]
     assert out["bodies"] == ["right_calf"]
     np.testing.assert_allclose(out["axis"], [0.6, -0.8, 0], atol=1e-12)

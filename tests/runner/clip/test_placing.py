@@ -228,7 +228,7 @@ def test_only_given_axes_are_searched_for():
 
 @pytest.mark.slow
 def test_a_penalty_table_changes_the_weight_of_places_and_takes_it_away():
-    entry = '[[penalty]]\nkind = "placement"\nweight = {}\n'
+    entry = '[[penalty]]\nkind = "attach"\nweight = {{placement = {}}}\n'
     for weight, expected in ((3, [3]), (0, [])):
         found = read(RAIL + entry.format(weight)).penalties
         assert [w for p, w in found if isinstance(p, Placement)] == expected

@@ -126,7 +126,7 @@ def test_what_of_the_recording_comes_when_is_as_the_clip_says(folder, saved, sai
         (BARE + "repeat = 2", "repeat: only a loop"),
         (BARE + "[[keyframe]]\ntime = 7\n", "is outside the recording, which lasts from 0 to 2.2 s"),
         (BARE + '[solve]\nends = "periodic"\n', "solve.ends is for clips of keyframes"),
-        (BARE + '[[penalty]]\nkind = "cycle"\n', "beside a recording only weights may be said"),
+        (BARE + '[[penalty]]\nkind = "cycle"\n', "beside a recording only weights count"),
         (BARE + '[[contact]]\npoint = "left_hel"\nfrom = 0\nto = 1\n', "contact 1 ('left_hel')"),
     ],
 )

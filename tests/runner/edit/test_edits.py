@@ -278,7 +278,7 @@ def test_hinges_and_slides_come_back_in_degrees_and_metres(tmp_path):
 @pytest.mark.slow
 def test_a_mirrored_clip_is_the_clip_of_the_mirrored_keyframes(tmp_path):
     text = models.clip_text("run_and_step").replace("height = 0.35}", "height = 0.35, y = 0.2}")
-    text = text.replace('kind = "bend"', 'kind = "bend"\njoints = ["left_knee", "right_elbow"]')
+    text = text.replace('kind = "limits"', 'kind = "limits"\nbend_joints = ["left_knee", "right_elbow"]')
     text = text.replace(
         "joints.spine = {rotvec = [2.258, 1.991, -12.803]}", "joints.spine = {euler = [5, 6, 7], order = 'zyx'}"
     )

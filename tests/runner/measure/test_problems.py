@@ -182,7 +182,7 @@ def test_a_knee_bent_the_wrong_way(turn, kind, text):
 
 
 def test_bends_that_a_clip_does_not_want_are_not_told():
-    text = 'figure = "human"\n[[penalty]]\nkind = "bend"\nweight = 0\n' + HIGH.format(0) + HIGH.format(1)
+    text = 'figure = "human"\n[[penalty]]\nkind = "limits"\nweight = {bend = 0}\n' + HIGH.format(0) + HIGH.format(1)
     assert wrong(read(text + "joints.left_knee = {rotvec = [0, -20, 0]}\n")) == ()
 
 
@@ -288,7 +288,11 @@ def test_limbs_in_each_other_only_where_the_clip_asks(tmp_path):
         for t, turn in ((0, 40), (1, -40))
     )
     assert wrong(read(rows, TRUNK, tmp_path)) == ()
-    (found,) = wrong(read(rows + "[[penalty]]\nkind = 'self'\nweight = 1\nmargin = 0.01\n", TRUNK, tmp_path))
+    (found,) = wrong(
+        read(
+            rows + "[[penalty]]\nkind = 'collision'\nself = true\nweight = {self = 1}\nmargin = 0.01\n", TRUNK, tmp_path
+        )
+    )
     assert (found.kind, found.keyframe) == ("self", None)
     assert 0.05 < found.amount < 0.14
     assert found.text.startswith("trunk and hand are ")

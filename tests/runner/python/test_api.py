@@ -142,7 +142,7 @@ variable = 1
 kind = "torque"
 weight = 0.1
 [[penalty]]
-kind = "clearance"
+kind = "collision"
 margin = 0.002
 [[contact]]
 point = "right_heel"
@@ -176,7 +176,7 @@ others = "hold"
         fps=60,
         scene={"step": {"x": 0.3, "height": 0.27}},
         contacts=[{"point": "right_heel", "from": 0.0, "to": 0.5}],
-        penalties={"torque": 0.1, "clearance": {"margin": 0.002}},
+        penalties={"torque": 0.1, "collision": {"margin": 0.002}},
         solve={"variable": 1},
     )
     told = load(text)

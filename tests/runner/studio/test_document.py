@@ -9,9 +9,11 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from dynsplines import models
+from dynsplines.clip.load import table_of
 from dynsplines.errors import UserError
 from dynsplines.studio.document import Document
 from dynsplines.studio.edits import EDITS
+from dynsplines.studio.outline import weights
 
 TEXT = """# A clip with remarks.
 figure = "human"   # who
@@ -20,7 +22,7 @@ figure = "human"   # who
 step = {x = 2.90, height = 0.35}      # front face
 
 [[penalty]]
-kind = "bend"                         # knees
+kind = "limits"                       # knees
 weight = 1
 
 [[keyframe]]                          # begins
@@ -70,7 +72,9 @@ deeds = st.one_of(
     st.tuples(st.just("delete_bar"), st.fixed_dictionaries({"kind": st.just("contact"), "index": st.integers(0, 2)})),
     st.tuples(
         st.just("set_weight"),
-        st.fixed_dictionaries({"kind": st.sampled_from(["bend", "torque"]), "weight": st.sampled_from([None, 2.5, 0])}),
+        st.fixed_dictionaries(
+            {"kind": st.sampled_from(["limits", "torque"]), "weight": st.sampled_from([None, 2.5, 0])}
+        ),
     ),
     st.tuples(st.just("add_obstacle"), st.fixed_dictionaries({"kind": st.sampled_from(["box", "step", "sphere"])})),
     st.tuples(
@@ -123,7 +127,7 @@ def test_comments_and_order_stay():
     edited(found, "move_keys", {"moves": [[1, 0.6]]})
     edited(found, "set_joint", {"key": 0, "joint": "left_hip", "value": {"rotvec": [0, -60, 0]}})
     edited(found, "set_root", {"key": 0, "position": [0.0, 0, 0.9]})
-    edited(found, "set_weight", {"kind": "bend", "weight": 3})
+    edited(found, "set_weight", {"kind": "limits", "weight": 3})
     edited(found, "add_key", {"said": {"time": 0.8, "joints": {"spine": {"rotvec": [0, 5, 0]}}}})
     wanted = [line.partition("#")[2] for line in TEXT.splitlines() if "#" in line]
     got = [line.partition("#")[2] for line in found.text.splitlines() if "#" in line]
@@ -132,7 +136,37 @@ def test_comments_and_order_stay():
     assert [row["time"] for row in said["keyframe"]] == [0.0, 0.6, 0.8, 1.0]
     assert said["keyframe"][0]["joints"]["left_hip"] == {"rotvec": [0, -60, 0]}
     assert said["keyframe"][2]["joints"]["spine"] == {"rotvec": [0, 5, 0]}
-    assert said["penalty"] == [{"kind": "bend", "weight": 3}]
+    assert said["penalty"] == [{"kind": "limits", "weight": 3}]
+
+
+def test_weights_of_parts_are_one_table():
+    found = document()
+    for change, expected in (
+        (
+            {"kind": "limits", "part": "range", "weight": 3},
+            [{"kind": "limits", "weight": {"bend": 1, "range": 3, "overshoot": 10}}],
+        ),
+        (
+            {"kind": "limits", "part": "bend", "weight": None},
+            [{"kind": "limits", "weight": {"range": 3, "overshoot": 10}}],
+        ),
+        ({"kind": "limits", "weight": None}, []),
+        (
+            {"kind": "collision", "part": "self", "weight": 7},
+            [{"kind": "collision", "self": True, "weight": {"self": 7}}],
+        ),
+        ({"kind": "collision", "part": "self", "weight": None}, []),
+        ({"kind": "flight", "part": "", "weight": 7}, [{"kind": "flight", "weight": 7}]),
+    ):
+        edited(found, "set_weight", change)
+        assert tomllib.loads(found.text).get("penalty", []) == expected
+        assert weights(table_of(found.text, "clip"), "clip") == {
+            f"{row['kind']}.{part}" if part else row["kind"]: weight
+            for row in expected
+            for part, weight in (row["weight"] if isinstance(row["weight"], dict) else {"": row["weight"]}).items()
+        }
+    with pytest.raises(UserError, match="'limits' has no part 'rnge'"):
+        edited(found, "set_weight", {"kind": "limits", "part": "rnge", "weight": 3})
 
 
 def test_a_keyframe_that_says_something_else_keeps_its_remarks_and_the_lines_that_stay():

@@ -158,11 +158,11 @@ def test_a_figure_of_a_single_joint_has_no_limb_that_could_be_far():
 def test_constraints_that_cost_more_than_all_motion_does_are_violent_and_less_are_not():
     raw = path_of(raw_timeline(LIMB, swinging(6)))
     objective = Objective.of(LIMB, TERMS).renormalised(raw)
-    assert not is_violent(objective, {"covariant": 0.5, "unit": 0.0, "bend": 1.9})
-    assert is_violent(objective, {"covariant": 0.5, "unit": 0.0, "bend": 3.1})
-    assert not is_violent(objective, {"covariant": 5.0, "unit": 0.0, "bend": 3.1})
-    assert not is_violent(objective, {"covariant": 50.0})
-    assert not is_violent(objective, {"covariant": 5.0, "bend": 5.0})  # as much is not more
+    assert not is_violent(objective, {"acceleration.angular": 0.5, "unit": 0.0, "limits.bend": 1.9})
+    assert is_violent(objective, {"acceleration.angular": 0.5, "unit": 0.0, "limits.bend": 3.1})
+    assert not is_violent(objective, {"acceleration.angular": 5.0, "unit": 0.0, "limits.bend": 3.1})
+    assert not is_violent(objective, {"acceleration.angular": 50.0})
+    assert not is_violent(objective, {"acceleration.angular": 5.0, "limits.bend": 5.0})  # as much is not more
 
 
 def test_motion_that_costs_twice_what_the_raw_spline_does_is_dear_where_there_is_something_to_go_round():
@@ -175,8 +175,8 @@ def test_motion_that_costs_twice_what_the_raw_spline_does_is_dear_where_there_is
         contact = Contact((Point("tip", 1, np.zeros(3)),), surfaces)
         objective = Objective.of(LIMB, [*TERMS, (contact, 1.0)]).renormalised(raw)
         dear = DEAR * objective.raw_cost
-        assert is_dear(objective, {"covariant": dear + 0.1}) is found
-        assert not is_dear(objective, {"covariant": dear - 0.1, "bend": 50.0})
+        assert is_dear(objective, {"acceleration.angular": dear + 0.1}) is found
+        assert not is_dear(objective, {"acceleration.angular": dear - 0.1, "limits.bend": 50.0})
 
 
 # and what is done

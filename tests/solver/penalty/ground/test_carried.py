@@ -33,14 +33,14 @@ def figure_of() -> Figure:
 
 def clearing(figure: Figure, link: int) -> Contact:
     points = tuple(point for point in covering_points(figure) if point.link in (1, 2))
-    return Contact(points, surfaces_on(figure, link), called="clearance", carrier=link)
+    return Contact(points, surfaces_on(figure, link), carrier=link)
 
 
 def few(link: int) -> Contact:
     """Three spheres of arm and trunk instead of hundreds, one of them a point."""
     places = ((2, 0.9, 0.25), (2, 0.5, 0.0), (1, 0.1, 0.3))
     points = tuple(Point(f"{i}", i, np.array([0.05, 0, z]), radius) for i, z, radius in places)
-    return Contact(points, surfaces_on(figure_of(), link), called="clearance", carrier=link)
+    return Contact(points, surfaces_on(figure_of(), link), carrier=link)
 
 
 def tangled(figure: Figure, rng: np.random.Generator) -> Samples:

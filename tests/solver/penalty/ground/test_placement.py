@@ -134,7 +134,7 @@ def test_the_objectives_gradient_has_taylor_slope_two(figure, rng, ends):
     problem = Objective.of(figure, [(placement, 2.0)]).on(timeline)
     x = problem.unknowns.start + 0.1 * rng.normal(size=problem.unknowns.size)
     found = problem(x)
-    assert found.parts["placement"] > 0
+    assert found.parts["attach.placement"] > 0
     assert taylor_slope(lambda z: problem(z).value, x, found.gradient, rng) > 1.95
 
 

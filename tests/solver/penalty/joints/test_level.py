@@ -22,7 +22,7 @@ others = "rest"
 root.rotation = {{rotvec = [0, 30, 0]}}
 {more}
 """
-ASKED = '[[penalty]]\nkind = "level"\nweight = 30\nbodies = ["chest"]'
+ASKED = '[[penalty]]\nkind = "upright"\nbodies = ["chest"]'
 
 
 @pytest.mark.parametrize("axis", [None, (0.3, -0.2, 1.0)])

@@ -236,7 +236,7 @@ joints = {shoulder = {rotvec = [-40, -40, 0]}, elbow = {rotvec = [0, 0, 0]}}
 def test_an_arm_goes_through_the_trunk_without_the_penalty_and_at_most_two_millimetres_with_it(tmp_path):
     (tmp_path / "arms.xml").write_text(ARMS, encoding="utf-8")
     deepest = {}
-    for asked in ("", "[[penalty]]\nkind = 'self'\nweight = 30\nmargin = 0.002\n"):
+    for asked in ("", "[[penalty]]\nkind = 'collision'\nself = true\nmargin = 0.002\n"):
         (tmp_path / "arms.toml").write_text(SWING + asked, encoding="utf-8")
         solved = work.solve(clip.load(str(tmp_path / "arms.toml")), Progress(Console(file=io.StringIO())))
         data = report(solved.clip, solved.motion, 0.0)

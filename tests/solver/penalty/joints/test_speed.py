@@ -77,7 +77,7 @@ def test_its_curvature_is_two_j_t_j_of_its_residuals(figure, rng):
 def test_a_joint_takes_its_time():
     """100 degrees in half a second, there and back, are 200 degrees a second on the average."""
     fastest = {}
-    for more in ("", '[[penalty]]\nkind = "speed"\nweight = 100\nlimit = 260'):
+    for more in ("", '[[penalty]]\nkind = "limits"\nspeed = 260'):
         motion = inbetween(load(SWING.format(more=more)))
         figure = motion.clip.figure
         times = np.linspace(0, 1, 500)
