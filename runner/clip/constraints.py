@@ -24,6 +24,7 @@ from .kinds import (
     Kind,
     LimitOptions,
     Options,
+    Renamed,
     bend_limits,
 )
 from .table import PenaltyTable, spoken
@@ -92,27 +93,47 @@ def _check_weight(kind: Kind, options: Options, here: str) -> None:
 def _renamed(entry: PenaltyTable, entries: Sequence[PenaltyTable]) -> str:
     """The error for a kind of older clip files, with the table that replaces it and those of the same new kind."""
     new = RENAMED[entry.kind]
-    alike = [each for each in entries if each.kind in RENAMED and RENAMED[each.kind].kind == new.kind]
-    kind = KINDS[new.kind]
+    table, replaced = _replacement(new.kind, entries)
+    lines = ", ".join(assignment(*item) for item in table.items())
+    gone = {key for each in replaced for key in each.said.keys() - {"weight"} - _now(each).options.keys()}
+    part = f"part '{new.part}' of " if new.part else ""
+    names = ", ".join(f"'{each.kind}'" for each in replaced)
+    return f"penalty '{entry.kind}' is {part}'{new.kind}' now; replace {names} by [[penalty]] {lines}" + (
+        f"; leave out {', '.join(sorted(gone))}, which no longer exists" if gone else ""
+    )
+
+
+def renewed(rows: Sequence[dict[str, Any]]) -> Sequence[dict[str, Any]]:
+    """[[penalty]] tables, those of an older clip with the kinds of today."""
+    entries = [PenaltyTable.model_validate({"weight": 1} | row) for row in rows]  # the default of all kinds then
+    if not any(entry.kind in RENAMED for entry in entries) or any(_now(entry).kind not in KINDS for entry in entries):
+        return rows
+    kinds = dict.fromkeys(_now(entry).kind for entry in entries)
+    return [_replacement(kind, entries)[0] for kind in kinds]
+
+
+def _now(entry: PenaltyTable) -> Renamed:
+    """What an entry of an older clip is now, if it is of a kind that has its name still: the first part of that."""
+    if entry.kind in RENAMED or entry.kind not in KINDS:
+        return RENAMED.get(entry.kind, Renamed(entry.kind))
+    return Renamed(entry.kind, KINDS[entry.kind].parts[0].name, {name: name for name in KINDS[entry.kind].choices()})
+
+
+def _replacement(kind: str, entries: Sequence[PenaltyTable]) -> tuple[dict[str, Any], list[PenaltyTable]]:
+    """The table of a kind that replaces entries of an older clip, in which weights were 1 by default; and these."""
+    replaced = [entry for entry in entries if _now(entry).kind == kind]
     weights: dict[str, Any] = {}
     options: dict[str, Any] = {}
-    for each in alike:
-        old = RENAMED[each.kind]
-        (part,) = (part for part in kind.parts if part.name == old.part)
-        weight = each.said.get("weight", 1)
-        if weight != part.weight:
+    for entry in replaced:
+        old, weight = _now(entry), entry.said.get("weight", 1 if entry.kind in RENAMED else None)
+        default = next((part.weight for part in KINDS[kind].parts if part.name == old.part), None)
+        if isinstance(weight, dict):
+            weights |= weight
+        elif weight not in (None, default) or entry.kind == "root":  # whose default depends on the clip
             weights[old.part] = weight
-        options |= old.requires | {old.options[key]: value for key, value in each.said.items() if key in old.options}
-    if weights:
-        options = {"weight": weights.get("", weights)} | options
-    lines = [assignment(*item) for item in ({"kind": kind.name} | options).items()]
-    gone = sorted({key for each in alike for key in each.said.keys() - {"weight"} - RENAMED[each.kind].options.keys()})
-    part = f"part '{new.part}' of " if new.part else ""
-    others = "".join(f", '{each.kind}'" for each in alike if each is not entry)
-    return (
-        f"penalty '{entry.kind}' is {part}'{kind.name}' now; replace '{entry.kind}'{others} by "
-        f"[[penalty]] {', '.join(lines)}" + (f"; leave out {', '.join(gone)}, which no longer exists" if gone else "")
-    )
+        options |= {**old.requires, **{old.options[key]: entry.said[key] for key in entry.said if key in old.options}}
+    weight = {"weight": weights.get("", weights)} if weights else {}
+    return {"kind": kind, **weight, **options}, replaced
 
 
 @dataclass(frozen=True)

@@ -66,11 +66,11 @@ def _model(path: Path) -> Document:
 
 def _motion(path: Path, figure: str | None) -> Document:
     """A solved clip's own text; or a clip that follows what was recorded."""
-    from .. import motion
+    from ..clip.file import load_motion
     from ..measure.problems import is_recording
 
     try:
-        saved = motion.load(path)
+        saved = load_motion(path)
     except UserError as error:
         if figure is None:
             raise error from None

@@ -2,13 +2,15 @@
 
 import re
 import tomllib
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from dynsplines import Keyframe, UserError, build, load
+from dynsplines import Keyframe, UserError, build, inbetween, load, load_motion
 from dynsplines.cli import list_penalties
 from dynsplines.clip.kinds import KINDS, RENAMED, Kind, Part
+from dynsplines.motion import save
 from dynsplines.solver.figure.wrenches import Wrenches, every_axis
 from dynsplines.solver.penalty import Block, Normalization, Penalty, Role
 from dynsplines.studio.outline import kinds, outline
@@ -206,3 +208,22 @@ def test_a_custom_penalty_becomes_a_kind_by_one_record(monkeypatch, capsys):
     assert "calm           0.2  speed of all links" in capsys.readouterr().out
     assert kinds()[-1]["term"] == "calm"
     assert outline(CLIP + '[[penalty]]\nkind = "calm"\nweight = 3', "clip")["weights"] == {"calm": 3}
+
+
+def test_a_motion_of_an_older_version_has_its_constraints_by_their_names_of_today(tmp_path):
+    old = (
+        '[[penalty]]\nkind = "clearance"\nweight = 100\nmargin = 0.002\n[[penalty]]\nkind = "bend"\nleast = 4\n'
+        '[[penalty]]\nkind = "upright"\nweight = 2\n[[penalty]]\nkind = "level"\nbodies = ["chest"]\n'
+        '[[penalty]]\nkind = "root"\n[[penalty]]\nkind = "flight"\n'
+    )
+    saved = inbetween(load(CLIP + "[solve]\nevaluations = 1\nframes = 0\n")).saved
+    save(replace(saved, text=CLIP + old), tmp_path / "old.npz")
+    read = load_motion(tmp_path / "old.npz")
+    assert tomllib.loads(read.saved.text)["penalty"] == [
+        {"kind": "collision", "weight": {"body": 100}, "margin": 0.002},
+        {"kind": "limits", "least_bend": 4},
+        {"kind": "upright", "weight": {"trunk": 2, "bodies": 1}, "bodies": ["chest"]},
+        {"kind": "acceleration", "weight": {"linear": 1}},
+        {"kind": "flight", "weight": 1},
+    ]
+    assert {penalty.name: weight for penalty, weight in read.clip.penalties}["collision.body"] == 100
