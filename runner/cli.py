@@ -927,10 +927,9 @@ def _found(
     """What a command is about: a saved motion, or a clip to solve; `unmet` as for `clip.load`."""
     from . import motion
     from .clip import load as clip
-    from .clip.file import load_motion
 
     if motion.is_motion(source) and keys is None and model is None:
-        return load_motion(Path(source))
+        return clip.load_motion(Path(source))
     return clip.load(source, model=model, keys=keys, fps=fps, unmet=unmet)
 
 

@@ -17,7 +17,6 @@ from dynsplines.solver.solution import Improvement
 
 from .. import motion
 from ..clip import load as clips
-from ..clip.file import load_motion
 from ..clip.follow.keeping import ground_of, rests_of
 from ..clip.follow.recording import Moving
 from ..clip.obstacles import obstacles
@@ -168,7 +167,7 @@ def _read(source: Source, around: SurroundingsTable, progress: Progress) -> _Rea
             raise UserError(f"'{source.file}' is a motion and brings its scene along; --scene is for other files")
         if source.map is not None:
             raise UserError(f"'{source.file}' is a motion: a bone map is for recordings of skeletons; leave out --map")
-        return _Read.of(load_motion(source.file))
+        return _Read.of(clips.load_motion(source.file))
     chosen = retarget.Map()
     if source.map is not None and not source.writes_map:
         told_by = clips.file_of(source.map, MapTable)

@@ -95,11 +95,15 @@ def _renamed(entry: PenaltyTable, entries: Sequence[PenaltyTable]) -> str:
     new = RENAMED[entry.kind]
     table, replaced = _replacement(new.kind, entries)
     lines = ", ".join(assignment(*item) for item in table.items())
-    gone = {key for each in replaced for key in each.said.keys() - {"weight"} - _now(each).options.keys()}
+    gone = [
+        f"{key} of '{each.kind}'"
+        for each in replaced
+        for key in sorted(each.said.keys() - {"weight"} - _now(each).options.keys())
+    ]
     part = f"part '{new.part}' of " if new.part else ""
     names = ", ".join(f"'{each.kind}'" for each in replaced)
     return f"penalty '{entry.kind}' is {part}'{new.kind}' now; replace {names} by [[penalty]] {lines}" + (
-        f"; leave out {', '.join(sorted(gone))}, which no longer exists" if gone else ""
+        f"; leave out {', '.join(gone)}, which no longer exists" if gone else ""
     )
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tomllib
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -10,30 +9,16 @@ from typing import Any
 from dynsplines import models
 from dynsplines.solver.curve.frame import Frame, Timeline
 
-from .. import motion
 from ..errors import UserError
 from ..motion import Saved
 from ..scene.assets import Scene
 from ..scene.compose import compose, figure_spec
 from ..system.output import Replacement, check_target
 from . import load as clips
-from .constraints import renewed
 from .text import keyframe_tables, tables, written
 
 OF_MOTIONS = ("figure", "fps", "scene")  # tables of a clip with a recording that hold for its motion alone, too
 AS_SPLINE = {"variable": 0, "frames": 0, "evaluations": 1}  # [solve] that leaves the raw spline as it is
-
-
-def load_motion(path: Path) -> Saved:
-    """A motion from its file. Kinds of penalty in its clip's text that an older version wrote are those of today."""
-    saved = motion.load(path)
-    try:
-        clip = tomllib.loads(saved.text)
-        rows = clip.get("penalty", [])
-        now = renewed(rows)
-    except (ValueError, TypeError, RecursionError):  # a damaged text is reported where it is read
-        return saved
-    return saved if now is rows else replace(saved, text=written(clip | {"penalty": now}))
 
 
 def write(saved: Saved, target: Path, *, note: str = "", exact: bool = False, overwrite: bool) -> list[Path]:

@@ -127,7 +127,7 @@ class FlightOptions(Options):
 
     intervals: list[tuple[Number, Number]] | None = Field(default=None, description="[from, to] in s")
     angular: Annotated[Real, Field(ge=0, le=1e6)] | None = Field(
-        default=None, description="of the moment beside the force"
+        default=None, description="weight of the moment relative to the force"
     )
 
 
@@ -147,11 +147,11 @@ class CycleOptions(Options):
 class Part:
     """A term of E that a kind of soft constraint adds.
 
-    weight       default, α in E
+    weight       default α in E
     keeps_small  the quantity
-    build        of a clip's context and the options of its table; None without anything to penalise
-    name         in a table of weights; the term is called KIND.NAME, or as the kind that has this part alone
-    option       without which it is off
+    build        from a clip's context and the options of its table; None if the clip has nothing to penalise
+    name         in a table of weights, and of the term: KIND.NAME. Empty for the only part of a kind
+    option       the option that switches it on; None: always on
     """
 
     weight: float

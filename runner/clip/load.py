@@ -37,10 +37,11 @@ from dynsplines.solver.surface import static_surfaces
 
 from ..errors import UserError, unknown
 from ..motion import Saved, read_arrays
+from ..motion import load as read_motion
 from ..scene.assets import Scene, taken_along
 from ..scene.compose import Step, compose, figure_spec, first_line, quietly, spec_joint_names
 from ..scene.configuration import first_wrong
-from .constraints import chosen, constraints, listed_flights, posing_bends, weight_factors
+from .constraints import chosen, constraints, listed_flights, posing_bends, renewed, weight_factors
 from .contacts import Contacts, rests
 from .context import Context
 from .follow.keeping import ground_of, rests_of, stances_in, stances_of
@@ -65,6 +66,7 @@ from .table import (
     Table,
     spoken,
 )
+from .text import written
 from .things import lying
 
 Tables = TypeVar("Tables", bound=Table)
@@ -373,6 +375,18 @@ def named(text: str) -> tuple[str | None, str | None]:
     figure, recording = said.get("figure"), said.get("recording")
     file = recording.get("file") if isinstance(recording, dict) else None
     return figure if isinstance(figure, str) else None, file if isinstance(file, str) else None
+
+
+def load_motion(path: Path) -> Saved:
+    """A motion from its file. Kinds of penalty in its clip's text that an older version wrote are those of today."""
+    saved = read_motion(path)
+    try:
+        clip = tomllib.loads(saved.text)
+        rows = clip.get("penalty", [])
+        now = renewed(rows)
+    except (ValueError, TypeError, RecursionError):  # a damaged text is reported where it is read
+        return saved
+    return saved if now is rows else replace(saved, text=written(clip | {"penalty": now}))
 
 
 def of_motion(saved: Saved, *, contacts: bool = False) -> Clip:

@@ -11,7 +11,6 @@ from dynsplines import models
 
 from .. import kept, motion
 from ..clip import load as clips
-from ..clip.file import load_motion
 from ..errors import UserError
 from ..exchange.formats import is_foreign, stem
 from ..exchange.imported import imported
@@ -48,7 +47,7 @@ class ToThin:
         told = self.figure is not None or self.kind is not None
         path = Path(self.source)
         if not told and motion.is_motion(self.source) and not is_foreign(path):
-            return load_motion(path)
+            return clips.load_motion(path)
         if not told and (self.source in models.clips() or path.suffix.lower() == ".toml"):
             return kept.solved(clips.load(self.source), progress, fresh=self.fresh).saved(progress, with_report=False)
         return imported(path, self.kind, figure=self.figure, fps=self.fps, progress=progress)

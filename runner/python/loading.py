@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from .. import motion as files
-from ..clip import file
 from ..clip import load as clips
 from ..clip.load import Clip
 from ..clip.own import Own, with_own
@@ -55,7 +54,7 @@ def load(
 @as_python_warnings()
 def load_motion(source: str | os.PathLike[str]) -> Motion:
     """A motion that `Motion.save` or `dynsplines solve` wrote, .npz; raises UserError for any other file."""
-    return Motion(file.load_motion(Path(source)))
+    return Motion(clips.load_motion(Path(source)))
 
 
 @as_python_warnings()

@@ -66,7 +66,7 @@ def _model(path: Path) -> Document:
 
 def _motion(path: Path, figure: str | None) -> Document:
     """A solved clip's own text; or a clip that follows what was recorded."""
-    from ..clip.file import load_motion
+    from ..clip.load import load_motion
     from ..measure.problems import is_recording
 
     try:

@@ -55,7 +55,7 @@ def test_what_cannot_be_hard_is_refused(tmp_path: Path) -> None:
         read(tmp_path, KICK, f"{HARD}weight = 0\n")
     with pytest.raises(UserError, match="no joint of the figure has a range"):
         read(tmp_path, REST.format(0) + REST.format(1), model=FREE_HINGE)
-    with pytest.raises(UserError, match="limit must be 'soft' or 'hard'"):
+    with pytest.raises(UserError, match="range must be 'soft' or 'hard'"):
         read(tmp_path, KICK, HARD.replace("hard", "firm"))
 
 

@@ -177,7 +177,7 @@ def test_older_kinds_that_are_one_now_are_replaced_by_one_table():
 
 def test_options_without_a_new_name_are_named():
     message, table = replacement('[[penalty]]\nkind = "covariant"\nform = "paper"\n')
-    assert message.endswith("leave out form, which no longer exists")
+    assert message.endswith("leave out form of 'covariant', which no longer exists")
     assert table == 'kind = "acceleration"'
 
 
