@@ -136,7 +136,7 @@ def _serve(name: str, start: int, stop: int, kept: Path) -> None:
             at = traceback.extract_tb(error.__traceback__)[-1]
             how = f"{type(error).__name__}: {' '.join(str(error).split())[:200]} ({Path(at.filename).name}:{at.lineno})"
             (kept / f"bad.{seed}.{name}").write_bytes((folder / name).read_bytes())
-        peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+        peak = _peak()
         print(
             f"{time.process_time() - begin:.3f} {peak:.0f} {how.encode('ascii', 'backslashreplace').decode()}",
             file=talk,
@@ -144,6 +144,15 @@ def _serve(name: str, start: int, stop: int, kept: Path) -> None:
     for path in folder.iterdir():
         path.unlink()
     folder.rmdir()
+
+
+def _peak() -> float:
+    """The largest size of this process [MB]; its resource usage counts the process that started it as well."""
+    status = Path("/proc/self/status")
+    if not status.exists():
+        return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+    (line,) = (line for line in status.read_text().splitlines() if line.startswith("VmHWM"))
+    return float(line.split()[1]) / 1024
 
 
 def main() -> None:
