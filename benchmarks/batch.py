@@ -106,7 +106,7 @@ def killed(clips: Path, out: Path, count: int) -> dict[str, int]:
 
 def measure(effort: Effort) -> Section:
     section = Section("Batches of small clips of the human", ("what", "clips", "seconds", "clips a second", "× one"))
-    if peer("psutil") is None:
+    if peer("distributed") is None:
         section.add("skipped: not installed (pip install '.[batch]')", "–", "–", "–", "–")
         return section
     count = effort.count(200, 12)

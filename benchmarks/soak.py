@@ -195,7 +195,7 @@ def written(folder: Path, count: int) -> Path:
 
 
 def solvers(driver: int) -> list[int]:
-    """The processes that solve, and the servers that they are forked from."""
+    """The processes that solve."""
     import psutil
 
     found = []
@@ -245,7 +245,7 @@ def disk(folder: Path, megabytes: int) -> Iterator[Path]:
 
 def measure(effort: Effort) -> Section:
     section = Section("A batch that is not let alone", ("what", "count"))
-    if peer("psutil") is None:
+    if peer("distributed") is None:
         section.add("skipped: not installed (pip install '.[batch]')", "–")
         return section
     count = effort.count(2000, 60)

@@ -4,9 +4,10 @@ inputs.py     what is named on the command line becomes clips, and a clip the fi
 manifest.py   what became of every clip, in a file that survives whatever ends the program
 lock.py       one program at a time in a folder
 solving.py    the work itself: files of a clip in, the file of its motion out
-child.py      a process for a clip, which is ended when it takes too long or too much memory
-workers.py    such processes on this machine
-cluster.py    or at the workers of a Dask cluster
+child.py      the process that does it, warm from clip to clip
+bounded.py    the other end of that process: it is ended when it takes too long or too much
+crew.py       such processes at every Dask worker
+cluster.py    the Dask workers, here or elsewhere
 plan.py       what a command asks for, and what of it is left to do
 recordings.py  a batch of recordings: what is asked of it, and what it came to
 dispatch.py   the verb: few clips under way at a time, each done once
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
     from .dispatch import Tally
     from .task import Cleaning
 
-NEEDS = ("psutil", "distributed", "dask")
+NEEDS = ("distributed", "dask", "psutil")
 MOST_WORKERS = 1000  # more would only be a slip of the keyboard
 MOST_SECONDS = 1e6  # [s] a clip, eleven days
 LEAST_MEGABYTES, MOST_MEGABYTES = 256, 10**7  # [MB] a worker
@@ -67,9 +68,6 @@ def run(
         raise UserError(f"--fps {fps:g}: give a number of samples a second, 0.01 to 100000")
     try:
         from . import dispatch
-
-        if scheduler is not None:
-            from . import cluster  # noqa: F401, whose packages may be missing
     except ModuleNotFoundError as error:
         if error.name not in NEEDS:
             raise

@@ -2,31 +2,41 @@
 
 from __future__ import annotations
 
+import queue
 import time
 import uuid
+from asyncio import CancelledError
 from collections import deque
-from collections.abc import Mapping
-from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, wait
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path, PurePosixPath
+
+from distributed import Client, Future, KilledWorker
+from distributed.comm.core import CommClosedError
 
 from ..errors import UserError, one_line
 from ..exchange import formats
 from ..scene.outside import is_allowed, lies_in
 from ..system.output import Replacement, clear_below
 from ..system.progress import Progress
-from .child import Bounds, Do, Outcome
+from .bounded import Bounds, Outcome
+from .cluster import opened, threads
+from .crew import work
 from .inputs import files_of, sources
 from .lock import Lock
 from .manifest import Entry, Manifest, check_below, digest_of
 from .plan import Clip, Options, Plan, planned
 from .solving import solved
 from .task import NPZ, Product, Task, program
-from .workers import Workers, opened
+
+Do = Callable[[Task, Path], Product]
 
 TRIES = 3  # of a clip whose process or worker goes away, in one run
-
-TICK_SECONDS = 0.5  # [s] between looks at the folder and the workers
+AHEAD = 2  # clips handed over for every thread there is
+TICK_SECONDS = 0.5
+GONE = "the Dask scheduler is gone; the same command goes on where it stopped"
+GATHER_SECONDS = 60  # [s] that a result which is there may take to come over
 
 
 @dataclass(frozen=True)
@@ -91,8 +101,8 @@ def run(
         try:
             if plan.left:
                 batch = f"dynsplines-{uuid.uuid4().hex[:12]}"
-                with opened(options.workers, options.scheduler, batch, progress) as workers:
-                    _Dispatch(workers, manifest, plan, options, bounds, progress, do).all()
+                with opened(batch, options.workers, options.scheduler, progress) as client:
+                    _Dispatch(client, batch, manifest, plan, options, bounds, progress, do).all()
         finally:
             stopped = [entry for entry in manifest.entries.values() if entry.state == "running"]
             manifest.entries |= {entry.clip: replace(entry, state="queued") for entry in stopped}
@@ -123,11 +133,15 @@ def _holds(path: Path, content: bytes) -> bool:
 
 
 class _Dispatch:
-    """Hands clips to the workers and takes what comes back."""
+    """Hands clips to the workers and takes what comes back.
+
+    Two kinds of events arrive from Dask's threads: a clip has been begun at a worker, and a future has finished.
+    """
 
     def __init__(
         self,
-        workers: Workers,
+        client: Client,
+        batch: str,
         manifest: Manifest,
         plan: Plan,
         options: Options,
@@ -135,57 +149,97 @@ class _Dispatch:
         progress: Progress,
         do: Do,
     ) -> None:
-        self.workers, self.manifest, self.plan = workers, manifest, plan
+        self.client, self.batch, self.manifest, self.plan = client, batch, manifest, plan
         self.options, self.bounds, self.progress, self.do = options, bounds, progress, do
         self.folder = manifest.path.parent
         self.waiting = deque(plan.left)
-        self.flying: dict[Future[Outcome], Clip] = {}
+        self.flying: dict[str, tuple[Clip, Future]] = {}
+        self.running: set[str] = set()
         self.tries: dict[str, int] = {}
+        self.events: queue.SimpleQueue[Callable[[], None]] = queue.SimpleQueue()
         self.written = {name: digest for e in manifest.entries.values() for name, digest in _files(e).items()}
         self.solved = self.failed = 0
         self.begin = time.monotonic()
+        self._threads, self._asked, self._submitted = 0, -1e9, 0
 
     def all(self) -> None:
-        """Until every clip is done or has failed; raises UserError if the workers go away."""
-        while self.waiting or self.flying:
-            if not self.manifest.path.exists():
-                raise UserError(f"'{self.folder}' or its manifest has been removed; the same command begins anew")
-            self.workers.check()
-            places = self.workers.count()
-            while self.waiting and len(self.flying) < max(places, 1):
-                self._submit(self.waiting.popleft())
-            self._tell(places)
-            done, _ = wait(self.flying, TICK_SECONDS, FIRST_COMPLETED)
-            for future in done:
-                self._finished(self.flying.pop(future), future)
-        self._tell(1, force=True)
+        """Until every clip is done or has failed; raises UserError if the scheduler goes away."""
+        try:
+            self.client.subscribe_topic(self.batch, self._heard)
+            while self.waiting or self.flying:
+                self._check_folder()
+                while self.waiting and len(self.flying) < AHEAD * max(self._threads_there(), 1):
+                    self._submit(self.waiting.popleft())
+                self._tell()
+                try:
+                    self.events.get(timeout=TICK_SECONDS)()
+                except queue.Empty:
+                    self._check_connected()
+            self._tell(force=True)
+        except CommClosedError:
+            raise UserError(GONE) from None
+        finally:
+            if self.flying and self.client.status == "running":
+                self.client.cancel([future for _, future in self.flying.values()], force=True)
 
     def _submit(self, clip: Clip) -> None:
         try:
             check_below(self.folder, f"{clip.name}{self.options.ending}")
             files = files_of(clip.source, self.plan.figures, self.options.cleaning)
         except UserError as error:
-            self._failed(clip, Outcome(cause="error", error=one_line(error)))
+            self._failed(clip, Outcome(0.0, cause="error", error=one_line(error)))
             return
         except OSError as error:
             words = f"'{error.filename}': {error.strerror}" if error.filename else str(error.strerror or error)
-            self._failed(clip, Outcome(cause="error", error=one_line(words)))
+            self._failed(clip, Outcome(0.0, cause="error", error=one_line(words)))
             return
-        options, entry = self.options, self.manifest.entries[clip.name]
+        options = self.options
+        entry = self.manifest.entries[clip.name]
+        digest = options.digest(files)
+        self.manifest.entries[clip.name] = replace(entry, input=digest)  # it may have changed since it was queued
         task = Task(files, options.to, options.fps, options.report, program(), is_allowed(), options.cleaning)
         self.tries[clip.name] = self.tries.get(clip.name, 0) + 1
-        future = self.workers.submit(self.do, task, self.bounds)
-        self.flying[future] = clip
-        digest = options.digest(files)  # it may have changed since it was queued
-        begun = replace(entry, input=digest, state="running", attempts=entry.attempts + 1)
-        self.manifest.record([begun], firmly=False)
+        key = f"{self.batch}-{clip.name}-{self.tries[clip.name]}"
+        self._submitted += 1
+        future = self.client.submit(
+            work, self.batch, clip.name, self.do, task, self.bounds, key=key, pure=False, priority=-self._submitted
+        )
+        self.flying[clip.name] = (clip, future)
+        self._listen(clip)
 
-    def _finished(self, clip: Clip, future: Future[Outcome]) -> None:
+    def _listen(self, clip: Clip) -> None:
+        self.flying[clip.name][1].add_done_callback(lambda _: self.events.put(partial(self._finished, clip)))
+
+    def _heard(self, event: tuple[float, dict[str, str]]) -> None:
+        self.events.put(partial(self._begun, event[1]["clip"], event[1]["worker"]))
+
+    def _begun(self, name: str, worker: str) -> None:
+        if name not in self.flying:
+            return
+        entry = self.manifest.entries[name]
+        begun = replace(entry, state="running", attempts=entry.attempts + 1, worker=worker)
+        self.manifest.record([begun], firmly=False)
+        self.running.add(name)
+
+    def _finished(self, clip: Clip) -> None:
+        future = self.flying[clip.name][1]
         try:
-            outcome = future.result()
-        except (Exception, CancelledError) as error:  # of Dask's: its workers, or the scheduler, ended
-            self.workers.check()
-            outcome = Outcome(cause="lost", error=f"{type(error).__name__}: {one_line(error)}")
+            outcome: Outcome = future.result(timeout=GATHER_SECONDS)
+        except TimeoutError:  # the worker that had the result has gone, and it is solved again
+            self._listen(clip)
+            return
+        except KilledWorker as error:
+            words = f"the worker went away {error.allowed_failures + 1} times, lastly {error.last_worker.address}"
+            outcome = Outcome(0.0, cause="lost", error=words)
+        except CommClosedError:
+            raise
+        except (Exception, CancelledError) as error:
+            self._check_connected()
+            cause = "lost" if future.cancelled() else "error"
+            outcome = Outcome(0.0, cause=cause, error=f"{type(error).__name__}: {one_line(error)}")
+        del self.flying[clip.name]
+        self.running.discard(clip.name)
+        future.release()
         if outcome.product is not None:
             self._done(clip, outcome.product, outcome)
         elif outcome.cause == "lost" and self.tries[clip.name] < TRIES:
@@ -212,7 +266,6 @@ class _Dispatch:
         meant = replace(
             self.manifest.entries[clip.name],
             seconds=round(outcome.seconds, 3),
-            worker=outcome.worker,
             output=output,
             size=len(data),
             sha256=digest_of(data),
@@ -253,15 +306,31 @@ class _Dispatch:
         self.manifest.record([failed])
         self.failed += 1
 
-    def _tell(self, places: int, *, force: bool = False) -> None:
+    def _threads_there(self) -> int:
+        """Of all workers, asked for once in a while: they come and go."""
+        if time.monotonic() - self._asked > 2 * TICK_SECONDS:
+            self._threads = sum(threads(self.client).values())
+            self._asked = time.monotonic()
+        return self._threads
+
+    def _check_folder(self) -> None:
+        """Raises UserError if what has been done is gone."""
+        if not self.manifest.path.exists():
+            raise UserError(f"'{self.folder}' or its manifest has been removed; the same command begins anew")
+
+    def _check_connected(self) -> None:
+        if self.client.status != "running":
+            raise UserError(GONE)
+
+    def _tell(self, *, force: bool = False) -> None:
         over, spent = self.solved + self.failed, time.monotonic() - self.begin
         total = len(self.plan.left)
-        note = f"{self.solved} done, {self.failed} failed, {len(self.flying)} running of {total}"
+        note = f"{self.solved} done, {self.failed} failed, {len(self.running)} running of {total}"
         if over:
             left = round((total - over) * spent / over)
             rate = over / spent
             pace = f"{rate:.1f} clips/s" if rate >= 1 else f"{1 / rate:.1f} s a clip"
             note += f", {pace}, {left // 3600}:{left // 60 % 60:02}:{left % 60:02} left"
-        elif not places:
+        elif not self._threads:
             note += ", no workers yet"
         self.progress.step("batch", over / total, note, force=force)

@@ -171,23 +171,31 @@ def _lines(listed: str) -> list[str]:
 
 
 def _named(word: str) -> Iterator[Source]:
-    """Clips: one that ships, a file, every .toml in a folder, or those that a pattern matches."""
     if word in models.clips():
         yield Source(None, PurePosixPath(word))
         return
     path = Path(word)
+    if path.is_dir():
+        below = sorted(file for file in path.rglob("*.toml") if file.is_file())
+        if not below:
+            raise UserError(f"'{word}': no .toml file in it or below")
+        yield from (Source(_absolute(file), PurePosixPath(file.relative_to(path).with_suffix(""))) for file in below)
+        return
     if path.is_file():
         if path.suffix.lower() not in ENDINGS:
             raise UserError(f"'{word}': a clip is a .toml file, an MJCF .xml with keyframes, or a shipped name")
         yield Source(_absolute(path), PurePosixPath(path.stem))
         return
-    if not path.is_dir() and not glob.has_magic(word):
-        raise UserError(f"no file '{word}'" if path.suffix else unknown("clip", word, models.clips()))
-    endings = ENDINGS[:1] if path.is_dir() else ENDINGS
-    found = [(file, name) for file, name in _files(path) if file.suffix.lower() in endings]
-    if not found:
-        raise UserError(f"'{word}': no .toml {'file in it or below' if path.is_dir() else 'or .xml file is called so'}")
-    yield from (Source(_absolute(file), name.with_suffix("")) for file, name in found)
+    if glob.has_magic(word):
+        called = sorted(Path(path.anchor).glob(str(path.relative_to(path.anchor))))
+        matching = [file for file in called if file.is_file() and file.suffix.lower() in ENDINGS]
+        if not matching:
+            raise UserError(f"'{word}': no .toml or .xml file is called so")
+        yield from (Source(_absolute(file), PurePosixPath(file.stem)) for file in matching)
+        return
+    if path.suffix:
+        raise UserError(f"no file '{word}'")
+    raise UserError(unknown("clip", word, models.clips()))
 
 
 def _recordings(word: str) -> Iterator[Source]:
@@ -196,20 +204,18 @@ def _recordings(word: str) -> Iterator[Source]:
     if path.is_file():
         yield Source(_absolute(path), PurePosixPath(formats.stem(path)))
         return
-    if not path.is_dir() and not glob.has_magic(word):
+    if path.is_dir():
+        called, root = path.rglob("*"), path
+    elif glob.has_magic(word):
+        called, root = Path(path.anchor).glob(str(path.relative_to(path.anchor))), None
+    else:
         raise UserError(f"no file '{word}'")
-    found = [(file, name) for file, name in _files(path) if _tells(file)]
+    found = sorted(file for file in called if file.is_file() and _tells(file))
     if not found:
         raise UserError(f"'{word}': no recording's ending is there; `dynsplines formats` lists them")
-    yield from (Source(_absolute(file), name.with_name(formats.stem(file))) for file, name in found)
-
-
-def _files(path: Path) -> list[tuple[Path, PurePosixPath]]:
-    """The files below a folder with their paths in it, or those that a pattern matches with their names."""
-    if path.is_dir():
-        return sorted((file, PurePosixPath(file.relative_to(path))) for file in path.rglob("*") if file.is_file())
-    called = Path(path.anchor).glob(str(path.relative_to(path.anchor)))
-    return sorted((file, PurePosixPath(file.name)) for file in called if file.is_file())
+    for file in found:
+        name = PurePosixPath(file.name if root is None else file.relative_to(root))
+        yield Source(_absolute(file), name.with_name(formats.stem(file)))
 
 
 def _tells(file: Path) -> bool:

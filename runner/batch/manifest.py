@@ -10,13 +10,10 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-import re
 from collections.abc import Iterable, Mapping
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path, PurePosixPath, PureWindowsPath
-from typing import Annotated, Any, Literal
-
-from pydantic import AfterValidator, TypeAdapter, ValidationError
+from typing import Any, Literal
 
 from ..errors import UserError
 from ..scene.outside import lies_in
@@ -24,29 +21,9 @@ from ..system.output import Replacement
 
 NAME = "manifest.jsonl"
 VERSION = 1  # of the file's form
-VERSIONED = re.compile(rb'\{"dynsplines batch": (\d+)\}')
+STATES = ("queued", "running", "done", "failed")
 
-
-def _below(name: str) -> str:
-    """A path that leads down from the manifest's folder; raises ValueError for others."""
-    parts = name.replace("\\", "/").split("/")
-    if PurePosixPath(name).is_absolute() or PureWindowsPath(name).drive or ".." in parts or "\0" in name:
-        raise ValueError(f"'{name}' is no path in this folder")
-    return name
-
-
-Below = Annotated[str, AfterValidator(_below)]
-
-
-def _problem(table: dict[str, Any]) -> dict[str, Any]:
-    """A violation as a table; raises ValueError where a batch cannot print and compare it."""
-    numbers = [table.get(name) for name in ("amount", "bound")]
-    if not isinstance(table.get("text"), str) or not all(isinstance(x, int | float) and x > 0 for x in numbers):
-        raise ValueError(f"a problem is {table!r}")
-    return table
-
-
-Problem = Annotated[dict[str, Any], AfterValidator(_problem)]
+State = Literal["queued", "running", "done", "failed"]
 
 
 @dataclass(frozen=True)
@@ -67,28 +44,60 @@ class Entry:
     figures   of a recording: what was measured, before and after, by what it says and its unit
     """
 
-    clip: Below
+    clip: str
     source: str
-    state: Literal["queued", "running", "done", "failed"] = "queued"
+    state: State = "queued"
     input: str = ""
     attempts: int = 0
     seconds: float | None = None
     worker: str = ""
-    output: Below = ""
+    output: str = ""
     size: int = 0
     sha256: str = ""
     cause: str = ""
     bound: float | None = None
     error: str = ""
-    problems: tuple[Problem, ...] = ()
+    problems: tuple[dict[str, Any], ...] = ()
     figures: Mapping[str, tuple[float, float]] = field(default_factory=dict)
-    beside: Mapping[Below, str] = field(default_factory=dict)
+    beside: Mapping[str, str] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
 
     def line(self) -> str:
         """As JSON, without what there is nothing to say about."""
         told = {key: value for key, value in asdict(self).items() if value not in ("", None, 0, (), {})}
         return json.dumps(told) + "\n"
+
+    @classmethod
+    def of(cls, data: dict[str, Any]) -> Entry:
+        """From JSON; raises ValueError or TypeError."""
+        entry = cls(**data)
+        if not isinstance(entry.problems, list | tuple) or not all(map(_is_problem, entry.problems)):
+            raise TypeError(f"'problems' is {entry.problems!r}")
+        if not isinstance(entry.figures, dict) or not all(map(_is_pair, entry.figures.values())):
+            raise TypeError(f"'figures' is {entry.figures!r}")
+        if not isinstance(entry.beside, dict) or not all(isinstance(value, str) for value in entry.beside.values()):
+            raise TypeError(f"'beside' is {entry.beside!r}")
+        if not isinstance(entry.notes, list | tuple) or not all(isinstance(note, str) for note in entry.notes):
+            raise TypeError(f"'notes' is {entry.notes!r}")
+        entry = replace(entry, problems=tuple(entry.problems), notes=tuple(entry.notes))
+        if entry.state not in STATES:
+            raise ValueError(f"no state '{entry.state}'; states: {', '.join(STATES)}")
+        for name, kind in (
+            ("clip", str),
+            ("source", str),
+            ("input", str),
+            ("output", str),
+            ("size", int),
+            ("sha256", str),
+        ):
+            if not isinstance(getattr(entry, name), kind):
+                raise TypeError(f"'{name}' is {getattr(entry, name)!r}")
+        for name in (entry.clip, entry.output, *entry.beside):
+            if not is_below(name):
+                raise ValueError(f"'{name}' is no path in this folder")
+        if not isinstance(entry.attempts, int):
+            raise TypeError(f"'attempts' is {entry.attempts!r}")
+        return entry
 
     def holds(self, folder: Path) -> bool:
         """Whether the output and what belongs to it are there with every byte that was written."""
@@ -111,6 +120,13 @@ def digest_of(data: bytes) -> str:
     return hashlib.sha256(data).hexdigest()
 
 
+def is_below(name: str) -> bool:
+    """Whether a clip's name is a path that leads down from the manifest's folder."""
+    path = PurePosixPath(name)
+    parts = name.replace("\\", "/").split("/")
+    return not (path.is_absolute() or PureWindowsPath(name).drive or ".." in parts or "\0" in name)
+
+
 def check_below(folder: Path, name: str) -> None:
     """Raises UserError if a file is not to be written there: a link leads out of the manifest's folder."""
     if not lies_in(folder / name, folder):
@@ -118,7 +134,17 @@ def check_below(folder: Path, name: str) -> None:
         raise UserError(f"'{folder / name}' leads out of the folder, to '{where}'; remove the link")
 
 
-ENTRY = TypeAdapter(Entry)
+def _is_problem(told: Any) -> bool:
+    """Whether a batch can say and compare it."""
+    return isinstance(told, dict) and isinstance(told.get("text"), str) and _is_above(told, "amount", "bound")
+
+
+def _is_pair(told: Any) -> bool:
+    return isinstance(told, list | tuple) and len(told) == 2 and all(isinstance(value, int | float) for value in told)
+
+
+def _is_above(told: dict[str, Any], *names: str) -> bool:
+    return all(isinstance(told.get(name), int | float) and told[name] > 0 for name in names)
 
 
 @dataclass
@@ -171,16 +197,15 @@ def _read(path: Path) -> dict[str, Entry]:
     lines.pop()  # nothing, or what was cut short
     entries: dict[str, Entry] = {}
     for number, line in enumerate(lines, 1):
-        if number == 1 and (version := VERSIONED.fullmatch(line)):
-            if int(version[1]) != VERSION:
-                raise UserError(f"{path}: written by another version of this program")
-            continue
         try:
-            entry = ENTRY.validate_json(line, strict=True)
-        except ValidationError as error:
-            first = error.errors()[0]
-            place = "".join(f"{key}: " for key in first["loc"] if first["type"] != "value_error")
-            why = place + first["msg"].removeprefix("Value error, ")
+            data = json.loads(line)
+            if number == 1 and isinstance(data, dict) and "dynsplines batch" in data:
+                if data["dynsplines batch"] != VERSION:
+                    raise UserError(f"{path}: written by another version of this program")
+                continue
+            entry = Entry.of(data)
+        except (ValueError, TypeError) as error:
+            why = " ".join(str(error).split())
             raise UserError(f"{path}: line {number} is not what became of a clip ({why}); remove it") from None
         entries[entry.clip] = entry
     return entries

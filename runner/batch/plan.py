@@ -9,7 +9,7 @@ from typing import Any
 from ..errors import UserError
 from ..exchange import formats
 from ..system.progress import Progress
-from .child import Bounds
+from .bounded import Bounds
 from .inputs import Source, files_of, named_apart
 from .manifest import Entry, Manifest
 from .task import NPZ, Cleaning, Files, program

@@ -17,6 +17,11 @@ if TYPE_CHECKING:
 RESULT = ".result"  # how the output is called while it is made: no figure's file is called so
 
 
+def prepared() -> None:
+    """Imports what the work takes, which is off the clock."""
+    from .. import motion, work  # noqa: F401
+
+
 def solved(task: Task, folder: Path) -> Product:
     """The file of the motion, and what is wrong with it; MuJoCo's warnings are among its notes.
 

@@ -13,6 +13,10 @@ from dynsplines.batch.task import Product, Task
 from dynsplines.errors import UserError
 
 
+def ready() -> None:
+    """Nothing to prepare."""
+
+
 def lasts(seconds: float, folder: Path) -> Product:
     time.sleep(seconds)
     return Product(str(os.getpid()).encode())
@@ -38,17 +42,22 @@ def grabs(_: object, folder: Path) -> Product:
     return Product(np.zeros(2**36).tobytes())
 
 
+PINNED = []
+
+
+def pins(_: object, folder: Path) -> Product:
+    """Takes 200 MB in small pieces and keeps the last of them, above all that is free again."""
+    taken = [np.ones(12_000) for _ in range(2000)]
+    PINNED.append(taken[-1])
+    return Product(b"")
+
+
 def dies(number: int, folder: Path) -> Product:
     os.kill(os.getpid(), number)
     return Product(b"")
 
 
 def leaves(code: int, folder: Path) -> Product:
-    os._exit(code)
-
-
-def leaves_with_words(code: int, folder: Path) -> Product:
-    os.write(2, b"\nfarewell\n\n")
     os._exit(code)
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import asyncio
+import json
 import os
 import shutil
 import signal
@@ -20,9 +22,10 @@ pytest.importorskip("distributed")
 
 import psutil
 import pytest
+from distributed.comm.core import connect
 
 from dynsplines import motion
-from dynsplines.batch.manifest import ENTRY, Entry, Manifest
+from dynsplines.batch.manifest import Entry, Manifest
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="needs POSIX limits and signals")
 
@@ -98,7 +101,7 @@ def journal(folder: Path) -> list[Entry]:
     if not path.exists():
         return []
     lines = path.read_bytes().split(b"\n")[1:-1]
-    return [ENTRY.validate_json(line) for line in lines]
+    return [Entry.of(json.loads(line)) for line in lines]
 
 
 def done(folder: Path) -> int:
@@ -106,13 +109,12 @@ def done(folder: Path) -> int:
 
 
 def solvers(driver: int) -> list[int]:
-    """The processes that solve clips now: each is forked from a server of the same command line."""
+    """The processes for clips."""
     found = set()
     for number in descendants(driver):
         with suppress(psutil.Error):
             process = psutil.Process(number)
-            both = [" ".join(each.cmdline()) for each in (process, process.parent()) if each is not None]
-            found |= {number} if all("dynsplines.batch.child" in words for words in both) else set()
+            found |= {number} if "dynsplines.batch.child" in " ".join(process.cmdline()) else set()
     return sorted(found)
 
 
@@ -181,11 +183,14 @@ def test_nobody_else_on_the_machine_can_reach_a_batch_and_it_leaves_nothing_wher
     (tmp_path / "clips").mkdir()
     (tmp_path / "clips/a.toml").write_text("hang", encoding="utf-8")
     process = start("batch", "clips", "-o", "out", "--workers", 2, program=INJECTED)
-    until(lambda: [e for e in journal(tmp_path / "out") if e.state == "running"], "a clip under way")
+    until(lambda: [e.worker for e in journal(tmp_path / "out") if e.state == "running"], "a clip under way")
     until(lambda: solvers(process.pid), "the process that solves it")
-    found = [psutil.Process(each) for each in [process.pid, *descendants(process.pid)]]
+    found = [psutil.Process(each) for each in [process.pid, *solvers(process.pid)]]
     listening = [each.laddr for one in found for each in one.net_connections() if each.status == psutil.CONN_LISTEN]
     assert listening == []
+    worker = next(entry.worker for entry in journal(tmp_path / "out") if entry.state == "running")
+    with pytest.raises(ValueError, match="inproc address"):
+        asyncio.run(connect(worker, timeout=1))
     os.killpg(process.pid, signal.SIGINT)
     asked = time.monotonic()
     process.communicate(timeout=PATIENCE)

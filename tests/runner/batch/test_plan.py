@@ -14,7 +14,7 @@ from tiny import CLIP, FIGURE, changed, written
 
 pytest.importorskip("psutil")
 
-from dynsplines.batch.child import Bounds
+from dynsplines.batch.bounded import Bounds
 from dynsplines.batch.inputs import sources
 from dynsplines.batch.manifest import Entry, Manifest, digest_of
 from dynsplines.batch.plan import Options, Plan, planned

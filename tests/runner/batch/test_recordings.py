@@ -16,7 +16,7 @@ pytest.importorskip("distributed")
 
 from dynsplines import UserError, cli, load_motion
 from dynsplines.batch import recordings
-from dynsplines.batch.child import Bounds
+from dynsplines.batch.bounded import Bounds
 from dynsplines.batch.dispatch import Tally, run
 from dynsplines.batch.inputs import files_of, sources
 from dynsplines.batch.manifest import Entry, Manifest
