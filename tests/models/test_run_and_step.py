@@ -95,7 +95,7 @@ def test_without_the_flight_and_support_penalties_the_figure_is_carried_by_nothi
 
 
 def test_without_the_contact_penalties_the_foot_still_goes_through_the_step():
-    clip = without("contact", "clearance", "planted")
+    clip = without("collision.soles", "collision.body", "attach.stance")
     assert deepest(clip, solved(clip, frames=0)) >= 0.03
 
 
