@@ -180,7 +180,10 @@ def _tell_version(asked: bool) -> None:
     if asked:
         from importlib.metadata import version  # only here: it takes a moment
 
-        print(f"dynsplines {version('dynamic-splines')}, MuJoCo {version('mujoco')}")
+        from .solver import compiled
+
+        by = "the compiled kernel" if compiled.kernel is not None else "NumPy alone (no compiled kernel)"
+        print(f"dynsplines {version('dynamic-splines')}, MuJoCo {version('mujoco')}, solving with {by}")
         raise typer.Exit
 
 

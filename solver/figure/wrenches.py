@@ -23,11 +23,12 @@ from functools import lru_cache
 
 import numpy as np
 
+from .. import compiled
 from ..array import Array, Index, Mask
 from .algebra import cross, dot, hamilton, pure_product, rotation_matrix, turned_back
 from .axes import followers, ways
 from .figure import Figure
-from .kinematics import Samples
+from .kinematics import LinkMotion, Samples
 
 VECTORS = ("force", "torque", "force_d", "torque_d", "torque_dd")
 AT_ONCE = 2000  # wrenches whose vectors stay in cache
@@ -87,11 +88,62 @@ class Wrenches:
 
     def rows(self, samples: Samples) -> Array:
         """(P, 1 to 3, N): the gradients of the residuals with respect to y, and to y' and y'' as far as they matter."""
+        if compiled.kernel is not None:
+            return _compiled_rows(samples, self)
         out = np.zeros((self.at.size, self.orders, samples.y.shape[1]))
         for first in range(0, self.at.size, AT_ONCE):
             run = slice(first, first + AT_ONCE)
             _Sweep(samples, self.taken(run)).add_to(out[run])
         return out
+
+
+def _compiled_rows(samples: Samples, wrenches: Wrenches) -> Array:
+    """`Wrenches.rows` by the compiled kernel."""
+    out = np.empty((wrenches.at.size, wrenches.orders, samples.y.shape[1]))
+    links, orders, tables = samples.links, wrenches.orders, samples.figure.tables
+    rates = (links.x_d, links.anchor_velocity, links.omega) if orders > 1 else (links.x, links.anchor, links.x)
+    alpha = links.alpha if orders > 2 else links.x
+    slides = links.slide_axis if tables.slide_links.size else _NONE
+    hinges = links.hinge_axis if tables.hinge_links.size else _NONE
+    motion = (links.x, rates[0], links.anchor, rates[1], rates[2], alpha, slides, hinges)
+    quaternions = (samples.once(ways), samples.once(_bases)) if tables.quaternion_links.size else (_NONE, _NONE)
+    vectors = [getattr(wrenches, name) for name in VECTORS]
+    figure = _facts(samples.figure)
+    size = samples.count, out.shape[2], orders
+    compiled.call("wrench_rows", out, wrenches.at, wrenches.link, *vectors, *figure, *motion, *quaternions, *size)
+    return out
+
+
+_NONE = np.zeros(0)
+
+
+@lru_cache(maxsize=8)
+def _facts(figure: Figure) -> tuple[Array, Array]:
+    """What the kernel knows of links, (L, 9), -1 where there is none: parent, column of a position, place among the
+    slides and column, likewise of hinges and quaternions, place among the relative quaternions; and `followers`."""
+    tables = figure.tables
+    facts = np.full((len(tables.parents), 9), -1, np.int64)
+    facts[:, 0] = tables.parents
+    facts[0, 0] = 0
+    facts[tables.free_links, 1] = tables.position_columns[0]
+    for first, links, columns in (
+        (2, tables.slide_links, tables.slide_columns),
+        (4, tables.hinge_links, tables.hinge_columns),
+        (6, tables.quaternion_links, tables.quaternion_columns[0]),
+    ):
+        facts[links, first], facts[links, first + 1] = np.arange(links.size), columns
+    relative = tables.quaternion_links[~tables.in_world[tables.quaternion_links]]
+    facts[relative, 8] = np.arange(relative.size)
+    return facts, np.ascontiguousarray(followers(figure).astype(np.int64))
+
+
+def _bases(links: LinkMotion) -> Array:
+    """The axes of the relative quaternions, which turn with the parents: (3, 3, n, S)."""
+    tables = links.figure.tables
+    own = tables.quaternion_links[~tables.in_world[tables.quaternion_links]]
+    parents = tables.parents[own]
+    base = hamilton(links.Q[:, parents], tables.turn[:, own, None])
+    return rotation_matrix(base, 2 / dot(base, base))
 
 
 def of_point(at: Index, link: Index, arm: Array, direction: Array) -> Wrenches:
@@ -291,8 +343,7 @@ class _Sweep:
             return
         parents = self.tables.parents[pairs.joint]
         moments = self._on_axes(self._moments(pairs), parents, pairs.at)
-        base = hamilton(self.motion.Q[:, parents, pairs.at], self.tables.turn[:, pairs.joint])
-        axes = rotation_matrix(base, 2 / dot(base, base))
+        axes = self.samples.once(_bases)[:, :, _facts(self.samples.figure)[0][pairs.joint, 8], pairs.at]
         self._add_quaternions(out, pairs, [None if part is None else turned_back(axes, part) for part in moments])
 
     def _add_quaternions(self, out: Array, pairs: _Pairs, moments: Orders) -> None:

@@ -10,7 +10,7 @@ Jacobian rows that go through the figure's kinematics come from its adjoint swee
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
@@ -68,11 +68,29 @@ class Curvature:
         order, at = np.argsort(sides.at[active], kind="stable"), sides.at[active]
         self.add_rows(at[order], scale[at[order]], sides.taken(active)[order, None], (0,))
 
-    def rows(self, phi: Array) -> list[tuple[Index, Array]]:
-        """Residuals by the coefficients of K directions phi (S, 3, K): samples (P,) and rows (P, K N)."""
-        seen = [(at, np.ascontiguousarray(phi[at][:, orders].swapaxes(1, 2)), rows) for at, rows, orders in self._rows]
+    def rows_by_y(self) -> list[tuple[Index, Array]]:
+        """Residuals that depend on y alone: samples (P,), rising, and rows (P, N)."""
+        return [(at, rows[:, 0]) for at, rows, orders in self._rows if orders == (0,)]
+
+    def rows(self, phi: Array, without_y: bool = False) -> list[tuple[Index, Array]]:
+        """Residuals by the coefficients of K directions phi (S, 3, K): samples (P,) and rows (P, K N).
+
+        without_y  leaves those out that depend on y alone
+        """
+        every = [one for one in self._rows if not (without_y and one[2] == (0,))]
+        seen = [(at, np.ascontiguousarray(phi[at][:, orders].swapaxes(1, 2)), rows) for at, rows, orders in every]
         local = [(at, np.matmul(ways, rows)) for at, ways, rows in seen]
         return [(at, rows.reshape(at.size, -1)) for at, rows in local]
+
+    def squares(self) -> Iterator[tuple[Index, Array]]:
+        """2 JᵀJ of blocks of columns (n, k), by order and column: (S, n, 3, k, 3, k)."""
+        yield from self._blocks
+        for order, diagonal in enumerate(self._diagonals):
+            if diagonal is not None:
+                used = np.flatnonzero(diagonal.any(axis=0))
+                out = np.zeros((len(diagonal), used.size, 3, 1, 3, 1))
+                out[:, :, order, 0, order, 0] = diagonal[:, used]
+                yield used[:, None], out
 
     def blocks(self, phi: Array, together: int = 1) -> list[tuple[Index, Array]]:
         """Matrices of n blocks of k columns (n, k) by the coefficients of K directions: (S, n, K, k, K, k).
