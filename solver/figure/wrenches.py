@@ -118,7 +118,7 @@ _NONE = np.zeros(0)
 
 
 @lru_cache(maxsize=8)
-def _facts(figure: Figure) -> tuple[Array, Array]:
+def _facts(figure: Figure) -> tuple[Index, Index]:
     """What the kernel knows of links, (L, 9), -1 where there is none: parent, column of a position, place among the
     slides and column, likewise of hinges and quaternions, place among the relative quaternions; and `followers`."""
     tables = figure.tables
