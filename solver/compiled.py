@@ -6,18 +6,15 @@ It is built when the package is installed, if there is a C compiler, and left ou
 from __future__ import annotations
 
 import importlib
-import os
 from types import ModuleType
 
 import numpy as np
 
 from .array import Array
 
-SWITCH = "DYNSPLINES_KERNEL"  # environment variable: 0 leaves the kernel out
-
 
 def _loaded() -> ModuleType | None:
-    if os.environ.get(SWITCH) == "0" or np.dtype(np.intp).itemsize != 8:
+    if np.dtype(np.intp).itemsize != 8:
         return None
     try:
         return importlib.import_module("dynsplines.solver.kernel")

@@ -225,13 +225,13 @@ class Layout:
 
     def to_x(self, coefficients: Array) -> Array:
         """The step in the unknowns (n,) that a step of the coefficients (C, N) means."""
-        return self.problem.spline.states_and_slopes(self.steps.matrix @ coefficients).reshape(-1)[self.place]
+        return self.problem.spline.states_and_slopes(self.steps.to_spline(coefficients)).reshape(-1)[self.place]
 
     def from_x(self, gradient: Array) -> Array:
         """A gradient with respect to the unknowns (n,) as one with respect to coefficients, (C, N)."""
         rows = np.zeros(self.free.shape)
         rows.reshape(-1)[self.place] = gradient
-        return self.steps.matrix.T @ self.problem.spline.states_and_slopes_transposed(rows)
+        return self.steps.from_spline(self.problem.spline.states_and_slopes_transposed(rows))
 
     def _springs(self) -> Array:
         spline, unknowns = self.problem.spline, self.problem.unknowns

@@ -10,10 +10,9 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-from scipy import sparse
-from scipy.linalg import solve_banded
 
 from ..array import Array, Index, Mask
+from ..curve.banded import Tridiagonal
 from ..curve.spline import DEGREE, Piece, Spline
 
 LOCAL = DEGREE + 1  # coefficients that a sample sees
@@ -58,12 +57,15 @@ class Steps:
         beside, first = beside.clip(0, count - 1), place[:last].clip(0, count - LOCAL)
         return cls(count, beside, shares, first)
 
-    @cached_property
-    def matrix(self) -> sparse.csr_matrix:
-        """(M + 2, C): all coefficients from those."""
-        starts = np.arange(0, self.beside.size + 1, 2)
-        shape = len(self.beside), self.count
-        return sparse.csr_matrix((self.shares.ravel(), self.beside.ravel(), starts), shape=shape)
+    def to_spline(self, steps: Array) -> Array:
+        """The spline's coefficients (M + 2, N) of these (C, N)."""
+        return np.einsum("mk,mkn->mn", self.shares, steps[self.beside])
+
+    def from_spline(self, gradient: Array) -> Array:
+        """A gradient with respect to the spline's coefficients (M + 2, N) as one with respect to these, (C, N)."""
+        out = np.zeros((self.count, gradient.shape[1]))
+        np.add.at(out, self.beside, self.shares[:, :, None] * gradient[:, None])
+        return out
 
     @cached_property
     def by_span(self) -> Array:
@@ -104,7 +106,7 @@ def _shares(spline: Spline, rows: Index, follows: Index, kept: Mask) -> Array:
     near = np.clip(follows[:, None] + [-1, 1], 0, kept.size - 1)
     right = np.where(kept[near], -dense[:, [0, 2]], 0.0)
     joined = ~kept[near] & (near != follows[:, None])
-    diagonals = np.zeros((3, rows.size))
-    diagonals[0, 1:], diagonals[1] = (dense[:, 2] * joined[:, 1])[:-1], dense[:, 1]
-    diagonals[2, :-1] = (dense[:, 0] * joined[:, 0])[1:]
-    return np.asarray(solve_banded((1, 1), diagonals, right))
+    lower, upper = (dense[:, 0] * joined[:, 0])[1:], (dense[:, 2] * joined[:, 1])[:-1]
+    if rows.size > 2:
+        return Tridiagonal(lower, dense[:, 1], upper).solved(right)
+    return np.asarray(np.linalg.solve(np.diag(dense[:, 1]) + np.diag(lower, -1) + np.diag(upper, 1), right), float)

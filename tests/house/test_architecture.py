@@ -123,7 +123,7 @@ def test_every_file_says_what_it_is_and_none_is_named_for_a_drawer():
 STRATA = {
     "solver": """
         array
-        quaternion cone one_thread remembered
+        compiled quaternion cone one_thread remembered
         figure
         curve surface
         reading
